@@ -1,0 +1,53 @@
+// Pixels to and from files. The only part that knows libpng and OpenImageIO.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glint {
+
+enum class ChannelType { u8, f32 };
+
+// Interleaved pixels, rows bottom up as in GL. Files are top down; the turn happens here and
+// nowhere else.
+struct Image {
+    glm::ivec2 size{0};
+    int channels = 0;  // 1 to 4
+    ChannelType type = ChannelType::u8;
+    std::vector<std::byte> pixels;  // size.x * size.y * channels values, tightly packed
+};
+
+// Name and value, kept in the file where its format can (PNG text, EXR attributes).
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+// Starts loading the image library on another thread where `file` needs it (everything but PNG
+// output does), so that the GPU need not wait. Safe to call at any time, and never required.
+void prepare_image_library(const std::filesystem::path& file);
+
+// Whether the extension is one of png exr jpg jpeg tif tiff hdr.
+bool can_write(const std::filesystem::path& file);
+
+// Whether files of this kind hold float values (exr, tif, hdr); the others hold bytes.
+bool holds_floats(const std::filesystem::path& file);
+
+// Writes beside `file` and renames when whole: an interrupted call leaves what was there before. u8
+// images go to png, jpg; f32 images to exr (32-bit float, lossless), tif, hdr. Alpha is written as
+// it is, never multiplied in. Throws std::runtime_error with a whole sentence that names the file.
+void write_image(const std::filesystem::path& file, const Image& image,
+                 const Metadata& metadata = {});
+
+// Reads png, jpg, exr, hdr, tif with 1 to 4 channels (more are dropped); 8-bit files give u8 with
+// no colour conversion, deeper ones f32. Throws std::runtime_error with a whole sentence when the
+// file is missing, truncated or not an image.
+Image read_image(const std::filesystem::path& file);
+
+// Replaces `file` by `bytes` through a temporary file beside it. Throws like write_image.
+void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
+}  // namespace glint

@@ -1,0 +1,33 @@
+// A complaint about what a person wrote: how bad, where in their own text, and what to do.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// A place in a file as an editor shows it: lines and columns count from 1; 0 means the whole file.
+struct Place {
+    std::string file;
+    int line = 0;
+    int column = 0;
+};
+
+enum class Severity { error, warning };
+
+struct Diagnostic {
+    Severity severity = Severity::error;
+    Place place;
+    std::string text;           // what is wrong and what to do
+    bool missing_file = false;  // the text is right, but a file that it names cannot be read
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+// "file:line:col: error: text", the form that editors jump to. A line or column of 0 is left out.
+std::string to_string(const Diagnostic& diagnostic);
+
+bool has_errors(std::span<const Diagnostic> diagnostics);
+
+}  // namespace glint

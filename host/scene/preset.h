@@ -1,0 +1,42 @@
+// A preset: a small TOML file that keeps a look of a scene. A bare scene file opens as a preset of
+// its defaults.
+#pragma once
+
+#include "scene/diagnostic.h"
+#include "scene/frame.h"
+#include "scene/scene.h"
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct Preset {
+    std::filesystem::path file;  // what was opened: a .toml, or the scene itself
+    Scene scene;
+    std::string title;
+    double time = 0.0;               // s; where a still is taken and where the window starts
+    glm::ivec2 size{1280, 720};      // pixels
+    int settle = 0;                  // frames drawn with time held, for scenes that accumulate
+    Date date;                       // when time is 0
+    std::vector<TweakValue> values;  // one for each of scene.tweaks, within its range
+    std::array<Sampler, 4>
+        channels;               // iChannel0..3 of pasted text; those the scene declares itself win
+    std::vector<Event> events;  // in order of time
+};
+
+struct ReadPreset {
+    std::optional<Preset> preset;  // empty when there are errors
+    Diagnostics diagnostics;
+};
+
+// Reads a preset with its scene (".toml"), or a scene with its defaults (any other name). Never
+// throws for what the files say.
+ReadPreset read_preset(const std::filesystem::path& file);
+
+}  // namespace glint

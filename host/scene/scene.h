@@ -1,0 +1,143 @@
+// A scene: one GLSL file, read into plain data that says what it declares. No GL here.
+#pragma once
+
+#include "scene/diagnostic.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+enum class TweakType { float1, int1, bool1, vec2, vec3, vec4 };
+
+// Components in order; those beyond the type's count are 0. Bools are 0 or 1, menus the index of
+// the name.
+using TweakValue = std::array<double, 4>;
+
+// A uniform that a person moves: `uniform float choppiness; //@ 0.6 [0, 1] log unit=1/m
+// "steepness"`.
+struct Tweak {
+    std::string name;
+    TweakType type = TweakType::float1;
+    TweakValue initial{};                 // the default
+    std::optional<double> min, max;       // both or neither; every component lies between them
+    std::vector<std::string> names;       // of a menu; empty otherwise
+    bool is_colour = false;               // the default was written "#rrggbb" or "#rrggbbaa"
+    bool log = false;                     // the slider is logarithmic
+    double step = 0.0;                    // the slider's granularity; 0 is continuous
+    bool quality = false;                 // trades error for time
+    std::optional<TweakValue> reference;  // the value that counts as the truth
+    std::string unit, group, description;
+    Place place;
+    // Byte range [begin, end) of `uniform … ;` in Scene::text, which specialisation replaces by a
+    // constant.
+    std::size_t declaration_begin = 0, declaration_end = 0;
+};
+
+// The number of components of a tweak's value: 1 to 4.
+int component_count(TweakType type);
+
+// The GLSL spelling: "float", "int", "bool", "vec2", …
+const char* glsl_name(TweakType type);
+
+// A value moved into the tweak's range; integers, menus and bools are rounded too.
+TweakValue clamp_to_range(const Tweak& tweak, TweakValue value);
+
+// A value as a person types it: "0.6", "3", "on", "screen-space", "#0b3a53", "0.1,0.2,0.3". Nothing
+// if it is not of the type.
+std::optional<TweakValue> parse_value(const Tweak& tweak, std::string_view text);
+
+// The inverse of parse_value; parse_value(tweak, format_value(tweak, v)) gives v.
+std::string format_value(const Tweak& tweak, const TweakValue& value);
+
+enum class SamplerType { sampler2D, samplerCube, sampler3D };
+enum class Filter { nearest, linear, mipmap };
+enum class Wrap { clamp, repeat, mirror };
+enum class PixelFormat { rgba8, rgba16f, rgba32f };
+
+// Who fills what a sampler reads.
+enum class Source { none, buffer, image, noise, keyboard };
+
+// One `uniform sampler…`, or one iChannel of a preset. Filter and wrap belong to the reader, not to
+// the texture.
+struct Sampler {
+    std::string name;
+    SamplerType type = SamplerType::sampler2D;
+    Source source = Source::none;  // none reads 0
+    Filter filter = Filter::linear;
+    Wrap wrap = Wrap::clamp;
+    bool vflip = true;            // images: the first row of the file is the top of the picture
+    std::size_t pass = 0;         // buffer: index into Scene::passes
+    std::size_t output = 0;       // buffer: which `out` parameter of that pass
+    std::filesystem::path image;  // image: resolved against the file that names it
+    int noise_channels = 4;       // noise: 1 to 4
+    glm::ivec3 noise_size{0};     // noise: pixels; z is 1 for sampler2D
+    Place place;
+};
+
+// A step length as it was written, exact: seconds = numerator / denominator. Zero numerator: once a
+// frame.
+struct Step {
+    long numerator = 0, denominator = 1;
+    double seconds() const {
+        return static_cast<double>(numerator) / static_cast<double>(denominator);
+    }
+    explicit operator bool() const { return numerator != 0; }
+    bool operator==(const Step&) const = default;
+};
+
+// One full-screen draw into a buffer. The picture itself is not in the list; it runs after all of
+// these.
+struct Pass {
+    std::string name;   // of the first sampler that reads it
+    std::string entry;  // mainWaves, or mainImage where the file has no such function
+    std::vector<std::string>
+        outputs;                     // sampler names, in the order of the entry's `out` parameters
+    std::optional<glm::ivec2> size;  // pixels; unset: the picture's size times `scale`
+    double scale = 1.0;
+    PixelFormat format = PixelFormat::rgba32f;
+    bool cube = false;  // six faces through mainCubemap's signature
+    Step step;
+    Place place;
+};
+
+// Where a line of Scene::text comes from.
+struct Origin {
+    std::size_t file = 0;  // index into Scene::files
+    int line = 0;          // from 1
+};
+
+struct Scene {
+    std::vector<std::filesystem::path>
+        files;  // the scene file first, then its includes: what a reload watches
+    // The whole text, includes expanded, ready to follow the prologue: `#version`, `#line` and the
+    // host's own uniforms are blanked in place, so that every remaining character keeps its line
+    // and column.
+    std::string text;
+    std::vector<Origin> origins;    // one for each line of `text`
+    std::vector<Tweak> tweaks;      // in the order of the file
+    std::vector<Sampler> samplers;  // declared in the file, in order
+    std::vector<Pass> passes;       // in drawing order
+    std::string image_entry = "mainImage";
+    bool has_sound = false;  // defines mainSound
+
+    // The user's place of a line (from 1) and column of `text`.
+    Place place(int line, int column) const;
+};
+
+struct ReadScene {
+    std::optional<Scene> scene;  // empty when there are errors
+    Diagnostics diagnostics;
+};
+
+// Reads a scene file and its includes. Never throws for what the file says.
+ReadScene read_scene(const std::filesystem::path& file);
+
+}  // namespace glint
