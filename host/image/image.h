@@ -26,8 +26,9 @@ struct Image {
 // Name and value, kept in the file where its format can (PNG text, EXR attributes).
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
-// Starts loading the image library on another thread where `file` needs it (everything but PNG
-// output does), so that the GPU need not wait. Safe to call at any time, and never required.
+// Starts loading the image library on another thread where writing `file` needs it (jpg, tif and
+// hdr do, and reading anything but PNG), so that the GPU need not wait. Safe to call at any time,
+// and never required. Call it once the context stands: the driver is loaded through the same lock.
 void prepare_image_library(const std::filesystem::path& file);
 
 // Whether the extension is one of png exr jpg jpeg tif tiff hdr.
@@ -38,7 +39,8 @@ bool holds_floats(const std::filesystem::path& file);
 
 // Writes beside `file` and renames when whole: an interrupted call leaves what was there before. u8
 // images go to png, jpg; f32 images to exr (32-bit float, lossless), tif, hdr. Alpha is written as
-// it is, never multiplied in. Throws std::runtime_error with a whole sentence that names the file.
+// it is, never multiplied in; jpg and hdr have none. Equal calls give equal files. Throws
+// std::runtime_error with a whole sentence that names the file.
 void write_image(const std::filesystem::path& file, const Image& image,
                  const Metadata& metadata = {});
 

@@ -1,0 +1,167 @@
+// glint-oiio.so: the files that only OpenImageIO knows. Loaded when the first of them is met.
+#include "image/oiio_module.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <string>
+
+namespace {
+
+// Writes where it is told and remembers every refusal; OpenImageIO's own files forget those that
+// come at close.
+class CheckedFile : public OIIO::Filesystem::IOProxy {
+public:
+    explicit CheckedFile(int descriptor) : IOProxy("", Write), descriptor_(descriptor) {}
+
+    const char* proxytype() const override { return "checked"; }
+
+    size_t read(void* buffer, size_t size) override {
+        const size_t got = pread(buffer, size, m_pos);
+        m_pos += static_cast<int64_t>(got);
+        return got;
+    }
+
+    size_t write(const void* buffer, size_t size) override {
+        const size_t put = pwrite(buffer, size, m_pos);
+        m_pos += static_cast<int64_t>(put);
+        return put;
+    }
+
+    size_t pread(void* buffer, size_t size, int64_t offset) override {
+        const ssize_t got = ::pread(descriptor_, buffer, size, offset);
+        if (got < 0) error_ = errno;
+        return got < 0 ? 0 : static_cast<size_t>(got);
+    }
+
+    size_t pwrite(const void* buffer, size_t size, int64_t offset) override {
+        const char* from = static_cast<const char*>(buffer);
+        size_t done = 0;
+        while (done < size) {
+            const ssize_t put = ::pwrite(descriptor_, from + done, size - done,
+                                         offset + static_cast<int64_t>(done));
+            if (put < 0 && errno == EINTR) continue;
+            if (put <= 0) {
+                error_ = put < 0 ? errno : ENOSPC;
+                break;
+            }
+            done += static_cast<size_t>(put);
+        }
+        return done;
+    }
+
+    size_t size() const override {
+        struct stat status {};
+        return ::fstat(descriptor_, &status) == 0 ? static_cast<size_t>(status.st_size) : 0;
+    }
+
+    int refused() const { return error_; }
+
+private:
+    int descriptor_;
+    int error_ = 0;
+};
+
+OIIO::TypeDesc type_of(const GlintOiioPicture& picture) {
+    return picture.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+}
+
+OIIO::stride_t row_bytes(const GlintOiioPicture& picture) {
+    return static_cast<OIIO::stride_t>(picture.width) * picture.channels *
+           static_cast<OIIO::stride_t>(type_of(picture).size());
+}
+
+// The file's first row is the picture's last.
+char* top_row(const GlintOiioPicture& picture) {
+    return static_cast<char*>(picture.pixels) + (picture.height - 1) * row_bytes(picture);
+}
+
+int give_up(std::string message, char* cause, size_t cause_size) {
+    message.resize(std::min(message.find('\n'), message.size()));  // the first of many
+    while (!message.empty() && (message.back() == '.' || message.back() == ' ')) message.pop_back();
+    std::snprintf(cause, cause_size, "%s", message.c_str());
+    return 0;
+}
+
+OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const std::string& format,
+                        const GlintOiioText* texts, size_t text_count) {
+    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, type_of(picture));
+    for (size_t i = 0; i < text_count; ++i) spec.attribute(texts[i].name, texts[i].value);
+
+    // Equal pictures shall be equal files: a fixed date keeps the library from asking the clock.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (format == "jpeg") {
+        spec.attribute("CompressionQuality", 95);
+        spec.attribute("jpeg:subsampling", "4:4:4");
+    }
+    if (format == "tiff") {
+        spec.attribute("compression", "zip");
+        spec.attribute("tiff:zipquality", 1);
+    }
+    return spec;
+}
+
+}  // namespace
+
+int glint_oiio_write(int descriptor, const char* format, const GlintOiioPicture* picture,
+                     const GlintOiioText* texts, size_t text_count, int* error, char* cause,
+                     size_t cause_size) {
+    CheckedFile file(descriptor);
+    *error = 0;
+    try {
+        auto output = OIIO::ImageOutput::create(format);
+        if (!output) return give_up(OIIO::geterror(), cause, cause_size);
+        auto spec = spec_of(*picture, format, texts, text_count);
+        output->set_ioproxy(&file);
+        const bool whole = output->open(format, spec) &&
+                           output->write_image(type_of(*picture), top_row(*picture),
+                                               OIIO::AutoStride, -row_bytes(*picture));
+        const bool closed = output->close();
+        *error = file.refused();
+        if (whole && closed && *error == 0) return 1;
+        return give_up(output->geterror(), cause, cause_size);
+    } catch (const std::exception& exception) {
+        *error = file.refused();
+        return give_up(exception.what(), cause, cause_size);
+    }
+}
+
+int glint_oiio_read(const char* file, const char* format, GlintOiioPicture* picture,
+                    void* (*allocate)(void* user, const GlintOiioPicture*), void* user, char* cause,
+                    size_t cause_size) {
+    try {
+        auto input = OIIO::ImageInput::create(format);
+        if (!input) return give_up(OIIO::geterror(), cause, cause_size);
+
+        // Values as they stand in the file: no multiplication by alpha.
+        OIIO::ImageSpec wish, spec;
+        wish.attribute("oiio:UnassociatedAlpha", 1);
+        if (!input->open(file, spec, wish)) return give_up(input->geterror(), cause, cause_size);
+        if (spec.deep) return give_up("It holds deep samples", cause, cause_size);
+
+        *picture = {.width = spec.width,
+                    .height = spec.height,
+                    .channels = std::min(spec.nchannels, 4),
+                    .is_float = spec.format.size() > 1,
+                    .pixels = nullptr};
+        picture->pixels = allocate(user, picture);
+        if (!picture->pixels) return 0;
+
+        // A TIFF cut short reads "well" and leaves its errors behind.
+        const bool whole =
+            input->read_image(0, 0, 0, picture->channels, type_of(*picture), top_row(*picture),
+                              OIIO::AutoStride, -row_bytes(*picture));
+        if (!whole || input->has_error()) return give_up(input->geterror(), cause, cause_size);
+        return 1;
+    } catch (const std::exception& exception) {
+        return give_up(exception.what(), cause, cause_size);
+    }
+}

@@ -1,0 +1,195 @@
+// PNG by libpng alone: the commonest file loads no other library.
+#include "image/codecs.h"
+
+#include <png.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+
+namespace glint {
+namespace {
+
+// libpng reports an error by a jump. The functions that it jumps back to hold nothing with a
+// destructor; they leave the message here.
+struct Failure {
+    std::string message;
+};
+
+void on_error(png_structp png, png_const_charp message) {
+    static_cast<Failure*>(png_get_error_ptr(png))->message = message;
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+// Rows in the file's order: top down.
+std::vector<png_bytep> rows_top_down(std::byte* pixels, std::size_t row_bytes, int height) {
+    std::vector<png_bytep> rows(static_cast<std::size_t>(height));
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+        rows[rows.size() - 1 - y] = reinterpret_cast<png_bytep>(pixels + y * row_bytes);
+    }
+    return rows;
+}
+
+int png_colour_type(int channels) {
+    constexpr int kTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                              PNG_COLOR_TYPE_RGB_ALPHA};
+    return kTypes[channels - 1];
+}
+
+// A keyword is 1 to 79 printable Latin-1 characters; a value ends at its first zero.
+std::vector<png_text> text_chunks(const Metadata& metadata, Metadata& storage) {
+    storage = metadata;
+    std::vector<png_text> chunks;
+    for (auto& [name, value] : storage) {
+        if (name.empty()) continue;
+        name.resize(std::min<std::size_t>(name.size(), 79));
+        const bool latin = std::all_of(value.begin(), value.end(),
+                                       [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+        png_text chunk{};
+        chunk.compression = latin ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+        chunk.key = name.data();
+        chunk.text = value.data();
+        chunk.text_length = std::strlen(value.c_str());
+        chunks.push_back(chunk);
+    }
+    return chunks;
+}
+
+void append_to_file(png_structp png, png_bytep data, png_size_t size) {
+    auto& out = *static_cast<TemporaryFile*>(png_get_io_ptr(png));
+    if (!out.append({reinterpret_cast<const std::byte*>(data), size})) png_error(png, "write");
+}
+
+// False when libpng reported an error.
+bool encode(png_structp png, png_infop info, const Image& image, std::vector<png_bytep>& rows,
+            std::vector<png_text>& texts) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_user_limits(png, kMaxSide, kMaxSide);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.size.x),
+                 static_cast<png_uint_32>(image.size.y), 8, png_colour_type(image.channels),
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (!texts.empty()) png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+
+    // At 1280x720 some 30 ms, where the default level takes 140 ms to save a seventh. Runs alone
+    // (Z_RLE) beat level 1's search in time and, on rendered pictures, by 7 to 10 % in size.
+    png_set_compression_level(png, 1);
+    png_set_compression_strategy(png, Z_RLE);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_compression_buffer_size(png, 1 << 18);
+    png_write_info(png, info);
+    png_write_image(png, rows.data());
+    png_write_end(png, info);
+    return true;
+}
+
+// The form of the picture once everything is expanded to whole channels of 8 or 16 bits.
+struct Header {
+    png_uint_32 width = 0, height = 0;
+    int channels = 0;
+    int bits = 0;
+};
+
+bool decode_header(png_structp png, png_infop info, std::FILE* in, Header& header) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_init_io(png, in);
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // make_image() has ours
+    png_read_info(png, info);
+    png_set_expand(png);  // palettes, 1 to 4 bits, and a transparent colour
+    if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    header = {.width = png_get_image_width(png, info),
+              .height = png_get_image_height(png, info),
+              .channels = png_get_channels(png, info),
+              .bits = png_get_bit_depth(png, info)};
+    return true;
+}
+
+bool decode_rows(png_structp png, std::vector<png_bytep>& rows) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_read_image(png, rows.data());
+    png_read_end(png, nullptr);
+    return true;
+}
+
+struct Writer {
+    Failure failure;
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
+    png_infop info = png_create_info_struct(png);
+    Writer() = default;
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+struct Reader {
+    Failure failure;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
+    png_infop info = png_create_info_struct(png);
+    Reader() = default;
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+}  // namespace
+
+void write_png(TemporaryFile& out, const std::filesystem::path& file, const Image& image,
+               const Metadata& metadata) {
+    Writer writer;
+    if (!writer.info) throw std::bad_alloc();
+    png_set_write_fn(writer.png, &out, append_to_file, nullptr);
+
+    // libpng wants mutable rows and leaves them alone.
+    auto* pixels = const_cast<std::byte*>(image.pixels.data());
+    auto rows = rows_top_down(pixels, bytes_per_row(image), image.size.y);
+    Metadata storage;
+    auto texts = text_chunks(metadata, storage);
+    if (encode(writer.png, writer.info, image, rows, texts)) return;
+
+    // What the system refused is told by commit(), in its own words.
+    if (writer.failure.message != "write") throw cannot_write(file, writer.failure.message);
+}
+
+Image read_png(const std::filesystem::path& file) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
+                                                             std::fclose);
+    if (!in) throw cannot_read(file, std::generic_category().message(errno));
+
+    Reader reader;
+    if (!reader.info) throw std::bad_alloc();
+    Header header;
+    if (!decode_header(reader.png, reader.info, in.get(), header)) {
+        throw cannot_read(file, reader.failure.message);
+    }
+    const auto type = header.bits == 16 ? ChannelType::f32 : ChannelType::u8;
+    const glm::ivec2 size(static_cast<int>(header.width), static_cast<int>(header.height));
+    Image image = make_image(file, size, header.channels, type);
+
+    // 16-bit values stand in the last half of the floats' room, and widen in place from the front.
+    const std::size_t values = image.pixels.size() / (type == ChannelType::f32 ? 4 : 1);
+    std::byte* narrow = image.pixels.data() + (type == ChannelType::f32 ? values * 2 : 0);
+    const std::size_t row_bytes = bytes_per_row(image) / (type == ChannelType::f32 ? 2 : 1);
+    auto rows = rows_top_down(narrow, row_bytes, size.y);
+    if (!decode_rows(reader.png, rows)) throw cannot_read(file, reader.failure.message);
+    if (type == ChannelType::f32) {
+        for (std::size_t i = 0; i < values; ++i) {
+            std::uint16_t deep = 0;
+            std::memcpy(&deep, narrow + i * 2, 2);
+            const float value = static_cast<float>(deep) / 65535.0F;
+            std::memcpy(image.pixels.data() + i * 4, &value, 4);
+        }
+    }
+    return image;
+}
+
+}  // namespace glint

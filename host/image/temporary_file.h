@@ -1,0 +1,54 @@
+// A file written beside its final name and renamed when whole.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+// "Cannot write NAME: CAUSE."
+std::runtime_error cannot_write(const std::filesystem::path& file, std::string_view cause);
+
+// "Cannot read NAME: CAUSE."
+std::runtime_error cannot_read(const std::filesystem::path& file, std::string_view cause);
+
+// Until commit() the target stays as it was; without commit() nothing stays behind.
+class TemporaryFile {
+public:
+    // Makes an empty file in the folder of `target`. Where `target` is a symbolic link, the file it
+    // points to is the one replaced. Throws std::runtime_error when the folder cannot be written or
+    // `target` is there and not a regular file.
+    explicit TemporaryFile(const std::filesystem::path& target);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    // Appends bytes through a buffer. False, now and ever after, once the system refused some;
+    // commit() then says why. Throws nothing, so that C libraries may call it.
+    bool append(std::span<const std::byte> bytes) noexcept;
+
+    // Open for reading and writing, for those who seek. Not to be mixed with append().
+    int descriptor() const { return descriptor_; }
+
+    // Records why the content is not whole, as an errno.
+    void fail(int error) noexcept;
+
+    // Gives the file its name. Throws std::runtime_error when any byte did not reach it.
+    void commit();
+
+private:
+    void write_out(std::span<const std::byte> bytes) noexcept;
+
+    std::filesystem::path named_;   // as the caller named it, for messages
+    std::filesystem::path target_;  // with symbolic links resolved
+    std::filesystem::path temporary_;
+    std::vector<std::byte> buffer_;
+    int descriptor_ = -1;
+    int error_ = 0;
+};
+
+}  // namespace glint
