@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -29,5 +30,14 @@ using Diagnostics = std::vector<Diagnostic>;
 std::string to_string(const Diagnostic& diagnostic);
 
 bool has_errors(std::span<const Diagnostic> diagnostics);
+
+// What a person wrote, in quotes, fit for a message: cut when long, control characters blanked.
+std::string in_quotes(std::string_view words);
+
+// The known word that was probably meant, or "" when none is near.
+std::string nearest(std::string_view word, std::span<const std::string> known);
+
+// "; did you mean 'size'?", or "" when no known word is near.
+std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 }  // namespace glint

@@ -33,6 +33,8 @@ struct Preset {
 struct ReadPreset {
     std::optional<Preset> preset;  // empty when there are errors
     Diagnostics diagnostics;
+    // Every file that was read or asked for, also when there are errors: what a reload watches.
+    std::vector<std::filesystem::path> files;
 };
 
 // Reads a preset with its scene (".toml"), or a scene with its defaults (any other name). Never

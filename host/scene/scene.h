@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -26,14 +27,15 @@ using TweakValue = std::array<double, 4>;
 struct Tweak {
     std::string name;
     TweakType type = TweakType::float1;
-    TweakValue initial{};                 // the default
-    std::optional<double> min, max;       // both or neither; every component lies between them
-    std::vector<std::string> names;       // of a menu; empty otherwise
-    bool is_colour = false;               // the default was written "#rrggbb" or "#rrggbbaa"
-    bool log = false;                     // the slider is logarithmic
-    double step = 0.0;                    // the slider's granularity; 0 is continuous
-    bool quality = false;                 // trades error for time
-    std::optional<TweakValue> reference;  // the value that counts as the truth
+    TweakValue initial{};            // the default
+    std::optional<double> min, max;  // both or neither; every component lies between them
+    std::vector<std::string> names;  // of a menu; empty otherwise
+    bool is_colour = false;          // the default was written "#rrggbb" or "#rrggbbaa"
+    bool log = false;                // the slider is logarithmic
+    double step = 0.0;               // the slider's granularity; 0 is continuous
+    bool quality = false;            // trades error for time
+    // The value that counts as the truth. It may lie beyond the range: nobody moves a slider there.
+    std::optional<TweakValue> reference;
     std::string unit, group, description;
     Place place;
     // Byte range [begin, end) of `uniform … ;` in Scene::text, which specialisation replaces by a
@@ -47,11 +49,16 @@ int component_count(TweakType type);
 // The GLSL spelling: "float", "int", "bool", "vec2", …
 const char* glsl_name(TweakType type);
 
-// A value moved into the tweak's range; integers, menus and bools are rounded too.
+// What a value of this tweak looks like, for a message: "a number from 0 to 1", "off, screen-space
+// or traced".
+std::string expected_value(const Tweak& tweak);
+
+// A value moved into the tweak's range; integers, menus and bools are rounded too. What is not
+// a number becomes the default.
 TweakValue clamp_to_range(const Tweak& tweak, TweakValue value);
 
 // A value as a person types it: "0.6", "3", "on", "screen-space", "#0b3a53", "0.1,0.2,0.3". Nothing
-// if it is not of the type.
+// if it is not of the type, or not finite. The range is not asked; see clamp_to_range.
 std::optional<TweakValue> parse_value(const Tweak& tweak, std::string_view text);
 
 // The inverse of parse_value; parse_value(tweak, format_value(tweak, v)) gives v.
@@ -96,8 +103,9 @@ struct Step {
 // One full-screen draw into a buffer. The picture itself is not in the list; it runs after all of
 // these.
 struct Pass {
-    std::string name;   // of the first sampler that reads it
-    std::string entry;  // mainWaves, or mainImage where the file has no such function
+    std::string name;  // of the first sampler that reads it
+    // mainWaves, or mainImage where the file has no such function (a cube pass: mainCubemap).
+    std::string entry;
     std::vector<std::string>
         outputs;                     // sampler names, in the order of the entry's `out` parameters
     std::optional<glm::ivec2> size;  // pixels; unset: the picture's size times `scale`
@@ -135,6 +143,8 @@ struct Scene {
 struct ReadScene {
     std::optional<Scene> scene;  // empty when there are errors
     Diagnostics diagnostics;
+    // Every text that was read or asked for, also when there are errors: what a reload watches.
+    std::vector<std::filesystem::path> files;
 };
 
 // Reads a scene file and its includes. Never throws for what the file says.

@@ -1,0 +1,38 @@
+// The uniforms that a text declares, and the words that stand in it; just enough GLSL for that.
+#pragma once
+
+#include "scene/source_text.h"
+
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+namespace glint {
+
+// One name of a declaration: `iChannelTime[4]`.
+struct Declarator {
+    std::string_view name;
+    std::string_view array;  // what stands between the brackets
+    bool is_array = false;
+    bool has_initial = false;  // `= 0.5`, which GLSL ES forbids for uniforms
+    Span span;                 // from the name up to the comma or semicolon
+};
+
+// `uniform … ;`
+struct Declaration {
+    Span span;  // from `uniform` (or a layout before it) through the semicolon
+    std::string_view type;
+    std::size_t type_at = 0;
+    std::vector<Declarator> names;
+    bool is_block = false;   // `uniform Name { … }`, or a struct
+    bool is_broken = false;  // no semicolon, or something else that the compiler will explain
+};
+
+// `code` is a text without comments. Preprocessor lines are passed over. Views point into `code`.
+std::vector<Declaration> find_uniforms(std::string_view code);
+
+// Every identifier, those of preprocessor lines too.
+std::unordered_set<std::string_view> find_identifiers(std::string_view code);
+
+}  // namespace glint

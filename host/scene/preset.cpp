@@ -1,0 +1,461 @@
+// Reading a preset; the only file that sees toml++.
+#include "scene/preset.h"
+
+#include "scene/annotation.h"
+#include "scene/source_text.h"
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+// Debian's shared toml++ throws; the header alone, told so, returns what is wrong.
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace glint {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLargestSize = 16384;  // pixels
+constexpr int kMostSettle = 1'000'000;
+
+class Reader {
+public:
+    Reader(const fs::path& file, ReadPreset& result) : result_(result) { preset_.file = file; }
+
+    void read(std::string_view text);
+
+private:
+    using Names = std::vector<std::string>;
+
+    void read_scene_key(const toml::table& root);
+    void read_picture(const toml::table& root);
+    void read_size(const toml::node& node);
+    void read_date(const toml::node& node);
+    void read_tweaks(const toml::node& node);
+    void read_tweak(const toml::key& key, const toml::node& node);
+    std::optional<TweakValue> tweak_value(const Tweak& tweak, const toml::node& node);
+    void read_channels(const toml::node& node);
+    void read_channel(std::size_t index, const toml::table& table);
+    void read_channel_source(Sampler& sampler, std::string_view key, const toml::node& node);
+    void read_channel_options(Sampler& sampler, const toml::table& table);
+    void read_events(const toml::node& node);
+    std::optional<Event> read_event(const toml::table& table);
+    bool read_event_input(Event& event, const toml::table& table);
+    void check_keys(const toml::table& table, const Names& known);
+
+    Place place(const toml::source_region& source) const {
+        return {preset_.file.string(), static_cast<int>(source.begin.line),
+                static_cast<int>(source.begin.column)};
+    }
+    void warning(const toml::source_region& source, std::string text) {
+        result_.diagnostics.push_back({Severity::warning, place(source), std::move(text)});
+    }
+    void warning(const toml::node& node, std::string text) {
+        warning(node.source(), std::move(text));
+    }
+
+    ReadPreset& result_;
+    Preset preset_;
+    bool has_scene_ = false;
+};
+
+// A finite number, whole or not.
+std::optional<double> number(const toml::node& node) {
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+void Reader::read(std::string_view text) {
+    const toml::parse_result parsed = toml::parse(text, preset_.file.string());
+    if (!parsed) {
+        const toml::parse_error& error = parsed.error();
+        result_.diagnostics.push_back({Severity::error, place(error.source()),
+                                       fmt::format("no valid TOML: {}", error.description())});
+        return;
+    }
+    const toml::table& root = parsed.table();
+    check_keys(
+        root, {"scene", "title", "time", "size", "settle", "date", "tweaks", "channels", "events"});
+    read_scene_key(root);
+    read_picture(root);
+    if (const toml::node* tweaks = root.get("tweaks")) read_tweaks(*tweaks);
+    if (const toml::node* channels = root.get("channels")) read_channels(*channels);
+    if (const toml::node* events = root.get("events")) read_events(*events);
+    if (!has_errors(result_.diagnostics)) result_.preset = std::move(preset_);
+}
+
+void Reader::check_keys(const toml::table& table, const Names& known) {
+    for (const auto& [key, node] : table) {
+        if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+        warning(key.source(), fmt::format("unknown key {}; known are {}{}", in_quotes(key.str()),
+                                          fmt::join(known, ", "), did_you_mean(key.str(), known)));
+    }
+}
+
+void Reader::read_scene_key(const toml::table& root) {
+    const toml::node* node = root.get("scene");
+    const auto name = node ? node->value<std::string>() : std::nullopt;
+    if (!name || name->empty()) {
+        const Place where = node ? place(node->source()) : Place{preset_.file.string(), 1, 1};
+        result_.diagnostics.push_back(
+            {Severity::error, where,
+             "the scene is missing; write scene = \"NAME.frag\", relative to this file"});
+        return;
+    }
+    fs::path file = preset_.file.parent_path() / *name;
+    std::error_code error;
+    if (fs::equivalent(file.lexically_normal(), file, error)) file = file.lexically_normal();
+    ReadScene read = read_scene(file);
+    for (Diagnostic& diagnostic : read.diagnostics) {
+        // The whole file is missing: the mistake, if it is one, stands in the preset.
+        if (diagnostic.missing_file && diagnostic.place.line == 0)
+            diagnostic.place = place(node->source());
+        result_.diagnostics.push_back(std::move(diagnostic));
+    }
+    result_.files.insert(result_.files.end(), read.files.begin(), read.files.end());
+    has_scene_ = read.scene.has_value();
+    if (!has_scene_) return;
+    preset_.scene = std::move(*read.scene);
+    for (const Tweak& tweak : preset_.scene.tweaks) preset_.values.push_back(tweak.initial);
+}
+
+void Reader::read_picture(const toml::table& root) {
+    if (const toml::node* node = root.get("title")) {
+        if (const auto title = node->value<std::string>())
+            preset_.title = *title;
+        else
+            warning(*node, "title is a text; write title = \"Harbour at dusk\"");
+    }
+    if (const toml::node* node = root.get("time")) {
+        const auto time = number(*node);
+        if (time && *time >= 0.0)
+            preset_.time = *time;
+        else
+            warning(*node, "time is a finite number of seconds from 0; it stays 0");
+    }
+    if (const toml::node* node = root.get("settle")) {
+        const auto settle = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+        if (!settle)
+            warning(*node, "settle is a whole number of frames; it stays 0");
+        else if (*settle < 0 || *settle > kMostSettle)
+            warning(*node, fmt::format("settle is from 0 to {}; clamped", kMostSettle));
+        if (settle)
+            preset_.settle = static_cast<int>(std::clamp<std::int64_t>(*settle, 0, kMostSettle));
+    }
+    if (const toml::node* node = root.get("size")) read_size(*node);
+    if (const toml::node* node = root.get("date")) read_date(*node);
+}
+
+void Reader::read_size(const toml::node& node) {
+    const toml::array* pair = node.as_array();
+    const auto length = [&](std::size_t i) {
+        return (*pair)[i].is_integer() ? (*pair)[i].value<std::int64_t>() : std::nullopt;
+    };
+    if (!pair || pair->size() != 2 || !length(0) || !length(1))
+        return warning(node, fmt::format("size is two whole numbers, such as size = [1280, 720]; "
+                                         "it stays {} x {}",
+                                         preset_.size.x, preset_.size.y));
+    for (int i = 0; i < 2; ++i) {
+        const std::int64_t pixels = *length(static_cast<std::size_t>(i));
+        const auto clamped = std::clamp<std::int64_t>(pixels, 1, kLargestSize);
+        if (clamped != pixels)
+            warning((*pair)[static_cast<std::size_t>(i)],
+                    fmt::format("{} pixels are outside 1 to {}; clamped to {}", pixels,
+                                kLargestSize, clamped));
+        preset_.size[i] = static_cast<int>(clamped);
+    }
+}
+
+void Reader::read_date(const toml::node& node) {
+    const auto* written = node.as_date_time();
+    const auto* day_only = node.as_date();
+    if ((!written || written->get().offset) && !day_only)
+        return warning(node,
+                       "date is a date and time without a zone, such as 2000-01-01T12:00:00; it "
+                       "stays 2000-01-01T00:00:00");
+    const toml::date date = written ? written->get().date : day_only->get();
+    const toml::time time = written ? written->get().time : toml::time{};
+    preset_.date = {
+        .year = date.year,
+        .month = date.month,
+        .day = date.day,
+        .seconds = time.hour * 3600.0 + time.minute * 60.0 + time.second + time.nanosecond * 1e-9};
+}
+
+void Reader::read_tweaks(const toml::node& node) {
+    const toml::table* tweaks = node.as_table();
+    if (!tweaks) return warning(node, "tweaks is a table; write [tweaks] on a line of its own");
+    if (!has_scene_) return;
+    for (const auto& [key, value] : *tweaks) read_tweak(key, value);
+}
+
+void Reader::read_tweak(const toml::key& key, const toml::node& node) {
+    const auto& tweaks = preset_.scene.tweaks;
+    const auto tweak = std::find_if(tweaks.begin(), tweaks.end(),
+                                    [&key](const Tweak& t) { return t.name == key.str(); });
+    if (tweak == tweaks.end()) {
+        Names names;
+        for (const Tweak& known : tweaks) names.push_back(known.name);
+        return warning(key.source(),
+                       fmt::format("the scene has no tweak {}{}", in_quotes(key.str()),
+                                   did_you_mean(key.str(), names)));
+    }
+    const auto value = tweak_value(*tweak, node);
+    if (!value)
+        return warning(node,
+                       fmt::format("{} is a {}: write {}; it keeps its default {}", tweak->name,
+                                   glsl_name(tweak->type), expected_value(*tweak),
+                                   format_value(*tweak, tweak->initial)));
+    const TweakValue clamped = clamp_to_range(*tweak, *value);
+    if (clamped != *value)
+        warning(node, fmt::format(
+                          "{} is outside {} to {}; clamped to {}", format_value(*tweak, *value),
+                          format_number(tweak->min.value_or(std::numeric_limits<float>::lowest())),
+                          format_number(tweak->max.value_or(std::numeric_limits<float>::max())),
+                          format_value(*tweak, clamped)));
+    preset_.values[static_cast<std::size_t>(tweak - tweaks.begin())] = clamped;
+}
+
+// The value as TOML writes it; nothing when it is not of the tweak's type.
+std::optional<TweakValue> Reader::tweak_value(const Tweak& tweak, const toml::node& node) {
+    if (const auto* text = node.as_string()) return parse_value(tweak, text->get());
+    const auto components = static_cast<std::size_t>(component_count(tweak.type));
+    TweakValue value{};
+    if (const toml::array* array = node.as_array()) {
+        if (components == 1 || array->size() != components) return std::nullopt;
+        for (std::size_t i = 0; i < components; ++i) {
+            const auto component =
+                (*array)[i].is_number() ? (*array)[i].value<double>() : std::optional<double>();
+            if (!component || std::isnan(*component)) return std::nullopt;
+            value[i] = *component;
+        }
+        return value;
+    }
+    if (components != 1) return std::nullopt;
+    if (tweak.type == TweakType::bool1) {
+        const auto* on = node.as_boolean();
+        return on ? std::optional(TweakValue{on->get() ? 1.0 : 0.0}) : std::nullopt;
+    }
+    const auto one = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!one || std::isnan(*one)) return std::nullopt;
+    if (tweak.type == TweakType::int1 && std::isfinite(*one) && *one != std::floor(*one))
+        return std::nullopt;
+    return TweakValue{*one};
+}
+
+void Reader::read_channels(const toml::node& node) {
+    const toml::table* channels = node.as_table();
+    if (!channels)
+        return warning(node, "channels is a table; write [channels] on a line of its own");
+    static const Names kChannels = {"iChannel0", "iChannel1", "iChannel2", "iChannel3"};
+    check_keys(*channels, kChannels);
+    for (const auto& [key, value] : *channels) {
+        const auto known = std::find(kChannels.begin(), kChannels.end(), key.str());
+        if (known == kChannels.end()) continue;
+        const auto& declared = preset_.scene.samplers;
+        if (std::any_of(declared.begin(), declared.end(),
+                        [&](const Sampler& s) { return s.name == *known; }))
+            warning(key.source(),
+                    fmt::format("the scene fills {} itself; this line is not used", *known));
+        else if (const toml::table* table = value.as_table())
+            read_channel(static_cast<std::size_t>(known - kChannels.begin()), *table);
+        else
+            warning(value, fmt::format("{} is a table; write {} = {{ image = \"wood.png\" }}",
+                                       *known, *known));
+    }
+}
+
+void Reader::read_channel(std::size_t index, const toml::table& table) {
+    static const Names kSources = {"image", "noise", "keyboard", "buffer"};
+    Names known = kSources;
+    known.insert(known.end(), {"wrap", "filter", "vflip"});
+    check_keys(table, known);
+    Sampler sampler;
+    sampler.name = fmt::format("iChannel{}", index);
+    sampler.place = place(table.source());
+    int sources = 0;
+    for (const std::string& source : kSources) {
+        const toml::node* node = table.get(source);
+        if (!node) continue;
+        if (++sources > 1)
+            warning(*node, fmt::format("a channel has one source; {} is not used", source));
+        else
+            read_channel_source(sampler, source, *node);
+    }
+    if (sources == 0)
+        warning(table.source(),
+                "this channel has no source; write image =, noise =, keyboard = "
+                "true or buffer =");
+    if (sampler.source == Source::none) return;
+    read_channel_options(sampler, table);
+    preset_.channels[index] = std::move(sampler);
+}
+
+void Reader::read_channel_source(Sampler& sampler, std::string_view key, const toml::node& node) {
+    if (key == "keyboard") {
+        const auto* on = node.as_boolean();
+        if (!on) warning(node, "keyboard is a switch; write keyboard = true");
+        if (on && on->get()) set_defaults(sampler, Source::keyboard);
+        return;
+    }
+    const auto text = node.value<std::string>();
+    if (!text || text->empty())
+        return warning(node, fmt::format("{} is a text; write {} = \"{}\"", key, key,
+                                         key == "image"   ? "wood.png"
+                                         : key == "noise" ? "rgba 256"
+                                                          : "waves"));
+    if (key == "image") {
+        sampler.image = preset_.file.parent_path() / *text;
+        return set_defaults(sampler, Source::image);
+    }
+    if (key == "noise") {
+        if (std::count(text->begin(), text->end(), 'x') == 2) sampler.type = SamplerType::sampler3D;
+        const std::string wrong = parse_noise(*text, sampler);
+        return wrong.empty() ? set_defaults(sampler, Source::noise) : warning(node, wrong);
+    }
+    Names names;
+    for (const Sampler& declared : preset_.scene.samplers) {
+        if (declared.source != Source::buffer) continue;
+        names.push_back(declared.name);
+        if (declared.name != *text) continue;
+        sampler.type = declared.type;
+        sampler.pass = declared.pass;
+        sampler.output = declared.output;
+        return set_defaults(sampler, Source::buffer);
+    }
+    if (has_scene_)
+        warning(node, fmt::format("the scene has no buffer {}{}", in_quotes(*text),
+                                  did_you_mean(*text, names)));
+}
+
+void Reader::read_channel_options(Sampler& sampler, const toml::table& table) {
+    if (const toml::node* node = table.get("wrap")) {
+        if (const auto wrap = parse_wrap(node->value_or("")))
+            sampler.wrap = *wrap;
+        else
+            warning(*node, "wrap is \"clamp\", \"repeat\" or \"mirror\"");
+    }
+    if (const toml::node* node = table.get("filter")) {
+        if (const auto filter = parse_filter(node->value_or("")))
+            sampler.filter = *filter;
+        else
+            warning(*node, "filter is \"nearest\", \"linear\" or \"mipmap\"");
+    }
+    if (const toml::node* node = table.get("vflip")) {
+        if (const auto* vflip = node->as_boolean())
+            sampler.vflip = vflip->get();
+        else
+            warning(*node, "vflip is true or false");
+    }
+}
+
+void Reader::read_events(const toml::node& node) {
+    const toml::array* events = node.as_array();
+    if (!events) return warning(node, "events is a list; write [[events]] above each of them");
+    for (const toml::node& entry : *events) {
+        const toml::table* table = entry.as_table();
+        if (!table) {
+            warning(entry, "an event is a table; write [[events]] above each of them");
+            continue;
+        }
+        if (const auto event = read_event(*table)) preset_.events.push_back(*event);
+    }
+    std::stable_sort(preset_.events.begin(), preset_.events.end(),
+                     [](const Event& a, const Event& b) { return a.time < b.time; });
+}
+
+// An event that lacks something is left out: half an event would be another one.
+std::optional<Event> Reader::read_event(const toml::table& table) {
+    check_keys(table, {"t", "key", "mouse", "down"});
+    Event event;
+    const toml::node* time = table.get("t");
+    const auto seconds = time ? number(*time) : std::nullopt;
+    if (!seconds || *seconds < 0.0) {
+        warning(time ? time->source() : table.source(),
+                "an event needs its time in seconds from 0, such as t = 0.5; left out");
+        return std::nullopt;
+    }
+    event.time = *seconds;
+    const toml::node* down = table.get("down");
+    if (!down || !down->is_boolean()) {
+        warning(down ? down->source() : table.source(),
+                "an event says down = true or down = false; left out");
+        return std::nullopt;
+    }
+    event.down = down->value_or(false);
+    if (!read_event_input(event, table)) return std::nullopt;
+    return event;
+}
+
+bool Reader::read_event_input(Event& event, const toml::table& table) {
+    const toml::node* key = table.get("key");
+    const toml::node* mouse = table.get("mouse");
+    if ((key != nullptr) == (mouse != nullptr)) {
+        warning(table.source(), "an event has either key = \"up\" or mouse = [0.5, 0.5]; left out");
+        return false;
+    }
+    if (key) {
+        const auto name = key->value<std::string>();
+        const std::int64_t code = key->is_integer() ? key->value_or(std::int64_t{-1}) : -1;
+        if (name) event.key = key_code(*name);
+        if (code >= 0 && code < kKeyCount) event.key = static_cast<int>(code);
+        if (event.key < 0)
+            warning(*key,
+                    "no such key; write a name such as \"up\", \"space\", \"a\" or \"f1\", or "
+                    "a JavaScript key code from 0 to 255; left out");
+        return event.key >= 0;
+    }
+    const toml::array* pair = mouse->as_array();
+    const auto x = pair && pair->size() == 2 ? number((*pair)[0]) : std::nullopt;
+    const auto y = pair && pair->size() == 2 ? number((*pair)[1]) : std::nullopt;
+    if (!x || !y) {
+        warning(*mouse,
+                "mouse is two fractions of the picture, y up, such as [0.5, 0.4]; left out");
+        return false;
+    }
+    event.mouse = {*x, *y};
+    return true;
+}
+
+void read_bare_scene(const fs::path& file, ReadPreset& result) {
+    ReadScene read = read_scene(file);
+    result.diagnostics = std::move(read.diagnostics);
+    result.files = std::move(read.files);
+    if (!read.scene) return;
+    Preset preset;
+    preset.file = file;
+    preset.scene = std::move(*read.scene);
+    for (const Tweak& tweak : preset.scene.tweaks) preset.values.push_back(tweak.initial);
+    result.preset = std::move(preset);
+}
+
+}  // namespace
+
+ReadPreset read_preset(const fs::path& file) {
+    ReadPreset result;
+    if (file.extension() != ".toml") {
+        read_bare_scene(file, result);
+        return result;
+    }
+    result.files.push_back(file);
+    std::string why_not;
+    const auto text = read_bytes(file, why_not);
+    if (!text) {
+        result.diagnostics.push_back(
+            {Severity::error, Place{file.string()},
+             fmt::format("cannot read {}: {}", in_quotes(file.string()), why_not), true});
+        return result;
+    }
+    Reader(file, result).read(*text);
+    return result;
+}
+
+}  // namespace glint

@@ -1,0 +1,429 @@
+// A scene file becomes plain data: its uniforms are matched with their annotations.
+#include "scene/scene.h"
+
+#include "scene/annotation.h"
+#include "scene/declaration.h"
+#include "scene/source_text.h"
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace glint {
+
+namespace {
+
+// A uniform that the host declares itself.
+struct Builtin {
+    std::string_view type;   // "sampler" stands for every sampler type
+    std::string_view array;  // the length, or ""
+};
+
+const std::map<std::string_view, Builtin> kBuiltins = {
+    {"iResolution", {"vec3", ""}},    {"iTime", {"float", ""}},
+    {"iTimeDelta", {"float", ""}},    {"iFrameRate", {"float", ""}},
+    {"iFrame", {"int", ""}},          {"iMouse", {"vec4", ""}},
+    {"iDate", {"vec4", ""}},          {"iSampleRate", {"float", ""}},
+    {"iChannelTime", {"float", "4"}}, {"iChannelResolution", {"vec3", "4"}},
+    {"iTick", {"uint", ""}},          {"iChannel0", {"sampler", ""}},
+    {"iChannel1", {"sampler", ""}},   {"iChannel2", {"sampler", ""}},
+    {"iChannel3", {"sampler", ""}},
+};
+
+const Builtin* find_builtin(std::string_view name) {
+    const auto found = kBuiltins.find(name);
+    return found == kBuiltins.end() ? nullptr : &found->second;
+}
+
+std::optional<TweakType> tweak_type(std::string_view type) {
+    for (const TweakType known : {TweakType::float1, TweakType::int1, TweakType::bool1,
+                                  TweakType::vec2, TweakType::vec3, TweakType::vec4})
+        if (type == glsl_name(known)) return known;
+    return std::nullopt;
+}
+
+std::optional<SamplerType> sampler_type(std::string_view type) {
+    if (type == "sampler2D") return SamplerType::sampler2D;
+    if (type == "samplerCube") return SamplerType::samplerCube;
+    if (type == "sampler3D") return SamplerType::sampler3D;
+    return std::nullopt;
+}
+
+class Builder {
+public:
+    Builder(SourceText source, Diagnostics& diagnostics)
+        : source_(std::move(source)), diagnostics_(diagnostics) {}
+
+    Scene build();
+
+private:
+    void add_declaration(const Declaration& declaration, std::size_t next_begin);
+    void add_annotated(const Declaration& declaration, Span note);
+    void add_tweak(const Declaration& declaration, TweakType type, Span note);
+    void add_sampler(const Declaration& declaration, SamplerType type, Span note);
+    void add_pass_output(const SamplerAnnotation& annotation, Span note);
+    std::string entry_of(const std::string& target, bool cube) const;
+    void add_pass(const SamplerAnnotation& annotation);
+    void check_pass_options(const SamplerAnnotation& annotation, const Pass& pass, Span note);
+    void check_builtin(const Declaration& declaration, const Declarator& declarator);
+    void blank_builtins(const Declaration& declaration);
+    bool claim_name(const Declarator& declarator);
+    void warn_unannotated(const Declaration& declaration);
+    void use_note(Span note);
+    void resolve_readers();
+    void check_image();
+
+    std::optional<Span> note_of(const Declaration& declaration, std::size_t next_begin);
+    bool report(const std::vector<Complaint>& complaints, Span note);
+    void blank(std::size_t begin, std::size_t end);
+    void error(std::size_t offset, std::string text) {
+        diagnostics_.push_back({Severity::error, source_.place(offset), std::move(text)});
+    }
+    void warning(std::size_t offset, std::string text) {
+        diagnostics_.push_back({Severity::warning, source_.place(offset), std::move(text)});
+    }
+
+    struct Reader {  // `buffer NAME`, until every pass is known
+        std::size_t sampler;
+        std::string target;
+        std::size_t target_offset;
+    };
+
+    SourceText source_;
+    Diagnostics& diagnostics_;
+    Scene scene_;
+    std::unordered_set<std::string_view> identifiers_;
+    std::size_t next_note_ = 0;
+    std::string group_;
+    std::unordered_map<std::string, std::size_t> declared_;  // name to offset
+    std::unordered_map<std::string, std::size_t> pass_of_;   // function to index of pass
+    std::vector<Reader> readers_;
+};
+
+Scene Builder::build() {
+    identifiers_ = find_identifiers(source_.code);
+    scene_.files = source_.files;
+    const auto declarations = find_uniforms(source_.code);
+    for (std::size_t i = 0; i < declarations.size(); ++i) {
+        const bool last = i + 1 == declarations.size();
+        add_declaration(declarations[i],
+                        last ? source_.code.size() : declarations[i + 1].span.begin);
+    }
+    while (next_note_ < source_.notes.size()) use_note(source_.notes[next_note_++]);
+    resolve_readers();
+    scene_.has_sound = identifiers_.contains("mainSound");
+    check_image();
+    scene_.text = std::move(source_.text);
+    scene_.origins = std::move(source_.origins);
+    return std::move(scene_);
+}
+
+void Builder::check_image() {
+    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
+    // It may stand in what could not be read.
+    if (std::any_of(diagnostics_.begin(), diagnostics_.end(),
+                    [](const Diagnostic& d) { return d.missing_file; }))
+        return;
+    const bool is_empty = trimmed(source_.code).empty();
+    diagnostics_.push_back(
+        {Severity::error, Place{source_.files.front().string()},
+         fmt::format("{}; write void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ "
+                     "fragColor = vec4(fragCoord / iResolution.xy, 0.0, 1.0); }}",
+                     is_empty ? "this file holds no shader" : "there is no mainImage here")});
+}
+
+// A note without a uniform: a heading, or a mistake.
+void Builder::use_note(Span note) {
+    const auto text = std::string_view(source_.text).substr(note.begin, note.end - note.begin);
+    if (auto heading = parse_group(text))
+        group_ = std::move(*heading);
+    else
+        warning(note.begin - 3,
+                "no uniform on this line: nothing comes of this annotation; put it behind a "
+                "uniform, or write //@ group NAME");
+}
+
+// The note behind a declaration, on its last line (or within it). Notes before it are used up. Of
+// several declarations on one line the last one has the note.
+std::optional<Span> Builder::note_of(const Declaration& declaration, std::size_t next_begin) {
+    const auto& notes = source_.notes;
+    while (next_note_ < notes.size() && notes[next_note_].begin < declaration.span.begin)
+        use_note(notes[next_note_++]);
+    if (next_note_ == notes.size() || notes[next_note_].begin > next_begin) return std::nullopt;
+    const std::size_t next_line = source_.line_index(declaration.span.end - 1) + 1;
+    const auto& lines = source_.line_begins;
+    if (next_line < lines.size() && notes[next_note_].begin >= lines[next_line])
+        return std::nullopt;
+    return notes[next_note_];
+}
+
+void Builder::add_declaration(const Declaration& declaration, std::size_t next_begin) {
+    const auto note = note_of(declaration, next_begin);
+    const bool has_builtin =
+        std::any_of(declaration.names.begin(), declaration.names.end(),
+                    [](const Declarator& d) { return find_builtin(d.name) != nullptr; });
+    if (note) return add_annotated(declaration, *note);
+    if (has_builtin && !declaration.is_broken) blank_builtins(declaration);
+    warn_unannotated(declaration);
+}
+
+void Builder::warn_unannotated(const Declaration& declaration) {
+    for (const Declarator& declarator : declaration.names) {
+        if (find_builtin(declarator.name)) continue;
+        const bool is_sampler = declaration.type.find("sampler") != std::string_view::npos;
+        warning(declarator.span.begin,
+                fmt::format("{} has no annotation, so it stays 0; say what fills it, such as {}",
+                            in_quotes(declarator.name),
+                            is_sampler ? "//@ pass mainWaves or //@ image wood.png"
+                                       : "//@ 0.5 [0, 1] \"what it does\""));
+    }
+    if (declaration.is_block)
+        warning(declaration.span.begin,
+                "nothing fills a uniform block or struct here; declare its members as uniforms "
+                "of their own");
+}
+
+void Builder::add_annotated(const Declaration& declaration, Span note) {
+    ++next_note_;
+    const std::size_t at = declaration.span.begin;
+    if (declaration.is_block)
+        return error(at, "an annotation is for one plain uniform, not for a block or struct");
+    if (declaration.is_broken || declaration.names.empty())
+        return error(at, "this declaration is not understood; write uniform TYPE NAME; //@ …");
+    if (declaration.names.size() > 1)
+        return error(declaration.names[1].span.begin,
+                     "an annotation is for one uniform; declare each on a line of its own");
+    const Declarator& declarator = declaration.names.front();
+    if (declarator.is_array)
+        return error(declarator.span.begin,
+                     "an annotation is for one plain uniform, not for an array");
+    if (declarator.has_initial)
+        return error(declarator.span.begin,
+                     "GLSL ES gives uniforms no value here; write the default behind //@");
+    const auto tweak = tweak_type(declaration.type);
+    const auto sampler = sampler_type(declaration.type);
+    if (!tweak && !sampler)
+        return error(declaration.type_at,
+                     fmt::format("{} cannot be annotated; use float, int, bool, vec2, vec3, vec4, "
+                                 "sampler2D, samplerCube or sampler3D",
+                                 in_quotes(declaration.type)));
+    const Builtin* builtin = find_builtin(declarator.name);
+    if (builtin && !(sampler && builtin->type == "sampler"))
+        return error(declarator.span.begin,
+                     fmt::format("{} is the host's own; give this uniform another name, or take "
+                                 "the annotation away",
+                                 in_quotes(declarator.name)));
+    if (!claim_name(declarator)) return;
+    if (tweak) return add_tweak(declaration, *tweak, note);
+    add_sampler(declaration, *sampler, note);
+}
+
+bool Builder::claim_name(const Declarator& declarator) {
+    const auto [entry, is_new] =
+        declared_.emplace(std::string(declarator.name), declarator.span.begin);
+    if (is_new) return true;
+    const Place first = source_.place(entry->second);
+    error(declarator.span.begin,
+          fmt::format("{} is declared already at {}:{}; take one of them out (or write #pragma "
+                      "once in a file that is included twice)",
+                      in_quotes(declarator.name), first.file, first.line));
+    return false;
+}
+
+bool Builder::report(const std::vector<Complaint>& complaints, Span note) {
+    for (const Complaint& complaint : complaints) error(note.begin + complaint.at, complaint.text);
+    return complaints.empty();
+}
+
+void Builder::add_tweak(const Declaration& declaration, TweakType type, Span note) {
+    const Declarator& declarator = declaration.names.front();
+    Tweak tweak;
+    tweak.name = declarator.name;
+    tweak.type = type;
+    tweak.group = group_;
+    tweak.place = source_.place(declarator.span.begin);
+    tweak.declaration_begin = declaration.span.begin;
+    tweak.declaration_end = declaration.span.end;
+    std::vector<Complaint> complaints;
+    tweak = parse_tweak(std::move(tweak),
+                        std::string_view(source_.text).substr(note.begin, note.end - note.begin),
+                        complaints);
+    if (report(complaints, note)) scene_.tweaks.push_back(std::move(tweak));
+}
+
+void Builder::add_sampler(const Declaration& declaration, SamplerType type, Span note) {
+    const Declarator& declarator = declaration.names.front();
+    Sampler sampler;
+    sampler.name = declarator.name;
+    sampler.type = type;
+    sampler.place = source_.place(declarator.span.begin);
+    std::vector<Complaint> complaints;
+    SamplerAnnotation annotation = parse_sampler(
+        std::move(sampler),
+        std::string_view(source_.text).substr(note.begin, note.end - note.begin), complaints);
+    if (!report(complaints, note)) return;
+    if (annotation.sampler.source == Source::image)
+        annotation.sampler.image =
+            source_.file(note.begin).parent_path() / annotation.sampler.image;
+    if (annotation.reads_another)
+        readers_.push_back(
+            {scene_.samplers.size(), annotation.target, note.begin + annotation.target_at});
+    if (annotation.sampler.source == Source::buffer && !annotation.reads_another)
+        return add_pass_output(annotation, note);
+    scene_.samplers.push_back(std::move(annotation.sampler));
+}
+
+// The named function, or the site's own name for it where a tab of pasted text defines that.
+std::string Builder::entry_of(const std::string& target, bool cube) const {
+    if (identifiers_.contains(target)) return target;
+    return cube && identifiers_.contains("mainCubemap") ? "mainCubemap" : "mainImage";
+}
+
+// Samplers that name the same function are its `out` parameters, in order.
+void Builder::add_pass_output(const SamplerAnnotation& annotation, Span note) {
+    const auto [entry, is_new] = pass_of_.emplace(annotation.target, scene_.passes.size());
+    if (is_new)
+        add_pass(annotation);
+    else
+        check_pass_options(annotation, scene_.passes[entry->second], note);
+    Pass& pass = scene_.passes[entry->second];
+    Sampler sampler = annotation.sampler;
+    sampler.pass = entry->second;
+    sampler.output = pass.outputs.size();
+    pass.outputs.push_back(sampler.name);
+    scene_.samplers.push_back(std::move(sampler));
+}
+
+void Builder::add_pass(const SamplerAnnotation& annotation) {
+    const Sampler& sampler = annotation.sampler;
+    Pass pass;
+    pass.name = sampler.name;
+    pass.cube = sampler.type == SamplerType::samplerCube;
+    pass.entry = entry_of(annotation.target, pass.cube);
+    pass.place = sampler.place;
+    if (pass.cube) {
+        pass.size = glm::ivec2(1024);
+        pass.format = PixelFormat::rgba16f;
+    }
+    if (annotation.size) pass.size = annotation.size->value;
+    if (annotation.scale) pass.scale = annotation.scale->value;
+    if (annotation.step) pass.step = annotation.step->value;
+    if (annotation.format) pass.format = annotation.format->value;
+    scene_.passes.push_back(std::move(pass));
+}
+
+// The outputs of one pass are drawn at once: what the first one says holds for all.
+void Builder::check_pass_options(const SamplerAnnotation& annotation, const Pass& pass, Span note) {
+    const auto contradicts = [&](std::string_view option, std::size_t at) {
+        error(note.begin + at,
+              fmt::format("this {} is not that of {}, which the same pass fills; write it there",
+                          option, in_quotes(pass.name)));
+    };
+    if (pass.cube || annotation.sampler.type == SamplerType::samplerCube)
+        error(note.begin + annotation.target_at,
+              fmt::format("a cube pass fills one samplerCube; to read it once more write //@ "
+                          "buffer {}",
+                          pass.name));
+    if (annotation.size && annotation.size->value != pass.size)
+        contradicts("size", annotation.size->at);
+    if (annotation.scale && annotation.scale->value != pass.scale)
+        contradicts("scale", annotation.scale->at);
+    if (annotation.step && annotation.step->value != pass.step)
+        contradicts("step", annotation.step->at);
+    if (annotation.format && annotation.format->value != pass.format)
+        contradicts("format", annotation.format->at);
+}
+
+void Builder::resolve_readers() {
+    std::unordered_map<std::string, const Sampler*> filled;
+    std::vector<std::string> names;
+    for (const Sampler& sampler : scene_.samplers) {
+        if (sampler.source != Source::buffer || sampler.pass >= scene_.passes.size()) continue;
+        if (scene_.passes[sampler.pass].outputs[sampler.output] != sampler.name) continue;
+        filled.emplace(sampler.name, &sampler);
+        names.push_back(sampler.name);
+    }
+    for (const Reader& reader : readers_) {
+        Sampler& sampler = scene_.samplers[reader.sampler];
+        const auto found = filled.find(reader.target);
+        if (found == filled.end()) {
+            // A sampler that was declared with a mistake has had its error already.
+            if (declared_.contains(reader.target) && has_errors(diagnostics_)) continue;
+            error(reader.target_offset,
+                  fmt::format("no pass fills a sampler {}; write the name of one with //@ pass{}",
+                              in_quotes(reader.target), did_you_mean(reader.target, names)));
+        } else if (found->second->type != sampler.type) {
+            error(reader.target_offset, fmt::format("{} is not of the same sampler type; declare "
+                                                    "both alike",
+                                                    in_quotes(reader.target)));
+        } else {
+            sampler.pass = found->second->pass;
+            sampler.output = found->second->output;
+        }
+    }
+}
+
+void Builder::check_builtin(const Declaration& declaration, const Declarator& declarator) {
+    const Builtin& builtin = *find_builtin(declarator.name);
+    const bool type_fits = builtin.type == "sampler" ? sampler_type(declaration.type).has_value()
+                                                     : declaration.type == builtin.type;
+    const bool array_fits =
+        declarator.is_array == !builtin.array.empty() && declarator.array == builtin.array;
+    if (type_fits && array_fits) return;
+    const std::string array = builtin.array.empty() ? "" : fmt::format("[{}]", builtin.array);
+    error(declarator.span.begin,
+          fmt::format("{} is the host's own, of another type: uniform {} {}{}; write that, or "
+                      "take the line out",
+                      in_quotes(declarator.name),
+                      builtin.type == "sampler" ? "sampler2D" : builtin.type, declarator.name,
+                      array));
+}
+
+void Builder::blank(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+        if (source_.text[i] != '\n') source_.text[i] = ' ';
+}
+
+// Takes the host's own uniforms out of a declaration, with the comma that goes with each.
+void Builder::blank_builtins(const Declaration& declaration) {
+    bool keeps_any = false;
+    std::size_t before = 0;  // the end of the name before
+    for (const Declarator& declarator : declaration.names) {
+        if (find_builtin(declarator.name)) {
+            check_builtin(declaration, declarator);
+            if (keeps_any)
+                blank(before, declarator.span.end);
+            else
+                blank(declarator.span.begin, declarator.span.end + 1);
+        } else {
+            keeps_any = true;
+        }
+        before = declarator.span.end;
+    }
+    if (!keeps_any) blank(declaration.span.begin, declaration.span.end);
+}
+
+}  // namespace
+
+Place Scene::place(int line, int column) const {
+    if (files.empty()) return {};
+    if (line < 1 || origins.empty()) return {files.front().string()};
+    const std::size_t index = std::min(static_cast<std::size_t>(line), origins.size()) - 1;
+    return {files[origins[index].file].string(), origins[index].line, column};
+}
+
+ReadScene read_scene(const std::filesystem::path& file) {
+    ReadScene result;
+    SourceText source = read_source(file, result.diagnostics);
+    result.files = source.files;
+    Scene scene = Builder(std::move(source), result.diagnostics).build();
+    if (!has_errors(result.diagnostics)) result.scene = std::move(scene);
+    return result;
+}
+
+}  // namespace glint

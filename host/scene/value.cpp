@@ -1,0 +1,249 @@
+// Tweak values: their types, their range, and how a person writes them.
+#include "scene/value.h"
+
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace glint {
+
+namespace {
+
+constexpr double kLargestFloat = std::numeric_limits<float>::max();
+constexpr double kLargestInt = std::numeric_limits<int>::max();
+constexpr double kSmallestInt = std::numeric_limits<int>::min();
+
+std::size_t count_of(const Tweak& tweak) {
+    return static_cast<std::size_t>(component_count(tweak.type));
+}
+
+std::optional<double> parse_decimal(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    if (text.starts_with('+')) return std::nullopt;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+std::optional<TweakValue> parse_colour(std::string_view text, std::size_t components) {
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+        text = text.substr(1, text.size() - 2);
+    if (!text.starts_with('#') || components < 3) return std::nullopt;
+    text.remove_prefix(1);
+    if (text.size() != 6 && !(text.size() == 8 && components == 4)) return std::nullopt;
+    TweakValue value{};
+    if (components == 4) value[3] = 1.0;
+    for (std::size_t i = 0; i * 2 < text.size(); ++i) {
+        unsigned byte = 0;
+        const char* begin = text.data() + i * 2;
+        const auto [end, error] = std::from_chars(begin, begin + 2, byte, 16);
+        if (error != std::errc() || end != begin + 2) return std::nullopt;
+        value[i] = byte / 255.0;
+    }
+    return value;
+}
+
+// "0.1, 0.2" or "(0.1, 0.2)": as many numbers as the type has components.
+std::optional<TweakValue> parse_tuple(std::string_view text, std::size_t components) {
+    if (text.size() >= 2 && text.front() == '(' && text.back() == ')')
+        text = text.substr(1, text.size() - 2);
+    TweakValue value{};
+    for (std::size_t i = 0; i < components; ++i) {
+        const bool last = i + 1 == components;
+        const std::size_t comma = last ? text.size() : text.find(',');
+        if (comma == std::string_view::npos) return std::nullopt;
+        const auto number = parse_number(trimmed(text.substr(0, comma)));
+        if (!number || std::abs(*number) > kLargestFloat) return std::nullopt;
+        value[i] = *number;
+        if (!last) text.remove_prefix(comma + 1);
+    }
+    return value;
+}
+
+std::optional<TweakValue> parse_int(const Tweak& tweak, std::string_view text) {
+    for (std::size_t i = 0; i < tweak.names.size(); ++i)
+        if (tweak.names[i] == text) return TweakValue{static_cast<double>(i)};
+    const auto number = parse_number(text);
+    if (!number || *number != std::floor(*number)) return std::nullopt;
+    if (*number < kSmallestInt || *number > kLargestInt) return std::nullopt;
+    const auto names = static_cast<double>(tweak.names.size());
+    if (!tweak.names.empty() && (*number < 0.0 || *number >= names)) return std::nullopt;
+    return TweakValue{*number};
+}
+
+std::optional<TweakValue> parse_bool(std::string_view text) {
+    if (const auto on = parse_switch(text)) return TweakValue{*on ? 1.0 : 0.0};
+    if (text == "1") return TweakValue{1.0};
+    if (text == "0") return TweakValue{0.0};
+    return std::nullopt;
+}
+
+// "#rrggbb" where that is exact.
+std::optional<std::string> format_colour(const TweakValue& value, std::size_t components) {
+    std::string text = "#";
+    for (std::size_t i = 0; i < components; ++i) {
+        const double byte = std::round(value[i] * 255.0);
+        if (!(byte >= 0.0 && byte <= 255.0) || byte / 255.0 != value[i]) return std::nullopt;
+        text += fmt::format("{:02x}", static_cast<int>(byte));
+    }
+    return text;
+}
+
+double clamp_component(const Tweak& tweak, double value) {
+    value = std::clamp(value, -kLargestFloat, kLargestFloat);
+    if (tweak.type == TweakType::bool1) return std::round(std::clamp(value, 0.0, 1.0));
+    if (tweak.type == TweakType::int1)
+        value = std::round(std::clamp(value, kSmallestInt, kLargestInt));
+    if (!tweak.names.empty())
+        return std::clamp(value, 0.0, static_cast<double>(tweak.names.size() - 1));
+    if (tweak.min && value < *tweak.min) value = *tweak.min;
+    if (tweak.max && value > *tweak.max) value = *tweak.max;
+    return value;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\v\f\r\n";
+    const std::size_t begin = text.find_first_not_of(kSpace);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return parse_decimal(text);
+    const auto above = parse_decimal(trimmed(text.substr(0, slash)));
+    const auto below = parse_decimal(trimmed(text.substr(slash + 1)));
+    if (!above || !below || *below == 0.0) return std::nullopt;
+    const double value = *above / *below;
+    if (!std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::string format_number(double value) {
+    char buffer[32];
+    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return {buffer, result.ptr};
+}
+
+std::optional<bool> parse_switch(std::string_view text) {
+    if (text == "on" || text == "true") return true;
+    if (text == "off" || text == "false") return false;
+    return std::nullopt;
+}
+
+int component_count(TweakType type) {
+    switch (type) {
+        case TweakType::float1:
+        case TweakType::int1:
+        case TweakType::bool1:
+            return 1;
+        case TweakType::vec2:
+            return 2;
+        case TweakType::vec3:
+            return 3;
+        case TweakType::vec4:
+            return 4;
+    }
+    return 1;
+}
+
+const char* glsl_name(TweakType type) {
+    switch (type) {
+        case TweakType::float1:
+            return "float";
+        case TweakType::int1:
+            return "int";
+        case TweakType::bool1:
+            return "bool";
+        case TweakType::vec2:
+            return "vec2";
+        case TweakType::vec3:
+            return "vec3";
+        case TweakType::vec4:
+            return "vec4";
+    }
+    return "float";
+}
+
+std::string expected_value(const Tweak& tweak) {
+    const std::string range =
+        tweak.min && tweak.max
+            ? fmt::format(" from {} to {}", format_number(*tweak.min), format_number(*tweak.max))
+            : std::string();
+    if (!tweak.names.empty()) {
+        return fmt::format("{} or an index from 0 to {}", fmt::join(tweak.names, ", "),
+                           tweak.names.size() - 1);
+    }
+    switch (tweak.type) {
+        case TweakType::float1:
+            return "a number" + range;
+        case TweakType::int1:
+            return "a whole number" + range;
+        case TweakType::bool1:
+            return "on or off";
+        case TweakType::vec2:
+            return "two numbers such as 0.1, 0.2" + (range.empty() ? "" : ", each" + range);
+        case TweakType::vec3:
+            return "three numbers such as 0.1, 0.2, 0.3 or a colour such as #0b3a53" +
+                   (range.empty() ? "" : ", each" + range);
+        case TweakType::vec4:
+            return "four numbers such as 0.1, 0.2, 0.3, 1 or a colour such as #0b3a53ff" +
+                   (range.empty() ? "" : ", each" + range);
+    }
+    return {};
+}
+
+TweakValue clamp_to_range(const Tweak& tweak, TweakValue value) {
+    const std::size_t count = count_of(tweak);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        if (i >= count)
+            value[i] = 0.0;
+        else
+            value[i] = std::isnan(value[i]) ? tweak.initial[i] : clamp_component(tweak, value[i]);
+    }
+    return value;
+}
+
+std::optional<TweakValue> parse_value(const Tweak& tweak, std::string_view text) {
+    text = trimmed(text);
+    switch (tweak.type) {
+        case TweakType::int1:
+            return parse_int(tweak, text);
+        case TweakType::bool1:
+            return parse_bool(text);
+        case TweakType::float1:
+        case TweakType::vec2:
+        case TweakType::vec3:
+        case TweakType::vec4:
+            if (const auto colour = parse_colour(text, count_of(tweak))) return colour;
+            return parse_tuple(text, count_of(tweak));
+    }
+    return std::nullopt;
+}
+
+std::string format_value(const Tweak& tweak, const TweakValue& value) {
+    if (tweak.type == TweakType::bool1) return value[0] != 0.0 ? "on" : "off";
+    if (!tweak.names.empty() && value[0] >= 0.0 &&
+        value[0] < static_cast<double>(tweak.names.size()))
+        return tweak.names[static_cast<std::size_t>(value[0])];
+    if (tweak.type == TweakType::int1)
+        return fmt::format("{}",
+                           static_cast<long long>(std::clamp(value[0], kSmallestInt, kLargestInt)));
+    const std::size_t count = count_of(tweak);
+    if (tweak.is_colour)
+        if (const auto colour = format_colour(value, count)) return *colour;
+    std::string text = format_number(value[0]);
+    for (std::size_t i = 1; i < count; ++i) text += ", " + format_number(value[i]);
+    return text;
+}
+
+}  // namespace glint

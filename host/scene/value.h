@@ -1,0 +1,24 @@
+// Numbers and the words for them, read the same way in annotations, presets and on the command
+// line, whatever the locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+// "0.5", "-3", "1e-3", ".5" or a fraction "1/240". Nothing for any other text, and for numbers that
+// are not finite in double precision.
+std::optional<double> parse_number(std::string_view text);
+
+// The shortest decimal that reads back as the same double.
+std::string format_number(double value);
+
+// "on" or "true", "off" or "false".
+std::optional<bool> parse_switch(std::string_view text);
+
+// Without the white space at both ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace glint
