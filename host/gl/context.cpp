@@ -1,0 +1,68 @@
+#include "gl/context.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace glint {
+namespace {
+
+// GL has one debug callback a context, and we make one context a process. The callback may not
+// throw through the driver, so it records the first complaint for finish() to throw.
+thread_local std::string first_complaint;
+
+void GLAPIENTRY hear(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text,
+                     const void*) {
+    if (type == GL_DEBUG_TYPE_ERROR && first_complaint.empty()) first_complaint = text;
+}
+
+const char* reset_reason(GLenum status) {
+    switch (status) {
+        case GL_GUILTY_CONTEXT_RESET:
+            return "the scene made the GPU hang";
+        case GL_INNOCENT_CONTEXT_RESET:
+            return "another program made the GPU hang";
+        default:
+            return "the GPU was reset";
+    }
+}
+
+}  // namespace
+
+std::string Context::renderer() const {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name ? name : "unknown";
+}
+
+bool Context::is_software() const {
+    const std::string name = renderer();
+    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+}
+
+void Context::finish() {
+    glFinish();
+    if (const GLenum status = glGetGraphicsResetStatus(); status != GL_NO_ERROR) {
+        throw ContextLost(
+            fmt::format("The picture was lost: {}. Try fewer iterations, a smaller "
+                        "--size, or --tile.",
+                        reset_reason(status)));
+    }
+    if (!first_complaint.empty()) {
+        const std::string text = std::exchange(first_complaint, {});
+        throw std::runtime_error("The GL driver refused a call: " + text);
+    }
+}
+
+void Context::start() {
+    if (epoxy_gl_version() < 45 || !epoxy_has_gl_extension("GL_ARB_ES3_compatibility")) {
+        throw NoContext(fmt::format(
+            "The driver ({}) offers OpenGL {}.{}; glint needs 4.5 with ARB_ES3_compatibility.",
+            renderer(), epoxy_gl_version() / 10, epoxy_gl_version() % 10));
+    }
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(hear, nullptr);
+}
+
+}  // namespace glint

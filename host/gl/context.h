@@ -1,0 +1,47 @@
+// A GL context, current on the thread that made it.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+// No driver gave a usable context: exit code 5.
+struct NoContext : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// The GPU hung, was reset or was taken away: exit code 7. Every GL object of the context is gone.
+struct ContextLost : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class Context {
+public:
+    virtual ~Context() = default;
+
+    // The driver's name of the GPU, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+    std::string renderer() const;
+
+    // Draws on the processor: timer queries lie there, and loops end after 65,535 iterations a
+    // pixel.
+    bool is_software() const;
+
+    // Waits until all drawing is done. Throws ContextLost after a reset, and std::runtime_error
+    // with the driver's words when a GL call failed since the last time.
+    void finish();
+
+protected:
+    // For implementations, once current: checks the version and hears the driver's complaints.
+    void start();
+};
+
+// A context without a screen: OpenGL 4.5 core through EGL, first on a device (a real GPU before a
+// software one), then on Mesa's surfaceless platform. `device` chooses: "" for this order, a number
+// for the device of that index, "surfaceless", or a part of a device's name. Throws NoContext with
+// what was tried.
+std::unique_ptr<Context> make_egl_context(std::string_view device = "");
+
+}  // namespace glint

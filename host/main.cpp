@@ -1,0 +1,125 @@
+// The command line: one verb a mode, and errors as exit codes.
+#include "gl/context.h"
+#include "modes/bench.h"
+#include "modes/info.h"
+#include "modes/open.h"
+#include "modes/still.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true) {
+    verb.add_option("file", view.file, "a preset (.toml) or a scene (.frag)")->required();
+    verb.add_option("--size", view.size, "pixels, such as 1280x720; the preset's otherwise");
+    verb.add_option("--tweak", view.tweaks, "name=value, as often as needed")
+        ->allow_extra_args(false);
+    verb.add_option("--device", view.device,
+                    "which GPU: a number, a part of its name, or surfaceless");
+    verb.add_flag("!--no-specialise", view.specialise,
+                  "feed tweaks as uniforms instead of writing them in as constants");
+    if (takes_json) verb.add_flag("--json", view.json, "one JSON object on stdout");
+}
+
+void add_still(CLI::App& verb, StillOptions& still) {
+    add_view(verb, still.view);
+    verb.add_option("-o,--output", still.output, "a .png, .exr, .jpg, .tif or .hdr file")
+        ->required();
+    verb.add_option("--time", still.time, "s; the preset's otherwise")->check(CLI::Range(0.0, 1e9));
+    verb.add_option("--frame", still.frame, "instead of --time")->check(CLI::Range(0, 1 << 30));
+    verb.add_option("--fps", still.fps, "Hz, the rate at which a simulation is played")
+        ->check(CLI::Range(0.01, 1e5));
+    verb.add_option("--samples", still.samples, "sub-pixel positions averaged in linear light")
+        ->check(CLI::Range(1, 65536));
+    verb.add_option("--settle", still.settle, "more frames with time held still")
+        ->check(CLI::Range(0, 1 << 30));
+    verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
+    verb.add_option("--tile", still.tile, "draw in squares of this many pixels")
+        ->check(CLI::Range(1, 16384));
+}
+
+int code(ExitCode exit_code) {
+    return static_cast<int>(exit_code);
+}
+
+int fail(ExitCode exit_code, const std::string& text) {
+    fmt::print(stderr, "error: {}\n", text);
+    return code(exit_code);
+}
+
+// Runs a verb and turns what it throws into an exit code; the sentence goes to stderr.
+template <class Run>
+int guarded(Run run) {
+    try {
+        run();
+        return code(ExitCode::done);
+    } catch (const Stop& stop) {
+        return code(stop.code);
+    } catch (const UsageError& error) {
+        return fail(ExitCode::usage, error.what());
+    } catch (const NoContext& error) {
+        return fail(ExitCode::no_context, error.what());
+    } catch (const ContextLost& error) {
+        return fail(ExitCode::context_lost, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::failure, "Out of memory; try a smaller --size.");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::failure, error.what());
+    }
+}
+
+int run(int argc, char** argv) {
+    const Stopwatch since_start;
+    CLI::App app("glint: a shader playground. `glint FILE` opens a scene or a preset.", "glint");
+    app.set_version_flag("--version", "glint " GLINT_VERSION);
+    app.require_subcommand(1);
+    ViewOptions open;
+    StillOptions still;
+    InfoOptions info;
+    BenchOptions bench;
+
+    CLI::App& open_verb = *app.add_subcommand("open", "show a scene or preset (the default verb)");
+    add_view(open_verb, open);
+    CLI::App& still_verb = *app.add_subcommand("still", "one frame to a picture file");
+    add_still(still_verb, still);
+    CLI::App& info_verb = *app.add_subcommand("info", "passes, tweaks, and what was left out");
+    add_view(info_verb, info.view);
+    info_verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
+    CLI::App& bench_verb = *app.add_subcommand("bench", "milliseconds a frame and a pass");
+    add_view(bench_verb, bench.view);
+    bench_verb.add_option("--frames", bench.frames, "how many frames are timed")
+        ->check(CLI::Range(1, 1000000));
+    bench_verb.add_flag("--compare", bench.compare, "time uniform-fed frames in turn as well");
+
+    // `glint FILE` is `glint open FILE`.
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto is_verb = [&](const std::string& word) {
+        const auto verbs = app.get_subcommands({});
+        return std::any_of(verbs.begin(), verbs.end(),
+                           [&](const CLI::App* verb) { return verb->get_name() == word; });
+    };
+    if (!arguments.empty() && !arguments[0].starts_with('-') && !is_verb(arguments[0])) {
+        arguments.insert(arguments.begin(), "open");
+    }
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    try {
+        app.parse(std::move(arguments));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? code(ExitCode::done) : code(ExitCode::usage);
+    }
+    if (open_verb.parsed()) return guarded([&] { run_open(open, since_start); });
+    if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
+    if (info_verb.parsed()) return guarded([&] { run_info(info); });
+    return guarded([&] { run_bench(bench); });
+}
+
+}  // namespace
+}  // namespace glint
+
+int main(int argc, char** argv) {
+    return glint::run(argc, argv);
+}

@@ -1,0 +1,193 @@
+#include "modes/common.h"
+
+#include "image/image.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace glint {
+namespace {
+
+glm::ivec2 parse_size(const std::string& text) {
+    glm::ivec2 size{0};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = separated ? std::from_chars(width.ptr + 1, end, size.y) : width;
+    if (!separated || height.ec != std::errc() || height.ptr != end || size.x < 1 || size.y < 1) {
+        throw UsageError(
+            fmt::format("--size {}: write the width and height in pixels, as in 1280x720.", text));
+    }
+    return size;
+}
+
+std::string tweak_names(const Scene& scene) {
+    std::string names;
+    for (const Tweak& tweak : scene.tweaks) names += (names.empty() ? "" : ", ") + tweak.name;
+    return names.empty() ? "it has none" : "it has " + names;
+}
+
+void apply_tweak(Preset& preset, const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    const std::string name = assignment.substr(0, equals);
+    const auto& tweaks = preset.scene.tweaks;
+    const auto found = std::find_if(tweaks.begin(), tweaks.end(),
+                                    [&](const Tweak& tweak) { return tweak.name == name; });
+    if (found == tweaks.end()) {
+        throw UsageError(fmt::format("--tweak {}: the scene has no tweak '{}'; {}.", assignment,
+                                     name, tweak_names(preset.scene)));
+    }
+    const auto value = equals == std::string::npos
+                           ? std::nullopt
+                           : parse_value(*found, std::string_view(assignment).substr(equals + 1));
+    if (!value) {
+        throw UsageError(fmt::format("--tweak {}: write {}=VALUE with a value such as {}.",
+                                     assignment, name, format_value(*found, found->initial)));
+    }
+    TweakValue& kept = preset.values[static_cast<std::size_t>(found - tweaks.begin())];
+    kept = clamp_to_range(*found, *value);
+    if (kept != *value) {
+        fmt::print(stderr, "warning: --tweak {}: outside its range, taken as {}\n", assignment,
+                   format_value(*found, kept));
+    }
+}
+
+// The first row of the file becomes the bottom of the picture.
+void turn_over(Image& image) {
+    const auto row = image.pixels.size() / static_cast<std::size_t>(image.size.y);
+    auto low = image.pixels.begin();
+    auto high = image.pixels.end() - static_cast<std::ptrdiff_t>(row);
+    for (; low < high;
+         low += static_cast<std::ptrdiff_t>(row), high -= static_cast<std::ptrdiff_t>(row)) {
+        std::swap_ranges(low, low + static_cast<std::ptrdiff_t>(row), high);
+    }
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, long total)
+    : what_(std::move(what)), total_(total), enabled_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::update(long done) {
+    if (!enabled_ || since_last_.ms() < (shown_ ? 100.0 : 500.0)) return;
+    since_last_.restart();
+    shown_ = true;
+    constexpr long kWidth = 30;
+    const auto filled = static_cast<std::size_t>(kWidth * done / std::max(total_, 1L));
+    fmt::print(stderr, "\r{} [{:<{}}] {}/{}\033[K", what_, std::string(filled, '#'), kWidth, done,
+               total_);
+    std::fflush(stderr);
+}
+
+void report(const Diagnostics& diagnostics) {
+    bool missing = false;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        fmt::print(stderr, "{}\n", to_string(diagnostic));
+        missing |= diagnostic.severity == Severity::error && diagnostic.missing_file;
+    }
+    if (has_errors(diagnostics)) throw Stop(missing ? ExitCode::missing_file : ExitCode::shader);
+}
+
+Preset open_preset(const ViewOptions& options) {
+    ReadPreset read = read_preset(options.file);
+    report(read.diagnostics);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    if (!options.size.empty()) read.preset->size = parse_size(options.size);
+    for (const std::string& tweak : options.tweaks) apply_tweak(*read.preset, tweak);
+    return std::move(*read.preset);
+}
+
+std::size_t find_pass(const Scene& scene, const std::string& name) {
+    if (name == "image") return kImagePass;
+    std::string names = "image";
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        for (const std::string& output : scene.passes[i].outputs) {
+            if (output == name) return i;
+            names += ", " + output;
+        }
+    }
+    throw UsageError(fmt::format("The scene has no pass '{}'; it has {}.", name, names));
+}
+
+CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options) {
+    CompileResult result = compile_scene(preset, options);
+    report(result.diagnostics);
+    if (!result.scene) throw Stop(ExitCode::shader);
+    return std::move(*result.scene);
+}
+
+void load_images(const Preset& preset, Renderer& renderer) {
+    Diagnostics diagnostics;
+    for (const std::size_t index : renderer.images_needed()) {
+        const Sampler& sampler = sampler_at(preset, index);
+        try {
+            Image image = read_image(sampler.image);
+            if (!sampler.vflip) turn_over(image);
+            renderer.set_image(index, {.size = image.size,
+                                       .channels = image.channels,
+                                       .floats = image.type == ChannelType::f32,
+                                       .data = image.pixels});
+        } catch (const std::runtime_error& error) {
+            diagnostics.push_back({Severity::error, sampler.place, error.what(), true});
+        }
+    }
+    report(diagnostics);
+}
+
+int Playback::last_frame() const {
+    // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame.
+    return std::max(0, static_cast<int>(std::ceil(end * fps - 1e-6)));
+}
+
+Frame Playback::frame(const Preset& preset, int index) const {
+    const auto time_of = [&](int k) { return k >= last_frame() ? end : k / fps; };
+    const double time = time_of(index);
+    const double previous =
+        index == 0 ? -std::numeric_limits<double>::infinity() : time_of(index - 1);
+    Frame frame;
+    frame.time = time;
+    frame.time_delta = index == 0 ? 1.0 / 60.0 : time - previous;
+    frame.frame_rate = 1.0 / frame.time_delta;
+    frame.frame = index;
+    frame.date = shadertoy_date(preset.date, time);
+    frame.input = replay(preset.events, previous, time, preset.size);
+    frame.events = preset.events;
+    return frame;
+}
+
+Frame settled_frame(const Preset& preset, const Playback& playback, int extra) {
+    Frame frame = playback.frame(preset, playback.last_frame());
+    if (extra == 0) return frame;
+    frame.frame += extra;
+    frame.time_delta = 1.0 / 60.0;
+    frame.frame_rate = 60.0;
+    frame.input = replay(preset.events, frame.time, frame.time, preset.size);
+    return frame;
+}
+
+Frame play(const Preset& preset, Renderer& renderer, const Playback& playback, int settle,
+           int& frames_rendered) {
+    if (renderer.graph().stateful) {
+        const int last = playback.last_frame();
+        Progress progress("simulating", last + settle);
+        for (int k = 0; k < last + settle; ++k) {
+            renderer.advance(k <= last ? playback.frame(preset, k)
+                                       : settled_frame(preset, playback, k - last));
+            progress.update(k);
+        }
+        frames_rendered += last + settle;
+    }
+    ++frames_rendered;
+    return settled_frame(preset, playback, settle);
+}
+
+}  // namespace glint

@@ -1,0 +1,115 @@
+// What the verbs share: exit codes, opening a preset, playing it to a time, progress.
+#pragma once
+
+#include "render/renderer.h"
+#include "scene/preset.h"
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// As documented in README.md; scripts rely on them.
+enum class ExitCode {
+    done = 0,
+    failure = 1,
+    usage = 2,
+    shader = 3,
+    missing_file = 4,
+    no_context = 5,
+    check_failed = 6,
+    context_lost = 7,
+};
+
+// The command line asks for something that makes no sense: exit code 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Ends the program with this code; the reason has been printed already.
+struct Stop : std::exception {
+    explicit Stop(ExitCode exit_code) : code(exit_code) {}
+    ExitCode code;
+};
+
+// Options that still, bench and info have in common.
+struct ViewOptions {
+    std::filesystem::path file;
+    std::string size;                 // "1280x720"; empty: the preset's
+    std::vector<std::string> tweaks;  // "name=value"
+    std::string device;
+    bool specialise = true;
+    bool json = false;
+};
+
+// Milliseconds since it was made or restarted.
+class Stopwatch {
+public:
+    double ms() const {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    }
+    double restart() {
+        const double elapsed = ms();
+        start_ = Clock::now();
+        return elapsed;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+// A bar on stderr, when that is a terminal and the work takes longer than half a second.
+class Progress {
+public:
+    Progress(std::string what, long total);
+    ~Progress();
+    void update(long done);
+
+private:
+    std::string what_;
+    long total_;
+    bool shown_ = false, enabled_;
+    Stopwatch since_last_;
+};
+
+// Prints diagnostics to stderr; throws Stop with exit code 3 or 4 when there are errors.
+void report(const Diagnostics& diagnostics);
+
+// Reads the preset or scene, prints what is wrong with it, and lays the options' size and tweaks
+// over it. Throws Stop or UsageError.
+Preset open_preset(const ViewOptions& options);
+
+// The pass of this name, or kImagePass for "image". Throws UsageError that lists the names.
+std::size_t find_pass(const Scene& scene, const std::string& name);
+
+// Links what `options` asks for. Throws Stop with exit code 3.
+CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options);
+
+// Reads the image files that the renderer needs. Throws Stop with exit code 4, at the place that
+// names the file.
+void load_images(const Preset& preset, Renderer& renderer);
+
+// Frames of a preset that is played from 0 at a fixed rate to exactly `end`: frame k stands at k /
+// fps, the last one at `end`.
+struct Playback {
+    double end = 0.0;   // s
+    double fps = 60.0;  // Hz
+
+    int last_frame() const;
+    Frame frame(const Preset& preset, int index) const;
+};
+
+// A frame after the end: time stands still, iFrame counts on, nothing new is pressed.
+Frame settled_frame(const Preset& preset, const Playback& playback, int extra);
+
+// Brings a stateful scene to just before the last frame of `playback` with `settle` frames after
+// it, and returns that last frame, to be drawn. `frames_rendered` counts what was played.
+Frame play(const Preset& preset, Renderer& renderer, const Playback& playback, int settle,
+           int& frames_rendered);
+
+}  // namespace glint

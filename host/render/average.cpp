@@ -1,0 +1,57 @@
+#include "render/average.h"
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace glint {
+namespace {
+
+// The inverse of the decoding that the averaged picture's prologue does (render/program.cpp).
+constexpr const char* kEncode = R"(#version 300 es
+precision highp float;
+uniform highp sampler2D sum;
+uniform float scale;
+out vec4 colour;
+void main() {
+    vec3 c = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb * scale;
+    vec3 a = abs(c);
+    vec3 encoded = mix(a * 12.92, 1.055 * pow(a, vec3(1.0 / 2.4)) - 0.055, greaterThan(a, vec3(0.0031308)));
+    colour = vec4(sign(c) * encoded, 1.0);
+}
+)";
+
+}  // namespace
+
+glm::vec2 sub_pixel_position(int i, int count) {
+    double radical_inverse = 0.0, digit = 0.5;
+    for (auto bits = static_cast<std::uint32_t>(i); bits != 0; bits >>= 1, digit *= 0.5) {
+        if (bits & 1u) radical_inverse += digit;
+    }
+    // Half a stratum in both directions centres the set on the pixel.
+    const double half = 0.5 / count;
+    return {static_cast<float>((i + 0.5) / count - 0.5),
+            static_cast<float>(count == 1 ? 0.0 : radical_inverse + half - 0.5)};
+}
+
+Average::Average(glm::ivec2 size) : sum_(BufferShape{.size = size}) {
+    LinkedProgram linked = make_program(kEncode);
+    if (!linked.program) throw std::runtime_error("The averaging shader fails: " + linked.log);
+    encode_ = std::move(linked.program);
+    scale_location_ = glGetUniformLocation(encode_.id(), "scale");
+}
+
+void Average::clear() {
+    sum_.clear();
+}
+
+void Average::resolve(GLuint framebuffer, int count) {
+    glDisable(GL_BLEND);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glUseProgram(encode_.id());
+    glProgramUniform1f(encode_.id(), scale_location_, 1.0f / static_cast<float>(count));
+    glBindTextureUnit(0, sum_.texture(0));
+    glBindSampler(0, 0);
+    draw_triangle();
+}
+
+}  // namespace glint

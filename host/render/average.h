@@ -1,0 +1,34 @@
+// Adds up a picture drawn at several sub-pixel positions in linear light, and encodes the mean for
+// the display again.
+#pragma once
+
+#include "render/buffer.h"
+
+#include <glm/vec2.hpp>
+
+namespace glint {
+
+// Position i of `count` inside the pixel, in (-0.5, 0.5): the Hammersley set, which is stratified
+// in both directions (Hammersley 1960; van der Corput's sequence in base 2). One position is the
+// centre.
+glm::vec2 sub_pixel_position(int i, int count);
+
+class Average {
+public:
+    explicit Average(glm::ivec2 size);
+
+    void clear();
+
+    // Where to draw the next position, blending by addition.
+    GLuint target() const { return sum_.target(); }
+
+    // Draws the mean of `count` positions, sRGB-encoded, into a framebuffer of the same size.
+    void resolve(GLuint framebuffer, int count);
+
+private:
+    Buffer sum_;
+    Program encode_;
+    GLint scale_location_ = -1;
+};
+
+}  // namespace glint

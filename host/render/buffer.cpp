@@ -1,0 +1,101 @@
+#include "render/buffer.h"
+
+#include <glm/common.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+GLenum gl_format(PixelFormat format) {
+    switch (format) {
+        case PixelFormat::rgba8:
+            return GL_RGBA8;
+        case PixelFormat::rgba16f:
+            return GL_RGBA16F;
+        case PixelFormat::rgba32f:
+            return GL_RGBA32F;
+    }
+    return GL_RGBA32F;
+}
+
+}  // namespace
+
+Buffer::Buffer(const BufferShape& shape) : shape_(shape) {
+    for (int side = 0; side < (shape.feedback ? 2 : 1); ++side) sides_.push_back(make_side());
+}
+
+Buffer::Side Buffer::make_side() const {
+    Side side;
+    const int levels = shape_.mipmaps ? mipmap_levels(shape_.size) : 1;
+    const GLenum format = gl_format(shape_.format);
+    for (int i = 0; i < shape_.outputs; ++i) {
+        side.textures.push_back(shape_.cube ? make_texture_cube(format, shape_.size.x, levels)
+                                            : make_texture_2d(format, shape_.size, levels));
+    }
+    for (int face = 0; face < (shape_.cube ? 6 : 1); ++face) {
+        GLuint id = 0;
+        glCreateFramebuffers(1, &id);
+        side.framebuffers.emplace_back(id);
+        std::array<GLenum, 8> attachments{};
+        for (std::size_t i = 0; i < side.textures.size(); ++i) {
+            attachments[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+            if (shape_.cube) {
+                glNamedFramebufferTextureLayer(id, attachments[i], side.textures[i].id(), 0, face);
+            } else {
+                glNamedFramebufferTexture(id, attachments[i], side.textures[i].id(), 0);
+            }
+        }
+        glNamedFramebufferDrawBuffers(id, shape_.outputs, attachments.data());
+    }
+    return side;
+}
+
+GLuint Buffer::target(int face) const {
+    return sides_[back()].framebuffers[static_cast<std::size_t>(face)].id();
+}
+
+void Buffer::finish_draw() {
+    front_ = back();
+    ++version_;
+    if (!shape_.mipmaps) return;
+    for (const Texture& texture : sides_[front_].textures) glGenerateTextureMipmap(texture.id());
+}
+
+void Buffer::clear() {
+    for (const Side& side : sides_) {
+        for (const Texture& texture : side.textures) {
+            const int levels = shape_.mipmaps ? mipmap_levels(shape_.size) : 1;
+            for (int level = 0; level < levels; ++level) {
+                glClearTexImage(texture.id(), level, GL_RGBA, GL_FLOAT, nullptr);
+            }
+        }
+    }
+    ++version_;
+}
+
+void Buffer::resize(glm::ivec2 size) {
+    if (size == shape_.size) return;
+    const glm::ivec2 kept = glm::min(size, shape_.size);
+    shape_.size = size;
+    for (Side& side : sides_) {
+        Side fresh = make_side();
+        for (std::size_t i = 0; i < fresh.textures.size(); ++i) {
+            const GLenum target = shape_.cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+            glCopyImageSubData(side.textures[i].id(), target, 0, 0, 0, 0, fresh.textures[i].id(),
+                               target, 0, 0, 0, 0, kept.x, kept.y, shape_.cube ? 6 : 1);
+            if (shape_.mipmaps) glGenerateTextureMipmap(fresh.textures[i].id());
+        }
+        side = std::move(fresh);
+    }
+    ++version_;
+}
+
+glm::ivec2 buffer_size(const Pass& pass, glm::ivec2 picture) {
+    if (pass.size) return *pass.size;
+    if (pass.cube) return glm::ivec2(1024);  // as on the site
+    return glm::max(glm::ivec2(1), glm::ivec2(glm::floor(glm::dvec2(picture) * pass.scale + 0.5)));
+}
+
+}  // namespace glint

@@ -1,0 +1,161 @@
+#include "render/channels.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace glint {
+namespace {
+
+struct Formats {
+    GLenum internal, external;
+};
+
+Formats formats(int channels, bool floats) {
+    switch (channels) {
+        case 1:
+            return {static_cast<GLenum>(floats ? GL_R32F : GL_R8), GL_RED};
+        case 2:
+            return {static_cast<GLenum>(floats ? GL_RG32F : GL_RG8), GL_RG};
+        case 3:
+            return {static_cast<GLenum>(floats ? GL_RGB32F : GL_RGB8), GL_RGB};
+        default:
+            return {static_cast<GLenum>(floats ? GL_RGBA32F : GL_RGBA8), GL_RGBA};
+    }
+}
+
+Channel make_channel(const PixelView& pixels, bool mipmaps) {
+    const auto [internal, external] = formats(pixels.channels, pixels.floats);
+    Channel channel{
+        .texture = make_texture_2d(internal, pixels.size, mipmaps ? mipmap_levels(pixels.size) : 1),
+        .size = glm::ivec3(pixels.size, 1),
+        .version = 1};
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(channel.texture.id(), 0, 0, 0, pixels.size.x, pixels.size.y, external,
+                        pixels.floats ? GL_FLOAT : GL_UNSIGNED_BYTE, pixels.data.data());
+    if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
+    return channel;
+}
+
+Channel make_volume(const PixelView& slices, int depth, bool mipmaps) {
+    const auto [internal, external] = formats(slices.channels, false);
+    const glm::ivec3 size(slices.size, depth);
+    const int levels = mipmaps ? mipmap_levels({std::max(size.x, size.z), size.y}) : 1;
+    Channel channel{.texture = make_texture_3d(internal, size.x, size.y, size.z, levels),
+                    .size = size,
+                    .version = 1};
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage3D(channel.texture.id(), 0, 0, 0, 0, size.x, size.y, size.z, external,
+                        GL_UNSIGNED_BYTE, slices.data.data());
+    if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
+    return channel;
+}
+
+Channel make_noise(const Sampler& sampler) {
+    const std::vector<std::byte> bytes = noise_bytes(sampler.noise_size, sampler.noise_channels);
+    const bool mipmaps = sampler.filter == Filter::mipmap;
+    const PixelView pixels{
+        .size = glm::ivec2(sampler.noise_size), .channels = sampler.noise_channels, .data = bytes};
+    return sampler.type == SamplerType::sampler3D
+               ? make_volume(pixels, sampler.noise_size.z, mipmaps)
+               : make_channel(pixels, mipmaps);
+}
+
+// pcg3d (Jarzynski and Olano 2020).
+glm::uvec3 hash(glm::uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
+    return v;
+}
+
+}  // namespace
+
+std::vector<std::byte> noise_bytes(glm::ivec3 size, int channels) {
+    std::vector<std::byte> bytes;
+    bytes.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                  static_cast<std::size_t>(size.z) * static_cast<std::size_t>(channels));
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const glm::uvec3 h = hash(glm::uvec3(x, y, z));
+                // The high bits are the well-mixed ones; the fourth channel takes other bits.
+                const std::uint32_t values[4] = {h.x >> 24, h.y >> 24, h.z >> 24,
+                                                 (h.x ^ h.y ^ h.z) >> 12 & 0xffu};
+                for (int c = 0; c < channels; ++c)
+                    bytes.push_back(static_cast<std::byte>(values[c]));
+            }
+        }
+    }
+    return bytes;
+}
+
+Channels::Channels(const Preset& preset) : preset_(preset) {
+    empty_[0].texture = make_texture_2d(GL_RGBA8, {1, 1});
+    empty_[1].texture = make_texture_cube(GL_RGBA8, 1);
+    empty_[2].texture = make_texture_3d(GL_RGBA8, 1, 1, 1);
+    glClearTexImage(empty_[2].texture.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+}
+
+const Channel& Channels::channel(std::size_t index) {
+    const Sampler& sampler = sampler_at(preset_, index);
+    if (sampler.source == Source::keyboard) {
+        if (!keyboard_.texture) set_keyboard({});
+        return keyboard_;
+    }
+    if (const auto known = channels_.find(index); known != channels_.end()) return known->second;
+    if (sampler.source == Source::noise) {
+        return channels_.emplace(index, make_noise(sampler)).first->second;
+    }
+    return empty_[static_cast<std::size_t>(sampler.type)];
+}
+
+void Channels::set_image(std::size_t index, const PixelView& pixels) {
+    const bool mipmaps = sampler_at(preset_, index).filter == Filter::mipmap;
+    const std::size_t version = channel(index).version;
+    Channel& channel = channels_[index];
+    channel = make_channel(pixels, mipmaps);
+    channel.version = version + 1;
+}
+
+void Channels::set_keyboard(const Input& input) {
+    const bool same = input.held == keys_.held && input.pressed == keys_.pressed &&
+                      input.toggled == keys_.toggled;
+    if (keyboard_.texture && same) return;
+    keys_ = input;
+    if (!keyboard_.texture) {
+        keyboard_.texture = make_texture_2d(GL_R8, {kKeyCount, 3});
+        keyboard_.size = {kKeyCount, 3, 1};
+    }
+    std::array<std::uint8_t, kKeyCount * 3> rows{};
+    std::memcpy(rows.data(), input.held.data(), kKeyCount);
+    std::memcpy(rows.data() + kKeyCount, input.pressed.data(), kKeyCount);
+    std::memcpy(rows.data() + 2 * kKeyCount, input.toggled.data(), kKeyCount);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(keyboard_.texture.id(), 0, 0, 0, kKeyCount, 3, GL_RED, GL_UNSIGNED_BYTE,
+                        rows.data());
+    ++keyboard_.version;
+}
+
+GLuint Channels::sampler_object(const Sampler& sampler) {
+    SamplerObject& object = sampler_objects_[{sampler.filter, sampler.wrap}];
+    if (object) return object.id();
+    GLuint id = 0;
+    glCreateSamplers(1, &id);
+    const GLint wrap = sampler.wrap == Wrap::clamp    ? GL_CLAMP_TO_EDGE
+                       : sampler.wrap == Wrap::repeat ? GL_REPEAT
+                                                      : GL_MIRRORED_REPEAT;
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glSamplerParameteri(id, axis, wrap);
+    }
+    const bool nearest = sampler.filter == Filter::nearest;
+    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER,
+                        nearest                            ? GL_NEAREST
+                        : sampler.filter == Filter::mipmap ? GL_LINEAR_MIPMAP_LINEAR
+                                                           : GL_LINEAR);
+    object = SamplerObject(id);
+    return id;
+}
+
+}  // namespace glint

@@ -1,0 +1,57 @@
+// What samplers read besides buffers (images, noise, the keyboard), and how they filter and wrap.
+#pragma once
+
+#include "gl/objects.h"
+#include "render/program.h"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace glint {
+
+// Pixels in memory, rows bottom up, channels interleaved.
+struct PixelView {
+    glm::ivec2 size{0};
+    int channels = 4;
+    bool floats = false;  // 32-bit floats; bytes otherwise
+    std::span<const std::byte> data;
+};
+
+// A texture that does not come from a pass.
+struct Channel {
+    Texture texture;
+    glm::ivec3 size{1};       // as iChannelResolution tells it
+    std::size_t version = 0;  // counts changes
+};
+
+class Channels {
+public:
+    explicit Channels(const Preset& preset);
+
+    // The texture of a sampler (as in sampler_at) that reads no buffer. Noise and the keyboard are
+    // made on first use; an image reads 0 until set_image.
+    const Channel& channel(std::size_t sampler);
+
+    void set_image(std::size_t sampler, const PixelView& pixels);
+    void set_keyboard(const Input& input);
+
+    // The GL sampler object for a reader's filter and wrap.
+    GLuint sampler_object(const Sampler& sampler);
+
+private:
+    const Preset& preset_;
+    std::map<std::size_t, Channel> channels_;  // by sampler; images and noise
+    Channel keyboard_;
+    std::array<Channel, 3> empty_;  // reads 0; one for each sampler type
+    Input keys_;                    // what the keyboard texture holds
+    std::map<std::pair<Filter, Wrap>, SamplerObject> sampler_objects_;
+};
+
+// Uniform random bytes: the same for the same size on every machine (pcg3d, Jarzynski and Olano
+// 2020).
+std::vector<std::byte> noise_bytes(glm::ivec3 size, int channels);
+
+}  // namespace glint

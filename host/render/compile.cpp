@@ -1,0 +1,64 @@
+#include "render/compile.h"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+PassReads reads_of(const Preset& preset, const PassProgram& program) {
+    PassReads reads{.pass = program.pass, .buffers = {}};
+    for (const SamplerUniform& uniform : program.samplers) {
+        const Sampler& sampler = sampler_at(preset, uniform.sampler);
+        if (sampler.source == Source::buffer &&
+            std::find(reads.buffers.begin(), reads.buffers.end(), sampler.pass) ==
+                reads.buffers.end()) {
+            reads.buffers.push_back(sampler.pass);
+        }
+    }
+    reads.changes_by_itself =
+        std::any_of(program.builtins.begin(), program.builtins.end(), [](const BuiltinUniform& u) {
+            return u.builtin == Builtin::time || u.builtin == Builtin::frame ||
+                   u.builtin == Builtin::tick || u.builtin == Builtin::date;
+        });
+    return reads;
+}
+
+// All passes share one text, so most complaints come once for each of them.
+void append_once(Diagnostics& list, const Diagnostics& more) {
+    for (const Diagnostic& diagnostic : more) {
+        const std::string text = to_string(diagnostic);
+        const bool known = std::any_of(list.begin(), list.end(),
+                                       [&](const Diagnostic& d) { return to_string(d) == text; });
+        if (!known) list.push_back(diagnostic);
+    }
+}
+
+}  // namespace
+
+CompileResult compile_scene(const Preset& preset, const CompileOptions& options) {
+    CompileResult result;
+    std::vector<PassProgram> programs;
+    std::vector<PassReads> reads;
+    std::vector<std::size_t> wanted = {options.root};
+    for (std::size_t next = 0; next < wanted.size(); ++next) {
+        CompiledPass compiled = compile_pass(preset, wanted[next], options.program);
+        append_once(result.diagnostics, compiled.diagnostics);
+        if (!compiled.program) return result;
+        reads.push_back(reads_of(preset, *compiled.program));
+        programs.push_back(std::move(*compiled.program));
+        for (const std::size_t buffer : reads.back().buffers) {
+            if (std::find(wanted.begin(), wanted.end(), buffer) == wanted.end()) {
+                wanted.push_back(buffer);
+            }
+        }
+    }
+    // Drawing order is the order of declarations; the picture, whose index is the largest, is last.
+    std::sort(programs.begin(), programs.end(),
+              [](const PassProgram& a, const PassProgram& b) { return a.pass < b.pass; });
+    CompiledScene& scene = result.scene.emplace();
+    scene.programs = std::move(programs);
+    scene.graph = build_graph(preset.scene.passes, std::move(reads));
+    return result;
+}
+
+}  // namespace glint

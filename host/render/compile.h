@@ -1,0 +1,29 @@
+// A scene as linked programs: only those passes that the wanted one needs, and what each must do.
+#pragma once
+
+#include "render/graph.h"
+#include "render/program.h"
+
+namespace glint {
+
+struct CompileOptions {
+    std::size_t root = kImagePass;  // the pass that is wanted; others only where it needs them
+    ProgramOptions program;
+};
+
+// `programs` stand in the order of `graph.passes`. To be drawn with the preset that it was compiled
+// from, or, when not specialised, with other values of its tweaks.
+struct CompiledScene {
+    std::vector<PassProgram> programs;
+    PassGraph graph;
+};
+
+struct CompileResult {
+    std::optional<CompiledScene> scene;  // empty when there are errors
+    Diagnostics diagnostics;             // each once, however many passes share the text
+};
+
+// Links the root, asks it which buffers it reads, links their passes, and so on.
+CompileResult compile_scene(const Preset& preset, const CompileOptions& options);
+
+}  // namespace glint

@@ -1,0 +1,46 @@
+// What must run: which passes the picture needs, which buffers are read back, and how often each
+// pass has anything new to draw. Plain data; no GL.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// How often a pass runs.
+enum class Runs { every_frame, on_change, every_step };
+
+// "every frame", "on change" or "every step", as `info` prints it.
+const char* to_string(Runs runs);
+
+// What one linked pass reads.
+struct PassReads {
+    std::size_t pass = 0;              // kImagePass for the picture
+    std::vector<std::size_t> buffers;  // passes whose buffers it reads, each once
+    bool changes_by_itself = false;    // reads time, frame, tick or date: new in every frame
+};
+
+// One pass that must run, in drawing order; the root stands last.
+struct GraphPass {
+    std::size_t pass = 0;
+    std::vector<std::size_t> reads;
+    bool feedback = false;     // reads its own previous frame, so its buffer is double
+    bool previous = false;     // some buffer that it reads was drawn in the previous frame
+    bool feeds_state = false;  // a later frame depends on it: a simulation must draw it every time
+    Runs runs = Runs::on_change;
+};
+
+struct PassGraph {
+    std::vector<GraphPass> passes;
+    bool stateful = false;  // the picture at a time depends on the frames before it
+};
+
+// `reads` holds the passes that the root needs, directly or through others, and the root. Passes
+// run in the order of their declarations. Reading a buffer that has run in this frame gives this
+// frame; reading oneself or a later one gives the previous frame.
+PassGraph build_graph(const std::vector<Pass>& passes, std::vector<PassReads> reads);
+
+}  // namespace glint

@@ -1,0 +1,372 @@
+#include "render/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <regex>
+
+namespace glint {
+namespace {
+
+constexpr std::string_view kUniforms = R"(uniform vec3 iResolution;
+uniform float iTime;
+uniform float iTimeDelta;
+uniform float iFrameRate;
+uniform int iFrame;
+uniform vec4 iMouse;
+uniform vec4 iDate;
+uniform float iSampleRate;
+uniform uint iTick;
+uniform float iChannelTime[4];
+uniform vec3 iChannelResolution[4];
+)";
+
+// The site lets a shader colour its pixel by a failed assertion: red, green, blue or yellow.
+constexpr std::string_view kAssert = R"(int glint_failed = -1;
+void st_assert(bool condition, int colour) { if (!condition) glint_failed = clamp(colour, 0, 3); }
+void st_assert(bool condition) { if (!condition) glint_failed = 0; }
+vec4 glint_asserted(vec4 colour) {
+    if (glint_failed < 0) return colour;
+    return vec4(glint_failed == 0 || glint_failed == 3, glint_failed == 1 || glint_failed == 3, glint_failed == 2, 1);
+}
+)";
+
+constexpr std::string_view kJitter = "uniform vec2 glint_jitter;\n";
+
+// sRGB (IEC 61966-2-1) to linear light, mirrored for negative values, so that averages do not clip.
+constexpr std::string_view kDecode = R"(vec3 glint_decode(vec3 c) {
+    vec3 a = abs(c);
+    return sign(c) * mix(a / 12.92, pow((a + 0.055) / 1.055, vec3(2.4)), greaterThan(a, vec3(0.04045)));
+}
+)";
+
+bool is_identifier(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool contains_word(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !is_identifier(text[at - 1])) &&
+            (end == text.size() || !is_identifier(text[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Which of iChannel0..3 the scene's own samplers take.
+bool declares(const Scene& scene, std::string_view name) {
+    return std::any_of(scene.samplers.begin(), scene.samplers.end(),
+                       [&](const Sampler& sampler) { return sampler.name == name; });
+}
+
+std::string channel_declarations(const Scene& scene, bool image_pass) {
+    std::string text;
+    for (int i = 0; i < 4; ++i) {
+        const std::string name = fmt::format("iChannel{}", i);
+        if (!declares(scene, name)) text += fmt::format("uniform sampler2D {};\n", name);
+        // A struct of samplers costs a declaration in every shader, so only where it is used.
+        if (image_pass && contains_word(scene.text, fmt::format("iCh{}", i))) {
+            text += fmt::format(
+                "uniform struct {{ sampler2D sampler; vec3 size; float time; int loaded; }} "
+                "iCh{};\n",
+                i);
+        }
+    }
+    return text;
+}
+
+// Names that older pastes still use, unless the text declares them itself.
+std::string old_names(const Scene& scene) {
+    if (!contains_word(scene.text, "iGlobalTime")) return "";
+    static const std::regex declared(R"((uniform|#\s*define)[^;\n]*\biGlobalTime\b)");
+    return std::regex_search(scene.text, declared) ? "" : "uniform float iGlobalTime;\n";
+}
+
+std::string image_main(const Scene& scene, const ProgramOptions& options) {
+    std::string text = fmt::format("void {}(out vec4 color, in vec2 coord);\n", scene.image_entry);
+    text += kAssert;
+    if (options.average) (text += kJitter) += kDecode;
+    text +=
+        "layout(location = 0) out vec4 glint_out0;\nvoid main() {\n    vec4 color = vec4(1e20);\n";
+    text += fmt::format("    {}(color, gl_FragCoord.xy{});\n", scene.image_entry,
+                        options.average ? " + glint_jitter" : "");
+    text += "    color = glint_asserted(color);\n";
+    if (options.average) {
+        if (options.clamp_to_bytes) text += "    color = clamp(color, 0.0, 1.0);\n";
+        text += "    color.rgb = glint_decode(color.rgb);\n";
+    }
+    return text + "    glint_out0 = vec4(color.rgb, 1.0);\n}\n";
+}
+
+std::string buffer_main(const Pass& pass, const ProgramOptions& options) {
+    std::string parameters, outputs, variables, arguments, results;
+    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
+        parameters += fmt::format("out vec4 color{}, ", i);
+        outputs += fmt::format("layout(location = {0}) out vec4 glint_out{0};\n", i);
+        variables += fmt::format("    vec4 color{} = vec4(0, 0, 0, 1);\n", i);
+        arguments += fmt::format("color{}, ", i);
+        results += fmt::format("    glint_out{0} = color{0};\n", i);
+    }
+    const std::string_view jitter = options.average ? kJitter : "";
+    return fmt::format(
+        "void {0}({1}in vec2 coord);\n{2}{3}{4}void main() {{\n{5}    "
+        "{0}({6}gl_FragCoord.xy{7});\n{8}}}\n",
+        pass.entry, parameters, kAssert, jitter, outputs, variables, arguments,
+        options.average ? " + glint_jitter" : "", results);
+}
+
+// Directions as GL reads cubemaps (OpenGL 4.5, table 8.19), so that texture(sky, rayDir) gives back
+// what was drawn for rayDir.
+std::string cube_main(const Pass& pass) {
+    return fmt::format(
+        "void {0}(out vec4 color, in vec2 coord, in vec3 rayOri, in vec3 rayDir);\n{1}"
+        R"(uniform int glint_face;
+layout(location = 0) out vec4 glint_out0;
+void main() {{
+    vec2 p = gl_FragCoord.xy / iResolution.xy * 2.0 - 1.0;
+    vec3 ray = glint_face == 0 ? vec3(1, -p.y, -p.x) : glint_face == 1 ? vec3(-1, -p.y, p.x)
+             : glint_face == 2 ? vec3(p.x, 1, p.y) : glint_face == 3 ? vec3(p.x, -1, -p.y)
+             : glint_face == 4 ? vec3(p.x, -p.y, 1) : vec3(-p.x, -p.y, -1);
+    vec4 color = vec4(0, 0, 0, 1);
+    {0}(color, gl_FragCoord.xy, vec3(0), normalize(ray));
+    glint_out0 = color;
+}}
+)",
+        pass.entry, kAssert);
+}
+
+// A literal that GLSL reads back as exactly this value.
+std::string literal(TweakType type, double value) {
+    if (type == TweakType::int1) return fmt::format("{:.0f}", value);
+    if (type == TweakType::bool1) return value != 0.0 ? "true" : "false";
+    std::string text = fmt::format("{:.9g}", static_cast<float>(value));
+    if (text.find_first_of(".e") == text.npos) text += ".0";
+    return text;
+}
+
+std::string constant(const Tweak& tweak, const TweakValue& value) {
+    const int count = component_count(tweak.type);
+    std::string components;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) components += ", ";
+        components += literal(tweak.type, value[static_cast<std::size_t>(i)]);
+    }
+    const char* type = glsl_name(tweak.type);
+    return count == 1 ? fmt::format("const {} {} = {};", type, tweak.name, components)
+                      : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
+}
+
+// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
+// its line ends are kept.
+std::string specialised_text(const Preset& preset) {
+    const std::string& text = preset.scene.text;
+    std::string result;
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        result.append(text, done, tweak.declaration_begin - done);
+        result += constant(tweak, preset.values[i]);
+        for (std::size_t at = tweak.declaration_begin; at < tweak.declaration_end; ++at) {
+            if (text[at] == '\n') result += '\n';
+        }
+        done = tweak.declaration_end;
+    }
+    return result.append(text, done);
+}
+
+struct BuiltinName {
+    std::string_view name;
+    Builtin builtin;
+};
+constexpr std::array kBuiltinNames = {
+    BuiltinName{"iResolution", Builtin::resolution},
+    BuiltinName{"iTime", Builtin::time},
+    BuiltinName{"iGlobalTime", Builtin::time},
+    BuiltinName{"iTimeDelta", Builtin::time_delta},
+    BuiltinName{"iFrameRate", Builtin::frame_rate},
+    BuiltinName{"iFrame", Builtin::frame},
+    BuiltinName{"iMouse", Builtin::mouse},
+    BuiltinName{"iDate", Builtin::date},
+    BuiltinName{"iSampleRate", Builtin::sample_rate},
+    BuiltinName{"iTick", Builtin::tick},
+    BuiltinName{"glint_jitter", Builtin::jitter},
+    BuiltinName{"glint_face", Builtin::face},
+};
+
+// "iCh2.size" is a member of channel 2; "iChannelTime[0]" an array of four.
+std::optional<BuiltinUniform> builtin_uniform(const std::string& name, GLint location) {
+    for (const BuiltinName& known : kBuiltinNames) {
+        if (name == known.name) return BuiltinUniform{known.builtin, name, 0, location};
+    }
+    if (name.starts_with("iChannelTime")) {
+        return BuiltinUniform{Builtin::channel_time, name, 0, location};
+    }
+    if (name.starts_with("iChannelResolution")) {
+        return BuiltinUniform{Builtin::channel_resolution, name, 0, location};
+    }
+    if (name.size() > 5 && name.starts_with("iCh") && name[4] == '.' && name[3] >= '0' &&
+        name[3] <= '3') {
+        return BuiltinUniform{Builtin::channel_struct, name, name[3] - '0', location};
+    }
+    return std::nullopt;
+}
+
+// "iCh2.sampler" reads what iChannel2 reads.
+std::optional<std::size_t> sampler_index(const Preset& preset, std::string_view name) {
+    std::string wanted(name);
+    if (name.size() == 12 && name.starts_with("iCh") && name.ends_with(".sampler")) {
+        wanted = fmt::format("iChannel{}", name[3]);
+    }
+    for (std::size_t i = 0; i < sampler_count(preset); ++i) {
+        if (sampler_at(preset, i).name == wanted) return i;
+    }
+    return std::nullopt;
+}
+
+bool is_sampler(GLenum type) {
+    return type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_CUBE;
+}
+
+// Asks the linked program what it really reads, and gives every sampler its texture unit.
+void find_uniforms(const Preset& preset, PassProgram& pass) {
+    const GLuint program = pass.program.id();
+    GLint count = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        std::array<char, 256> buffer{};
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, static_cast<GLuint>(i), buffer.size(), nullptr, &size, &type,
+                           buffer.data());
+        const std::string name = buffer.data();
+        const GLint location = glGetUniformLocation(program, name.c_str());
+        if (location < 0) continue;
+        if (is_sampler(type)) {
+            if (const auto sampler = sampler_index(preset, name)) {
+                const auto unit = static_cast<GLint>(pass.samplers.size());
+                glProgramUniform1i(program, location, unit);
+                pass.samplers.push_back({*sampler, unit});
+            }
+        } else if (auto builtin = builtin_uniform(name, location)) {
+            pass.builtins.push_back(std::move(*builtin));
+        } else {
+            const auto& tweaks = preset.scene.tweaks;
+            const auto tweak = std::find_if(tweaks.begin(), tweaks.end(),
+                                            [&](const Tweak& t) { return t.name == name; });
+            if (tweak != tweaks.end()) {
+                pass.tweaks.push_back({static_cast<std::size_t>(tweak - tweaks.begin()), location});
+            }
+        }
+    }
+}
+
+// A link error carries no place. The commonest one can be said better than the driver does.
+Diagnostic link_diagnostic(const Scene& scene, std::string text) {
+    if (text.find("unresolved reference to function") != text.npos &&
+        text.find(scene.image_entry) != text.npos) {
+        text = fmt::format(
+            "there is no `void {}(out vec4 fragColor, in vec2 fragCoord)`; write one, it draws the "
+            "picture",
+            scene.image_entry);
+    }
+    return {Severity::error, {scene.files.front().string(), 0, 0}, std::move(text)};
+}
+
+}  // namespace
+
+std::string pass_name(const Scene& scene, std::size_t pass) {
+    return pass == kImagePass ? "image" : scene.passes[pass].name;
+}
+
+const Sampler& sampler_at(const Preset& preset, std::size_t index) {
+    const auto& own = preset.scene.samplers;
+    return index < own.size() ? own[index] : preset.channels.at(index - own.size());
+}
+
+std::size_t sampler_count(const Preset& preset) {
+    return preset.scene.samplers.size() + preset.channels.size();
+}
+
+PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
+    const Scene& scene = preset.scene;
+    const bool image = pass == kImagePass;
+    // `packed` is an ordinary name on the site, and reserved in Mesa.
+    std::string text =
+        "#version 300 es\n"
+        "#define HW_PERFORMANCE 1\n"
+        "#define packed glint_packed\n";
+    if (image)
+        text += "#define PASS_image 1\n";
+    else
+        for (const std::string& output : scene.passes[pass].outputs)
+            text += fmt::format("#define PASS_{} 1\n", output);
+    text += "precision highp float;\nprecision highp int;\nprecision mediump sampler3D;\n";
+    text += kUniforms;
+    text += old_names(scene);
+    text += channel_declarations(scene, image);
+    text += image                     ? image_main(scene, options)
+            : scene.passes[pass].cube ? cube_main(scene.passes[pass])
+                                      : buffer_main(scene.passes[pass], options);
+    const auto lines = std::count(text.begin(), text.end(), '\n');
+    text += options.specialise ? specialised_text(preset) : scene.text;
+    if (!text.ends_with('\n')) text += '\n';
+    return {std::move(text), static_cast<int>(lines)};
+}
+
+CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
+    const PassText source = pass_text(preset, pass, options);
+    LinkedProgram linked = make_program(source.text);
+    CompiledPass result;
+    result.diagnostics = read_driver_log(preset.scene, linked.log, source.prologue_lines);
+    if (!linked.program) {
+        if (!has_errors(result.diagnostics)) {
+            result.diagnostics.push_back(
+                link_diagnostic(preset.scene, "the driver refused the shader without a word"));
+        }
+        return result;
+    }
+    result.program.emplace(PassProgram{.pass = pass,
+                                       .program = std::move(linked.program),
+                                       .builtins = {},
+                                       .tweaks = {},
+                                       .samplers = {}});
+    find_uniforms(preset, *result.program);
+    return result;
+}
+
+Diagnostics read_driver_log(const Scene& scene, const std::string& log, int prologue_lines) {
+    static const std::regex mesa(
+        R"(^\d+:(\d+)\((\d+)\):\s*(?:preprocessor )?(error|warning):\s*(.*)$)");
+    static const std::regex nvidia(R"(^\d+\((\d+)\) ?: (error|warning) (?:C\d+: )?(.*)$)");
+    static const std::regex angle(R"(^(ERROR|WARNING): \d+:(\d+): (.*)$)");
+    static const std::regex unplaced(R"(^(?:error|ERROR):\s*(.*)$)");
+    const auto place = [&](const std::string& line, int column) {
+        return scene.place(std::stoi(line) - prologue_lines, column);
+    };
+    Diagnostics list;
+    for (std::size_t begin = 0; begin < log.size();) {
+        const std::size_t end = std::min(log.find('\n', begin), log.size());
+        const std::string line = log.substr(begin, end - begin);
+        begin = end + 1;
+        std::smatch m;
+        if (std::regex_match(line, m, mesa)) {
+            list.push_back({m[3] == "error" ? Severity::error : Severity::warning,
+                            place(m[1], std::stoi(m[2])), m[4]});
+        } else if (std::regex_match(line, m, nvidia)) {
+            list.push_back(
+                {m[2] == "error" ? Severity::error : Severity::warning, place(m[1], 0), m[3]});
+        } else if (std::regex_match(line, m, angle)) {
+            list.push_back(
+                {m[1] == "ERROR" ? Severity::error : Severity::warning, place(m[2], 0), m[3]});
+        } else if (std::regex_match(line, m, unplaced)) {
+            list.push_back(link_diagnostic(scene, m[1]));
+        }
+    }
+    return list;
+}
+
+}  // namespace glint

@@ -1,0 +1,468 @@
+#include "render/renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace glint {
+namespace {
+
+// Steps that have elapsed at a time. The tolerance, a millionth of a step, forgives times such as
+// 7/60 s, which lie a rounding below a whole step.
+long steps_elapsed(double time, Step step) {
+    return static_cast<long>(std::floor(
+        time * static_cast<double>(step.denominator) / static_cast<double>(step.numerator) + 1e-6));
+}
+
+void require_drawable(glm::ivec2 size, const std::string& what) {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (size.x > limit || size.y > limit) {
+        throw std::runtime_error(fmt::format("{} is {}x{} pixels; this driver draws up to {}x{}.",
+                                             what, size.x, size.y, limit, limit));
+    }
+}
+
+}  // namespace
+
+Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options)
+    : preset_(preset),
+      scene_(std::move(scene)),
+      options_(options),
+      channels_(preset),
+      drawn_(scene_.programs.size()),
+      steps_done_(scene_.programs.size(), 0),
+      vertex_array_(make_vertex_array()) {
+    for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+        const PassProgram& program = scene_.programs[i];
+        BufferShape shape{.size = options.size, .format = options.picture_format};
+        if (program.pass != kImagePass) {
+            const Pass& pass = preset.scene.passes[program.pass];
+            shape = {.size = buffer_size(pass, options.size),
+                     .format = pass.format,
+                     .outputs = static_cast<int>(pass.outputs.size()),
+                     .cube = pass.cube,
+                     .feedback = scene_.graph.passes[i].feedback};
+        }
+        for (const PassProgram& reader : scene_.programs) {
+            for (const SamplerUniform& uniform : reader.samplers) {
+                const Sampler& sampler = sampler_at(preset, uniform.sampler);
+                shape.mipmaps |= sampler.source == Source::buffer && sampler.pass == program.pass &&
+                                 sampler.filter == Filter::mipmap;
+            }
+        }
+        require_drawable(shape.size, pass_name(preset.scene, program.pass));
+        buffers_.push_back(std::make_unique<Buffer>(shape));
+        drawn_[i].builtins.resize(program.builtins.size());
+        drawn_[i].tweaks.resize(program.tweaks.size());
+        drawn_[i].versions.resize(program.samplers.size());
+    }
+    if (options.samples > 1) average_ = std::make_unique<Average>(options.size);
+    glDisable(GL_DITHER);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // always on in GLSL ES
+}
+
+std::vector<std::size_t> Renderer::images_needed() const {
+    std::vector<std::size_t> list;
+    for (const PassProgram& program : scene_.programs) {
+        for (const SamplerUniform& uniform : program.samplers) {
+            if (sampler_at(preset_, uniform.sampler).source != Source::image) continue;
+            if (std::find(list.begin(), list.end(), uniform.sampler) == list.end()) {
+                list.push_back(uniform.sampler);
+            }
+        }
+    }
+    return list;
+}
+
+void Renderer::advance(const Frame& frame) {
+    run(frame, true);
+}
+
+bool Renderer::draw(const Frame& frame) {
+    run(frame, false);
+    force_root_ = false;
+    return root_drawn_;
+}
+
+void Renderer::reset() {
+    for (const auto& buffer : buffers_) buffer->clear();
+    for (Drawn& drawn : drawn_) drawn.ever = false;
+    std::fill(steps_done_.begin(), steps_done_.end(), 0);
+    force_root_ = true;
+}
+
+void Renderer::resize(glm::ivec2 size) {
+    options_.size = size;
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const std::size_t pass = scene_.programs[i].pass;
+        const glm::ivec2 wanted =
+            pass == kImagePass ? size : buffer_size(preset_.scene.passes[pass], size);
+        require_drawable(wanted, pass_name(preset_.scene, pass));
+        buffers_[i]->resize(wanted);
+    }
+    if (average_) average_ = std::make_unique<Average>(size);
+}
+
+void Renderer::run(const Frame& frame, bool state_only) {
+    glBindVertexArray(vertex_array_.id());
+    channels_.set_keyboard(frame.input);
+    root_drawn_ = false;
+    std::vector<Step> stepped;
+    for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+        const GraphPass& pass = scene_.graph.passes[i];
+        if (state_only && !pass.feeds_state) continue;
+        const Step step = pass.pass == kImagePass ? Step{} : preset_.scene.passes[pass.pass].step;
+        if (step) {
+            if (std::find(stepped.begin(), stepped.end(), step) != stepped.end()) continue;
+            stepped.push_back(step);
+            run_steps(frame, step);
+        } else if (average_ && i + 1 == scene_.programs.size()) {
+            run_averaged(frame);
+        } else {
+            run_pass(i, {.frame = frame}, force_root_ && i + 1 == scene_.programs.size());
+        }
+    }
+}
+
+// Passes of one step length run together, each step all of them in order, where the first of them
+// stands: so that simulations which read each other stay in step.
+void Renderer::run_steps(const Frame& frame, Step step) {
+    std::vector<std::size_t> group;
+    for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+        const std::size_t pass = scene_.programs[i].pass;
+        if (pass != kImagePass && preset_.scene.passes[pass].step == step) group.push_back(i);
+    }
+    const long due = steps_elapsed(frame.time, step);
+    long done = steps_done_[group.front()];
+    const double caught_up = std::min(frame.longest_catch_up / step.seconds(), 1e15);
+    done = std::min(std::max(done, due - static_cast<long>(caught_up)), due);
+    for (; done < due; ++done) {
+        Frame inner = frame;
+        // A step is a frame of its own length, which ends at its time.
+        inner.time = static_cast<double>((done + 1) * step.numerator) /
+                     static_cast<double>(step.denominator);
+        inner.time_delta = step.seconds();
+        inner.frame_rate = 1.0 / step.seconds();
+        inner.frame = static_cast<int>(done);
+        if (!frame.events.empty()) {
+            const double from =
+                done == 0 ? -std::numeric_limits<double>::infinity() : inner.time - step.seconds();
+            inner.input = replay(frame.events, from, inner.time, options_.size);
+            channels_.set_keyboard(inner.input);
+        }
+        for (const std::size_t i : group) run_pass(i, {.frame = inner}, true);
+    }
+    if (!frame.events.empty()) channels_.set_keyboard(frame.input);
+    for (const std::size_t i : group) steps_done_[i] = done;
+}
+
+// A pass of the picture's own pixels, which no later frame depends on, can be drawn at any
+// sub-pixel position; all others stay as they are while the picture is averaged.
+bool Renderer::is_jittered(std::size_t index) const {
+    const GraphPass& pass = scene_.graph.passes[index];
+    if (pass.pass == kImagePass) return true;
+    const Pass& declared = preset_.scene.passes[pass.pass];
+    return !pass.feeds_state && !pass.previous && !declared.cube && !declared.size &&
+           declared.scale == 1.0;
+}
+
+void Renderer::run_averaged(const Frame& frame) {
+    const std::size_t root = scene_.programs.size() - 1;
+    average_->clear();
+    for (int sample = 0; sample < options_.samples; ++sample) {
+        const Inputs inputs{.frame = frame, .jitter = sub_pixel_position(sample, options_.samples)};
+        for (std::size_t i = 0; i < root; ++i) {
+            if (is_jittered(i)) run_pass(i, inputs);
+        }
+        run_pass(root, inputs, true);
+        if (after_sample) after_sample(sample + 1);
+    }
+    const Buffer& picture = *buffers_[root];
+    glViewport(0, 0, picture.shape().size.x, picture.shape().size.y);
+    average_->resolve(picture.target(), options_.samples);
+    buffers_[root]->finish_draw();
+    root_drawn_ = true;
+}
+
+void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
+    const PassProgram& program = scene_.programs[index];
+    Buffer& buffer = *buffers_[index];
+    const bool new_uniforms = update_uniforms(index, inputs);
+    const bool new_buffers = update_versions(index);
+    if (!new_uniforms && !new_buffers && !force && drawn_[index].ever) return;
+    drawn_[index].ever = true;
+
+    const bool root = index + 1 == scene_.programs.size();
+    const bool averaged = root && average_;
+    glUseProgram(program.program.id());
+    bind_samplers(program);
+    if (buffer.shape().cube) {
+        for (int face = 0; face < 6; ++face) {
+            update_uniforms(index, {.frame = inputs.frame, .face = face});
+            draw_calls(buffer.target(face), buffer.shape().size, false);
+        }
+    } else {
+        if (averaged) {
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+        }
+        draw_calls(averaged ? average_->target() : buffer.target(), buffer.shape().size, root);
+        if (averaged) glDisable(GL_BLEND);
+    }
+    if (!averaged) buffer.finish_draw();
+    if (root) root_drawn_ = true;
+    if (after_pass) after_pass(index);
+}
+
+void Renderer::draw_calls(GLuint target, glm::ivec2 size, bool tiled) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glViewport(0, 0, size.x, size.y);
+    if (tiled && options_.tile > 0) {
+        // Each tile is waited for, so that no driver's watchdog sees one long draw.
+        glEnable(GL_SCISSOR_TEST);
+        for (int y = 0; y < size.y; y += options_.tile) {
+            for (int x = 0; x < size.x; x += options_.tile) {
+                glScissor(x, y, options_.tile, options_.tile);
+                draw_triangle();
+                glFinish();
+            }
+        }
+        glDisable(GL_SCISSOR_TEST);
+    } else {
+        draw_triangle();
+    }
+    draw_call_seconds += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Sends what has changed since the pass was last drawn, and says whether anything had. The
+// sub-pixel position counts; the face of a cube does not, since all faces are drawn together.
+bool Renderer::update_uniforms(std::size_t index, const Inputs& inputs) {
+    const PassProgram& pass = scene_.programs[index];
+    const GLuint program = pass.program.id();
+    bool changed = false;
+    for (std::size_t i = 0; i < pass.builtins.size(); ++i) {
+        const BuiltinUniform& uniform = pass.builtins[i];
+        const Value value = value_of(uniform, index, inputs);
+        if (drawn_[index].builtins[i] == value) continue;
+        drawn_[index].builtins[i] = value;
+        changed |= uniform.builtin != Builtin::face;
+        const GLfloat* floats = value.floats.data();
+        const GLint location = uniform.location;
+        switch (uniform.builtin) {
+            case Builtin::time:
+            case Builtin::time_delta:
+            case Builtin::frame_rate:
+            case Builtin::sample_rate:
+                glProgramUniform1fv(program, location, 1, floats);
+                break;
+            case Builtin::channel_time:
+                glProgramUniform1fv(program, location, 4, floats);
+                break;
+            case Builtin::jitter:
+                glProgramUniform2fv(program, location, 1, floats);
+                break;
+            case Builtin::resolution:
+                glProgramUniform3fv(program, location, 1, floats);
+                break;
+            case Builtin::channel_resolution:
+                glProgramUniform3fv(program, location, 4, floats);
+                break;
+            case Builtin::mouse:
+            case Builtin::date:
+                glProgramUniform4fv(program, location, 1, floats);
+                break;
+            case Builtin::frame:
+            case Builtin::face:
+                glProgramUniform1i(program, location, value.ints[0]);
+                break;
+            case Builtin::tick:
+                glProgramUniform1ui(program, location, static_cast<GLuint>(value.ints[0]));
+                break;
+            case Builtin::channel_struct:
+                if (uniform.name.ends_with(".size"))
+                    glProgramUniform3fv(program, location, 1, floats);
+                else if (uniform.name.ends_with(".time"))
+                    glProgramUniform1fv(program, location, 1, floats);
+                else
+                    glProgramUniform1i(program, location, value.ints[0]);
+                break;
+        }
+    }
+    for (std::size_t i = 0; i < pass.tweaks.size(); ++i) {
+        const TweakUniform& uniform = pass.tweaks[i];
+        const TweakValue& value = preset_.values[uniform.tweak];
+        if (drawn_[index].tweaks[i] == value) continue;
+        drawn_[index].tweaks[i] = value;
+        changed = true;
+        const glm::vec4 v(value[0], value[1], value[2], value[3]);
+        switch (preset_.scene.tweaks[uniform.tweak].type) {
+            case TweakType::float1:
+                glProgramUniform1f(program, uniform.location, v.x);
+                break;
+            case TweakType::int1:
+            case TweakType::bool1:
+                glProgramUniform1i(program, uniform.location, static_cast<GLint>(value[0]));
+                break;
+            case TweakType::vec2:
+                glProgramUniform2f(program, uniform.location, v.x, v.y);
+                break;
+            case TweakType::vec3:
+                glProgramUniform3f(program, uniform.location, v.x, v.y, v.z);
+                break;
+            case TweakType::vec4:
+                glProgramUniform4f(program, uniform.location, v.x, v.y, v.z, v.w);
+                break;
+        }
+    }
+    return changed;
+}
+
+// Notes what the pass is about to read, and says whether any of it is new.
+bool Renderer::update_versions(std::size_t index) {
+    const PassProgram& program = scene_.programs[index];
+    bool changed = false;
+    for (std::size_t i = 0; i < program.samplers.size(); ++i) {
+        const std::size_t sampler = program.samplers[i].sampler;
+        const Sampler& read = sampler_at(preset_, sampler);
+        const std::size_t version = read.source == Source::buffer
+                                        ? buffers_[graph_index(read.pass)]->version()
+                                        : channels_.channel(sampler).version;
+        if (drawn_[index].versions[i] == version) continue;
+        drawn_[index].versions[i] = version;
+        changed = true;
+    }
+    return changed;
+}
+
+void Renderer::bind_samplers(const PassProgram& program) {
+    for (const SamplerUniform& uniform : program.samplers) {
+        const auto unit = static_cast<GLuint>(uniform.unit);
+        const Sampler& sampler = sampler_at(preset_, uniform.sampler);
+        const GLuint texture = sampler.source == Source::buffer
+                                   ? buffers_[graph_index(sampler.pass)]->texture(sampler.output)
+                                   : channels_.channel(uniform.sampler).texture.id();
+        glBindTextureUnit(unit, texture);
+        glBindSampler(unit, channels_.sampler_object(sampler));
+    }
+}
+
+std::size_t Renderer::graph_index(std::size_t pass) const {
+    const auto& passes = scene_.graph.passes;
+    const auto found = std::find_if(passes.begin(), passes.end(),
+                                    [&](const GraphPass& p) { return p.pass == pass; });
+    return static_cast<std::size_t>(found - passes.begin());
+}
+
+// What iChannel0..3 read, in pixels; 0 where nothing is bound.
+glm::ivec3 Renderer::channel_size(int channel) const {
+    const std::string name = fmt::format("iChannel{}", channel);
+    for (std::size_t i = 0; i < sampler_count(preset_); ++i) {
+        const Sampler& sampler = sampler_at(preset_, i);
+        if (sampler.name != name) continue;
+        if (sampler.source == Source::none) return glm::ivec3(0);
+        if (sampler.source != Source::buffer) return channels_.channel(i).size;
+        const glm::ivec2 size = buffer_size(preset_.scene.passes[sampler.pass], options_.size);
+        return glm::ivec3(size, 1);
+    }
+    return glm::ivec3(0);
+}
+
+Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t index,
+                                   const Inputs& inputs) const {
+    const Frame& frame = inputs.frame;
+    Value value;
+    auto& f = value.floats;
+    switch (uniform.builtin) {
+        case Builtin::resolution: {
+            const glm::ivec2 size = buffers_[index]->shape().size;
+            f[0] = static_cast<float>(size.x), f[1] = static_cast<float>(size.y), f[2] = 1.0f;
+            break;
+        }
+        case Builtin::time:
+            f[0] = static_cast<float>(frame.time);
+            break;
+        case Builtin::time_delta:
+            f[0] = static_cast<float>(frame.time_delta);
+            break;
+        case Builtin::frame_rate:
+            f[0] = static_cast<float>(frame.frame_rate);
+            break;
+        case Builtin::frame:
+            value.ints[0] = frame.frame;
+            break;
+        case Builtin::mouse:
+            std::copy_n(&frame.input.mouse.x, 4, f.begin());
+            break;
+        case Builtin::date:
+            std::copy_n(&frame.date.x, 4, f.begin());
+            break;
+        case Builtin::sample_rate:
+            f[0] = 44100.0f;
+            break;
+        case Builtin::tick:
+            value.ints[0] = static_cast<GLint>(tick(frame.time));
+            break;
+        case Builtin::channel_time:
+            break;  // 0: images, buffers and the keyboard have no time of their own
+        case Builtin::channel_resolution:
+            for (int i = 0; i < 4; ++i) {
+                const glm::vec3 size(channel_size(i));
+                std::copy_n(&size.x, 3, f.begin() + 3 * i);
+            }
+            break;
+        case Builtin::channel_struct: {
+            const glm::vec3 size(channel_size(uniform.index));
+            if (uniform.name.ends_with(".size")) std::copy_n(&size.x, 3, f.begin());
+            if (uniform.name.ends_with(".loaded")) value.ints[0] = size.x > 0.0f;
+            break;
+        }
+        case Builtin::jitter:
+            if (is_jittered(index)) f[0] = inputs.jitter.x, f[1] = inputs.jitter.y;
+            break;
+        case Builtin::face:
+            value.ints[0] = inputs.face;
+            break;
+    }
+    return value;
+}
+
+// The faces of a cube come side by side, in GL's order: +X -X +Y -Y +Z -Z.
+glm::ivec2 Renderer::root_size() const {
+    const BufferShape& shape = buffers_.back()->shape();
+    return shape.cube ? glm::ivec2(shape.size.x * 6, shape.size.y) : shape.size;
+}
+
+std::vector<std::byte> Renderer::read_bytes() {
+    const glm::ivec2 size = root_size();
+    std::vector<std::byte> pixels(static_cast<std::size_t>(size.x) *
+                                  static_cast<std::size_t>(size.y) * 4);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_.back()->front_framebuffer());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    return pixels;
+}
+
+std::vector<float> Renderer::read_floats(std::size_t output) {
+    const Buffer& root = *buffers_.back();
+    const glm::ivec2 size = root_size();
+    const glm::ivec2 face_size = root.shape().size;
+    std::vector<float> pixels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                              4);
+    glPixelStorei(GL_PACK_ROW_LENGTH, size.x);
+    for (int face = 0; face < size.x / face_size.x; ++face) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, root.front_framebuffer(face));
+        glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output));
+        glReadPixels(0, 0, face_size.x, face_size.y, GL_RGBA, GL_FLOAT,
+                     pixels.data() + static_cast<std::ptrdiff_t>(face) * face_size.x * 4);
+    }
+    glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+    return pixels;
+}
+
+}  // namespace glint

@@ -1,0 +1,112 @@
+// A compiled scene and a frame become pixels, in textures of our own.
+#pragma once
+
+#include "render/average.h"
+#include "render/buffer.h"
+#include "render/channels.h"
+#include "render/compile.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace glint {
+
+struct RenderOptions {
+    glm::ivec2 size{1280, 720};                       // pixels
+    PixelFormat picture_format = PixelFormat::rgba8;  // of the picture; buffers have their own
+    int samples = 1;  // sub-pixel positions; needs ProgramOptions::average
+    int tile = 0;     // draw the root in squares of this many pixels; 0: whole
+};
+
+class Renderer {
+public:
+    // Keeps references: preset must outlive the renderer. Its values may change between draws; they
+    // matter where the scene was not specialised. Throws std::runtime_error when a size is beyond
+    // the driver's limit.
+    Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options);
+
+    // The samplers whose images something reads (as in sampler_at); hand each its pixels.
+    std::vector<std::size_t> images_needed() const;
+    void set_image(std::size_t sampler, const PixelView& pixels) {
+        channels_.set_image(sampler, pixels);
+    }
+
+    // Draws only what later frames depend on: how a simulation is brought to a time.
+    void advance(const Frame& frame);
+
+    // Draws whatever has changed since it was last drawn. True when the root was drawn anew.
+    bool draw(const Frame& frame);
+
+    // Buffers to 0 and simulations to their start; everything is drawn again.
+    void reset();
+
+    // The root is drawn next time even if nothing has changed.
+    void redraw() { force_root_ = true; }
+
+    // A new size of the picture; buffers keep their content.
+    void resize(glm::ivec2 size);
+
+    const PassGraph& graph() const { return scene_.graph; }
+    const Buffer& buffer(std::size_t graph_index) const { return *buffers_[graph_index]; }
+
+    // The wanted pass as RGBA, rows bottom up; `output` chooses among several. Waits for the GPU.
+    std::vector<std::byte> read_bytes();
+    std::vector<float> read_floats(std::size_t output = 0);
+    glm::ivec2 root_size() const;
+
+    // Called after each pass that was drawn, with its index in the graph. For measuring.
+    std::function<void(std::size_t)> after_pass;
+    // Called after each sub-pixel position. For progress.
+    std::function<void(int)> after_sample;
+    // Seconds spent inside draw calls, which on a software renderer do part of the drawing.
+    double draw_call_seconds = 0.0;
+
+private:
+    // What one draw of one pass gets.
+    struct Inputs {
+        const Frame& frame;
+        glm::vec2 jitter{0.0f};
+        int face = 0;
+    };
+    // A uniform's value, as words, so that a change is found by comparing.
+    struct Value {
+        std::array<float, 12> floats{};
+        std::array<GLint, 1> ints{};
+        bool operator==(const Value&) const = default;
+    };
+    // What a pass was last drawn with. Programs keep their uniforms, so equal values are not sent.
+    struct Drawn {
+        bool ever = false;
+        std::vector<std::optional<Value>> builtins;
+        std::vector<std::optional<TweakValue>> tweaks;
+        std::vector<std::optional<std::size_t>> versions;
+    };
+
+    void run(const Frame& frame, bool state_only);
+    void run_steps(const Frame& frame, Step step);
+    void run_pass(std::size_t index, const Inputs& inputs, bool force = false);
+    void run_averaged(const Frame& frame);
+    bool update_uniforms(std::size_t index, const Inputs& inputs);
+    bool update_versions(std::size_t index);
+    void bind_samplers(const PassProgram& program);
+    void draw_calls(GLuint target, glm::ivec2 size, bool tiled);
+    Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
+    glm::ivec3 channel_size(int channel) const;
+    std::size_t graph_index(std::size_t pass) const;
+    bool is_jittered(std::size_t index) const;
+
+    const Preset& preset_;
+    CompiledScene scene_;
+    RenderOptions options_;
+    mutable Channels channels_;
+    std::vector<std::unique_ptr<Buffer>> buffers_;  // in the order of the graph; the root is last
+    std::vector<Drawn> drawn_;
+    std::vector<long> steps_done_;  // in the order of the graph
+    std::unique_ptr<Average> average_;
+    VertexArray vertex_array_;
+    bool force_root_ = false;
+    bool root_drawn_ = false;
+};
+
+}  // namespace glint
