@@ -1,7 +1,7 @@
 // The uniforms that a text declares, and the words that stand in it; just enough GLSL for that.
 #pragma once
 
-#include "scene/source_text.h"
+#include "scene/raw_text.h"
 
 #include <string>
 #include <string_view>

@@ -111,7 +111,8 @@ glm::vec4 shadertoy_date(const Date& start, double elapsed) {
     using namespace std::chrono;
     // A few thousand years either way: beyond that the calendar's own types end.
     constexpr double kFurthestDays = 3.0e6;
-    const double seconds = start.seconds + (std::isfinite(elapsed) ? elapsed : 0.0);
+    const double sum = start.seconds + elapsed;
+    const double seconds = std::isfinite(sum) ? sum : 0.0;
     const double days_passed =
         std::clamp(std::floor(seconds / kSecondsPerDay), -kFurthestDays, kFurthestDays);
     const auto start_month = static_cast<unsigned>(std::clamp(start.month, 1, 12));

@@ -2,7 +2,7 @@
 #include "scene/preset.h"
 
 #include "scene/annotation.h"
-#include "scene/source_text.h"
+#include "scene/raw_text.h"
 #include "scene/value.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace glint {
@@ -56,13 +55,14 @@ private:
                 static_cast<int>(source.begin.column)};
     }
     void warning(const toml::source_region& source, std::string text) {
-        result_.diagnostics.push_back({Severity::warning, place(source), std::move(text)});
+        warnings_.push_back({Severity::warning, place(source), std::move(text)});
     }
     void warning(const toml::node& node, std::string text) {
         warning(node.source(), std::move(text));
     }
 
     ReadPreset& result_;
+    Diagnostics warnings_;  // of the preset itself
     Preset preset_;
     bool has_scene_ = false;
 };
@@ -89,6 +89,13 @@ void Reader::read(std::string_view text) {
     if (const toml::node* tweaks = root.get("tweaks")) read_tweaks(*tweaks);
     if (const toml::node* channels = root.get("channels")) read_channels(*channels);
     if (const toml::node* events = root.get("events")) read_events(*events);
+    // toml++ sorts keys by name; a person reads from top to bottom.
+    std::stable_sort(warnings_.begin(), warnings_.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) {
+                         return std::pair(a.place.line, a.place.column) <
+                                std::pair(b.place.line, b.place.column);
+                     });
+    result_.diagnostics.insert(result_.diagnostics.end(), warnings_.begin(), warnings_.end());
     if (!has_errors(result_.diagnostics)) result_.preset = std::move(preset_);
 }
 
@@ -215,12 +222,12 @@ void Reader::read_tweak(const toml::key& key, const toml::node& node) {
                                    glsl_name(tweak->type), expected_value(*tweak),
                                    format_value(*tweak, tweak->initial)));
     const TweakValue clamped = clamp_to_range(*tweak, *value);
-    if (clamped != *value)
-        warning(node, fmt::format(
-                          "{} is outside {} to {}; clamped to {}", format_value(*tweak, *value),
-                          format_number(tweak->min.value_or(std::numeric_limits<float>::lowest())),
-                          format_number(tweak->max.value_or(std::numeric_limits<float>::max())),
-                          format_value(*tweak, clamped)));
+    if (clamped != *value) {
+        const bool one = component_count(tweak->type) == 1;
+        warning(node, fmt::format("{} is {}, not {}; clamped to {}", tweak->name,
+                                  one ? format_number((*value)[0]) : format_value(*tweak, *value),
+                                  expected_value(*tweak), format_value(*tweak, clamped)));
+    }
     preset_.values[static_cast<std::size_t>(tweak - tweaks.begin())] = clamped;
 }
 

@@ -2,6 +2,7 @@
 #include "scene/scene.h"
 
 #include "scene/annotation.h"
+#include "scene/builtin.h"
 #include "scene/declaration.h"
 #include "scene/source_text.h"
 #include "scene/value.h"
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -17,28 +17,6 @@
 namespace glint {
 
 namespace {
-
-// A uniform that the host declares itself.
-struct Builtin {
-    std::string_view type;   // "sampler" stands for every sampler type
-    std::string_view array;  // the length, or ""
-};
-
-const std::map<std::string_view, Builtin> kBuiltins = {
-    {"iResolution", {"vec3", ""}},    {"iTime", {"float", ""}},
-    {"iTimeDelta", {"float", ""}},    {"iFrameRate", {"float", ""}},
-    {"iFrame", {"int", ""}},          {"iMouse", {"vec4", ""}},
-    {"iDate", {"vec4", ""}},          {"iSampleRate", {"float", ""}},
-    {"iChannelTime", {"float", "4"}}, {"iChannelResolution", {"vec3", "4"}},
-    {"iTick", {"uint", ""}},          {"iChannel0", {"sampler", ""}},
-    {"iChannel1", {"sampler", ""}},   {"iChannel2", {"sampler", ""}},
-    {"iChannel3", {"sampler", ""}},
-};
-
-const Builtin* find_builtin(std::string_view name) {
-    const auto found = kBuiltins.find(name);
-    return found == kBuiltins.end() ? nullptr : &found->second;
-}
 
 std::optional<TweakType> tweak_type(std::string_view type) {
     for (const TweakType known : {TweakType::float1, TweakType::int1, TweakType::bool1,
@@ -79,6 +57,7 @@ private:
     void check_image();
 
     std::optional<Span> note_of(const Declaration& declaration, std::size_t next_begin);
+    std::string note_text(Span note) const;
     bool report(const std::vector<Complaint>& complaints, Span note);
     void blank(std::size_t begin, std::size_t end);
     void error(std::size_t offset, std::string text) {
@@ -137,10 +116,17 @@ void Builder::check_image() {
                      is_empty ? "this file holds no shader" : "there is no mainImage here")});
 }
 
+// A note's words, byte for byte, but with space where a backslash joins two lines.
+std::string Builder::note_text(Span note) const {
+    std::string text = source_.text.substr(note.begin, note.end - note.begin);
+    for (std::size_t i = 1; i < text.size(); ++i)
+        if (text[i] == '\n' && text[i - 1] == '\\') text[i - 1] = ' ';
+    return text;
+}
+
 // A note without a uniform: a heading, or a mistake.
 void Builder::use_note(Span note) {
-    const auto text = std::string_view(source_.text).substr(note.begin, note.end - note.begin);
-    if (auto heading = parse_group(text))
+    if (auto heading = parse_group(note_text(note)))
         group_ = std::move(*heading);
     else
         warning(note.begin - 3,
@@ -250,9 +236,7 @@ void Builder::add_tweak(const Declaration& declaration, TweakType type, Span not
     tweak.declaration_begin = declaration.span.begin;
     tweak.declaration_end = declaration.span.end;
     std::vector<Complaint> complaints;
-    tweak = parse_tweak(std::move(tweak),
-                        std::string_view(source_.text).substr(note.begin, note.end - note.begin),
-                        complaints);
+    tweak = parse_tweak(std::move(tweak), note_text(note), complaints);
     if (report(complaints, note)) scene_.tweaks.push_back(std::move(tweak));
 }
 
@@ -263,9 +247,7 @@ void Builder::add_sampler(const Declaration& declaration, SamplerType type, Span
     sampler.type = type;
     sampler.place = source_.place(declarator.span.begin);
     std::vector<Complaint> complaints;
-    SamplerAnnotation annotation = parse_sampler(
-        std::move(sampler),
-        std::string_view(source_.text).substr(note.begin, note.end - note.begin), complaints);
+    SamplerAnnotation annotation = parse_sampler(std::move(sampler), note_text(note), complaints);
     if (!report(complaints, note)) return;
     if (annotation.sampler.source == Source::image)
         annotation.sampler.image =

@@ -1,4 +1,4 @@
-// Reading scene texts: odd bytes and line ends, comments, includes.
+// Reading scene texts: includes, and the map back to the files.
 #include "scene/source_text.h"
 
 #include "scene/value.h"
@@ -6,10 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -22,114 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // No scene is near these; includes that double themselves would otherwise fill the memory.
-constexpr std::size_t kLargestFile = 64u << 20;
 constexpr std::size_t kLargestText = 64u << 20;
 constexpr int kMostIncludes = 4096;
 constexpr std::size_t kDeepestInclude = 200;
-
-// The length of the valid UTF-8 character at the front, or 0.
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(0);
-    if (lead < 0x80) return 1;
-    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-    const bool overlong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xF0 && byte(1) < 0x90);
-    const bool surrogate = lead == 0xED && byte(1) > 0x9F;
-    const bool too_far = lead == 0xF4 && byte(1) > 0x8F;
-    return overlong || surrogate || too_far ? 0 : length;
-}
-
-struct Cleaned {
-    std::string text;
-    std::optional<Span> nul_line_column;  // of the first NUL byte, counted from 1
-};
-
-// Takes off a byte order mark, makes every line end '\n' and every byte printable in a message:
-// what is not UTF-8 (an old comment in Latin-1) becomes '?', a byte for a byte.
-Cleaned clean(std::string_view raw) {
-    if (raw.starts_with("\xEF\xBB\xBF")) raw.remove_prefix(3);
-    Cleaned cleaned;
-    std::string& text = cleaned.text;
-    text.reserve(raw.size() + 1);
-    std::size_t line = 1, line_begin = 0;
-    for (std::size_t i = 0; i < raw.size();) {
-        const char c = raw[i];
-        const std::size_t length = utf8_length(raw.substr(i, 4));
-        if (c == '\0') {
-            if (!cleaned.nul_line_column)
-                cleaned.nul_line_column = Span{line, text.size() - line_begin + 1};
-            text += ' ';
-        } else if (c == '\r' || c == '\n') {
-            text += '\n';
-            ++line;
-            line_begin = text.size();
-            if (c == '\r' && i + 1 < raw.size() && raw[i + 1] == '\n') ++i;
-        } else if (length == 0) {
-            text += '?';
-        } else {
-            text.append(raw, i, length);
-        }
-        i += std::max<std::size_t>(length, 1);
-    }
-    // A backslash at the very end would join the file with what includes it.
-    if (!text.empty() && text.back() == '\\') text.back() = ' ';
-    if (!text.empty() && text.back() != '\n') text += '\n';
-    return cleaned;
-}
-
-struct Comments {
-    std::string code;  // the text with spaces for comments
-    std::vector<Span> notes;
-    std::optional<std::size_t> unclosed;  // where a block comment begins that never ends
-};
-
-// The end of a `//` comment: the line's end, or a later one's where a backslash joins the lines.
-std::size_t line_comment_end(std::string_view text, std::size_t begin) {
-    std::size_t end = begin;
-    do {
-        end = text.find('\n', end + 1);
-    } while (end != std::string_view::npos && text[end - 1] == '\\');
-    return end == std::string_view::npos ? text.size() : end;
-}
-
-Comments find_comments(std::string_view text) {
-    Comments comments{std::string(text), {}, {}};
-    // The first characters of the line that are neither space nor comment: the name in
-    // `#include "a//b"` holds no comment.
-    std::string head;
-    const std::string_view include = "#include";
-    const auto blank = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (text[i] != '\n') comments.code[i] = ' ';
-    };
-    for (std::size_t i = 0; i < text.size();) {
-        const std::string_view here = text.substr(i, 2);
-        std::size_t end = i + 1;
-        if (here == "//") {
-            end = line_comment_end(text, i + 1);
-            if (text.substr(i + 2, 1) == "@") comments.notes.push_back({i + 3, end});
-            blank(i, end);
-        } else if (here == "/*") {
-            const std::size_t close = text.find("*/", i + 2);
-            if (close == std::string_view::npos) comments.unclosed = i;
-            end = close == std::string_view::npos ? text.size() : close + 2;
-            blank(i, end);
-        } else if (here[0] == '\n') {
-            if (i == 0 || text[i - 1] != '\\') head.clear();
-        } else if ((here[0] == '"' || here[0] == '<') && head == include) {
-            const std::size_t close = text.find_first_of(here[0] == '<' ? ">\n" : "\"\n", i + 1);
-            if (close != std::string_view::npos && text[close] != '\n') end = close + 1;
-            head += here[0];
-        } else if (here[0] != ' ' && here[0] != '\t' && head.size() <= include.size()) {
-            head += here[0];
-        }
-        i = end;
-    }
-    return comments;
-}
 
 // A line that begins with '#', taken apart.
 struct Directive {
@@ -145,6 +36,18 @@ std::optional<Directive> parse_directive(std::string_view code) {
     const std::size_t end =
         std::min(code.find_first_not_of("abcdefghijklmnopqrstuvwxyz", word), code.size());
     return Directive{hash, code.substr(word, end - word), end};
+}
+
+// What stands between `#if 0` and its #else or #endif is put aside: nothing in it counts. Other
+// conditions are the compiler's; both their sides count. Returns the depth after this line.
+int dead_depth(int depth, std::string_view line, const std::optional<Directive>& directive) {
+    if (!directive) return depth;
+    const std::string_view word = directive->word;
+    const bool opens = word == "if" || word == "ifdef" || word == "ifndef";
+    if (depth == 0) return word == "if" && trimmed(line.substr(directive->rest)) == "0" ? 1 : 0;
+    if (opens) return depth + 1;
+    if (word == "endif" || (depth == 1 && (word == "else" || word == "elif"))) return depth - 1;
+    return depth;
 }
 
 // The name between quotes or angle brackets, as a range of the line.
@@ -201,6 +104,7 @@ private:
         std::string text;
         Comments comments;
         std::size_t next_note = 0;
+        int dead_depth = 0;  // how many #if are open, from an `#if 0` on
     };
 
     std::optional<File> open(const fs::path& path, const std::optional<Place>& named_at);
@@ -236,10 +140,9 @@ std::optional<Reader::File> Reader::open(const fs::path& path,
              fmt::format("cannot read {}: {}", in_quotes(path.string()), why_not), true});
         return std::nullopt;
     }
-    Cleaned cleaned = clean(*raw);
-    if (cleaned.nul_line_column) {
-        error({path.string(), static_cast<int>(cleaned.nul_line_column->begin),
-               static_cast<int>(cleaned.nul_line_column->end)},
+    CleanText cleaned = clean_text(*raw);
+    if (cleaned.nul_line > 0) {
+        error({path.string(), cleaned.nul_line, cleaned.nul_column},
               "a NUL byte stands here: this is no text, or not UTF-8; save it as UTF-8");
     }
     file.text = std::move(cleaned.text);
@@ -276,15 +179,16 @@ void Reader::append_lines(File& file) {
         }
         const auto directive =
             joined ? std::nullopt : parse_directive(code.substr(begin, end - begin));
+        file.dead_depth = dead_depth(file.dead_depth, code.substr(begin, end - begin), directive);
         if (!joined) {
             const bool once = directive && directive->word == "pragma" &&
                               trimmed(code.substr(begin + directive->rest,
                                                   end - begin - directive->rest)) == "once";
-            if (once) once_.insert(file.identity);
+            if (once && file.dead_depth == 0) once_.insert(file.identity);
             blanking =
                 once || (directive && (directive->word == "version" || directive->word == "line"));
         }
-        if (directive && directive->word == "include")
+        if (directive && directive->word == "include" && file.dead_depth == 0)
             include(file, line, number, *directive);
         else
             emit(file, line, number, blanking ? line : Span{begin, begin});
@@ -349,7 +253,10 @@ void Reader::emit(File& file, Span line, int number, Span blanked) {
     out.line_begins.push_back(begin);
     out.origins.push_back({file.index, number});
     out.text.append(file.text, line.begin, line.end - line.begin);
-    out.code.append(file.comments.code, line.begin, line.end - line.begin);
+    if (file.dead_depth > 0)
+        out.code.append(line.end - line.begin, ' ');
+    else
+        out.code.append(file.comments.code, line.begin, line.end - line.begin);
     for (std::size_t i = blanked.begin; i < blanked.end; ++i) {
         const std::size_t at = begin + i - line.begin;
         if (out.code[at] != ' ') out.text[at] = out.code[at] = ' ';
@@ -361,7 +268,7 @@ void Reader::emit(File& file, Span line, int number, Span blanked) {
          ++file.next_note) {
         const Span note = notes[file.next_note];
         const std::size_t at = begin + note.begin - line.begin;
-        out.notes.push_back({at, at + note.end - note.begin});
+        if (file.dead_depth == 0) out.notes.push_back({at, at + note.end - note.begin});
     }
 }
 
@@ -386,27 +293,6 @@ SourceText read_source(const fs::path& file, Diagnostics& diagnostics) {
     Reader reader(diagnostics);
     reader.read(file, std::nullopt);
     return reader.take();
-}
-
-std::optional<std::string> read_bytes(const fs::path& file, std::string& why_not) {
-    std::error_code error;
-    if (fs::is_directory(file, error)) {
-        why_not = "it is a folder";
-        return std::nullopt;
-    }
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes;
-    std::array<char, 1 << 16> chunk;
-    while (stream && bytes.size() <= kLargestFile) {
-        stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-        bytes.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
-    }
-    if (stream.eof()) return bytes;
-    why_not = bytes.size() > kLargestFile ? "it is larger than 64 MiB"
-              : errno != 0                ? std::generic_category().message(errno)
-                                          : "reading failed";
-    return std::nullopt;
 }
 
 }  // namespace glint

@@ -3,20 +3,15 @@
 #pragma once
 
 #include "scene/diagnostic.h"
+#include "scene/raw_text.h"
 #include "scene/scene.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace glint {
-
-// Bytes [begin, end) of a text.
-struct Span {
-    std::size_t begin = 0, end = 0;
-};
 
 struct SourceText {
     std::vector<std::filesystem::path> files;  // the first one read is files[0]
@@ -37,8 +32,5 @@ struct SourceText {
 // Reads a file with its includes. What is wrong goes to diagnostics; the text is whole all the
 // same.
 SourceText read_source(const std::filesystem::path& file, Diagnostics& diagnostics);
-
-// The bytes of a file, or nothing and a sentence that says why not.
-std::optional<std::string> read_bytes(const std::filesystem::path& file, std::string& why_not);
 
 }  // namespace glint

@@ -1,0 +1,121 @@
+// Taking an annotation apart.
+#include "scene/annotation_words.h"
+
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace glint {
+
+namespace {
+
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\v' || c == '\f';
+}
+
+}  // namespace
+
+Words::Words(std::string_view text, std::vector<Complaint>& complaints)
+    : text_(text), complaints_(&complaints) {
+    skip_space();
+}
+
+Words Words::ahead() const {
+    Words copy = *this;
+    copy.complaints_ = nullptr;
+    return copy;
+}
+
+void Words::complain(std::size_t at, std::string text) {
+    if (complaints_ != nullptr) complaints_->push_back({at, std::move(text)});
+}
+
+void Words::skip_space() {
+    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+    if (text_.substr(at_, 2) == "//") at_ = text_.size();  // an ordinary comment ends it
+}
+
+bool Words::accept(char c) {
+    if (peek() != c) return false;
+    ++at_;
+    skip_space();
+    return true;
+}
+
+std::string_view Words::bare(std::string_view stops) {
+    const std::size_t begin = at_;
+    while (!done() && !is_space(text_[at_]) && stops.find(text_[at_]) == std::string_view::npos)
+        ++at_;
+    const std::string_view word = from(begin);
+    skip_space();
+    return word;
+}
+
+std::string Words::quoted_text() {
+    const std::size_t begin = at_;
+    const std::size_t close = std::min(text_.find('"', begin + 1), text_.size());
+    if (close == text_.size())
+        complain(begin, "this text is never closed; end it with a second \"");
+    const std::string inside(text_.substr(begin + 1, close - begin - 1));
+    at_ = std::min(close + 1, text_.size());
+    skip_space();
+    return inside;
+}
+
+std::string Words::text() {
+    return peek() == '"' ? quoted_text() : std::string(bare(""));
+}
+
+std::string_view Words::list(char close, std::size_t open_at) {
+    const std::size_t begin = at_;
+    const std::size_t end = text_.find(close, begin);
+    if (end == std::string_view::npos)
+        complain(open_at, fmt::format("this bracket is never closed; end it with {}", close));
+    at_ = std::min(end, text_.size());
+    const std::string_view inside = from(begin);
+    at_ = std::min(at_ + 1, text_.size());
+    skip_space();
+    return inside;
+}
+
+std::string_view Words::value() {
+    const std::size_t begin = at_;
+    if (peek() == '(') {
+        const std::size_t close = text_.find(')', at_);
+        at_ = close == std::string_view::npos ? text_.size() : close + 1;
+        const std::string_view tuple = from(begin);
+        skip_space();
+        return tuple;
+    }
+    if (peek() == '"') {
+        quoted_text();
+        return trimmed(text_.substr(begin, text_.find('"', begin + 1) + 1 - begin));
+    }
+    std::size_t end = at_;
+    do {
+        end = at_ + bare(",[]{}()\"").size();
+        if (peek() == ',') end = at_ + 1;
+    } while (accept(','));
+    return trimmed(text_.substr(begin, end - begin));
+}
+
+std::vector<std::string_view> split(std::string_view list) {
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0;;) {
+        const std::size_t comma = list.find(',', begin);
+        parts.push_back(trimmed(list.substr(begin, comma - begin)));
+        if (comma == std::string_view::npos) return parts;
+        begin = comma + 1;
+    }
+}
+
+std::string_view unquoted(std::string_view text) {
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+        text = trimmed(text.substr(1, text.size() - 2));
+    return text;
+}
+
+}  // namespace glint

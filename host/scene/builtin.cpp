@@ -1,0 +1,28 @@
+// The table of built-in uniforms.
+#include "scene/builtin.h"
+
+#include <map>
+
+namespace glint {
+
+namespace {
+
+const std::map<std::string_view, Builtin> kBuiltins = {
+    {"iResolution", {"vec3", ""}},    {"iTime", {"float", ""}},
+    {"iTimeDelta", {"float", ""}},    {"iFrameRate", {"float", ""}},
+    {"iFrame", {"int", ""}},          {"iMouse", {"vec4", ""}},
+    {"iDate", {"vec4", ""}},          {"iSampleRate", {"float", ""}},
+    {"iChannelTime", {"float", "4"}}, {"iChannelResolution", {"vec3", "4"}},
+    {"iTick", {"uint", ""}},          {"iChannel0", {"sampler", ""}},
+    {"iChannel1", {"sampler", ""}},   {"iChannel2", {"sampler", ""}},
+    {"iChannel3", {"sampler", ""}},
+};
+
+}  // namespace
+
+const Builtin* find_builtin(std::string_view name) {
+    const auto found = kBuiltins.find(name);
+    return found == kBuiltins.end() ? nullptr : &found->second;
+}
+
+}  // namespace glint

@@ -1,0 +1,334 @@
+// The `//@` grammar of samplers: who fills them, and how they are read.
+#include "scene/annotation.h"
+#include "scene/annotation_words.h"
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace glint {
+
+namespace {
+
+constexpr int kLargestSize = 16384;  // pixels; what every desktop GL can draw into
+
+bool is_identifier(std::string_view text) {
+    const auto letter = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    return !text.empty() && letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
+        return letter(c) || (c >= '0' && c <= '9');
+    });
+}
+
+std::optional<int> parse_length(std::string_view text) {
+    int length = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    if (length < 1 || length > kLargestSize) return std::nullopt;
+    return length;
+}
+
+// "256", "256x128", "32x32x32": as many lengths as are written, at most three.
+std::optional<std::vector<int>> parse_lengths(std::string_view text) {
+    std::vector<int> lengths;
+    for (std::size_t begin = 0;;) {
+        const std::size_t x = text.find('x', begin);
+        const auto length = parse_length(text.substr(begin, x - begin));
+        if (!length || lengths.size() == 3) return std::nullopt;
+        lengths.push_back(*length);
+        if (x == std::string_view::npos) return lengths;
+        begin = x + 1;
+    }
+}
+
+std::optional<int> noise_channels(std::string_view text) {
+    if (text == "r" || text == "gray") return 1;
+    if (text == "rg") return 2;
+    if (text == "rgb") return 3;
+    if (text == "rgba") return 4;
+    return std::nullopt;
+}
+
+std::optional<PixelFormat> parse_format(std::string_view text) {
+    if (text == "rgba8") return PixelFormat::rgba8;
+    if (text == "rgba16f") return PixelFormat::rgba16f;
+    if (text == "rgba32f") return PixelFormat::rgba32f;
+    return std::nullopt;
+}
+
+struct SamplerParser {
+    SamplerAnnotation result;
+    Words words;
+
+    void parse();
+    void parse_source(std::string_view word, std::size_t at);
+    void parse_target(std::string_view what);
+    void parse_image();
+    void parse_noise_words();
+    void parse_option(std::string_view key, std::size_t at);
+    void parse_pass_option(std::string_view key, std::string_view value, std::size_t at);
+    void parse_size(std::string_view value, std::size_t at);
+    std::vector<std::string> known_options() const;
+    bool is_cube() const { return result.sampler.type == SamplerType::samplerCube; }
+};
+
+void SamplerParser::parse() {
+    const std::size_t at = words.at();
+    const std::string_view source = words.bare("=\"");
+    parse_source(source, at);
+    if (result.sampler.source == Source::none) return;
+    while (!words.done()) {
+        const std::size_t option_at = words.at();
+        const std::string_view key = words.bare("=\"");
+        if (words.accept('=') && !key.empty()) {
+            parse_option(key, option_at);
+            continue;
+        }
+        if (key.empty() && words.peek() == '"') {
+            words.quoted_text();  // a description; nothing shows it
+            continue;
+        }
+        words.complain(option_at, fmt::format("unknown word {}; known here are {}=", in_quotes(key),
+                                              fmt::join(known_options(), "=, ")));
+    }
+    if (result.size && result.scale)
+        words.complain(result.scale->at, "size and scale contradict each other; keep one");
+}
+
+void SamplerParser::parse_source(std::string_view word, std::size_t at) {
+    Sampler& sampler = result.sampler;
+    if (word == "pass") {
+        if (sampler.type == SamplerType::sampler3D)
+            return words.complain(at, "a pass fills a sampler2D or a samplerCube, no sampler3D");
+        set_defaults(sampler, Source::buffer);
+        return parse_target("function, such as pass mainWaves");
+    }
+    if (word == "buffer") {
+        set_defaults(sampler, Source::buffer);
+        result.reads_another = true;
+        return parse_target("sampler that has the pass, such as buffer waves");
+    }
+    if (word == "image") {
+        set_defaults(sampler, Source::image);
+        return parse_image();
+    }
+    if (word == "noise") {
+        if (sampler.type == SamplerType::samplerCube)
+            return words.complain(at, "noise fills a sampler2D or a sampler3D, no samplerCube");
+        set_defaults(sampler, Source::noise);
+        return parse_noise_words();
+    }
+    if (word == "keyboard") {
+        if (sampler.type != SamplerType::sampler2D)
+            return words.complain(at, "the keyboard is a sampler2D");
+        return set_defaults(sampler, Source::keyboard);
+    }
+    static const std::vector<std::string> kSources = {"pass", "buffer", "image", "noise",
+                                                      "keyboard"};
+    words.complain(at, fmt::format("{} fills no sampler; write pass, buffer, image, noise or "
+                                   "keyboard{}",
+                                   in_quotes(word), did_you_mean(word, kSources)));
+}
+
+void SamplerParser::parse_target(std::string_view what) {
+    result.target_at = words.at();
+    result.target = words.bare("=\"");
+    if (is_identifier(result.target)) return;
+    words.complain(result.target_at, fmt::format("here stands the name of a {}", what));
+}
+
+void SamplerParser::parse_image() {
+    const std::size_t at = words.at();
+    const std::string path = words.text();
+    if (path.empty()) words.complain(at, "the image's path is missing; write image wood.png");
+    result.sampler.image = path;
+}
+
+void SamplerParser::parse_noise_words() {
+    const std::size_t at = words.at();
+    std::string text(words.bare("=\""));
+    Words ahead = words;
+    const std::string_view more = ahead.bare("=\"");
+    if (noise_channels(text) && !more.empty() && ahead.peek() != '=') {
+        text += " " + std::string(more);
+        words = ahead;
+    }
+    const std::string wrong = parse_noise(text, result.sampler);
+    if (!wrong.empty()) words.complain(at, wrong);
+}
+
+std::vector<std::string> SamplerParser::known_options() const {
+    std::vector<std::string> known = {"filter", "wrap"};
+    const bool is_pass = result.sampler.source == Source::buffer && !result.reads_another;
+    if (is_pass) known.insert(known.end(), {"size", "scale", "step", "format"});
+    if (result.sampler.source == Source::image) known.push_back("vflip");
+    return known;
+}
+
+void SamplerParser::parse_option(std::string_view key, std::size_t at) {
+    const auto known = known_options();
+    const std::size_t value_at = words.at();
+    const std::string value = words.text();
+    const auto complain = [&](std::string_view what) {
+        words.complain(value_at, fmt::format("{} is {}; write {}", key, in_quotes(value), what));
+    };
+    if (std::find(known.begin(), known.end(), key) == known.end()) {
+        words.complain(at, fmt::format("unknown word {}; known here are {}={}", in_quotes(key),
+                                       fmt::join(known, "=, "), did_you_mean(key, known)));
+    } else if (key == "filter") {
+        if (const auto filter = parse_filter(value))
+            result.sampler.filter = *filter;
+        else
+            complain("nearest, linear or mipmap");
+    } else if (key == "wrap") {
+        if (const auto wrap = parse_wrap(value))
+            result.sampler.wrap = *wrap;
+        else
+            complain("clamp, repeat or mirror");
+    } else if (key == "vflip") {
+        if (const auto vflip = parse_switch(value))
+            result.sampler.vflip = *vflip;
+        else
+            complain("on or off");
+    } else {
+        parse_pass_option(key, value, value_at);
+    }
+}
+
+void SamplerParser::parse_pass_option(std::string_view key, std::string_view value,
+                                      std::size_t at) {
+    const auto complain = [&](std::string_view what) {
+        words.complain(at, fmt::format("{} is {}; write {}", key, in_quotes(value), what));
+    };
+    if (key == "size") {
+        parse_size(value, at);
+    } else if (key == "scale") {
+        constexpr double kLargestScale = 16.0;
+        const auto scale = parse_number(value);
+        if (!scale || *scale <= 0.0 || *scale > kLargestScale)
+            return complain("a number above 0, at most 16");
+        if (is_cube()) return words.complain(at, "a cube has no scale; write size=256");
+        result.scale = Option<double>{*scale, at};
+    } else if (key == "step") {
+        // Shorter steps are below iTick's own, longer ones would never come.
+        const auto step = parse_step(value);
+        if (!step || step->seconds() < 1.0 / 65536 || step->seconds() > 3600.0)
+            return complain("seconds from 1/65536 to 3600, such as 1/240");
+        result.step = Option<Step>{*step, at};
+    } else if (key == "format") {
+        const auto format = parse_format(value);
+        if (!format) return complain("rgba8, rgba16f or rgba32f");
+        result.format = Option<PixelFormat>{*format, at};
+    }
+}
+
+void SamplerParser::parse_size(std::string_view value, std::size_t at) {
+    const auto lengths = parse_lengths(value);
+    if (!lengths || lengths->size() > 2)
+        return words.complain(at, fmt::format("size is {}; write 256 or 256x128, each from 1 to {}",
+                                              in_quotes(value), kLargestSize));
+    if (is_cube() && lengths->front() != lengths->back())
+        return words.complain(at, "the faces of a cube are square; write size=256");
+    result.size = Option<glm::ivec2>{{lengths->front(), lengths->back()}, at};
+}
+
+// A decimal as an exact fraction.
+std::optional<Step> parse_rational(std::string_view text) {
+    Step step;
+    bool after_point = false, any_digit = false;
+    constexpr long kLargest = 1'000'000'000;  // products of two stay exact
+    for (const char c : text) {
+        if (c == '.' && !after_point) {
+            after_point = true;
+            continue;
+        }
+        if (c < '0' || c > '9' || step.numerator > kLargest / 10 - 1 ||
+            (after_point && step.denominator >= kLargest))
+            return std::nullopt;
+        any_digit = true;
+        step.numerator = step.numerator * 10 + (c - '0');
+        if (after_point) step.denominator *= 10;
+    }
+    return any_digit ? std::optional(step) : std::nullopt;
+}
+
+}  // namespace
+
+SamplerAnnotation parse_sampler(Sampler sampler, std::string_view annotation,
+                                std::vector<Complaint>& complaints) {
+    SamplerParser parser{.result = {}, .words = Words(annotation, complaints)};
+    parser.result.sampler = std::move(sampler);
+    parser.parse();
+    return parser.result;
+}
+
+std::optional<Filter> parse_filter(std::string_view text) {
+    if (text == "nearest") return Filter::nearest;
+    if (text == "linear") return Filter::linear;
+    if (text == "mipmap") return Filter::mipmap;
+    return std::nullopt;
+}
+
+std::optional<Wrap> parse_wrap(std::string_view text) {
+    if (text == "clamp") return Wrap::clamp;
+    if (text == "repeat") return Wrap::repeat;
+    if (text == "mirror") return Wrap::mirror;
+    return std::nullopt;
+}
+
+std::optional<Step> parse_step(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    const auto above = parse_rational(text.substr(0, slash));
+    auto below = std::optional<Step>(Step{1, 1});
+    if (slash != std::string_view::npos) below = parse_rational(text.substr(slash + 1));
+    if (!above || !below || below->numerator == 0 || above->numerator == 0) return std::nullopt;
+    Step step{above->numerator * below->denominator, above->denominator * below->numerator};
+    const long common = std::gcd(step.numerator, step.denominator);
+    return Step{step.numerator / common, step.denominator / common};
+}
+
+std::string parse_noise(std::string_view text, Sampler& sampler) {
+    text = trimmed(text);
+    const bool is_volume = sampler.type == SamplerType::sampler3D;
+    const std::string how = is_volume ? "write noise rgba 32 or noise r 32x32x32"
+                                      : "write noise rgba 256 or noise r 256x128";
+    const std::size_t space = text.find(' ');
+    std::string_view size = text;
+    if (const auto channels = noise_channels(text.substr(0, space))) {
+        sampler.noise_channels = *channels;
+        size = space == std::string_view::npos ? std::string_view() : trimmed(text.substr(space));
+    }
+    if (size.empty()) return fmt::format("the size of the noise is missing; {}", how);
+    const auto lengths = parse_lengths(size);
+    const std::size_t dimensions = is_volume ? 3 : 2;
+    if (!lengths || (lengths->size() != 1 && lengths->size() != dimensions))
+        return fmt::format("{} is no noise; {}, each from 1 to {}", in_quotes(text), how,
+                           kLargestSize);
+    const bool one = lengths->size() == 1;
+    const glm::ivec3 pixels(lengths->front(), (*lengths)[one ? 0 : 1],
+                            is_volume ? lengths->back() : 1);
+    constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+    if (std::int64_t{pixels.x} * pixels.y > kMostPixels / pixels.z)
+        return fmt::format("{} is more noise than memory can hold; write less", in_quotes(text));
+    sampler.noise_size = pixels;
+    return {};
+}
+
+void set_defaults(Sampler& sampler, Source source) {
+    const bool is_cube = sampler.type == SamplerType::samplerCube;
+    const bool is_picture = source == Source::image || source == Source::noise;
+    sampler.source = source;
+    sampler.filter = source == Source::keyboard ? Filter::nearest
+                     : is_picture               ? Filter::mipmap
+                                                : Filter::linear;
+    sampler.wrap = is_picture && !is_cube ? Wrap::repeat : Wrap::clamp;
+    sampler.vflip = !is_cube;
+}
+
+}  // namespace glint
