@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -88,6 +89,19 @@ void Buffer::resize(glm::ivec2 size) {
             if (shape_.mipmaps) glGenerateTextureMipmap(fresh.textures[i].id());
         }
         side = std::move(fresh);
+    }
+    ++version_;
+}
+
+void Buffer::copy_from(const Buffer& other) {
+    if (other.shape_.format != shape_.format || other.shape_.cube != shape_.cube) return;
+    const glm::ivec2 kept = glm::min(shape_.size, other.shape_.size);
+    const GLenum target = shape_.cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    const auto outputs = static_cast<std::size_t>(std::min(shape_.outputs, other.shape_.outputs));
+    for (std::size_t i = 0; i < outputs; ++i) {
+        glCopyImageSubData(other.texture(i), target, 0, 0, 0, 0, texture(i), target, 0, 0, 0, 0,
+                           kept.x, kept.y, shape_.cube ? 6 : 1);
+        if (shape_.mipmaps) glGenerateTextureMipmap(texture(i));
     }
     ++version_;
 }

@@ -43,6 +43,10 @@ public:
     // A new size; the content stays, pixel for pixel from the bottom left.
     void resize(glm::ivec2 size);
 
+    // Takes over what readers see of another buffer, pixel for pixel from the bottom left. Nothing
+    // where the formats differ.
+    void copy_from(const Buffer& other);
+
     // Framebuffer of what readers see, for reading back; `face` is 0 unless it is a cube.
     GLuint front_framebuffer(int face = 0) const {
         return sides_[front_].framebuffers[static_cast<std::size_t>(face)].id();

@@ -118,6 +118,22 @@ void Channels::set_image(std::size_t index, const PixelView& pixels) {
     channel.version = version + 1;
 }
 
+void Channels::adopt(Channels& previous) {
+    for (std::size_t i = 0; i < sampler_count(preset_); ++i) {
+        const Sampler& wanted = sampler_at(preset_, i);
+        if (wanted.source != Source::image) continue;
+        for (auto& [index, channel] : previous.channels_) {
+            const Sampler& had = sampler_at(previous.preset_, index);
+            const bool same = had.source == Source::image && had.image == wanted.image &&
+                              had.vflip == wanted.vflip &&
+                              (had.filter == Filter::mipmap) == (wanted.filter == Filter::mipmap);
+            if (!same || !channel.texture) continue;
+            channels_[i] = std::move(channel);
+            break;
+        }
+    }
+}
+
 void Channels::set_keyboard(const Input& input) {
     const bool same = input.held == keys_.held && input.pressed == keys_.pressed &&
                       input.toggled == keys_.toggled;

@@ -35,8 +35,13 @@ public:
     // made on first use; an image reads 0 until set_image.
     const Channel& channel(std::size_t sampler);
 
+    bool has_image(std::size_t sampler) const { return channels_.contains(sampler); }
     void set_image(std::size_t sampler, const PixelView& pixels);
     void set_keyboard(const Input& input);
+
+    // Takes over images that a sampler here would read from the same file. The others are empty
+    // until set_image.
+    void adopt(Channels& previous);
 
     // The GL sampler object for a reader's filter and wrap.
     GLuint sampler_object(const Sampler& sampler);

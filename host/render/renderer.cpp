@@ -70,6 +70,7 @@ std::vector<std::size_t> Renderer::images_needed() const {
     for (const PassProgram& program : scene_.programs) {
         for (const SamplerUniform& uniform : program.samplers) {
             if (sampler_at(preset_, uniform.sampler).source != Source::image) continue;
+            if (channels_.has_image(uniform.sampler)) continue;
             if (std::find(list.begin(), list.end(), uniform.sampler) == list.end()) {
                 list.push_back(uniform.sampler);
             }
@@ -449,20 +450,45 @@ std::vector<std::byte> Renderer::read_bytes() {
 }
 
 std::vector<float> Renderer::read_floats(std::size_t output) {
-    const Buffer& root = *buffers_.back();
-    const glm::ivec2 size = root_size();
-    const glm::ivec2 face_size = root.shape().size;
-    std::vector<float> pixels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                              4);
-    glPixelStorei(GL_PACK_ROW_LENGTH, size.x);
-    for (int face = 0; face < size.x / face_size.x; ++face) {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, root.front_framebuffer(face));
+    return read_buffer(buffers_.size() - 1, output);
+}
+
+std::vector<float> Renderer::read_buffer(std::size_t graph_index, std::size_t output) const {
+    const Buffer& buffer = *buffers_[graph_index];
+    const glm::ivec2 face_size = buffer.shape().size;
+    const int faces = buffer.shape().cube ? 6 : 1;
+    std::vector<float> pixels(static_cast<std::size_t>(face_size.x) *
+                              static_cast<std::size_t>(face_size.y) *
+                              static_cast<std::size_t>(faces) * 4);
+    glPixelStorei(GL_PACK_ROW_LENGTH, face_size.x * faces);
+    for (int face = 0; face < faces; ++face) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, buffer.front_framebuffer(face));
         glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output));
         glReadPixels(0, 0, face_size.x, face_size.y, GL_RGBA, GL_FLOAT,
                      pixels.data() + static_cast<std::ptrdiff_t>(face) * face_size.x * 4);
     }
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     return pixels;
+}
+
+void Renderer::adopt(Renderer& previous) {
+    channels_.adopt(previous.channels_);
+    parked_ = std::move(previous.parked_);
+    for (std::size_t i = 0; i < previous.buffers_.size(); ++i) {
+        parked_[pass_name(previous.preset_.scene, previous.scene_.programs[i].pass)] = {
+            std::move(previous.buffers_[i]), previous.steps_done_[i]};
+    }
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const auto kept = parked_.find(pass_name(preset_.scene, scene_.programs[i].pass));
+        if (kept == parked_.end()) continue;
+        steps_done_[i] = kept->second.steps_done;
+        if (kept->second.buffer->shape() == buffers_[i]->shape()) {
+            buffers_[i] = std::move(kept->second.buffer);
+        } else {
+            buffers_[i]->copy_from(*kept->second.buffer);
+        }
+        parked_.erase(kept);
+    }
 }
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include "render/compile.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -26,7 +27,8 @@ public:
     // the driver's limit.
     Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options);
 
-    // The samplers whose images something reads (as in sampler_at); hand each its pixels.
+    // The samplers whose images something reads (as in sampler_at) and that have none yet; hand
+    // each its pixels.
     std::vector<std::size_t> images_needed() const;
     void set_image(std::size_t sampler, const PixelView& pixels) {
         channels_.set_image(sampler, pixels);
@@ -49,6 +51,14 @@ public:
 
     const PassGraph& graph() const { return scene_.graph; }
     const Buffer& buffer(std::size_t graph_index) const { return *buffers_[graph_index]; }
+
+    // Takes over the buffers of passes of the same name, their simulation clocks and the images, so
+    // that a reload loses nothing. Buffers that this scene does not draw are kept for one that
+    // does.
+    void adopt(Renderer& previous);
+
+    // One output of any pass as RGBA floats, rows bottom up. Waits for the GPU.
+    std::vector<float> read_buffer(std::size_t graph_index, std::size_t output) const;
 
     // The wanted pass as RGBA, rows bottom up; `output` chooses among several. Waits for the GPU.
     std::vector<std::byte> read_bytes();
@@ -100,7 +110,13 @@ private:
     CompiledScene scene_;
     RenderOptions options_;
     mutable Channels channels_;
+    // A buffer with the clock of the simulation that fills it.
+    struct Parked {
+        std::unique_ptr<Buffer> buffer;
+        long steps_done = 0;
+    };
     std::vector<std::unique_ptr<Buffer>> buffers_;  // in the order of the graph; the root is last
+    std::map<std::string, Parked> parked_;          // by pass name: adopted, but not drawn here
     std::vector<Drawn> drawn_;
     std::vector<long> steps_done_;  // in the order of the graph
     std::unique_ptr<Average> average_;

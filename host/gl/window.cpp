@@ -1,0 +1,195 @@
+#include "gl/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace glint {
+namespace {
+
+// GLFW is one library for the process; the last window switches it off.
+int open_windows = 0;
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+void start_glfw() {
+    if (open_windows++ > 0) return;
+    if (!glfwInit()) {
+        --open_windows;
+        throw NoContext(fmt::format("There is no display: {}.", last_error()));
+    }
+}
+
+void stop_glfw() {
+    if (--open_windows == 0) glfwTerminate();
+}
+
+Window& self(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+}  // namespace
+
+Window::Window(glm::ivec2 size, const std::string& title) {
+    start_glfw();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    // Where one way to a context is missing the other may be there.
+    for (const int api : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
+        window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+        if (window_) break;
+    }
+    if (!window_) {
+        const std::string reason = last_error();
+        stop_glfw();
+        throw NoContext(fmt::format("No window: {}.", reason));
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    try {
+        start();
+    } catch (...) {
+        glfwDestroyWindow(window_);
+        stop_glfw();
+        throw;
+    }
+    listen();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    stop_glfw();
+}
+
+glm::ivec2 Window::size() const {
+    glm::ivec2 size{0};
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+float Window::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::max(x, y);
+}
+
+double Window::refresh_rate() const {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
+}
+
+bool Window::is_visible() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE &&
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE;
+}
+
+bool Window::should_close() const {
+    return glfwWindowShouldClose(window_) != 0;
+}
+void Window::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+bool Window::is_full_screen() const {
+    return glfwGetWindowMonitor(window_) != nullptr;
+}
+
+void Window::set_full_screen(bool full_screen) {
+    if (full_screen == is_full_screen()) return;
+    if (!full_screen) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w,
+                             GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return;
+    glfwGetWindowPos(window_, &windowed_.x, &windowed_.y);
+    glfwGetWindowSize(window_, &windowed_.z, &windowed_.w);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+std::vector<WindowEvent> Window::events(double wait_seconds) {
+    if (wait_seconds > 0.0)
+        glfwWaitEventsTimeout(wait_seconds);
+    else
+        glfwPollEvents();
+    return std::exchange(events_, {});
+}
+
+void Window::wake() {
+    glfwPostEmptyEvent();
+}
+void Window::swap() {
+    glfwSwapBuffers(window_);
+}
+
+// GLFW counts points from the top left; scenes count pixels from the bottom left.
+glm::dvec2 Window::to_pixels(double x, double y) const {
+    int width = 1, height = 1;
+    glfwGetWindowSize(window_, &width, &height);
+    const glm::dvec2 pixels(size());
+    return {x * pixels.x / std::max(width, 1), (1.0 - y / std::max(height, 1)) * pixels.y};
+}
+
+void Window::listen() {
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+        self(w).push({.kind = WindowEvent::Kind::key,
+                      .code = key,
+                      .modifiers = modifiers,
+                      .down = action != GLFW_RELEASE,
+                      .repeat = action == GLFW_REPEAT,
+                      .files = {}});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
+        double x = 0.0, y = 0.0;
+        glfwGetCursorPos(w, &x, &y);
+        self(w).push({.kind = WindowEvent::Kind::mouse_button,
+                      .code = button,
+                      .modifiers = modifiers,
+                      .down = action == GLFW_PRESS,
+                      .position = self(w).to_pixels(x, y),
+                      .files = {}});
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        self(w).push({.kind = WindowEvent::Kind::mouse_move,
+                      .position = self(w).to_pixels(x, y),
+                      .files = {}});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+        self(w).push({.kind = WindowEvent::Kind::scroll, .position = {x, y}, .files = {}});
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** names) {
+        WindowEvent event{.kind = WindowEvent::Kind::drop, .files = {}};
+        event.files.assign(names, names + count);
+        self(w).push(std::move(event));
+    });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) {
+        self(w).push({.kind = WindowEvent::Kind::resize, .files = {}});
+    });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) {
+        self(w).push({.kind = WindowEvent::Kind::resize, .files = {}});
+    });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+        self(w).push({.kind = WindowEvent::Kind::focus, .down = focused != 0, .files = {}});
+    });
+}
+
+}  // namespace glint

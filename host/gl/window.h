@@ -1,0 +1,69 @@
+// A window with a GL context, through GLFW.
+#pragma once
+
+#include "gl/context.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace glint {
+
+// Something that a person did to the window, in the order in which it happened.
+struct WindowEvent {
+    enum class Kind { key, mouse_button, mouse_move, scroll, drop, resize, focus };
+    Kind kind = Kind::resize;
+    int code = 0;                              // key: GLFW's key; mouse_button: 0 is the left one
+    int modifiers = 0;                         // GLFW_MOD_…
+    bool down = false;                         // key, mouse_button, focus
+    bool repeat = false;                       // key: the keyboard's own repetition
+    glm::dvec2 position{0.0};                  // pixels of the framebuffer, y up; scroll: lines
+    std::vector<std::filesystem::path> files;  // drop
+};
+
+class Window final : public Context {
+public:
+    // `size` is in pixels; the screen's scale is taken off where windows are measured in points.
+    // Throws NoContext when there is no display or no driver.
+    Window(glm::ivec2 size, const std::string& title);
+    ~Window() override;
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    glm::ivec2 size() const;      // pixels of the framebuffer; 0x0 when minimised
+    float content_scale() const;  // 2 on a HiDPI screen
+    double refresh_rate() const;  // Hz; 60 when the monitor does not tell
+    bool is_visible() const;      // false while minimised
+    bool should_close() const;
+    void close();
+    void set_title(const std::string& title);
+    void set_full_screen(bool full_screen);
+    bool is_full_screen() const;
+
+    // Handles what has arrived and returns it. Waits for at most this long until something arrives;
+    // 0 does not wait. Another thread ends the wait by wake().
+    std::vector<WindowEvent> events(double wait_seconds);
+    static void wake();
+
+    // Shows what was drawn into framebuffer 0.
+    void swap();
+
+    GLFWwindow* handle() const { return window_; }
+
+private:
+    GLFWwindow* window_ = nullptr;
+    std::vector<WindowEvent> events_;
+    glm::ivec4 windowed_{0};  // position and size to return to from full screen
+
+    void listen();
+    void push(WindowEvent event) { events_.push_back(std::move(event)); }
+    glm::dvec2 to_pixels(double x, double y) const;
+};
+
+}  // namespace glint
