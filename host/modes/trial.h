@@ -1,0 +1,138 @@
+// A candidate is compiled and drawn small in another process first, so that a shader that never
+// ends or takes the GPU down cannot take the window with it.
+#pragma once
+
+#include "modes/common.h"
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// What an image sampler will read; its pixels do not matter here, its form does.
+struct TrialImage {
+    std::size_t sampler = 0;  // as in sampler_at
+    glm::ivec2 size{1};       // pixels
+    int channels = 4;
+    bool floats = false;
+};
+
+// What is about to be drawn. Text, declarations and values are sent as they stand here; the other
+// process opens no file.
+struct Candidate {
+    const Preset& preset;
+    CompileOptions compile;
+    glm::ivec2 size{1280, 720};  // pixels of the picture, for the estimate
+    PixelFormat picture_format = PixelFormat::rgba8;
+    double time = 0.0;  // s
+    std::vector<TrialImage> images;
+};
+
+enum class TrialState {
+    idle,         // nothing was started
+    running,      // no answer yet
+    passed,       // drawn; `expected_ms` may still be too much for a window
+    rejected,     // does not compile, or the driver refused it: see the diagnostics
+    too_slow,     // no frame within the limit
+    crashed,      // the driver ended the process
+    lost,         // the GPU was reset
+    unavailable,  // there is no second context to try it in; go on without
+};
+
+struct PassTrial {
+    std::string name;
+    double compile_ms = 0.0;
+    double first_ms = 0.0;     // first small draw, with what the driver compiles only then
+    double second_ms = 0.0;    // second one; 0 when nothing had changed for this pass
+    double expected_ms = 0.0;  // a draw at its full size, roughly; 0 for less than can be told
+};
+
+struct Verdict {
+    TrialState state = TrialState::idle;
+    std::vector<PassTrial> passes;  // in drawing order, as far as it came
+    double expected_ms = 0.0;       // a frame at full size: the sum over the passes
+    double total_ms = 0.0;          // from start() to the answer
+    // Errors and warnings of the compiler, or why it did not pass: which pass, why, and the place
+    // of the loop that is likely to blame.
+    Diagnostics diagnostics;
+};
+
+struct TrialOptions {
+    std::string device;                               // as for make_egl_context
+    std::filesystem::path program{"/proc/self/exe"};  // run as `program trial DEVICE`
+    double draw_seconds = 2.0;                        // for one small draw
+    double compile_seconds = 20.0;                    // for a compile; it holds nobody up
+    double slow_ms = 1000.0;  // a warning names the likely loop from this expected frame on
+};
+
+// Keeps a process at hand; a new one is started in the background when one had to be killed. To be
+// used on one thread, which lives as long as the process that is to be protected: the other one
+// ends with it.
+class Trial {
+public:
+    explicit Trial(TrialOptions options = {});
+    ~Trial();
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+
+    // Does not wait. One that is still running gives way; its answer is never seen.
+    void start(const Candidate& candidate);
+
+    // What is known now; does not wait. After an answer it gives the same one until the next start.
+    const Verdict& poll();
+
+    // For ::poll(): readable when poll() may know more, also while no trial runs; -1 when there is
+    // no process. It changes with the process.
+    int descriptor() const { return socket_; }
+
+    // How long to sleep at most before the next poll(); -1 for as long as wanted.
+    int wait_ms() const;
+
+    // The renderer of the other process once it is ready, "" before; for telling whether it is the
+    // window's.
+    const std::string& renderer() const { return renderer_; }
+
+    // The process that tries; 0 when there is none.
+    pid_t process() const { return process_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void spawn();
+    void kill_process();
+    void reap();
+    void send_pending();
+    void receive();
+    void hear(const std::string& message);
+    void fail(TrialState state, const std::string& text);
+    void lost_process();
+    double limit_seconds() const;
+
+    TrialOptions options_;
+    pid_t process_ = 0;
+    std::vector<pid_t> dying_;  // killed, not yet reaped
+    int socket_ = -1;
+    int failed_starts_ = 0;  // in a row
+    std::string renderer_;
+    std::string outgoing_, incoming_;
+    std::string next_;  // a candidate that waits for the running one to end
+    Verdict verdict_;
+    // Of the candidate that is running, for saying what it did.
+    std::string user_text_;
+    Clock::time_point started_, heard_;
+};
+
+// `glint trial`: the other process. Reads candidates from standard input, which is a socket, and
+// answers there until it is closed.
+int run_trial(const std::string& device);
+
+// The place of the loop in the scene that is most likely never to end: one without a condition, or
+// the one with the largest constant. Nothing when no loop stands out.
+std::optional<Place> likely_endless_loop(const Scene& scene);
+
+}  // namespace glint

@@ -1,0 +1,97 @@
+// Which of a set of files have been saved, however that was done.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct WatcherOptions {
+    // Off: every file is looked at 10 times a second, as on file systems that tell nothing.
+    bool use_inotify = true;
+};
+
+// Hears of saves through inotify on the folders of the files, of every link that leads to them and
+// of every folder on the way; looks at the files themselves where the system does not tell. A save
+// that is closed or renamed into place is reported at once; a plain write, an empty file or one
+// that is gone after a short quiet time, in case more is to come. Whatever happens after a report
+// is reported again, so whoever reads a file each time ends with its last content.
+//
+// Nothing is lost while the set changes either, in this order: make the watcher (or call
+// `about_to_read`), read, `set_files` with what was read; later `changed`, read again, `set_files`.
+// A file that is new in the set and was saved since then is reported.
+class Watcher {
+public:
+    using Path = std::filesystem::path;
+
+    // Throws std::system_error when the process has no descriptor left.
+    explicit Watcher(const std::vector<Path>& files = {}, const WatcherOptions& options = {});
+    ~Watcher();
+    Watcher(const Watcher&) = delete;
+    Watcher& operator=(const Watcher&) = delete;
+
+    // Files that do not exist yet, or whose folder does not, are watched for all the same. Relative
+    // paths start at the current folder.
+    void set_files(const std::vector<Path>& files);
+
+    // Marks the start of a reading that does not answer `changed`, such as of another scene.
+    void about_to_read();
+
+    // For poll(): readable when `changed` has something to do. It need not have news then.
+    int descriptor() const { return epoll_; }
+
+    // The files saved since the last call, as they were given, each once. Does not wait.
+    std::vector<Path> changed();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    // What tells one state of a file from another; `inode` 0: there is none.
+    struct Stamp {
+        std::uint64_t device = 0, inode = 0;
+        std::int64_t size = 0, modified_ns = 0, status_ns = 0;
+        std::uint32_t mode = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    struct File {
+        Path path;
+        std::set<int> folders;  // watches of the folders on the way; a move of one matters
+        std::set<std::pair<int, std::string>> links;  // names on the way that lead elsewhere
+        std::pair<int, std::string> entry{-1, {}};    // where the way ends: watch and name
+        int itself = -1;                       // a watch of the file, when it has other names too
+        bool polled = false;                   // inotify does not tell of it, or not of everything
+        bool ready = false;                    // to be reported
+        std::optional<Clock::time_point> due;  // to be reported then, if nothing more happens
+        std::optional<Clock::time_point> since;  // when the writing that is waited for began
+        Stamp stamp;                             // when last reported
+        std::uint64_t content = 0;               // its hash then; polled files only
+        std::int64_t newest_ns = 0;  // the latest change of anything on the way, ns since 1970
+    };
+
+    void find(File& file);
+    void find_target(File& file, int folder, std::string name);
+    int add_watch(int folder, std::uint32_t mask);
+    void drop_unused_watches();
+    void read_events();
+    void hear(File& file, int watch, std::uint32_t mask, const std::string& name);
+    void wait_for_more(File& file, std::chrono::milliseconds quiet);
+    void look(File& file);
+    void report(File& file);
+    void set_timer();
+
+    WatcherOptions options_;
+    int inotify_ = -1, timer_ = -1, epoll_ = -1;
+    std::vector<File> files_;
+    std::set<int> watches_;
+    std::int64_t read_from_ns_ = 0;  // the last reading began then, ns since 1970
+    Clock::time_point next_look_;
+};
+
+}  // namespace glint
