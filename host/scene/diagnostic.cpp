@@ -61,7 +61,7 @@ std::string in_quotes(std::string_view words) {
 std::string nearest(std::string_view word, std::span<const std::string> known) {
     constexpr std::size_t kLongestWord = 64;
     if (word.empty() || word.size() > kLongestWord) return {};
-    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    std::size_t best_distance = (word.size() + 2) / 3 + 1;
     std::string best;
     for (const std::string& candidate : known) {
         if (candidate.size() > kLongestWord) continue;

@@ -67,9 +67,15 @@ private:
     bool has_scene_ = false;
 };
 
-// A finite number, whole or not.
-std::optional<double> number(const toml::node& node) {
-    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+// A number, whole or not. toml++ itself gives no double for a whole number beyond 2^53.
+std::optional<double> any_number(const toml::node& node) {
+    if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+    if (const auto* real = node.as_floating_point()) return real->get();
+    return std::nullopt;
+}
+
+std::optional<double> finite_number(const toml::node& node) {
+    const auto value = any_number(node);
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
@@ -142,7 +148,7 @@ void Reader::read_picture(const toml::table& root) {
             warning(*node, "title is a text; write title = \"Harbour at dusk\"");
     }
     if (const toml::node* node = root.get("time")) {
-        const auto time = number(*node);
+        const auto time = finite_number(*node);
         if (time && *time >= 0.0)
             preset_.time = *time;
         else
@@ -218,9 +224,8 @@ void Reader::read_tweak(const toml::key& key, const toml::node& node) {
     const auto value = tweak_value(*tweak, node);
     if (!value)
         return warning(node,
-                       fmt::format("{} is a {}: write {}; it keeps its default {}", tweak->name,
-                                   glsl_name(tweak->type), expected_value(*tweak),
-                                   format_value(*tweak, tweak->initial)));
+                       fmt::format("{} takes {}; it keeps its default {}", tweak->name,
+                                   expected_value(*tweak), format_value(*tweak, tweak->initial)));
     const TweakValue clamped = clamp_to_range(*tweak, *value);
     if (clamped != *value) {
         const bool one = component_count(tweak->type) == 1;
@@ -239,8 +244,7 @@ std::optional<TweakValue> Reader::tweak_value(const Tweak& tweak, const toml::no
     if (const toml::array* array = node.as_array()) {
         if (components == 1 || array->size() != components) return std::nullopt;
         for (std::size_t i = 0; i < components; ++i) {
-            const auto component =
-                (*array)[i].is_number() ? (*array)[i].value<double>() : std::optional<double>();
+            const auto component = any_number((*array)[i]);
             if (!component || std::isnan(*component)) return std::nullopt;
             value[i] = *component;
         }
@@ -251,7 +255,7 @@ std::optional<TweakValue> Reader::tweak_value(const Tweak& tweak, const toml::no
         const auto* on = node.as_boolean();
         return on ? std::optional(TweakValue{on->get() ? 1.0 : 0.0}) : std::nullopt;
     }
-    const auto one = node.is_number() ? node.value<double>() : std::nullopt;
+    const auto one = any_number(node);
     if (!one || std::isnan(*one)) return std::nullopt;
     if (tweak.type == TweakType::int1 && std::isfinite(*one) && *one != std::floor(*one))
         return std::nullopt;
@@ -384,7 +388,7 @@ std::optional<Event> Reader::read_event(const toml::table& table) {
     check_keys(table, {"t", "key", "mouse", "down"});
     Event event;
     const toml::node* time = table.get("t");
-    const auto seconds = time ? number(*time) : std::nullopt;
+    const auto seconds = time ? finite_number(*time) : std::nullopt;
     if (!seconds || *seconds < 0.0) {
         warning(time ? time->source() : table.source(),
                 "an event needs its time in seconds from 0, such as t = 0.5; left out");
@@ -421,8 +425,8 @@ bool Reader::read_event_input(Event& event, const toml::table& table) {
         return event.key >= 0;
     }
     const toml::array* pair = mouse->as_array();
-    const auto x = pair && pair->size() == 2 ? number((*pair)[0]) : std::nullopt;
-    const auto y = pair && pair->size() == 2 ? number((*pair)[1]) : std::nullopt;
+    const auto x = pair && pair->size() == 2 ? finite_number((*pair)[0]) : std::nullopt;
+    const auto y = pair && pair->size() == 2 ? finite_number((*pair)[1]) : std::nullopt;
     if (!x || !y) {
         warning(*mouse,
                 "mouse is two fractions of the picture, y up, such as [0.5, 0.4]; left out");

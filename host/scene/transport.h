@@ -47,13 +47,15 @@ public:
 
     void play();
     void pause();
-    void step();   // one frame forward; pauses
+    void step();   // one frame of 1/60 s forward; pauses
     void reset();  // time and frame to 0; plays or stands as before
     // Jumps at the next frame. While a person holds the slider, seek at every frame: seeking to the
     // time that it is holds it there, and is no jump.
     void seek(double time);
 
     void set_rate(double rate);  // scene seconds for a wall second, clamped; time never jumps
+    // Each frame moves time by exactly 1/60 s, whatever wall clock and rate are: frame k is that of
+    // a sequence at 60 Hz.
     void set_fixed_step(bool fixed);
     // While it plays or steps, time that reaches the end goes on from the begin. A loop that is
     // shorter than a step becomes one step long; ends in the wrong order are swapped.
@@ -66,19 +68,18 @@ public:
     const std::optional<Loop>& loop() const { return loop_; }
 
 private:
-    void add(double seconds);
-    void add_step();
-    bool fold_into_loop();
-    void measure(double wall_seconds);
     double move(double wall_seconds);
+    void add(double seconds);
+    bool wrap_in_loop();
+    void measure(double wall_seconds);
 
-    double time_, rest_ = 0.0;  // s; their sum is exact to twice the digits of a double
+    double time_, rest_ = 0.0;  // s; the sum of both is the time, to twice the digits of a double
     bool playing_ = true, fixed_step_ = false;
-    bool fresh_ = true;  // the next frame is the first after a start, a reset, a resume or a jump
-    bool started_ = false;  // a frame has been drawn since the start or the last reset
-    bool restart_ = true;   // the next frame begins anew, at a time other than the last one's
+    bool begins_ = true;    // the next frame is frame 0
+    bool resumes_ = false;  // the next frame is the first after a pause
+    bool void_;             // what has been simulated no longer holds
     int steps_due_ = 0;
-    std::optional<double> target_;  // of a seek
+    std::optional<double> target_;  // s; of a seek
     double rate_ = 1.0;
     std::optional<Loop> loop_;
     int frame_ = 0;
