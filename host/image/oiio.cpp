@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <exception>
 #include <future>
-#include <mutex>
 #include <string>
 
 namespace glint {
