@@ -38,24 +38,7 @@ Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOption
       vertex_array_(make_vertex_array()) {
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
         const PassProgram& program = scene_.programs[i];
-        BufferShape shape{.size = options.size, .format = options.picture_format};
-        if (program.pass != kImagePass) {
-            const Pass& pass = preset.scene.passes[program.pass];
-            shape = {.size = buffer_size(pass, options.size),
-                     .format = pass.format,
-                     .outputs = static_cast<int>(pass.outputs.size()),
-                     .cube = pass.cube,
-                     .feedback = scene_.graph.passes[i].feedback};
-        }
-        for (const PassProgram& reader : scene_.programs) {
-            for (const SamplerUniform& uniform : reader.samplers) {
-                const Sampler& sampler = sampler_at(preset, uniform.sampler);
-                shape.mipmaps |= sampler.source == Source::buffer && sampler.pass == program.pass &&
-                                 sampler.filter == Filter::mipmap;
-            }
-        }
-        require_drawable(shape.size, pass_name(preset.scene, program.pass));
-        buffers_.push_back(std::make_unique<Buffer>(shape));
+        buffers_.push_back(std::make_unique<Buffer>(wanted_shape(i)));
         drawn_[i].builtins.resize(program.builtins.size());
         drawn_[i].tweaks.resize(program.tweaks.size());
         drawn_[i].versions.resize(program.samplers.size());
@@ -63,6 +46,28 @@ Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOption
     if (options.samples > 1) average_ = std::make_unique<Average>(options.size);
     glDisable(GL_DITHER);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // always on in GLSL ES
+}
+
+BufferShape Renderer::wanted_shape(std::size_t index) const {
+    const std::size_t wanted = scene_.programs[index].pass;
+    BufferShape shape{.size = options_.size, .format = options_.picture_format};
+    if (wanted != kImagePass) {
+        const Pass& pass = preset_.scene.passes[wanted];
+        shape = {.size = buffer_size(pass, options_.size),
+                 .format = pass.format,
+                 .outputs = static_cast<int>(pass.outputs.size()),
+                 .cube = pass.cube,
+                 .feedback = scene_.graph.passes[index].feedback};
+    }
+    for (const PassProgram& reader : scene_.programs) {
+        for (const SamplerUniform& uniform : reader.samplers) {
+            const Sampler& sampler = sampler_at(preset_, uniform.sampler);
+            shape.mipmaps |= sampler.source == Source::buffer && sampler.pass == wanted &&
+                             sampler.filter == Filter::mipmap;
+        }
+    }
+    require_drawable(shape.size, pass_name(preset_.scene, wanted));
+    return shape;
 }
 
 std::vector<std::size_t> Renderer::images_needed() const {
@@ -98,13 +103,7 @@ void Renderer::reset() {
 
 void Renderer::resize(glm::ivec2 size) {
     options_.size = size;
-    for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        const std::size_t pass = scene_.programs[i].pass;
-        const glm::ivec2 wanted =
-            pass == kImagePass ? size : buffer_size(preset_.scene.passes[pass], size);
-        require_drawable(wanted, pass_name(preset_.scene, pass));
-        buffers_[i]->resize(wanted);
-    }
+    for (std::size_t i = 0; i < buffers_.size(); ++i) buffers_[i]->resize(wanted_shape(i).size);
     if (average_) average_ = std::make_unique<Average>(size);
 }
 
@@ -472,21 +471,26 @@ std::vector<float> Renderer::read_buffer(std::size_t graph_index, std::size_t ou
 }
 
 void Renderer::adopt(Renderer& previous) {
+    options_.size = previous.options_.size;
     channels_.adopt(previous.channels_);
     parked_ = std::move(previous.parked_);
     for (std::size_t i = 0; i < previous.buffers_.size(); ++i) {
-        parked_[pass_name(previous.preset_.scene, previous.scene_.programs[i].pass)] = {
-            std::move(previous.buffers_[i]), previous.steps_done_[i]};
+        const std::string name =
+            pass_name(previous.preset_.scene, previous.scene_.programs[i].pass);
+        parked_[name] = {std::move(previous.buffers_[i]), previous.steps_done_[i]};
     }
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        drawn_[i].ever = false;
+        const BufferShape shape = wanted_shape(i);
         const auto kept = parked_.find(pass_name(preset_.scene, scene_.programs[i].pass));
+        if (kept != parked_.end() && kept->second.buffer->shape() == shape) {
+            buffers_[i] = std::move(kept->second.buffer);
+        } else if (!buffers_[i] || buffers_[i]->shape() != shape || kept != parked_.end()) {
+            buffers_[i] = std::make_unique<Buffer>(shape);
+            if (kept != parked_.end()) buffers_[i]->copy_from(*kept->second.buffer);
+        }
         if (kept == parked_.end()) continue;
         steps_done_[i] = kept->second.steps_done;
-        if (kept->second.buffer->shape() == buffers_[i]->shape()) {
-            buffers_[i] = std::move(kept->second.buffer);
-        } else {
-            buffers_[i]->copy_from(*kept->second.buffer);
-        }
         parked_.erase(kept);
     }
 }

@@ -52,9 +52,9 @@ public:
     const PassGraph& graph() const { return scene_.graph; }
     const Buffer& buffer(std::size_t graph_index) const { return *buffers_[graph_index]; }
 
-    // Takes over the buffers of passes of the same name, their simulation clocks and the images, so
-    // that a reload loses nothing. Buffers that this scene does not draw are kept for one that
-    // does.
+    // Takes over the size, the buffers of passes of the same name, their simulation clocks and the
+    // images, so that a reload loses nothing. Buffers that this scene does not draw are kept for
+    // one that does. `previous` may draw again only after it has adopted them back.
     void adopt(Renderer& previous);
 
     // One output of any pass as RGBA floats, rows bottom up. Waits for the GPU.
@@ -104,6 +104,7 @@ private:
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
     glm::ivec3 channel_size(int channel) const;
     std::size_t graph_index(std::size_t pass) const;
+    BufferShape wanted_shape(std::size_t index) const;
     bool is_jittered(std::size_t index) const;
 
     const Preset& preset_;
