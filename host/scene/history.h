@@ -1,5 +1,5 @@
-// The values of all tweaks over time: undo and redo, defaults, random looks, two sets side by side,
-// and what a reload makes of them.
+// The values of all tweaks over time: undo, defaults, random looks, two sets, and what a reload
+// makes of them.
 #pragma once
 
 #include "scene/scene.h"
@@ -99,18 +99,19 @@ private:
     };
 
     static Kept keep(const Tweak& tweak, const TweakValue& value);
-    static bool restore(const Tweak& tweak, const Kept& kept, TweakValue& value);
-    TweakValue& slot(Held& held, Set set) const { return held.values[set == Set::a ? 0 : 1]; }
-    Held* find(std::string_view name);
-    bool apply(const Entry& entry, Kept Change::*side);
+    static bool restore(Held& held, Set set, const Kept& kept);
+    static TweakValue& slot(Held& held, Set set);
+    Held* find(std::string_view name);  // also among the absent
     void change(Set set, std::size_t index, const TweakValue& value);
-    void finish(Entry entry);
+    bool apply(const Entry& entry, Kept Change::*side);
+    template <typename Changes>
+    void as_one_entry(const Changes& changes);
 
     std::vector<Held> held_;    // in the order of the scene
     std::vector<Held> absent_;  // of earlier texts
     std::vector<Entry> entries_;
     std::size_t done_ = 0;  // how many of the entries are not undone
-    Entry current_;
+    Entry current_;         // between begin and commit
     bool open_ = false;
     Set shown_ = Set::a;
 };
