@@ -125,19 +125,24 @@ CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& option
     return std::move(*result.scene);
 }
 
+void load_image(const Preset& preset, Renderer& renderer, std::size_t index) {
+    const Sampler& sampler = sampler_at(preset, index);
+    Image image = read_image(sampler.image);
+    if (!sampler.vflip) turn_over(image);
+    renderer.set_image(index, {.size = image.size,
+                               .channels = image.channels,
+                               .floats = image.type == ChannelType::f32,
+                               .data = image.pixels});
+}
+
 void load_images(const Preset& preset, Renderer& renderer) {
     Diagnostics diagnostics;
-    for (const std::size_t index : renderer.images_needed()) {
-        const Sampler& sampler = sampler_at(preset, index);
+    for (const std::size_t sampler : renderer.images_needed()) {
         try {
-            Image image = read_image(sampler.image);
-            if (!sampler.vflip) turn_over(image);
-            renderer.set_image(index, {.size = image.size,
-                                       .channels = image.channels,
-                                       .floats = image.type == ChannelType::f32,
-                                       .data = image.pixels});
+            load_image(preset, renderer, sampler);
         } catch (const std::runtime_error& error) {
-            diagnostics.push_back({Severity::error, sampler.place, error.what(), true});
+            const Place& place = sampler_at(preset, sampler).place;
+            diagnostics.push_back({Severity::error, place, error.what(), true});
         }
     }
     report(diagnostics);

@@ -35,6 +35,11 @@ public:
     // made on first use; an image reads 0 until set_image.
     const Channel& channel(std::size_t sampler);
 
+    // Reads 0.
+    GLuint empty(SamplerType type) const {
+        return empty_[static_cast<std::size_t>(type)].texture.id();
+    }
+
     bool has_image(std::size_t sampler) const { return channels_.contains(sampler); }
     void set_image(std::size_t sampler, const PixelView& pixels);
     void set_keyboard(const Input& input);

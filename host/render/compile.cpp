@@ -53,10 +53,15 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options)
         }
     }
     // Drawing order is the order of declarations; the picture, whose index is the largest, is last.
+    // A buffer that is wanted may read later ones back, and stand before them.
     std::sort(programs.begin(), programs.end(),
               [](const PassProgram& a, const PassProgram& b) { return a.pass < b.pass; });
     CompiledScene& scene = result.scene.emplace();
     scene.programs = std::move(programs);
+    scene.root = static_cast<std::size_t>(
+        std::find_if(scene.programs.begin(), scene.programs.end(),
+                     [&](const PassProgram& program) { return program.pass == options.root; }) -
+        scene.programs.begin());
     scene.graph = build_graph(preset.scene.passes, std::move(reads));
     return result;
 }

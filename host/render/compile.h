@@ -16,6 +16,7 @@ struct CompileOptions {
 struct CompiledScene {
     std::vector<PassProgram> programs;
     PassGraph graph;
+    std::size_t root = 0;  // where the wanted pass stands; later ones are those that it reads back
 };
 
 struct CompileResult {

@@ -23,7 +23,7 @@ struct PassReads {
     bool changes_by_itself = false;    // reads time, frame, tick or date: new in every frame
 };
 
-// One pass that must run, in drawing order; the root stands last.
+// One pass that must run, in drawing order.
 struct GraphPass {
     std::size_t pass = 0;
     std::vector<std::size_t> reads;

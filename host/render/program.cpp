@@ -57,37 +57,98 @@ bool contains_word(std::string_view text, std::string_view word) {
     return false;
 }
 
-// Which of iChannel0..3 the scene's own samplers take.
-bool declares(const Scene& scene, std::string_view name) {
-    return std::any_of(scene.samplers.begin(), scene.samplers.end(),
-                       [&](const Sampler& sampler) { return sampler.name == name; });
+const char* glsl_name(SamplerType type) {
+    switch (type) {
+        case SamplerType::sampler2D:
+            return "sampler2D";
+        case SamplerType::samplerCube:
+            return "samplerCube";
+        case SamplerType::sampler3D:
+            return "sampler3D";
+    }
+    return "";
 }
 
-std::string channel_declarations(const Scene& scene, bool image_pass) {
+std::string channel_declarations(const Preset& preset, bool image_pass) {
+    const Scene& scene = preset.scene;
     std::string text;
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < preset.channels.size(); ++i) {
         const std::string name = fmt::format("iChannel{}", i);
-        if (!declares(scene, name)) text += fmt::format("uniform sampler2D {};\n", name);
+        const auto declared =
+            std::find_if(scene.samplers.begin(), scene.samplers.end(),
+                         [&](const Sampler& sampler) { return sampler.name == name; });
+        const bool by_scene = declared != scene.samplers.end();
+        const char* type = glsl_name(by_scene ? declared->type : preset.channels[i].type);
+        if (!by_scene) text += fmt::format("uniform {} {};\n", type, name);
         // A struct of samplers costs a declaration in every shader, so only where it is used.
         if (image_pass && contains_word(scene.text, fmt::format("iCh{}", i))) {
             text += fmt::format(
-                "uniform struct {{ sampler2D sampler; vec3 size; float time; int loaded; }} "
-                "iCh{};\n",
-                i);
+                "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
+                type, i);
         }
     }
     return text;
 }
 
-// Names that older pastes still use, unless the text declares them itself.
+// A name that older pastes still use, unless the text declares it itself. A local variable of that
+// name, which stands indented, is no declaration for all.
 std::string old_names(const Scene& scene) {
     if (!contains_word(scene.text, "iGlobalTime")) return "";
-    static const std::regex declared(R"((uniform|#\s*define)[^;\n]*\biGlobalTime\b)");
+    static const std::regex declared(
+        R"((uniform|#\s*define)[^;\n]*\biGlobalTime\b|(^|\n)(const\s+)?float\s+iGlobalTime\b)");
     return std::regex_search(scene.text, declared) ? "" : "uniform float iGlobalTime;\n";
 }
 
-std::string image_main(const Scene& scene, const ProgramOptions& options) {
-    std::string text = fmt::format("void {}(out vec4 color, in vec2 coord);\n", scene.image_entry);
+// `packed` is an ordinary name on the site, and reserved in Mesa.
+std::string renamed_words(const Scene& scene) {
+    if (!contains_word(scene.text, "packed")) return "";
+    static const std::regex is_macro(R"(#\s*define\s+packed\b)");
+    return std::regex_search(scene.text, is_macro) ? "" : "#define packed glint_packed\n";
+}
+
+// Where a list of `out` parameters of this function begins and ends, from `at` on; npos for none.
+struct Range {
+    std::size_t begin = std::string::npos, end = std::string::npos;
+};
+Range find_out_parameters(std::string_view text, std::string_view function, std::size_t at) {
+    constexpr std::string_view kSpace = " \t\n";
+    for (at = text.find(function, at); at != text.npos; at = text.find(function, at + 1)) {
+        if (at > 0 && is_identifier(text[at - 1])) continue;
+        const std::size_t open = text.find_first_not_of(kSpace, at + function.size());
+        if (open == text.npos || text[open] != '(') continue;
+        const std::size_t close = text.find_first_of("()", open + 1);
+        if (close == text.npos || text[close] != ')') continue;
+        if (contains_word(text.substr(open, close - open), "out")) return {open, close};
+    }
+    return {};
+}
+
+// An `out` parameter is undefined on entry, and Mesa makes any value of it. The site's colour
+// starts at a known one, on which `color *= 0.0` relies; so the entry's parameters become `inout`.
+// Says whether there were any.
+bool make_colour_defined(PassText& pass, const std::string& entry) {
+    std::string& text = pass.text;
+    bool found = false;
+    for (Range list = find_out_parameters(text, entry, 0); list.begin != text.npos;
+         list = find_out_parameters(text, entry, list.end)) {
+        found = true;
+        for (std::size_t at = list.begin; (at = text.find("out", at)) < list.end; at += 5) {
+            if (is_identifier(text[at - 1]) || is_identifier(text[at + 3])) continue;
+            text.insert(at, "in");
+            list.end += 2;
+            const auto begin = text.begin(), here = begin + static_cast<std::ptrdiff_t>(at);
+            const std::size_t line_begin = text.rfind('\n', at) + 1;
+            pass.widened.push_back({.line = static_cast<int>(std::count(begin, here, '\n')) + 1,
+                                    .column = static_cast<int>(at - line_begin) + 1,
+                                    .by = 2});
+        }
+    }
+    return found;
+}
+
+std::string image_main(const Scene& scene, const char* out, const ProgramOptions& options) {
+    std::string text =
+        fmt::format("void {}({} vec4 color, in vec2 coord);\n", scene.image_entry, out);
     text += kAssert;
     if (options.average) (text += kJitter) += kDecode;
     text +=
@@ -102,10 +163,10 @@ std::string image_main(const Scene& scene, const ProgramOptions& options) {
     return text + "    glint_out0 = vec4(color.rgb, 1.0);\n}\n";
 }
 
-std::string buffer_main(const Pass& pass, const ProgramOptions& options) {
+std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions& options) {
     std::string parameters, outputs, variables, arguments, results;
     for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
-        parameters += fmt::format("out vec4 color{}, ", i);
+        parameters += fmt::format("{} vec4 color{}, ", out, i);
         outputs += fmt::format("layout(location = {0}) out vec4 glint_out{0};\n", i);
         variables += fmt::format("    vec4 color{} = vec4(0, 0, 0, 1);\n", i);
         arguments += fmt::format("color{}, ", i);
@@ -121,9 +182,9 @@ std::string buffer_main(const Pass& pass, const ProgramOptions& options) {
 
 // Directions as GL reads cubemaps (OpenGL 4.5, table 8.19), so that texture(sky, rayDir) gives back
 // what was drawn for rayDir.
-std::string cube_main(const Pass& pass) {
+std::string cube_main(const Pass& pass, const char* out) {
     return fmt::format(
-        "void {0}(out vec4 color, in vec2 coord, in vec3 rayOri, in vec3 rayDir);\n{1}"
+        "void {0}({1} vec4 color, in vec2 coord, in vec3 rayOri, in vec3 rayDir);\n{2}"
         R"(uniform int glint_face;
 layout(location = 0) out vec4 glint_out0;
 void main() {{
@@ -136,7 +197,7 @@ void main() {{
     glint_out0 = color;
 }}
 )",
-        pass.entry, kAssert);
+        pass.entry, out, kAssert);
 }
 
 // A literal that GLSL reads back as exactly this value.
@@ -227,8 +288,35 @@ std::optional<std::size_t> sampler_index(const Preset& preset, std::string_view 
     return std::nullopt;
 }
 
-bool is_sampler(GLenum type) {
-    return type == GL_SAMPLER_2D || type == GL_SAMPLER_3D || type == GL_SAMPLER_CUBE;
+// Whether a uniform is a sampler, and of which of the types that textures here have.
+struct SamplerKind {
+    bool is_sampler = false;
+    std::optional<SamplerType> type;
+};
+SamplerKind sampler_kind(GLenum type) {
+    switch (type) {
+        case GL_SAMPLER_2D:
+            return {true, SamplerType::sampler2D};
+        case GL_SAMPLER_3D:
+            return {true, SamplerType::sampler3D};
+        case GL_SAMPLER_CUBE:
+            return {true, SamplerType::samplerCube};
+        case GL_SAMPLER_2D_ARRAY:
+        case GL_SAMPLER_2D_SHADOW:
+        case GL_SAMPLER_2D_ARRAY_SHADOW:
+        case GL_SAMPLER_CUBE_SHADOW:
+        case GL_INT_SAMPLER_2D:
+        case GL_INT_SAMPLER_3D:
+        case GL_INT_SAMPLER_CUBE:
+        case GL_INT_SAMPLER_2D_ARRAY:
+        case GL_UNSIGNED_INT_SAMPLER_2D:
+        case GL_UNSIGNED_INT_SAMPLER_3D:
+        case GL_UNSIGNED_INT_SAMPLER_CUBE:
+        case GL_UNSIGNED_INT_SAMPLER_2D_ARRAY:
+            return {true, std::nullopt};
+        default:
+            return {};
+    }
 }
 
 // Asks the linked program what it really reads, and gives every sampler its texture unit.
@@ -245,12 +333,15 @@ void find_uniforms(const Preset& preset, PassProgram& pass) {
         const std::string name = buffer.data();
         const GLint location = glGetUniformLocation(program, name.c_str());
         if (location < 0) continue;
-        if (is_sampler(type)) {
-            if (const auto sampler = sampler_index(preset, name)) {
-                const auto unit = static_cast<GLint>(pass.samplers.size());
-                glProgramUniform1i(program, location, unit);
+        if (const SamplerKind kind = sampler_kind(type); kind.is_sampler) {
+            const auto unit = static_cast<GLint>(pass.samplers.size() + pass.unfilled.size());
+            const std::vector<GLint> units(static_cast<std::size_t>(size), unit);
+            glProgramUniform1iv(program, location, size, units.data());
+            const auto sampler = sampler_index(preset, name);
+            if (sampler && sampler_at(preset, *sampler).source != Source::none)
                 pass.samplers.push_back({*sampler, unit});
-            }
+            else
+                pass.unfilled.push_back({kind.type, unit});
         } else if (auto builtin = builtin_uniform(name, location)) {
             pass.builtins.push_back(std::move(*builtin));
         } else {
@@ -294,11 +385,11 @@ std::size_t sampler_count(const Preset& preset) {
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass;
-    // `packed` is an ordinary name on the site, and reserved in Mesa.
-    std::string text =
-        "#version 300 es\n"
-        "#define HW_PERFORMANCE 1\n"
-        "#define packed glint_packed\n";
+    PassText result{.text = options.specialise ? specialised_text(preset) : scene.text};
+    const bool defined =
+        make_colour_defined(result, image ? scene.image_entry : scene.passes[pass].entry);
+    const char* out = defined ? "inout" : "out";
+    std::string text = "#version 300 es\n#define HW_PERFORMANCE 1\n" + renamed_words(scene);
     if (image)
         text += "#define PASS_image 1\n";
     else
@@ -307,21 +398,22 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     text += "precision highp float;\nprecision highp int;\nprecision mediump sampler3D;\n";
     text += kUniforms;
     text += old_names(scene);
-    text += channel_declarations(scene, image);
-    text += image                     ? image_main(scene, options)
-            : scene.passes[pass].cube ? cube_main(scene.passes[pass])
-                                      : buffer_main(scene.passes[pass], options);
-    const auto lines = std::count(text.begin(), text.end(), '\n');
-    text += options.specialise ? specialised_text(preset) : scene.text;
-    if (!text.ends_with('\n')) text += '\n';
-    return {std::move(text), static_cast<int>(lines)};
+    text += channel_declarations(preset, image);
+    text += image                     ? image_main(scene, out, options)
+            : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
+                                      : buffer_main(scene.passes[pass], out, options);
+    result.prologue_lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    for (PassText::Widened& widened : result.widened) widened.line += result.prologue_lines;
+    result.text.insert(0, text);
+    if (!result.text.ends_with('\n')) result.text += '\n';
+    return result;
 }
 
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const PassText source = pass_text(preset, pass, options);
     LinkedProgram linked = make_program(source.text);
     CompiledPass result;
-    result.diagnostics = read_driver_log(preset.scene, linked.log, source.prologue_lines);
+    result.diagnostics = read_driver_log(preset.scene, linked.log, source);
     if (!linked.program) {
         if (!has_errors(result.diagnostics)) {
             result.diagnostics.push_back(
@@ -333,19 +425,25 @@ CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramO
                                        .program = std::move(linked.program),
                                        .builtins = {},
                                        .tweaks = {},
-                                       .samplers = {}});
+                                       .samplers = {},
+                                       .unfilled = {}});
     find_uniforms(preset, *result.program);
     return result;
 }
 
-Diagnostics read_driver_log(const Scene& scene, const std::string& log, int prologue_lines) {
+Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text) {
     static const std::regex mesa(
         R"(^\d+:(\d+)\((\d+)\):\s*(?:preprocessor )?(error|warning):\s*(.*)$)");
     static const std::regex nvidia(R"(^\d+\((\d+)\) ?: (error|warning) (?:C\d+: )?(.*)$)");
     static const std::regex angle(R"(^(ERROR|WARNING): \d+:(\d+): (.*)$)");
     static const std::regex unplaced(R"(^(?:error|ERROR):\s*(.*)$)");
-    const auto place = [&](const std::string& line, int column) {
-        return scene.place(std::stoi(line) - prologue_lines, column);
+    const auto place = [&](const std::string& number, int column) {
+        const int line = std::stoi(number);
+        int wider = 0;
+        for (const PassText::Widened& widened : text.widened) {
+            if (widened.line == line && column > widened.column) wider += widened.by;
+        }
+        return scene.place(line - text.prologue_lines, column - wider);
     };
     Diagnostics list;
     for (std::size_t begin = 0; begin < log.size();) {

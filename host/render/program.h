@@ -29,8 +29,14 @@ struct ProgramOptions {
 
 // The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {
+    // A place of the text, behind which its line is longer than the user's.
+    struct Widened {
+        int line = 0, column = 0;  // from 1
+        int by = 0;                // characters
+    };
     std::string text;
     int prologue_lines = 0;  // the user's text starts on the next line
+    std::vector<Widened> widened;
 };
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options);
 
@@ -68,12 +74,20 @@ struct SamplerUniform {
     GLint unit = 0;
 };
 
+// A sampler that nothing fills; it reads 0. It has a unit of its own: those that are not told
+// otherwise all share unit 0, and would read what stands there.
+struct UnfilledSampler {
+    std::optional<SamplerType> type;  // none: one of GLSL's other types, which no texture here fits
+    GLint unit = 0;
+};
+
 struct PassProgram {
     std::size_t pass = kImagePass;
     Program program;
     std::vector<BuiltinUniform> builtins;
     std::vector<TweakUniform> tweaks;
     std::vector<SamplerUniform> samplers;
+    std::vector<UnfilledSampler> unfilled;
 };
 
 struct CompiledPass {
@@ -82,8 +96,8 @@ struct CompiledPass {
 };
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options);
 
-// The driver's log as diagnostics. Reads the forms of Mesa "0:12(5): error: …", NVIDIA
+// The driver's log about a text as diagnostics. Reads the forms of Mesa "0:12(5): error: …", NVIDIA
 // "0(12) : error C1: …" and ANGLE or Intel "ERROR: 0:12: …".
-Diagnostics read_driver_log(const Scene& scene, const std::string& log, int prologue_lines);
+Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text);
 
 }  // namespace glint

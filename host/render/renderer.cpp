@@ -94,6 +94,12 @@ bool Renderer::draw(const Frame& frame) {
     return root_drawn_;
 }
 
+void Renderer::draw_root(const Frame& frame) {
+    glBindVertexArray(vertex_array_.id());
+    channels_.set_keyboard(frame.input);
+    run_pass(scene_.programs.size() - 1, {.frame = frame}, true);
+}
+
 void Renderer::reset() {
     for (const auto& buffer : buffers_) buffer->clear();
     for (Drawn& drawn : drawn_) drawn.ever = false;
@@ -103,7 +109,12 @@ void Renderer::reset() {
 
 void Renderer::resize(glm::ivec2 size) {
     options_.size = size;
-    for (std::size_t i = 0; i < buffers_.size(); ++i) buffers_[i]->resize(wanted_shape(i).size);
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const glm::ivec2 wanted = wanted_shape(i).size;
+        if (wanted == buffers_[i]->shape().size) continue;
+        buffers_[i]->resize(wanted);
+        drawn_[i].ever = false;  // the new part is empty, whatever the pass reads
+    }
     if (average_) average_ = std::make_unique<Average>(size);
 }
 
@@ -120,10 +131,10 @@ void Renderer::run(const Frame& frame, bool state_only) {
             if (std::find(stepped.begin(), stepped.end(), step) != stepped.end()) continue;
             stepped.push_back(step);
             run_steps(frame, step);
-        } else if (average_ && i + 1 == scene_.programs.size()) {
+        } else if (average_ && i == scene_.root) {
             run_averaged(frame);
         } else {
-            run_pass(i, {.frame = frame}, force_root_ && i + 1 == scene_.programs.size());
+            run_pass(i, {.frame = frame}, force_root_ && i == scene_.root);
         }
     }
 }
@@ -136,6 +147,10 @@ void Renderer::run_steps(const Frame& frame, Step step) {
         const std::size_t pass = scene_.programs[i].pass;
         if (pass != kImagePass && preset_.scene.passes[pass].step == step) group.push_back(i);
     }
+    // The end of one step is the start of the next to the last bit, so that no event is seen twice.
+    const auto time_of = [&](long count) {
+        return static_cast<double>(count * step.numerator) / static_cast<double>(step.denominator);
+    };
     const long due = steps_elapsed(frame.time, step);
     long done = steps_done_[group.front()];
     const double caught_up = std::min(frame.longest_catch_up / step.seconds(), 1e15);
@@ -143,14 +158,13 @@ void Renderer::run_steps(const Frame& frame, Step step) {
     for (; done < due; ++done) {
         Frame inner = frame;
         // A step is a frame of its own length, which ends at its time.
-        inner.time = static_cast<double>((done + 1) * step.numerator) /
-                     static_cast<double>(step.denominator);
+        inner.time = time_of(done + 1);
         inner.time_delta = step.seconds();
         inner.frame_rate = 1.0 / step.seconds();
         inner.frame = static_cast<int>(done);
         if (!frame.events.empty()) {
             const double from =
-                done == 0 ? -std::numeric_limits<double>::infinity() : inner.time - step.seconds();
+                done == 0 ? -std::numeric_limits<double>::infinity() : time_of(done);
             inner.input = replay(frame.events, from, inner.time, options_.size);
             channels_.set_keyboard(inner.input);
         }
@@ -171,7 +185,7 @@ bool Renderer::is_jittered(std::size_t index) const {
 }
 
 void Renderer::run_averaged(const Frame& frame) {
-    const std::size_t root = scene_.programs.size() - 1;
+    const std::size_t root = scene_.root;
     average_->clear();
     for (int sample = 0; sample < options_.samples; ++sample) {
         const Inputs inputs{.frame = frame, .jitter = sub_pixel_position(sample, options_.samples)};
@@ -196,7 +210,7 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     if (!new_uniforms && !new_buffers && !force && drawn_[index].ever) return;
     drawn_[index].ever = true;
 
-    const bool root = index + 1 == scene_.programs.size();
+    const bool root = index == scene_.root;
     const bool averaged = root && average_;
     glUseProgram(program.program.id());
     bind_samplers(program);
@@ -350,6 +364,11 @@ void Renderer::bind_samplers(const PassProgram& program) {
         glBindTextureUnit(unit, texture);
         glBindSampler(unit, channels_.sampler_object(sampler));
     }
+    for (const UnfilledSampler& uniform : program.unfilled) {
+        const auto unit = static_cast<GLuint>(uniform.unit);
+        glBindTextureUnit(unit, uniform.type ? channels_.empty(*uniform.type) : 0);
+        glBindSampler(unit, 0);
+    }
 }
 
 std::size_t Renderer::graph_index(std::size_t pass) const {
@@ -434,7 +453,7 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
 
 // The faces of a cube come side by side, in GL's order: +X -X +Y -Y +Z -Z.
 glm::ivec2 Renderer::root_size() const {
-    const BufferShape& shape = buffers_.back()->shape();
+    const BufferShape& shape = buffers_[scene_.root]->shape();
     return shape.cube ? glm::ivec2(shape.size.x * 6, shape.size.y) : shape.size;
 }
 
@@ -442,14 +461,14 @@ std::vector<std::byte> Renderer::read_bytes() {
     const glm::ivec2 size = root_size();
     std::vector<std::byte> pixels(static_cast<std::size_t>(size.x) *
                                   static_cast<std::size_t>(size.y) * 4);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_.back()->front_framebuffer());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_[scene_.root]->front_framebuffer());
     glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     return pixels;
 }
 
 std::vector<float> Renderer::read_floats(std::size_t output) {
-    return read_buffer(buffers_.size() - 1, output);
+    return read_buffer(scene_.root, output);
 }
 
 std::vector<float> Renderer::read_buffer(std::size_t graph_index, std::size_t output) const {

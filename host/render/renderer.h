@@ -40,6 +40,9 @@ public:
     // Draws whatever has changed since it was last drawn. True when the root was drawn anew.
     bool draw(const Frame& frame);
 
+    // Draws the root alone, from the buffers as they stand.
+    void draw_root(const Frame& frame);
+
     // Buffers to 0 and simulations to their start; everything is drawn again.
     void reset();
 
@@ -116,7 +119,7 @@ private:
         std::unique_ptr<Buffer> buffer;
         long steps_done = 0;
     };
-    std::vector<std::unique_ptr<Buffer>> buffers_;  // in the order of the graph; the root is last
+    std::vector<std::unique_ptr<Buffer>> buffers_;  // in the order of the graph
     std::map<std::string, Parked> parked_;          // by pass name: adopted, but not drawn here
     std::vector<Drawn> drawn_;
     std::vector<long> steps_done_;  // in the order of the graph

@@ -1,0 +1,9 @@
+// The keyboard: which JavaScript code a key of the window has, as scenes count keys.
+#pragma once
+
+namespace glint {
+
+// The JavaScript key code of a GLFW key, or -1 for keys that the site does not know.
+int key_code_of(int glfw_key);
+
+}  // namespace glint

@@ -1,0 +1,426 @@
+#include "modes/playground.h"
+
+#include "image/image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace glint {
+namespace {
+
+// A live frame catches up at most this much simulated time after a hitch.
+constexpr double kLongestCatchUp = 0.25;  // s
+
+// How long a replay may keep the window waiting in one frame.
+constexpr double kReplaySlice = 30.0;  // ms
+
+constexpr std::size_t kKeptReports = 100;
+
+Date local_now() {
+    std::timespec now{};
+    std::timespec_get(&now, TIME_UTC);
+    std::tm local{};
+    localtime_r(&now.tv_sec, &local);
+    return {.year = local.tm_year + 1900,
+            .month = local.tm_mon + 1,
+            .day = local.tm_mday,
+            .seconds = local.tm_hour * 3600.0 + local.tm_min * 60.0 + local.tm_sec +
+                       static_cast<double>(now.tv_nsec) * 1e-9};
+}
+
+// Tweaks whose value in the file is another than when it was last read: those that a person changed
+// there, and not in the panels.
+void apply_saved_changes(const Preset& before, const Preset& now, History& history) {
+    for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = now.scene.tweaks[i];
+        const auto& old = before.scene.tweaks;
+        const auto same = std::find_if(old.begin(), old.end(), [&](const Tweak& t) {
+            return t.name == tweak.name && t.type == tweak.type;
+        });
+        if (same == old.end()) continue;
+        const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
+        const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
+        if (was != now.values[i] && !default_moved) history.set(i, now.values[i]);
+    }
+}
+
+std::vector<std::filesystem::path> watched_files(const std::vector<std::filesystem::path>& texts,
+                                                 const Preset* preset) {
+    std::vector<std::filesystem::path> files = texts;
+    if (!preset) return files;
+    for (std::size_t i = 0; i < sampler_count(*preset); ++i) {
+        const Sampler& sampler = sampler_at(*preset, i);
+        if (sampler.source == Source::image) files.push_back(sampler.image);
+    }
+    return files;
+}
+
+}  // namespace
+
+Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options)
+    : history({}),
+      context_(context),
+      options_(options),
+      size_(size),
+      trial_({.device = options.device}) {}
+
+Playground::~Playground() = default;
+
+void Playground::open(const std::filesystem::path& file) {
+    file_ = file;
+    written_.reset();
+    watcher_.about_to_read();
+    read_again(file);
+}
+
+std::vector<int> Playground::descriptors() const {
+    return {watcher_.descriptor(), trial_.descriptor()};
+}
+
+bool Playground::update() {
+    const std::size_t reports = reports_.size();
+    const bool was_loading = is_loading();
+    notice_saves();
+    follow_trial();
+    specialise_at_rest();
+    return reports != reports_.size() || was_loading != is_loading() || touched_;
+}
+
+void Playground::notice_saves() {
+    const std::vector<std::filesystem::path> changed = watcher_.changed();
+    if (changed.empty()) return;
+    const auto is_text = [&](const std::filesystem::path& file) {
+        return std::find(watched_.begin(), watched_.end(), file) != watched_.end();
+    };
+    const auto text = std::find_if(changed.begin(), changed.end(), is_text);
+    if (text != changed.end()) read_again(*text);
+    reload_images(changed);
+}
+
+void Playground::read_again(const std::filesystem::path& changed) {
+    since_notice_.restart();
+    report_ = {.file = changed, .text = {}};
+    ReadPreset read = read_preset(file_);
+    report_.read_ms = since_notice_.ms();
+    watched_ = read.files;
+    watcher_.set_files(watched_files(read.files, read.preset ? &*read.preset : preset_.get()));
+    diagnostics_ = std::move(read.diagnostics);
+    if (!read.preset) {
+        candidate_.reset();
+        trying_ = false;
+        finish_report(false);
+        return;
+    }
+    candidate_ = std::make_unique<Preset>(std::move(*read.preset));
+    start_trial(Purpose::reload);
+}
+
+void Playground::reload_images(const std::vector<std::filesystem::path>& changed) {
+    if (!renderer_) return;
+    for (std::size_t i = 0; i < sampler_count(*preset_); ++i) {
+        const Sampler& sampler = sampler_at(*preset_, i);
+        if (sampler.source != Source::image ||
+            std::find(changed.begin(), changed.end(), sampler.image) == changed.end()) {
+            continue;
+        }
+        report_ = {.file = sampler.image, .text = {}};
+        since_notice_.restart();
+        try {
+            load_image(*preset_, *renderer_, i);
+            std::erase_if(diagnostics_, [](const Diagnostic& d) { return d.missing_file; });
+            touched_ = report_first_frame_ = true;
+        } catch (const std::runtime_error& error) {
+            diagnostics_.push_back({Severity::error, sampler.place, error.what(), true});
+            finish_report(false);
+        }
+    }
+}
+
+void Playground::start_trial(Purpose purpose) {
+    purpose_ = purpose;
+    trying_ = true;
+    trial_.start({.preset = *candidate_,
+                  .compile = {.program = {.specialise = purpose == Purpose::specialise}},
+                  .size = size_,
+                  .time = transport.time(),
+                  .images = {}});
+}
+
+void Playground::follow_trial() {
+    if (!trying_) return;
+    const Verdict& verdict = trial_.poll();
+    if (verdict.state == TrialState::running) return;
+    trying_ = false;
+    const std::unique_ptr<Preset> candidate = std::move(candidate_);
+    if (purpose_ == Purpose::reload) {
+        report_.trial_ms = verdict.total_ms;
+        diagnostics_.insert(diagnostics_.end(), verdict.diagnostics.begin(),
+                            verdict.diagnostics.end());
+    }
+    switch (verdict.state) {
+        case TrialState::passed:
+            if (verdict.expected_ms > options_.hopeless_ms) {
+                refuse(
+                    fmt::format("a frame would take about {:.0f} s; make it cheaper, or lower the "
+                                "resolution",
+                                verdict.expected_ms / 1000.0));
+                return;
+            }
+            [[fallthrough]];
+        case TrialState::unavailable:
+            take(*candidate, purpose_);
+            return;
+        case TrialState::idle:
+        case TrialState::running:
+        case TrialState::rejected:
+        case TrialState::too_slow:
+        case TrialState::crashed:
+        case TrialState::lost:
+            refuse("");
+            return;
+    }
+}
+
+// The picture stays as it was; the diagnostics say why.
+void Playground::refuse(const std::string& why) {
+    if (purpose_ == Purpose::specialise) {
+        specialise_failed_ = true;  // uniforms do as well
+        return;
+    }
+    if (!why.empty()) diagnostics_.push_back({Severity::error, {file_.string(), 0, 0}, why});
+    finish_report(false);
+}
+
+std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset, bool specialise) {
+    CompileResult compiled = compile_scene(preset, {.program = {.specialise = specialise}});
+    if (!compiled.scene) {
+        diagnostics_.insert(diagnostics_.end(), compiled.diagnostics.begin(),
+                            compiled.diagnostics.end());
+        return nullptr;
+    }
+    return std::make_unique<Renderer>(preset, std::move(*compiled.scene),
+                                      RenderOptions{.size = size_});
+}
+
+// Puts a candidate on the screen in one step, or leaves all as it was.
+void Playground::take(const Preset& candidate, Purpose purpose) {
+    const Stopwatch clock;
+    auto preset = std::make_unique<Preset>(candidate);
+    auto saved = purpose == Purpose::reload ? std::make_unique<Preset>(candidate) : nullptr;
+    History next = history;
+    if (saved && !written_) {
+        next = History(preset->scene.tweaks, preset->values);
+    } else if (saved) {
+        next.rebase(preset->scene.tweaks);
+        apply_saved_changes(*written_, *saved, next);
+    }
+    preset->values = next.values();
+    std::unique_ptr<Renderer> renderer;
+    try {
+        renderer = make_renderer(*preset, purpose == Purpose::specialise);
+        if (!renderer) return refuse("");
+        const bool same_file = preset_ && written_;
+        if (renderer_ && (same_file || !saved)) renderer->adopt(*renderer_);
+        for (const std::size_t sampler : renderer->images_needed()) {
+            load_image(*preset, *renderer, sampler);
+        }
+    } catch (const ContextLost&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        if (renderer && renderer_) renderer_->adopt(*renderer);
+        return refuse(error.what());
+    }
+    const bool opened = saved && !written_;
+    renderer_ = std::move(renderer);
+    preset_ = std::move(preset);
+    history = std::move(next);
+    specialised_ = purpose == Purpose::specialise;
+    if (!saved) return;  // the picture is the same; nothing asks for a frame
+    written_ = std::move(saved);
+    specialise_failed_ = false;
+    since_tweak_.restart();
+    report_.compile_ms = clock.ms();
+    report_first_frame_ = touched_ = true;
+    if (opened) {
+        transport = Transport(preset_->time);
+        input_ = {};
+        extra_frames_ = 0;
+    }
+}
+
+void Playground::tweaks_changed() {
+    if (!preset_) return;
+    preset_->values = history.values();
+    since_tweak_.restart();
+    specialise_failed_ = false;
+    touched_ = true;
+    if (purpose_ == Purpose::specialise && trying_) {
+        trying_ = false;
+        candidate_.reset();
+    }
+    if (!specialised_) return;
+    auto renderer = make_renderer(*preset_, false);
+    if (!renderer) return;
+    renderer->adopt(*renderer_);
+    renderer_ = std::move(renderer);
+    specialised_ = false;
+}
+
+void Playground::specialise_at_rest() {
+    if (!options_.specialise || !renderer_ || specialised_ || specialise_failed_ || trying_) return;
+    if (history.is_open() || since_tweak_.ms() < options_.rest_seconds * 1000.0) return;
+    candidate_ = std::make_unique<Preset>(*preset_);
+    start_trial(Purpose::specialise);
+}
+
+void Playground::finish_report(bool shown) {
+    report_.shown = shown;
+    const auto errors = std::count_if(diagnostics_.begin(), diagnostics_.end(),
+                                      [](const auto& d) { return d.severity == Severity::error; });
+    const std::string name = report_.file.filename().string();
+    report_.text =
+        shown ? fmt::format(
+                    "{}: shown; read {:.1f}, trial {:.1f}, compile {:.1f}, first frame {:.1f} ms",
+                    name, report_.read_ms, report_.trial_ms, report_.compile_ms,
+                    report_.first_frame_ms)
+              : fmt::format("{}: not shown, {} error{}; read {:.1f}, trial {:.1f} ms", name, errors,
+                            errors == 1 ? "" : "s", report_.read_ms, report_.trial_ms);
+    reports_.push_back(report_);
+    if (reports_.size() > kKeptReports) reports_.pop_front();
+    report_first_frame_ = false;
+}
+
+bool Playground::wants_frame() const {
+    if (!renderer_) return false;
+    const bool settles = !transport.playing() && extra_frames_ < preset_->settle;
+    return touched_ || replay_at_ >= 0 || settles || transport.wants_frame();
+}
+
+void Playground::resize(glm::ivec2 size) {
+    if (size == size_) return;
+    size_ = size;
+    if (renderer_) renderer_->resize(size);
+    touched_ = true;
+}
+
+void Playground::mouse(glm::dvec2 fraction, bool down) {
+    input_.mouse(fraction, down);
+    recorder.mouse(fraction, down);
+    touched_ = true;
+}
+
+void Playground::key(int code, bool down) {
+    input_.key(code, down);
+    recorder.key(code, down);
+    touched_ = true;
+}
+
+void Playground::measure_passes(bool on) {
+    measuring_ = on;
+    if (!on) pass_times_.clear();
+}
+
+Frame Playground::next_frame(double wall_seconds) {
+    const double before = instant_.time;
+    instant_ = transport.advance(wall_seconds);
+    if (instant_.frame == 0)
+        extra_frames_ = 0;
+    else if (instant_.time == before && !instant_.jumped)
+        ++extra_frames_;
+    Frame frame;
+    frame.time = instant_.time;
+    frame.time_delta = instant_.time_delta;
+    frame.frame_rate = instant_.frame_rate;
+    frame.frame = instant_.frame + extra_frames_;
+    frame.date = shadertoy_date(local_now(), 0.0);
+    if (transport.playing() && !preset_->events.empty() && !instant_.jumped) {
+        replay_into(input_, preset_->events, before, frame.time);
+    }
+    frame.input = input_.next_frame(size_);
+    frame.longest_catch_up = kLongestCatchUp;
+    return frame;
+}
+
+double Playground::replayed() const {
+    return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
+}
+
+// A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived.
+bool Playground::replay_slice(const Frame& frame) {
+    const Stopwatch clock;
+    const Playback playback{.end = frame.time};
+    for (; replay_at_ < replay_until_; ++replay_at_) {
+        if (clock.ms() > kReplaySlice) return false;
+        renderer_->advance(playback.frame(*preset_, replay_at_));
+        context_.finish();
+    }
+    replay_at_ = -1;
+    return true;
+}
+
+bool Playground::draw(double wall_seconds) {
+    if (!renderer_) return false;
+    const Stopwatch clock;
+    // While a replay is under way, time stands.
+    const Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
+    if (instant_.jumped) {
+        renderer_->reset();
+        const bool again = renderer_->graph().stateful && instant_.time > 0.0;
+        replay_at_ = again ? 0 : -1;
+        replay_until_ = Playback{.end = instant_.time}.last_frame();
+    }
+    if (replay_at_ >= 0 && !replay_slice(frame)) return false;
+
+    touched_ = false;
+    if (measuring_) {
+        pass_times_.resize(renderer_->graph().passes.size());
+        for (PassTime& pass : pass_times_) pass.drawn = false;
+        renderer_->after_pass = [this, watch = Stopwatch()](std::size_t pass) mutable {
+            context_.finish();
+            pass_times_[pass] = {.ms = watch.restart(), .drawn = true};
+        };
+    }
+    const bool drawn = renderer_->draw(frame);
+    renderer_->after_pass = nullptr;
+    context_.finish();
+    drawn_input_ = frame.input;
+    recorder.frame_drawn(frame.time);
+    if (drawn) frame_ms_ = clock.ms();
+    if (report_first_frame_) {
+        report_.first_frame_ms = clock.ms();
+        finish_report(true);
+    }
+    return drawn;
+}
+
+std::vector<std::byte> Playground::still() {
+    if (!renderer_) return {};
+    Frame frame;
+    frame.time = instant_.time;
+    frame.time_delta = instant_.time_delta;
+    frame.frame_rate = instant_.frame_rate;
+    frame.frame = instant_.frame + extra_frames_;
+    frame.date = shadertoy_date(local_now(), 0.0);
+    frame.input = drawn_input_;
+    if (specialised_ || !options_.specialise) return renderer_->read_bytes();
+    const auto special = make_renderer(*preset_, true);
+    if (!special) return renderer_->read_bytes();
+    special->adopt(*renderer_);
+    special->draw_root(frame);
+    std::vector<std::byte> pixels = special->read_bytes();
+    renderer_->adopt(*special);
+    touched_ = true;
+    return pixels;
+}
+
+Preset Playground::current_preset() const {
+    Preset preset = *preset_;
+    preset.values = history.values();
+    preset.time = instant_.time;
+    return preset;
+}
+
+}  // namespace glint

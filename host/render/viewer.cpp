@@ -1,0 +1,142 @@
+#include "render/viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace glint {
+namespace {
+
+constexpr const char* kShow = R"(#version 300 es
+precision highp float;
+uniform highp sampler2D shown;
+uniform vec4 area;      // origin and size of the picture on the screen, pixels
+uniform int channel;
+uniform float gain;
+uniform bool toneCurve, markNotFinite;
+out vec4 colour;
+
+// By comparison: drivers fold arithmetic on NaN.
+bool isNotFinite(float v) { return !(abs(v) <= 3.402823e38); }
+
+void main() {
+    vec2 uv = (gl_FragCoord.xy - area.xy) / area.zw;
+    if (any(lessThan(uv, vec2(0.0))) || any(greaterThanEqual(uv, vec2(1.0)))) {
+        colour = vec4(0.07, 0.07, 0.08, 1.0);
+        return;
+    }
+    vec4 v = texture(shown, uv);
+    if (markNotFinite) {
+        vec4 exact = texelFetch(shown, ivec2(uv * vec2(textureSize(shown, 0))), 0);
+        if (isNotFinite(exact.r) || isNotFinite(exact.g) || isNotFinite(exact.b) || isNotFinite(exact.a)) {
+            colour = vec4(1.0, 0.0, 1.0, 1.0);
+            return;
+        }
+    }
+    vec3 c = channel == 0 ? v.rgb : channel == 1 ? v.rrr : channel == 2 ? v.ggg : channel == 3 ? v.bbb : v.aaa;
+    c *= gain;
+    if (toneCurve) c = max(c, 0.0) / (1.0 + max(c, 0.0));
+    colour = vec4(c, 1.0);
+}
+)";
+
+SamplerObject make_sampler(GLint filter) {
+    GLuint id = 0;
+    glCreateSamplers(1, &id);
+    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, filter);
+    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, filter);
+    glSamplerParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return SamplerObject(id);
+}
+
+// Where the whole buffer lies on the screen, perhaps beyond the area: origin and size, pixels.
+struct Placed {
+    glm::dvec2 origin, size;
+};
+
+Placed place(glm::ivec2 buffer_size, const BufferView& view, const ScreenArea& area) {
+    const glm::dvec2 room(area.size), pixels(buffer_size);
+    const double zoom =
+        view.zoom > 0.0 ? view.zoom : std::min(room.x / pixels.x, room.y / pixels.y);
+    const glm::dvec2 size = pixels * zoom;
+    const glm::dvec2 centre = view.zoom > 0.0 ? view.centre : glm::dvec2(0.5);
+    return {glm::dvec2(area.origin) + room * 0.5 - centre * size, size};
+}
+
+}  // namespace
+
+BufferStatistics statistics(std::span<const float> rgba) {
+    BufferStatistics result;
+    result.min = glm::vec4(std::numeric_limits<float>::infinity());
+    result.max = -result.min;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+        bool nan = false, infinite = false;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const float v = rgba[i + c];
+            nan |= std::isnan(v);
+            infinite |= std::isinf(v);
+            if (!std::isfinite(v)) continue;
+            auto& low = result.min[static_cast<int>(c)];
+            auto& high = result.max[static_cast<int>(c)];
+            low = std::min(low, v), high = std::max(high, v);
+        }
+        result.nan += nan, result.infinite += infinite;
+    }
+    for (std::size_t i = 0; i < rgba.size(); ++i) {
+        const auto c = static_cast<int>(i % 4);
+        const float range = result.max[c] - result.min[c];
+        if (!std::isfinite(rgba[i]) || !(range >= 0.0f)) continue;
+        const float at = range > 0.0f ? (rgba[i] - result.min[c]) / range * 63.999f : 0.0f;
+        ++result.histogram[i % 4][static_cast<std::size_t>(at)];
+    }
+    return result;
+}
+
+Viewer::Viewer()
+    : vertex_array_(make_vertex_array()),
+      nearest_(make_sampler(GL_NEAREST)),
+      linear_(make_sampler(GL_LINEAR)) {
+    LinkedProgram linked = make_program(kShow);
+    if (!linked.program) throw std::runtime_error("The viewer's shader fails: " + linked.log);
+    program_ = std::move(linked.program);
+}
+
+glm::dvec2 Viewer::fraction_at(glm::dvec2 point, glm::ivec2 buffer_size, const BufferView& view,
+                               const ScreenArea& area) {
+    const Placed placed = place(buffer_size, view, area);
+    return (point - placed.origin) / placed.size;
+}
+
+void Viewer::show(const Buffer& buffer, const BufferView& view, const ScreenArea& area) {
+    const glm::ivec2 size = buffer.shape().size;
+    if (view.is_plain() && view.output == 0 && size == area.size && !buffer.shape().cube) {
+        glBlitNamedFramebuffer(buffer.front_framebuffer(), 0, 0, 0, size.x, size.y, area.origin.x,
+                               area.origin.y, area.origin.x + size.x, area.origin.y + size.y,
+                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        return;
+    }
+    if (buffer.shape().cube) return;  // no plane to show
+    const Placed placed = place(size, view, area);
+    const auto location = [&](const char* name) {
+        return glGetUniformLocation(program_.id(), name);
+    };
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(area.origin.x, area.origin.y, area.size.x, area.size.y);
+    glBindVertexArray(vertex_array_.id());
+    glUseProgram(program_.id());
+    glUniform4f(location("area"), static_cast<float>(placed.origin.x),
+                static_cast<float>(placed.origin.y), static_cast<float>(placed.size.x),
+                static_cast<float>(placed.size.y));
+    glUniform1i(location("channel"), static_cast<int>(view.channel));
+    glUniform1f(location("gain"), std::exp2(view.exposure));
+    glUniform1i(location("toneCurve"), view.tone_curve);
+    glUniform1i(location("markNotFinite"), view.mark_not_finite);
+    glBindTextureUnit(0, buffer.texture(view.output));
+    // Enlarged pixels are shown as they are; a reduced resolution is smoothed over.
+    glBindSampler(0, view.zoom >= 1.0 ? nearest_.id() : linear_.id());
+    draw_triangle();
+}
+
+}  // namespace glint

@@ -1,0 +1,142 @@
+// The Dear ImGui panels over the picture. They show plain facts and hand back wishes; what the
+// wishes mean is the window's business.
+#pragma once
+
+#include "scene/history.h"
+#include "scene/scene.h"
+#include "scene/transport.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace glint {
+
+// A scene or preset in the browser. `thumbnail` is a GL texture, 0 until it is there.
+struct BrowserEntry {
+    std::filesystem::path file;
+    std::string title;
+    std::uint32_t thumbnail = 0;
+};
+
+// One pass as the list of passes shows it.
+struct PassFact {
+    std::string name, entry;
+    glm::ivec2 size{0};
+    std::vector<std::string> outputs;
+    std::string runs;    // "every frame", "on change", "every step"
+    double ms = 0.0;     // when it was drawn last
+    bool drawn = false;  // in the last frame; "skipped" otherwise
+};
+
+// What the pass viewer found in the output that it shows.
+struct PixelFacts {
+    std::size_t nan = 0, infinite = 0;
+    glm::vec4 min{0.0f}, max{0.0f};
+    std::array<std::array<int, 64>, 4> histogram{};
+};
+
+// One value under the mouse.
+struct PixelValue {
+    std::string sampler;
+    glm::ivec2 pixel{0};
+    glm::vec4 value{0.0f};
+};
+
+// How the pass viewer shows a buffer; edited by the panel, drawn by the window.
+struct PassView {
+    std::string sampler;    // "" or "image" for the picture
+    int channel = 0;        // 0 rgb, 1 red, 2 green, 3 blue, 4 alpha
+    float exposure = 0.0f;  // stops
+    bool tone_curve = false;
+    bool mark_not_finite = true;
+    glm::dvec2 centre{0.5};  // fraction of the buffer in the middle
+    double zoom = 0.0;       // screen pixels a buffer pixel; 0 fits
+    bool inspect = false;    // counts, histogram and the pixel inspector are wanted
+};
+
+enum class Wipe { off, flip, wipe };
+
+// What the panels need to know for one frame.
+struct Facts {
+    const Scene* scene = nullptr;  // null while nothing is open
+    std::string title;             // of the scene or preset
+    std::filesystem::path file;
+    bool unsaved = false, loading = false, specialised = false;
+    double replayed = 1.0;  // fraction of a replay that is under way
+    std::span<const Diagnostic> diagnostics;
+    std::string last_reload;  // one line
+    Instant instant;
+    double frame_ms = 0.0;
+    std::string renderer;
+    glm::ivec2 picture_size{0};
+    std::span<const PassFact> passes;
+    std::optional<PixelFacts> pixel_facts;
+    std::span<const PixelValue> pixel_values;
+    std::span<const BrowserEntry> browser;
+    bool recording = false;
+    std::string notice;  // a short message that fades, such as "christmas.png written"
+};
+
+// What a person asked for in one frame.
+struct Wishes {
+    std::optional<std::filesystem::path> open, save_as;
+    bool save = false, revert = false;
+    bool still = false;
+    bool toggle_recording = false;
+    bool toggle_full_screen = false;
+    bool tweaks_changed = false;
+    std::optional<Diagnostic> edit;  // open the editor at this place
+    bool quit = false;
+};
+
+// Edited by panels and window alike; kept while the program runs.
+struct PanelSettings {
+    bool visible = true;  // Tab hides all
+    bool tweaks = true, transport = true, passes = false, browser = false, help = false;
+    PassView view;
+    float resolution_scale = 1.0f;  // 0.25 to 2
+    bool hold_frame_rate = false;   // lower the resolution to hold this rate
+    float frame_rate = 30.0f;       // Hz
+    Wipe wipe = Wipe::off;          // between tweak sets A and B
+    float wipe_position = 0.5f;     // fraction of the width
+};
+
+class Panels {
+public:
+    // Places are remembered in `memory` (an .ini file); "" remembers nothing.
+    Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory);
+    ~Panels();
+    Panels(const Panels&) = delete;
+    Panels& operator=(const Panels&) = delete;
+
+    // Builds the frame's panels; tweaks move in `history`, time in `transport`.
+    Wishes update(const Facts& facts, History& history, Transport& transport,
+                  PanelSettings& settings);
+
+    // Draws what update() built over framebuffer 0.
+    void draw();
+
+    // Whether the panels take what the mouse or the keyboard does now.
+    bool takes_mouse() const;
+    bool takes_keyboard() const;
+
+    // Frames that are still wanted after an input until everything stands still.
+    bool is_settling() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace glint
