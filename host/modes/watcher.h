@@ -1,14 +1,15 @@
 // Which of a set of files have been saved, however that was done.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -60,37 +61,49 @@ private:
         std::uint32_t mode = 0;
         bool operator==(const Stamp&) const = default;
     };
+    using Name = std::pair<int, std::string>;  // in the folder of a watch
     struct File {
         Path path;
-        std::set<int> folders;  // watches of the folders on the way; a move of one matters
-        std::set<std::pair<int, std::string>> links;  // names on the way that lead elsewhere
-        std::pair<int, std::string> entry{-1, {}};    // where the way ends: watch and name
-        int itself = -1;                       // a watch of the file, when it has other names too
-        bool polled = false;                   // inotify does not tell of it, or not of everything
-        bool ready = false;                    // to be reported
-        std::optional<Clock::time_point> due;  // to be reported then, if nothing more happens
-        std::optional<Clock::time_point> since;  // when the writing that is waited for began
-        Stamp stamp;                             // when last reported
-        std::uint64_t content = 0;               // its hash then; polled files only
+        std::set<int> folders;       // watches of the folders on the way, for when one is moved
+        std::set<Name> links;        // on the way
+        Name entry{-1, {}};          // the end of the way: the file, or what is missing
+        int itself = -1;             // watch of the file, when it has other names too
+        bool polled = false;         // inotify does not tell of it, or not of everything
         std::int64_t newest_ns = 0;  // the latest change of anything on the way, ns since 1970
+
+        bool ready = false;                      // to be reported
+        std::optional<Clock::time_point> due;    // to be reported then, if nothing more happens
+        std::optional<Clock::time_point> since;  // when what `due` waits for began
+        Stamp stamp;                             // when last reported
+        Stamp seen;                              // when last looked at; polled files only
+        std::uint64_t content = 0;               // hash when last reported; polled files only
     };
 
     void find(File& file);
-    void find_target(File& file, int folder, std::string name);
-    int add_watch(int folder, std::uint32_t mask);
+    Stamp walk(File& file);
+    std::optional<struct stat> look_up(File& file, int folder, const std::string& name, bool last,
+                                       int& watch);
+    Stamp end_of_way(File& file, int folder, const std::string& name, int watch,
+                     const std::optional<struct stat>& found);
+    int add_watch(File& file, int descriptor, std::uint32_t mask);
     void drop_unused_watches();
+
     void read_events();
-    void hear(File& file, int watch, std::uint32_t mask, const std::string& name);
+    void hear(File& file, const Name& name, std::uint32_t mask);
+    void hear_name(File& file, const Name& name, std::uint32_t mask);
+    void saved(File& file);
     void wait_for_more(File& file, std::chrono::milliseconds quiet);
     void look(File& file);
-    void report(File& file);
+    bool still_growing(File& file);
+    static Stamp stamp_of(const struct stat& status);
+    static Stamp stamp_of(const Path& path);
+    void note_stamp(File& file);
     void set_timer();
 
-    WatcherOptions options_;
     int inotify_ = -1, timer_ = -1, epoll_ = -1;
     std::vector<File> files_;
     std::set<int> watches_;
-    std::int64_t read_from_ns_ = 0;  // the last reading began then, ns since 1970
+    std::int64_t read_from_ns_;  // when the last reading began, ns since 1970
     Clock::time_point next_look_;
 };
 
