@@ -57,6 +57,15 @@ int key_code(std::string_view name) {
     return code && *code >= 0 && *code < kKeyCount ? *code : -1;
 }
 
+std::string key_name(int code) {
+    if ((code >= 'A' && code <= 'Z') || (code >= '0' && code <= '9'))
+        return {static_cast<char>(code >= 'A' ? code - 'A' + 'a' : code)};
+    for (const NamedKey& key : kNamedKeys)
+        if (key.code == code) return std::string(key.name);
+    if (code >= 112 && code <= 123) return "f" + std::to_string(code - 111);
+    return (code < 10 ? "0" : "") + std::to_string(code);  // a digit alone is the key of the digit
+}
+
 void InputState::mouse(glm::dvec2 fraction, bool down) {
     const bool is_number = std::isfinite(fraction.x) && std::isfinite(fraction.y);
     if (down && is_number) {
@@ -89,6 +98,22 @@ Input InputState::next_frame(glm::ivec2 size) {
     pressed_now_ = false;
     keys_.pressed.fill(0);
     return input;
+}
+
+std::vector<Event> InputState::as_events(double time) const {
+    std::vector<Event> events;
+    for (int code = 0; code < kKeyCount; ++code) {
+        const auto index = static_cast<std::size_t>(code);
+        const bool held = keys_.held[index] != 0, toggled = keys_.toggled[index] != 0;
+        if (toggled || held) events.push_back({.time = time, .key = code, .down = true});
+        if (toggled != held) events.push_back({.time = time, .key = code, .down = false});
+        if (!toggled && held) events.push_back({.time = time, .key = code, .down = true});
+    }
+    if (!clicked_ever_) return events;
+    events.push_back({.time = time, .down = true, .mouse = click_});
+    if (position_ != click_) events.push_back({.time = time, .down = true, .mouse = position_});
+    if (!down_) events.push_back({.time = time, .down = false, .mouse = position_});
+    return events;
 }
 
 Input replay(std::span<const Event> events, double from, double to, glm::ivec2 size) {

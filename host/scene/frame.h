@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,9 @@ inline constexpr int kKeyCount = 256;
 
 // The code of a key's name ("up", "space", "a", "7", "f1", or a number), or -1.
 int key_code(std::string_view name);
+
+// The shortest name that key_code reads as this code.
+std::string key_name(int code);
 
 // Mouse and keys as one draw sees them.
 struct Input {
@@ -45,6 +49,9 @@ public:
     // The input of the frame that is about to be drawn at this size in pixels; ends the frame: what
     // was pressed is no longer new afterwards.
     Input next_frame(glm::ivec2 size);
+
+    // The fewest events that lead a new InputState to where this one stands, all at this time.
+    std::vector<Event> as_events(double time) const;
 
 private:
     glm::dvec2 position_{0.0}, click_{0.0};

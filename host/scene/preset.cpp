@@ -1,16 +1,12 @@
-// Reading a preset; the only file that sees toml++.
+// Reading a preset.
 #include "scene/preset.h"
 
 #include "scene/annotation.h"
 #include "scene/raw_text.h"
+#include "scene/toml.h"
 #include "scene/value.h"
 
 #include <fmt/format.h>
-
-// Debian's shared toml++ throws; the header alone, told so, returns what is wrong.
-#define TOML_HEADER_ONLY 1
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +23,11 @@ constexpr int kMostSettle = 1'000'000;
 
 class Reader {
 public:
-    Reader(const fs::path& file, ReadPreset& result) : result_(result) { preset_.file = file; }
+    // Without a scene, the one that the preset names is read.
+    Reader(const fs::path& file, const Scene* scene, ReadPreset& result)
+        : result_(result), known_scene_(scene) {
+        preset_.file = file;
+    }
 
     void read(std::string_view text);
 
@@ -35,6 +35,7 @@ private:
     using Names = std::vector<std::string>;
 
     void read_scene_key(const toml::table& root);
+    void take_scene(Scene scene);
     void read_picture(const toml::table& root);
     void read_size(const toml::node& node);
     void read_date(const toml::node& node);
@@ -64,6 +65,7 @@ private:
     ReadPreset& result_;
     Diagnostics warnings_;  // of the preset itself
     Preset preset_;
+    const Scene* known_scene_;
     bool has_scene_ = false;
 };
 
@@ -83,8 +85,10 @@ void Reader::read(std::string_view text) {
     const toml::parse_result parsed = toml::parse(text, preset_.file.string());
     if (!parsed) {
         const toml::parse_error& error = parsed.error();
-        result_.diagnostics.push_back({Severity::error, place(error.source()),
-                                       fmt::format("no valid TOML: {}", error.description())});
+        std::string text = fmt::format("no valid TOML: {}", error.description());
+        for (char& c : text)  // it quotes what it has read, line ends too
+            if (c >= 0 && c < ' ') c = ' ';
+        result_.diagnostics.push_back({Severity::error, place(error.source()), std::move(text)});
         return;
     }
     const toml::table& root = parsed.table();
@@ -113,7 +117,14 @@ void Reader::check_keys(const toml::table& table, const Names& known) {
     }
 }
 
+void Reader::take_scene(Scene scene) {
+    preset_.scene = std::move(scene);
+    has_scene_ = true;
+    for (const Tweak& tweak : preset_.scene.tweaks) preset_.values.push_back(tweak.initial);
+}
+
 void Reader::read_scene_key(const toml::table& root) {
+    if (known_scene_) return take_scene(*known_scene_);
     const toml::node* node = root.get("scene");
     const auto name = node ? node->value<std::string>() : std::nullopt;
     if (!name || name->empty()) {
@@ -134,10 +145,7 @@ void Reader::read_scene_key(const toml::table& root) {
         result_.diagnostics.push_back(std::move(diagnostic));
     }
     result_.files.insert(result_.files.end(), read.files.begin(), read.files.end());
-    has_scene_ = read.scene.has_value();
-    if (!has_scene_) return;
-    preset_.scene = std::move(*read.scene);
-    for (const Tweak& tweak : preset_.scene.tweaks) preset_.values.push_back(tweak.initial);
+    if (read.scene) take_scene(std::move(*read.scene));
 }
 
 void Reader::read_picture(const toml::table& root) {
@@ -465,7 +473,13 @@ ReadPreset read_preset(const fs::path& file) {
              fmt::format("cannot read {}: {}", in_quotes(file.string()), why_not), true});
         return result;
     }
-    Reader(file, result).read(*text);
+    Reader(file, nullptr, result).read(*text);
+    return result;
+}
+
+ReadPreset parse_preset(std::string_view text, const fs::path& file, const Scene& scene) {
+    ReadPreset result;
+    Reader(file, &scene, result).read(text);
     return result;
 }
 

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -40,5 +41,10 @@ struct ReadPreset {
 // Reads a preset with its scene (".toml"), or a scene with its defaults (any other name). Never
 // throws for what the files say.
 ReadPreset read_preset(const std::filesystem::path& file);
+
+// A preset's text as read_preset would read it in `file`, but for this scene, whichever it names.
+// No file is touched.
+ReadPreset parse_preset(std::string_view text, const std::filesystem::path& file,
+                        const Scene& scene);
 
 }  // namespace glint

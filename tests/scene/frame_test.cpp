@@ -174,5 +174,47 @@ TEST(Tick, IsExactAtAnyTime) {
     for (const auto& c : cases) EXPECT_EQ(tick(c.time), c.tick) << c.time;
 }
 
+TEST(KeyName, ReadsBackAsItsCode) {
+    for (int code = 0; code < kKeyCount; ++code) EXPECT_EQ(key_code(key_name(code)), code);
+    EXPECT_EQ(key_name(38), "up");
+    EXPECT_EQ(key_name(65), "a");
+    EXPECT_EQ(key_name(55), "7");
+    EXPECT_EQ(key_name(112), "f1");
+}
+
+TEST(InputState, ItsEventsLeadToTheSameState) {
+    struct Case {
+        const char* what;
+        std::vector<Event> events;
+    };
+    const Event press{.key = 65, .down = true}, release{.key = 65, .down = false};
+    const Event click{.down = true, .mouse = {0.25, 0.5}}, drag{.down = true, .mouse = {0.5, 0.75}};
+    const Event up{.down = false, .mouse = {0.5, 0.75}};
+    const Case cases[] = {{"untouched", {}},
+                          {"held", {press}},
+                          {"toggled", {press, release}},
+                          {"toggled back", {press, release, press, release}},
+                          {"toggled back and held", {press, release, press}},
+                          {"pressed", {click}},
+                          {"dragged", {click, drag}},
+                          {"let go", {click, drag, up}},
+                          {"all", {press, click, release, drag}}};
+    for (const Case& c : cases) {
+        InputState state, again;
+        const auto feed = [](InputState& to, const std::vector<Event>& events) {
+            for (const Event& event : events)
+                if (event.key >= 0)
+                    to.key(event.key, event.down);
+                else
+                    to.mouse(event.mouse, event.down);
+            to.next_frame(kSize);
+        };
+        feed(state, c.events);
+        feed(again, state.as_events(3.0));
+        EXPECT_EQ(state.next_frame(kSize), again.next_frame(kSize)) << c.what;
+        EXPECT_LE(state.as_events(3.0).size(), c.events.size()) << c.what;
+    }
+}
+
 }  // namespace
 }  // namespace glint
