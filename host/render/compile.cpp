@@ -35,12 +35,14 @@ void append_once(Diagnostics& list, const Diagnostics& more) {
 
 }  // namespace
 
-CompileResult compile_scene(const Preset& preset, const CompileOptions& options) {
+CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
+                            const std::function<void(std::size_t pass)>& before_pass) {
     CompileResult result;
     std::vector<PassProgram> programs;
     std::vector<PassReads> reads;
     std::vector<std::size_t> wanted = {options.root};
     for (std::size_t next = 0; next < wanted.size(); ++next) {
+        if (before_pass) before_pass(wanted[next]);
         CompiledPass compiled = compile_pass(preset, wanted[next], options.program);
         append_once(result.diagnostics, compiled.diagnostics);
         if (!compiled.program) return result;

@@ -4,6 +4,8 @@
 #include "render/graph.h"
 #include "render/program.h"
 
+#include <functional>
+
 namespace glint {
 
 struct CompileOptions {
@@ -24,7 +26,9 @@ struct CompileResult {
     Diagnostics diagnostics;             // each once, however many passes share the text
 };
 
-// Links the root, asks it which buffers it reads, links their passes, and so on.
-CompileResult compile_scene(const Preset& preset, const CompileOptions& options);
+// Links the root, asks it which buffers it reads, links their passes, and so on. `before_pass`
+// hears of each pass before it is compiled.
+CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
+                            const std::function<void(std::size_t pass)>& before_pass = nullptr);
 
 }  // namespace glint

@@ -209,6 +209,7 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     const bool new_buffers = update_versions(index);
     if (!new_uniforms && !new_buffers && !force && drawn_[index].ever) return;
     drawn_[index].ever = true;
+    if (before_pass) before_pass(index);
 
     const bool root = index == scene_.root;
     const bool averaged = root && average_;
@@ -487,6 +488,15 @@ std::vector<float> Renderer::read_buffer(std::size_t graph_index, std::size_t ou
     }
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     return pixels;
+}
+
+glm::vec4 Renderer::read_pixel(std::size_t graph_index, std::size_t output,
+                               glm::ivec2 pixel) const {
+    glm::vec4 value(0.0f);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_[graph_index]->front_framebuffer());
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output));
+    glReadPixels(pixel.x, pixel.y, 1, 1, GL_RGBA, GL_FLOAT, &value.x);
+    return value;
 }
 
 void Renderer::adopt(Renderer& previous) {

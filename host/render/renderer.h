@@ -63,13 +63,16 @@ public:
     // One output of any pass as RGBA floats, rows bottom up. Waits for the GPU.
     std::vector<float> read_buffer(std::size_t graph_index, std::size_t output) const;
 
+    // One pixel of it.
+    glm::vec4 read_pixel(std::size_t graph_index, std::size_t output, glm::ivec2 pixel) const;
+
     // The wanted pass as RGBA, rows bottom up; `output` chooses among several. Waits for the GPU.
     std::vector<std::byte> read_bytes();
     std::vector<float> read_floats(std::size_t output = 0);
     glm::ivec2 root_size() const;
 
-    // Called after each pass that was drawn, with its index in the graph. For measuring.
-    std::function<void(std::size_t)> after_pass;
+    // Called round each pass that is drawn, with its index in the graph. For measuring.
+    std::function<void(std::size_t)> before_pass, after_pass;
     // Called after each sub-pixel position. For progress.
     std::function<void(int)> after_sample;
     // Seconds spent inside draw calls, which on a software renderer do part of the drawing.
