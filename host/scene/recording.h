@@ -5,6 +5,9 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,12 +22,12 @@ glm::dvec2 mouse_fraction(glm::dvec2 cursor, glm::ivec2 size);
 // InputState that was fed beside it. Mouse moves that no frame sees (with the button up, or
 // followed by another within the frame) are left out.
 //
-// While time stands, frames cannot be told apart: what happens then is seen when time goes on, no
-// longer as new.
+// While time stands, frames cannot be told apart: what happens then is replayed in the first frame
+// that moves on.
 class Recorder {
 public:
-    // `time` is that of the last frame drawn; `state` as that frame left it is where replay will
-    // start from.
+    // Right after the frame at `time` was drawn, or minus infinity before any was; replay starts
+    // from the state that it left.
     void start(double time, const InputState& state);
 
     void mouse(glm::dvec2 fraction, bool down);
@@ -33,13 +36,17 @@ public:
     // The frame at this time has seen all so far. Recording ends when time has gone back.
     void frame_drawn(double time);
 
-    // Ends recording and hands out the events, in order of time.
+    // Ends recording and hands out the events, in order of time. What no frame has seen is lost.
     std::vector<Event> stop();
 
     bool recording() const { return recording_; }
 
 private:
-    std::vector<Event> events_, pending_;
+    std::vector<Event> events_, pending_;   // pending: of the frame to come
+    std::optional<std::size_t> last_move_;  // in pending_, with nothing of the mouse after it
+    std::array<bool, kKeyCount> held_{};
+    bool mouse_down_ = false;
+    glm::dvec2 position_{0.0};  // of the mouse, when its button was last down
     double last_time_ = 0.0;
     bool recording_ = false;
 };

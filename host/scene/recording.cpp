@@ -1,0 +1,101 @@
+// Events get a short time that lies between the frame before and the one that saw them.
+#include "scene/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace glint {
+
+namespace {
+
+// The shortest decimal in (after, time], so that a saved recording is readable.
+double short_time(double after, double time) {
+    for (const double parts : {1e2, 1e3, 1e4, 1e5}) {
+        const double shorter = std::floor(time * parts) / parts;
+        if (shorter > after && shorter <= time) return shorter;
+    }
+    return time;
+}
+
+double five_decimals(double value) {
+    return std::round(value * 1e5) / 1e5;
+}
+
+}  // namespace
+
+glm::dvec2 mouse_fraction(glm::dvec2 cursor, glm::ivec2 size) {
+    const glm::dvec2 pixels(std::max(size.x, 1), std::max(size.y, 1));
+    const double x = (std::floor(cursor.x) + 0.5) / pixels.x;
+    const double y = 1.0 - (std::floor(cursor.y) + 0.5) / pixels.y;
+    return {five_decimals(x), five_decimals(y)};
+}
+
+void Recorder::start(double time, const InputState& state) {
+    *this = {};
+    recording_ = true;
+    last_time_ = time;
+    events_ = state.as_events(std::max(time, 0.0));
+    for (const Event& event : events_) {
+        if (event.key >= 0) {
+            held_[static_cast<std::size_t>(event.key)] = event.down;
+        } else {
+            mouse_down_ = event.down;
+            position_ = event.mouse;
+        }
+    }
+}
+
+void Recorder::mouse(glm::dvec2 fraction, bool down) {
+    const bool is_number = std::isfinite(fraction.x) && std::isfinite(fraction.y);
+    const bool moves = down && mouse_down_;
+    if (!recording_ || (down && !is_number) || (!down && !mouse_down_)) return;
+    if (moves && fraction == position_) return;
+    mouse_down_ = down;
+    if (down) position_ = fraction;
+    if (moves && last_move_) {
+        pending_[*last_move_].mouse = fraction;
+        return;
+    }
+    // Where the button is let go does not count.
+    pending_.push_back({.down = down, .mouse = position_});
+    last_move_ = moves ? std::optional(pending_.size() - 1) : std::nullopt;
+}
+
+void Recorder::key(int code, bool down) {
+    if (!recording_ || code < 0 || code >= kKeyCount) return;
+    bool& held = held_[static_cast<std::size_t>(code)];
+    if (std::exchange(held, down) != down) pending_.push_back({.key = code, .down = down});
+}
+
+void Recorder::frame_drawn(double time) {
+    if (time < last_time_) recording_ = false;
+    if (!recording_ || !(time > last_time_)) return;
+    const double stamp = short_time(last_time_, time);
+    for (Event& event : pending_) {
+        event.time = stamp;
+        events_.push_back(event);
+    }
+    pending_.clear();
+    last_move_.reset();
+    last_time_ = time;
+}
+
+std::vector<Event> Recorder::stop() {
+    recording_ = false;
+    pending_.clear();
+    return std::exchange(events_, {});
+}
+
+void replay_into(InputState& state, std::span<const Event> events, double from, double to) {
+    const auto later = [](double time, const Event& event) { return time < event.time; };
+    auto event = std::upper_bound(events.begin(), events.end(), from, later);
+    for (; event != events.end() && event->time <= to; ++event) {
+        if (event->key >= 0)
+            state.key(event->key, event->down);
+        else
+            state.mouse(event->mouse, event->down);
+    }
+}
+
+}  // namespace glint

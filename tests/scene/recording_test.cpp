@@ -1,0 +1,181 @@
+// What is recorded gives the same Inputs when it is replayed.
+#include "scene/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace glint {
+namespace {
+
+constexpr glm::ivec2 kSize(1280, 720);
+constexpr double kBefore = -std::numeric_limits<double>::infinity();
+
+// A person who does one thing after the other, seen by a live input and a recorder.
+struct Session {
+    InputState input;
+    Recorder recorder;
+
+    void mouse(glm::dvec2 fraction, bool down) {
+        input.mouse(fraction, down);
+        recorder.mouse(fraction, down);
+    }
+    void key(int code, bool down) {
+        input.key(code, down);
+        recorder.key(code, down);
+    }
+    Input draw(double time) {
+        recorder.frame_drawn(time);
+        return input.next_frame(kSize);
+    }
+};
+
+void do_something(Session& session, std::mt19937& random) {
+    const auto pick = [&random](unsigned count) { return random() % count; };
+    const glm::ivec2 cursor(pick(1400), pick(800));
+    const glm::dvec2 fraction = mouse_fraction(cursor, kSize);
+    switch (pick(6)) {
+        case 0:
+            return session.mouse(fraction, pick(2) != 0);
+        case 1:
+        case 2:
+            session.mouse(fraction, true);
+            return session.mouse(fraction, pick(2) != 0);
+        case 3:
+            return session.mouse({std::nan(""), 0.5}, pick(2) != 0);
+        default:
+            return session.key(65 + static_cast<int>(pick(4)), pick(2) != 0);
+    }
+}
+
+TEST(MouseFraction, IsThePixelUnderTheCursorInEverySize) {
+    for (const int width : {1, 3, 100, 1280, 1920, 3840, 16384}) {
+        const glm::ivec2 size(width, width);
+        for (int x = 0; x < width; x += 1 + width / 500) {
+            for (const double part : {0.0, 0.3, 0.99}) {
+                InputState state;
+                state.mouse(mouse_fraction(glm::dvec2(x + part), size), true);
+                const Input input = state.next_frame(size);
+                ASSERT_EQ(input.mouse.x, static_cast<float>(x)) << width;
+                ASSERT_EQ(input.mouse.y, static_cast<float>(width - 1 - x)) << width;
+            }
+        }
+    }
+    EXPECT_LT(mouse_fraction({-5, 800}, kSize).x, 0.0);
+    EXPECT_LT(mouse_fraction({-5, 800}, kSize).y, 0.0);
+    EXPECT_TRUE(std::isfinite(mouse_fraction({5, 5}, {0, 0}).x));
+}
+
+TEST(Recorder, AReplayGivesTheSameInputsAtTheSameFrames) {
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> wall(0.0005, 0.05);
+        Session session;
+        double time = 0.0;
+        const bool from_the_start = seed % 2 == 0;
+        if (!from_the_start) {
+            for (int k = 0; k < 20; ++k) do_something(session, random);
+            session.draw(time = 3.21);
+        }
+        const double begin = from_the_start ? kBefore : time;
+        session.recorder.start(begin, session.input);
+        std::vector<std::pair<double, Input>> frames;
+        for (int k = 0; k < 200; ++k) {
+            if (k > 0 || !from_the_start) time += wall(random);
+            for (auto n = random() % 5; n > 0; --n) do_something(session, random);
+            frames.emplace_back(time, session.draw(time));
+        }
+        const std::vector<Event> events = session.recorder.stop();
+        InputState again;
+        replay_into(again, events, kBefore, begin);
+        again.next_frame(kSize);
+        double previous = begin;
+        for (const auto& [at, input] : frames) {
+            ASSERT_EQ(replay(events, previous, at, kSize), input) << seed << " at " << at;
+            replay_into(again, events, previous, at);
+            ASSERT_EQ(again.next_frame(kSize), input) << seed << " at " << at;
+            previous = at;
+        }
+    }
+}
+
+TEST(Recorder, RedundantEventsAreLeftOut) {
+    Session session;
+    session.recorder.start(kBefore, session.input);
+    for (int k = 0; k < 10; ++k) session.mouse({0.1 * k, 0.5}, false);
+    session.draw(0.0);
+    for (int k = 0; k < 3; ++k) session.key(65, true);
+    session.mouse({0.1, 0.1}, true);
+    for (int k = 2; k < 9; ++k) session.mouse({0.1 * k, 0.1}, true);
+    session.draw(0.5);
+    session.mouse({0.8, 0.1}, true);  // has not moved
+    session.draw(1.0);
+    for (int k = 0; k < 3; ++k) session.mouse({0.9, 0.9}, false);
+    session.draw(1.5);
+    const std::vector<Event> events = session.recorder.stop();
+    ASSERT_EQ(events.size(), 4u) << "key, press, last move, release";
+    EXPECT_EQ(events[0].key, 65);
+    EXPECT_EQ(events[1].mouse.x, 0.1);
+    EXPECT_EQ(events[2].mouse.x, 0.8);
+    EXPECT_FALSE(events[3].down);
+    EXPECT_EQ(events[3].time, 1.5);
+}
+
+TEST(Recorder, TimesAreShortAndBetweenTheFrames) {
+    struct Case {
+        double before, time, stamp;
+    };
+    const Case cases[] = {{3.0, 3.0166666666666666, 3.01},
+                          {3.01, 3.0166666666666666, 3.016},
+                          {3.016, 3.0166666666666666, 3.0166},
+                          {3.01666666, 3.0166666666666666, 3.0166666666666666},
+                          {0.0, 0.5, 0.5}};
+    for (const Case& c : cases) {
+        Session session;
+        session.recorder.start(c.before, session.input);
+        session.key(65, true);
+        session.draw(c.time);
+        EXPECT_EQ(session.recorder.stop().at(0).time, c.stamp) << c.time;
+    }
+}
+
+TEST(Recorder, WhatHappensInAPauseIsSeenWhenTimeGoesOn) {
+    Session session;
+    session.recorder.start(kBefore, session.input);
+    session.draw(1.0);
+    session.key(65, true);
+    session.draw(1.0);
+    session.draw(1.25);
+    const std::vector<Event> events = session.recorder.stop();
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events[0].time, 1.25);
+}
+
+TEST(Recorder, EndsWhenTimeGoesBack) {
+    Session session;
+    session.recorder.start(kBefore, session.input);
+    session.key(65, true);
+    session.draw(2.0);
+    session.key(66, true);
+    session.draw(1.0);
+    EXPECT_FALSE(session.recorder.recording());
+    session.key(67, true);
+    session.draw(3.0);
+    EXPECT_EQ(session.recorder.stop().size(), 1u);
+    EXPECT_TRUE(session.recorder.stop().empty());
+}
+
+TEST(Recorder, RecordsNothingUnlessItWasStarted) {
+    Session session;
+    session.key(65, true);
+    session.mouse({0.5, 0.5}, true);
+    session.draw(1.0);
+    EXPECT_TRUE(session.recorder.stop().empty());
+}
+
+}  // namespace
+}  // namespace glint
