@@ -148,6 +148,31 @@ void load_images(const Preset& preset, Renderer& renderer) {
     report(diagnostics);
 }
 
+Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::string& renderer) {
+    Metadata list = {{"Software", "glint " GLINT_VERSION},
+                     {"glint:scene", preset.scene.files.front().filename().string()},
+                     {"glint:time", fmt::format("{}", frame.time)},
+                     {"glint:frame", fmt::format("{}", frame.frame)},
+                     {"glint:renderer", renderer}};
+    if (preset.file != preset.scene.files.front()) {
+        list.emplace_back("glint:preset", preset.file.filename().string());
+    }
+    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        list.emplace_back("glint:tweak:" + tweak.name, format_value(tweak, preset.values[i]));
+    }
+    return list;
+}
+
+Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size) {
+    Image image{.size = size, .channels = 3, .type = ChannelType::u8, .pixels = {}};
+    image.pixels.resize(rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
+    }
+    return image;
+}
+
 int Playback::last_frame() const {
     // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame.
     return std::max(0, static_cast<int>(std::ceil(end * fps - 1e-6)));

@@ -1,6 +1,7 @@
 // What the verbs share: exit codes, opening a preset, playing it to a time, progress.
 #pragma once
 
+#include "image/image.h"
 #include "render/renderer.h"
 #include "scene/preset.h"
 
@@ -96,6 +97,13 @@ void load_image(const Preset& preset, Renderer& renderer, std::size_t sampler);
 // Reads the image files that the renderer needs. Throws Stop with exit code 4, at the place that
 // names the file.
 void load_images(const Preset& preset, Renderer& renderer);
+
+// What a picture's file tells of where it comes from. File names only: the same scene gives the
+// same bytes in every folder.
+Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::string& renderer);
+
+// RGBA bytes as an RGB image: a picture's alpha means nothing.
+Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size);
 
 // Frames of a preset that is played from 0 at a fixed rate to exactly `end`: frame k stands at k /
 // fps, the last one at `end`.

@@ -81,12 +81,12 @@ std::vector<int> Playground::descriptors() const {
 }
 
 bool Playground::update() {
-    const std::size_t reports = reports_.size();
+    const std::size_t reports = report_count_;
     const bool was_loading = is_loading();
     notice_saves();
     follow_trial();
     specialise_at_rest();
-    return reports != reports_.size() || was_loading != is_loading() || touched_;
+    return reports != report_count_ || was_loading != is_loading() || touched_;
 }
 
 void Playground::notice_saves() {
@@ -261,7 +261,10 @@ void Playground::tweaks_changed() {
         trying_ = false;
         candidate_.reset();
     }
-    if (!specialised_) return;
+    if (specialised_) use_uniforms();
+}
+
+void Playground::use_uniforms() {
     auto renderer = make_renderer(*preset_, false);
     if (!renderer) return;
     renderer->adopt(*renderer_);
@@ -289,6 +292,7 @@ void Playground::finish_report(bool shown) {
               : fmt::format("{}: not shown, {} error{}; read {:.1f}, trial {:.1f} ms", name, errors,
                             errors == 1 ? "" : "s", report_.read_ms, report_.trial_ms);
     reports_.push_back(report_);
+    ++report_count_;
     if (reports_.size() > kKeptReports) reports_.pop_front();
     report_first_frame_ = false;
 }
@@ -387,6 +391,7 @@ bool Playground::draw(double wall_seconds) {
     renderer_->after_pass = nullptr;
     context_.finish();
     drawn_input_ = frame.input;
+    drawn_date_ = frame.date;
     recorder.frame_drawn(frame.time);
     if (drawn) frame_ms_ = clock.ms();
     if (report_first_frame_) {
@@ -396,24 +401,50 @@ bool Playground::draw(double wall_seconds) {
     return drawn;
 }
 
-std::vector<std::byte> Playground::still() {
-    if (!renderer_) return {};
+// The inputs of the frame that was drawn last.
+Frame Playground::frame_again() const {
     Frame frame;
     frame.time = instant_.time;
     frame.time_delta = instant_.time_delta;
     frame.frame_rate = instant_.frame_rate;
     frame.frame = instant_.frame + extra_frames_;
-    frame.date = shadertoy_date(local_now(), 0.0);
+    frame.date = drawn_date_;
     frame.input = drawn_input_;
+    return frame;
+}
+
+std::vector<std::byte> Playground::still() {
+    if (!renderer_) return {};
     if (specialised_ || !options_.specialise) return renderer_->read_bytes();
     const auto special = make_renderer(*preset_, true);
     if (!special) return renderer_->read_bytes();
     special->adopt(*renderer_);
-    special->draw_root(frame);
+    special->draw_root(frame_again());
     std::vector<std::byte> pixels = special->read_bytes();
     renderer_->adopt(*special);
     touched_ = true;
     return pixels;
+}
+
+Metadata Playground::still_metadata() const {
+    return picture_metadata(current_preset(), frame_again(), context_.renderer());
+}
+
+const Buffer* Playground::picture_of(History::Set set) {
+    if (!renderer_) return nullptr;
+    if (specialised_) use_uniforms();
+    const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
+    if (!other_picture_ || other_picture_->shape() != picture.shape()) {
+        other_picture_ = std::make_unique<Buffer>(picture.shape());
+    }
+    std::vector<TweakValue> values = history.values(set);
+    preset_->values.swap(values);
+    renderer_->draw_root(frame_again());
+    other_picture_->copy_from(picture);
+    preset_->values.swap(values);
+    renderer_->draw_root(frame_again());
+    context_.finish();
+    return other_picture_.get();
 }
 
 Preset Playground::current_preset() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gl/context.h"
+#include "image/image.h"
 #include "modes/common.h"
 #include "modes/trial.h"
 #include "modes/watcher.h"
@@ -65,8 +66,16 @@ public:
     // A tweak was moved: the next frame shows it.
     void tweaks_changed();
 
-    // The picture as a still would write it: drawn anew with the tweaks as constants.
+    // The picture as a still would write it, RGBA: drawn anew with the tweaks as constants.
     std::vector<std::byte> still();
+    Metadata still_metadata() const;
+
+    // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
+    // stand. Null while nothing is open.
+    const Buffer* picture_of(History::Set set);
+
+    // Records mouse and keys from now on.
+    void start_recording() { recorder.start(instant_.time, input_); }
 
     // The preset as it stands now: values, time, size, recorded events.
     Preset current_preset() const;
@@ -74,13 +83,19 @@ public:
     bool is_open() const { return renderer_ != nullptr; }
     bool is_loading() const { return candidate_ != nullptr; }
     bool is_specialised() const { return specialised_; }
+    // Nothing is left to be done in the background.
+    bool is_at_rest() const {
+        return !trying_ && (specialised_ || specialise_failed_ || !options_.specialise);
+    }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
 
     const Preset* preset() const { return preset_.get(); }
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return diagnostics_; }
+    // The last reloads, and how many there were in all.
     const std::deque<ReloadReport>& reports() const { return reports_; }
+    std::size_t report_count() const { return report_count_; }
     const Instant& instant() const { return instant_; }
     double frame_ms() const { return frame_ms_; }
 
@@ -107,10 +122,12 @@ private:
     void start_trial(Purpose purpose);
     void follow_trial();
     void specialise_at_rest();
+    void use_uniforms();
     void take(const Preset& preset, Purpose purpose);
     void refuse(const std::string& why);
     void finish_report(bool shown);
     Frame next_frame(double wall_seconds);
+    Frame frame_again() const;
     bool replay_slice(const Frame& frame);
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, bool specialise);
 
@@ -137,8 +154,11 @@ private:
 
     Diagnostics diagnostics_;
     std::deque<ReloadReport> reports_;  // the last ones
+    std::size_t report_count_ = 0;
+    std::unique_ptr<Buffer> other_picture_;
     InputState input_;
     Input drawn_input_;
+    glm::vec4 drawn_date_{0.0f};
     Instant instant_;
     bool touched_ = true;   // something other than time asks for a frame
     int extra_frames_ = 0;  // drawn while time stood; iFrame counts them

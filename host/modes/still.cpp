@@ -36,27 +36,6 @@ Playback playback_of(const StillOptions& options, const Preset& preset) {
     return {.end = options.time.value_or(preset.time), .fps = options.fps};
 }
 
-// What the file tells of where it comes from. File names only: the same scene gives the same bytes
-// in every folder.
-Metadata metadata(const StillOptions& options, const Preset& preset, const Frame& frame,
-                  const std::string& renderer) {
-    Metadata list = {{"Software", "glint " GLINT_VERSION},
-                     {"glint:scene", preset.scene.files.front().filename().string()},
-                     {"glint:time", fmt::format("{}", frame.time)},
-                     {"glint:frame", fmt::format("{}", frame.frame)},
-                     {"glint:pass", options.pass},
-                     {"glint:samples", fmt::format("{}", options.samples)},
-                     {"glint:renderer", renderer}};
-    if (preset.file != preset.scene.files.front()) {
-        list.emplace_back("glint:preset", preset.file.filename().string());
-    }
-    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
-        const Tweak& tweak = preset.scene.tweaks[i];
-        list.emplace_back("glint:tweak:" + tweak.name, format_value(tweak, preset.values[i]));
-    }
-    return list;
-}
-
 // A byte that a display would show for a value: clamped, rounded; not-a-number is black.
 std::byte to_byte(float value) {
     return static_cast<std::byte>(value > 0.0f ? std::lround(std::min(value, 1.0f) * 255.0f) : 0);
@@ -75,12 +54,7 @@ Image read_back(Renderer& renderer, const Preset& preset, std::size_t pass,
         static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
     const auto kept = static_cast<std::size_t>(channels);
     if (!floats && pass == kImagePass) {
-        const std::vector<std::byte> rgba = renderer.read_bytes();
-        image.pixels.resize(count * kept);
-        for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t c = 0; c < kept; ++c) image.pixels[i * kept + c] = rgba[i * 4 + c];
-        }
-        return image;
+        return picture_without_alpha(renderer.read_bytes(), renderer.root_size());
     }
     std::size_t output = 0;
     if (pass != kImagePass) {
@@ -174,7 +148,10 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     const Image image = read_back(renderer, preset, pass, options);
     context->finish();
     ms.read = clock.restart();
-    write_image(options.output, image, metadata(options, preset, frame, gpu));
+    Metadata metadata = picture_metadata(preset, frame, gpu);
+    metadata.emplace_back("glint:pass", options.pass);
+    metadata.emplace_back("glint:samples", fmt::format("{}", options.samples));
+    write_image(options.output, image, metadata);
     ms.encode = clock.restart();
     ms.total = since_start.ms();
     print_result(options, preset, image, frame, frames_rendered, gpu, ms);

@@ -36,7 +36,7 @@ struct PassText {
     };
     std::string text;
     int prologue_lines = 0;  // the user's text starts on the next line
-    std::vector<Widened> widened;
+    std::vector<Widened> widened{};
 };
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options);
 

@@ -1,0 +1,19 @@
+// Opens the user's own editor at a place in a file.
+#pragma once
+
+#include "scene/diagnostic.h"
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// The command of an editor such as "vim" or "code -w" for a place, in that editor's own way of
+// naming lines.
+std::vector<std::string> editor_command(const std::string& editor, const Place& place);
+
+// Starts $VISUAL, $EDITOR or the desktop's choice at the place; an editor for terminals gets a
+// terminal of its own. Returns what went wrong, or "".
+std::string open_editor(const Place& place);
+
+}  // namespace glint

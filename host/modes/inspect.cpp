@@ -1,0 +1,72 @@
+#include "modes/inspect.h"
+
+#include "render/viewer.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+// The names of a pass's outputs; the picture has one, "image".
+std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
+    return pass == kImagePass ? std::vector<std::string>{"image"} : scene.passes[pass].outputs;
+}
+
+}  // namespace
+
+Output find_output(Playground& playground, const std::string& sampler) {
+    const auto& graph = playground.renderer()->graph().passes;
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        const auto names = output_names(playground.preset()->scene, graph[i].pass);
+        const auto found = std::find(names.begin(), names.end(), sampler);
+        if (found != names.end()) return {i, static_cast<std::size_t>(found - names.begin())};
+    }
+    return {graph.size() - 1, 0};
+}
+
+std::vector<PassFact> pass_facts(Playground& playground) {
+    std::vector<PassFact> facts;
+    if (!playground.is_open()) return facts;
+    const auto& graph = playground.renderer()->graph().passes;
+    const auto& times = playground.pass_times();
+    const Scene& scene = playground.preset()->scene;
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        const bool image = graph[i].pass == kImagePass;
+        facts.push_back({.name = pass_name(scene, graph[i].pass),
+                         .entry = image ? scene.image_entry : scene.passes[graph[i].pass].entry,
+                         .size = playground.renderer()->buffer(i).shape().size,
+                         .outputs = output_names(scene, graph[i].pass),
+                         .runs = to_string(graph[i].runs),
+                         .ms = i < times.size() ? times[i].ms : 0.0,
+                         .drawn = i < times.size() && times[i].drawn});
+    }
+    return facts;
+}
+
+PixelFacts pixel_facts(Playground& playground, const Output& output) {
+    const auto found =
+        statistics(playground.renderer()->read_buffer(output.graph_index, output.output));
+    return {found.nan, found.infinite, found.min, found.max, found.histogram};
+}
+
+std::vector<PixelValue> pixel_values(Playground& playground, glm::dvec2 at) {
+    std::vector<PixelValue> values;
+    const Renderer& renderer = *playground.renderer();
+    const auto& graph = renderer.graph().passes;
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        const BufferShape& shape = renderer.buffer(i).shape();
+        const glm::ivec2 pixel(glm::floor(at * glm::dvec2(shape.size)));
+        const bool inside =
+            pixel.x >= 0 && pixel.y >= 0 && pixel.x < shape.size.x && pixel.y < shape.size.y;
+        if (shape.cube || !inside) continue;
+        const auto names = output_names(playground.preset()->scene, graph[i].pass);
+        for (std::size_t output = 0; output < names.size(); ++output) {
+            values.push_back({names[output], pixel, renderer.read_pixel(i, output, pixel)});
+        }
+    }
+    return values;
+}
+
+}  // namespace glint

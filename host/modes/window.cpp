@@ -1,0 +1,526 @@
+#include "modes/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include "gl/window.h"
+#include "image/image.h"
+#include "modes/browser.h"
+#include "modes/crash_mark.h"
+#include "modes/editor.h"
+#include "modes/inspect.h"
+#include "modes/keys.h"
+#include "modes/playground.h"
+#include "modes/waker.h"
+#include "render/viewer.h"
+#include "scene/preset_writer.h"
+#include "ui/panels.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kNoticeSeconds = 4.0;
+
+// Idle windows still look round now and then: for a file system that does not tell of saves.
+constexpr double kLongestWait = 10.0;  // s
+
+// $XDG_CACHE_HOME/glint and the like, or a folder under the home.
+fs::path home_folder(const char* variable, const char* fallback) {
+    const char* value = std::getenv(variable);
+    if (value && *value) return fs::path(value) / "glint";
+    const char* home = std::getenv("HOME");
+    return fs::path(home && *home ? home : "/tmp") / fallback / "glint";
+}
+
+std::string read_text(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// NAME-0001.png, or the first such name that is free.
+fs::path free_picture_name(const fs::path& file) {
+    for (int number = 1;; ++number) {
+        const fs::path name = fmt::format("{}-{:04}.png", file.stem().string(), number);
+        if (!fs::exists(name)) return name;
+    }
+}
+
+class PlaygroundWindow {
+public:
+    explicit PlaygroundWindow(const ViewOptions& options);
+    void run();
+
+private:
+    // Input
+    void handle(const WindowEvent& event);
+    void handle_key(const WindowEvent& event);
+    void handle_mouse(const WindowEvent& event);
+    void release_keys();
+    bool run_shortcut(int key, int modifiers);
+    bool is_over_scene() const {
+        return settings_.view.sampler.empty() && settings_.view.zoom == 0.0;
+    }
+
+    // What panels and shortcuts ask for
+    void grant(const Wishes& wishes);
+    void open(const fs::path& file);
+    void save(const fs::path& file);
+    void revert();
+    void take_still();
+    void toggle_recording();
+    void edit(const Diagnostic& diagnostic);
+    void notice(std::string text);
+
+    // Drawing
+    double wait_seconds() const;
+    void draw_frame();
+    void show_picture();
+    Facts facts();
+    BufferView buffer_view() const;
+    void adapt_resolution();
+    glm::ivec2 picture_size() const;
+    void print_reports();
+    bool is_unsaved() const;
+
+    ViewOptions options_;
+    Window window_;
+    CrashMark crash_mark_;
+    Playground playground_;
+    Viewer viewer_;
+    PanelSettings settings_;
+    Panels panels_;
+    Browser browser_;
+    Waker waker_;
+    fs::path file_;
+    std::vector<TweakValue> saved_values_;
+    bool values_known_ = false;
+    std::vector<Event> recorded_;
+
+    Stopwatch since_draw_, since_notice_, since_scaling_;
+    double frame_due_ = 0.0;  // s from since_draw_
+    std::size_t printed_reports_ = 0;
+    std::string notice_, title_, last_reload_;
+    double automatic_scale_ = 1.0;
+    bool dirty_ = true;  // the screen is behind what it should show
+    bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
+    glm::dvec2 mouse_{0.0};
+    std::vector<int> held_keys_;
+
+    std::vector<PassFact> passes_;
+    std::vector<BrowserEntry> browser_entries_;
+    std::optional<PixelFacts> pixel_facts_;
+    std::vector<PixelValue> pixel_values_;
+};
+
+PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
+    : options_(options),
+      window_({1280, 720}, "Glint"),
+      crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open-scene"),
+      playground_(window_, window_.size(),
+                  {.device = options.device, .specialise = options.specialise}),
+      panels_(window_.handle(), window_.content_scale(),
+              home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
+      browser_(home_folder("XDG_CACHE_HOME", ".cache")),
+      waker_([] { Window::wake(); }) {
+    pause_at_open_ = crash_mark_.names(options.file);
+    if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
+    open(options.file);
+}
+
+void PlaygroundWindow::run() {
+    while (!window_.should_close()) {
+        std::vector<int> descriptors = playground_.descriptors();
+        waker_.arm(descriptors);
+        for (const WindowEvent& event : window_.events(wait_seconds())) handle(event);
+        dirty_ |= playground_.update();
+        dirty_ |= browser_.update();
+        print_reports();
+        const double now = since_draw_.ms() / 1000.0;
+        if (!window_.is_visible() || window_.size().x == 0 || window_.size().y == 0) continue;
+        const bool due = now >= frame_due_ && (playground_.wants_frame() || panels_.is_settling());
+        if (due || dirty_) draw_frame();
+    }
+}
+
+// Nothing to do: wait for events. Something to draw: only until the next frame of the screen is
+// due.
+double PlaygroundWindow::wait_seconds() const {
+    if (!window_.is_visible()) return kLongestWait;
+    const double now = since_draw_.ms() / 1000.0;
+    if (dirty_ || playground_.wants_frame() || panels_.is_settling()) {
+        return std::max(0.0, frame_due_ - now);
+    }
+    const bool fades = !notice_.empty();
+    const bool pending = playground_.is_loading() || browser_.is_busy() || fades ||
+                         (playground_.is_open() && !playground_.is_at_rest());
+    return pending ? 0.1 : kLongestWait;
+}
+
+glm::ivec2 PlaygroundWindow::picture_size() const {
+    const double scale = settings_.resolution_scale * automatic_scale_;
+    const glm::dvec2 size = glm::dvec2(window_.size()) * scale;
+    return {std::max(1, static_cast<int>(std::lround(size.x))),
+            std::max(1, static_cast<int>(std::lround(size.y)))};
+}
+
+// Holds the chosen frame rate by the resolution: the cost of a frame goes with its pixels.
+void PlaygroundWindow::adapt_resolution() {
+    if (!settings_.hold_frame_rate) {
+        automatic_scale_ = 1.0;
+        return;
+    }
+    if (since_scaling_.ms() < 500.0 || playground_.frame_ms() <= 0.0) return;
+    const double wanted_ms = 1000.0 / settings_.frame_rate;
+    const double ratio = wanted_ms / playground_.frame_ms();
+    // Small deviations are left alone, so that the picture does not breathe.
+    if (ratio > 0.9 && ratio < 1.3) return;
+    since_scaling_.restart();
+    const double smallest = 0.25 / settings_.resolution_scale;
+    automatic_scale_ = std::clamp(automatic_scale_ * std::sqrt(std::clamp(ratio, 0.25, 4.0)),
+                                  std::min(smallest, 1.0), 1.0);
+}
+
+void PlaygroundWindow::draw_frame() {
+    adapt_resolution();
+    playground_.resize(picture_size());
+    playground_.measure_passes(settings_.visible && settings_.passes);
+    const double elapsed = since_draw_.restart() / 1000.0;
+    frame_due_ = 1.0 / window_.refresh_rate();
+    dirty_ = false;
+    playground_.draw(elapsed);
+    show_picture();
+    const Wishes wishes =
+        panels_.update(facts(), playground_.history, playground_.transport, settings_);
+    panels_.draw();
+    window_.swap();
+    print_reports();
+    grant(wishes);
+}
+
+BufferView PlaygroundWindow::buffer_view() const {
+    const PassView& view = settings_.view;
+    return {.channel = static_cast<ViewChannel>(view.channel),
+            .exposure = view.exposure,
+            .tone_curve = view.tone_curve,
+            .mark_not_finite = settings_.passes && view.mark_not_finite,
+            .centre = view.centre,
+            .zoom = view.zoom};
+}
+
+void PlaygroundWindow::show_picture() {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glClearColor(0.07f, 0.07f, 0.08f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (!playground_.is_open()) return;
+    BufferView view = buffer_view();
+    const Output viewed = find_output(playground_, settings_.view.sampler);
+    view.output = viewed.output;
+    const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
+    const ScreenArea all{.origin = {0, 0}, .size = window_.size()};
+    if (settings_.wipe != Wipe::wipe || !settings_.view.sampler.empty()) {
+        viewer_.show(*buffer, view, all);
+        return;
+    }
+    // The other set's picture lies right of the line.
+    const auto line = static_cast<int>(settings_.wipe_position * static_cast<float>(all.size.x));
+    const auto other =
+        playground_.history.shown() == History::Set::a ? History::Set::b : History::Set::a;
+    const Buffer* picture = playground_.picture_of(other);
+    viewer_.show(*buffer, view, all);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(line, 0, all.size.x - line, all.size.y);
+    if (picture) viewer_.show(*picture, view, all);
+    glScissor(line, 0, 2, all.size.y);
+    glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+bool PlaygroundWindow::is_unsaved() const {
+    return playground_.is_open() && values_known_ &&
+           (playground_.history.values() != saved_values_ || !recorded_.empty());
+}
+
+Facts PlaygroundWindow::facts() {
+    passes_ = pass_facts(playground_);
+    pixel_facts_.reset();
+    pixel_values_.clear();
+    if (playground_.is_open() && settings_.visible && settings_.passes && settings_.view.inspect) {
+        const Output viewed = find_output(playground_, settings_.view.sampler);
+        const glm::ivec2 size = playground_.renderer()->buffer(viewed.graph_index).shape().size;
+        const ScreenArea area{.origin = {0, 0}, .size = window_.size()};
+        pixel_facts_ = pixel_facts(playground_, viewed);
+        pixel_values_ =
+            pixel_values(playground_, Viewer::fraction_at(mouse_, size, buffer_view(), area));
+    }
+    browser_entries_.clear();
+    for (const Look& look : browser_.looks()) {
+        browser_entries_.push_back({look.file, look.title, look.thumbnail.id()});
+    }
+    if (since_notice_.ms() > kNoticeSeconds * 1000.0) notice_.clear();
+    const Preset* preset = playground_.preset();
+    Facts facts;
+    facts.scene = preset ? &preset->scene : nullptr;
+    facts.title = preset && !preset->title.empty() ? preset->title : file_.stem().string();
+    facts.file = file_;
+    facts.unsaved = is_unsaved();
+    facts.loading = playground_.is_loading();
+    facts.specialised = playground_.is_specialised();
+    facts.replayed = playground_.replayed();
+    facts.diagnostics = playground_.diagnostics();
+    facts.last_reload = last_reload_;
+    facts.instant = playground_.instant();
+    facts.frame_ms = playground_.frame_ms();
+    facts.renderer = window_.renderer();
+    facts.picture_size = playground_.size();
+    facts.passes = passes_;
+    facts.pixel_facts = pixel_facts_;
+    facts.pixel_values = pixel_values_;
+    facts.browser = browser_entries_;
+    facts.recording = playground_.recorder.recording();
+    facts.notice = notice_;
+    const std::string title = fmt::format("{}{} - Glint", facts.title, facts.unsaved ? " *" : "");
+    if (title != title_) window_.set_title(title_ = title);
+    return facts;
+}
+
+void PlaygroundWindow::print_reports() {
+    const std::size_t total = playground_.report_count();
+    const auto& reports = playground_.reports();
+    const std::size_t unprinted = std::min(total - printed_reports_, reports.size());
+    for (std::size_t i = reports.size() - unprinted; i < reports.size(); ++i) {
+        last_reload_ = reports[i].text;
+        fmt::print(stderr, "{}\n", last_reload_);
+        for (const Diagnostic& diagnostic : playground_.diagnostics()) {
+            fmt::print(stderr, "{}\n", to_string(diagnostic));
+        }
+        if (reports[i].shown && !values_known_) {
+            saved_values_ = playground_.history.values();
+            values_known_ = true;
+            if (pause_at_open_) playground_.transport.pause();
+            pause_at_open_ = false;
+            crash_mark_.set(file_);
+        }
+        dirty_ = true;
+    }
+    printed_reports_ = total;
+}
+
+void PlaygroundWindow::open(const fs::path& file) {
+    file_ = file;
+    values_known_ = false;
+    recorded_.clear();
+    playground_.open(file);
+    browser_.list(file);
+    dirty_ = true;
+}
+
+void PlaygroundWindow::notice(std::string text) {
+    notice_ = std::move(text);
+    since_notice_.restart();
+    dirty_ = true;
+}
+
+void PlaygroundWindow::save(const fs::path& file) {
+    if (!playground_.is_open()) return;
+    Preset preset = playground_.current_preset();
+    if (!recorded_.empty()) preset.events = recorded_;
+    const PresetText text = write_preset(preset, file,
+                                         read_text(fs::exists(file)               ? file
+                                                   : file_.extension() == ".toml" ? file_
+                                                                                  : fs::path()));
+    if (!text.text) {
+        notice(text.diagnostics.empty() ? "The preset cannot be saved."
+                                        : to_string(text.diagnostics.front()));
+        return;
+    }
+    try {
+        write_whole_file(file, std::as_bytes(std::span(*text.text)));
+        saved_values_ = playground_.history.values();
+        recorded_.clear();
+        notice(fmt::format("{} saved", file.filename().string()));
+        if (file != file_) open(file);
+    } catch (const std::runtime_error& error) {
+        notice(error.what());
+    }
+}
+
+void PlaygroundWindow::revert() {
+    if (!playground_.is_open() || !values_known_) return;
+    if (saved_values_.size() == playground_.history.values().size()) {
+        playground_.history.set_all(saved_values_);
+        playground_.tweaks_changed();
+    }
+    recorded_.clear();
+    dirty_ = true;
+}
+
+void PlaygroundWindow::take_still() {
+    if (!playground_.is_open()) return;
+    const fs::path name = free_picture_name(file_);
+    try {
+        const Image image = picture_without_alpha(playground_.still(), playground_.size());
+        write_image(name, image, playground_.still_metadata());
+        notice(fmt::format("{} written", name.string()));
+    } catch (const std::runtime_error& error) {
+        notice(error.what());
+    }
+}
+
+void PlaygroundWindow::toggle_recording() {
+    if (playground_.recorder.recording()) {
+        recorded_ = playground_.recorder.stop();
+        notice(fmt::format("{} events recorded; save the preset to keep them", recorded_.size()));
+    } else {
+        playground_.start_recording();
+        notice("Recording mouse and keys");
+    }
+}
+
+void PlaygroundWindow::edit(const Diagnostic& diagnostic) {
+    Place place = diagnostic.place;
+    if (place.file.empty()) place.file = file_.string();
+    const std::string problem = open_editor(place);
+    if (!problem.empty()) notice(problem);
+}
+
+void PlaygroundWindow::grant(const Wishes& wishes) {
+    if (wishes.tweaks_changed) playground_.tweaks_changed();
+    if (wishes.open) open(*wishes.open);
+    if (wishes.save && file_.extension() == ".toml") save(file_);
+    if (wishes.save_as) save(*wishes.save_as);
+    if (wishes.revert) revert();
+    if (wishes.still) take_still();
+    if (wishes.toggle_recording) toggle_recording();
+    if (wishes.toggle_full_screen) window_.set_full_screen(!window_.is_full_screen());
+    if (wishes.edit) edit(*wishes.edit);
+    if (wishes.quit) window_.close();
+}
+
+void PlaygroundWindow::handle(const WindowEvent& event) {
+    dirty_ = true;
+    switch (event.kind) {
+        case WindowEvent::Kind::key:
+            handle_key(event);
+            break;
+        case WindowEvent::Kind::mouse_button:
+        case WindowEvent::Kind::mouse_move:
+        case WindowEvent::Kind::scroll:
+            handle_mouse(event);
+            break;
+        case WindowEvent::Kind::drop:
+            if (!event.files.empty()) open(event.files.front());
+            break;
+        case WindowEvent::Kind::resize:
+            break;
+        case WindowEvent::Kind::focus:
+            if (!event.down) release_keys();
+            break;
+    }
+}
+
+// Keys that were down when the window lost the keyboard would never be seen to come up.
+void PlaygroundWindow::release_keys() {
+    for (const int code : held_keys_) playground_.key(code, false);
+    held_keys_.clear();
+}
+
+void PlaygroundWindow::handle_key(const WindowEvent& event) {
+    if (event.down && !event.repeat && run_shortcut(event.code, event.modifiers)) return;
+    const int code = key_code_of(event.code);
+    if (code < 0 || event.repeat) return;
+    const auto held = std::find(held_keys_.begin(), held_keys_.end(), code);
+    if (event.down && !panels_.takes_keyboard() && held == held_keys_.end()) {
+        held_keys_.push_back(code);
+        playground_.key(code, true);
+    } else if (!event.down && held != held_keys_.end()) {
+        held_keys_.erase(held);
+        playground_.key(code, false);
+    }
+}
+
+void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
+    const glm::dvec2 window(glm::max(window_.size(), glm::ivec2(1)));
+    PassView& view = settings_.view;
+    if (event.kind == WindowEvent::Kind::scroll) {
+        if (panels_.takes_mouse() || !settings_.passes) return;
+        const glm::dvec2 size(playground_.size());
+        const double fit = std::min(window.x / size.x, window.y / size.y);
+        const double zoom =
+            (view.zoom > 0.0 ? view.zoom : fit) * std::exp2(event.position.y * 0.25);
+        view.zoom = zoom <= fit ? 0.0 : std::min(zoom, 256.0);
+        return;
+    }
+    const glm::dvec2 moved = event.position - mouse_;
+    mouse_ = event.position;
+    if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
+        const bool starts = event.down && !panels_.takes_mouse();
+        panning_ = starts && !is_over_scene();
+        if (starts && is_over_scene()) dragging_scene_ = true;
+        if (dragging_scene_) playground_.mouse(event.position / window, event.down);
+        if (!event.down) dragging_scene_ = false;
+        return;
+    }
+    // A drag that began on the scene goes on over the panels and outside the window.
+    if (dragging_scene_) playground_.mouse(event.position / window, true);
+    if (panning_ && view.zoom > 0.0)
+        view.centre -= moved / (glm::dvec2(playground_.size()) * view.zoom);
+}
+
+// What ui/shortcuts.h lists. Plain keys belong to the scene.
+bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
+    const bool control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    Transport& transport = playground_.transport;
+    switch (key) {
+        case GLFW_KEY_TAB:
+            if (control || panels_.takes_keyboard()) return false;
+            settings_.visible = !settings_.visible;
+            return true;
+        case GLFW_KEY_F1:
+            settings_.help = !settings_.help;
+            return true;
+        case GLFW_KEY_F11:
+            window_.set_full_screen(!window_.is_full_screen());
+            return true;
+        case GLFW_KEY_F12:
+            take_still();
+            return true;
+        default:
+            break;
+    }
+    if (!control) return false;
+    switch (key) {
+        case GLFW_KEY_SPACE:
+            transport.playing() ? transport.pause() : transport.play();
+            return true;
+        case GLFW_KEY_PERIOD:
+            transport.step();
+            return true;
+        case GLFW_KEY_R:
+            transport.reset();
+            return true;
+        case GLFW_KEY_Q:
+            window_.close();
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+void run_window(const ViewOptions& options) {
+    PlaygroundWindow(options).run();
+}
+
+}  // namespace glint
