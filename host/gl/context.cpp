@@ -9,12 +9,14 @@ namespace glint {
 namespace {
 
 // GL has one debug callback a context, and we make one context a process. The callback may not
-// throw through the driver, so it records the first complaint for finish() to throw.
+// throw through the driver, so it records the first complaint for finish() to throw. What the
+// shader compiler says is no failed call; it stands in the log of the program.
 thread_local std::string first_complaint;
 
-void GLAPIENTRY hear(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text,
+void GLAPIENTRY hear(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text,
                      const void*) {
-    if (type == GL_DEBUG_TYPE_ERROR && first_complaint.empty()) first_complaint = text;
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER || type != GL_DEBUG_TYPE_ERROR) return;
+    if (first_complaint.empty()) first_complaint = text;
 }
 
 const char* reset_reason(GLenum status) {
