@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -105,6 +106,8 @@ OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const std::string& form
     if (format == "tiff") {
         spec.attribute("compression", "zip");
         spec.attribute("tiff:zipquality", 1);
+        // A classic TIFF ends at 4 GiB, and noise does not shrink.
+        if (spec.image_bytes() > (std::uint64_t{15} << 28)) spec.attribute("tiff:bigtiff", 1);
     }
     return spec;
 }
