@@ -4,6 +4,7 @@
 #include "modes/info.h"
 #include "modes/open.h"
 #include "modes/still.h"
+#include "modes/trial.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -95,6 +96,11 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(1, 1000000));
     bench_verb.add_flag("--compare", bench.compare, "time uniform-fed frames in turn as well");
 
+    // What the window starts for itself stands in no help text.
+    std::string trial_device;
+    CLI::App& trial_verb = *app.add_subcommand("trial")->group("");
+    trial_verb.add_option("device", trial_device);
+
     // `glint FILE` is `glint open FILE`.
     std::vector<std::string> arguments(argv + 1, argv + argc);
     const auto is_verb = [&](const std::string& word) {
@@ -114,6 +120,7 @@ int run(int argc, char** argv) {
     if (open_verb.parsed()) return guarded([&] { run_open(open, since_start); });
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
+    if (trial_verb.parsed()) return guarded([&] { run_trial(trial_device); });
     return guarded([&] { run_bench(bench); });
 }
 

@@ -7,12 +7,16 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace glint {
+
+struct TrialAnswer;
 
 // What an image sampler will read; its pixels do not matter here, its form does.
 struct TrialImage {
@@ -103,36 +107,43 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    bool is_running() const { return verdict_.state == TrialState::running; }
     void spawn();
-    void kill_process();
+    void end_process();
+    void replace_process();
     void reap();
     void send_pending();
     void receive();
-    void hear(const std::string& message);
-    void fail(TrialState state, const std::string& text);
-    void lost_process();
+    void hear(TrialAnswer answer);
+    void fail(TrialState state, const std::string& why);
+    void hear_end_of_process();
     double limit_seconds() const;
 
     TrialOptions options_;
     pid_t process_ = 0;
     std::vector<pid_t> dying_;  // killed, not yet reaped
     int socket_ = -1;
-    int failed_starts_ = 0;  // in a row
-    std::string renderer_;
+    int failed_starts_ = 0;     // in a row
+    std::string unavailable_;   // why there can be no process
+    std::string renderer_;      // "": not ready yet
+    std::string order_;         // the newest candidate, as sent
+    std::uint64_t number_ = 0;  // of the newest candidate
     std::string outgoing_, incoming_;
-    std::string next_;  // a candidate that waits for the running one to end
+    std::unique_ptr<TrialAnswer> heard_;  // the last words, whichever candidate they are about
+    Clock::time_point started_, heard_at_;
     Verdict verdict_;
-    // Of the candidate that is running, for saying what it did.
-    std::string user_text_;
-    Clock::time_point started_, heard_;
 };
 
-// `glint trial`: the other process. Reads candidates from standard input, which is a socket, and
-// answers there until it is closed.
-int run_trial(const std::string& device);
+// `glint trial`: the other process. Takes candidates from standard input, which is a socket, and
+// answers there until it is closed. Throws UsageError when it is none.
+void run_trial(const std::string& device);
 
-// The place of the loop in the scene that is most likely never to end: one without a condition, or
-// the one with the largest constant. Nothing when no loop stands out.
+// The place of the loop that is most likely never to end: one without a condition, or the one with
+// the largest constant in it, from 10,000 on. Nothing when no loop stands out.
 std::optional<Place> likely_endless_loop(const Scene& scene);
+
+// Where the entry function of a pass, by its name, begins; the scene's first line when it is not
+// found.
+Place entry_place(const Scene& scene, const std::string& pass);
 
 }  // namespace glint

@@ -1,0 +1,46 @@
+// What the window and the process that tries candidates say to each other: plain data as bytes,
+// between two copies of one program.
+#pragma once
+
+#include "modes/trial.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+// A candidate as it arrives.
+struct TrialOrder {
+    std::uint64_t number = 0;  // counts the candidates
+    Preset preset;
+    CompileOptions compile;
+    glm::ivec2 size{0};
+    PixelFormat picture_format = PixelFormat::rgba8;
+    double time = 0.0;
+    double slow_ms = 0.0;
+    std::vector<TrialImage> images;
+};
+
+enum class TrialStage { ready, compiling, drawing, done };
+
+struct TrialAnswer {
+    std::uint64_t number = 0;  // of the order
+    TrialStage stage = TrialStage::ready;
+    std::string text;  // ready: the renderer; compiling and drawing: the name of the pass
+    std::string size;  // drawing: "32x18"
+    Verdict verdict;   // as far as it is known
+};
+
+// Length and bytes, ready to be sent.
+std::string pack(std::uint64_t number, const Candidate& candidate, double slow_ms);
+std::string pack(const TrialAnswer& answer);
+
+// Takes the first whole message off what has arrived; nothing when it is not whole yet.
+std::optional<std::string> take_message(std::string& arrived);
+
+// Throws std::runtime_error for bytes that are no such message.
+TrialOrder unpack_order(std::string_view message);
+TrialAnswer unpack_answer(std::string_view message);
+
+}  // namespace glint
