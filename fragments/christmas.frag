@@ -60,7 +60,7 @@ uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display cur
 //@ group Quality
 uniform int   acceleration;    //@ 2 {none, boxes, hierarchy} "how rays find ornaments"
 uniform int   bounces;         //@ 6 [1, 8] quality reference=8 "rays along one path"
-uniform float mirrorBlur;      //@ 0.6 [0.1, 100] log unit=rad quality reference=100 "blurs wider mirrors"
+uniform float mirrorBlur;  //@ 0.6 [0.1, 100] log unit=rad quality reference=100 "beyond: a blur"
 uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to each lamp"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
@@ -746,6 +746,8 @@ vec4 placeOrnament(int i) {
 
 void mainPlaces(out vec4 colour, in vec2 pixel) {
     int row = int(pixel.y), i = int(pixel.x) + kRow * (row & 63);
+    colour = vec4(0.0);
+    if (i >= ornaments) return;
     vec4 s = placeOrnament(i);
     vec3 r = random3(ivec3(i, 11, 3));
     if (row < 64) {
@@ -844,7 +846,7 @@ void mainMoving(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
-// Light to display: clamped first, then the largest channel rolls off and the others keep their ratio
+// Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {
     vec3 x = mix(vec3(0.0), min(light, 65504.0), greaterThan(light, vec3(0.0)));
