@@ -20,10 +20,11 @@ struct PresetText {
 //
 // `existing` is what the file holds now, or what the preset was read from; empty gives a new file.
 // Of an existing text only the values that differ are replaced, where they stand. New keys go to
-// the end of their table. No key is removed but channels that are off and events that are no more:
-// a tweak that is back at its default keeps its line, since it was part of the look, and keys that
-// nobody knows stay. Events are kept up to the first that differs. Line ends stay as they are.
-// Saving twice gives the same bytes. A text that is no TOML is an error: a person has to mend it.
+// the end of their table. No key is removed but channels that are off: a tweak that is back at its
+// default keeps its line, since it was part of the look, and keys that nobody knows stay. Events
+// that differ are written anew as a whole, without the comments between them. Line ends stay as
+// they are. Saving twice gives the same bytes. An existing text that is no TOML is an error: a
+// person has to mend it.
 PresetText write_preset(const Preset& preset, const std::filesystem::path& file,
                         std::string_view existing = {});
 

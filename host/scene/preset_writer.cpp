@@ -1,0 +1,369 @@
+// The text is read as the preset that it is now; each difference becomes an edit where it stands.
+#include "scene/preset_writer.h"
+
+#include "scene/toml.h"
+#include "scene/toml_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace glint {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Bytes [begin, end) of the text become others.
+struct Edit {
+    std::size_t begin = 0, end = 0;
+    std::string text;
+};
+
+// How a table is written, which decides how a key is added to it.
+enum class Form {
+    missing,  // or only implied by [tweaks.something]
+    header,   // [tweaks]
+    dotted,   // tweaks.name = 1
+    braces,   // tweaks = { name = 1 }
+    no_table,
+};
+
+// Headers, and the tables below them, begin at the bracket before their name.
+bool is_header(const toml::key& key, const toml::node& node) {
+    return node.source().begin < key.source().begin;
+}
+
+// Where the last value of a node ends; tables with a header of their own are not part of theirs.
+toml::source_position last_end(const toml::node& node) {
+    toml::source_position last = node.source().end;
+    const auto reach = [&last](const toml::node& child) {
+        const toml::source_position end = last_end(child);
+        if (last < end) last = end;
+    };
+    const toml::table* table = node.as_table();
+    if (!table || table->is_inline()) return last;
+    for (const auto& [key, child] : *table)
+        if (!is_header(key, child)) reach(child);
+    return last;
+}
+
+// The text of a preset, and where in it things stand.
+class Layout {
+public:
+    Layout(std::string_view text, const toml::table& root);
+
+    Form form(std::string_view table) const;
+    // Byte offsets.
+    std::size_t offset(const toml::source_position& at) const;
+    std::size_t line_begin(std::size_t at) const;
+    std::size_t line_end(std::size_t at) const;  // after the line end
+    std::size_t end_of_root_keys() const;
+    std::size_t end_of_table(std::string_view table) const;
+
+    const toml::node* get(std::string_view name) const { return root.get(name); }
+
+    std::string_view text;
+    const toml::table& root;
+
+private:
+    std::vector<std::size_t> lines_;  // where each begins
+};
+
+Layout::Layout(std::string_view whole_text, const toml::table& table)
+    : text(whole_text), root(table) {
+    lines_.push_back(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+        lines_.push_back(at + 1);
+}
+
+// toml++ counts characters; the bytes that continue one have 10 on top.
+std::size_t Layout::offset(const toml::source_position& at) const {
+    std::size_t byte = lines_[at.line - 1];
+    for (toml::source_index column = 1; column < at.column && byte < text.size(); ++column) do
+            ++byte;
+        while (byte < text.size() && (static_cast<unsigned char>(text[byte]) & 0xC0) == 0x80);
+    return byte;
+}
+
+std::size_t Layout::line_begin(std::size_t at) const {
+    return *std::prev(std::upper_bound(lines_.begin(), lines_.end(), at));
+}
+
+std::size_t Layout::line_end(std::size_t at) const {
+    const auto next = std::upper_bound(lines_.begin(), lines_.end(), at);
+    return next == lines_.end() ? text.size() : *next;
+}
+
+Form Layout::form(std::string_view name) const {
+    const auto found = root.find(name);
+    if (found == root.end()) return Form::missing;
+    const toml::table* table = found->second.as_table();
+    if (!table) return Form::no_table;
+    if (table->is_inline()) return Form::braces;
+    if (!is_header(found->first, *table)) return Form::dotted;
+    const std::size_t after_name = offset(found->first.source().end);
+    return text.find_first_not_of(" \t", after_name) == text.find(']', after_name) ? Form::header
+                                                                                   : Form::missing;
+}
+
+std::size_t Layout::end_of_root_keys() const {
+    std::size_t end = lines_.front();
+    for (const auto& [key, node] : root)
+        if (!is_header(key, node)) end = std::max(end, line_end(offset(last_end(node))));
+    return end;
+}
+
+std::size_t Layout::end_of_table(std::string_view table) const {
+    return form(table) == Form::header ? line_end(offset(last_end(*get(table))))
+                                       : end_of_root_keys();
+}
+
+class Editor {
+public:
+    // `old` is what the text says now.
+    Editor(const Preset& preset, const Preset& old, const fs::path& folder, const Layout& layout)
+        : preset_(preset), old_(old), folder_(folder), layout_(layout) {}
+
+    std::vector<Edit> edits() {
+        edit_root();
+        edit_tweaks();
+        edit_channels();
+        edit_events();
+        return std::move(edits_);
+    }
+
+private:
+    using Lines = std::vector<TomlLine>;
+
+    void edit_root();
+    void edit_tweaks();
+    void edit_channels();
+    void edit_events();
+
+    void replace(const toml::node& node, std::string text);
+    void insert(std::size_t at, std::string text) { edits_.push_back({at, at, std::move(text)}); }
+    void remove_lines(const toml::key& key, const toml::node& node);
+    void remove_events(const toml::array& events);
+    void set_root(std::string_view key, bool same, const std::string& value);
+    void add_lines(std::string_view table, std::size_t otherwise_at, const Lines& lines);
+    Lines channel(const Preset& preset, std::size_t index) const;
+
+    const Preset& preset_;
+    const Preset& old_;
+    const fs::path& folder_;
+    const Layout& layout_;
+    std::vector<Edit> edits_;
+};
+
+void Editor::replace(const toml::node& node, std::string text) {
+    const toml::source_region& source = node.source();
+    edits_.push_back({layout_.offset(source.begin), layout_.offset(source.end), std::move(text)});
+}
+
+void Editor::remove_lines(const toml::key& key, const toml::node& node) {
+    edits_.push_back({layout_.line_begin(layout_.offset(key.source().begin)),
+                      layout_.line_end(layout_.offset(last_end(node))), ""});
+}
+
+void Editor::edit_root() {
+    const fs::path& scene = preset_.scene.files.front();
+    const toml::node* node = layout_.get("scene");
+    const auto name = node ? node->value<std::string>() : std::nullopt;
+    const std::string path = relative_path(scene, folder_);
+    set_root("scene", name && relative_path(folder_ / *name, folder_) == path, toml_string(path));
+    const bool is_new = layout_.text.empty();
+    set_root("title", preset_.title == old_.title, toml_string(preset_.title));
+    set_root("time", preset_.time == old_.time && !is_new, toml_number(preset_.time));
+    set_root("size", preset_.size == old_.size && !is_new,
+             fmt::format("[{}, {}]", preset_.size.x, preset_.size.y));
+    set_root("settle", preset_.settle == old_.settle, fmt::format("{}", preset_.settle));
+    const std::string date = toml_date(preset_.date);
+    set_root("date", date == toml_date(old_.date), date);
+}
+
+void Editor::set_root(std::string_view key, bool same, const std::string& value) {
+    if (same) return;
+    if (const toml::node* node = layout_.get(key))
+        replace(*node, value);
+    else
+        insert(layout_.end_of_root_keys(), fmt::format("{} = {}\n", key, value));
+}
+
+void Editor::edit_tweaks() {
+    const toml::node* node = layout_.get("tweaks");
+    const toml::table* table = node ? node->as_table() : nullptr;
+    Lines added;
+    for (std::size_t i = 0; i < preset_.values.size(); ++i) {
+        const Tweak& tweak = preset_.scene.tweaks[i];
+        const std::string value = toml_value(tweak, preset_.values[i]);
+        if (value == toml_value(tweak, old_.values[i])) continue;
+        const toml::node* written = table ? table->get(tweak.name) : nullptr;
+        if (written)
+            replace(*written, value);
+        else
+            added.push_back({tweak.name, value});
+    }
+    add_lines("tweaks", layout_.end_of_root_keys(), added);
+}
+
+// New keys go to the end of their table, indented like its last one.
+void Editor::add_lines(std::string_view name, std::size_t otherwise_at, const Lines& lines) {
+    if (lines.empty()) return;
+    const Form form = layout_.form(name);
+    const toml::node* node = layout_.get(name);
+    const toml::table* table = node ? node->as_table() : nullptr;
+    if (form == Form::no_table || (form == Form::braces && table->empty()))
+        return replace(*node, toml_braces(lines));
+    std::string text = form == Form::missing ? fmt::format("\n[{}]\n", name) : "";
+    std::string before, after = "\n";
+    std::size_t at = otherwise_at;
+    if (form != Form::missing) {
+        const std::size_t end = layout_.offset(last_end(*table));
+        const std::size_t begin = layout_.line_begin(end);
+        const std::size_t word = layout_.text.find_first_not_of(" \t", begin);
+        before = layout_.text.substr(begin, std::min(word, end) - begin);
+        at = layout_.line_end(end);
+    }
+    if (form == Form::dotted) before += fmt::format("{}.", name);
+    if (form == Form::braces) {
+        before = ", ";
+        after = "";
+        at = 0;
+        for (const auto& [key, child] : *table)
+            at = std::max(at, layout_.offset(child.source().end));
+    }
+    for (const TomlLine& line : lines)
+        text += fmt::format("{}{} = {}{}", before, line.key, line.value, after);
+    insert(at, text);
+}
+
+Editor::Lines Editor::channel(const Preset& preset, std::size_t index) const {
+    return toml_channel(preset.channels[index], preset.scene, folder_);
+}
+
+void Editor::edit_channels() {
+    Lines all, added;
+    bool same = true;
+    const toml::node* node = layout_.get("channels");
+    const toml::table* table = node ? node->as_table() : nullptr;
+    const bool braces = layout_.form("channels") == Form::braces;
+    for (std::size_t i = 0; i < preset_.channels.size(); ++i) {
+        const std::string name = fmt::format("iChannel{}", i);
+        const Lines now = channel(preset_, i), was = channel(old_, i);
+        if (!now.empty()) all.push_back({name, toml_braces(now)});
+        if (toml_braces(now) == toml_braces(was)) continue;
+        same = false;
+        const auto written = table ? table->find(name) : toml::table::const_iterator();
+        const bool stands = table && written != table->end();
+        const bool in_place =
+            stands && !now.empty() &&
+            (!written->second.is_table() || written->second.as_table()->is_inline());
+        if (in_place && !braces) replace(written->second, toml_braces(now));
+        if (stands && !in_place && !braces) remove_lines(written->first, written->second);
+        if (!now.empty() && !in_place) added.push_back(all.back());
+    }
+    if (same) return;
+    if (braces) return replace(*node, all.empty() ? "{}" : toml_braces(all));
+    add_lines("channels", layout_.end_of_table("tweaks"), added);
+}
+
+std::vector<std::string> spelled(const std::vector<Event>& events) {
+    std::vector<std::string> texts;
+    for (const Event& event : events) texts.push_back(toml_braces(toml_event(event)));
+    return texts;
+}
+
+void Editor::edit_events() {
+    const std::vector<std::string> inline_texts = spelled(preset_.events);
+    if (inline_texts == spelled(old_.events)) return;
+    const auto written = layout_.root.find("events");
+    if (written != layout_.root.end() && !is_header(written->first, written->second)) {
+        const std::string list = fmt::format("[\n    {},\n]", fmt::join(inline_texts, ",\n    "));
+        return replace(written->second, inline_texts.empty() ? "[]" : list);
+    }
+    std::string text;
+    for (const Event& event : preset_.events) {
+        text += "[[events]]\n";
+        for (const TomlLine& line : toml_event(event))
+            text += fmt::format("{} = {}\n", line.key, line.value);
+    }
+    const toml::array* events = layout_.get("events") ? written->second.as_array() : nullptr;
+    if (!events || events->empty()) return insert(layout_.text.size(), "\n" + text);
+    insert(layout_.line_begin(layout_.offset(events->front().source().begin)), text);
+    remove_events(*events);
+}
+
+// From header to header, as far as nothing but comments and blank lines stands between them.
+void Editor::remove_events(const toml::array& events) {
+    const std::size_t first = edits_.size();
+    for (const toml::node& event : events) {
+        const std::size_t begin = layout_.line_begin(layout_.offset(event.source().begin));
+        const std::size_t end = layout_.line_end(layout_.offset(last_end(event)));
+        bool follows = edits_.size() > first;
+        for (std::size_t at = follows ? edits_.back().end : begin; at < begin && follows;
+             at = layout_.line_end(at)) {
+            const std::size_t word = layout_.text.find_first_not_of(" \t", at);
+            follows = std::string_view("#\r\n").find(layout_.text[word]) != std::string::npos;
+        }
+        if (follows)
+            edits_.back().end = end;
+        else
+            edits_.push_back({begin, end, ""});
+    }
+}
+
+std::string edited(std::string_view text, std::vector<Edit> edits) {
+    const std::size_t first_end = text.find('\n');
+    const bool crlf = first_end != text.npos && first_end > 0 && text[first_end - 1] == '\r';
+    std::stable_sort(edits.begin(), edits.end(),
+                     [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+    std::string result;
+    std::size_t at = 0;
+    const auto add = [&](std::string_view added) {
+        for (const char c : added) result += c == '\n' && crlf ? "\r\n" : std::string(1, c);
+    };
+    for (const Edit& edit : edits) {
+        if (edit.begin > at) result += text.substr(at, edit.begin - at);
+        at = std::max(at, edit.end);
+        const bool is_line = edit.text.ends_with('\n');
+        if (is_line && edit.begin == text.size() && !result.empty() && !result.ends_with('\n'))
+            add("\n");
+        add(edit.text);
+    }
+    return result + std::string(text.substr(at));
+}
+
+}  // namespace
+
+PresetText write_preset(const Preset& preset, const fs::path& file, std::string_view existing) {
+    PresetText result;
+    const fs::path folder = file.parent_path();
+    std::string text(existing);
+    // The second round finds nothing to change, unless the text is laid out in a way not foreseen.
+    for (int round = 0; round < 2; ++round) {
+        const ReadPreset old = parse_preset(text, file, preset.scene);
+        const toml::parse_result parsed = toml::parse(std::string_view(text));
+        if (!old.preset || !parsed) {
+            result.diagnostics = old.diagnostics;
+            return result;
+        }
+        const Layout layout(text, parsed.table());
+        std::vector<Edit> edits = Editor(preset, *old.preset, folder, layout).edits();
+        if (edits.empty()) break;
+        if (round == 1) {
+            result.diagnostics.push_back(
+                {Severity::error, Place{file.string()},
+                 "this look cannot be written into the file as it is laid out; save it under a "
+                 "new name"});
+            return result;
+        }
+        text = edited(text, std::move(edits));
+    }
+    result.text = std::move(text);
+    return result;
+}
+
+}  // namespace glint
