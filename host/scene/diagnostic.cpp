@@ -55,7 +55,7 @@ std::string in_quotes(std::string_view words) {
     }
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    return "'" + text + "'";
+    return fmt::format("'{}'", text);
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> known) {

@@ -34,6 +34,7 @@ public:
 private:
     using Names = std::vector<std::string>;
 
+    Diagnostic syntax_error(const toml::parse_error& error) const;
     void read_scene_key(const toml::table& root);
     void take_scene(Scene scene);
     void read_picture(const toml::table& root);
@@ -81,14 +82,17 @@ std::optional<double> finite_number(const toml::node& node) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+Diagnostic Reader::syntax_error(const toml::parse_error& error) const {
+    std::string text = fmt::format("no valid TOML: {}", error.description());
+    for (char& c : text)  // it quotes what it has read, line ends too
+        if (c >= 0 && c < ' ') c = ' ';
+    return {Severity::error, place(error.source()), std::move(text)};
+}
+
 void Reader::read(std::string_view text) {
     const toml::parse_result parsed = toml::parse(text, preset_.file.string());
     if (!parsed) {
-        const toml::parse_error& error = parsed.error();
-        std::string text = fmt::format("no valid TOML: {}", error.description());
-        for (char& c : text)  // it quotes what it has read, line ends too
-            if (c >= 0 && c < ' ') c = ' ';
-        result_.diagnostics.push_back({Severity::error, place(error.source()), std::move(text)});
+        result_.diagnostics.push_back(syntax_error(parsed.error()));
         return;
     }
     const toml::table& root = parsed.table();

@@ -156,7 +156,7 @@ void SamplerParser::parse_noise_words() {
     Words ahead = words;
     const std::string_view more = ahead.bare("=\"");
     if (noise_channels(text) && !more.empty() && ahead.peek() != '=') {
-        text += " " + std::string(more);
+        text = fmt::format("{} {}", text, more);
         words = ahead;
     }
     const std::string wrong = parse_noise(text, result.sampler);

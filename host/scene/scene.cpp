@@ -116,11 +116,14 @@ void Builder::check_image() {
                      is_empty ? "this file holds no shader" : "there is no mainImage here")});
 }
 
-// A note's words, byte for byte, but with space where a backslash joins two lines.
+// A note's words, byte for byte, but with space for control characters (tabs too: messages and
+// menus show these words) and for the backslashes that join lines.
 std::string Builder::note_text(Span note) const {
     std::string text = source_.text.substr(note.begin, note.end - note.begin);
-    for (std::size_t i = 1; i < text.size(); ++i)
-        if (text[i] == '\n' && text[i - 1] == '\\') text[i - 1] = ' ';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\n' && i > 0) text[i - 1] = ' ';
+        if ((text[i] >= 0 && text[i] < ' ') || text[i] == '\x7F') text[i] = ' ';
+    }
     return text;
 }
 
@@ -356,7 +359,12 @@ void Builder::check_builtin(const Declaration& declaration, const Declarator& de
                                                      : declaration.type == builtin.type;
     const bool array_fits =
         declarator.is_array == !builtin.array.empty() && declarator.array == builtin.array;
-    if (type_fits && array_fits) return;
+    if (type_fits && array_fits) {
+        if (builtin.type == "sampler")
+            scene_.channel_types[static_cast<std::size_t>(declarator.name.back() - '0')] =
+                sampler_type(declaration.type);
+        return;
+    }
     const std::string array = builtin.array.empty() ? "" : fmt::format("[{}]", builtin.array);
     error(declarator.span.begin,
           fmt::format("{} is the host's own, of another type: uniform {} {}{}; write that, or "

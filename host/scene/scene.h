@@ -133,6 +133,8 @@ struct Scene {
     std::vector<Tweak> tweaks;      // in the order of the file
     std::vector<Sampler> samplers;  // declared in the file, in order
     std::vector<Pass> passes;       // in drawing order
+    // Where the text declares iChannel0..3 and does not say what fills them: as what.
+    std::array<std::optional<SamplerType>, 4> channel_types{};
     std::string image_entry = "mainImage";
     bool has_sound = false;  // defines mainSound
 
