@@ -134,10 +134,9 @@ void write_content(TemporaryFile& out, const fs::path& file, Codec codec, const 
     switch (codec) {
         case Codec::png:
             return write_png(out, file, image, metadata);
-        case Codec::exr:
-            return write_exr(out, image, metadata);
         case Codec::jpeg:
             return through_oiio(image.channels < 3 ? 1 : 3);
+        case Codec::exr:
         case Codec::tiff:
             return through_oiio(image.channels);
         case Codec::hdr:
@@ -191,7 +190,7 @@ Image make_image(const fs::path& file, glm::ivec2 size, int channels, ChannelTyp
 
 void prepare_image_library(const fs::path& file) {
     const Extension* extension = find_extension(file);
-    if (!extension || extension->codec == Codec::png || extension->codec == Codec::exr) return;
+    if (!extension || extension->codec == Codec::png) return;
     prepare_oiio();
 }
 

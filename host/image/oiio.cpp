@@ -1,7 +1,7 @@
 // Finds and loads glint-oiio.so on another thread, and speaks with it.
 //
 // OpenImageIO pulls in some 260 shared libraries, 0.2 s of work for the dynamic linker. A program
-// that only writes PNG or EXR never pays it; any other loads them while the GPU draws.
+// that only writes PNG never pays it; any other loads them while the GPU draws.
 #include "image/codecs.h"
 #include "image/oiio_module.h"
 

@@ -103,6 +103,7 @@ OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const std::string& form
         spec.attribute("CompressionQuality", 95);
         spec.attribute("jpeg:subsampling", "4:4:4");
     }
+    if (format == "openexr") spec.attribute("compression", "zips");  // lossless, a row at a time
     if (format == "tiff") {
         spec.attribute("compression", "zip");
         spec.attribute("tiff:zipquality", 1);

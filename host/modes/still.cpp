@@ -106,7 +106,6 @@ void print_result(const StillOptions& options, const Preset& preset, const Image
 
 void run_still(const StillOptions& options, const Stopwatch& since_start) {
     check_options(options);
-    prepare_image_library(options.output);
     Split ms;
     Stopwatch clock;
     const Preset preset = open_preset(options.view);
@@ -115,6 +114,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
 
     const auto context = make_egl_context(options.view.device);
     const std::string gpu = context->renderer();
+    prepare_image_library(options.output);
     ms.context = clock.restart();
 
     const bool floats = holds_floats(options.output);
