@@ -22,11 +22,12 @@ struct GLFWwindow;
 
 namespace glint {
 
-// A scene or preset in the browser. `thumbnail` is a GL texture, 0 until it is there.
+// A scene or preset in the browser. `thumbnail` is a GL texture, 16:9, 0 until it is there.
 struct BrowserEntry {
     std::filesystem::path file;
     std::string title;
     std::uint32_t thumbnail = 0;
+    std::filesystem::path scene;  // of a preset, under which it stands; "" is guessed by name
 };
 
 // One pass as the list of passes shows it.
@@ -65,6 +66,8 @@ struct PassView {
     bool inspect = false;    // counts, histogram and the pixel inspector are wanted
 };
 
+// How both tweak sets are compared: `flip` shows the set that is not being changed, `wipe` shows A
+// on the left of a line and B on its right.
 enum class Wipe { off, flip, wipe };
 
 // What the panels need to know for one frame.
@@ -85,7 +88,8 @@ struct Facts {
     std::span<const PixelValue> pixel_values;
     std::span<const BrowserEntry> browser;
     bool recording = false;
-    std::string notice;  // a short message that fades, such as "christmas.png written"
+    // A short message such as "christmas.png written". It fades by itself; a new text shows anew.
+    std::string notice;
 };
 
 // What a person asked for in one frame.
@@ -104,6 +108,7 @@ struct Wishes {
 struct PanelSettings {
     bool visible = true;  // Tab hides all
     bool tweaks = true, transport = true, passes = false, browser = false, help = false;
+    bool save_as = false;  // ask for the path; the panels answer with Wishes::save_as
     PassView view;
     float resolution_scale = 1.0f;  // 0.25 to 2
     bool hold_frame_rate = false;   // lower the resolution to hold this rate
@@ -119,6 +124,9 @@ public:
     ~Panels();
     Panels(const Panels&) = delete;
     Panels& operator=(const Panels&) = delete;
+
+    // The window went to a screen of another scale.
+    void rescale(float content_scale);
 
     // Builds the frame's panels; tweaks move in `history`, time in `transport`.
     Wishes update(const Facts& facts, History& history, Transport& transport,

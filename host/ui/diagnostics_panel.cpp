@@ -1,0 +1,148 @@
+// What is wrong with the text, over the last good picture: place, message, the line and a caret.
+#include "ui/interface.h"
+#include "ui/source_line.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+std::string summary(std::span<const Diagnostic> diagnostics) {
+    const auto errors = std::ranges::count(diagnostics, Severity::error, &Diagnostic::severity);
+    const auto warnings = std::ssize(diagnostics) - errors;
+    const auto counted = [](auto count, const char* word) {
+        return count == 0 ? std::string()
+                          : fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+    };
+    const std::string a = counted(errors, "error"), b = counted(warnings, "warning");
+    return a.empty() || b.empty() ? a + b : a + ", " + b;
+}
+
+// Reads the lines again when there is something new to say.
+void follow(const Facts& facts, DiagnosticsState& state) {
+    std::string told;
+    for (const Diagnostic& diagnostic : facts.diagnostics) told += to_string(diagnostic) + "\n";
+    if (told == state.told) return;
+    state.told = std::move(told);
+    state.open = has_errors(facts.diagnostics);
+    state.shown.clear();
+    for (const Diagnostic& diagnostic : facts.diagnostics) {
+        const SourceLine line = read_source_line(diagnostic.place);
+        state.shown.push_back({diagnostic, line.text, line.caret});
+    }
+}
+
+ImU32 colour_of(Severity severity) {
+    return severity == Severity::error ? colours::kError : colours::kWarning;
+}
+
+std::string place_text(const Place& place) {
+    const std::string name = std::filesystem::path(place.file).filename().string();
+    if (place.line <= 0) return name;
+    if (place.column <= 0) return fmt::format("{}:{}", name, place.line);
+    return fmt::format("{}:{}:{}", name, place.line, place.column);
+}
+
+void source_line(const Theme& theme, const DiagnosticsState::Shown& shown) {
+    if (shown.source.empty()) return;
+    const std::string number = fmt::format("{:>5}  ", shown.diagnostic.place.line);
+    ImGui::PushFont(theme.mono);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    text_in(colours::kFaint, number);
+    ImGui::SameLine(0, 0);
+    text_in(colours::kText, shown.source);
+    if (shown.caret >= 0) {
+        const float digit = ImGui::CalcTextSize("0").x;
+        const float x = corner.x + digit * static_cast<float>(number.size()) +
+                        digit * static_cast<float>(shown.caret);
+        const float y = corner.y + ImGui::GetTextLineHeight() - theme.px(1);
+        ImGui::GetWindowDrawList()->AddText({x, y}, colour_of(shown.diagnostic.severity), "^");
+        ImGui::Dummy({1, theme.px(6)});
+    }
+    ImGui::PopFont();
+}
+
+void entry(Build& build, const DiagnosticsState::Shown& shown) {
+    const Theme& theme = build.theme;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float indent = theme.px(12);
+    ImGui::Indent(indent);
+    ImGui::BeginGroup();
+    text_in(colour_of(shown.diagnostic.severity), place_text(shown.diagnostic.place), theme.mono);
+    ImGui::PushTextWrapPos(0.0f);
+    text_in(colours::kText, shown.diagnostic.text);
+    ImGui::PopTextWrapPos();
+    source_line(theme, shown);
+    ImGui::EndGroup();
+    ImGui::Unindent(indent);
+    const ImVec2 after = ImGui::GetCursorScreenPos();
+    const float bottom = ImGui::GetItemRectMax().y;
+    ImGui::SetCursorScreenPos(corner);
+    if (ImGui::InvisibleButton("edit", {std::max(width, 1.0f), bottom - corner.y}))
+        build.wishes.edit = shown.diagnostic;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered()) {
+        list.AddRectFilled(corner, {corner.x + width, bottom}, IM_COL32(255, 255, 255, 12),
+                           theme.px(4));
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    }
+    list.AddRectFilled(corner, {corner.x + theme.px(3), bottom},
+                       colour_of(shown.diagnostic.severity), theme.px(2));
+    tip(theme, "Click to open the editor here: " + shown.diagnostic.place.file);
+    ImGui::SetCursorScreenPos(after);
+}
+
+void heading(Build& build, DiagnosticsState& state) {
+    const Theme& theme = build.theme;
+    const bool errors = has_errors(build.facts.diagnostics);
+    ImGui::AlignTextToFramePadding();
+    text_in(errors ? colours::kError : colours::kWarning, summary(build.facts.diagnostics),
+            theme.bold);
+    const float buttons = ImGui::CalcTextSize("Edit").x + 3 * ImGui::GetFrameHeight();
+    if (errors) {
+        const char* note =
+            build.facts.scene ? "The last good picture keeps running." : "There is no picture yet.";
+        same_line_if_fits(ImGui::CalcTextSize(note).x + buttons);
+        text_in(colours::kDim, note);
+    }
+    ImGui::SameLine();
+    const float room = ImGui::GetContentRegionAvail().x - buttons + theme.px(16);
+    if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    if (text_button(theme, "Edit", false, "Open $EDITOR at the first place (Ctrl+E)"))
+        build.wishes.edit = state.shown.front().diagnostic;
+    ImGui::SameLine(0, theme.px(4));
+    if (icon_button(theme, "close", Icon::close, "Hide until the next save",
+                    {.colour = colours::kDim}))
+        state.open = false;
+}
+
+}  // namespace
+
+void diagnostics_panel(Build& build, DiagnosticsState& state) {
+    follow(build.facts, state);
+    if (state.shown.empty() || !state.open) return;
+    const Theme& theme = build.theme;
+    const Area& free = build.layout.free;
+    const float width = std::clamp(free.size.x, theme.px(260), theme.px(760));
+    const float x = std::max(free.corner.x + 0.5f * (free.size.x - width), 0.0f);
+    ImGui::SetNextWindowPos({x, free.bottom()}, 0, {0.0f, 1.0f});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(0.5f * free.size.y, 1.0f)});
+    ImGui::Begin("diagnostics", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    heading(build, state);
+    for (std::size_t i = 0; i < state.shown.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::Dummy({0, 0});
+        entry(build, state.shown[i]);
+        ImGui::PopID();
+    }
+    ImGui::End();
+}
+
+}  // namespace glint

@@ -1,0 +1,41 @@
+// The panels' icons, drawn as lines and shapes: no icon font is needed.
+#pragma once
+
+#include "ui/theme.h"
+
+namespace glint {
+
+enum class Icon {
+    play,
+    pause,
+    step,
+    reset,
+    undo,
+    redo,
+    dice,
+    locked,
+    unlocked,
+    copy,
+    flip,
+    wipe,
+    close,
+    clear,
+    search,
+    tweaks,
+    passes,
+    browser,
+    clock,
+    screen,
+    camera,
+    record,
+    full_screen,
+    help,
+    loop,
+    revert,
+    save,
+};
+
+// Draws into the square of this side round the centre.
+void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 colour);
+
+}  // namespace glint

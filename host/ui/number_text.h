@@ -1,0 +1,24 @@
+// Numbers as the panels show them, and the values that a slider stops at.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+
+namespace glint {
+
+// One component of a tweak's value with as many digits as its range deserves, without the unit.
+std::string number_text(const Tweak& tweak, double value);
+
+// A short number for tables: four digits that count, "nan", "inf".
+std::string short_number(double value);
+
+// Whether the tweak has a range that a slider can span.
+bool has_range(const Tweak& tweak);
+
+// Where in its range a value lies, from 0 to 1, evenly in the logarithm for log tweaks; and back,
+// rounded to the tweak's step or to digits that a person would have typed.
+double fraction_of(const Tweak& tweak, double value);
+double value_at(const Tweak& tweak, double fraction);
+
+}  // namespace glint

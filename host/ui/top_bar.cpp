@@ -1,0 +1,125 @@
+// The bar at the top: what is open, toggles for the panels, the picture's own settings.
+#include "ui/interface.h"
+#include "ui/shortcuts.h"
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+void title(Build& build, float widest) {
+    const Theme& theme = build.theme;
+    const Facts& facts = build.facts;
+    const std::string text = facts.title.empty() ? "Glint" : facts.title;
+    const float height = ImGui::GetFrameHeight();
+    ImGui::PushFont(theme.bold);
+    const float width = std::min(ImGui::CalcTextSize(text.c_str()).x + 1.0f, widest);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    text_within(*ImGui::GetWindowDrawList(),
+                {corner.x, corner.y + 0.5f * (height - ImGui::GetFontSize())}, width,
+                colours::kText, text);
+    ImGui::PopFont();
+    const float mark = facts.unsaved ? theme.px(10) : 0.0f;
+    ImGui::Dummy({width + mark, height});
+    tip(theme, facts.file.string() + (facts.unsaved ? "\nnot saved (Ctrl+S)" : ""));
+    if (facts.unsaved)
+        ImGui::GetWindowDrawList()->AddCircleFilled(
+            {corner.x + width + theme.px(6), corner.y + 0.5f * height}, theme.px(3),
+            colours::kWarning);
+    ImGui::SameLine();
+}
+
+void toggle(Build& build, const char* name, Icon icon, Action action, bool& open) {
+    const std::string text = fmt::format("{} ({})", name, keys_of(action));
+    if (icon_button(build.theme, name, icon, text.c_str(), {.on = open})) open = !open;
+    ImGui::SameLine(0, build.theme.px(2));
+}
+
+void picture_popup(Build& build) {
+    if (!ImGui::BeginPopup("picture")) return;
+    const Theme& theme = build.theme;
+    PanelSettings& settings = build.settings;
+    const float width = theme.px(220);
+    text_in(colours::kText, "Picture", theme.bold);
+    ImGui::SetNextItemWidth(width);
+    ImGui::SliderFloat("##scale", &settings.resolution_scale, 0.25f, 2.0f, "resolution \u00d7 %.2f",
+                       ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemClicked(1)) settings.resolution_scale = 1.0f;
+    tip(theme, "Pixels of the picture for each of the window. Right-click: 1.");
+    ImGui::Checkbox("hold a frame rate", &settings.hold_frame_rate);
+    tip(theme, "Lowers the resolution as far as this rate needs");
+    if (settings.hold_frame_rate) {
+        ImGui::SetNextItemWidth(width);
+        ImGui::SliderFloat("##rate", &settings.frame_rate, 5.0f, 120.0f, "%.0f frames/s",
+                           ImGuiSliderFlags_AlwaysClamp);
+    }
+    ImGui::Separator();
+    text_in(colours::kDim, fmt::format("{} \u00d7 {} pixels", build.facts.picture_size.x,
+                                       build.facts.picture_size.y));
+    ImGui::PushTextWrapPos(theme.px(360));
+    if (!build.facts.renderer.empty()) text_in(colours::kDim, build.facts.renderer);
+    text_in(colours::kDim,
+            build.facts.specialised ? "tweaks compiled in as constants" : "tweaks as uniforms");
+    if (!build.facts.last_reload.empty()) text_in(colours::kDim, build.facts.last_reload);
+    ImGui::PopTextWrapPos();
+    ImGui::EndPopup();
+}
+
+void actions(Build& build) {
+    const Theme& theme = build.theme;
+    if (icon_button(theme, "screen", Icon::screen, "Picture: resolution, frame rate"))
+        ImGui::OpenPopup("picture");
+    picture_popup(build);
+    ImGui::SameLine(0, theme.px(2));
+    if (icon_button(theme, "still", Icon::camera, "Write a still (F12)",
+                    {.enabled = build.facts.scene != nullptr}))
+        build.wishes.still = true;
+    ImGui::SameLine(0, theme.px(2));
+    const bool recording = build.facts.recording;
+    if (icon_button(
+            theme, "record", Icon::record,
+            recording ? "Stop recording (F9)" : "Record mouse and keys (F9)",
+            {.enabled = build.facts.scene != nullptr, .colour = recording ? colours::kError : 0}))
+        build.wishes.toggle_recording = true;
+    ImGui::SameLine(0, theme.px(2));
+    if (icon_button(theme, "full screen", Icon::full_screen, "Full screen (F11)"))
+        build.wishes.toggle_full_screen = true;
+    ImGui::SameLine(0, theme.px(2));
+    bool& help = build.settings.help;
+    if (icon_button(theme, "help", Icon::help, "Keys (F1)", {.on = help})) help = !help;
+}
+
+}  // namespace
+
+void top_bar(Build& build) {
+    const Theme& theme = build.theme;
+    const float margin = theme.px(8);
+    const float screen = ImGui::GetIO().DisplaySize.x;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(4)});
+    ImGui::SetNextWindowPos({margin, margin});
+    ImGui::Begin("bar", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    const float toggles = 9 * (ImGui::GetFrameHeight() + theme.px(2)) + theme.px(60);
+    title(build, std::max(std::min(theme.px(260), screen - 2 * margin - toggles), 1.0f));
+    PanelSettings& settings = build.settings;
+    toggle(build, "Browser", Icon::browser, Action::browser, settings.browser);
+    toggle(build, "Passes", Icon::passes, Action::passes, settings.passes);
+    toggle(build, "Tweaks", Icon::tweaks, Action::tweaks, settings.tweaks);
+    toggle(build, "Transport", Icon::clock, Action::transport, settings.transport);
+    ImGui::SameLine(0, theme.px(8));
+    actions(build);
+    if (build.facts.loading) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        text_in(colours::kAccent, "compiling\u2026");
+    }
+    build.layout.bar = {ImGui::GetWindowPos(), ImGui::GetWindowSize()};
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace glint
