@@ -78,7 +78,8 @@ std::string channel_declarations(const Preset& preset, bool image_pass) {
             std::find_if(scene.samplers.begin(), scene.samplers.end(),
                          [&](const Sampler& sampler) { return sampler.name == name; });
         const bool by_scene = declared != scene.samplers.end();
-        const char* type = glsl_name(by_scene ? declared->type : preset.channels[i].type);
+        const char* type = glsl_name(
+            by_scene ? declared->type : scene.channel_types[i].value_or(preset.channels[i].type));
         if (!by_scene) text += fmt::format("uniform {} {};\n", type, name);
         // A struct of samplers costs a declaration in every shader, so only where it is used.
         if (image_pass && contains_word(scene.text, fmt::format("iCh{}", i))) {
@@ -99,11 +100,27 @@ std::string old_names(const Scene& scene) {
     return std::regex_search(scene.text, declared) ? "" : "uniform float iGlobalTime;\n";
 }
 
+// The site's drivers take every precision as highp, where Mesa computes mediump and lowp in halves.
+// Samplers must be told: their default is lowp, and a buffer of 32-bit floats is then read as
+// halves.
+constexpr std::string_view kPrecision = R"(precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp samplerCube;
+precision highp sampler3D;
+)";
+
 // `packed` is an ordinary name on the site, and reserved in Mesa.
 std::string renamed_words(const Scene& scene) {
-    if (!contains_word(scene.text, "packed")) return "";
+    std::string text;
+    for (const std::string_view word : {"mediump", "lowp"}) {
+        if (contains_word(scene.text, word)) text += fmt::format("#define {} highp\n", word);
+    }
     static const std::regex is_macro(R"(#\s*define\s+packed\b)");
-    return std::regex_search(scene.text, is_macro) ? "" : "#define packed glint_packed\n";
+    if (contains_word(scene.text, "packed") && !std::regex_search(scene.text, is_macro)) {
+        text += "#define packed glint_packed\n";
+    }
+    return text;
 }
 
 // Where a list of `out` parameters of this function begins and ends, from `at` on; npos for none.
@@ -395,7 +412,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     else
         for (const std::string& output : scene.passes[pass].outputs)
             text += fmt::format("#define PASS_{} 1\n", output);
-    text += "precision highp float;\nprecision highp int;\nprecision mediump sampler3D;\n";
+    text += kPrecision;
     text += kUniforms;
     text += old_names(scene);
     text += channel_declarations(preset, image);
