@@ -1,0 +1,240 @@
+// The program that a scene's text is wrapped in, sentence by sentence of what the site does.
+#include "fixture.h"
+
+namespace glint {
+namespace {
+
+using WrappedProgram = GlTest;
+
+struct Case {
+    const char* text;
+    glm::vec3 expected;
+};
+
+void expect_first_pixel(const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.text);
+        Player player(c.text);
+        player.draw(0);
+        EXPECT_EQ(player.colour(), c.expected);
+    }
+}
+
+TEST_F(WrappedProgram, MacrosOfTheUserDoNotReachTheHostsMain) {
+    const std::string body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.25); }";
+    for (const char* line :
+         {"#define main not_main", "#define color c.zyx", "#define coord 1.0",
+          "#define glint_out0 nothing", "#define void_ void", "#define clamp(a, b, c) nothing",
+          "#define normalize(v) nothing", "#define iResolution nothing", "#define int float",
+          "#define st_assert(c) nothing", "#define iFrame nothing", "#define layout nothing",
+          "#define precision nothing", "#define uniform nothing", "#define mainSound nothing"}) {
+        SCOPED_TRACE(line);
+        Player player(std::string(line) + "\n" + body);
+        player.draw(0);
+        EXPECT_EQ(player.pixel(0, 0), glm::vec4(0.25, 0.25, 0.25, 1.0));
+    }
+    expect_first_pixel({
+        {"#define vec4(x) (vec4(x) * 0.5)\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(1.0); }",
+         {0.5, 0.5, 0.5}},
+        {"#define out inout\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n",
+         {1, 1, 1}},
+    });
+}
+
+TEST_F(WrappedProgram, HardwareCountsAsFast) {
+    expect_first_pixel({
+        {"#if HW_PERFORMANCE == 1\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(1); }\n#endif",
+         {1, 1, 1}},
+        {"#ifdef HW_PERFORMANCE\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(1); }\n#endif",
+         {1, 1, 1}},
+    });
+}
+
+TEST_F(WrappedProgram, AnUndefinedNameInAnIfIsAnError) {
+    ScratchFolder folder;
+    const ReadPreset read = read_scene_text(folder,
+                                            "// first line\n"
+                                            "#if NEVER_DEFINED\n"
+                                            "#endif\n"
+                                            "void mainImage(out vec4 c, vec2 p) { c = vec4(1); }",
+                                            {});
+    ASSERT_TRUE(read.preset) << to_text(read.diagnostics);
+    const CompileResult result = compile_scene(*read.preset, {});
+    EXPECT_FALSE(result.scene);
+    ASSERT_TRUE(has_errors(result.diagnostics));
+    EXPECT_EQ(result.diagnostics[0].place.line, 2) << to_text(result.diagnostics);
+}
+
+TEST_F(WrappedProgram, PackedIsAnOrdinaryName) {
+    expect_first_pixel({
+        {"float packed(float packed) { return packed * 2.0; }\n"
+         "void mainImage(out vec4 c, vec2 p) { c = vec4(packed(0.25)); }",
+         {0.5, 0.5, 0.5}},
+        {"struct S { float packed; };\n"
+         "void mainImage(out vec4 c, vec2 p) { S s = S(0.5); c = vec4(s.packed); }",
+         {0.5, 0.5, 0.5}},
+        {"#define packed 0.5\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(packed); }",
+         {0.5, 0.5, 0.5}},
+        {"#define packed(x) (x)\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(packed(0.5)); }",
+         {0.5, 0.5, 0.5}},
+    });
+}
+
+TEST_F(WrappedProgram, AFailedAssertionColoursItsPixel) {
+    const auto with = [](const char* assertion) {
+        return colour_of(fmt::format("0.5); {}; c += vec4(0.0", assertion));
+    };
+    EXPECT_EQ(with("st_assert(true)"), glm::vec3(0.5));
+    EXPECT_EQ(with("st_assert(true, 2)"), glm::vec3(0.5));
+    EXPECT_EQ(with("st_assert(false)"), glm::vec3(1, 0, 0));
+    EXPECT_EQ(with("st_assert(false, 0)"), glm::vec3(1, 0, 0));
+    EXPECT_EQ(with("st_assert(false, 1)"), glm::vec3(0, 1, 0));
+    EXPECT_EQ(with("st_assert(false, 2)"), glm::vec3(0, 0, 1));
+    EXPECT_EQ(with("st_assert(false, 3)"), glm::vec3(1, 1, 0));
+    Player player("void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); st_assert(p.x < 2.0, 1); }");
+    player.draw(0);
+    EXPECT_EQ(player.colour(1, 0), glm::vec3(0.5));
+    EXPECT_EQ(player.colour(2, 0), glm::vec3(0, 1, 0));
+}
+
+TEST_F(WrappedProgram, TheOldNameOfTimeIsKnownUnlessTheTextDeclaresIt) {
+    const std::string body = "void mainImage(out vec4 c, vec2 p) { c = vec4(iGlobalTime); }";
+    struct {
+        std::string text;
+        float expected;
+    } const cases[] = {
+        {body, 0.5f},
+        {"uniform float iGlobalTime;\n" + body, 0.5f},
+        {"#define iGlobalTime iTime\n" + body, 0.5f},
+        {"#define iGlobalTime 7.0\n" + body, 7.0f},
+        {"const float iGlobalTime = 7.0;\n" + body, 7.0f},
+        {"float iGlobalTime = 7.0;\n" + body, 7.0f},
+        {"void mainImage(out vec4 c, vec2 p) { float iGlobalTime = 7.0; c = vec4(iGlobalTime); }",
+         7.0f},
+        {"// iGlobalTime\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(iTime); }", 0.5f},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.text);
+        Player player(c.text);
+        player.draw(30);
+        EXPECT_EQ(player.colour(), glm::vec3(c.expected));
+    }
+}
+
+TEST_F(WrappedProgram, TextMayDeclareTheHostsUniformsItself) {
+    expect_first_pixel({
+        {"uniform vec3 iResolution;\nuniform float iTime, iTimeDelta;\nuniform vec4 iMouse;\n"
+         "uniform sampler2D iChannel0;\nuniform vec3 iChannelResolution[4];\n"
+         "void mainImage(out vec4 c, vec2 p) { c = vec4(iResolution, 1) + texture(iChannel0, p); }",
+         {4, 2, 1}},
+        {"precision mediump float;\nuniform highp vec3 iResolution;\n"
+         "void mainImage(out vec4 c, vec2 p) { c = vec4(iResolution, 1); }",
+         {4, 2, 1}},
+    });
+}
+
+TEST_F(WrappedProgram, AByteOrderMarkAndAnyLineEndsAreRead) {
+    expect_first_pixel({
+        {"\xEF\xBB\xBFvoid mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }", {0.5, 0.5, 0.5}},
+        {"#define A 0.5\r\nvoid mainImage(out vec4 c, vec2 p)\r\n{ c = vec4(A); }\r\n",
+         {0.5, 0.5, 0.5}},
+        {"#version 300 es\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }", {0.5, 0.5, 0.5}},
+    });
+}
+
+TEST_F(WrappedProgram, IntegersAndFloatsHaveAllTheirBits) {
+    expect_first_pixel({
+        {"void mainImage(out vec4 c, vec2 p) {\n"
+         "    uint u = 0xfffffff1u + uint(iFrame);\n"
+         "    int i = 2147483600 + iFrame;\n"
+         "    float f = 16777215.0 + iTime;\n"
+         "    c = vec4(u % 256u, i % 100, f - 16777214.0, 1);\n"
+         "}",
+         {241, 0, 1}},
+    });
+}
+
+// Where a driver has halves, they must not creep in: the site's drivers have none.
+TEST_F(WrappedProgram, EverythingIsOfHighPrecisionWhateverTheTextSays) {
+    const std::string value = "1.0 + 1.0 / 8192.0";
+    for (const char* line : {"", "precision mediump float;", "precision lowp float;",
+                             "precision lowp sampler2D;\nprecision mediump int;"}) {
+        for (const char* local : {"", "mediump", "lowp", "highp"}) {
+            SCOPED_TRACE(fmt::format("{} {}", line, local));
+            Player player(
+                fmt::format("{}\n"
+                            "uniform sampler2D a; //@ pass mainA\n"
+                            "void mainA(out vec4 c, vec2 p) {{ c = vec4({}); }}\n"
+                            "void mainImage(out vec4 c, vec2 p) {{\n"
+                            "    {} float x = texelFetch(a, ivec2(p), 0).x;\n"
+                            "    {} int i = 100000 + iFrame;\n"
+                            "    c = vec4(x, x * x - 1.0, i, 1);\n"
+                            "}}\n",
+                            line, value, local, local));
+            player.draw(0);
+            const float x = 1.0f + 1.0f / 8192.0f;
+            EXPECT_EQ(player.colour(), glm::vec3(x, x * x - 1.0f, 100000));
+        }
+    }
+}
+
+TEST_F(WrappedProgram, EveryPixelIsDrawnOnceAtItsCentre) {
+    Player player("void mainImage(out vec4 c, vec2 p) { c = vec4(p, gl_FragCoord.x - p.x, 1); }",
+                  {.size = {7, 5}});
+    player.draw(0);
+    for (int y = 0; y < 5; ++y) {
+        for (int x = 0; x < 7; ++x) {
+            EXPECT_EQ(player.pixel(x, y), glm::vec4(glm::vec2(x, y) + 0.5f, 0, 1));
+        }
+    }
+}
+
+TEST_F(WrappedProgram, ThePicturesColourStartsAt1e20) {
+    Player player("void mainImage(out vec4 c, vec2 p) { if (p.x < 1.0) c = vec4(0.5); }");
+    player.draw(0);
+    EXPECT_EQ(player.pixel(0, 0), glm::vec4(0.5, 0.5, 0.5, 1));
+    EXPECT_EQ(player.pixel(1, 0), glm::vec4(1e20f, 1e20f, 1e20f, 1));
+    EXPECT_EQ(colour_of("0); c = c; c = vec4(c.r + 2.0"), glm::vec3(2));
+}
+
+TEST_F(WrappedProgram, ThePicturesAlphaIsIgnoredAndComesOutAsOne) {
+    for (const PixelFormat format : {PixelFormat::rgba8, PixelFormat::rgba32f}) {
+        Player player("void mainImage(out vec4 c, vec2 p) { c = vec4(1, 0, 0, p.x - 1.5); }",
+                      {.format = format});
+        player.draw(0);
+        for (int x = 0; x < 4; ++x) EXPECT_EQ(player.pixel(x, 0), glm::vec4(1, 0, 0, 1));
+    }
+}
+
+TEST_F(WrappedProgram, ABuffersColourStartsAtOpaqueBlack) {
+    Player player(
+        "uniform sampler2D a; //@ pass mainA\n"
+        "void mainA(out vec4 c, vec2 p) { if (p.x < 1.0) c = vec4(0.5); }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(a, ivec2(p), 0); }",
+        {.pass = "a"});
+    player.draw(0);
+    EXPECT_EQ(player.pixel(0, 0), glm::vec4(0.5));
+    EXPECT_EQ(player.pixel(1, 0), glm::vec4(0, 0, 0, 1));
+}
+
+TEST_F(WrappedProgram, TheChannelStructsAreThereInTheImagePass) {
+    Player player(
+        "void mainImage(out vec4 c, vec2 p) {\n"
+        "    int x = int(p.x);\n"
+        "    if (x == 0) c = vec4(iCh0.size, 1);\n"
+        "    if (x == 1) c = vec4(iCh0.loaded, iCh1.loaded, iCh0.time, 1);\n"
+        "    if (x == 2) c = vec4(texture(iCh1.sampler, vec2(0.5)).rgb, 1);\n"
+        "    if (x == 3) c = texelFetch(iCh0.sampler, ivec2(1, 0), 0) - \n"
+        "                    texelFetch(iChannel0, ivec2(1, 0), 0);\n"
+        "}",
+        {.preset = "[channels]\niChannel0 = { noise = \"rgba 8x2\" }"});
+    player.draw(0);
+    EXPECT_EQ(player.colour(0), glm::vec3(8, 2, 1));
+    EXPECT_EQ(player.colour(1), glm::vec3(1, 0, 0));
+    EXPECT_EQ(player.colour(2), glm::vec3(0));
+    EXPECT_EQ(player.colour(3), glm::vec3(0));
+}
+
+}  // namespace
+}  // namespace glint
