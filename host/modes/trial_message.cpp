@@ -39,8 +39,9 @@ void members(auto& bytes, Is<Pass> auto& value) {
     bytes(name, entry, outputs, size, scale, format, cube, step, place);
 }
 void members(auto& bytes, Is<Scene> auto& value) {
-    auto& [files, text, origins, tweaks, samplers, passes, image_entry, has_sound] = value;
-    bytes(files, text, origins, tweaks, samplers, passes, image_entry, has_sound);
+    auto& [files, text, origins, tweaks, samplers, passes, channel_types, image_entry, has_sound] =
+        value;
+    bytes(files, text, origins, tweaks, samplers, passes, channel_types, image_entry, has_sound);
 }
 void members(auto& bytes, Is<Preset> auto& value) {
     auto& [file, scene, title, time, size, settle, date, values, channels, events] = value;
