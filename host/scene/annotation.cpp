@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 namespace glint {
@@ -28,6 +29,7 @@ struct TweakParser {
     std::optional<Written> initial, reference;
     std::size_t range_at = 0, log_at = 0, step_at = 0, menu_at = 0;
     bool described = false;
+    std::unordered_set<std::string_view> options;  // those seen
 
     bool is_number_type() const { return tweak.type != TweakType::bool1 && tweak.names.empty(); }
 
@@ -113,6 +115,7 @@ void TweakParser::parse_word(std::size_t at) {
 void TweakParser::parse_option(std::string_view key, std::size_t at) {
     const std::size_t value_at = words.at();
     const bool is_empty = words.done();
+    if (!options.insert(key).second) words.complain(at, fmt::format("a second {}=; keep one", key));
     if (key == "unit") {
         tweak.unit = words.text();
     } else if (key == "group") {
@@ -164,13 +167,14 @@ void TweakParser::parse_menu() {
     menu_at = at + 1;
     if (tweak.type != TweakType::int1)
         return words.complain(at, "only an int has a menu; declare it as uniform int");
+    std::unordered_set<std::string_view> known;
     for (const std::string_view name : names) {
-        const std::string text(unquoted(name));
+        const std::string_view text = unquoted(name);
         if (text.empty())
             words.complain(at, "a name of this menu is empty; write {off, on}");
-        else if (std::find(tweak.names.begin(), tweak.names.end(), text) != tweak.names.end())
+        else if (!known.insert(text).second)
             words.complain(at, fmt::format("{} stands twice in this menu", in_quotes(text)));
-        tweak.names.push_back(text);
+        tweak.names.emplace_back(text);
     }
 }
 
@@ -229,7 +233,8 @@ Tweak parse_tweak(Tweak tweak, std::string_view annotation, std::vector<Complain
     TweakParser parser{.tweak = std::move(tweak),
                        .words = Words(annotation, complaints),
                        .initial = {},
-                       .reference = {}};
+                       .reference = {},
+                       .options = {}};
     parser.parse();
     return parser.tweak;
 }

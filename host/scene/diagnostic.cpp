@@ -60,7 +60,8 @@ std::string in_quotes(std::string_view words) {
 
 std::string nearest(std::string_view word, std::span<const std::string> known) {
     constexpr std::size_t kLongestWord = 64;
-    if (word.empty() || word.size() > kLongestWord) return {};
+    constexpr std::size_t kMostWords = 1000;  // beyond that a guess costs more than it helps
+    if (word.empty() || word.size() > kLongestWord || known.size() > kMostWords) return {};
     std::size_t best_distance = (word.size() + 2) / 3 + 1;
     std::string best;
     for (const std::string& candidate : known) {

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstdint>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 
 namespace glint {
@@ -65,6 +66,7 @@ std::optional<PixelFormat> parse_format(std::string_view text) {
 struct SamplerParser {
     SamplerAnnotation result;
     Words words;
+    std::unordered_set<std::string_view> options;  // those seen
 
     void parse();
     void parse_source(std::string_view word, std::size_t at);
@@ -173,6 +175,7 @@ std::vector<std::string> SamplerParser::known_options() const {
 
 void SamplerParser::parse_option(std::string_view key, std::size_t at) {
     const auto known = known_options();
+    if (!options.insert(key).second) words.complain(at, fmt::format("a second {}=; keep one", key));
     const std::size_t value_at = words.at();
     const std::string value = words.text();
     const auto complain = [&](std::string_view what) {
@@ -262,7 +265,7 @@ std::optional<Step> parse_rational(std::string_view text) {
 
 SamplerAnnotation parse_sampler(Sampler sampler, std::string_view annotation,
                                 std::vector<Complaint>& complaints) {
-    SamplerParser parser{.result = {}, .words = Words(annotation, complaints)};
+    SamplerParser parser{.result = {}, .words = Words(annotation, complaints), .options = {}};
     parser.result.sampler = std::move(sampler);
     parser.parse();
     return parser.result;

@@ -172,6 +172,7 @@ TEST(TweakAnnotation, SaysWhatIsWrongAndWhere) {
         {TweakType::float1, "1 \"open", 2, "never closed"},
         {TweakType::float1, "1 \"a\" \"b\"", 6, "second description"},
         {TweakType::float1, "1 ] x", 2, "']'"},
+        {TweakType::float1, "1 unit=a unit=b", 9, "second unit="},
         {TweakType::float1, "1 group Water", 2, "unknown word 'group'"},
     };
     for (const auto& c : cases) {
@@ -291,6 +292,7 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         {SamplerType::sampler2D, "pass a format=rgba64", 14, "rgba16f"},
         {SamplerType::sampler2D, "pass a filter=blurry", 14, "nearest, linear or mipmap"},
         {SamplerType::sampler2D, "pass a wrap=round", 12, "clamp, repeat or mirror"},
+        {SamplerType::sampler2D, "pass a wrap=clamp wrap=clamp", 18, "second wrap="},
         {SamplerType::sampler2D, "buffer a size=4", 9, "unknown word 'size'"},
         {SamplerType::sampler2D, "image", 5, "path is missing"},
         {SamplerType::sampler2D, "image \"a", 6, "never closed"},

@@ -343,18 +343,18 @@ TEST(OddText, MainImageMayStandBehindAMacro) {
     good("#define main_image mainImage\nvoid main_image(out vec4 c, in vec2 f) { c = vec4(1); }\n");
 }
 
-// Each of these is a megabyte: what is quadratic would take minutes.
-TEST(OddText, AMegabyteOnOneLineIsReadInLinearTime) {
-    const std::string megabyte(1 << 20, 'x');
+// What is quadratic would take minutes here.
+TEST(OddText, AnEndlessLineIsReadInLinearTime) {
+    const std::string endless(1 << 20, 'x');
     for (const std::string& text :
-         {megabyte, "// " + megabyte, "//@ " + megabyte, "/*" + megabyte + "*/",
-          "uniform float a; //@ 1 " + megabyte, "uniform float a; //@ 1 \"" + megabyte + "\"",
-          "uniform float a; //@ " + lines(1 << 18, "1, "), "#include " + lines(1 << 18, "< \" "),
-          lines(1 << 16, "uniform float a;"), lines(1 << 16, "uniform "), lines(1 << 18, "/**/ "),
-          lines(1 << 16, "//@ 1\n"), "uniform float " + lines(1 << 18, "a, ") + "b;",
-          "uniform int a; //@ 0 {" + lines(1 << 10, "a, ") + "b}", lines(1 << 19, "\\\n"),
-          lines(1 << 19, "{ "), "uniform float a" + lines(1 << 19, "["),
-          lines(1 << 16, "#if 0\n")}) {
+         {endless, "// " + endless, "//@ " + endless, "/*" + endless + "*/",
+          "uniform float a; //@ 1 " + endless, "uniform float a; //@ 1 \"" + endless + "\"",
+          "uniform float a; //@ " + lines(1 << 16, "1, "), "#include " + lines(1 << 16, "< \" "),
+          lines(1 << 14, "uniform float a;"), lines(1 << 14, "uniform "), lines(1 << 16, "/**/ "),
+          lines(1 << 14, "//@ 1\n"), "uniform float " + lines(1 << 16, "a, ") + "b;",
+          "uniform int a; //@ 0 {" + lines(1 << 16, "a, ") + "b}", lines(1 << 17, "\\\n"),
+          lines(1 << 17, "{ "), "uniform float a" + lines(1 << 17, "["),
+          lines(1 << 14, "#if 0\n")}) {
         const ReadScene result = read(text + "\n" + kImage);
         EXPECT_EQ(result.scene.has_value(), !has_errors(result.diagnostics));
     }
