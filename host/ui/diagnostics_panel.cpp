@@ -29,10 +29,8 @@ void follow(const Facts& facts, DiagnosticsState& state) {
     state.told = std::move(told);
     state.open = has_errors(facts.diagnostics);
     state.shown.clear();
-    for (const Diagnostic& diagnostic : facts.diagnostics) {
-        const SourceLine line = read_source_line(diagnostic.place);
-        state.shown.push_back({diagnostic, line.text, line.caret});
-    }
+    for (const Diagnostic& diagnostic : facts.diagnostics)
+        state.shown.push_back({diagnostic, read_source_line(diagnostic.place)});
 }
 
 ImU32 colour_of(Severity severity) {
@@ -48,16 +46,19 @@ std::string place_text(const Place& place) {
 
 void source_line(const Theme& theme, const DiagnosticsState::Shown& shown) {
     if (shown.source.empty()) return;
-    const std::string number = fmt::format("{:>5}  ", shown.diagnostic.place.line);
     ImGui::PushFont(theme.mono);
+    const Place& place = shown.diagnostic.place;
+    const std::string number = fmt::format("{:>4}  ", place.line);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    text_in(colours::kFaint, number);
+    const float digit = ImGui::CalcTextSize("0").x;
+    const auto left = static_cast<int>(number.size());
+    const int room = static_cast<int>(ImGui::GetContentRegionAvail().x / digit) - left;
+    const SourceLine line = shown_line(shown.source, place.column, std::max(room, 20));
+    text_in(colours::kDim, number);
     ImGui::SameLine(0, 0);
-    text_in(colours::kText, shown.source);
-    if (shown.caret >= 0) {
-        const float digit = ImGui::CalcTextSize("0").x;
-        const float x = corner.x + digit * static_cast<float>(number.size()) +
-                        digit * static_cast<float>(shown.caret);
+    text_in(colours::kText, line.text);
+    if (line.caret >= 0) {
+        const float x = corner.x + digit * static_cast<float>(left + line.caret);
         const float y = corner.y + ImGui::GetTextLineHeight() - theme.px(1);
         ImGui::GetWindowDrawList()->AddText({x, y}, colour_of(shown.diagnostic.severity), "^");
         ImGui::Dummy({1, theme.px(6)});
@@ -102,7 +103,8 @@ void heading(Build& build, DiagnosticsState& state) {
     ImGui::AlignTextToFramePadding();
     text_in(errors ? colours::kError : colours::kWarning, summary(build.facts.diagnostics),
             theme.bold);
-    const float buttons = ImGui::CalcTextSize("Edit").x + 3 * ImGui::GetFrameHeight();
+    const float buttons =
+        ImGui::CalcTextSize("Edit").x + ImGui::GetFrameHeight() + theme.px(2 * 8 + 4);
     if (errors) {
         const char* note =
             build.facts.scene ? "The last good picture keeps running." : "There is no picture yet.";
@@ -110,7 +112,7 @@ void heading(Build& build, DiagnosticsState& state) {
         text_in(colours::kDim, note);
     }
     ImGui::SameLine();
-    const float room = ImGui::GetContentRegionAvail().x - buttons + theme.px(16);
+    const float room = ImGui::GetContentRegionAvail().x - buttons;
     if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     if (text_button(theme, "Edit", false, "Open $EDITOR at the first place (Ctrl+E)"))
         build.wishes.edit = state.shown.front().diagnostic;

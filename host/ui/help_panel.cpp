@@ -3,7 +3,7 @@
 #include "ui/shortcuts.h"
 #include "ui/widgets.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -16,21 +16,31 @@ std::string all_keys(std::size_t index) {
     return keys;
 }
 
+// The indices of the table's rows: what has a meaning of its own.
+std::vector<std::size_t> rows() {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < kShortcuts.size(); ++i)
+        if (*kShortcuts[i].meaning) found.push_back(i);
+    return found;
+}
+
+// Read downwards, then to the next column.
 void key_rows(const Theme& theme, int columns) {
+    const auto keys = rows();
+    const std::size_t count = static_cast<std::size_t>(columns);
+    const std::size_t lines = (keys.size() + count - 1) / count;
     if (!ImGui::BeginTable("keys", 2 * columns, ImGuiTableFlags_SizingFixedFit)) return;
-    int column = 0;
-    for (std::size_t i = 0; i < kShortcuts.size(); ++i) {
-        if (!*kShortcuts[i].meaning) continue;
-        if (column == 0) ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        text_in(colours::kAccent, all_keys(i));
-        ImGui::TableNextColumn();
-        text_in(colours::kText, kShortcuts[i].meaning);
-        if (column + 1 < columns) {
+    for (std::size_t line = 0; line < lines; ++line) {
+        ImGui::TableNextRow();
+        for (std::size_t i = line; i < keys.size(); i += lines) {
+            ImGui::TableNextColumn();
+            text_in(colours::kAccent, all_keys(keys[i]));
+            ImGui::TableNextColumn();
+            text_in(colours::kText, kShortcuts[keys[i]].meaning);
+            if (i + lines >= keys.size()) continue;
             ImGui::SameLine();
             ImGui::Dummy({theme.px(16), 0});
         }
-        column = (column + 1) % columns;
     }
     ImGui::EndTable();
 }
@@ -47,6 +57,7 @@ void help_panel(Build& build) {
     ImGui::Begin("help", &build.settings.help,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::AlignTextToFramePadding();
     text_in(colours::kText, "Keys", theme.bold);
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x -

@@ -46,11 +46,25 @@ struct Pen {
     }
 };
 
-// A round arrow; `way` is 1 for the one that points back, -1 for its mirror image.
-void turn(const Pen& pen, float way) {
-    const float begin = way > 0 ? -0.75f * kPi : -0.25f * kPi;
-    pen.arc(0, 0.1f, 0.7f, begin, begin + way * 1.45f * kPi);
-    pen.triangle({-0.95f * way, -0.75f}, {-0.9f * way, 0.05f}, {-0.2f * way, -0.35f});
+// An arrow that turns back; `way` is -1 for one to the left, 1 for its mirror image.
+void hook(const Pen& pen, float way) {
+    const auto path = [&](float begin, float end) {
+        pen.list.PathArcTo(pen.at(0.2f * -way, 0.2f), 0.5f * pen.half, begin, end);
+    };
+    pen.list.PathLineTo(pen.at(0.5f * way, -0.3f));
+    if (way < 0)
+        path(-0.5f * kPi, 0.5f * kPi);
+    else
+        path(1.5f * kPi, 0.5f * kPi);
+    pen.list.PathLineTo(pen.at(0.3f * way, 0.7f));
+    pen.list.PathStroke(pen.colour, ImDrawFlags_None, pen.width);
+    pen.triangle({0.95f * way, -0.3f}, {0.3f * way, -0.8f}, {0.3f * way, 0.2f});
+}
+
+// Round and back to the start.
+void turn(const Pen& pen) {
+    pen.arc(0, 0.05f, 0.72f, -0.75f * kPi, 0.9f * kPi);
+    pen.triangle({-0.95f, -0.15f}, {-0.85f, -0.85f}, {-0.2f, -0.5f});
 }
 
 void lock(const Pen& pen, bool closed) {
@@ -151,9 +165,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
             pen.triangle({0.8f, -0.75f}, {-0.45f, 0.0f}, {0.8f, 0.75f});
             return pen.solid(-0.8f, -0.75f, -0.5f, 0.75f, 0.1f);
         case Icon::undo:
-            return turn(pen, 1);
+            return hook(pen, -1);
         case Icon::redo:
-            return turn(pen, -1);
+            return hook(pen, 1);
         case Icon::dice:
             return dice(pen);
         case Icon::locked:
@@ -197,7 +211,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
         case Icon::loop:
             return loop(pen);
         case Icon::revert:
-            return turn(pen, 1);
+            return turn(pen);
         case Icon::save:
             return save(pen);
     }

@@ -67,17 +67,26 @@ void notice(Build& build, float alpha) {
 
 void empty_hint(Build& build) {
     if (build.facts.loading || has_errors(build.facts.diagnostics)) return;
+    const Theme& theme = build.theme;
     const Area& free = build.layout.free;
+    const ImVec2 centre{free.corner.x + 0.5f * free.size.x, free.corner.y + 0.5f * free.size.y};
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const char* big = "Drop a .frag file here";
+    const char* small = "or choose one in the browser (Ctrl+O)";
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    float y = free.corner.y + 0.5f * free.size.y - line;
-    for (const char* text : {"Drop a .frag file here", "or choose one in the browser (Ctrl+O)"}) {
-        const float width = std::min(ImGui::CalcTextSize(text).x, free.size.x);
-        text_within(list, {free.corner.x + 0.5f * (free.size.x - width), y}, width, colours::kDim,
-                    text);
-        y += line;
-    }
-    (void)build.theme;
+    const float width = std::min(ImGui::CalcTextSize(small).x, free.size.x);
+    const ImVec2 half{0.5f * width + theme.px(32), line + theme.px(24)};
+    list.AddRectFilled({centre.x - half.x, centre.y - half.y},
+                       {centre.x + half.x, centre.y + half.y}, colours::kPanel, theme.px(6));
+    list.AddRect({centre.x - half.x, centre.y - half.y}, {centre.x + half.x, centre.y + half.y},
+                 colours::kFaint, theme.px(6), 0, theme.px(1));
+    ImGui::PushFont(theme.bold);
+    const float big_width = ImGui::CalcTextSize(big).x;
+    text_within(list, {centre.x - 0.5f * big_width, centre.y - line}, big_width + 1.0f,
+                colours::kText, big);
+    ImGui::PopFont();
+    text_within(list, {centre.x - 0.5f * width, centre.y + theme.px(4)}, width + 1.0f,
+                colours::kDim, small);
 }
 
 }  // namespace glint

@@ -50,8 +50,7 @@ struct TransportState {
 struct DiagnosticsState {
     struct Shown {
         Diagnostic diagnostic;
-        std::string source;  // the line, tabs expanded, cut to what is near the column
-        int caret = -1;      // character of `source`
+        std::string source;  // the line as the file has it
     };
     std::vector<Shown> shown;
     std::string told;  // what `shown` was made of

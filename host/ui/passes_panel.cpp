@@ -83,12 +83,15 @@ void pass_row(Build& build, const PassFact& pass, double slowest) {
                            state_text(build, pass)));
     draw_pass(build, pass, corner, width, slowest);
     if (pass.outputs.size() < 2) return;
-    ImGui::Dummy({theme.px(8), 0});
+    ImGui::Indent(theme.px(8));
     for (const std::string& output : pass.outputs) {
-        same_line_if_fits(ImGui::CalcTextSize(output.c_str()).x + theme.px(16));
+        if (&output != &pass.outputs.front())
+            same_line_if_fits(ImGui::CalcTextSize(output.c_str()).x + theme.px(16));
         if (text_button(theme, output.c_str(), shows(build.settings.view, output), ""))
             view_output(build, output);
     }
+    ImGui::Unindent(theme.px(8));
+    ImGui::Dummy({0, theme.px(2)});
 }
 
 void pass_list(Build& build) {
@@ -102,10 +105,10 @@ void pass_list(Build& build) {
         pass_row(build, build.facts.passes[i], slowest);
         ImGui::PopID();
     }
-    if (build.facts.passes.empty())
-        text_in(colours::kDim, "Nothing is drawn yet.");
-    else
-        text_in(colours::kDim, fmt::format("together {:.2f} ms", sum));
+    ImGui::Indent(build.theme.px(8));
+    text_in(colours::kDim, build.facts.passes.empty() ? "Nothing is drawn yet."
+                                                      : fmt::format("together {:.2f} ms", sum));
+    ImGui::Unindent(build.theme.px(8));
 }
 
 }  // namespace

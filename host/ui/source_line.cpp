@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-constexpr int kTab = 4, kWidth = 84, kBefore = 50;  // characters
+constexpr int kTab = 4;  // characters
 
 bool begins_character(char byte) {
     return (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
@@ -15,7 +15,7 @@ bool begins_character(char byte) {
 
 }  // namespace
 
-SourceLine shown_line(std::string_view line, int column) {
+SourceLine shown_line(std::string_view line, int column, int width) {
     std::vector<std::string> characters;
     int caret = -1, read = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -32,25 +32,26 @@ SourceLine shown_line(std::string_view line, int column) {
     if (column > read) caret = static_cast<int>(characters.size());
 
     const int count = static_cast<int>(characters.size());
-    const int begin = std::clamp(std::max(caret, 0) - kBefore, 0, std::max(count - kWidth, 0));
-    const int end = std::min(begin + kWidth, count);
+    const int begin = std::clamp(std::max(caret, 0) - width * 2 / 3, 0, std::max(count - width, 0));
+    const int end = std::min(begin + std::max(width, 1), count);
     SourceLine shown;
     if (begin > 0) shown.text = "\u2026";
-    for (int i = begin + (begin > 0 ? 1 : 0); i < end; ++i)
+    const int last = end < count ? end - 1 : end;
+    for (int i = begin + (begin > 0 ? 1 : 0); i < last; ++i)
         shown.text += characters[static_cast<std::size_t>(i)];
     if (end < count) shown.text += "\u2026";
     if (caret >= 0) shown.caret = caret - begin;
     return shown;
 }
 
-SourceLine read_source_line(const Place& place) {
+std::string read_source_line(const Place& place) {
     if (place.line <= 0) return {};
     std::ifstream file(place.file, std::ios::binary);
     std::string line;
     for (int i = 0; i < place.line; ++i)
         if (!std::getline(file, line)) return {};
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    return shown_line(line, place.column);
+    return line;
 }
 
 }  // namespace glint

@@ -8,15 +8,15 @@
 
 namespace glint {
 
+// Reads it; "" when the file cannot be read or has no such line.
+std::string read_source_line(const Place& place);
+
 struct SourceLine {
     std::string text;  // tabs expanded; cut to what is near the column, with "…" where it was cut
     int caret = -1;    // character of `text` under which the caret stands; -1: nowhere
 };
 
-// Reads it; "" when the file cannot be read or has no such line.
-SourceLine read_source_line(const Place& place);
-
-// The same for a line at hand. Columns count characters from 1.
-SourceLine shown_line(std::string_view line, int column);
+// As it is shown in this many characters. Columns count characters from 1; 0 is none.
+SourceLine shown_line(std::string_view line, int column, int width);
 
 }  // namespace glint

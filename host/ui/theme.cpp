@@ -90,8 +90,9 @@ void set_colours() {
     set(ImGuiCol_HeaderHovered, IM_COL32(255, 255, 255, 24));
     set(ImGuiCol_HeaderActive, IM_COL32(255, 255, 255, 34));
     set(ImGuiCol_CheckMark, colours::kAccent);
-    set(ImGuiCol_SliderGrab, colours::kAccent);
-    set(ImGuiCol_SliderGrabActive, IM_COL32(160, 210, 250, 255));
+    // Numbers stand over the grab: it is no brighter than they can bear.
+    set(ImGuiCol_SliderGrab, IM_COL32(74, 130, 176, 255));
+    set(ImGuiCol_SliderGrabActive, colours::kAccent);
     set(ImGuiCol_ScrollbarBg, IM_COL32(0, 0, 0, 0));
     set(ImGuiCol_ScrollbarGrab, IM_COL32(255, 255, 255, 40));
     set(ImGuiCol_ScrollbarGrabHovered, IM_COL32(255, 255, 255, 70));

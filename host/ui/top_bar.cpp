@@ -44,18 +44,14 @@ void picture_popup(Build& build) {
     PanelSettings& settings = build.settings;
     const float width = theme.px(220);
     text_in(colours::kText, "Picture", theme.bold);
-    ImGui::SetNextItemWidth(width);
-    ImGui::SliderFloat("##scale", &settings.resolution_scale, 0.25f, 2.0f, "resolution \u00d7 %.2f",
-                       ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemClicked(1)) settings.resolution_scale = 1.0f;
+    number_slider(theme, "##scale", width, settings.resolution_scale, {0.25, 2.0, 1.0, true},
+                  fmt::format("resolution \u00d7 {:.2f}", settings.resolution_scale));
     tip(theme, "Pixels of the picture for each of the window. Right-click: 1.");
     ImGui::Checkbox("hold a frame rate", &settings.hold_frame_rate);
     tip(theme, "Lowers the resolution as far as this rate needs");
-    if (settings.hold_frame_rate) {
-        ImGui::SetNextItemWidth(width);
-        ImGui::SliderFloat("##rate", &settings.frame_rate, 5.0f, 120.0f, "%.0f frames/s",
-                           ImGuiSliderFlags_AlwaysClamp);
-    }
+    if (settings.hold_frame_rate)
+        number_slider(theme, "##rate", width, settings.frame_rate, {5.0, 120.0, 30.0},
+                      fmt::format("{:.0f} frames/s", settings.frame_rate));
     ImGui::Separator();
     text_in(colours::kDim, fmt::format("{} \u00d7 {} pixels", build.facts.picture_size.x,
                                        build.facts.picture_size.y));

@@ -54,15 +54,13 @@ void time_field(Build& build, float width) {
 
 void rate_slider(Build& build, float width) {
     auto rate = static_cast<float>(build.transport.rate());
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::SliderFloat("##rate", &rate, static_cast<float>(Transport::kSlowest),
-                           static_cast<float>(Transport::kFastest), "%.2f\u00d7",
-                           ImGuiSliderFlags_Logarithmic)) {
+    const Range range{Transport::kSlowest, Transport::kFastest, 1.0, true};
+    if (number_slider(build.theme, "##rate", width, rate, range,
+                      fmt::format("{:.2f}\u00d7", rate))) {
         const bool is_near_one = std::abs(std::log(static_cast<double>(rate))) < 0.04;
         build.transport.set_rate(is_near_one ? 1.0 : static_cast<double>(rate));
     }
-    if (ImGui::IsItemClicked(1)) build.transport.set_rate(1.0);
-    tip(build.theme, "Rate: scene seconds in a second. Right-click: 1\u00d7. Ctrl+click types it.");
+    tip(build.theme, "Rate: scene seconds in a second. Right-click: 1.");
 }
 
 void loop_button(Build& build, TransportState& state) {
@@ -102,18 +100,16 @@ struct Bar {
     }
 };
 
-// Lines at whole seconds, minutes …, no closer than a finger's width, with a few times beneath.
+// Lines at whole seconds, minutes …, no closer than a finger's width.
 void draw_ticks(const Theme& theme, const Bar& bar, float track_bottom) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const double least = bar.time(bar.corner.x + theme.px(64));
     double step = 1.0;
     for (int i = 0; step < least && i < 90; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
-    ImGui::PushFont(theme.text);
     for (int k = 1; k * step < bar.span * 0.999 && k < 200; ++k) {
         const float x = std::round(bar.x(k * step));
         list.AddLine({x, track_bottom - theme.px(4)}, {x, track_bottom}, colours::kFaint);
     }
-    ImGui::PopFont();
 }
 
 void draw_scrub(Build& build, const TransportState& state, const Bar& bar, bool hot) {
@@ -205,11 +201,11 @@ void scrub_bar(Build& build, TransportState& state, float width) {
             span_for(build.transport.time(), state.loop, build.transport.loop().has_value());
     const Bar bar{corner, {corner.x + std::max(width, 1.0f), corner.y + height}, state.span};
     if (held) build.transport.seek(bar.time(ImGui::GetIO().MousePos.x));
-    const ImVec2 after = ImGui::GetCursorScreenPos();
     draw_scrub(build, state, bar, hot);
     markers(build, state, bar);
     loop_menu(build, state, bar);
-    ImGui::SetCursorScreenPos(after);
+    ImGui::SetCursorScreenPos(corner);  // what follows in the line follows the bar, not a marker
+    ImGui::Dummy({std::max(width, 1.0f), height});
 }
 
 std::string speed_text(const Build& build) {
@@ -245,7 +241,7 @@ void in_one_line(Build& build, TransportState& state, float side, float speed_wi
     speed(build, speed_width);
 }
 
-void in_two_lines(Build& build, TransportState& state, float side, float speed_width) {
+void in_two_lines(Build& build, TransportState& state, float speed_width) {
     const Theme& theme = build.theme;
     scrub_bar(build, state, ImGui::GetContentRegionAvail().x);
     buttons(build);
@@ -263,7 +259,6 @@ void in_two_lines(Build& build, TransportState& state, float side, float speed_w
         speed(build, speed_width);
     else
         ImGui::NewLine();
-    (void)side;
 }
 
 }  // namespace
@@ -288,7 +283,7 @@ void transport_panel(Build& build, TransportState& state) {
     if (is_wide)
         in_one_line(build, state, side, speed_width);
     else
-        in_two_lines(build, state, side, speed_width);
+        in_two_lines(build, state, speed_width);
     build.layout.transport = {ImGui::GetWindowPos(), ImGui::GetWindowSize()};
     ImGui::End();
     ImGui::PopStyleVar();

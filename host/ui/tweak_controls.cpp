@@ -52,36 +52,12 @@ void begin_typing(Row& row) {
     row.state.typing_begins = true;
 }
 
-// The track of a slider, filled up to its grab, behind ImGui's own slider.
-void draw_track(const Theme& theme, float width, double fraction) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 end{corner.x + width, corner.y + ImGui::GetFrameHeight()};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool hovered = ImGui::IsMouseHoveringRect(corner, end) && ImGui::IsWindowHovered();
-    const float round = theme.px(4);
-    list.AddRectFilled(corner, end, hovered ? colours::kFieldHovered : colours::kField, round);
-    const float grab = ImGui::GetStyle().GrabMinSize, inset = 2.0f;  // as SliderBehavior insets it
-    const float travel = std::max(width - 2 * inset - grab, 0.0f);
-    const float x = corner.x + inset + 0.5f * grab + static_cast<float>(fraction) * travel;
-    if (fraction > 0.0)
-        list.AddRectFilled(corner, {x, end.y}, colours::kAccentFill, round,
-                           ImDrawFlags_RoundCornersLeft);
-}
-
-void slider(Row& row) {
+void range_slider(Row& row) {
     if (row.state.typed == row.tweak.name) return typed_field(row);
-    const std::string text = escaped(with_unit(row.tweak, number_text(row.tweak, row.value[0])));
-    const double zero = 0.0, one = 1.0, before = fraction_of(row.tweak, row.value[0]);
-    double fraction = before;
-    draw_track(row.build.theme, row.width, fraction);
-    for (const ImGuiCol colour :
-         {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive})
-        ImGui::PushStyleColor(colour, IM_COL32(0, 0, 0, 0));
-    ImGui::SetNextItemWidth(row.width);
-    const bool moved =
-        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &fraction, &zero, &one, text.c_str(),
-                            ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput);
-    ImGui::PopStyleColor(3);
+    const std::string text = with_unit(row.tweak, number_text(row.tweak, row.value[0]));
+    const double origin = fraction_of(row.tweak, 0.0);
+    double fraction = fraction_of(row.tweak, row.value[0]);
+    const bool moved = slider(row.build.theme, "##slider", row.width, fraction, text, origin);
     const bool wants_typing = ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl;
     if (wants_typing) begin_typing(row);
     if (moved && !wants_typing) row.set(0, value_at(row.tweak, fraction));
@@ -235,7 +211,7 @@ void tweak_control(Build& build, TweaksState& state, std::size_t index, float wi
     if (tweak.type == TweakType::bool1) return checkbox(row);
     const int count = component_count(tweak.type);
     if (tweak.is_colour && count >= 3) return colour(row);
-    if (count == 1 && has_range(tweak)) return slider(row);
+    if (count == 1 && has_range(tweak)) return range_slider(row);
     if (count == 2 && has_range(tweak)) return pad(row);
     drag_fields(row, row.width);
 }

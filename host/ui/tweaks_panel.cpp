@@ -70,7 +70,7 @@ void tools(Build& build, TweaksState& state) {
                     {.enabled = history.can_redo()}))
         changed_by(build, history.redo());
     ImGui::SameLine(0, theme.px(2));
-    if (icon_button(theme, "reset all", Icon::reset, "Reset all tweaks to their defaults",
+    if (icon_button(theme, "reset all", Icon::revert, "Reset all tweaks to their defaults",
                     {.enabled = history.any_changed()})) {
         history.reset_all();
         changed_by(build, true);
@@ -81,17 +81,21 @@ void tools(Build& build, TweaksState& state) {
         history.randomise(static_cast<std::uint32_t>(state.random()));
         changed_by(build, true);
     }
-    const float rest = 4 * ImGui::GetFrameHeight() + theme.px(24);
+    const float rest =
+        2 * ImGui::GetFrameHeight() + theme.px(4 * 8 + 3 * 2) + ImGui::CalcTextSize("AB").x;
+    const float before = ImGui::GetCursorPosY();
     same_line_if_fits(rest);
     const float room = ImGui::GetContentRegionAvail().x - rest;
-    if (room > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    if (room > 0.0f && ImGui::GetCursorPosY() < before)
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     sets(build);
 }
 
 void wipe_place(Build& build) {
     if (build.settings.wipe != Wipe::wipe) return;
-    ImGui::SetNextItemWidth(-1);
-    ImGui::SliderFloat("##wipe place", &build.settings.wipe_position, 0.0f, 1.0f, "A | B at %.2f");
+    const bool is_a = build.history.shown() == History::Set::a;
+    number_slider(build.theme, "##wipe place", ImGui::GetContentRegionAvail().x,
+                  build.settings.wipe_position, {0.0, 1.0, 0.5}, is_a ? "A | B" : "B | A");
 }
 
 void search_field(Build& build, TweaksState& state) {

@@ -41,9 +41,8 @@ void zooms(Build& build) {
 
 void exposure(Build& build) {
     PassView& view = build.settings.view;
-    ImGui::SetNextItemWidth(-1);
-    ImGui::SliderFloat("##exposure", &view.exposure, -10.0f, 10.0f, "exposure %+.1f stops");
-    if (ImGui::IsItemClicked(1)) view.exposure = 0.0f;
+    number_slider(build.theme, "##exposure", ImGui::GetContentRegionAvail().x, view.exposure,
+                  {-10.0, 10.0, 0.0}, fmt::format("exposure {:+.1f} stops", view.exposure));
     tip(build.theme, "Right-click: 0");
     ImGui::Checkbox("tone curve", &view.tone_curve);
     tip(build.theme, "Bends what is brighter than white into the picture");

@@ -22,6 +22,19 @@ bool icon_button(const Theme& theme, const char* id, Icon icon, const char* tip,
 // A flat button with text, lit while it is on.
 bool text_button(const Theme& theme, const char* text, bool on, const char* tip);
 
+// A track of this width, filled from `origin` to where the value lies; both are fractions. The text
+// stands in it. True while a person moves it.
+bool slider(const Theme& theme, const char* id, float width, double& fraction,
+            const std::string& text, double origin = 0.0);
+
+// The same for a number in a range, even in the logarithm if `log`. Right-click sets `rest`.
+struct Range {
+    double min, max, rest;
+    bool log = false;
+};
+bool number_slider(const Theme& theme, const char* id, float width, float& number,
+                   const Range& range, const std::string& text);
+
 // A text in the colour and font; no formatting signs, no "##".
 void text_in(ImU32 colour, std::string_view text, ImFont* font = nullptr);
 
