@@ -40,7 +40,6 @@ struct TweakParser {
     void parse_range();
     void parse_menu();
     void check();
-    void check_number(std::optional<double> bound, std::string_view text, std::size_t at);
     std::optional<TweakValue> resolve(const Written& written, std::string_view what);
     bool in_range(const TweakValue& value) const;
 };
