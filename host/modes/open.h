@@ -1,4 +1,4 @@
-// `glint FILE`: shows a scene or preset. Without a display it writes NAME.png instead.
+// `glint FILE`: shows a scene or preset in a window. Without a display it writes NAME.png instead.
 #pragma once
 
 #include "modes/common.h"

@@ -190,7 +190,10 @@ void Playground::refuse(const std::string& why) {
         specialise_failed_ = true;  // uniforms do as well
         return;
     }
-    if (!why.empty()) diagnostics_.push_back({Severity::error, {file_.string(), 0, 0}, why});
+    if (!why.empty()) {
+        diagnostics_.push_back(
+            {.place = {.file = file_.string()}, .text = why, .missing_file = false});
+    }
     finish_report(false);
 }
 

@@ -1,6 +1,5 @@
 #include "modes/window.h"
 
-#define GLFW_INCLUDE_NONE
 #include "gl/window.h"
 #include "image/image.h"
 #include "modes/browser.h"
@@ -13,8 +12,8 @@
 #include "render/viewer.h"
 #include "scene/preset_writer.h"
 #include "ui/panels.h"
+#include "ui/shortcuts.h"
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
@@ -28,8 +27,6 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kNoticeSeconds = 4.0;
 
 // Idle windows still look round now and then: for a file system that does not tell of saves.
 constexpr double kLongestWait = 10.0;  // s
@@ -67,6 +64,7 @@ private:
     void handle_mouse(const WindowEvent& event);
     void release_keys();
     bool run_shortcut(int key, int modifiers);
+    void act(Action action);
     bool is_over_scene() const {
         return settings_.view.sampler.empty() && settings_.view.zoom == 0.0;
     }
@@ -106,7 +104,7 @@ private:
     bool values_known_ = false;
     std::vector<Event> recorded_;
 
-    Stopwatch since_draw_, since_notice_, since_scaling_;
+    Stopwatch since_draw_, since_scaling_;
     double frame_due_ = 0.0;  // s from since_draw_
     std::size_t printed_reports_ = 0;
     std::string notice_, title_, last_reload_;
@@ -114,6 +112,7 @@ private:
     bool dirty_ = true;  // the screen is behind what it should show
     bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
     glm::dvec2 mouse_{0.0};
+    std::uint32_t random_seed_ = 0;
     std::vector<int> held_keys_;
 
     std::vector<PassFact> passes_;
@@ -160,8 +159,7 @@ double PlaygroundWindow::wait_seconds() const {
     if (dirty_ || playground_.wants_frame() || panels_.is_settling()) {
         return std::max(0.0, frame_due_ - now);
     }
-    const bool fades = !notice_.empty();
-    const bool pending = playground_.is_loading() || browser_.is_busy() || fades ||
+    const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          (playground_.is_open() && !playground_.is_at_rest());
     return pending ? 0.1 : kLongestWait;
 }
@@ -265,9 +263,8 @@ Facts PlaygroundWindow::facts() {
     }
     browser_entries_.clear();
     for (const Look& look : browser_.looks()) {
-        browser_entries_.push_back({look.file, look.title, look.thumbnail.id()});
+        browser_entries_.push_back({look.file, look.title, look.thumbnail.id(), {}});
     }
-    if (since_notice_.ms() > kNoticeSeconds * 1000.0) notice_.clear();
     const Preset* preset = playground_.preset();
     Facts facts;
     facts.scene = preset ? &preset->scene : nullptr;
@@ -327,7 +324,6 @@ void PlaygroundWindow::open(const fs::path& file) {
 
 void PlaygroundWindow::notice(std::string text) {
     notice_ = std::move(text);
-    since_notice_.restart();
     dirty_ = true;
 }
 
@@ -477,43 +473,85 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
         view.centre -= moved / (glm::dvec2(playground_.size()) * view.zoom);
 }
 
-// What ui/shortcuts.h lists. Plain keys belong to the scene.
 bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
-    const bool control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    const std::optional<Action> action = action_of(key, modifiers);
+    if (!action) return false;
+    // What a person types into a field is not meant for the window.
+    const bool plain = modifiers == 0 || modifiers == GLFW_MOD_SHIFT;
+    if (plain && panels_.takes_keyboard()) return false;
+    act(*action);
+    return true;
+}
+
+void PlaygroundWindow::act(Action action) {
     Transport& transport = playground_.transport;
-    switch (key) {
-        case GLFW_KEY_TAB:
-            if (control || panels_.takes_keyboard()) return false;
-            settings_.visible = !settings_.visible;
-            return true;
-        case GLFW_KEY_F1:
-            settings_.help = !settings_.help;
-            return true;
-        case GLFW_KEY_F11:
-            window_.set_full_screen(!window_.is_full_screen());
-            return true;
-        case GLFW_KEY_F12:
-            take_still();
-            return true;
-        default:
-            break;
-    }
-    if (!control) return false;
-    switch (key) {
-        case GLFW_KEY_SPACE:
+    History& history = playground_.history;
+    switch (action) {
+        case Action::play_pause:
             transport.playing() ? transport.pause() : transport.play();
-            return true;
-        case GLFW_KEY_PERIOD:
+            break;
+        case Action::step:
             transport.step();
-            return true;
-        case GLFW_KEY_R:
+            break;
+        case Action::reset:
             transport.reset();
-            return true;
-        case GLFW_KEY_Q:
+            break;
+        case Action::tweaks:
+            settings_.tweaks = !settings_.tweaks;
+            break;
+        case Action::passes:
+            settings_.passes = !settings_.passes;
+            break;
+        case Action::browser:
+            settings_.browser = !settings_.browser;
+            break;
+        case Action::transport:
+            settings_.transport = !settings_.transport;
+            break;
+        case Action::hide_panels:
+            settings_.visible = !settings_.visible;
+            break;
+        case Action::close_panels:
+            settings_.help = settings_.browser = false;
+            break;
+        case Action::undo:
+            if (history.undo()) playground_.tweaks_changed();
+            break;
+        case Action::redo:
+            if (history.redo()) playground_.tweaks_changed();
+            break;
+        case Action::randomise:
+            history.randomise(++random_seed_);
+            playground_.tweaks_changed();
+            break;
+        case Action::save:
+            if (file_.extension() == ".toml")
+                save(file_);
+            else
+                settings_.save_as = settings_.visible = true;
+            break;
+        case Action::save_as:
+            settings_.save_as = settings_.visible = true;
+            break;
+        case Action::still:
+            take_still();
+            break;
+        case Action::record:
+            toggle_recording();
+            break;
+        case Action::edit:
+            edit(playground_.diagnostics().empty() ? Diagnostic{}
+                                                   : playground_.diagnostics().front());
+            break;
+        case Action::full_screen:
+            window_.set_full_screen(!window_.is_full_screen());
+            break;
+        case Action::help:
+            settings_.help = !settings_.help;
+            break;
+        case Action::quit:
             window_.close();
-            return true;
-        default:
-            return false;
+            break;
     }
 }
 
