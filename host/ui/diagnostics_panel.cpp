@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glint {
 namespace {
@@ -97,23 +98,8 @@ void entry(Build& build, const DiagnosticsState::Shown& shown) {
     ImGui::SetCursorScreenPos(after);
 }
 
-void heading(Build& build, DiagnosticsState& state) {
+void buttons(Build& build, DiagnosticsState& state) {
     const Theme& theme = build.theme;
-    const bool errors = has_errors(build.facts.diagnostics);
-    ImGui::AlignTextToFramePadding();
-    text_in(errors ? colours::kError : colours::kWarning, summary(build.facts.diagnostics),
-            theme.bold);
-    const float buttons =
-        ImGui::CalcTextSize("Edit").x + ImGui::GetFrameHeight() + theme.px(2 * 8 + 4);
-    if (errors) {
-        const char* note =
-            build.facts.scene ? "The last good picture keeps running." : "There is no picture yet.";
-        same_line_if_fits(ImGui::CalcTextSize(note).x + buttons);
-        text_in(colours::kDim, note);
-    }
-    ImGui::SameLine();
-    const float room = ImGui::GetContentRegionAvail().x - buttons;
-    if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
     if (text_button(theme, "Edit", false, "Open $EDITOR at the first place (Ctrl+E)"))
         build.wishes.edit = state.shown.front().diagnostic;
     ImGui::SameLine(0, theme.px(4));
@@ -122,17 +108,56 @@ void heading(Build& build, DiagnosticsState& state) {
         state.open = false;
 }
 
+// The summary, the buttons on the right, and the note between them or, where it is narrow, beneath.
+void heading(Build& build, DiagnosticsState& state) {
+    const Theme& theme = build.theme;
+    const bool errors = has_errors(build.facts.diagnostics);
+    const char* note = "";
+    if (errors)
+        note =
+            build.facts.scene ? "The last good picture keeps running." : "There is no picture yet.";
+    ImGui::AlignTextToFramePadding();
+    text_in(errors ? colours::kError : colours::kWarning, summary(build.facts.diagnostics),
+            theme.bold);
+    const float width =
+        ImGui::CalcTextSize("Edit").x + ImGui::GetFrameHeight() + theme.px(2 * 8 + 4);
+    ImGui::SameLine();
+    const float room = ImGui::GetContentRegionAvail().x - width;
+    const bool fits = ImGui::CalcTextSize(note).x + theme.px(16) < room;
+    const float right = ImGui::GetCursorPosX() + room;
+    if (fits) text_in(colours::kDim, note);
+    if (fits) ImGui::SameLine();
+    ImGui::SetCursorPosX(std::max(right, ImGui::GetCursorPosX()));
+    buttons(build, state);
+    ImGui::PushTextWrapPos(0.0f);
+    if (!fits) text_in(colours::kDim, note);
+    ImGui::PopTextWrapPos();
+}
+
+// Between the columns, or over their lower parts where too little is left between them.
+Area place(const Build& build) {
+    const Theme& theme = build.theme;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    Area area = build.layout.free;
+    if (area.size.x < theme.px(420)) {
+        area.corner.x = theme.px(8);
+        area.size.x = std::max(screen.x - theme.px(16), 1.0f);
+    }
+    const float width = std::min(area.size.x, theme.px(760));
+    area.corner.x += std::round(0.5f * (area.size.x - width));
+    area.size.x = width;
+    return area;
+}
+
 }  // namespace
 
 void diagnostics_panel(Build& build, DiagnosticsState& state) {
     follow(build.facts, state);
     if (state.shown.empty() || !state.open) return;
-    const Theme& theme = build.theme;
-    const Area& free = build.layout.free;
-    const float width = std::clamp(free.size.x, theme.px(260), theme.px(760));
-    const float x = std::max(free.corner.x + 0.5f * (free.size.x - width), 0.0f);
-    ImGui::SetNextWindowPos({x, free.bottom()}, 0, {0.0f, 1.0f});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(0.5f * free.size.y, 1.0f)});
+    const Area area = place(build);
+    ImGui::SetNextWindowPos({area.corner.x, area.bottom()}, 0, {0.0f, 1.0f});
+    ImGui::SetNextWindowSizeConstraints({area.size.x, 0},
+                                        {area.size.x, std::max(0.5f * area.size.y, 1.0f)});
     ImGui::Begin("diagnostics", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |

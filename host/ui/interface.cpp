@@ -20,6 +20,8 @@ Wishes Interface::build(const Facts& facts, History& history, Transport& transpo
     Build build{facts, history, transport, settings, wishes, theme_, layout_};
     follow_notice(facts);
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
+        pixel_grid(build);
+        wipe_handle(build);
         top_bar(build);
         if (!settings.transport) layout_.transport = {};
         if (settings.transport) transport_panel(build, transport_);

@@ -71,6 +71,8 @@ void browser_panel(Build& build, BrowserState& state);
 void diagnostics_panel(Build& build, DiagnosticsState& state);
 void help_panel(Build& build);
 void empty_hint(Build& build);
+void wipe_handle(Build& build);
+void pixel_grid(Build& build);
 void notice(Build& build, float alpha);
 
 // A docked panel: its heading, tools that stay, and a body that scrolls.

@@ -54,6 +54,14 @@ struct PixelValue {
     glm::vec4 value{0.0f};
 };
 
+// A magnified pixel that has its value printed on it.
+struct GridPixel {
+    glm::dvec2 centre{0.0};  // pixels of the window, y up
+    double side = 0.0;       // pixels of the window; small ones are left without numbers
+    glm::vec4 value{0.0f};   // what the buffer holds
+    glm::vec4 shown{0.0f};   // what the screen shows, 0 to 1: the ink is its opposite
+};
+
 // How the pass viewer shows a buffer; edited by the panel, drawn by the window.
 struct PassView {
     std::string sampler;    // "" or "image" for the picture
@@ -86,6 +94,7 @@ struct Facts {
     std::span<const PassFact> passes;
     std::optional<PixelFacts> pixel_facts;
     std::span<const PixelValue> pixel_values;
+    std::span<const GridPixel> grid;  // those in view, when the zoom is far enough for numbers
     std::span<const BrowserEntry> browser;
     bool recording = false;
     // A short message such as "christmas.png written". It fades by itself; a new text shows anew.

@@ -39,8 +39,13 @@ void toggle(Build& build, const char* name, Icon icon, Action action, bool& open
 }
 
 void picture_popup(Build& build) {
-    if (!ImGui::BeginPopup("picture")) return;
     const Theme& theme = build.theme;
+    const ImVec2 below{ImGui::GetItemRectMin().x, build.layout.bar.bottom() + theme.px(8)};
+    ImGui::SetNextWindowPos(below);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(12), theme.px(12)});
+    const bool open = ImGui::BeginPopup("picture");
+    ImGui::PopStyleVar();
+    if (!open) return;
     PanelSettings& settings = build.settings;
     const float width = theme.px(220);
     text_in(colours::kText, "Picture", theme.bold);

@@ -4,6 +4,7 @@
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -192,7 +193,9 @@ void loop_menu(Build& build, TransportState& state, const Bar& bar) {
 void scrub_bar(Build& build, TransportState& state, float width) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("scrub", {std::max(width, 1.0f), height});
+    // The markers, which come later, go before it.
+    ImGui::InvisibleButton("scrub", {std::max(width, 1.0f), height},
+                           static_cast<ImGuiButtonFlags>(ImGuiButtonFlags_AllowItemOverlap));
     ImGui::SetItemAllowOverlap();
     const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
     if (ImGui::IsItemClicked(1)) ImGui::OpenPopup("loop menu");
