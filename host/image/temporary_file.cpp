@@ -53,9 +53,21 @@ TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(t
     if (replaces && !S_ISREG(old.st_mode)) throw cannot_write(named_, "It is not a regular file");
 
     buffer_.reserve(kBufferBytes);
-    temporary_ = name_beside(target_);
-    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throw cannot_write(named_, cause_of(errno));
+    // A file without a name goes away with the process, however that ends. Not every file system
+    // has such files, and they get their name through /proc.
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+    if (::access("/proc/self/fd", X_OK) == 0) {
+        descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
+    }
+    if (descriptor_ < 0) {
+        temporary_ = name_beside(target_);
+        descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
+    if (descriptor_ < 0) {
+        const int refusal = errno;
+        temporary_.clear();
+        throw cannot_write(named_, cause_of(refusal));
+    }
     if (replaces) (void)::fchmod(descriptor_, old.st_mode & 07777);  // some file systems have none
 }
 
@@ -90,9 +102,21 @@ void TemporaryFile::fail(int error) noexcept {
     if (error_ == 0) error_ = error;
 }
 
+// A rename can replace a file, a link cannot, so the link gets a name of its own first.
+void TemporaryFile::give_name() {
+    const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+    const fs::path name = name_beside(target_);
+    if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+        temporary_ = name;
+    } else {
+        fail(errno);
+    }
+}
+
 void TemporaryFile::commit() {
     write_out(buffer_);
     buffer_.clear();
+    if (error_ == 0 && temporary_.empty()) give_name();
     if (::close(descriptor_) != 0) fail(errno);  // a network's file system reports here
     descriptor_ = -1;
     if (error_ == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);

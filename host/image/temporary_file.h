@@ -42,10 +42,11 @@ public:
 
 private:
     void write_out(std::span<const std::byte> bytes) noexcept;
+    void give_name();
 
-    std::filesystem::path named_;   // as the caller named it, for messages
-    std::filesystem::path target_;  // with symbolic links resolved
-    std::filesystem::path temporary_;
+    std::filesystem::path named_;      // as the caller named it, for messages
+    std::filesystem::path target_;     // with symbolic links resolved
+    std::filesystem::path temporary_;  // the name beside it; empty while it has none
     std::vector<std::byte> buffer_;
     int descriptor_ = -1;
     int error_ = 0;
