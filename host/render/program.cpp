@@ -448,6 +448,47 @@ CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramO
     return result;
 }
 
+namespace {
+
+// The end of the spaces and comments that begin at a place of a line.
+std::size_t after_space(std::string_view line, std::size_t at) {
+    while (at < line.size()) {
+        if (line[at] == ' ' || line[at] == '\t') {
+            ++at;
+        } else if (line.substr(at, 2) == "/*") {
+            const std::size_t end = line.find("*/", at + 2);
+            at = end == line.npos ? line.size() : end + 2;
+        } else {
+            break;
+        }
+    }
+    return at;
+}
+
+// Mesa counts bytes after its preprocessor, for which a run of spaces and comments is one space.
+// This is the column of the text itself, in characters from 1. Macros move columns too, by what
+// cannot be known here.
+int column_before_preprocessing(std::string_view line, int column) {
+    std::size_t at = 0;
+    for (int seen = 1; seen < column && at < line.size(); ++seen) {
+        const std::size_t code = after_space(line, at);
+        at = code > at ? code : at + 1;
+    }
+    return static_cast<int>(std::count_if(line.begin(), line.begin() + static_cast<long>(at),
+                                          [](char c) { return (c & 0xC0) != 0x80; })) +
+           1;
+}
+
+std::string_view line_of(std::string_view text, int number) {
+    std::size_t begin = 0;
+    for (int line = 1; line < number && begin < text.size(); ++line) {
+        begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    }
+    return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+}  // namespace
+
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text) {
     static const std::regex mesa(
         R"(^\d+:(\d+)\((\d+)\):\s*(?:preprocessor )?(error|warning):\s*(.*)$)");
@@ -470,7 +511,9 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
         std::smatch m;
         if (std::regex_match(line, m, mesa)) {
             list.push_back({m[3] == "error" ? Severity::error : Severity::warning,
-                            place(m[1], std::stoi(m[2])), m[4]});
+                            place(m[1], column_before_preprocessing(
+                                            line_of(text.text, std::stoi(m[1])), std::stoi(m[2]))),
+                            m[4]});
         } else if (std::regex_match(line, m, nvidia)) {
             list.push_back(
                 {m[2] == "error" ? Severity::error : Severity::warning, place(m[1], 0), m[3]});
