@@ -92,7 +92,9 @@ void report(const Diagnostics& diagnostics) {
     bool missing = false;
     for (const Diagnostic& diagnostic : diagnostics) {
         fmt::print(stderr, "{}\n", to_string(diagnostic));
-        missing |= diagnostic.severity == Severity::error && diagnostic.missing_file;
+        // No shader is at fault where a preset cannot be read.
+        const bool unreadable = diagnostic.missing_file || diagnostic.place.file.ends_with(".toml");
+        missing |= diagnostic.severity == Severity::error && unreadable;
     }
     if (has_errors(diagnostics)) throw Stop(missing ? ExitCode::missing_file : ExitCode::shader);
 }
@@ -174,8 +176,10 @@ Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size) {
 }
 
 int Playback::last_frame() const {
-    // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame.
-    return std::max(0, static_cast<int>(std::ceil(end * fps - 1e-6)));
+    // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame. Times
+    // may be so long that frames cannot be counted; settling counts a little further.
+    constexpr double kMostFrames = 1 << 30;
+    return static_cast<int>(std::clamp(std::ceil(end * fps - 1e-6), 0.0, kMostFrames));
 }
 
 Frame Playback::frame(const Preset& preset, int index) const {
