@@ -5,14 +5,33 @@
 #include "modes/open.h"
 #include "modes/still.h"
 #include "modes/trial.h"
+#include "scene/diagnostic.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <type_traits>
 
 namespace glint {
 namespace {
+
+// What an option takes. CLI::Range lets not-a-number pass, and writes its bounds with six zeros.
+template <class Number>
+CLI::Validator from(Number least, Number most) {
+    const std::string bounds = fmt::format("from {} to {}", least, most);
+    const auto check = [least, most, bounds](const std::string& text) {
+        Number value{};
+        const bool fits = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+        const char* kind = std::is_integral_v<Number> ? "whole number" : "number";
+        return fits ? std::string() : fmt::format("'{}' is not a {} {}", text, kind, bounds);
+    };
+    return {check, bounds};
+}
 
 void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true) {
     verb.add_option("file", view.file, "a preset (.toml) or a scene (.frag)")->required();
@@ -30,17 +49,17 @@ void add_still(CLI::App& verb, StillOptions& still) {
     add_view(verb, still.view);
     verb.add_option("-o,--output", still.output, "a .png, .exr, .jpg, .tif or .hdr file")
         ->required();
-    verb.add_option("--time", still.time, "s; the preset's otherwise")->check(CLI::Range(0.0, 1e9));
-    verb.add_option("--frame", still.frame, "instead of --time")->check(CLI::Range(0, 1 << 30));
+    verb.add_option("--time", still.time, "s; the preset's otherwise")->check(from(0.0, 1e9));
+    verb.add_option("--frame", still.frame, "instead of --time")->check(from(0, 1 << 30));
     verb.add_option("--fps", still.fps, "Hz, the rate at which a simulation is played")
-        ->check(CLI::Range(0.01, 1e5));
+        ->check(from(0.01, 1e5));
     verb.add_option("--samples", still.samples, "sub-pixel positions averaged in linear light")
-        ->check(CLI::Range(1, 65536));
+        ->check(from(1, 65536));
     verb.add_option("--settle", still.settle, "more frames with time held still")
-        ->check(CLI::Range(0, 1 << 30));
+        ->check(from(0, 1'000'000));
     verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
     verb.add_option("--tile", still.tile, "draw in squares of this many pixels")
-        ->check(CLI::Range(1, 16384));
+        ->check(from(1, 16384));
 }
 
 int code(ExitCode exit_code) {
@@ -52,11 +71,29 @@ int fail(ExitCode exit_code, const std::string& text) {
     return code(exit_code);
 }
 
+// What stdout refused, because a disk is full, is a result that nobody has.
+void flush_results() {
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+        throw std::runtime_error(
+            fmt::format("Cannot write to stdout: {}.", std::generic_category().message(errno)));
+    }
+}
+
+// CLI11's complaints in the words of all others.
+std::string usage_text(const CLI::ParseError& error) {
+    std::string text = error.what();
+    if (text.starts_with("A subcommand")) text = "There is nothing to do";
+    if (!text.empty() && text.back() == '.') text.pop_back();
+    return text + "; --help tells what there is.";
+}
+
 // Runs a verb and turns what it throws into an exit code; the sentence goes to stderr.
 template <class Run>
 int guarded(Run run) {
     try {
         run();
+        flush_results();
         return code(ExitCode::done);
     } catch (const Stop& stop) {
         return code(stop.code);
@@ -93,7 +130,7 @@ int run(int argc, char** argv) {
     CLI::App& bench_verb = *app.add_subcommand("bench", "milliseconds a frame and a pass");
     add_view(bench_verb, bench.view);
     bench_verb.add_option("--frames", bench.frames, "how many frames are timed")
-        ->check(CLI::Range(1, 1000000));
+        ->check(from(1, 1'000'000));
     bench_verb.add_flag("--compare", bench.compare, "time uniform-fed frames in turn as well");
 
     // What the window starts for itself stands in no help text.
@@ -103,19 +140,26 @@ int run(int argc, char** argv) {
 
     // `glint FILE` is `glint open FILE`.
     std::vector<std::string> arguments(argv + 1, argv + argc);
-    const auto is_verb = [&](const std::string& word) {
-        const auto verbs = app.get_subcommands({});
-        return std::any_of(verbs.begin(), verbs.end(),
-                           [&](const CLI::App* verb) { return verb->get_name() == word; });
-    };
-    if (!arguments.empty() && !arguments[0].starts_with('-') && !is_verb(arguments[0])) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+    const bool is_file = !arguments.empty() && !arguments[0].starts_with('-') &&
+                         std::find(verbs.begin(), verbs.end(), arguments[0]) == verbs.end();
+    if (is_file) {
+        std::error_code unknown;
+        const std::string verb = nearest(arguments[0], verbs);
+        if (!verb.empty() && !std::filesystem::exists(arguments[0], unknown)) {
+            return fail(ExitCode::usage, fmt::format("There is no verb and no file '{}'; did you "
+                                                     "mean '{}'?",
+                                                     arguments[0], verb));
+        }
         arguments.insert(arguments.begin(), "open");
     }
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? code(ExitCode::done) : code(ExitCode::usage);
+        if (error.get_exit_code() != 0) return fail(ExitCode::usage, usage_text(error));
+        return guarded([&] { app.exit(error); });  // --help, --version
     }
     if (open_verb.parsed()) return guarded([&] { run_open(open, since_start); });
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
