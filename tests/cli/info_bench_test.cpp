@@ -1,0 +1,177 @@
+// `glint info` tells what a scene really needs; `glint bench` how long it takes.
+#include "command.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view kScene =
+    "uniform float a;      //@ 0.5 [0, 1] quality reference=1 \"how much\"\n"
+    "uniform float idle;   //@ 0.5 [0, 1]\n"
+    "uniform bool  haze;   //@ off\n"
+    "uniform int   kind;   //@ 1 {off, low, high}\n"
+    "uniform vec3  tint;   //@ #ff0000\n"
+    "uniform sampler2D still; //@ pass mainStill size=8x4 format=rgba16f\n"
+    "uniform sampler2D trail; //@ pass mainTrail\n"
+    "uniform sampler2D ticks; //@ pass mainTicks size=1x1 step=1/240\n"
+    "uniform sampler2D fog;   //@ pass mainFog\n"
+    "uniform sampler2D lost;  //@ pass mainLost\n"
+    "uniform sampler2D grain; //@ noise rgba 16\n"
+    "uniform sampler2D wood;  //@ image gone.png\n"
+    "void mainStill(out vec4 c, in vec2 p) { c = vec4(p, 0, 1); }\n"
+    "void mainTrail(out vec4 c, in vec2 p) { c = texelFetch(trail, ivec2(p), 0) + iTime; }\n"
+    "void mainTicks(out vec4 c, in vec2 p) { c = texelFetch(ticks, ivec2(p), 0) + 1.0; }\n"
+    "void mainFog(out vec4 c, in vec2 p) { c = texture(grain, p) * float(kind); }\n"
+    "void mainLost(out vec4 c, in vec2 p) { c = texture(wood, p) * idle; }\n"
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "    c = a * texture(still, p) + texelFetch(trail, ivec2(p), 0) + texelFetch(ticks, ivec2(0), "
+    "0);\n"
+    "    c.rgb *= tint;\n"
+    "    if (haze) c += texelFetch(fog, ivec2(p), 0);\n"
+    "}\n";
+
+class InfoAndBench : public InAFolder {
+protected:
+    InfoAndBench() { write("scene.frag", kScene); }
+
+    Json json(std::vector<std::string> arguments) const {
+        arguments.push_back("--json");
+        const Outcome outcome = glint(std::move(arguments));
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        const Json parsed = Json::parse(outcome.out, nullptr, false);
+        EXPECT_TRUE(parsed.is_object()) << outcome.out;
+        return parsed;
+    }
+
+    static std::map<std::string, std::string> left_out(const Json& info) {
+        std::map<std::string, std::string> list;
+        for (const Json& item : info["left_out"]) list[item["what"]] = item["why"];
+        return list;
+    }
+
+    static const Json& named(const Json& list, const std::string& name) {
+        for (const Json& item : list) {
+            if (item["name"] == name) return item;
+        }
+        ADD_FAILURE() << "no " << name << " in " << list;
+        return list;
+    }
+};
+
+TEST_F(InfoAndBench, InfoTellsWhatWasLeftOutAndWhy) {
+    auto list = left_out(json({"info", "scene.frag"}));
+    EXPECT_EQ(list["pass lost"], "nothing reads it");
+    EXPECT_EQ(list["sampler wood"], "nothing reads it");
+    EXPECT_EQ(list["tweak idle"], "nothing reads it");
+    EXPECT_EQ(list["pass fog"], "these tweak values switch off all that reads it");
+    EXPECT_EQ(list["sampler grain"], "these tweak values switch off all that reads it");
+    EXPECT_EQ(list["second buffer of still"], "it does not read itself back");
+    EXPECT_FALSE(list.contains("second buffer of trail"));
+    EXPECT_FALSE(list.contains("tweak a"));
+    EXPECT_FALSE(list.contains("tweak haze"));
+
+    list = left_out(json({"info", "scene.frag", "--tweak", "haze=on"}));
+    EXPECT_TRUE(list.contains("pass lost"));
+    EXPECT_FALSE(list.contains("pass fog"));
+    EXPECT_FALSE(list.contains("sampler grain"));
+}
+
+TEST_F(InfoAndBench, InfoHasTheDocumentedKeys) {
+    const Json info = json({"info", "scene.frag", "--size", "64x36"});
+    EXPECT_EQ(info["scene"], "scene.frag");
+    ASSERT_EQ(info["passes"].size(), 4u);
+    const Json& still = named(info["passes"], "still");
+    EXPECT_EQ(still["entry"], "mainStill");
+    EXPECT_EQ(still["samplers"], Json({"still"}));
+    EXPECT_EQ(still["size"], Json({8, 4}));
+    EXPECT_EQ(still["format"], "rgba16f");
+    EXPECT_EQ(still["feedback"], false);
+    EXPECT_EQ(still["reads"], Json::array());
+    EXPECT_EQ(still["runs"], "on change");
+    const Json& trail = named(info["passes"], "trail");
+    EXPECT_EQ(trail["feedback"], true);
+    EXPECT_EQ(trail["size"], Json({64, 36}));
+    EXPECT_EQ(trail["reads"], Json({"trail"}));
+    EXPECT_EQ(trail["runs"], "every frame");
+    const Json& ticks = named(info["passes"], "ticks");
+    EXPECT_EQ(ticks["runs"], "every step");
+    EXPECT_NEAR(ticks["step"].get<double>(), 1 / 240.0, 1e-12);
+    EXPECT_EQ(named(info["passes"], "image")["entry"], "mainImage");
+
+    const Json& a = named(info["tweaks"], "a");
+    EXPECT_EQ(a["type"], "float");
+    EXPECT_EQ(a["default"], 0.5);
+    EXPECT_EQ(a["min"], 0);
+    EXPECT_EQ(a["max"], 1);
+    EXPECT_EQ(a["quality"], true);
+    EXPECT_EQ(a["reference"], 1.0);
+    EXPECT_EQ(named(info["tweaks"], "haze")["default"], false);
+    EXPECT_EQ(named(info["tweaks"], "tint")["default"], Json({1.0, 0.0, 0.0}));
+    const auto uniforms = info["uniforms"].get<std::set<std::string>>();
+    EXPECT_TRUE(uniforms.contains("a") && uniforms.contains("iTime")) << info["uniforms"];
+    EXPECT_FALSE(uniforms.contains("iMouse"));
+}
+
+TEST_F(InfoAndBench, InfoForPeopleAndTheTextThatTheDriverSees) {
+    const Outcome tables = glint({"info", "scene.frag"});
+    EXPECT_EQ(tables.code, 0);
+    for (const std::string part : {"passes", "tweaks", "left out", "pass fog", "how much"}) {
+        EXPECT_NE(tables.out.find(part), std::string::npos) << part;
+    }
+    const Outcome source = glint({"info", "scene.frag", "--source", "trail"});
+    EXPECT_EQ(source.code, 0);
+    EXPECT_TRUE(source.out.starts_with("#version 300 es\n"));
+    EXPECT_NE(source.out.find("const float a = 0.5;"), std::string::npos);
+    const Outcome fed = glint({"info", "scene.frag", "--source", "image", "--no-specialise"});
+    EXPECT_NE(fed.out.find("uniform float a;"), std::string::npos);
+}
+
+TEST_F(InfoAndBench, BenchHasTheDocumentedKeys) {
+    const Json bench = json({"bench", "scene.frag", "--size", "64x36", "--frames", "5"});
+    EXPECT_FALSE(bench["renderer"].get<std::string>().empty());
+    EXPECT_EQ(bench["size"], Json({64, 36}));
+    EXPECT_EQ(bench["frames"], 5);
+    EXPECT_EQ(bench["specialised"], true);
+    EXPECT_GE(bench["host_ms"].get<double>(), 0.0);
+    const Json& ms = bench["ms"];
+    EXPECT_GT(ms["min"].get<double>(), 0.0);
+    EXPECT_LE(ms["min"], ms["median"]);
+    EXPECT_LE(ms["median"], ms["p95"]);
+    ASSERT_EQ(bench["passes"].size(), 4u);
+    EXPECT_EQ(named(bench["passes"], "still")["runs"], "on change");
+    EXPECT_EQ(named(bench["passes"], "ticks")["runs"], "every step");
+    EXPECT_GT(named(bench["passes"], "image")["ms"].get<double>(), 0.0);
+}
+
+TEST_F(InfoAndBench, BenchComparesConstantsWithUniforms) {
+    const Json bench =
+        json({"bench", "scene.frag", "--size", "64x36", "--frames", "5", "--compare"});
+    EXPECT_GT(bench["uniform_ms"]["median"].get<double>(), 0.0);
+    EXPECT_NEAR(bench["ratio"].get<double>(),
+                bench["uniform_ms"]["median"].get<double>() / bench["ms"]["median"].get<double>(),
+                1e-9);
+    const Json fed =
+        json({"bench", "scene.frag", "--size", "64x36", "--frames", "3", "--no-specialise"});
+    EXPECT_EQ(fed["specialised"], false);
+    EXPECT_NE(glint({"bench", "scene.frag", "--size", "64x36", "--frames", "3"}).out.find("median"),
+              std::string::npos);
+}
+
+TEST_F(InfoAndBench, MistakesHaveTheSameCodesAsAStill) {
+    write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
+    for (const std::string verb : {"info", "bench"}) {
+        EXPECT_EQ(glint({verb, "wrong.frag"}).code, 3) << verb;
+        EXPECT_EQ(glint({verb, "gone.frag"}).code, 4) << verb;
+        EXPECT_EQ(glint({verb, "scene.frag", "--size", "0x0"}).code, 2) << verb;
+        EXPECT_EQ(glint({verb, "scene.frag", "--device", "none such"}).code, 5) << verb;
+    }
+}
+
+}  // namespace
+}  // namespace glint::cli
