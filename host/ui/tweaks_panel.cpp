@@ -293,8 +293,9 @@ void Edits::follow(History& history) {
 
 void tweaks_panel(Build& build, TweaksState& state) {
     begin_panel(build, PanelId::tweaks, "Tweaks", build.settings.tweaks);
-    const bool has_scene = build.facts.scene != nullptr;
-    if (has_scene && !build.facts.scene->tweaks.empty()) {
+    const Scene* scene = build.facts.scene;
+    const bool has_scene = scene && scene->tweaks.size() == build.history.values().size();
+    if (has_scene && !scene->tweaks.empty()) {
         tools(build, state);
         wipe_place(build);
         search_field(build, state);

@@ -353,6 +353,48 @@ TEST(Panels, StandWithExtremeNumbers) {
     }
 }
 
+TEST(Panels, AreDraggedToTheOtherSideByTheirHeading) {
+    Screen screen(two_numbers());
+    const ImGuiWindow* panel = screen.window("Tweaks");
+    ASSERT_TRUE(panel);
+    EXPECT_GT(panel->Pos.x, 640.0f);
+    screen.drag({panel->Pos.x + 40, panel->Pos.y + 20}, {200, 200});
+    EXPECT_LT(panel->Pos.x, 100.0f);
+    EXPECT_EQ(screen.interface.places().side[0], Side::left);
+}
+
+TEST(Panels, AreMadeWiderAtTheirInnerBorder) {
+    Screen screen(two_numbers());
+    const ImGuiWindow* panel = screen.window("Tweaks");
+    ASSERT_TRUE(panel);
+    const float right = panel->Rect().Max.x, width = panel->Size.x;
+    screen.drag({panel->Pos.x, panel->Pos.y + 60}, {panel->Pos.x - 80, panel->Pos.y + 60});
+    screen.frame();
+    EXPECT_NEAR(panel->Size.x, width + 80, 2);
+    EXPECT_NEAR(panel->Rect().Max.x, right, 1);
+}
+
+TEST(Panels, RememberTheirPlaces) {
+    std::string written;
+    for (const bool again : {false, true}) {
+        Screen screen(two_numbers());
+        Memory memory;
+        remember(memory, "panels.ini");
+        ImGui::GetIO().IniFilename = nullptr;
+        if (again) ImGui::LoadIniSettingsFromMemory(written.c_str());
+        recall(memory, screen.interface.places(), screen.settings);
+        if (!again) {
+            screen.interface.places() = {{Side::left, Side::right, Side::left}, {250, 400}};
+            screen.settings.passes = true;
+            note(memory, screen.interface.places(), screen.settings);
+            written = ImGui::SaveIniSettingsToMemory();
+        }
+        EXPECT_EQ(screen.interface.places().side[0], Side::left);
+        EXPECT_EQ(screen.interface.places().width[1], 400.0f);
+        EXPECT_TRUE(screen.settings.passes);
+    }
+}
+
 TEST(Panels, ComeToRestWhenNothingMoves) {
     Screen screen(two_numbers());
     screen.wait();

@@ -24,6 +24,7 @@ public:
         io.DisplaySize = size;
         io.DeltaTime = 1.0f / 60;
         io.IniFilename = nullptr;
+        io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
         for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
         configure_io();
         unsigned char* pixels = nullptr;
