@@ -214,15 +214,20 @@ void Trial::hear_end_of_process() {
 void Trial::fail(TrialState state, const std::string& why) {
     const Scene scene = unpack_order(order_.substr(sizeof(std::uint64_t))).preset.scene;
     const auto loop = likely_endless_loop(scene);
+    const std::string pass = is_at_work() ? heard_->text : "image";
     const bool slow = state == TrialState::too_slow;
     verdict_.state = state;
     verdict_.total_ms = seconds(Clock::now() - started_) * 1000.0;
     verdict_.diagnostics.push_back(
-        {Severity::error, slow && loop ? *loop : entry_place(scene, heard_->text),
-         fmt::format("pass {}: {}{}", heard_->text, slow ? "" : "the driver was ", why) +
+        {Severity::error, slow && loop ? *loop : entry_place(scene, pass),
+         fmt::format("pass {}: {}{}", pass, slow ? "" : "the driver was ", why) +
              (!slow  ? "; the scene before goes on"
               : loop ? "; does this loop ever end?"
                      : "; is there a loop that never ends?")});
+}
+
+bool Trial::is_at_work() const {
+    return heard_->stage == TrialStage::compiling || heard_->stage == TrialStage::drawing;
 }
 
 double Trial::limit_seconds() const {
@@ -242,9 +247,7 @@ const Verdict& Trial::poll() {
         return verdict_;
     }
     const auto now = Clock::now();
-    const bool at_work =
-        heard_->stage == TrialStage::compiling || heard_->stage == TrialStage::drawing;
-    if (at_work && heard_->number != number_ && now - started_ > kPatience) {
+    if (is_at_work() && heard_->number != number_ && now - started_ > kPatience) {
         replace_process();
     } else if (seconds(now - heard_at_) > limit_seconds()) {
         const bool drawing = heard_->stage == TrialStage::drawing;

@@ -117,6 +117,7 @@ private:
     void hear(TrialAnswer answer);
     void fail(TrialState state, const std::string& why);
     void hear_end_of_process();
+    bool is_at_work() const;  // the process, as far as it has told
     double limit_seconds() const;
 
     TrialOptions options_;
