@@ -57,7 +57,16 @@ bool has_range(const Tweak& tweak) {
 std::string short_number(double value) {
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-    return fmt::format("{:.4g}", value);
+    const double size = std::abs(value);
+    if (size >= 1e4 && size < 1e6) return fmt::format("{:.0f}", value);
+    if (size == 0.0 || (size >= 1e-3 && size < 1e4)) return fmt::format("{:.4g}", value);
+    // 1.23e-5, not 1.23e-05: columns are narrow.
+    std::string text = fmt::format("{:.2e}", value);
+    const std::size_t sign = text.find('e') + 1;
+    const std::size_t zeros = text[sign + 1] == '0' ? 1 : 0;
+    text.erase(sign + 1, zeros);
+    if (text[sign] == '+') text.erase(sign, 1);
+    return text;
 }
 
 std::string number_text(const Tweak& tweak, double value) {

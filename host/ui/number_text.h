@@ -10,7 +10,7 @@ namespace glint {
 // One component of a tweak's value with as many digits as its range deserves, without the unit.
 std::string number_text(const Tweak& tweak, double value);
 
-// A short number for tables: four digits that count, "nan", "inf".
+// A short number for tables: "0.1234", "1.23e-5", "nan", "inf".
 std::string short_number(double value);
 
 // Whether the tweak has a range that a slider can span.

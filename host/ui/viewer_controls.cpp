@@ -81,20 +81,34 @@ void histogram(const Theme& theme, const PixelFacts& facts) {
     }
 }
 
-// Four numbers in columns of one width.
+// A table of four numbers a line, under each other in all tables of the panel.
+bool begin_numbers(const Theme& theme, const char* id) {
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {theme.px(2), theme.px(2)});
+    const bool open = ImGui::BeginTable(id, 5, ImGuiTableFlags_SizingStretchSame);
+    ImGui::PopStyleVar();
+    if (open) ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, theme.px(30));
+    return open;
+}
+
+// The tip has the digits that tell any two floats apart.
 void numbers(const Theme& theme, const glm::vec4& value) {
-    ImGui::PushFont(theme.mono);
     for (int i = 0; i < 4; ++i) {
         ImGui::TableNextColumn();
         const bool finite = std::isfinite(value[i]);
-        text_in(finite ? colours::kText : colours::kNotFinite,
-                short_number(static_cast<double>(value[i])));
+        const auto number = static_cast<double>(value[i]);
+        text_in(finite ? colours::kText : colours::kNotFinite, short_number(number), theme.mono);
+        tip(theme, fmt::format("{:.9g}", value[i]));
     }
-    ImGui::PopFont();
 }
 
 void extremes(const Theme& theme, const PixelFacts& facts) {
-    if (!ImGui::BeginTable("extremes", 5, ImGuiTableFlags_SizingStretchProp)) return;
+    if (!begin_numbers(theme, "extremes")) return;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    for (std::size_t i = 0; i < 4; ++i) {
+        ImGui::TableNextColumn();
+        text_in(kChannelColours[i], kChannelNames[i + 1], theme.bold);
+    }
     for (const auto& [name, value] : {std::pair("min", facts.min), std::pair("max", facts.max)}) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -104,25 +118,27 @@ void extremes(const Theme& theme, const PixelFacts& facts) {
     ImGui::EndTable();
 }
 
+void pixel_value(const Theme& theme, const PixelValue& pixel) {
+    text_in(colours::kText, pixel.sampler.empty() ? "image" : pixel.sampler);
+    ImGui::SameLine();
+    text_in(colours::kDim, fmt::format("{}, {}", pixel.pixel.x, pixel.pixel.y));
+    if (!begin_numbers(theme, "value")) return;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const float side = ImGui::GetTextLineHeight();
+    const glm::vec4 c = pixel.value;
+    ImGui::ColorButton("##swatch", {c.r, c.g, c.b, 1.0f},
+                       ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha, {side, side});
+    numbers(theme, pixel.value);
+    ImGui::EndTable();
+}
+
 void values(Build& build) {
     if (build.facts.pixel_values.empty())
         return text_in(colours::kDim, "Move the mouse over the picture to read its pixels.");
     for (const PixelValue& pixel : build.facts.pixel_values) {
         ImGui::PushID(&pixel);
-        const std::string name = pixel.sampler.empty() ? "image" : pixel.sampler;
-        const glm::vec4 c = pixel.value;
-        ImGui::ColorButton("##swatch", {c.r, c.g, c.b, 1.0f},
-                           ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha,
-                           {ImGui::GetTextLineHeight(), ImGui::GetTextLineHeight()});
-        ImGui::SameLine();
-        text_in(colours::kText, name);
-        ImGui::SameLine();
-        text_in(colours::kDim, fmt::format("{}, {}", pixel.pixel.x, pixel.pixel.y));
-        if (ImGui::BeginTable("value", 4, ImGuiTableFlags_SizingStretchSame)) {
-            ImGui::TableNextRow();
-            numbers(build.theme, pixel.value);
-            ImGui::EndTable();
-        }
+        pixel_value(build.theme, pixel);
         ImGui::PopID();
     }
 }

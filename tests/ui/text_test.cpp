@@ -31,6 +31,14 @@ TEST(NumberText, HasTheDigitsThatTheRangeDeserves) {
     EXPECT_EQ(number_text(ranged(0, 1), 1.0 / 0.0), "inf");
 }
 
+TEST(NumberText, ShortNumbersFitColumns) {
+    EXPECT_EQ(short_number(0), "0");
+    EXPECT_EQ(short_number(12345.6), "12346");
+    EXPECT_EQ(short_number(0.1234567), "0.1235");
+    EXPECT_EQ(short_number(-1.2345e-5), "-1.23e-5");
+    EXPECT_EQ(short_number(3.4e38), "3.40e38");
+}
+
 TEST(NumberText, AFractionOfTheRangeLeadsBack) {
     Tweak logarithmic = ranged(0.1, 100);
     logarithmic.log = true;
