@@ -20,17 +20,25 @@ void main() {
 }
 )";
 
+// How many of van der Corput's first `count` positions lie below the i-th. They compare like their
+// numbers' bits, the lowest first: below are those that agree up to a bit and have 0 where i has 1.
+std::uint32_t rank_of_radical_inverse(std::uint32_t i, std::uint32_t count) {
+    std::uint32_t rank = 0;
+    for (std::uint32_t bit = 0; i >> bit != 0; ++bit) {
+        if ((i >> bit & 1u) == 0) continue;
+        const std::uint32_t lowest = i & ((1u << bit) - 1u);
+        rank += ((count - 1u - lowest) >> bit >> 1u) + 1u;
+    }
+    return rank;
+}
+
 }  // namespace
 
 glm::vec2 sub_pixel_position(int i, int count) {
-    double radical_inverse = 0.0, digit = 0.5;
-    for (auto bits = static_cast<std::uint32_t>(i); bits != 0; bits >>= 1, digit *= 0.5) {
-        if (bits & 1u) radical_inverse += digit;
-    }
-    // Half a stratum in both directions centres the set on the pixel.
-    const double half = 0.5 / count;
+    const auto rank = static_cast<double>(
+        rank_of_radical_inverse(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(count)));
     return {static_cast<float>((i + 0.5) / count - 0.5),
-            static_cast<float>(count == 1 ? 0.0 : radical_inverse + half - 0.5)};
+            static_cast<float>((rank + 0.5) / count - 0.5)};
 }
 
 Average::Average(glm::ivec2 size) : sum_(BufferShape{.size = size}) {

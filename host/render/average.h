@@ -8,9 +8,9 @@
 
 namespace glint {
 
-// Position i of `count` inside the pixel, in (-0.5, 0.5): the Hammersley set, which is stratified
-// in both directions (Hammersley 1960; van der Corput's sequence in base 2). One position is the
-// centre.
+// Position i of `count` inside the pixel, in (-0.5, 0.5): the Hammersley set (Hammersley 1960),
+// with van der Corput's sequence in base 2 replaced by its ranks. For any count each of `count`
+// rows and columns has one position, so their mean is the centre.
 glm::vec2 sub_pixel_position(int i, int count);
 
 class Average {
