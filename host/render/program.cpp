@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <limits>
 #include <regex>
 
 namespace glint {
@@ -487,6 +489,27 @@ std::string_view line_of(std::string_view text, int number) {
     return text.substr(begin, text.find('\n', begin) - begin);
 }
 
+// A number of a log, however many digits it has.
+int parse_count(const std::string& digits) {
+    int count = 0;
+    const char* end = digits.data() + digits.size();
+    const bool fits = std::from_chars(digits.data(), end, count).ec == std::errc();
+    return fits ? count : std::numeric_limits<int>::max();
+}
+
+// The lines of a log, without white space and zeros at their ends.
+std::vector<std::string> lines_of(const std::string& log) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < log.size();) {
+        const std::size_t end = std::min(log.find('\n', begin), log.size());
+        std::string line = log.substr(begin, end - begin);
+        line.erase(line.find_last_not_of(std::string_view(" \t\r\0", 4)) + 1);
+        lines.push_back(std::move(line));
+        begin = end + 1;
+    }
+    return lines;
+}
+
 }  // namespace
 
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text) {
@@ -495,8 +518,9 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
     static const std::regex nvidia(R"(^\d+\((\d+)\) ?: (error|warning) (?:C\d+: )?(.*)$)");
     static const std::regex angle(R"(^(ERROR|WARNING): \d+:(\d+): (.*)$)");
     static const std::regex unplaced(R"(^(?:error|ERROR):\s*(.*)$)");
+    static const std::regex total(R"(^ERROR: .*\d+ compilation errors?\..*$)");
     const auto place = [&](const std::string& number, int column) {
-        const int line = std::stoi(number);
+        const int line = parse_count(number);
         int wider = 0;
         for (const PassText::Widened& widened : text.widened) {
             if (widened.line == line && column > widened.column) wider += widened.by;
@@ -504,23 +528,21 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
         return scene.place(line - text.prologue_lines, column - wider);
     };
     Diagnostics list;
-    for (std::size_t begin = 0; begin < log.size();) {
-        const std::size_t end = std::min(log.find('\n', begin), log.size());
-        const std::string line = log.substr(begin, end - begin);
-        begin = end + 1;
+    for (const std::string& line : lines_of(log)) {
         std::smatch m;
         if (std::regex_match(line, m, mesa)) {
-            list.push_back({m[3] == "error" ? Severity::error : Severity::warning,
-                            place(m[1], column_before_preprocessing(
-                                            line_of(text.text, std::stoi(m[1])), std::stoi(m[2]))),
-                            m[4]});
+            list.push_back(
+                {m[3] == "error" ? Severity::error : Severity::warning,
+                 place(m[1], column_before_preprocessing(line_of(text.text, parse_count(m[1])),
+                                                         parse_count(m[2]))),
+                 m[4]});
         } else if (std::regex_match(line, m, nvidia)) {
             list.push_back(
                 {m[2] == "error" ? Severity::error : Severity::warning, place(m[1], 0), m[3]});
         } else if (std::regex_match(line, m, angle)) {
             list.push_back(
                 {m[1] == "ERROR" ? Severity::error : Severity::warning, place(m[2], 0), m[3]});
-        } else if (std::regex_match(line, m, unplaced)) {
+        } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
             list.push_back(link_diagnostic(scene, m[1]));
         }
     }
