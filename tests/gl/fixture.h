@@ -160,6 +160,7 @@ public:
     }
 
     Renderer& renderer() { return *renderer_; }
+    const Renderer& renderer() const { return *renderer_; }
 
     // Frame k of an endless sequence at options.fps.
     Frame frame(int k) const { return Playback{.end = 1e6, .fps = options_.fps}.frame(preset, k); }

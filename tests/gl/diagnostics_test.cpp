@@ -1,0 +1,223 @@
+// What the driver says about a text, at the user's own lines and columns.
+#include "fixture.h"
+
+namespace glint {
+namespace {
+
+using Complaints = GlTest;
+
+// The diagnostics of a text that may not compile.
+Diagnostics complaints(const std::string& text, PlayerOptions options = {}) {
+    const ScratchFolder folder;
+    const ReadPreset read = read_scene_text(folder, text, options);
+    if (!read.preset) return read.diagnostics;
+    return compile_scene(*read.preset,
+                         {.root = kImagePass, .program = {.specialise = options.specialise}})
+        .diagnostics;
+}
+
+const Diagnostic* first_error(const Diagnostics& list) {
+    for (const Diagnostic& d : list) {
+        if (d.severity == Severity::error) return &d;
+    }
+    return nullptr;
+}
+
+TEST_F(Complaints, StandAtTheUsersLineAndColumn) {
+    const std::string body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
+    struct {
+        const char* what;
+        std::string text;
+        int line, column;
+    } const cases[] = {
+        {"first line", "float f = undeclared;\n" + body, 1, 11},
+        {"last line", body + "float f = undeclared;", 2, 11},
+        {"behind tweaks",
+         "uniform float a; //@ 1\nuniform\nvec3 b; //@ 1, 2, 3\n\nfloat f = undeclared;\n" + body,
+         5, 11},
+        {"behind blank lines", "\n\n\r\n  float f = undeclared;\n" + body, 4, 13},
+        {"behind the entry's out on its line",
+         "void mainImage(out vec4 c, in vec2 p) { c = undeclared; }\n", 1, 45},
+        {"before it", "float g = undeclared; " + body, 1, 11},
+        {"in a syntax error", body + "\nfloat f() {\n    return 1.0 +;\n}\n", 4, 17},
+        {"behind host uniforms of its own",
+         "uniform float iTime;\nuniform vec3 iResolution;\nfloat f = undeclared;\n" + body, 3, 11},
+        {"behind a version",
+         "#version 300 es\nprecision highp float;\nfloat f = undeclared;\n" + body, 3, 11},
+    };
+    for (const auto& c : cases) {
+        for (const bool specialise : {false, true}) {
+            SCOPED_TRACE(fmt::format("{} {}", c.what, specialise));
+            const Diagnostics list = complaints(c.text, {.specialise = specialise});
+            const Diagnostic* error = first_error(list);
+            ASSERT_TRUE(error) << to_text(list);
+            EXPECT_EQ(error->place.line, c.line) << to_text(list);
+            EXPECT_EQ(error->place.column, c.column) << to_text(list);
+            EXPECT_TRUE(error->place.file.ends_with("scene.frag"));
+        }
+    }
+}
+
+TEST_F(Complaints, NameTheIncludedFile) {
+    const std::string scene =
+        "// one\n#include \"lib.glsl\"\nfloat g() { return f(); }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = vec4(g()); }\n";
+    const Diagnostics in_include =
+        complaints(scene, {.files = {{"lib.glsl", "// lib\nfloat f() { return nowhere; }\n"}}});
+    const Diagnostic* error = first_error(in_include);
+    ASSERT_TRUE(error);
+    EXPECT_TRUE(error->place.file.ends_with("lib.glsl")) << to_text(in_include);
+    EXPECT_EQ(error->place.line, 2);
+
+    const Diagnostics behind =
+        complaints(scene + "float h = nowhere;\n",
+                   {.files = {{"lib.glsl", "// lib\n\n\nfloat f() { return 1.0; }\n"}}});
+    error = first_error(behind);
+    ASSERT_TRUE(error);
+    EXPECT_TRUE(error->place.file.ends_with("scene.frag")) << to_text(behind);
+    EXPECT_EQ(error->place.line, 5);
+}
+
+TEST_F(Complaints, StandInTheTabThatHasTheMistake) {
+    const std::string text =
+        "uniform sampler2D a; //@ pass mainA\n"
+        "#ifdef PASS_a\n"
+        "void mainImage(out vec4 c, vec2 p) { c = nowhere; }\n"
+        "#endif\n"
+        "#ifdef PASS_image\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texture(a, p); }\n"
+        "#endif\n";
+    const Diagnostics list = complaints(text);
+    const Diagnostic* error = first_error(list);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->place.line, 3) << to_text(list);
+}
+
+TEST_F(Complaints, SayInWordsWhatIsMissingAtLinking) {
+    const std::string text =
+        "uniform sampler2D a; //@ pass mainA\n"
+        "#ifdef PASS_a\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(1); }\n#endif\n";
+    const Diagnostics list = complaints(text);
+    const Diagnostic* error = first_error(list);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->text.find("void mainImage(out vec4 fragColor, in vec2 fragCoord)"),
+              std::string::npos)
+        << error->text;
+    EXPECT_TRUE(error->place.file.ends_with("scene.frag"));
+
+    const Diagnostics declared_only =
+        complaints("float f(float x);\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(f(p.x)); }\n");
+    ASSERT_TRUE(first_error(declared_only));
+    EXPECT_NE(first_error(declared_only)->text.find("`f'"), std::string::npos)
+        << to_text(declared_only);
+}
+
+TEST_F(Complaints, ComeOnceHoweverManyPassesShareTheText) {
+    const Diagnostics list = complaints(
+        "uniform sampler2D a; //@ pass mainA\n"
+        "uniform sampler2D b; //@ pass mainB\n"
+        "float half_used() { float x; return x; }\n"
+        "void mainA(out vec4 c, vec2 p) { c = vec4(half_used()); }\n"
+        "void mainB(out vec4 c, vec2 p) { c = texture(a, p) + half_used(); }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texture(b, p) + half_used(); }\n");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) EXPECT_NE(to_string(list[i]), to_string(list[k]));
+    }
+    EXPECT_FALSE(has_errors(list)) << to_text(list);
+}
+
+TEST_F(Complaints, OfATextThatDoesNotCompileLeaveTheContextWell) {
+    EXPECT_TRUE(has_errors(complaints("void mainImage(out vec4 c, vec2 p) { c = nowhere; }")));
+    EXPECT_NO_THROW(shared_context.context->finish());
+    EXPECT_EQ(colour_of("0.5"), glm::vec3(0.5));
+}
+
+// What the driver read: a prologue of ten lines, and four of a scene, each of sixty characters.
+PassText fourteen_lines() {
+    PassText text{.text = "", .prologue_lines = 10};
+    for (int line = 0; line < 14; ++line) text.text += std::string(60, 'x') + "\n";
+    return text;
+}
+
+// That scene; its second and third lines are included.
+Scene four_lines() {
+    Scene scene;
+    scene.files = {"wave.frag", "lib.glsl"};
+    scene.text = "1\n2\n3\n4\n";
+    scene.origins = {{0, 1}, {1, 1}, {1, 2}, {0, 3}};
+    return scene;
+}
+
+TEST(DriverLog, OfEachDriverIsRead) {
+    struct {
+        const char* driver;
+        const char* log;
+        std::vector<std::string> expected;
+    } const cases[] = {
+        {"Mesa 22.3",
+         "0:11(13): error: `undeclared' undeclared\n"
+         "0:12(7): warning: `x' used uninitialized\n"
+         "0:14(2): preprocessor error: #if with undefined name\n",
+         {"wave.frag:1:13: error: `undeclared' undeclared",
+          "lib.glsl:1:7: warning: `x' used uninitialized",
+          "wave.frag:3:2: error: #if with undefined name"}},
+        {"Mesa, at linking",
+         "error: unresolved reference to function `helper'\n",
+         {"wave.frag: error: unresolved reference to function `helper'"}},
+        {"NVIDIA 535",
+         "0(13) : error C1503: undefined variable \"undeclared\"\n"
+         "0(14) : warning C7050: \"x\" might be used before being initialized\n",
+         {"lib.glsl:2: error: undefined variable \"undeclared\"",
+          "wave.frag:3: warning: \"x\" might be used before being initialized"}},
+        {"NVIDIA, at linking",
+         "Fragment info\n-------------\n0(11) : error C3002: call to undefined function \"float "
+         "helper(float);\"\n",
+         {"wave.frag:1: error: call to undefined function \"float helper(float);\""}},
+        {"ANGLE",
+         "ERROR: 0:11: 'undeclared' : undeclared identifier\n"
+         "WARNING: 0:13: 'x' : used before set\n\n",
+         {"wave.frag:1: error: 'undeclared' : undeclared identifier",
+          "lib.glsl:2: warning: 'x' : used before set"}},
+        {"Intel on Windows",
+         "ERROR: 0:14: 'undeclared' : undeclared identifier \r\n"
+         "ERROR: 0:14: '' : compilation terminated \r\n"
+         "ERROR: 2 compilation errors.  No code generated.\r\n\r\n",
+         {"wave.frag:3: error: 'undeclared' : undeclared identifier",
+          "wave.frag:3: error: '' : compilation terminated"}},
+        {"AMD on Windows",
+         "Fragment shader failed to compile with the following errors:\n"
+         "ERROR: 0:12: error(#143) Undeclared identifier: undeclared\n"
+         "ERROR: error(#273) 1 compilation errors.  No code generated\n",
+         {"lib.glsl:1: error: error(#143) Undeclared identifier: undeclared"}},
+        {"none", "", {}},
+        {"chatter", "\n\nSuccess.\nVertex shader(s) linked.\n", {}},
+        {"numbers beyond all lines",
+         "0:99999999999999999999(1): error: far\n0:3(1): error: in the prologue\n",
+         {"wave.frag:3:1: error: far", "wave.frag: error: in the prologue"}},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.driver);
+        std::vector<std::string> read;
+        for (const Diagnostic& d : read_driver_log(four_lines(), c.log, fourteen_lines())) {
+            read.push_back(to_string(d));
+        }
+        EXPECT_EQ(read, c.expected);
+    }
+}
+
+TEST(DriverLog, ColumnsForgetWhatTheHostInserted) {
+    PassText text = fourteen_lines();
+    text.widened = {{11, 16, 2}, {11, 30, 2}};
+    struct {
+        int line, column, expected;
+    } const cases[] = {{11, 5, 5}, {11, 16, 16}, {11, 20, 18}, {11, 40, 36}, {12, 40, 40}};
+    for (const auto& c : cases) {
+        const std::string log = fmt::format("0:{}({}): error: x\n", c.line, c.column);
+        const Diagnostics list = read_driver_log(four_lines(), log, text);
+        ASSERT_EQ(list.size(), 1u);
+        EXPECT_EQ(list[0].place.column, c.expected);
+    }
+}
+
+}  // namespace
+}  // namespace glint

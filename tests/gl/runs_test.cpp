@@ -1,0 +1,260 @@
+// What is compiled and drawn at all: only what the picture needs, only when something has changed.
+#include "fixture.h"
+
+#include <map>
+
+namespace glint {
+namespace {
+
+using LeftOut = GlTest;
+
+std::vector<std::string> drawn_passes(const Player& player) {
+    std::vector<std::string> names;
+    for (const GraphPass& pass : player.renderer().graph().passes)
+        names.push_back(pass_name(player.preset.scene, pass.pass));
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST_F(LeftOut, APassThatNothingReadsIsNotCompiled) {
+    const std::string passes =
+        "uniform sampler2D a; //@ pass mainA\n"
+        "uniform sampler2D b; //@ pass mainB\n"
+        "uniform sampler2D d; //@ pass mainD\n"
+        "void mainA(out vec4 c, vec2 p) { c = vec4(1); }\n"
+        "void mainB(out vec4 c, vec2 p) { c = texture(a, p); }\n"
+        "void mainD(out vec4 c, vec2 p) { c = texture(d, p) + texture(b, p); }\n";
+    struct {
+        const char* image;
+        Names expected;
+    } const cases[] = {
+        {"c = vec4(0);", {"image"}},
+        {"c = texture(a, p);", {"a", "image"}},
+        {"c = texture(b, p);", {"a", "b", "image"}},
+        {"c = texture(d, p);", {"a", "b", "d", "image"}},
+        {"c = texture(b, p); c = vec4(0);", {"image"}},
+        {"c = vec4(0); if (false) c = texture(d, p);", {"image"}},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.image);
+        const Player player(passes + "void mainImage(out vec4 c, vec2 p) { " + c.image + " }");
+        EXPECT_EQ(drawn_passes(player), c.expected);
+    }
+}
+
+TEST_F(LeftOut, AnErrorInAFunctionThatNothingCallsIsStillAnError) {
+    EXPECT_THROW(Player("uniform sampler2D a; //@ pass mainA\n"
+                        "void mainA(out vec4 c, vec2 p) { c = undeclared; }\n"
+                        "void mainImage(out vec4 c, vec2 p) { c = vec4(1); }"),
+                 std::runtime_error);
+    // In a tab of its own it is not part of what is compiled.
+    Player player(
+        "uniform sampler2D a; //@ pass mainA\n"
+        "#ifdef PASS_a\nvoid mainImage(out vec4 c, vec2 p) { c = undeclared; }\n#endif\n"
+        "#ifdef PASS_image\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(1); }\n#endif\n");
+    EXPECT_EQ(drawn_passes(player), Names{"image"});
+}
+
+TEST_F(LeftOut, WhatATweakSwitchesOffVanishesWhenSpecialised) {
+    const std::string text =
+        "uniform bool reflections; //@ off\n"
+        "uniform int quality; //@ 0 [0, 2]\n"
+        "uniform sampler2D mirror; //@ pass mainMirror\n"
+        "uniform sampler2D fine; //@ pass mainFine\n"
+        "void mainMirror(out vec4 c, vec2 p) { c = vec4(1); }\n"
+        "void mainFine(out vec4 c, vec2 p) { c = vec4(1); }\n"
+        "void mainImage(out vec4 c, vec2 p) {\n"
+        "    c = vec4(0);\n"
+        "    if (reflections) c += texture(mirror, p);\n"
+        "    for (int i = 0; i < quality; ++i) c += texture(fine, p);\n"
+        "}\n";
+    EXPECT_EQ(drawn_passes(Player(text)), Names{"image"});
+    EXPECT_EQ(drawn_passes(Player(text, {.specialise = false})),
+              (Names{"mirror", "fine", "image"}));
+    EXPECT_EQ(drawn_passes(Player(text, {.preset = "[tweaks]\nreflections = true\n"})),
+              (Names{"mirror", "image"}));
+}
+
+TEST_F(LeftOut, ImagesThatNothingReadsAreNotAskedFor) {
+    Player player(
+        "uniform bool wooden; //@ off\n"
+        "uniform sampler2D wood; //@ image there_is_no_such.png\n"
+        "void mainImage(out vec4 c, vec2 p) { c = vec4(1); if (wooden) c = texture(wood, p); }\n");
+    EXPECT_TRUE(player.renderer().images_needed().empty());
+}
+
+TEST_F(LeftOut, OnlyABufferThatReadsItselfIsDouble) {
+    Player player(
+        "uniform sampler2D a; //@ pass mainA\n"
+        "uniform sampler2D b; //@ pass mainB\n"
+        "uniform sampler2D d; //@ pass mainD\n"
+        "void mainA(out vec4 c, vec2 p) { c = texture(d, p); }\n"
+        "void mainB(out vec4 c, vec2 p) { c = texture(b, p) + texture(a, p); }\n"
+        "void mainD(out vec4 c, vec2 p) { c = texture(b, p); }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texture(d, p); }\n");
+    const auto is_double = [&](const char* name) {
+        return player.renderer().buffer(player.graph_index(name)).shape().feedback;
+    };
+    EXPECT_FALSE(is_double("a"));
+    EXPECT_TRUE(is_double("b"));
+    EXPECT_FALSE(is_double("d"));
+    EXPECT_FALSE(is_double("image"));
+}
+
+// How often each pass is drawn, by name.
+class Counted {
+public:
+    explicit Counted(Player& player) : player_(player) {
+        player.renderer().after_pass = [this](std::size_t index) {
+            ++counts_[pass_name(player_.preset.scene,
+                                player_.renderer().graph().passes[index].pass)];
+        };
+    }
+    // What was drawn since the last call.
+    std::map<std::string, int> take() { return std::exchange(counts_, {}); }
+
+private:
+    Player& player_;
+    std::map<std::string, int> counts_;
+};
+
+using Counts = std::map<std::string, int>;
+
+TEST_F(LeftOut, APassRunsAgainOnlyWhenSomethingThatItReadsHasChanged) {
+    Player player(
+        "uniform float size; //@ 1 [0, 9]\n"
+        "uniform float other; //@ 1 [0, 9]\n"
+        "uniform sampler2D keys; //@ keyboard\n"
+        "uniform sampler2D still; //@ pass mainStill\n"
+        "uniform sampler2D pointed; //@ pass mainPointed\n"
+        "uniform sampler2D tweaked; //@ pass mainTweaked\n"
+        "uniform sampler2D typed; //@ pass mainTyped\n"
+        "uniform sampler2D both; //@ pass mainBoth\n"
+        "void mainStill(out vec4 c, vec2 p) { c = vec4(p / iResolution.xy, 0, 1); }\n"
+        "void mainPointed(out vec4 c, vec2 p) { c = iMouse; }\n"
+        "void mainTweaked(out vec4 c, vec2 p) { c = vec4(size); }\n"
+        "void mainTyped(out vec4 c, vec2 p) { c = texelFetch(keys, ivec2(65, 0), 0); }\n"
+        "void mainBoth(out vec4 c, vec2 p) { c = texture(pointed, p) + texture(tweaked, p); }\n"
+        "void mainImage(out vec4 c, vec2 p) {\n"
+        "    c = texture(still, p) + texture(both, p) + texture(typed, p) + other;\n"
+        "}\n",
+        {.specialise = false});
+    Counted counted(player);
+    Frame frame;
+    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_EQ(counted.take(), (Counts{{"still", 1},
+                                      {"pointed", 1},
+                                      {"tweaked", 1},
+                                      {"typed", 1},
+                                      {"both", 1},
+                                      {"image", 1}}));
+    frame.time = 1.0, frame.frame = 60, frame.date.w = 5.0f;
+    EXPECT_FALSE(player.renderer().draw(frame)) << "nothing here reads time";
+    EXPECT_EQ(counted.take(), Counts{});
+
+    frame.input.mouse = {1, 2, 3, 4};
+    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_EQ(counted.take(), (Counts{{"pointed", 1}, {"both", 1}, {"image", 1}}));
+
+    player.preset.values[0][0] = 2.0;
+    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_EQ(counted.take(), (Counts{{"tweaked", 1}, {"both", 1}, {"image", 1}}));
+
+    player.preset.values[1][0] = 2.0;
+    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_EQ(counted.take(), (Counts{{"image", 1}}));
+
+    frame.input.held[65] = 255;
+    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_EQ(counted.take(), (Counts{{"typed", 1}, {"image", 1}}));
+
+    player.renderer().redraw();
+    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_EQ(counted.take(), (Counts{{"image", 1}}));
+
+    player.renderer().resize({8, 8});
+    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_EQ(counted.take().size(), 6u) << "everything has the picture's size";
+    EXPECT_FALSE(player.renderer().draw(frame));
+}
+
+TEST_F(LeftOut, APausedFrameDrawsNothingAndARunningOneOnlyWhatReadsTime) {
+    Player player(
+        "uniform sampler2D still; //@ pass mainStill\n"
+        "uniform sampler2D moving; //@ pass mainMoving\n"
+        "void mainStill(out vec4 c, vec2 p) { c = vec4(1); }\n"
+        "void mainMoving(out vec4 c, vec2 p) { c = vec4(sin(iTime)) + texture(still, p); }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texture(moving, p); }\n");
+    Counted counted(player);
+    player.draw_frames(0, 10);
+    EXPECT_EQ(counted.take(), (Counts{{"still", 1}, {"moving", 10}, {"image", 10}}));
+    const Frame paused = player.frame(9);
+    EXPECT_FALSE(player.renderer().draw(paused));
+    EXPECT_EQ(counted.take(), Counts{});
+    EXPECT_EQ(player.colour().x, 1.0f + static_cast<float>(std::sin(static_cast<float>(9 / 60.0))));
+}
+
+TEST_F(LeftOut, AStatelessSceneIsDrawnOnceForAStillAndAStatefulOneIsPlayed) {
+    Player stateless("void mainImage(out vec4 c, vec2 p) { c = vec4(iTime, iFrame, 0, 1); }");
+    Counted stateless_counts(stateless);
+    EXPECT_EQ(stateless.still(2.0), 1);
+    EXPECT_EQ(stateless_counts.take(), (Counts{{"image", 1}}));
+    EXPECT_EQ(stateless.colour(), glm::vec3(2, 120, 0));
+
+    Player stateful(
+        "uniform sampler2D count; //@ pass mainCount\n"
+        "uniform sampler2D look; //@ pass mainLook\n"
+        "void mainCount(out vec4 c, vec2 p) { c = texelFetch(count, ivec2(p), 0) + vec4(1, iTime, "
+        "0, 0); }\n"
+        "void mainLook(out vec4 c, vec2 p) { c = texelFetch(count, ivec2(p), 0) * iTime; }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(look, ivec2(p), 0); }\n");
+    Counted counts(stateful);
+    EXPECT_EQ(stateful.still(2.0), 121);
+    EXPECT_EQ(counts.take(), (Counts{{"count", 121}, {"look", 1}, {"image", 1}}))
+        << "what later frames do not need is drawn once, at the end";
+    EXPECT_EQ(stateful.colour().x, 242.0f);
+}
+
+TEST_F(LeftOut, ATimeOffTheFrameGridIsReachedExactly) {
+    const std::string text =
+        "uniform sampler2D last; //@ pass mainLast\n"
+        "void mainLast(out vec4 c, vec2 p) {\n"
+        "    c = vec4(texelFetch(last, ivec2(0), 0).x + 1.0, iTime, iTimeDelta, iFrame);\n"
+        "}\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(last, ivec2(0), 0); }\n";
+    struct {
+        double time;
+        float frames, delta;
+    } const cases[] = {{0.0, 1, 1.0f / 60},
+                       {0.1, 7, 1.0f / 60},
+                       {0.105, 8, 0.005f},
+                       {7.0 / 60, 8, 1.0f / 60},
+                       {0.001, 2, 0.001f}};
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.time);
+        Player player(text, {.pass = "last"});
+        player.still(c.time);
+        const glm::vec4 last = player.pixel(0, 0);
+        EXPECT_EQ(last.x, c.frames);
+        EXPECT_EQ(last.y, static_cast<float>(c.time));
+        EXPECT_NEAR(last.z, c.delta, 1e-8) << "a difference of two doubles, as a float";
+        EXPECT_EQ(last.w, c.frames - 1);
+    }
+}
+
+TEST_F(LeftOut, SettlingHoldsTimeWhileFramesCountOn) {
+    Player player(
+        "uniform sampler2D last; //@ pass mainLast\n"
+        "void mainLast(out vec4 c, vec2 p) {\n"
+        "    vec4 old = texelFetch(last, ivec2(0), 0);\n"
+        "    c = vec4(old.x + 1.0, iTime, old.z + float(iMouse.w > 0.0), iFrame);\n"
+        "}\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(last, ivec2(0), 0); }\n",
+        {.preset = "[[events]]\nt = 0.1\nmouse = [0.5, 0.5]\ndown = true\n", .pass = "last"});
+    EXPECT_EQ(player.still(0.1, 50), 57);
+    EXPECT_EQ(player.pixel(0, 0), glm::vec4(57, 0.1f, 1, 56)) << "the click is new only once";
+}
+
+}  // namespace
+}  // namespace glint
