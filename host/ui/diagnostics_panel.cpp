@@ -103,7 +103,7 @@ void buttons(Build& build, DiagnosticsState& state) {
     if (text_button(theme, "Edit", false, "Open $EDITOR at the first place (Ctrl+E)"))
         build.wishes.edit = state.shown.front().diagnostic;
     ImGui::SameLine(0, theme.px(4));
-    if (icon_button(theme, "close", Icon::close, "Hide until the next save",
+    if (icon_button(theme, "close", Icon::close, "Hide; the bar at the top shows it again",
                     {.colour = colours::kDim}))
         state.open = false;
 }
@@ -150,6 +150,18 @@ Area place(const Build& build) {
 }
 
 }  // namespace
+
+void diagnostics_button(Build& build, DiagnosticsState& state) {
+    follow(build.facts, state);
+    if (state.shown.empty()) return;
+    const bool errors = has_errors(build.facts.diagnostics);
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, errors ? colours::kError : colours::kWarning);
+    if (ImGui::Button((summary(build.facts.diagnostics) + "###diagnostics").c_str()))
+        state.open = !state.open;
+    ImGui::PopStyleColor();
+    tip(build.theme, state.open ? "Hide the list" : "Show the list");
+}
 
 void diagnostics_panel(Build& build, DiagnosticsState& state) {
     follow(build.facts, state);

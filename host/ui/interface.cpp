@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -18,11 +19,12 @@ Wishes Interface::build(const Facts& facts, History& history, Transport& transpo
     Wishes wishes;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     Build build{facts, history, transport, settings, wishes, theme_, layout_};
+    layout_before_ = layout_;
     follow_notice(facts);
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
         pixel_grid(build);
         wipe_handle(build);
-        top_bar(build);
+        top_bar(build, diagnostics_);
         if (!settings.transport) layout_.transport = {};
         if (settings.transport) transport_panel(build, transport_);
         layout_.arrange(theme_, screen, {settings.tweaks, settings.passes, settings.browser});
@@ -44,6 +46,19 @@ void Interface::follow_notice(const Facts& facts) {
     if (facts.notice == notice_) return;
     notice_ = facts.notice;
     notice_age_ = notice_.empty() ? kNoticeStays : 0.0f;
+}
+
+// Windows with a size of their own choice take two passes to find it; tables inside take one more.
+bool Interface::is_behind() {
+    unsigned extents = 0;
+    bool is_fitting = false;
+    for (const ImGuiWindow* window : GImGui->Windows) {
+        if (!window->Active) continue;
+        const ImVec2 extent[] = {window->Pos, window->Size, window->ContentSize};
+        extents = ImHashData(extent, sizeof extent, extents);
+        is_fitting |= window->Hidden || window->AutoFitFramesX > 0 || window->AutoFitFramesY > 0;
+    }
+    return layout_ != layout_before_ || std::exchange(extents_, extents) != extents || is_fitting;
 }
 
 bool Interface::is_moving() const {

@@ -63,12 +63,13 @@ struct BrowserState {
     std::optional<std::filesystem::path> leaving_for;  // opened once the unsaved is dealt with
 };
 
-void top_bar(Build& build);
+void top_bar(Build& build, DiagnosticsState& diagnostics);
 void tweaks_panel(Build& build, TweaksState& state);
 void transport_panel(Build& build, TransportState& state);
 void passes_panel(Build& build);
 void browser_panel(Build& build, BrowserState& state);
 void diagnostics_panel(Build& build, DiagnosticsState& state);
+void diagnostics_button(Build& build, DiagnosticsState& state);  // in the bar: how many
 void help_panel(Build& build);
 void empty_hint(Build& build);
 void wipe_handle(Build& build);
@@ -89,6 +90,10 @@ public:
     Wishes build(const Facts& facts, History& history, Transport& transport,
                  PanelSettings& settings);
 
+    // Panels learn how large they are by being built. True while this frame was built with sizes
+    // that no longer hold, and another pass would stand better.
+    bool is_behind();
+
     // A notice fades or a tooltip is due: frames are wanted though nobody moves.
     bool is_moving() const;
 
@@ -100,7 +105,8 @@ private:
     void follow_notice(const Facts& facts);
 
     Theme theme_;
-    Layout layout_;
+    Layout layout_, layout_before_;
+    unsigned extents_ = 0;  // a hash of where all windows stood
     TweaksState tweaks_;
     TransportState transport_;
     DiagnosticsState diagnostics_;

@@ -20,6 +20,10 @@ struct Area {
     ImVec2 corner{0, 0}, size{0, 0};
     float right() const { return corner.x + size.x; }
     float bottom() const { return corner.y + size.y; }
+    bool operator==(const Area& other) const {
+        return corner.x == other.corner.x && corner.y == other.corner.y && size.x == other.size.x &&
+               size.y == other.size.y;
+    }
 };
 
 // What is remembered between runs.
@@ -38,6 +42,8 @@ struct Layout {
     // Found anew for each frame.
     std::array<Area, kPanelCount> areas;
     Area free;  // between the columns
+
+    bool operator==(const Layout&) const = default;
 
     // Puts those that are open into their columns of a screen of this size.
     void arrange(const Theme& theme, ImVec2 screen, const std::array<bool, kPanelCount>& open);

@@ -35,6 +35,19 @@ std::uint64_t hash_of(const ImDrawData& data) {
     return hash;
 }
 
+void add(Wishes& all, Wishes more) {
+    if (more.open) all.open = std::move(more.open);
+    if (more.save_as) all.save_as = std::move(more.save_as);
+    if (more.edit) all.edit = std::move(more.edit);
+    all.save |= more.save;
+    all.revert |= more.revert;
+    all.still |= more.still;
+    all.toggle_recording |= more.toggle_recording;
+    all.toggle_full_screen |= more.toggle_full_screen;
+    all.tweaks_changed |= more.tweaks_changed;
+    all.quit |= more.quit;
+}
+
 void bind_screen() {
     using BindFramebuffer = void (*)(unsigned, unsigned);
     constexpr unsigned kFramebuffer = 0x8D40;  // GL_FRAMEBUFFER
@@ -106,12 +119,20 @@ Wishes Panels::update(const Facts& facts, History& history, Transport& transport
     ImGui::SetCurrentContext(state_->context);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    before_frame();
-    ImGui::NewFrame();
-    recall(state_->remembered, state_->interface.places(), settings);
-    Wishes wishes = state_->interface.build(facts, history, transport, settings);
-    note(state_->remembered, state_->interface.places(), settings);
-    ImGui::Render();
+    Wishes wishes;
+    // Frames of a slow scene are seconds apart: what stands wrong is mended before it is seen.
+    // Later passes see no new events, since the mouse and the keys have not moved in between.
+    constexpr int kMostPasses = 6;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        if (pass > 0) ImGui::GetIO().DeltaTime = 1e-6f;
+        before_frame();
+        ImGui::NewFrame();
+        recall(state_->remembered, state_->interface.places(), settings);
+        add(wishes, state_->interface.build(facts, history, transport, settings));
+        note(state_->remembered, state_->interface.places(), settings);
+        ImGui::Render();
+        if (!state_->interface.is_behind()) break;
+    }
     state_->follow_changes();
     return wishes;
 }

@@ -95,7 +95,7 @@ void actions(Build& build) {
 
 }  // namespace
 
-void top_bar(Build& build) {
+void top_bar(Build& build, DiagnosticsState& diagnostics) {
     const Theme& theme = build.theme;
     const float margin = theme.px(8);
     const float screen = ImGui::GetIO().DisplaySize.x;
@@ -118,6 +118,7 @@ void top_bar(Build& build) {
         ImGui::AlignTextToFramePadding();
         text_in(colours::kAccent, "compiling\u2026");
     }
+    diagnostics_button(build, diagnostics);
     build.layout.bar = {ImGui::GetWindowPos(), ImGui::GetWindowSize()};
     ImGui::End();
     ImGui::PopStyleVar();
