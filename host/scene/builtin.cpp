@@ -7,7 +7,7 @@ namespace glint {
 
 namespace {
 
-const std::map<std::string_view, Builtin> kBuiltins = {
+const std::map<std::string_view, HostUniform> kBuiltins = {
     {"iResolution", {"vec3", ""}},    {"iTime", {"float", ""}},
     {"iTimeDelta", {"float", ""}},    {"iFrameRate", {"float", ""}},
     {"iFrame", {"int", ""}},          {"iMouse", {"vec4", ""}},
@@ -20,7 +20,7 @@ const std::map<std::string_view, Builtin> kBuiltins = {
 
 }  // namespace
 
-const Builtin* find_builtin(std::string_view name) {
+const HostUniform* find_builtin(std::string_view name) {
     const auto found = kBuiltins.find(name);
     return found == kBuiltins.end() ? nullptr : &found->second;
 }

@@ -6,12 +6,12 @@
 namespace glint {
 
 // A uniform that the host declares itself.
-struct Builtin {
+struct HostUniform {
     std::string_view type;   // "sampler" stands for every sampler type
     std::string_view array;  // the length, or ""
 };
 
 // The built-in of this name, or null.
-const Builtin* find_builtin(std::string_view name);
+const HostUniform* find_builtin(std::string_view name);
 
 }  // namespace glint

@@ -201,7 +201,7 @@ void Builder::add_annotated(const Declaration& declaration, Span note) {
                      fmt::format("{} cannot be annotated; use float, int, bool, vec2, vec3, vec4, "
                                  "sampler2D, samplerCube or sampler3D",
                                  in_quotes(declaration.type)));
-    const Builtin* builtin = find_builtin(declarator.name);
+    const HostUniform* builtin = find_builtin(declarator.name);
     if (builtin && !(sampler && builtin->type == "sampler"))
         return error(declarator.span.begin,
                      fmt::format("{} is the host's own; give this uniform another name, or take "
@@ -280,6 +280,12 @@ void Builder::add_pass_output(const SamplerAnnotation& annotation, Span note) {
     Sampler sampler = annotation.sampler;
     sampler.pass = entry->second;
     sampler.output = pass.outputs.size();
+    constexpr std::size_t kMostOutputs = 8;  // what every GL draws into at once
+    if (pass.outputs.size() == kMostOutputs)
+        return error(note.begin + annotation.target_at,
+                     fmt::format("{} fills {} buffers already, the most that one pass can; use "
+                                 "another pass",
+                                 in_quotes(annotation.target), kMostOutputs));
     pass.outputs.push_back(sampler.name);
     scene_.samplers.push_back(std::move(sampler));
 }
@@ -354,7 +360,7 @@ void Builder::resolve_readers() {
 }
 
 void Builder::check_builtin(const Declaration& declaration, const Declarator& declarator) {
-    const Builtin& builtin = *find_builtin(declarator.name);
+    const HostUniform& builtin = *find_builtin(declarator.name);
     const bool type_fits = builtin.type == "sampler" ? sampler_type(declaration.type).has_value()
                                                      : declaration.type == builtin.type;
     const bool array_fits =

@@ -112,6 +112,25 @@ TEST_F(Complaints, SayInWordsWhatIsMissingAtLinking) {
         << to_text(declared_only);
 }
 
+TEST_F(Complaints, TellOfMoreOutputsThanAPassCanFill) {
+    for (const int count : {8, 9}) {
+        std::string samplers, outputs, writes;
+        for (int i = 0; i < count; ++i) {
+            samplers += fmt::format("uniform sampler2D b{}; //@ pass mainB\n", i);
+            outputs += fmt::format("out vec4 c{}, ", i);
+            writes += fmt::format("c{0} = vec4({0}); ", i);
+        }
+        const Diagnostics list =
+            complaints(fmt::format("{}void mainB({}vec2 p) {{ {} }}\n"
+                                   "void mainImage(out vec4 c, vec2 p) {{ c = texture(b7, p); }}\n",
+                                   samplers, outputs, writes));
+        ASSERT_EQ(has_errors(list), count == 9) << to_text(list);
+        if (count == 9) {
+            EXPECT_EQ(first_error(list)->place.line, 9);
+        }
+    }
+}
+
 TEST_F(Complaints, ComeOnceHoweverManyPassesShareTheText) {
     const Diagnostics list = complaints(
         "uniform sampler2D a; //@ pass mainA\n"
