@@ -1,0 +1,15 @@
+// What a driver says of a pass's text, as diagnostics with places in the user's files.
+#pragma once
+
+#include "render/pass_text.h"
+
+namespace glint {
+
+// The driver's log about a text as diagnostics. Reads the forms of Mesa "0:12(5): error: …", NVIDIA
+// "0(12) : error C1: …" and ANGLE or Intel "ERROR: 0:12: …".
+Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text);
+
+// A complaint of the linker, which has no place. The commonest one is said better than drivers do.
+Diagnostic link_diagnostic(const Scene& scene, std::string text);
+
+}  // namespace glint

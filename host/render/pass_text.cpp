@@ -1,0 +1,301 @@
+#include "render/pass_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <string_view>
+
+namespace glint {
+namespace {
+
+constexpr std::string_view kUniforms = R"(uniform vec3 iResolution;
+uniform float iTime;
+uniform float iTimeDelta;
+uniform float iFrameRate;
+uniform int iFrame;
+uniform vec4 iMouse;
+uniform vec4 iDate;
+uniform float iSampleRate;
+uniform uint iTick;
+uniform float iChannelTime[4];
+uniform vec3 iChannelResolution[4];
+)";
+
+// The site lets a shader colour its pixel by a failed assertion: red, green, blue or yellow.
+constexpr std::string_view kAssert = R"(int glint_failed = -1;
+void st_assert(bool condition, int colour) { if (!condition) glint_failed = clamp(colour, 0, 3); }
+void st_assert(bool condition) { if (!condition) glint_failed = 0; }
+vec4 glint_asserted(vec4 colour) {
+    if (glint_failed < 0) return colour;
+    return vec4(glint_failed == 0 || glint_failed == 3, glint_failed == 1 || glint_failed == 3, glint_failed == 2, 1);
+}
+)";
+
+constexpr std::string_view kJitter = "uniform vec2 glint_jitter;\n";
+
+// sRGB (IEC 61966-2-1) to linear light, mirrored for negative values, so that averages do not clip.
+constexpr std::string_view kDecode = R"(vec3 glint_decode(vec3 c) {
+    vec3 a = abs(c);
+    return sign(c) * mix(a / 12.92, pow((a + 0.055) / 1.055, vec3(2.4)), greaterThan(a, vec3(0.04045)));
+}
+)";
+
+bool is_identifier(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool contains_word(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !is_identifier(text[at - 1])) &&
+            (end == text.size() || !is_identifier(text[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+const char* glsl_name(SamplerType type) {
+    switch (type) {
+        case SamplerType::sampler2D:
+            return "sampler2D";
+        case SamplerType::samplerCube:
+            return "samplerCube";
+        case SamplerType::sampler3D:
+            return "sampler3D";
+    }
+    return "";
+}
+
+std::string channel_declarations(const Preset& preset, bool image_pass) {
+    const Scene& scene = preset.scene;
+    std::string text;
+    for (std::size_t i = 0; i < preset.channels.size(); ++i) {
+        const std::string name = fmt::format("iChannel{}", i);
+        const auto declared =
+            std::find_if(scene.samplers.begin(), scene.samplers.end(),
+                         [&](const Sampler& sampler) { return sampler.name == name; });
+        const bool by_scene = declared != scene.samplers.end();
+        const char* type = glsl_name(
+            by_scene ? declared->type : scene.channel_types[i].value_or(preset.channels[i].type));
+        if (!by_scene) text += fmt::format("uniform {} {};\n", type, name);
+        // A struct of samplers costs a declaration in every shader, so only where it is used.
+        if (image_pass && contains_word(scene.text, fmt::format("iCh{}", i))) {
+            text += fmt::format(
+                "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
+                type, i);
+        }
+    }
+    return text;
+}
+
+// A name that older pastes still use, unless the text declares it itself. A local variable of that
+// name, which stands indented, is no declaration for all.
+std::string old_names(const Scene& scene) {
+    if (!contains_word(scene.text, "iGlobalTime")) return "";
+    static const std::regex declared(
+        R"((uniform|#\s*define)[^;\n]*\biGlobalTime\b|(^|\n)(const\s+)?float\s+iGlobalTime\b)");
+    return std::regex_search(scene.text, declared) ? "" : "uniform float iGlobalTime;\n";
+}
+
+// The site's drivers take every precision as highp, where Mesa computes mediump and lowp in halves.
+// Samplers must be told: their default is lowp, and a buffer of 32-bit floats is then read as
+// halves.
+constexpr std::string_view kPrecision = R"(precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp samplerCube;
+precision highp sampler3D;
+)";
+
+// `packed` is an ordinary name on the site, and reserved in Mesa.
+std::string renamed_words(const Scene& scene) {
+    std::string text;
+    for (const std::string_view word : {"mediump", "lowp"}) {
+        if (contains_word(scene.text, word)) text += fmt::format("#define {} highp\n", word);
+    }
+    static const std::regex is_macro(R"(#\s*define\s+packed\b)");
+    if (contains_word(scene.text, "packed") && !std::regex_search(scene.text, is_macro)) {
+        text += "#define packed glint_packed\n";
+    }
+    return text;
+}
+
+// Where a list of `out` parameters of this function begins and ends, from `at` on; npos for none.
+struct Range {
+    std::size_t begin = std::string::npos, end = std::string::npos;
+};
+Range find_out_parameters(std::string_view text, std::string_view function, std::size_t at) {
+    constexpr std::string_view kSpace = " \t\n";
+    for (at = text.find(function, at); at != text.npos; at = text.find(function, at + 1)) {
+        if (at > 0 && is_identifier(text[at - 1])) continue;
+        const std::size_t open = text.find_first_not_of(kSpace, at + function.size());
+        if (open == text.npos || text[open] != '(') continue;
+        const std::size_t close = text.find_first_of("()", open + 1);
+        if (close == text.npos || text[close] != ')') continue;
+        if (contains_word(text.substr(open, close - open), "out")) return {open, close};
+    }
+    return {};
+}
+
+// An `out` parameter is undefined on entry, and Mesa makes any value of it. The site's colour
+// starts at a known one, on which `color *= 0.0` relies; so the entry's parameters become `inout`.
+// Says whether there were any.
+bool make_colour_defined(PassText& pass, const std::string& entry) {
+    std::string& text = pass.text;
+    bool found = false;
+    for (Range list = find_out_parameters(text, entry, 0); list.begin != text.npos;
+         list = find_out_parameters(text, entry, list.end)) {
+        found = true;
+        for (std::size_t at = list.begin; (at = text.find("out", at)) < list.end; at += 5) {
+            if (is_identifier(text[at - 1]) || is_identifier(text[at + 3])) continue;
+            text.insert(at, "in");
+            list.end += 2;
+            const auto begin = text.begin(), here = begin + static_cast<std::ptrdiff_t>(at);
+            const std::size_t line_begin = text.rfind('\n', at) + 1;
+            pass.widened.push_back({.line = static_cast<int>(std::count(begin, here, '\n')) + 1,
+                                    .column = static_cast<int>(at - line_begin) + 1,
+                                    .by = 2});
+        }
+    }
+    return found;
+}
+
+std::string image_main(const Scene& scene, const char* out, const ProgramOptions& options) {
+    std::string text =
+        fmt::format("void {}({} vec4 color, in vec2 coord);\n", scene.image_entry, out);
+    text += kAssert;
+    if (options.average) (text += kJitter) += kDecode;
+    text +=
+        "layout(location = 0) out vec4 glint_out0;\nvoid main() {\n    vec4 color = vec4(1e20);\n";
+    text += fmt::format("    {}(color, gl_FragCoord.xy{});\n", scene.image_entry,
+                        options.average ? " + glint_jitter" : "");
+    text += "    color = glint_asserted(color);\n";
+    if (options.average) {
+        if (options.clamp_to_bytes) text += "    color = clamp(color, 0.0, 1.0);\n";
+        text += "    color.rgb = glint_decode(color.rgb);\n";
+    }
+    return text + "    glint_out0 = vec4(color.rgb, 1.0);\n}\n";
+}
+
+std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions& options) {
+    std::string parameters, outputs, variables, arguments, results;
+    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
+        parameters += fmt::format("{} vec4 color{}, ", out, i);
+        outputs += fmt::format("layout(location = {0}) out vec4 glint_out{0};\n", i);
+        variables += fmt::format("    vec4 color{} = vec4(0, 0, 0, 1);\n", i);
+        arguments += fmt::format("color{}, ", i);
+        results += fmt::format("    glint_out{0} = color{0};\n", i);
+    }
+    const std::string_view jitter = options.average ? kJitter : "";
+    return fmt::format(
+        "void {0}({1}in vec2 coord);\n{2}{3}{4}void main() {{\n{5}    "
+        "{0}({6}gl_FragCoord.xy{7});\n{8}}}\n",
+        pass.entry, parameters, kAssert, jitter, outputs, variables, arguments,
+        options.average ? " + glint_jitter" : "", results);
+}
+
+// Directions as GL reads cubemaps (OpenGL 4.5, table 8.19), so that texture(sky, rayDir) gives back
+// what was drawn for rayDir.
+std::string cube_main(const Pass& pass, const char* out) {
+    return fmt::format(
+        "void {0}({1} vec4 color, in vec2 coord, in vec3 rayOri, in vec3 rayDir);\n{2}"
+        R"(uniform int glint_face;
+layout(location = 0) out vec4 glint_out0;
+void main() {{
+    vec2 p = gl_FragCoord.xy / iResolution.xy * 2.0 - 1.0;
+    vec3 ray = glint_face == 0 ? vec3(1, -p.y, -p.x) : glint_face == 1 ? vec3(-1, -p.y, p.x)
+             : glint_face == 2 ? vec3(p.x, 1, p.y) : glint_face == 3 ? vec3(p.x, -1, -p.y)
+             : glint_face == 4 ? vec3(p.x, -p.y, 1) : vec3(-p.x, -p.y, -1);
+    vec4 color = vec4(0, 0, 0, 1);
+    {0}(color, gl_FragCoord.xy, vec3(0), normalize(ray));
+    glint_out0 = color;
+}}
+)",
+        pass.entry, out, kAssert);
+}
+
+// A literal that GLSL reads back as exactly this value.
+std::string literal(TweakType type, double value) {
+    if (type == TweakType::int1) return fmt::format("{:.0f}", value);
+    if (type == TweakType::bool1) return value != 0.0 ? "true" : "false";
+    std::string text = fmt::format("{:.9g}", static_cast<float>(value));
+    if (text.find_first_of(".e") == text.npos) text += ".0";
+    return text;
+}
+
+std::string constant(const Tweak& tweak, const TweakValue& value) {
+    const int count = component_count(tweak.type);
+    std::string components;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) components += ", ";
+        components += literal(tweak.type, value[static_cast<std::size_t>(i)]);
+    }
+    const char* type = glsl_name(tweak.type);
+    return count == 1 ? fmt::format("const {} {} = {};", type, tweak.name, components)
+                      : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
+}
+
+// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
+// its line ends are kept.
+std::string specialised_text(const Preset& preset) {
+    const std::string& text = preset.scene.text;
+    std::string result;
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        result.append(text, done, tweak.declaration_begin - done);
+        result += constant(tweak, preset.values[i]);
+        for (std::size_t at = tweak.declaration_begin; at < tweak.declaration_end; ++at) {
+            if (text[at] == '\n') result += '\n';
+        }
+        done = tweak.declaration_end;
+    }
+    return result.append(text, done);
+}
+
+}  // namespace
+
+std::string pass_name(const Scene& scene, std::size_t pass) {
+    return pass == kImagePass ? "image" : scene.passes[pass].name;
+}
+
+const Sampler& sampler_at(const Preset& preset, std::size_t index) {
+    const auto& own = preset.scene.samplers;
+    return index < own.size() ? own[index] : preset.channels.at(index - own.size());
+}
+
+std::size_t sampler_count(const Preset& preset) {
+    return preset.scene.samplers.size() + preset.channels.size();
+}
+
+PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
+    const Scene& scene = preset.scene;
+    const bool image = pass == kImagePass;
+    PassText result{.text = options.specialise ? specialised_text(preset) : scene.text};
+    const bool defined =
+        make_colour_defined(result, image ? scene.image_entry : scene.passes[pass].entry);
+    const char* out = defined ? "inout" : "out";
+    std::string text = "#version 300 es\n#define HW_PERFORMANCE 1\n" + renamed_words(scene);
+    if (image)
+        text += "#define PASS_image 1\n";
+    else
+        for (const std::string& output : scene.passes[pass].outputs)
+            text += fmt::format("#define PASS_{} 1\n", output);
+    text += kPrecision;
+    text += kUniforms;
+    text += old_names(scene);
+    text += channel_declarations(preset, image);
+    text += image                     ? image_main(scene, out, options)
+            : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
+                                      : buffer_main(scene.passes[pass], out, options);
+    result.prologue_lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    for (PassText::Widened& widened : result.widened) widened.line += result.prologue_lines;
+    result.text.insert(0, text);
+    if (!result.text.ends_with('\n')) result.text += '\n';
+    return result;
+}
+
+}  // namespace glint

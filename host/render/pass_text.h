@@ -1,0 +1,40 @@
+// The GLSL text of one pass: prologue, `main`, then the user's text.
+#pragma once
+
+#include "scene/preset.h"
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// The pass that draws the picture itself; the others are indices into Scene::passes.
+inline constexpr std::size_t kImagePass = static_cast<std::size_t>(-1);
+
+// The name a person knows a pass by: "image", or that of the first sampler that it fills.
+std::string pass_name(const Scene& scene, std::size_t pass);
+
+// A sampler that some pass may read: one of the scene's, or one of the four channels of a preset.
+const Sampler& sampler_at(const Preset& preset, std::size_t index);  // channels follow the scene's
+std::size_t sampler_count(const Preset& preset);
+
+struct ProgramOptions {
+    bool specialise = true;  // write the tweaks in as constants
+    bool average = false;    // the picture in linear light at a sub-pixel position, to be added up
+    bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
+};
+
+// The GLSL ES 3.00 text that the driver sees for one pass.
+struct PassText {
+    // A place of the text, behind which its line is longer than the user's.
+    struct Widened {
+        int line = 0, column = 0;  // from 1
+        int by = 0;                // characters
+    };
+    std::string text;
+    int prologue_lines = 0;  // the user's text starts on the next line
+    std::vector<Widened> widened{};
+};
+PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options);
+
+}  // namespace glint
