@@ -1,5 +1,6 @@
 // What the driver says about a text, at the user's own lines and columns.
 #include "fixture.h"
+#include "render/driver_log.h"
 
 namespace glint {
 namespace {
