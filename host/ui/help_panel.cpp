@@ -60,8 +60,7 @@ void help_panel(Build& build) {
     ImGui::AlignTextToFramePadding();
     text_in(colours::kText, "Keys", theme.bold);
     ImGui::SameLine();
-    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x -
-                         ImGui::GetFrameHeight());
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
     if (icon_button(theme, "close", Icon::close, "Close", {.colour = colours::kDim}))
         build.settings.help = false;
     key_rows(theme, screen.x > theme.px(900) ? 2 : 1);

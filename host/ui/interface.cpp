@@ -48,17 +48,18 @@ void Interface::follow_notice(const Facts& facts) {
     notice_age_ = notice_.empty() ? kNoticeStays : 0.0f;
 }
 
-// Windows with a size of their own choice take two passes to find it; tables inside take one more.
+// A window with a size of its own choice is hidden while it finds it; tables inside take a pass
+// more.
 bool Interface::is_behind() {
     unsigned extents = 0;
-    bool is_fitting = false;
     for (const ImGuiWindow* window : GImGui->Windows) {
         if (!window->Active) continue;
         const ImVec2 extent[] = {window->Pos, window->Size, window->ContentSize};
         extents = ImHashData(extent, sizeof extent, extents);
-        is_fitting |= window->Hidden || window->AutoFitFramesX > 0 || window->AutoFitFramesY > 0;
+        extents = ImHashData(&window->Hidden, sizeof window->Hidden, extents);
     }
-    return layout_ != layout_before_ || std::exchange(extents_, extents) != extents || is_fitting;
+    const bool has_moved = std::exchange(extents_, extents) != extents;
+    return has_moved || layout_ != layout_before_;
 }
 
 bool Interface::is_moving() const {

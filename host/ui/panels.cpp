@@ -10,7 +10,10 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -23,16 +26,27 @@ float pixel_ratio(GLFWwindow* window) {
     return width > 0 && dots > 0 ? static_cast<float>(dots) / static_cast<float>(width) : 1.0f;
 }
 
-// A hash of all that was built, so that two equal frames are known as such.
-std::uint64_t hash_of(const ImDrawData& data) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (int i = 0; i < data.CmdListsCount; ++i) {
-        const ImDrawList& list = *data.CmdLists[i];
-        const auto bytes = list.VtxBuffer.size_in_bytes();
-        hash ^= ImHashData(list.VtxBuffer.Data, static_cast<std::size_t>(bytes));
-        hash *= 0x100000001b3u;
+// A hash of what a person does with mouse and keys.
+unsigned hash_of_input() {
+    const ImGuiIO& io = ImGui::GetIO();
+    unsigned hash = ImHashData(io.KeysDown, sizeof io.KeysDown);
+    hash = ImHashData(io.MouseDown, sizeof io.MouseDown, hash);
+    const float rest[] = {io.MousePos.x, io.MousePos.y, io.MouseWheel, io.MouseWheelH,
+                          static_cast<float>(io.InputQueueCharacters.Size)};
+    return ImHashData(rest, sizeof rest, hash);
+}
+
+// Presses keys that went down and up again since the last frame, which ImGui's backend misses;
+// GLFW's sticky keys know of them. Returns those that are to be let go after the frame.
+std::vector<int> press_tapped(GLFWwindow* window) {
+    ImGuiIO& io = ImGui::GetIO();
+    std::vector<int> tapped;
+    for (const int key : io.KeyMap) {
+        if (key < 0 || glfwGetKey(window, key) != GLFW_PRESS || io.KeysDown[key]) continue;
+        io.KeysDown[key] = true;
+        tapped.push_back(key);
     }
-    return hash;
+    return tapped;
 }
 
 void add(Wishes& all, Wishes more) {
@@ -64,23 +78,9 @@ struct Panels::State {
     ImGuiContext* context;
     Interface interface;
     Memory remembered;
-    std::uint64_t hash = 0;
-    ImVec2 mouse{0, 0};
-    int frames_to_settle = 3;
-
-    void follow_changes();
+    unsigned input = 0;        // a hash of the last frame's
+    int frames_to_settle = 3;  // an item that comes in front of another is seen a frame later
 };
-
-// A window that opens takes two frames to find its size, and so does what depends on it.
-void Panels::State::follow_changes() {
-    constexpr int kFrames = 3;
-    const std::uint64_t now = hash_of(*ImGui::GetDrawData());
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool moved = io.MousePos.x != mouse.x || io.MousePos.y != mouse.y;
-    frames_to_settle = now != hash || moved ? kFrames : std::max(frames_to_settle - 1, 0);
-    hash = now;
-    mouse = io.MousePos;
-}
 
 Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory) {
     ImGuiContext* context = ImGui::CreateContext();
@@ -94,6 +94,7 @@ Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::p
                   .remembered = {}});
     configure_io();
     remember(state_->remembered, state_->memory);
+    glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -119,21 +120,28 @@ Wishes Panels::update(const Facts& facts, History& history, Transport& transport
     ImGui::SetCurrentContext(state_->context);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    before_frame();
+    const std::vector<int> tapped = press_tapped(state_->window);
+    const unsigned input = hash_of_input();
+    const bool is_touched = input != state_->input;
+    state_->input = input;
     Wishes wishes;
+    bool is_behind = true;
     // Frames of a slow scene are seconds apart: what stands wrong is mended before it is seen.
     // Later passes see no new events, since the mouse and the keys have not moved in between.
     constexpr int kMostPasses = 6;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMostPasses && is_behind; ++pass) {
         if (pass > 0) ImGui::GetIO().DeltaTime = 1e-6f;
-        before_frame();
         ImGui::NewFrame();
         recall(state_->remembered, state_->interface.places(), settings);
         add(wishes, state_->interface.build(facts, history, transport, settings));
         note(state_->remembered, state_->interface.places(), settings);
         ImGui::Render();
-        if (!state_->interface.is_behind()) break;
+        for (const int key : tapped) ImGui::GetIO().KeysDown[key] = false;
+        is_behind = state_->interface.is_behind();
     }
-    state_->follow_changes();
+    state_->frames_to_settle =
+        is_touched || is_behind ? 2 : std::max(state_->frames_to_settle - 1, 0);
     return wishes;
 }
 
@@ -151,6 +159,24 @@ bool Panels::takes_mouse() const {
 bool Panels::takes_keyboard() const {
     ImGui::SetCurrentContext(state_->context);
     return ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+bool Panels::takes_mouse_at(glm::dvec2 position) const {
+    ImGui::SetCurrentContext(state_->context);
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return true;
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 at{static_cast<float>(position.x) / io.DisplayFramebufferScale.x,
+                    io.DisplaySize.y -
+                        static_cast<float>(position.y) / io.DisplayFramebufferScale.y};
+    return std::ranges::any_of(GImGui->Windows, [&](const ImGuiWindow* window) {
+        return window->Active && !window->Hidden && !(window->Flags & ImGuiWindowFlags_NoInputs) &&
+               window->OuterRectClipped.Contains(at);
+    });
+}
+
+bool Panels::takes_text() const {
+    ImGui::SetCurrentContext(state_->context);
+    return ImGui::GetIO().WantTextInput;
 }
 
 bool Panels::is_settling() const {

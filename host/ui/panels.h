@@ -148,6 +148,13 @@ public:
     bool takes_mouse() const;
     bool takes_keyboard() const;
 
+    // Whether a press at this place, in pixels of the framebuffer, y up, is theirs. The mouse may
+    // have come there since the last frame.
+    bool takes_mouse_at(glm::dvec2 position) const;
+
+    // Whether a text field holds the keyboard.
+    bool takes_text() const;
+
     // Frames that are still wanted after an input until everything stands still.
     bool is_settling() const;
 

@@ -312,6 +312,12 @@ TEST(Panels, StandInAnySize) {
             Screen screen(two_numbers(), size, scale);
             screen.facts.diagnostics = diagnostics;
             open_all(screen);
+            for (int i = 0; i < 8; ++i) {
+                screen.interface.is_behind();
+                screen.frame();
+            }
+            EXPECT_FALSE(screen.interface.is_behind())
+                << size.x << "x" << size.y << " at " << scale;
         }
 }
 
