@@ -165,9 +165,9 @@ bool Panels::takes_mouse_at(glm::dvec2 position) const {
     ImGui::SetCurrentContext(state_->context);
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return true;
     const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 at{static_cast<float>(position.x) / io.DisplayFramebufferScale.x,
-                    io.DisplaySize.y -
-                        static_cast<float>(position.y) / io.DisplayFramebufferScale.y};
+    const ImVec2 at{
+        static_cast<float>(position.x) / io.DisplayFramebufferScale.x,
+        io.DisplaySize.y - static_cast<float>(position.y) / io.DisplayFramebufferScale.y};
     return std::ranges::any_of(GImGui->Windows, [&](const ImGuiWindow* window) {
         return window->Active && !window->Hidden && !(window->Flags & ImGuiWindowFlags_NoInputs) &&
                window->OuterRectClipped.Contains(at);
