@@ -48,6 +48,12 @@ Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOption
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // always on in GLSL ES
 }
 
+// GL keeps a deleted program for as long as it is current, and it vanishes under whoever wants to
+// restore it.
+Renderer::~Renderer() {
+    glUseProgram(0);
+}
+
 BufferShape Renderer::wanted_shape(std::size_t index) const {
     const std::size_t wanted = scene_.programs[index].pass;
     BufferShape shape{.size = options_.size, .format = options_.picture_format};
@@ -84,6 +90,23 @@ std::vector<std::size_t> Renderer::images_needed() const {
     return list;
 }
 
+bool Renderer::reads_mouse() const {
+    return std::any_of(scene_.programs.begin(), scene_.programs.end(), [](const PassProgram& p) {
+        return std::any_of(p.builtins.begin(), p.builtins.end(), [](const BuiltinUniform& uniform) {
+            return uniform.builtin == Builtin::mouse;
+        });
+    });
+}
+
+bool Renderer::reads_keyboard() const {
+    return std::any_of(scene_.programs.begin(), scene_.programs.end(), [&](const PassProgram& p) {
+        return std::any_of(
+            p.samplers.begin(), p.samplers.end(), [&](const SamplerUniform& uniform) {
+                return sampler_at(preset_, uniform.sampler).source == Source::keyboard;
+            });
+    });
+}
+
 void Renderer::advance(const Frame& frame) {
     run(frame, true);
 }
@@ -101,7 +124,10 @@ void Renderer::draw_root(const Frame& frame) {
 }
 
 void Renderer::reset() {
-    for (const auto& buffer : buffers_) buffer->clear();
+    // The picture, which nobody reads, stays on the screen until it is drawn anew.
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        if (scene_.programs[i].pass != kImagePass) buffers_[i]->clear();
+    }
     for (Drawn& drawn : drawn_) drawn.ever = false;
     std::fill(steps_done_.begin(), steps_done_.end(), 0);
     force_root_ = true;

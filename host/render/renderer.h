@@ -26,6 +26,9 @@ public:
     // matter where the scene was not specialised. Throws std::runtime_error when a size is beyond
     // the driver's limit.
     Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
 
     // The samplers whose images something reads (as in sampler_at) and that have none yet; hand
     // each its pixels.
@@ -51,6 +54,10 @@ public:
 
     // A new size of the picture; buffers keep their content.
     void resize(glm::ivec2 size);
+
+    // Whether anything that is drawn reads them.
+    bool reads_mouse() const;
+    bool reads_keyboard() const;
 
     const PassGraph& graph() const { return scene_.graph; }
     const Buffer& buffer(std::size_t graph_index) const { return *buffers_[graph_index]; }
