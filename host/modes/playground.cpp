@@ -250,7 +250,7 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
     if (opened) {
         transport = Transport(preset_->time);
         input_ = {};
-        extra_frames_ = 0;
+        extra_frames_ = frame_offset_ = 0;
     }
 }
 
@@ -303,7 +303,15 @@ void Playground::finish_report(bool shown) {
 bool Playground::wants_frame() const {
     if (!renderer_) return false;
     const bool settles = !transport.playing() && extra_frames_ < preset_->settle;
-    return touched_ || replay_at_ >= 0 || settles || transport.wants_frame();
+    const bool time_moves = transport.playing() ? follows_time() : transport.wants_frame();
+    return touched_ || replay_at_ >= 0 || settles || time_moves;
+}
+
+bool Playground::follows_time() const {
+    const auto& passes = renderer_->graph().passes;
+    return !preset_->events.empty() ||
+           std::any_of(passes.begin(), passes.end(),
+                       [](const GraphPass& pass) { return pass.runs != Runs::on_change; });
 }
 
 void Playground::resize(glm::ivec2 size) {
@@ -316,13 +324,13 @@ void Playground::resize(glm::ivec2 size) {
 void Playground::mouse(glm::dvec2 fraction, bool down) {
     input_.mouse(fraction, down);
     recorder.mouse(fraction, down);
-    touched_ = true;
+    touched_ |= renderer_ && renderer_->reads_mouse();
 }
 
 void Playground::key(int code, bool down) {
     input_.key(code, down);
     recorder.key(code, down);
-    touched_ = true;
+    touched_ |= renderer_ && renderer_->reads_keyboard();
 }
 
 void Playground::measure_passes(bool on) {
@@ -333,15 +341,15 @@ void Playground::measure_passes(bool on) {
 Frame Playground::next_frame(double wall_seconds) {
     const double before = instant_.time;
     instant_ = transport.advance(wall_seconds);
-    if (instant_.frame == 0)
-        extra_frames_ = 0;
-    else if (instant_.time == before && !instant_.jumped)
-        ++extra_frames_;
+    if (instant_.frame == 0) frame_offset_ = 0;
+    const bool stands = instant_.frame > 0 && instant_.time == before && !instant_.jumped;
+    extra_frames_ = stands ? extra_frames_ + 1 : 0;
+    instant_.frame += frame_offset_;
     Frame frame;
     frame.time = instant_.time;
     frame.time_delta = instant_.time_delta;
     frame.frame_rate = instant_.frame_rate;
-    frame.frame = instant_.frame + extra_frames_;
+    frame.frame = instant_.frame;
     frame.date = shadertoy_date(local_now(), 0.0);
     if (transport.playing() && !preset_->events.empty() && !instant_.jumped) {
         replay_into(input_, preset_->events, before, frame.time);
@@ -355,8 +363,10 @@ double Playground::replayed() const {
     return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
 }
 
-// A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived.
-bool Playground::replay_slice(const Frame& frame) {
+// A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived:
+// then `frame`, which is to be drawn, is the last frame of a still at its time, and those that
+// follow count on from there.
+bool Playground::replay_slice(Frame& frame) {
     const Stopwatch clock;
     const Playback playback{.end = frame.time};
     for (; replay_at_ < replay_until_; ++replay_at_) {
@@ -365,14 +375,24 @@ bool Playground::replay_slice(const Frame& frame) {
         context_.finish();
     }
     replay_at_ = -1;
+    Frame last = playback.frame(*preset_, replay_until_);
+    if (preset_->events.empty()) last.input = frame.input;
+    last.date = frame.date;
+    frame_offset_ += last.frame - instant_.frame;
+    instant_.frame = last.frame;
+    instant_.time_delta = last.time_delta;
+    instant_.frame_rate = last.frame_rate;
+    frame = last;
     return true;
 }
 
 bool Playground::draw(double wall_seconds) {
     if (!renderer_) return false;
+    // Panels move over a picture that stands; no frame of the scene goes by then.
+    if (!transport.playing() && !wants_frame()) return false;
     const Stopwatch clock;
     // While a replay is under way, time stands.
-    const Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
+    Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
     if (instant_.jumped) {
         renderer_->reset();
         const bool again = renderer_->graph().stateful && instant_.time > 0.0;
@@ -410,7 +430,7 @@ Frame Playground::frame_again() const {
     frame.time = instant_.time;
     frame.time_delta = instant_.time_delta;
     frame.frame_rate = instant_.frame_rate;
-    frame.frame = instant_.frame + extra_frames_;
+    frame.frame = instant_.frame;
     frame.date = drawn_date_;
     frame.input = drawn_input_;
     return frame;

@@ -59,7 +59,8 @@ public:
     void resize(glm::ivec2 size);  // pixels of the picture
     glm::ivec2 size() const { return size_; }
 
-    // Input, for the next frame. Positions are fractions of the picture, y up.
+    // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
+    // the picture, y up.
     void mouse(glm::dvec2 fraction, bool down);
     void key(int code, bool down);
 
@@ -128,7 +129,8 @@ private:
     void finish_report(bool shown);
     Frame next_frame(double wall_seconds);
     Frame frame_again() const;
-    bool replay_slice(const Frame& frame);
+    bool replay_slice(Frame& frame);
+    bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, bool specialise);
 
     Context& context_;
@@ -161,7 +163,8 @@ private:
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
     bool touched_ = true;   // something other than time asks for a frame
-    int extra_frames_ = 0;  // drawn while time stood; iFrame counts them
+    int extra_frames_ = 0;  // drawn since time stands
+    int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
     int replay_at_ = -1, replay_until_ = -1;
     double frame_ms_ = 0.0;
     bool measuring_ = false;
