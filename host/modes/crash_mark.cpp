@@ -1,5 +1,7 @@
 #include "modes/crash_mark.h"
 
+#include <unistd.h>
+
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -9,22 +11,32 @@ namespace glint {
 
 namespace fs = std::filesystem;
 
-CrashMark::CrashMark(fs::path file) : file_(std::move(file)) {}
+CrashMark::CrashMark(fs::path folder)
+    : folder_(std::move(folder)), file_(folder_ / std::to_string(::getpid())) {}
 
 CrashMark::~CrashMark() {
     std::error_code error;
     fs::remove(file_, error);
 }
 
-bool CrashMark::names(const fs::path& scene) const {
-    std::ifstream stream(file_, std::ios::binary);
-    const std::string kept{std::istreambuf_iterator<char>(stream), {}};
-    return kept == fs::absolute(scene).string();
+bool CrashMark::take(const fs::path& scene) {
+    const std::string wanted = fs::absolute(scene).string();
+    bool found = false;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder_, error)) {
+        // A process that still runs has not crashed.
+        if (fs::exists(fs::path("/proc") / entry.path().filename(), error)) continue;
+        std::ifstream stream(entry.path(), std::ios::binary);
+        const std::string kept{std::istreambuf_iterator<char>(stream), {}};
+        found |= kept == wanted;
+        fs::remove(entry.path(), error);
+    }
+    return found;
 }
 
 void CrashMark::set(const fs::path& scene) {
     std::error_code error;
-    fs::create_directories(file_.parent_path(), error);
+    fs::create_directories(folder_, error);
     std::ofstream(file_, std::ios::binary) << fs::absolute(scene).string();
 }
 

@@ -7,19 +7,20 @@ namespace glint {
 
 class CrashMark {
 public:
-    // Kept in `file`, which is removed when the program ends as it should.
-    explicit CrashMark(std::filesystem::path file);
+    // Kept in a file of this folder, one a process, which is removed when the program ends as it
+    // should.
+    explicit CrashMark(std::filesystem::path folder);
     ~CrashMark();
     CrashMark(const CrashMark&) = delete;
     CrashMark& operator=(const CrashMark&) = delete;
 
-    // Whether the last run ended while this scene was open.
-    bool names(const std::filesystem::path& scene) const;
+    // Whether a run that is over ended while this scene was open. Its mark is gone then.
+    bool take(const std::filesystem::path& scene);
 
     void set(const std::filesystem::path& scene);
 
 private:
-    std::filesystem::path file_;
+    std::filesystem::path folder_, file_;
 };
 
 }  // namespace glint

@@ -31,6 +31,9 @@ namespace fs = std::filesystem;
 // Idle windows still look round now and then: for a file system that does not tell of saves.
 constexpr double kLongestWait = 10.0;  // s
 
+// Where time plays and the picture does not depend on it, only the clock in the panels moves.
+constexpr double kClockTick = 0.1;  // s
+
 // $XDG_CACHE_HOME/glint and the like, or a folder under the home.
 fs::path home_folder(const char* variable, const char* fallback) {
     const char* value = std::getenv(variable);
@@ -81,6 +84,7 @@ private:
 
     // Drawing
     double wait_seconds() const;
+    bool shows_clock() const;
     void draw_frame();
     void show_picture();
     Facts facts();
@@ -124,14 +128,14 @@ private:
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
       window_({1280, 720}, "Glint"),
-      crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open-scene"),
+      crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       playground_(window_, window_.size(),
                   {.device = options.device, .specialise = options.specialise}),
       panels_(window_.handle(), window_.content_scale(),
               home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
       browser_(home_folder("XDG_CACHE_HOME", ".cache")),
       waker_([] { Window::wake(); }) {
-    pause_at_open_ = crash_mark_.names(options.file);
+    pause_at_open_ = crash_mark_.take(options.file);
     if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
     open(options.file);
 }
@@ -147,8 +151,13 @@ void PlaygroundWindow::run() {
         const double now = since_draw_.ms() / 1000.0;
         if (!window_.is_visible() || window_.size().x == 0 || window_.size().y == 0) continue;
         const bool due = now >= frame_due_ && (playground_.wants_frame() || panels_.is_settling());
-        if (due || dirty_) draw_frame();
+        if (due || dirty_ || (shows_clock() && now >= kClockTick)) draw_frame();
     }
+}
+
+bool PlaygroundWindow::shows_clock() const {
+    return playground_.is_open() && playground_.transport.playing() && settings_.visible &&
+           settings_.transport;
 }
 
 // Nothing to do: wait for events. Something to draw: only until the next frame of the screen is
@@ -159,6 +168,7 @@ double PlaygroundWindow::wait_seconds() const {
     if (dirty_ || playground_.wants_frame() || panels_.is_settling()) {
         return std::max(0.0, frame_due_ - now);
     }
+    if (shows_clock()) return std::max(0.0, kClockTick - now);
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          (playground_.is_open() && !playground_.is_at_rest());
     return pending ? 0.1 : kLongestWait;
@@ -306,7 +316,6 @@ void PlaygroundWindow::print_reports() {
             values_known_ = true;
             if (pause_at_open_) playground_.transport.pause();
             pause_at_open_ = false;
-            crash_mark_.set(file_);
         }
         dirty_ = true;
     }
@@ -317,6 +326,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     file_ = file;
     values_known_ = false;
     recorded_.clear();
+    crash_mark_.set(file);
     playground_.open(file);
     browser_.list(file);
     dirty_ = true;
@@ -329,6 +339,11 @@ void PlaygroundWindow::notice(std::string text) {
 
 void PlaygroundWindow::save(const fs::path& file) {
     if (!playground_.is_open()) return;
+    // What is on the screen is another scene's, or an older text's.
+    if (file == file_ && (!values_known_ || has_errors(playground_.diagnostics()))) {
+        notice(fmt::format("{} is not saved while it has errors.", file.filename().string()));
+        return;
+    }
     Preset preset = playground_.current_preset();
     if (!recorded_.empty()) preset.events = recorded_;
     const PresetText text = write_preset(preset, file,
@@ -460,7 +475,7 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
     const glm::dvec2 moved = event.position - mouse_;
     mouse_ = event.position;
     if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
-        const bool starts = event.down && !panels_.takes_mouse();
+        const bool starts = event.down && !panels_.takes_mouse_at(event.position);
         panning_ = starts && !is_over_scene();
         if (starts && is_over_scene()) dragging_scene_ = true;
         if (dragging_scene_) playground_.mouse(event.position / window, event.down);
@@ -476,9 +491,10 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
 bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
     const std::optional<Action> action = action_of(key, modifiers);
     if (!action) return false;
-    // What a person types into a field is not meant for the window.
+    // What a person types into a field, and undoes there, is not meant for the window.
     const bool plain = modifiers == 0 || modifiers == GLFW_MOD_SHIFT;
-    if (plain && panels_.takes_keyboard()) return false;
+    const bool undoes = *action == Action::undo || *action == Action::redo;
+    if ((plain && panels_.takes_keyboard()) || (undoes && panels_.takes_text())) return false;
     act(*action);
     return true;
 }
