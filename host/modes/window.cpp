@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr double kLongestWait = 10.0;  // s
 
 // Where time plays and the picture does not depend on it, only the clock in the panels moves.
-constexpr double kClockTick = 0.1;  // s
+constexpr double kClockTick = 0.25;  // s
 
 // $XDG_CACHE_HOME/glint and the like, or a folder under the home.
 fs::path home_folder(const char* variable, const char* fallback) {
