@@ -1,0 +1,72 @@
+// A window that has nothing to do does nothing.
+#include "live.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace glint::window {
+namespace {
+
+constexpr double kWatched = 10.0;  // s
+
+class Idle : public Window {
+protected:
+    // Percent of one core, all processes of glint together, over ten seconds.
+    double percent(const char* when) const {
+        const double before = glint_->cpu_seconds();
+        std::this_thread::sleep_for(std::chrono::duration<double>(kWatched));
+        const double used = 100.0 * (glint_->cpu_seconds() - before) / kWatched;
+        std::cout << fmt::format("{}: {:.2f} % of one core\n", when, used);
+        return used;
+    }
+    // The tweaks have rested, the specialised program is there.
+    static void wait_for_rest() { std::this_thread::sleep_for(std::chrono::seconds(4)); }
+};
+
+constexpr const char* kMoving =
+    "uniform float level; //@ 0.5 [0, 1]\n"
+    "void mainImage(out vec4 c, in vec2 p) { c = vec4(fract(iTime), level, p.x, 1); }\n";
+
+TEST_F(Idle, PausedAndUntouchedItUsesAtMostAHundredthOfACore) {
+    open(kMoving);
+    screen_->tap("Control_L+space");
+    wait_for_rest();
+    EXPECT_LE(percent("paused"), 1.0);
+}
+
+TEST_F(Idle, ASceneThatDependsOnNothingUsesAtMostAHundredthOfACoreWhileItPlays) {
+    open(flat({10, 20, 30}));
+    screen_->tap("Tab");
+    wait_for_rest();
+    EXPECT_LE(percent("playing, nothing moves, panels hidden"), 1.0);
+    // The clock in the transport bar moves, and is drawn for that.
+    screen_->tap("Tab");
+    wait_for_rest();
+    EXPECT_LE(percent("playing, nothing moves but the clock"), 30.0);
+}
+
+TEST_F(Idle, MinimisedItDrawsNothingAndGoesOnAfterwards) {
+    open(kMoving);
+    wait_for_rest();
+    screen_->minimise(true);
+    wait_for_rest();
+    EXPECT_LE(percent("minimised and playing"), 1.0);
+    write(scene(), flat({77, 66, 55}));
+    screen_->minimise(false);
+    EXPECT_TRUE(shows({77, 66, 55}, {3, 300}));
+}
+
+TEST_F(Idle, AnErrorOnTheScreenCostsNothing) {
+    open(kMoving);
+    screen_->tap("Control_L+space");
+    write(scene(), "void mainImage(out vec4 c, in vec2 p) { c = }\n");
+    ASSERT_TRUE(glint_->says("error:"));
+    wait_for_rest();
+    EXPECT_LE(percent("paused with an error"), 1.0);
+}
+
+}  // namespace
+}  // namespace glint::window

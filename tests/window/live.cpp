@@ -1,0 +1,221 @@
+#include "live.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace glint::window {
+namespace {
+
+// Fields of /proc/PID/stat after the name, which may hold anything: 0 is the state, field 3.
+std::vector<std::string> stat_of(const std::string& process) {
+    const std::string text = read("/proc/" + process + "/stat");
+    std::istringstream stream(text.substr(std::min(text.rfind(')') + 1, text.size())));
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+double cpu_seconds_of(const std::string& process) {
+    const auto fields = stat_of(process);
+    if (fields.size() < 15) return 0.0;
+    double ticks = 0.0;
+    for (std::size_t i = 11; i < 15; ++i) ticks += std::stod(fields[i]);
+    return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+[[noreturn]] void become(const std::string& display, const fs::path& folder, const fs::path& errors,
+                         std::vector<std::string> words) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves nothing behind
+    const std::string home = (folder / "home").string();
+    ::setenv("DISPLAY", display.c_str(), 1);
+    ::setenv("HOME", home.c_str(), 1);
+    for (const char* name : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME",
+                             "WAYLAND_DISPLAY", "EDITOR", "VISUAL"}) {
+        ::unsetenv(name);
+    }
+    const int err = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+    const int in = ::open("/dev/null", O_RDWR);
+    if (::chdir(folder.c_str()) != 0 || ::dup2(in, 0) < 0 || ::dup2(in, 1) < 0 ||
+        ::dup2(err, 2) < 0) {
+        ::_exit(126);
+    }
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    ::execv(pointers[0], pointers.data());
+    ::_exit(127);
+}
+
+}  // namespace
+
+Folder::Folder() {
+    std::string name = (fs::temp_directory_path() / "glint-window-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
+    path_ = name;
+    fs::create_directory(path_ / "home");
+}
+
+Folder::~Folder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+}
+
+void write(const fs::path& file, std::string_view text) {
+    std::ofstream stream(file, std::ios::binary);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+std::string read(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string flat(const Colour& colour) {
+    return fmt::format(
+        "void mainImage(out vec4 c, in vec2 p) {{ c = vec4({}, {}, {}, 255) / 255.0; }}\n",
+        colour.r, colour.g, colour.b);
+}
+
+Glint::Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments)
+    : errors_(folder / "stderr.txt") {
+    arguments.insert(arguments.begin(), GLINT_BINARY);
+    process_ = ::fork();
+    if (process_ < 0) throw std::runtime_error("no process");
+    if (process_ == 0) become(display, folder, errors_, std::move(arguments));
+}
+
+Glint::~Glint() {
+    if (!runs()) return;
+    ::kill(process_, SIGKILL);
+    ::waitpid(process_, nullptr, 0);
+}
+
+bool Glint::runs() {
+    if (process_ <= 0) return false;
+    int status = 0;
+    if (::waitpid(process_, &status, WNOHANG) != process_) return true;
+    process_ = 0;
+    end_ = {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+    return false;
+}
+
+void Glint::signal(int number) {
+    if (process_ > 0) ::kill(process_, number);
+}
+
+Glint::End Glint::wait(double seconds) {
+    if (!eventually([&] { return !runs(); }, seconds)) {
+        signal(SIGKILL);
+        eventually([&] { return !runs(); });
+    }
+    return end_;
+}
+
+std::string Glint::errors() const {
+    return read(errors_);
+}
+
+int Glint::count(std::string_view text) const {
+    const std::string all = errors();
+    int found = 0;
+    for (std::size_t at = all.find(text); at != std::string::npos; at = all.find(text, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+bool Glint::says(std::string_view text, int times, double seconds) const {
+    return eventually([&] { return count(text) >= times; }, seconds);
+}
+
+std::vector<pid_t> Glint::children() const {
+    std::vector<pid_t> list;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename().string();
+        if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+        const auto fields = stat_of(name);
+        if (fields.size() > 1 && fields[1] == std::to_string(process_) && fields[0] != "Z") {
+            list.push_back(static_cast<pid_t>(std::stol(name)));
+        }
+    }
+    return list;
+}
+
+double Glint::cpu_seconds() const {
+    double seconds = cpu_seconds_of(std::to_string(process_));
+    for (const pid_t child : children()) seconds += cpu_seconds_of(std::to_string(child));
+    return seconds;
+}
+
+double Glint::resident_mib() const {
+    std::istringstream stream(read(fmt::format("/proc/{}/statm", process_)));
+    double total = 0.0, resident = 0.0;
+    stream >> total >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+void Window::SetUp() {
+    folder_ = std::make_unique<Folder>();
+    try {
+        screen_ = std::make_unique<Screen>(screen_size_);
+    } catch (const std::runtime_error& error) {
+        GTEST_SKIP() << error.what();
+    }
+}
+
+void Window::TearDown() {
+    if (!glint_) return;
+    const std::string errors = glint_->errors();
+    EXPECT_EQ(errors.find("GL_"), std::string::npos) << errors;
+    if (HasFailure()) std::cerr << "--- stderr of glint\n" << errors.substr(0, 4000) << "---\n";
+}
+
+void Window::start(const std::vector<std::string>& arguments) {
+    glint_ = std::make_unique<Glint>(screen_->name(), folder_->path(), arguments);
+    ASSERT_TRUE(eventually([&] { return screen_->window() != 0 || !glint_->runs(); }));
+}
+
+void Window::open(std::string_view scene_text, const std::vector<std::string>& arguments) {
+    write(scene(), scene_text);
+    std::vector<std::string> all = {scene().string()};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    start(all);
+    ASSERT_TRUE(glint_->says("scene.frag: shown")) << glint_->errors();
+}
+
+bool Window::shows(const Colour& colour, glm::ivec2 at, double seconds) const {
+    return eventually([&] { return screen_->pixel(at) == colour; }, seconds);
+}
+
+void Window::settle() const {
+    auto before = screen_->picture({0, 0}, screen_size_);
+    for (int still = 0, i = 0; still < 3 && i < 50; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(70));
+        auto now = screen_->picture({0, 0}, screen_size_);
+        still = now == before ? still + 1 : 0;
+        before = std::move(now);
+    }
+}
+
+fs::path Window::still(const std::vector<std::string>& arguments) const {
+    const fs::path file = folder_->path() / "expected.png";
+    std::vector<std::string> all = {"still", scene().string(), "-o", file.string()};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    Glint process(screen_->name(), folder_->path(), all);
+    EXPECT_EQ(process.wait(120.0).code, 0) << process.errors();
+    return file;
+}
+
+}  // namespace glint::window

@@ -1,0 +1,92 @@
+// The real glint, open on a screen of its own, with a home of its own, on a scene that the test
+// saves.
+#pragma once
+
+#include "screen.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint::window {
+
+namespace fs = std::filesystem;
+
+// A folder that goes when this goes.
+class Folder {
+public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+void write(const fs::path& file, std::string_view text);
+std::string read(const fs::path& file);
+
+// A scene in one colour, 0 to 255.
+std::string flat(const Colour& colour);
+
+// A process of glint; what it says goes to a file.
+class Glint {
+public:
+    // Runs in `folder`, whose `home` is its home.
+    Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments);
+    ~Glint();
+    Glint(const Glint&) = delete;
+    Glint& operator=(const Glint&) = delete;
+
+    pid_t id() const { return process_; }
+    bool runs();
+    void signal(int number);
+    struct End {
+        int code = -1, signal = 0;
+    };
+    End wait(double seconds = 30.0);  // killed then
+
+    std::string errors() const;  // stderr so far
+    // Until stderr holds this text `count` times.
+    bool says(std::string_view text, int count = 1, double seconds = 30.0) const;
+    int count(std::string_view text) const;
+
+    double cpu_seconds() const;   // user and system, with the processes it has started
+    double resident_mib() const;  // of the process itself
+    std::vector<pid_t> children() const;
+
+private:
+    pid_t process_ = 0;
+    fs::path errors_;
+    End end_;
+};
+
+// A screen, a folder, and glint open on `scene.frag` (or another file) in it.
+class Window : public ::testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    // Saves the scene, starts glint on it and waits for the first picture.
+    void open(std::string_view scene, const std::vector<std::string>& arguments = {});
+    void start(const std::vector<std::string>& arguments);
+    bool shows(const Colour& colour, glm::ivec2 at = {640, 340}, double seconds = 30.0) const;
+    // Waits until nothing has changed on the screen for a while.
+    void settle() const;
+    // A still of the same scene by the other verb, as RGB rows.
+    fs::path still(const std::vector<std::string>& arguments) const;
+    fs::path scene() const { return folder_->path() / "scene.frag"; }
+
+    std::unique_ptr<Screen> screen_;
+    std::unique_ptr<Folder> folder_;
+    std::unique_ptr<Glint> glint_;
+    glm::ivec2 screen_size_{1280, 720};
+};
+
+}  // namespace glint::window

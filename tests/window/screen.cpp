@@ -1,0 +1,245 @@
+#include "screen.h"
+
+#include <X11/Xatom.h>
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <X11/extensions/XTest.h>
+#include <X11/keysym.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <thread>
+
+namespace glint::window {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Xvfb takes the first free number and tells it through a pipe.
+std::string read_number(int descriptor) {
+    std::string text;
+    for (char c = 0; text.find('\n') == std::string::npos;) {
+        pollfd end{descriptor, POLLIN, 0};
+        if (::poll(&end, 1, 20'000) <= 0 || ::read(descriptor, &c, 1) != 1) return {};
+        text += c;
+    }
+    text.pop_back();
+    return text;
+}
+
+// A window may go away between two questions about it; that is no reason to end.
+int ignore_error(Display*, XErrorEvent*) {
+    return 0;
+}
+
+KeyCode code_of(Display* display, const std::string& name) {
+    const KeyCode code = XKeysymToKeycode(display, XStringToKeysym(name.c_str()));
+    if (code == 0) throw std::runtime_error("no key " + name);
+    return code;
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& stream, const Colour& colour) {
+    return stream << "rgb(" << colour.r << ", " << colour.g << ", " << colour.b << ")";
+}
+
+bool eventually(const std::function<bool()>& is_true, double seconds) {
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    while (!is_true()) {
+        if (Clock::now() > end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+}
+
+Screen::Screen(glm::ivec2 size) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+    const std::string mode = std::to_string(size.x) + "x" + std::to_string(size.y) + "x24";
+    const std::string number = std::to_string(ends[1]);
+    process_ = ::fork();
+    if (process_ == 0) {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        ::close(ends[0]);
+        if (!::freopen("/dev/null", "w", stderr)) ::_exit(127);
+        ::execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", mode.c_str(),
+                 "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
+        ::_exit(127);
+    }
+    ::close(ends[1]);
+    const std::string answer = read_number(ends[0]);
+    ::close(ends[0]);
+    name_ = ":" + answer;
+    if (!answer.empty()) display_ = XOpenDisplay(name_.c_str());
+    if (!display_) {
+        kill();
+        throw std::runtime_error("Xvfb does not start");
+    }
+    XSetErrorHandler(ignore_error);
+    move(size / 2);
+}
+
+Screen::~Screen() {
+    kill();
+}
+
+void Screen::kill() {
+    if (display_) XCloseDisplay(display_);
+    display_ = nullptr;
+    if (process_ <= 0) return;
+    ::kill(process_, SIGTERM);  // it takes its lock away with it
+    ::waitpid(process_, nullptr, 0);
+    process_ = 0;
+}
+
+Colour Screen::pixel(glm::ivec2 at) const {
+    const std::uint32_t rgb = picture(at, {1, 1})[0];
+    return {static_cast<int>(rgb >> 16 & 255), static_cast<int>(rgb >> 8 & 255),
+            static_cast<int>(rgb & 255)};
+}
+
+std::vector<std::uint32_t> Screen::picture(glm::ivec2 corner, glm::ivec2 size) const {
+    const auto width = static_cast<unsigned>(size.x), height = static_cast<unsigned>(size.y);
+    XImage* image = XGetImage(display_, DefaultRootWindow(display_), corner.x, corner.y, width,
+                              height, AllPlanes, ZPixmap);
+    if (!image) throw std::runtime_error("no screenshot");
+    std::vector<std::uint32_t> pixels;
+    pixels.reserve(std::size_t{width} * height);
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            pixels.push_back(static_cast<std::uint32_t>(XGetPixel(image, x, y) & 0xffffff));
+        }
+    }
+    XDestroyImage(image);
+    return pixels;
+}
+
+void Screen::move(glm::ivec2 to) {
+    XTestFakeMotionEvent(display_, 0, to.x, to.y, CurrentTime);
+    XSync(display_, False);
+}
+
+void Screen::button(bool down, int which) {
+    XTestFakeButtonEvent(display_, static_cast<unsigned>(which), down, CurrentTime);
+    XSync(display_, False);
+}
+
+void Screen::click(glm::ivec2 at, int which) {
+    move(at);
+    button(true, which);
+    button(false, which);
+}
+
+// In a few moves, as a hand does.
+void Screen::drag(glm::ivec2 from, glm::ivec2 to) {
+    move(from);
+    button(true);
+    for (int i = 1; i <= 8; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        move(from + (to - from) * i / 8);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    button(false);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+}
+
+void Screen::key(const char* name, bool down) {
+    XTestFakeKeyEvent(display_, code_of(display_, name), down, CurrentTime);
+    XSync(display_, False);
+}
+
+void Screen::tap(std::string_view chord) {
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at <= chord.size();) {
+        const std::size_t end = std::min(chord.find('+', at), chord.size());
+        names.emplace_back(chord.substr(at, end - at));
+        at = end + 1;
+    }
+    for (const std::string& name : names) key(name.c_str(), true);
+    for (auto name = names.rbegin(); name != names.rend(); ++name) key(name->c_str(), false);
+}
+
+void Screen::type(std::string_view text) {
+    for (const char c : text) {
+        const std::string name = c == '.'   ? "period"
+                                 : c == '-' ? "minus"
+                                 : c == '/' ? "slash"
+                                            : std::string(1, c);
+        tap(name);
+    }
+}
+
+unsigned long Screen::window() const {
+    ::Window root = 0, parent = 0, found = 0;
+    ::Window* children = nullptr;
+    unsigned count = 0;
+    if (!XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count)) {
+        return 0;
+    }
+    for (unsigned i = 0; i < count; ++i) {
+        XTextProperty name{};
+        XWindowAttributes attributes{};
+        XGetWindowAttributes(display_, children[i], &attributes);
+        if (attributes.c_class == InputOnly || !XGetWMName(display_, children[i], &name)) continue;
+        if (name.value) found = children[i];
+        XFree(name.value);
+    }
+    XFree(children);
+    return found;
+}
+
+std::string Screen::title() const {
+    const Atom utf8 = XInternAtom(display_, "UTF8_STRING", False);
+    const Atom property = XInternAtom(display_, "_NET_WM_NAME", False);
+    Atom type = 0;
+    int format = 0;
+    unsigned long count = 0, left = 0;
+    unsigned char* text = nullptr;
+    XGetWindowProperty(display_, window(), property, 0, 1024, False, utf8, &type, &format, &count,
+                       &left, &text);
+    const std::string title = text ? reinterpret_cast<const char*>(text) : "";
+    if (text) XFree(text);
+    return title;
+}
+
+glm::ivec2 Screen::window_size() const {
+    XWindowAttributes attributes{};
+    XGetWindowAttributes(display_, window(), &attributes);
+    return {attributes.width, attributes.height};
+}
+
+void Screen::resize_window(glm::ivec2 size) {
+    XResizeWindow(display_, window(), static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
+    XSync(display_, False);
+}
+
+// What a window manager does.
+void Screen::minimise(bool minimised) {
+    const ::Window target = window();
+    const Atom state = XInternAtom(display_, "WM_STATE", False);
+    const std::array<long, 2> value = {minimised ? IconicState : NormalState, 0};
+    if (minimised) XUnmapWindow(display_, target);
+    XChangeProperty(display_, target, state, state, 32, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(value.data()), 2);
+    if (!minimised) XMapWindow(display_, target);
+    XSync(display_, False);
+}
+
+void Screen::focus(bool focused) {
+    if (focused)
+        XSetInputFocus(display_, window(), RevertToPointerRoot, CurrentTime);
+    else
+        XSetInputFocus(display_, 0, RevertToNone, CurrentTime);
+    XSync(display_, False);
+}
+
+}  // namespace glint::window

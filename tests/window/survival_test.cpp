@@ -1,0 +1,163 @@
+// What goes wrong outside leaves the window standing, or ends it with a sentence and a code.
+#include "live.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace glint::window {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr glm::ivec2 kMargin{3, 300};
+
+class Survival : public Window {
+protected:
+    // The window still follows saves.
+    void expect_alive(const Colour& colour) {
+        write(scene(), flat(colour));
+        EXPECT_TRUE(shows(colour, kMargin)) << glint_->errors();
+        EXPECT_TRUE(glint_->runs());
+    }
+};
+
+TEST_F(Survival, ALoopThatNeverEndsIsNamedAndThePictureBeforeStays) {
+    open(flat({10, 20, 30}));
+    for (const char* loop : {"for (;;) { c.x += sin(c.x); if (c.x > 1e9) break; }",
+                             "for (int i = 0; i < 1000000000; ++i) c.x += sin(c.x + float(i));"}) {
+        const int refused = glint_->count("not shown");
+        write(scene(),
+              fmt::format("void mainImage(out vec4 c, in vec2 p) {{\n    c = vec4(p.x, 0, 0, 1);\n"
+                          "    {}\n}}\n",
+                          loop));
+        // Mesa's software renderer ends loops by itself after 65,535 rounds; then there is a
+        // picture, and a word about it.
+        ASSERT_TRUE(eventually([&] {
+            return glint_->count("not shown") > refused || glint_->count("loop") > 0;
+        })) << glint_->errors();
+        if (glint_->count("not shown") > refused) {
+            EXPECT_TRUE(shows({10, 20, 30}, kMargin, 1.0));
+            EXPECT_GE(glint_->count("scene.frag:3:"), 1) << glint_->errors();
+        }
+        expect_alive({10, 20, 30});
+    }
+}
+
+TEST_F(Survival, ATypoAtTheStartIsShownAndMended) {
+    write(scene(), "void mainImage(out vec4 c, in vec2 p) { c = vec4(1) }\n");
+    start({scene().string()});
+    ASSERT_TRUE(glint_->says("scene.frag:1:53: error"));
+    EXPECT_TRUE(glint_->says("not shown, 1 error;"));
+    expect_alive({40, 41, 42});
+}
+
+TEST_F(Survival, APresetWithATypoIsShownAndMended) {
+    write(scene(), flat({50, 60, 70}));
+    const fs::path preset = folder_->path() / "look.toml";
+    write(preset, "scene = \"scene.frag\n");
+    start({preset.string()});
+    ASSERT_TRUE(glint_->says("look.toml:1:"));
+    write(preset, "scene = \"scene.frag\"\n");
+    EXPECT_TRUE(shows({50, 60, 70}, kMargin)) << glint_->errors();
+}
+
+TEST_F(Survival, AFileThatIsMissingAtTheStartMayComeLater) {
+    start({scene().string()});
+    ASSERT_TRUE(glint_->says("scene.frag"));
+    expect_alive({80, 81, 82});
+}
+
+TEST_F(Survival, ADeletedSceneStaysOnTheScreenAndMayComeBack) {
+    open(flat({90, 91, 92}));
+    fs::remove(scene());
+    ASSERT_TRUE(glint_->says("not shown"));
+    std::this_thread::sleep_for(300ms);
+    EXPECT_TRUE(shows({90, 91, 92}, kMargin, 0.0));
+    expect_alive({93, 94, 95});
+}
+
+TEST_F(Survival, WhenTheTrialIsKilledAnotherOneTakesItsPlace) {
+    open(flat({1, 2, 3}));
+    for (int i = 0; i < 5; ++i) {
+        for (const pid_t child : glint_->children()) ::kill(child, SIGKILL);
+        expect_alive({100 + i, 2, 3});
+    }
+    EXPECT_EQ(glint_->count("error:"), 0) << glint_->errors();
+}
+
+TEST_F(Survival, WhenTheDisplayGoesTheProgramEndsWithASentence) {
+    open(flat({1, 2, 3}));
+    std::this_thread::sleep_for(500ms);
+    screen_->kill();
+    const Glint::End end = glint_->wait();
+    EXPECT_EQ(end.signal, 0);
+    EXPECT_EQ(end.code, 1);
+    EXPECT_NE(glint_->errors().find("X connection"), std::string::npos) << glint_->errors();
+    glint_.reset();
+}
+
+TEST_F(Survival, AfterACrashTheSceneIsOfferedPaused) {
+    const char* const moving =
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(fract(iTime), 0.5, 0.5, 1); }\n";
+    open(moving);
+    glint_->signal(SIGKILL);
+    glint_->wait();
+    fs::remove(folder_->path() / "stderr.txt");
+    open(moving);
+    std::this_thread::sleep_for(5s);  // the notice has gone
+    const Colour before = screen_->pixel(kMargin);
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(screen_->pixel(kMargin), before);
+    screen_->tap("Control_L+space");
+    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin) != before; }, 5.0));
+    screen_->tap("Control_L+q");
+    EXPECT_EQ(glint_->wait().code, 0);
+    fs::remove(folder_->path() / "stderr.txt");
+    open(moving);
+    const Colour now = screen_->pixel(kMargin);
+    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin) != now; }, 5.0));
+}
+
+TEST_F(Survival, ASecondWindowOnTheSameSceneIsNoCrash) {
+    const char* const moving =
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(fract(iTime), 0.5, 0.5, 1); }\n";
+    open(moving);
+    Screen other;
+    Glint second(other.name(), folder_->path(), {scene().string()});
+    ASSERT_TRUE(glint_->says("scene.frag: shown", 2));
+    const Colour now = other.pixel(kMargin);
+    EXPECT_TRUE(eventually([&] { return other.pixel(kMargin) != now; }, 5.0));
+}
+
+TEST_F(Survival, AnySizeOfTheWindowIsDrawn) {
+    open(flat({7, 8, 9}));
+    for (const glm::ivec2 size :
+         {glm::ivec2{1, 1}, {2, 700}, {1200, 1}, {17, 13}, {200, 100}, {1280, 720}}) {
+        screen_->resize_window(size);
+        std::this_thread::sleep_for(100ms);
+        ASSERT_TRUE(glint_->runs());
+    }
+    EXPECT_TRUE(shows({7, 8, 9}, kMargin));
+    expect_alive({8, 8, 9});
+}
+
+// Ctrl+S in a preset that never came to the screen would put another scene's values there.
+TEST_F(Survival, WhatWasNeverShownIsNotSavedOver) {
+    const fs::path preset = folder_->path() / "look.toml";
+    write(scene(), "uniform float level; //@ 0.5 [0, 1]\n" + flat({1, 2, 3}));
+    write(preset, "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.25\n");
+    start({preset.string()});
+    ASSERT_TRUE(shows({1, 2, 3}, kMargin));
+    const std::string broken = "scene = \"scene.frag\"\n[tweaks]\nlevel = \n";
+    write(preset, broken);
+    ASSERT_TRUE(glint_->says("look.toml:3:"));
+    screen_->tap("Control_L+s");
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(read(preset), broken);
+}
+
+}  // namespace
+}  // namespace glint::window

@@ -1,0 +1,160 @@
+// Every kind of tweak under the mouse: the picture follows, a reload keeps it, undo takes it back
+// to the last bit.
+#include "live.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+namespace glint::window {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Kind {
+    const char* name;
+    const char* declaration;  // of `value`
+    const char* colour;       // what the scene makes of it
+    // From the left of the control, in the row's height: where the mouse goes down and up. A second
+    // click, where a popup must be answered.
+    glm::ivec2 from, to;
+    std::optional<glm::ivec2> then = std::nullopt;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Kind& kind) {
+    return stream << kind.name;
+}
+
+// The row of a scene with a single tweak, in a window of 1280x720: the left of its control.
+constexpr glm::ivec2 kControl{1070, 89};
+
+class Tweaks : public Window, public ::testing::WithParamInterface<Kind> {
+protected:
+    static std::string text(const char* more = "") {
+        return fmt::format(
+            "{} value; //@ {}\n"
+            "void mainImage(out vec4 c, in vec2 p) {{\n"
+            "    vec3 v = {};\n"
+            "    c = vec4(p.x < 6.0 ? fract(v * 0.731 + 0.11) : v, 1);{}\n}}\n",
+            std::string("uniform ") + type(), GetParam().declaration, GetParam().colour, more);
+    }
+    static std::string type() {
+        const std::string name = GetParam().name;
+        return name.substr(0, name.find('_'));
+    }
+    std::vector<std::uint32_t> margin() const { return screen_->picture({0, 100}, {6, 500}); }
+    void use_mouse(int y) const {
+        const Kind& kind = GetParam();
+        const glm::ivec2 corner{kControl.x, y};
+        screen_->drag(corner + kind.from, corner + kind.to);
+        if (kind.then) {
+            std::this_thread::sleep_for(300ms);
+            screen_->drag(corner + *kind.then, corner + *kind.then);
+            screen_->tap("Escape");
+        }
+        screen_->move({500, 400});
+    }
+};
+
+TEST_P(Tweaks, TheMouseMovesItAReloadKeepsItUndoTakesItBack) {
+    open(text());
+    screen_->tap("Control_L+space");
+    settle();
+    const auto before = margin();
+    use_mouse(kControl.y);
+    settle();
+    const auto moved = margin();
+    ASSERT_NE(moved, before);
+
+    write(scene(), text(" // saved again"));
+    ASSERT_TRUE(glint_->says(": shown", 2));
+    settle();
+    EXPECT_EQ(margin(), moved);
+
+    screen_->tap("Control_L+z");
+    settle();
+    EXPECT_EQ(margin(), before);
+    screen_->tap("Control_L+Shift_L+z");
+    settle();
+    EXPECT_EQ(margin(), moved);
+
+    // With the constants written in, and in a new program without the tweak, it is the same.
+    std::this_thread::sleep_for(1s);
+    EXPECT_EQ(margin(), moved);
+    write(scene(), flat({1, 2, 3}));
+    ASSERT_TRUE(shows({1, 2, 3}, {3, 300}));
+    write(scene(), text());
+    ASSERT_TRUE(glint_->says(": shown", 4));
+    settle();
+    EXPECT_EQ(margin(), moved);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, Tweaks,
+    ::testing::Values(
+        Kind{"float", "0.25 [0, 1]", "vec3(value)", {15, 0}, {120, 0}},
+        Kind{"float_log", "1 [0.01, 100] log", "vec3(log(value) / 10.0)", {15, 0}, {130, 0}},
+        Kind{"float_free", "0.25", "vec3(value)", {15, 0}, {120, 0}},
+        Kind{"int", "3 [0, 10]", "vec3(float(value) / 10.0)", {15, 0}, {120, 0}},
+        Kind{"int_menu",
+             "0 {off, slow, fast}",
+             "vec3(float(value) / 2.0)",
+             {15, 0},
+             {15, 0},
+             glm::ivec2{30, 45}},
+        Kind{"bool", "off", "vec3(float(value) * 0.5)", {11, 0}, {11, 0}},
+        Kind{"vec3_colour", "#336699", "value", {11, 0}, {11, 0}, glm::ivec2{60, 80}},
+        Kind{"vec4_colour",
+             "#33669980",
+             "value.rgb + value.a",
+             {11, 0},
+             {11, 0},
+             glm::ivec2{60, 80}},
+        Kind{"vec2_pad", "0, 0 [-1, 1]", "vec3(value * 0.5 + 0.5, 0)", {20, 20}, {60, 60}},
+        Kind{"vec2", "0.1, 0.2", "vec3(value, 0)", {15, 0}, {120, 0}},
+        Kind{"vec3", "0, 1, 0", "value * 0.3", {15, 0}, {120, 0}},
+        Kind{"vec4", "0.1, 0.2, 0.3, 0.4", "value.rgb + value.a", {15, 0}, {120, 0}}),
+    [](const auto& kind) { return std::string(kind.param.name); });
+
+class Drag : public Window {};
+
+// The slider is in a person's hand when the file is saved.
+TEST_F(Drag, ASaveInTheMiddleOfADragDoesNotTakeTheSliderAway) {
+    const std::string text =
+        "uniform float value; //@ 0.25 [0, 1]\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(vec3(value), 1); }\n";
+    open(text);
+    screen_->tap("Control_L+space");
+    settle();
+    const auto value = [&] { return screen_->pixel({3, 300}).r; };
+    const int before = value();
+    screen_->move({1085, 89});
+    screen_->button(true);
+    for (int x = 1090; x <= 1150; x += 10) {
+        screen_->move({x, 89});
+        std::this_thread::sleep_for(30ms);
+    }
+    settle();
+    const int half = value();
+    EXPECT_NE(half, before);
+    write(scene(), text + "// saved\n");
+    ASSERT_TRUE(glint_->says(": shown", 2));
+    settle();
+    EXPECT_EQ(value(), half);
+    for (int x = 1160; x <= 1210; x += 10) {
+        screen_->move({x, 89});
+        std::this_thread::sleep_for(30ms);
+    }
+    settle();
+    EXPECT_GT(value(), half);
+    screen_->button(false);
+    settle();
+    screen_->tap("Control_L+z");
+    settle();
+    EXPECT_EQ(value(), before);  // one entry of the undo list
+}
+
+}  // namespace
+}  // namespace glint::window
