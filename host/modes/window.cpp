@@ -378,6 +378,7 @@ void PlaygroundWindow::revert() {
 
 void PlaygroundWindow::take_still() {
     if (!playground_.is_open()) return;
+    if (playground_.replayed() < 1.0) return notice("A still waits for the end of the replay.");
     const fs::path name = free_picture_name(file_);
     try {
         const Image image = picture_without_alpha(playground_.still(), playground_.size());
