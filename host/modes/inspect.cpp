@@ -1,13 +1,14 @@
 #include "modes/inspect.h"
 
-#include "render/viewer.h"
-
 #include <glm/common.hpp>
 
 #include <algorithm>
 
 namespace glint {
 namespace {
+
+// Smaller pixels have no room for a number.
+constexpr double kSmallestPrinted = 24.0;  // screen pixels a side
 
 // The names of a pass's outputs; the picture has one, "image".
 std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
@@ -49,6 +50,33 @@ PixelFacts pixel_facts(Playground& playground, const Output& output) {
     const auto found =
         statistics(playground.renderer()->read_buffer(output.graph_index, output.output));
     return {found.nan, found.infinite, found.min, found.max, found.histogram};
+}
+
+std::vector<GridPixel> pixel_grid(Playground& playground, const Output& output,
+                                  const BufferView& view, const ScreenArea& area) {
+    const Buffer& buffer = playground.renderer()->buffer(output.graph_index);
+    if (view.zoom < kSmallestPrinted || buffer.shape().cube) return {};
+    const glm::ivec2 size = buffer.shape().size;
+    const glm::dvec2 low =
+        Viewer::fraction_at(glm::dvec2(area.origin), size, view, area) * glm::dvec2(size);
+    const glm::dvec2 high = low + glm::dvec2(area.size) / view.zoom;
+    const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(low)), glm::ivec2(0));
+    const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(high)), size);
+    const std::vector<float> values =
+        playground.renderer()->read_buffer(output.graph_index, output.output);
+    std::vector<GridPixel> grid;
+    for (int y = first.y; y < last.y; ++y) {
+        for (int x = first.x; x < last.x; ++x) {
+            const float* v = values.data() + (static_cast<std::ptrdiff_t>(y) * size.x + x) * 4;
+            const glm::vec4 value(v[0], v[1], v[2], v[3]);
+            const glm::dvec2 centre = (glm::dvec2(x, y) + 0.5 - low) * view.zoom;
+            grid.push_back({.centre = glm::dvec2(area.origin) + centre,
+                            .side = view.zoom,
+                            .value = value,
+                            .shown = displayed(view, value)});
+        }
+    }
+    return grid;
 }
 
 std::vector<PixelValue> pixel_values(Playground& playground, glm::dvec2 at) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "modes/playground.h"
+#include "render/viewer.h"
 #include "ui/panels.h"
 
 #include <string>
@@ -21,6 +22,10 @@ std::vector<PassFact> pass_facts(Playground& playground);
 
 // Exact counts over one output.
 PixelFacts pixel_facts(Playground& playground, const Output& output);
+
+// The pixels of one output that lie in the area, once they are large enough to hold numbers.
+std::vector<GridPixel> pixel_grid(Playground& playground, const Output& output,
+                                  const BufferView& view, const ScreenArea& area);
 
 // The values of all buffers at one place, a fraction of the picture; none outside it.
 std::vector<PixelValue> pixel_values(Playground& playground, glm::dvec2 at);

@@ -204,8 +204,9 @@ std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset, bool s
                             compiled.diagnostics.end());
         return nullptr;
     }
-    return std::make_unique<Renderer>(preset, std::move(*compiled.scene),
-                                      RenderOptions{.size = size_});
+    return std::make_unique<Renderer>(
+        preset, std::move(*compiled.scene),
+        RenderOptions{.size = size_, .picture_format = picture_format()});
 }
 
 // Puts a candidate on the screen in one step, or leaves all as it was.
@@ -334,8 +335,12 @@ void Playground::key(int code, bool down) {
 }
 
 void Playground::measure_passes(bool on) {
+    if (on == measuring_) return;
     measuring_ = on;
-    if (!on) pass_times_.clear();
+    pass_times_.clear();
+    if (!renderer_) return;
+    renderer_->set_picture_format(picture_format());
+    renderer_->draw_root(frame_again());
 }
 
 Frame Playground::next_frame(double wall_seconds) {
@@ -438,14 +443,20 @@ Frame Playground::frame_again() const {
 
 std::vector<std::byte> Playground::still() {
     if (!renderer_) return {};
-    if (specialised_ || !options_.specialise) return renderer_->read_bytes();
-    const auto special = make_renderer(*preset_, true);
-    if (!special) return renderer_->read_bytes();
-    special->adopt(*renderer_);
-    special->draw_root(frame_again());
-    std::vector<std::byte> pixels = special->read_bytes();
-    renderer_->adopt(*special);
-    touched_ = true;
+    const bool measured = measuring_;
+    measure_passes(false);
+    std::vector<std::byte> pixels;
+    const bool as_it_is = specialised_ || !options_.specialise;
+    if (const auto special = as_it_is ? nullptr : make_renderer(*preset_, true)) {
+        special->adopt(*renderer_);
+        special->draw_root(frame_again());
+        pixels = special->read_bytes();
+        renderer_->adopt(*special);
+        touched_ = true;
+    } else {
+        pixels = renderer_->read_bytes();
+    }
+    measure_passes(measured);
     return pixels;
 }
 

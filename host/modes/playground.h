@@ -52,6 +52,9 @@ public:
     // Whether a frame is due: time moves, or an input, a tweak, the size or the scene has changed.
     bool wants_frame() const;
 
+    // Whether that frame is the first of a text that was saved or opened.
+    bool has_unseen_text() const { return report_first_frame_; }
+
     // Draws what is due; `wall_seconds` have passed since the last call. True when the picture is
     // new.
     bool draw(double wall_seconds);
@@ -107,6 +110,7 @@ public:
         bool drawn = false;
     };
     const std::vector<PassTime>& pass_times() const { return pass_times_; }
+    // The picture is kept in floats meanwhile: bytes hold no NaN.
     void measure_passes(bool on);
 
     History history;
@@ -129,6 +133,9 @@ private:
     void finish_report(bool shown);
     Frame next_frame(double wall_seconds);
     Frame frame_again() const;
+    PixelFormat picture_format() const {
+        return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
+    }
     bool replay_slice(Frame& frame);
     bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, bool specialise);

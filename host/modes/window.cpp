@@ -88,6 +88,7 @@ private:
     void draw_frame();
     void show_picture();
     Facts facts();
+    void gather_pixels();
     BufferView buffer_view() const;
     void adapt_resolution();
     glm::ivec2 picture_size() const;
@@ -113,6 +114,7 @@ private:
     std::size_t printed_reports_ = 0;
     std::string notice_, title_, last_reload_;
     double automatic_scale_ = 1.0;
+    float content_scale_ = window_.content_scale();
     bool dirty_ = true;  // the screen is behind what it should show
     bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
     glm::dvec2 mouse_{0.0};
@@ -123,6 +125,7 @@ private:
     std::vector<BrowserEntry> browser_entries_;
     std::optional<PixelFacts> pixel_facts_;
     std::vector<PixelValue> pixel_values_;
+    std::vector<GridPixel> grid_;
 };
 
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
@@ -150,8 +153,10 @@ void PlaygroundWindow::run() {
         print_reports();
         const double now = since_draw_.ms() / 1000.0;
         if (!window_.is_visible() || window_.size().x == 0 || window_.size().y == 0) continue;
-        const bool due = now >= frame_due_ && (playground_.wants_frame() || panels_.is_settling());
-        if (due || dirty_ || (shows_clock() && now >= kClockTick)) draw_frame();
+        if (playground_.has_unseen_text()) frame_due_ = 0.0;
+        // A mouse may tell of itself a thousand times a second; the screen shows sixty pictures.
+        const bool wanted = dirty_ || playground_.wants_frame() || panels_.is_settling();
+        if ((wanted && now >= frame_due_) || (shows_clock() && now >= kClockTick)) draw_frame();
     }
 }
 
@@ -200,6 +205,10 @@ void PlaygroundWindow::adapt_resolution() {
 
 void PlaygroundWindow::draw_frame() {
     adapt_resolution();
+    if (content_scale_ != window_.content_scale()) {
+        content_scale_ = window_.content_scale();  // another monitor
+        panels_.rescale(content_scale_);
+    }
     playground_.resize(picture_size());
     playground_.measure_passes(settings_.visible && settings_.passes);
     const double elapsed = since_draw_.restart() / 1000.0;
@@ -259,18 +268,24 @@ bool PlaygroundWindow::is_unsaved() const {
            (playground_.history.values() != saved_values_ || !recorded_.empty());
 }
 
+// What the passes panel and the magnified picture tell of the buffer in view.
+void PlaygroundWindow::gather_pixels() {
+    const ScreenArea area{.origin = {0, 0}, .size = window_.size()};
+    const Output viewed = find_output(playground_, settings_.view.sampler);
+    const glm::ivec2 size = playground_.renderer()->buffer(viewed.graph_index).shape().size;
+    grid_ = pixel_grid(playground_, viewed, buffer_view(), area);
+    if (!settings_.view.inspect) return;
+    pixel_facts_ = pixel_facts(playground_, viewed);
+    pixel_values_ =
+        pixel_values(playground_, Viewer::fraction_at(mouse_, size, buffer_view(), area));
+}
+
 Facts PlaygroundWindow::facts() {
     passes_ = pass_facts(playground_);
     pixel_facts_.reset();
     pixel_values_.clear();
-    if (playground_.is_open() && settings_.visible && settings_.passes && settings_.view.inspect) {
-        const Output viewed = find_output(playground_, settings_.view.sampler);
-        const glm::ivec2 size = playground_.renderer()->buffer(viewed.graph_index).shape().size;
-        const ScreenArea area{.origin = {0, 0}, .size = window_.size()};
-        pixel_facts_ = pixel_facts(playground_, viewed);
-        pixel_values_ =
-            pixel_values(playground_, Viewer::fraction_at(mouse_, size, buffer_view(), area));
-    }
+    grid_.clear();
+    if (playground_.is_open() && settings_.visible && settings_.passes) gather_pixels();
     browser_entries_.clear();
     for (const Look& look : browser_.looks()) {
         browser_entries_.push_back({look.file, look.title, look.thumbnail.id(), {}});
@@ -293,6 +308,7 @@ Facts PlaygroundWindow::facts() {
     facts.passes = passes_;
     facts.pixel_facts = pixel_facts_;
     facts.pixel_values = pixel_values_;
+    facts.grid = grid_;
     facts.browser = browser_entries_;
     facts.recording = playground_.recorder.recording();
     facts.notice = notice_;

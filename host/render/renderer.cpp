@@ -133,6 +133,15 @@ void Renderer::reset() {
     force_root_ = true;
 }
 
+void Renderer::set_picture_format(PixelFormat format) {
+    if (format == options_.picture_format) return;
+    options_.picture_format = format;
+    if (scene_.programs.back().pass != kImagePass) return;
+    const std::size_t root = buffers_.size() - 1;
+    buffers_[root] = std::make_unique<Buffer>(wanted_shape(root));
+    drawn_[root].ever = false;
+}
+
 void Renderer::resize(glm::ivec2 size) {
     options_.size = size;
     for (std::size_t i = 0; i < buffers_.size(); ++i) {

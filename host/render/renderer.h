@@ -52,6 +52,10 @@ public:
     // The root is drawn next time even if nothing has changed.
     void redraw() { force_root_ = true; }
 
+    // In which format the picture is kept. A change draws it anew; it needs a draw before it is
+    // shown.
+    void set_picture_format(PixelFormat format);
+
     // A new size of the picture; buffers keep their content.
     void resize(glm::ivec2 size);
 

@@ -1,5 +1,7 @@
 #include "render/viewer.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -92,6 +94,15 @@ BufferStatistics statistics(std::span<const float> rgba) {
         ++result.histogram[i % 4][static_cast<std::size_t>(at)];
     }
     return result;
+}
+
+// As the shader above does it; channel 0 is all three.
+glm::vec4 displayed(const BufferView& view, const glm::vec4& value) {
+    const int channel = static_cast<int>(view.channel);
+    glm::vec4 shown = channel == 0 ? value : glm::vec4(value[channel - 1]);
+    shown *= std::exp2(view.exposure);
+    if (view.tone_curve) shown = glm::max(shown, 0.0f) / (1.0f + glm::max(shown, 0.0f));
+    return glm::vec4(glm::clamp(glm::vec3(shown), 0.0f, 1.0f), 1.0f);
 }
 
 Viewer::Viewer()

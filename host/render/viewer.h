@@ -44,6 +44,9 @@ struct ScreenArea {
     glm::ivec2 origin{0}, size{0};
 };
 
+// The colour, 0 to 1, in which a view shows a value of the buffer.
+glm::vec4 displayed(const BufferView& view, const glm::vec4& value);
+
 class Viewer {
 public:
     Viewer();
