@@ -219,7 +219,9 @@ TEST(Trial, LeavesNothingBehindAfterManyCandidates) {
         const long after_fifty = resident_kib(trial.process());
         fmt::print("resident: {} MB after 10 candidates, {} MB after 50\n", after_ten / 1024,
                    after_fifty / 1024);
+#ifndef __SANITIZE_ADDRESS__  // which keeps what was freed, to catch its use
         EXPECT_LT(after_fifty, after_ten + 8 * 1024);  // malloc keeps some
+#endif
         for (int i = 0; i < 5; ++i) {                  // replaced each time
             kill(trial.process(), SIGKILL);
             EXPECT_EQ(try_text(trial, candidate(i)).state, TrialState::passed);
