@@ -222,7 +222,7 @@ TEST(Trial, LeavesNothingBehindAfterManyCandidates) {
 #ifndef __SANITIZE_ADDRESS__  // which keeps what was freed, to catch its use
         EXPECT_LT(after_fifty, after_ten + 8 * 1024);  // malloc keeps some
 #endif
-        for (int i = 0; i < 5; ++i) {                  // replaced each time
+        for (int i = 0; i < 5; ++i) {  // replaced each time
             kill(trial.process(), SIGKILL);
             EXPECT_EQ(try_text(trial, candidate(i)).state, TrialState::passed);
         }
