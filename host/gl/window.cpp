@@ -2,11 +2,19 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <X11/Xlib.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <poll.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
 #include <utility>
+
+// As glfw3native.h declares it, which wants the headers of X11's extensions, too.
+extern "C" Display* glfwGetX11Display();
 
 namespace glint {
 namespace {
@@ -20,12 +28,19 @@ std::string last_error() {
     return text ? text : "no reason given";
 }
 
+// Xlib ends the process when this returns; nothing can be drawn any more.
+int hear_lost_display(Display*) {
+    fmt::print(stderr, "The display is gone; Glint ends.\n");
+    std::_Exit(1);
+}
+
 void start_glfw() {
     if (open_windows++ > 0) return;
     if (!glfwInit()) {
         --open_windows;
         throw NoContext(fmt::format("There is no display: {}.", last_error()));
     }
+    XSetIOErrorHandler(hear_lost_display);
 }
 
 void stop_glfw() {
@@ -125,17 +140,26 @@ void Window::set_full_screen(bool full_screen) {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-std::vector<WindowEvent> Window::events(double wait_seconds) {
-    if (wait_seconds > 0.0)
-        glfwWaitEventsTimeout(wait_seconds);
-    else
+// GLFW can wait for the display alone. Its way to end that wait from another thread touches Xlib
+// there and has lost wake-ups (GLFW before 3.4), so the display's descriptor and the others are
+// waited for together, on this thread. Polling first takes what Xlib has read already and keeps to
+// itself.
+std::vector<WindowEvent> Window::events(double wait_seconds, std::span<const int> descriptors) {
+    glfwPollEvents();
+    if (events_.empty() && wait_seconds > 0.0) {
+        std::vector<pollfd> polled = {
+            {.fd = XConnectionNumber(glfwGetX11Display()), .events = POLLIN, .revents = 0}};
+        for (const int fd : descriptors)
+            polled.push_back({.fd = fd, .events = POLLIN, .revents = 0});
+        const auto seconds = static_cast<std::time_t>(wait_seconds);
+        const timespec wait{seconds,
+                            std::lround((wait_seconds - static_cast<double>(seconds)) * 1e9)};
+        ::ppoll(polled.data(), polled.size(), &wait, nullptr);
         glfwPollEvents();
+    }
     return std::exchange(events_, {});
 }
 
-void Window::wake() {
-    glfwPostEmptyEvent();
-}
 void Window::swap() {
     glfwSwapBuffers(window_);
 }

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,10 +47,9 @@ public:
     void set_full_screen(bool full_screen);
     bool is_full_screen() const;
 
-    // Handles what has arrived and returns it. Waits for at most this long until something arrives;
-    // 0 does not wait. Another thread ends the wait by wake().
-    std::vector<WindowEvent> events(double wait_seconds);
-    static void wake();
+    // Handles what has arrived and returns it. Waits for at most this long until something arrives
+    // or one of the descriptors is readable (-1 is passed over); 0 does not wait.
+    std::vector<WindowEvent> events(double wait_seconds, std::span<const int> descriptors = {});
 
     // Shows what was drawn into framebuffer 0.
     void swap();

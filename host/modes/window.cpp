@@ -8,7 +8,6 @@
 #include "modes/inspect.h"
 #include "modes/keys.h"
 #include "modes/playground.h"
-#include "modes/waker.h"
 #include "render/viewer.h"
 #include "scene/preset_writer.h"
 #include "ui/panels.h"
@@ -103,7 +102,6 @@ private:
     PanelSettings settings_;
     Panels panels_;
     Browser browser_;
-    Waker waker_;
     fs::path file_;
     std::vector<TweakValue> saved_values_;
     bool values_known_ = false;
@@ -136,8 +134,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
                   {.device = options.device, .specialise = options.specialise}),
       panels_(window_.handle(), window_.content_scale(),
               home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
-      browser_(home_folder("XDG_CACHE_HOME", ".cache")),
-      waker_([] { Window::wake(); }) {
+      browser_(home_folder("XDG_CACHE_HOME", ".cache")) {
     pause_at_open_ = crash_mark_.take(options.file);
     if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
     open(options.file);
@@ -145,9 +142,8 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
 
 void PlaygroundWindow::run() {
     while (!window_.should_close()) {
-        std::vector<int> descriptors = playground_.descriptors();
-        waker_.arm(descriptors);
-        for (const WindowEvent& event : window_.events(wait_seconds())) handle(event);
+        const std::vector<int> descriptors = playground_.descriptors();
+        for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
         dirty_ |= browser_.update();
         print_reports();
