@@ -91,6 +91,7 @@ private:
     BufferView buffer_view() const;
     void adapt_resolution();
     glm::ivec2 picture_size() const;
+    glm::dvec2 on_picture(glm::dvec2 position) const;
     void print_reports();
     bool is_unsaved() const;
 
@@ -182,6 +183,14 @@ glm::ivec2 PlaygroundWindow::picture_size() const {
             std::max(1, static_cast<int>(std::lround(size.y)))};
 }
 
+// The fraction of the picture, as recordings keep it, of a place in the window (pixels, y up).
+glm::dvec2 PlaygroundWindow::on_picture(glm::dvec2 position) const {
+    const glm::dvec2 window(glm::max(window_.size(), glm::ivec2(1)));
+    const glm::ivec2 size = playground_.size();
+    return mouse_fraction(glm::dvec2(position.x, window.y - position.y) / window * glm::dvec2(size),
+                          size);
+}
+
 // Holds the chosen frame rate by the resolution: the cost of a frame goes with its pixels.
 void PlaygroundWindow::adapt_resolution() {
     if (!settings_.hold_frame_rate) {
@@ -240,7 +249,7 @@ void PlaygroundWindow::show_picture() {
     view.output = viewed.output;
     const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
     const ScreenArea all{.origin = {0, 0}, .size = window_.size()};
-    if (settings_.wipe != Wipe::wipe || !settings_.view.sampler.empty()) {
+    if (!settings_.wipe || !settings_.view.sampler.empty()) {
         viewer_.show(*buffer, view, all);
         return;
     }
@@ -491,12 +500,12 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
         const bool starts = event.down && !panels_.takes_mouse_at(event.position);
         panning_ = starts && !is_over_scene();
         if (starts && is_over_scene()) dragging_scene_ = true;
-        if (dragging_scene_) playground_.mouse(event.position / window, event.down);
+        if (dragging_scene_) playground_.mouse(on_picture(event.position), event.down);
         if (!event.down) dragging_scene_ = false;
         return;
     }
     // A drag that began on the scene goes on over the panels and outside the window.
-    if (dragging_scene_) playground_.mouse(event.position / window, true);
+    if (dragging_scene_) playground_.mouse(on_picture(event.position), true);
     if (panning_ && view.zoom > 0.0)
         view.centre -= moved / (glm::dvec2(playground_.size()) * view.zoom);
 }

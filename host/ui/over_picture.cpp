@@ -10,7 +10,7 @@ namespace glint {
 
 // The window draws the line; here is what a hand takes hold of.
 void wipe_handle(Build& build) {
-    if (build.settings.wipe != Wipe::wipe || !build.facts.scene) return;
+    if (!build.settings.wipe || !build.facts.scene) return;
     const Theme& theme = build.theme;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const Area& free = build.layout.free;

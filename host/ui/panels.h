@@ -74,10 +74,6 @@ struct PassView {
     bool inspect = false;    // counts, histogram and the pixel inspector are wanted
 };
 
-// How both tweak sets are compared: `flip` shows the set that is not being changed, `wipe` shows A
-// on the left of a line and B on its right.
-enum class Wipe { off, flip, wipe };
-
 // What the panels need to know for one frame.
 struct Facts {
     const Scene* scene = nullptr;  // null while nothing is open
@@ -122,8 +118,8 @@ struct PanelSettings {
     float resolution_scale = 1.0f;  // 0.25 to 2
     bool hold_frame_rate = false;   // lower the resolution to hold this rate
     float frame_rate = 30.0f;       // Hz
-    Wipe wipe = Wipe::off;          // between tweak sets A and B
-    float wipe_position = 0.5f;     // fraction of the width
+    bool wipe = false;  // the tweak set that is shown left of a line, the other right of it
+    float wipe_position = 0.5f;  // fraction of the width
 };
 
 class Panels {

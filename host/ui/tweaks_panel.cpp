@@ -48,11 +48,10 @@ void sets(Build& build) {
         build.wishes.tweaks_changed = true;
     }
     ImGui::SameLine(0, theme.px(2));
-    Wipe& wipe = build.settings.wipe;
+    bool& wipe = build.settings.wipe;
     if (icon_button(theme, "wipe", Icon::wipe,
-                    "Wipe: this set left of a line, the other right of it",
-                    {.on = wipe == Wipe::wipe}))
-        wipe = wipe == Wipe::wipe ? Wipe::off : Wipe::wipe;
+                    "Wipe: this set left of a line, the other right of it", {.on = wipe}))
+        wipe = !wipe;
 }
 
 void tools(Build& build, TweaksState& state) {
@@ -87,7 +86,7 @@ void tools(Build& build, TweaksState& state) {
 }
 
 void wipe_place(Build& build) {
-    if (build.settings.wipe != Wipe::wipe) return;
+    if (!build.settings.wipe) return;
     const bool is_a = build.history.shown() == History::Set::a;
     number_slider(build.theme, "##wipe place", ImGui::GetContentRegionAvail().x,
                   build.settings.wipe_position, {0.0, 1.0, 0.5}, is_a ? "A | B" : "B | A");

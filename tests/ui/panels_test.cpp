@@ -294,7 +294,7 @@ TEST(Browser, WhatIsNotSavedIsNotLeftWithoutAQuestion) {
 void open_all(Screen& screen) {
     PanelSettings& settings = screen.settings;
     settings.passes = settings.browser = settings.help = settings.view.inspect = true;
-    settings.wipe = Wipe::wipe;
+    settings.wipe = true;
     for (int i = 0; i < 4; ++i) screen.frame();
 }
 

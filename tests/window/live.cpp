@@ -180,7 +180,9 @@ void Window::TearDown() {
     if (!glint_) return;
     const std::string errors = glint_->errors();
     EXPECT_EQ(errors.find("GL_"), std::string::npos) << errors;
-    if (HasFailure()) std::cerr << "--- stderr of glint\n" << errors.substr(0, 4000) << "---\n";
+    if (!HasFailure()) return;
+    const std::size_t from = errors.size() > 4000 ? errors.size() - 4000 : 0;
+    std::cerr << "--- stderr of glint, its end\n" << errors.substr(from) << "---\n";
 }
 
 void Window::start(const std::vector<std::string>& arguments) {

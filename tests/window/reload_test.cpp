@@ -21,7 +21,18 @@ using namespace std::chrono_literals;
 
 constexpr glm::ivec2 kMargin{3, 300};  // the border that no panel covers
 
-class Reload : public Window {};
+class Reload : public Window {
+protected:
+    // Tells a save that was lost from a screen that is behind.
+    std::string shown_instead() const {
+        const Colour stands = screen_->pixel(kMargin);
+        screen_->move({500, 400});
+        std::this_thread::sleep_for(1s);
+        const Colour moved = screen_->pixel(kMargin);
+        return fmt::format(" shows {} {}, and after a move of the mouse {} {}", stands.r, stands.g,
+                           moved.r, moved.g);
+    }
+};
 
 // A flat colour, and above all panels a strip that shows the tweak.
 std::string text_of(const Colour& colour) {
@@ -216,8 +227,7 @@ TEST_F(Reload, ASoakOfReloadsLosesNoSaveAndNoMemory) {
         }
         good = colour_of(i);
         style.save(scene(), text_of(good));
-        ASSERT_TRUE(shows(good, kMargin))
-            << i << " " << style.name << " shows " << screen_->pixel(kMargin);
+        ASSERT_TRUE(shows(good, kMargin)) << i << " " << style.name << shown_instead();
         ASSERT_TRUE(glint_->runs());
         double& peak = peak_mib[static_cast<std::size_t>((i - 1) * 4 / count)];
         peak = std::max(peak, glint_->resident_mib());
