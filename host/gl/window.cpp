@@ -174,6 +174,9 @@ glm::dvec2 Window::to_pixels(double x, double y) const {
 
 void Window::listen() {
     glfwSetWindowUserPointer(window_, this);
+    glm::dvec2 cursor{0.0};
+    glfwGetCursorPos(window_, &cursor.x, &cursor.y);
+    cursor_ = to_pixels(cursor.x, cursor.y);
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int modifiers) {
         self(w).push({.kind = WindowEvent::Kind::key,
                       .code = key,
@@ -183,19 +186,17 @@ void Window::listen() {
                       .files = {}});
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
-        double x = 0.0, y = 0.0;
-        glfwGetCursorPos(w, &x, &y);
         self(w).push({.kind = WindowEvent::Kind::mouse_button,
                       .code = button,
                       .modifiers = modifiers,
                       .down = action == GLFW_PRESS,
-                      .position = self(w).to_pixels(x, y),
+                      .position = self(w).cursor_,
                       .files = {}});
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
-        self(w).push({.kind = WindowEvent::Kind::mouse_move,
-                      .position = self(w).to_pixels(x, y),
-                      .files = {}});
+        self(w).cursor_ = self(w).to_pixels(x, y);
+        self(w).push(
+            {.kind = WindowEvent::Kind::mouse_move, .position = self(w).cursor_, .files = {}});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
         self(w).push({.kind = WindowEvent::Kind::scroll, .position = {x, y}, .files = {}});

@@ -59,6 +59,8 @@ public:
 private:
     GLFWwindow* window_ = nullptr;
     std::vector<WindowEvent> events_;
+    // Where the mouse was at the event in hand; GLFW tells only where it has come to since.
+    glm::dvec2 cursor_{0.0};
     glm::ivec4 windowed_{0};  // position and size to return to from full screen
 
     void listen();

@@ -51,8 +51,9 @@ enum class TrialState {
 struct PassTrial {
     std::string name;
     double compile_ms = 0.0;
-    double first_ms = 0.0;     // first small draw, with what the driver compiles only then
-    double second_ms = 0.0;    // second one; 0 when nothing had changed for this pass
+    // Small draws: the first, with what the driver compiles only then, and the second; 0 when
+    // nothing had changed for this pass. Processor time where software draws.
+    double first_ms = 0.0, second_ms = 0.0;
     double expected_ms = 0.0;  // a draw at its full size, roughly; 0 for less than can be told
 };
 

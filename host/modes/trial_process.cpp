@@ -15,6 +15,7 @@
 #include <bit>
 #include <cctype>
 #include <csignal>
+#include <ctime>
 #include <limits>
 #include <thread>
 
@@ -51,6 +52,7 @@ public:
     static void send(const TrialAnswer& answer);
 
 private:
+    double spent_ms() const;
     void find_overhead();
     void shrink(TrialOrder& order);
     bool compile(const TrialOrder& order, CompiledScene& scene);
@@ -99,6 +101,15 @@ void Child::tell(TrialStage stage, std::size_t pass) {
     send(answer_);
 }
 
+// A clock for the cost of a draw. A software renderer's is the process's own processor time: on a
+// busy machine the wall clock also counts everybody else's, and a hiccup of 50 ms, scaled up from a
+// small picture, would look like minutes.
+double Child::spent_ms() const {
+    timespec now{};
+    clock_gettime(software_ ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
 // Also brings the driver's own start-up behind us.
 void Child::find_overhead() {
     Preset preset;
@@ -110,12 +121,12 @@ void Child::find_overhead() {
     Renderer renderer(preset, std::move(*compiled.scene), {.size = {36, 18}});
     overhead_ms_ = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 8; ++i) {
-        const Stopwatch clock;
+        const double start_ms = spent_ms();
         Frame frame;
         frame.time = i;
         renderer.draw(frame);
         context_->finish();
-        overhead_ms_ = std::min(overhead_ms_, clock.ms());
+        overhead_ms_ = std::min(overhead_ms_, spent_ms() - start_ms);
     }
 }
 
@@ -177,20 +188,19 @@ void Child::set_images(const TrialOrder& order, Renderer& renderer) {
 }
 
 void Child::draw_once(const TrialOrder& order, Renderer& renderer, int frame) {
-    Stopwatch clock;
-    double submit_ms = 0.0;
+    double start_ms = 0.0;
     // Drivers finish compiling inside the first draw call; the pixels are waited for afterwards.
     renderer.before_pass = [&](std::size_t index) {
         tell(frame == 0 ? TrialStage::compiling : TrialStage::drawing,
              renderer.graph().passes[index].pass);
-        clock.restart();
+        start_ms = spent_ms();
     };
     renderer.after_pass = [&](std::size_t index) {
-        submit_ms = clock.ms();
+        const double submit_ms = spent_ms() - start_ms;
         if (frame == 0) tell(TrialStage::drawing, renderer.graph().passes[index].pass);
-        clock.restart();
+        start_ms = spent_ms();
         context_->finish();
-        const double finish_ms = clock.ms();
+        const double finish_ms = spent_ms() - start_ms;
         PassTrial& pass = answer_.verdict.passes[index];
         if (frame == 0) pass.first_ms = submit_ms + finish_ms;
         if (frame == 1) pass.second_ms = submit_ms + finish_ms;
@@ -211,7 +221,7 @@ void Child::draw_once(const TrialOrder& order, Renderer& renderer, int frame) {
     renderer.draw(inputs);
 }
 
-// The shortest of several draws counts, because the machine may be busy. A small picture is drawn
+// The shortest of several draws counts. A small picture is drawn
 // by one thread of a software renderer and by one corner of a GPU, which draws some 16,384 pixels
 // at a time.
 void Child::estimate(PassTrial& trial, std::size_t pass, double draw_ms) {
@@ -229,9 +239,10 @@ void Child::draw(const TrialOrder& order, CompiledScene scene) {
     set_images(order, renderer);
     Verdict& verdict = answer_.verdict;
     // Two draws; a few more where the estimate would alarm somebody, and only while that is quick.
-    const Stopwatch clock;
+    const double start_ms = spent_ms();
+    const auto is_quick = [&] { return spent_ms() - start_ms < 100.0; };
     for (int frame = 0;
-         frame < 2 || (frame < 6 && verdict.expected_ms > order.slow_ms / 2 && clock.ms() < 100.0);
+         frame < 2 || (frame < 6 && verdict.expected_ms > order.slow_ms / 2 && is_quick());
          ++frame) {
         draw_once(order, renderer, frame);
         verdict.expected_ms = 0.0;

@@ -496,6 +496,9 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
     }
     const glm::dvec2 moved = event.position - mouse_;
     mouse_ = event.position;
+    if (event.kind == WindowEvent::Kind::mouse_button) {
+        panels_.mouse_button(event.position, event.code, event.down);
+    }
     if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
         const bool starts = event.down && !panels_.takes_mouse_at(event.position);
         panning_ = starts && !is_over_scene();

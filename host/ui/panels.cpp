@@ -36,6 +36,13 @@ unsigned hash_of_input() {
     return ImHashData(rest, sizeof rest, hash);
 }
 
+// ImGui's place of one in pixels of the framebuffer, y up.
+ImVec2 panel_place(glm::dvec2 position) {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {static_cast<float>(position.x) / io.DisplayFramebufferScale.x,
+            io.DisplaySize.y - static_cast<float>(position.y) / io.DisplayFramebufferScale.y};
+}
+
 // Presses keys that went down and up again since the last frame, which ImGui's backend misses;
 // GLFW's sticky keys know of them. Returns those that are to be let go after the frame.
 std::vector<int> press_tapped(GLFWwindow* window) {
@@ -73,13 +80,19 @@ void bind_screen() {
 }  // namespace
 
 struct Panels::State {
+    struct Press {
+        ImVec2 at;
+        int button;
+        bool down;
+    };
     GLFWwindow* window;
     std::string memory;  // ImGui keeps a pointer to it
     ImGuiContext* context;
     Interface interface;
     Memory remembered;
-    unsigned input = 0;        // a hash of the last frame's
-    int frames_to_settle = 3;  // an item that comes in front of another is seen a frame later
+    std::vector<Press> presses;  // since the last frame
+    unsigned input = 0;          // a hash of the last frame's
+    int frames_to_settle = 3;    // an item that comes in front of another is seen a frame later
 };
 
 Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory) {
@@ -91,7 +104,8 @@ Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::p
                   .memory = memory.string(),
                   .context = context,
                   .interface = Interface(make_theme(content_scale / ratio, ratio)),
-                  .remembered = {}});
+                  .remembered = {},
+                  .presses = {}});
     configure_io();
     remember(state_->remembered, state_->memory);
     glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE);
@@ -118,26 +132,43 @@ void Panels::rescale(float content_scale) {
 Wishes Panels::update(const Facts& facts, History& history, Transport& transport,
                       PanelSettings& settings) {
     ImGui::SetCurrentContext(state_->context);
+    ImGuiIO& io = ImGui::GetIO();
     ImGui_ImplOpenGL3_NewFrame();
+    const std::vector<bool> held(std::begin(io.MouseDown), std::end(io.MouseDown));
     ImGui_ImplGlfw_NewFrame();
     before_frame();
     const std::vector<int> tapped = press_tapped(state_->window);
     const unsigned input = hash_of_input();
-    const bool is_touched = input != state_->input;
+    const bool is_touched = input != state_->input || !state_->presses.empty();
     state_->input = input;
     Wishes wishes;
-    bool is_behind = true;
-    // Frames of a slow scene are seconds apart: what stands wrong is mended before it is seen.
-    // Later passes see no new events, since the mouse and the keys have not moved in between.
-    constexpr int kMostPasses = 6;
-    for (int pass = 0; pass < kMostPasses && is_behind; ++pass) {
-        if (pass > 0) ImGui::GetIO().DeltaTime = 1e-6f;
+    const auto build = [&] {
         ImGui::NewFrame();
         recall(state_->remembered, state_->interface.places(), settings);
         add(wishes, state_->interface.build(facts, history, transport, settings));
         note(state_->remembered, state_->interface.places(), settings);
         ImGui::Render();
-        for (const int key : tapped) ImGui::GetIO().KeysDown[key] = false;
+        for (const int key : tapped) io.KeysDown[key] = false;
+        io.DeltaTime = 1e-6f;  // what follows is the same instant
+    };
+    const ImVec2 mouse = io.MousePos;
+    std::ranges::copy(held, std::begin(io.MouseDown));
+    for (const State::Press& press : std::exchange(state_->presses, {})) {
+        io.MousePos = press.at;
+        build();  // what lies there is known a pass later
+        io.MouseDown[press.button] = press.down;
+        build();
+    }
+    io.MousePos = mouse;
+    for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button) {
+        io.MouseDown[button] = glfwGetMouseButton(state_->window, button) == GLFW_PRESS;
+    }
+    bool is_behind = true;
+    // Frames of a slow scene are seconds apart: what stands wrong is mended before it is seen.
+    // Later passes see no new events, since the mouse and the keys have not moved in between.
+    constexpr int kMostPasses = 6;
+    for (int pass = 0; pass < kMostPasses && is_behind; ++pass) {
+        build();
         is_behind = state_->interface.is_behind();
     }
     state_->frames_to_settle =
@@ -149,6 +180,12 @@ void Panels::draw() {
     ImGui::SetCurrentContext(state_->context);
     bind_screen();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Panels::mouse_button(glm::dvec2 position, int button, bool down) {
+    ImGui::SetCurrentContext(state_->context);
+    if (button >= IM_ARRAYSIZE(ImGui::GetIO().MouseDown)) return;
+    state_->presses.push_back({panel_place(position), button, down});
 }
 
 bool Panels::takes_mouse() const {
@@ -164,10 +201,7 @@ bool Panels::takes_keyboard() const {
 bool Panels::takes_mouse_at(glm::dvec2 position) const {
     ImGui::SetCurrentContext(state_->context);
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return true;
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 at{
-        static_cast<float>(position.x) / io.DisplayFramebufferScale.x,
-        io.DisplaySize.y - static_cast<float>(position.y) / io.DisplayFramebufferScale.y};
+    const ImVec2 at = panel_place(position);
     return std::ranges::any_of(GImGui->Windows, [&](const ImGuiWindow* window) {
         return window->Active && !window->Hidden && !(window->Flags & ImGuiWindowFlags_NoInputs) &&
                window->OuterRectClipped.Contains(at);

@@ -140,6 +140,10 @@ public:
     // Draws what update() built over framebuffer 0.
     void draw();
 
+    // A press or release since the last update(), at a place in pixels of the framebuffer, y up.
+    // A slow scene leaves seconds between two frames: clicks count where they happened.
+    void mouse_button(glm::dvec2 position, int button, bool down);
+
     // Whether the panels take what the mouse or the keyboard does now.
     bool takes_mouse() const;
     bool takes_keyboard() const;

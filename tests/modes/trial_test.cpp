@@ -104,6 +104,24 @@ TEST(Trial, PassesAGoodSceneWithTimings) {
     EXPECT_FALSE(trial.renderer().empty());
 }
 
+// A scene that was refused because the machine was busy for a moment was a save that never showed.
+TEST(Trial, ABusyMachineDoesNotMakeASceneLookSlow) {
+    Trial trial(options());
+    wait_until_ready(trial);
+    const Preset preset = preset_of(kTwoPasses);
+    for (int i = 0; i < 10; ++i) {
+        trial.start({.preset = preset, .compile = {}, .images = {}});
+        // It gets 1 ms in 31.
+        while (trial.poll().state == TrialState::running) {
+            kill(trial.process(), SIGSTOP);
+            std::this_thread::sleep_for(30ms);
+            kill(trial.process(), SIGCONT);
+            std::this_thread::sleep_for(1ms);
+        }
+        EXPECT_LT(trial.poll().expected_ms, 1000.0) << words(trial.poll());
+    }
+}
+
 TEST(Trial, SaysWhereASceneDoesNotCompile) {
     Trial trial(options());
     const Verdict result =

@@ -120,6 +120,24 @@ INSTANTIATE_TEST_SUITE_P(
 
 class Drag : public Window {};
 
+TEST_F(Drag, AClickCountsWhereItHappenedAlsoBetweenTwoFramesOfASlowScene) {
+    open(
+        "uniform bool value; //@ off\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float x = iTime;\n"
+        "    for (int i = 0; i < 150; ++i) x = sin(x + p.x);\n"
+        "    c = p.x < 6.0 ? vec4(vec3(value), 1) : vec4(x);\n}\n");
+    std::this_thread::sleep_for(1s);
+    const auto is_on = [&] { return screen_->pixel({3, 300}).r > 128; };
+    for (const bool on : {true, false, true}) {
+        screen_->move(kControl + glm::ivec2(11, 0));
+        screen_->button(true);
+        screen_->button(false);
+        screen_->move({500, 400});
+        EXPECT_TRUE(eventually([&] { return is_on() == on; })) << on;
+    }
+}
+
 // The slider is in a person's hand when the file is saved.
 TEST_F(Drag, ASaveInTheMiddleOfADragDoesNotTakeTheSliderAway) {
     const std::string text =

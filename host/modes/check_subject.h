@@ -1,0 +1,102 @@
+// A scene under check: drawn small and fed with uniforms, every value of every buffer looked at.
+#pragma once
+
+#include "modes/common.h"
+
+#include "gl/context.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// What has been seen since the last restore().
+struct Observed {
+    std::size_t nan = 0, infinite = 0;  // pixels, in the first frame that had any
+    std::string output;                 // the sampler (or "image") that has the most
+    std::vector<float> values;          // of that output, RGBA
+    glm::ivec2 size{0};                 // of `values`
+    std::size_t worst = 0;              // how many of them that output has
+    float min = 0.0f, max = 0.0f;       // of all finite values so far
+    bool any = false;
+    bool is_finite() const { return nan == 0 && infinite == 0; }
+};
+
+// What `glint still` is told to draw the same frame.
+struct StillPlace {
+    double time = 0.0, fps = 60.0;
+};
+
+class CheckSubject {
+public:
+    // Compiles; throws Stop. `format` replaces the one of all 32-bit float buffers.
+    CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
+                 PixelFormat format = PixelFormat::rgba32f);
+    CheckSubject(const CheckSubject&) = delete;
+    CheckSubject& operator=(const CheckSubject&) = delete;
+
+    // Tweaks, size, events and buffers as they were at first; nothing observed.
+    void restore();
+
+    // Tweak values and events may be changed; the size by resize().
+    Preset preset;
+    void resize(glm::ivec2 size);
+
+    // Draws one frame, waits for it and looks at all that was drawn. False, and nothing is looked
+    // at any more, once something was not finite.
+    bool draw(const Frame& frame);
+
+    // Draws a frame that nobody looks at.
+    void draw_blindly(const Frame& frame);
+
+    // Frames from `first` to `end`, each drawn, of a scene that is played at this rate from 0.
+    bool play_frames(int first, int end, double fps);
+
+    // What a still at this time shows: a stateless scene draws one frame, another is played from 0
+    // for at most `longest` seconds.
+    bool show(double time, double longest);
+
+    // Frame `index` of a playback that has reached `time`; the last frame took `delta`.
+    Frame frame_at(double time, double delta, long index) const;
+
+    bool stateful() const { return renderer_->graph().stateful; }
+    // Whether anything is new from frame to frame without a person.
+    bool moves() const;
+    bool reads(Builtin builtin) const;
+    // Whether a frame finds in this buffer what an earlier one left, not only what itself drew.
+    bool is_fed_back(std::size_t graph_index) const;
+    // The largest finite magnitude in what is fed back.
+    float largest_state() const;
+
+    std::vector<float> picture() const;
+    Renderer& renderer() { return *renderer_; }
+    const Renderer& renderer() const { return *renderer_; }
+    Context& context() { return context_; }
+    const Observed& observed() const { return observed_; }
+    const Preset& opened() const { return opened_; }
+    const ViewOptions& view() const { return view_; }
+    const Scene& scene() const { return preset.scene; }
+
+    // Set while a still can show the frame that was drawn last.
+    std::optional<StillPlace> still;
+
+    // Called after each frame, to tell that the driver still answers.
+    std::function<void()> after_frame;
+
+private:
+    void look(std::size_t graph_index);
+
+    ViewOptions view_;
+    Preset opened_;
+    Context& context_;
+    std::vector<Builtin> builtins_;  // that any pass reads
+    std::optional<Renderer> renderer_;
+    std::vector<std::optional<std::size_t>> looked_at_;  // the version of each buffer
+    Observed observed_;
+};
+
+// The names of a pass's outputs; the picture has one, "image".
+std::vector<std::string> output_names(const Scene& scene, std::size_t pass);
+
+}  // namespace glint

@@ -1,0 +1,28 @@
+// How far a picture is from another: in light, and as the bytes that a display gets.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace glint {
+
+// Over red, green and blue; alpha means nothing. Pixels where either picture is not finite count in
+// `not_finite` and nowhere else.
+struct Difference {
+    double rmse = 0.0, max = 0.0;
+    double relative_mse = 0.0;  // mean of (x - r)^2 / (r^2 + 0.01); r: the second picture
+    double psnr = 0.0;          // dB, of 8-bit values; infinite when they are equal
+    double share_off = 0.0;     // of pixels with a channel off by more than 1/255, as 8-bit
+    std::size_t not_finite = 0;
+};
+
+// RGBA pictures of the same size. The 8-bit figures are of the values as they are, the others of
+// the values in light: decoded from sRGB, or as they are when they are no colours for a display.
+Difference difference(std::span<const float> picture, std::span<const float> reference,
+                      bool encoded = true);
+
+// The light that an sRGB value stands for; odd about 0, and without an upper end.
+double decode_srgb(double value);
+
+}  // namespace glint
