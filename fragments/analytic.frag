@@ -1,0 +1,827 @@
+// Analytic: the intersection laboratory.
+//
+// A still life of everything that a ray meets in closed form: spheres, boxes, a mesh of triangles,
+// discs, a cylinder, a cone, an ellipsoid and a torus, in glass, mirror and glaze on an engraved
+// dial. Each shape is met twice over, by the formula of the textbooks and by one that holds its
+// digits. `magnitude` takes the world to where the first breaks, `wipe` shows both in one picture,
+// and `view` the error of the hit distance.
+//
+// Licence  MIT
+
+// ---- Tweaks -------------------------------------------------------------------------------------
+//@ group Laboratory
+uniform int   intersector;     //@ 1 {textbook, robust, wipe} "formulas that meet the shapes"
+uniform float magnitude;       //@ 1 [1, 1000000] log "how far from ordinary numbers"
+uniform int   magnify;         //@ 0 {distance, scale, place} "what it multiplies"
+uniform float wipe;            //@ 0.5 [0, 1] "textbook left of it, robust right of it"
+uniform int   view;            //@ 0 {picture, error} "error: of the distance to the first hit"
+//@ group Studio
+uniform vec3  studioColour;    //@ #2b5b66 "floor and backdrop"
+uniform vec3  glowColour;      //@ #ff9a5c "light on the backdrop"
+uniform float glow;            //@ 1.0 [0, 4] "brightness of the backdrop's light"
+uniform float floorGloss;      //@ 1.0 [0, 1] "polish of the dial"
+uniform float inlay;           //@ 1.0 [0, 1] "brass of the dial"
+uniform float animation;       //@ 1.0 [0, 8] "speed of everything that moves"
+//@ group Materials
+uniform vec3  gemColour;       //@ #ff2a4d "of the crystal"
+uniform vec3  glassColour;     //@ #d8fff4 "of ball and cube"
+uniform float glassIndex;      //@ 1.52 [1, 2.5] "refractive index"
+uniform vec3  goldColour;      //@ #f2b860 "of the ring"
+//@ group Light
+uniform vec3  keyColour;       //@ #ffd9b0 "large lamp, front left"
+uniform float keyPower;        //@ 1.0 [0, 4] "brightness of the large lamp"
+uniform float keyRadius;       //@ 0.7 [0, 2] unit=m "its size; larger is softer"
+uniform vec3  fillColour;      //@ #8fb8ff "soft light from above"
+uniform float fillPower;       //@ 1.0 [0, 4] "brightness of the soft light"
+uniform bool  shadows;         //@ on "shadows of both lights"
+//@ group Camera
+uniform float cameraDistance;  //@ 8.0 [4, 14] unit=m "from the middle"
+uniform float cameraAngle;     //@ 0 [-180, 180] unit=deg "round the middle"
+uniform float cameraHeight;    //@ 2.0 [0.1, 8] unit=m "of the eye"
+uniform float targetHeight;    //@ 1.0 [0, 4] unit=m "of the point looked at"
+uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, to the right"
+uniform float focalLength;     //@ 35 [12, 200] log unit=mm "of a lens on 36 x 24 mm film"
+uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
+//@ group Quality
+uniform int   bounces;         //@ 10 [1, 48] log quality reference=48 "rays along one path"
+uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to each light"
+uniform int   antialiasing;    //@ 1 [1, 64] log quality reference=64 "rays through one pixel"
+
+// ---- Constants and numbers ----------------------------------------------------------------------
+const float kPi = 3.14159265358979;
+const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
+const float kFar = 1e30;                   // a miss
+const float kTiny = 1e-20;                 // below: a direction's component counts as zero
+const float kIorVarnish = 1.62;            // hard lacquer
+const float kLeastThroughput = 0.012;      // a path that carries less is over
+const float kTextbookLift = 1e-3;          // the textbooks' start of a secondary ray, any unit
+const int   kPending = 4;                  // rays of a path that wait while another is followed
+// Places and sizes, m.
+const vec4  kBall = vec4(-1.02, 0.56, 0.95, 0.56), kChrome = vec4(1.28, 0.44, 0.75, 0.44);
+const vec4  kPearl = vec4(-0.02, 0.15, 1.28, 0.15), kBerry = vec4(-2.1, 0.2, 0.75, 0.2);
+const vec3  kRingCentre = vec3(0.0, 1.36, -0.75);
+const vec2  kRing = vec2(1.20, 0.16);      // radii, large and small
+const float kGemSize = 0.52;               // from its centre to a corner
+const vec3  kEggCentre = vec3(-1.95, 1.36, -0.7), kEggAxes = vec3(0.30, 0.41, 0.30);
+const vec3  kDrumCentre = vec3(-1.95, 0.475, -0.7);
+const vec2  kDrum = vec2(0.50, 0.475);     // radius, half height
+const vec3  kConeApex = vec3(1.95, 1.80, -0.75);
+const vec2  kCone = vec2(0.37, 1.0);       // slope of the radius, height
+const vec3  kPlinthCentre = vec3(1.95, 0.40, -0.75), kPlinthHalf = vec3(0.52, 0.40, 0.52);
+const vec3  kCubeCentre = vec3(0.45, 0.30, 1.55), kCubeHalf = vec3(0.30, 0.30, 0.30);
+const float kPlinthTurn = 0.45, kCubeTurn = 0.62;   // rad
+const vec3  kMirrorCentre = vec3(3.0, 1.30, -2.3), kMirrorNormal = vec3(-0.56, -0.05, 0.827);
+const float kMirrorRadius = 1.25;
+const float kDial = 3.6, kWall = 9.0, kCove = 3.5;       // radii of the dial, room and its curve
+const vec3  kKey = vec3(-4.2, 5.6, 3.6), kFill = vec3(0.8, 7.0, -0.6);
+const float kFillRadius = 2.4, kCeiling = 9.0;
+const vec3  kStageLow = vec3(-2.6, -0.01, -3.2), kStageHigh = vec3(4.2, 2.9, 2.1);
+const int   kFloorId = 0, kWallId = 1, kLampId = 2, kBallId = 3, kChromeId = 4, kPearlId = 5;
+const int   kBerryId = 6, kRingId = 7, kGemId = 8, kEggId = 9, kDrumId = 10, kDrumTopId = 11;
+const int   kConeId = 12, kPlinthId = 13, kCubeId = 14, kMirrorId = 15;
+
+const vec2  kFive[5] = vec2[5](vec2(0.0, 1.0), vec2(0.951056516, 0.309016994),
+    vec2(0.587785252, -0.809016994), vec2(-0.587785252, -0.809016994),
+    vec2(-0.951056516, 0.309016994));      // corners of a pentagon
+
+struct Hit { float t; int id; vec3 face; };   // face: outward normal of a triangle, else unused
+bool robust;       // which formulas this pixel uses
+float worldScale;  // world units in one metre of the studio
+vec3 worldPlace;   // where the studio's origin lies
+
+// Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
+float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+
+vec2 turn(vec2 p, float angle) {
+    float c = cos(angle), s = sin(angle);
+    return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
+}
+float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float square(float x) { return x * x; }
+vec3 linearColour(vec3 c) {   // from sRGB, a fit to 1/500
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+// A start for a secondary ray: some 8 ulp along the normal from a point that lies on the surface.
+vec3 liftOff(vec3 p, vec3 nor) { return p + nor * (1e-6 * max(maxComponent(abs(p)), 0.1)); }
+
+// Reflected share of unpolarised light, exact; eta: index beyond over index before the surface.
+float fresnel(float cosI, float eta) {
+    float gg = (eta - 1.0) * (eta + 1.0) + cosI * cosI;
+    if (gg <= 0.0) return 1.0;
+    float g = sqrt(gg);
+    float a = (g - cosI) / max(g + cosI, 1e-9);
+    float b = (cosI * (g + cosI) - 1.0) / (cosI * (g - cosI) + 1.0);
+    return min(0.5 * a * a * (1.0 + b * b), 1.0);
+}
+
+// The direction behind a surface; eta: index before over index beyond. Where nothing gets through,
+// along the surface: fresnel() is 1 there.
+vec3 refractExactly(vec3 rd, vec3 nor, float eta) {
+    float cosine = clamp(-dot(rd, nor), 0.0, 1.0);
+    float k = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
+    return normalize(eta * rd + (eta * cosine - sqrt(max(k, 0.0))) * nor);
+}
+
+// ---- Textbook forms: shapes at the origin, the ray as it comes ----------------------------------
+float firstAhead(float near, float far) { return near > 0.0 ? near : far > 0.0 ? far : -1.0; }
+
+vec2 textbookRoots(float a, float b, float c) {   // of a t^2 + 2 b t + c
+    float d = b * b - a * c;
+    if (d < 0.0) return vec2(-1.0);
+    float s = sqrt(d);
+    return vec2(-b - s, -b + s) / a;
+}
+float textbookSphere(vec3 ro, vec3 rd, float r) {
+    vec2 t = textbookRoots(1.0, dot(ro, rd), dot(ro, ro) - r * r);
+    return firstAhead(t.x, t.y);
+}
+float textbookEllipsoid(vec3 ro, vec3 rd, vec3 axes) {
+    vec3 u = ro / axes, v = rd / axes;
+    vec2 t = textbookRoots(dot(v, v), dot(u, v), dot(u, u) - 1.0);
+    return firstAhead(t.x, t.y);
+}
+float textbookCylinder(vec3 ro, vec3 rd, float r, float h) {   // |y| < h, open ends
+    vec2 u = ro.xz, v = rd.xz, t = textbookRoots(dot(v, v), dot(u, v), dot(u, u) - r * r);
+    vec2 y = abs(ro.y + t * rd.y);
+    return firstAhead(y.x < h ? t.x : -1.0, y.y < h ? t.y : -1.0);
+}
+float textbookCone(vec3 ro, vec3 rd, float slope, float h) {   // apex up, -h < y < 0, open end
+    vec3 u = vec3(ro.xz, slope * ro.y), v = vec3(rd.xz, slope * rd.y), w = vec3(1.0, 1.0, -1.0);
+    vec2 t = textbookRoots(dot(w * v, v), dot(w * u, v), dot(w * u, u));
+    vec2 y = ro.y + t * rd.y;
+    t = vec2(y.x > -h && y.x < 0.0 ? t.x : -1.0, y.y > -h && y.y < 0.0 ? t.y : -1.0);
+    return t.x > 0.0 && t.y > 0.0 ? min(t.x, t.y) : max(t.x, t.y);
+}
+float textbookDisc(vec3 ro, vec3 rd, vec3 nor, float r) {
+    float t = -dot(ro, nor) / dot(rd, nor);
+    vec3 p = ro + t * rd;
+    return dot(p, p) < r * r ? t : -1.0;
+}
+float textbookBox(vec3 ro, vec3 rd, vec3 halfSize) {   // as six rectangles
+    float nearest = kFar;
+    for (int k = 0; k < 6; ++k) {
+        float t = ((k < 3 ? halfSize.x : -halfSize.x) - ro.x) / rd.x;
+        vec2 p = abs(ro.yz + t * rd.yz);
+        if (p.x < halfSize.y && p.y < halfSize.z && t > 0.0) nearest = min(nearest, t);
+        ro = ro.yzx; rd = rd.yzx; halfSize = halfSize.yzx;
+    }
+    return nearest < kFar ? nearest : -1.0;
+}
+float textbookTriangle(vec3 ro, vec3 rd, vec3 a, vec3 b, vec3 c) {   // Cramer's rule
+    vec3 ab = a - b, ac = a - c, ao = a - ro, across = cross(ac, rd);
+    float det = dot(ab, across);
+    float beta = dot(ao, across) / det, gamma = dot(rd, cross(ab, ao)) / det;
+    float t = -dot(ac, cross(ab, ao)) / det;
+    return beta > 0.0 && gamma > 0.0 && beta + gamma < 1.0 ? t : -1.0;
+}
+float cubeRoot(float x) { return sign(x) * pow(abs(x), 1.0 / 3.0); }
+
+float textbookTorus(vec3 ro, vec3 rd, float large, float small) {   // axis y; Ferrari's quartic
+    float n = dot(ro, rd), g = 4.0 * large * large, k = dot(ro, ro) + 0.25 * g - small * small;
+    float a = 4.0 * n, b = 4.0 * n * n + 2.0 * k - g * dot(rd.xz, rd.xz);
+    float c = 4.0 * n * k - 2.0 * g * dot(ro.xz, rd.xz), d = k * k - g * dot(ro.xz, ro.xz);
+    float p = b - 0.375 * a * a, q = c - 0.5 * a * b + 0.125 * a * a * a;
+    float w = d - 0.25 * a * c + 0.0625 * a * a * b - 0.01171875 * a * a * a * a;
+    float l = -p * p / 3.0 - 4.0 * w, m = -2.0 * p * p * p / 27.0 + 8.0 * p * w / 3.0 - q * q;
+    float disc = 0.25 * m * m + l * l * l / 27.0, s = sqrt(max(disc, 0.0)), z;
+    if (disc >= 0.0) z = cubeRoot(-0.5 * m + s) + cubeRoot(-0.5 * m - s);
+    else z = 2.0 * sqrt(-l / 3.0) * cos(acos(clamp(1.5 * m / l * sqrt(-3.0 / l), -1.0, 1.0)) / 3.0);
+    z = sqrt(max(z - 2.0 * p / 3.0, 1e-12));
+    float best = kFar;
+    for (int k = 0; k < 2; ++k) {   // x^2 + z x + u, and with -z
+        float u = 0.5 * (p + z * z - q / z), e = 0.25 * z * z - u;
+        if (e > 0.0) {
+            float h = sqrt(e), far = -0.5 * z + h - 0.25 * a, near = far - 2.0 * h;
+            if (near > 0.0) best = min(best, near);
+            else if (far > 0.0) best = min(best, far);
+        }
+        z = -z;
+    }
+    return best < kFar ? best : -1.0;
+}
+
+// ---- Robust forms -------------------------------------------------------------------------------
+float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
+    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    if (d < 0.0) return -1.0;
+    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+}
+
+// Slides a ray's start to the point nearest the origin, and says how far: then all numbers are of
+// the shape's own size, and what cancels has cancelled once, in a subtraction that is nearly exact.
+float slideNear(inout vec3 ro, vec3 rd) {
+    float s = -dot(ro, rd);
+    ro += s * rd;
+    return s;
+}
+float robustEllipsoid(vec3 ro, vec3 rd, vec3 axes) {
+    float s = slideNear(ro, rd);
+    vec3 u = ro / axes, v = rd / axes;
+    float a = dot(v, v), b = dot(u, v) / a;
+    vec3 l = u - b * v;
+    float d = 1.0 - dot(l, l);
+    if (d < 0.0) return -1.0;
+    float h = sqrt(d / a);
+    return firstAhead(s - b - h, s - b + h);
+}
+float robustCylinder(vec3 ro, vec3 rd, float r, float h) {   // |y| <= h, open ends
+    float s = slideNear(ro, rd), a = dot(rd.xz, rd.xz);
+    if (a < kTiny) return -1.0;
+    float b = dot(ro.xz, rd.xz) / a;
+    vec2 l = ro.xz - b * rd.xz;
+    float d = r * r - dot(l, l);
+    if (d < 0.0) return -1.0;
+    vec2 t = vec2(-1.0, 1.0) * sqrt(d / a) - b, y = abs(ro.y + t * rd.y);
+    return firstAhead(y.x <= h ? s + t.x : -1.0, y.y <= h ? s + t.y : -1.0);
+}
+// Apex up, -h <= y <= 0, open end. The discriminant is a difference of squares of the ray's moments
+// about the apex: b b - a c without its cancellation.
+float robustCone(vec3 ro, vec3 rd, float slope, float h) {
+    float s = slideNear(ro, rd), m = slope * ro.y, n = slope * rd.y;
+    vec2 u = ro.xz, v = rd.xz;
+    float a = dot(v, v) - n * n, b = dot(u, v) - m * n, c = dot(u, u) - m * m;
+    float along = length(n * u - m * v), across = abs(u.x * v.y - u.y * v.x);
+    float d = (along - across) * (along + across);
+    if (d < 0.0) return -1.0;
+    float q = -b - (b < 0.0 ? -sqrt(d) : sqrt(d));
+    vec2 t = vec2(q, c) / mix(vec2(a, q), vec2(kTiny), lessThan(abs(vec2(a, q)), vec2(kTiny)));
+    vec2 y = ro.y + t * rd.y;
+    t += s;
+    if (y.x < -h || y.x > 0.0) t.x = -1.0;
+    if (y.y < -h || y.y > 0.0) t.y = -1.0;
+    return firstAhead(min(t.x, t.y), max(t.x, t.y));
+}
+float robustDisc(vec3 ro, vec3 rd, vec3 nor, float r) {
+    float s = slideNear(ro, rd), speed = dot(rd, nor);
+    if (abs(speed) < kTiny) return -1.0;
+    float t = -dot(ro, nor) / speed;
+    ro += t * rd;
+    return dot(ro, ro) <= r * r ? s + t : -1.0;
+}
+float robustBox(vec3 ro, vec3 rd, vec3 halfSize) {   // as three slabs
+    bvec3 level = lessThan(abs(rd), vec3(kTiny));
+    vec3 inv = 1.0 / mix(rd, vec3(1.0), level), mid = -ro * inv, reach = halfSize * abs(inv);
+    bvec3 within = lessThanEqual(abs(ro), halfSize);
+    vec3 a = mix(mid - reach, mix(vec3(kFar), vec3(-kFar), within), level);
+    vec3 b = mix((mid + reach) * 1.00000024, vec3(kFar), level);   // 2 ulp: no edge is lost
+    float near = maxComponent(a), far = min(b.x, min(b.y, b.z));
+    return near <= far ? firstAhead(near, far) : -1.0;
+}
+// Watertight triangles: what depends on the ray alone is worked out once for a mesh.
+struct Shear { vec3 s; int axis; };
+vec3 axisLast(vec3 v, int axis) { return axis == 0 ? v.yzx : axis == 1 ? v.zxy : v; }
+Shear shearAlong(vec3 rd) {
+    vec3 a = abs(rd);
+    int axis = a.x > a.y && a.x > a.z ? 0 : a.y > a.z ? 1 : 2;
+    vec3 d = axisLast(rd, axis);
+    return Shear(vec3(d.xy, 1.0) / d.z, axis);
+}
+vec3 sheared(vec3 v, Shear q) {
+    v = axisLast(v, q.axis);
+    return vec3(v.xy - q.s.xy * v.z, q.s.z * v.z);
+}
+// Corners sheared, relative to the ray's start; kFar for a miss, negative behind the start.
+float robustTriangle(vec3 a, vec3 b, vec3 c) {
+    vec3 e = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+    if (any(lessThan(e, vec3(0.0))) && any(greaterThan(e, vec3(0.0)))) return kFar;
+    float det = e.x + e.y + e.z;
+    return det == 0.0 ? kFar : dot(e, vec3(a.z, b.z, c.z)) / det;
+}
+// Implicit form of the torus of large radius 1 along a ray, and its slope.
+vec2 torusAlong(vec3 ro, vec3 rd, float small, float t) {
+    vec3 p = ro + t * rd;
+    float rho = max(length(p.xz), 1e-6), out1 = rho - 1.0;
+    return vec2(out1 * out1 + p.y * p.y - small * small,
+                2.0 * (out1 * dot(p.xz, rd.xz) / rho + p.y * rd.y));
+}
+// Axis y. Scaled to large radius 1 and slid to the middle the quartic is t^4 + p t^2 + q t + w; the
+// roots of its derivative part the ray into pieces with one root at most, found there by Newton
+// steps that never leave their bracket (Yuksel 2022), on the form that was not multiplied out.
+float robustTorus(vec3 ro, vec3 rd, float large, float small) {
+    ro /= large; small /= large;
+    float s = slideNear(ro, rd);
+    s += slideNear(ro, rd);
+    float w2 = square(1.0 + small) - dot(ro, ro), hi = sqrt(max(w2, 0.0)), lo = max(-hi, -s);
+    if (w2 <= 0.0 || lo >= hi) return -1.0;
+    float p = 2.0 * (dot(ro, ro) + 1.0 - small * small) - 4.0 * dot(rd.xz, rd.xz);
+    float third = -p / 6.0, half1 = dot(ro.xz, rd.xz), disc = half1 * half1 - third * third * third;
+    vec3 split;
+    if (disc >= 0.0) {
+        float x = cubeRoot(half1 + (half1 < 0.0 ? -sqrt(disc) : sqrt(disc)));
+        split = vec3(abs(x) > 1e-9 ? x + third / x : 0.0);
+    } else {
+        float turnBy = acos(clamp(half1 / (third * sqrt(third)), -1.0, 1.0)) / 3.0;
+        split = 2.0 * sqrt(third) * cos(turnBy - vec3(2.0, 1.0, 0.0) * (2.0 * kPi / 3.0));
+    }
+    split = clamp(split, lo, hi);
+    float f = torusAlong(ro, rd, small, lo).x;
+    vec4 ends = vec4(split, hi);
+    bool found = false;
+    for (int k = 0; k < 4; ++k) {
+        float g = torusAlong(ro, rd, small, ends[k]).x;
+        if (!found && f * g < 0.0) { found = true; hi = ends[k]; }
+        if (!found) { lo = ends[k]; f = g; }
+    }
+    if (!found) return -1.0;
+    float t = 0.5 * (lo + hi);
+    for (int k = 0; k < 12; ++k) {
+        vec2 g = torusAlong(ro, rd, small, t);
+        if (g.x * f > 0.0) lo = t; else hi = t;
+        float next = t - g.x / (abs(g.y) < kTiny ? kTiny : g.y);
+        t = next > lo && next < hi ? next : 0.5 * (lo + hi);
+    }
+    return (s + t) * large;
+}
+
+// ---- Scene --------------------------------------------------------------------------------------
+vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }
+vec3 inGem(vec3 v) {   // the crystal turns about a tilted axis
+    v.xy = turn(v.xy, 0.35);
+    v.xz = turn(v.xz, 2.0 * kPi * cycles(0.03125));
+    return v;
+}
+vec3 outOfGem(vec3 v) {
+    v.xz = turn(v.xz, -2.0 * kPi * cycles(0.03125));
+    v.xy = turn(v.xy, -0.35);
+    return v;
+}
+vec3 gemCentre() { return kRingCentre + vec3(0.0, 0.05 * sin(2.0 * kPi * cycles(0.125)), 0.0); }
+float ringTurn() { return 0.3 + 0.3 * sin(2.0 * kPi * cycles(0.03125)); }
+vec3 inRing(vec3 v) { return vec3(turn(v.xz, ringTurn()), v.y); }   // the ring's axis becomes y
+vec3 outOfRing(vec3 v) { return vec3(turn(v.xy, -ringTurn()), v.z).xzy; }
+vec3 inBox(vec3 v, float angle) { return vec3(turn(v.xz, angle), v.y).xzy; }
+
+// Metres to world units and back.
+vec3 toWorld(vec3 q) { return worldScale * q + worldPlace; }
+vec3 toStudio(vec3 p) { return (p - worldPlace) / worldScale; }
+
+vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
+    return 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+}
+// Does the ray meet the box before tMax? Far side widened by 2 ulp: rounding never loses a hit.
+bool meetsBox(vec3 ro, vec3 inv, vec3 lo, vec3 hi, float tMax) {
+    vec3 a = (lo - ro) * inv, b = (hi - ro) * inv;
+    vec3 n = min(a, b), f = max(a, b);
+    return max(max(n.x, n.y), max(n.z, 0.0)) <= min(min(f.x, f.y), min(f.z, tMax)) * 1.00000024;
+}
+
+void keepNearer(inout Hit h, float t, int id) {
+    if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
+}
+void meetTriangle(vec3 ro, vec3 rd, mat3 corners, mat3 seen, float slid, inout Hit h) {
+    float t = robust ? slid + robustTriangle(seen[0], seen[1], seen[2])
+        : textbookTriangle(ro, rd, corners[0], corners[1], corners[2]);
+    if (t > 0.0 && t < h.t)
+        h = Hit(t, kGemId, cross(corners[1] - corners[0], corners[2] - corners[1]));
+}
+vec3 gemCorner(int k, float side) {   // of an icosahedron: two rings of five
+    vec2 ring = 0.894427191 * kFive[(side > 0.0 ? k : k + 3) % 5];
+    return (kGemSize * worldScale * side) * vec3(ring, 0.447213595).xzy;
+}
+void meetGem(vec3 ro, vec3 rd, inout Hit h) {
+    vec3 near = ro;
+    float slid = slideNear(near, rd), size = kGemSize * worldScale;
+    if (dot(near, near) > size * size * 1.01) return;
+    Shear q = shearAlong(rd);
+    vec3 pole = vec3(0.0, size, 0.0), a = gemCorner(0, 1.0), b = gemCorner(0, -1.0);
+    vec3 poleS = sheared(pole - near, q), footS = sheared(-pole - near, q);
+    vec3 aS = sheared(a - near, q), bS = sheared(b - near, q);
+    for (int k = 1; k <= 5; ++k) {
+        vec3 c = gemCorner(k, 1.0), d = gemCorner(k, -1.0);
+        vec3 cS = sheared(c - near, q), dS = sheared(d - near, q);
+        meetTriangle(ro, rd, mat3(pole, a, c), mat3(poleS, aS, cS), slid, h);
+        meetTriangle(ro, rd, mat3(a, b, c), mat3(aS, bS, cS), slid, h);
+        meetTriangle(ro, rd, mat3(b, d, c), mat3(bS, dS, cS), slid, h);
+        meetTriangle(ro, rd, mat3(-pole, d, b), mat3(footS, dS, bS), slid, h);
+        a = c; b = d; aS = cS; bS = dS;
+    }
+}
+void meetSphere(vec3 ro, vec3 rd, vec4 ball, int id, inout Hit h) {
+    ro -= toWorld(ball.xyz);
+    float r = worldScale * ball.w;
+    keepNearer(h, robust ? intersectSphere(ro, rd, vec3(0.0), r) : textbookSphere(ro, rd, r), id);
+}
+void meetDisc(vec3 ro, vec3 rd, vec3 centre, vec3 nor, float r, int id, inout Hit h) {
+    ro -= toWorld(centre);
+    r *= worldScale;
+    keepNearer(h, robust ? robustDisc(ro, rd, nor, r) : textbookDisc(ro, rd, nor, r), id);
+}
+void meetBox(vec3 ro, vec3 rd, vec3 centre, vec3 halfSize, float angle, int id, inout Hit h) {
+    ro = inBox(ro - toWorld(centre), angle);
+    rd = inBox(rd, angle);
+    halfSize *= worldScale;
+    keepNearer(h, robust ? robustBox(ro, rd, halfSize) : textbookBox(ro, rd, halfSize), id);
+}
+
+Hit closestHit(vec3 ro, vec3 rd) {
+    Hit h = Hit(kFar, kWallId, vec3(0.0));
+    float s = worldScale;
+    // The room, whose walls are seen from inside only.
+    vec3 f = ro - worldPlace;
+    float slid = -dot(f.xz, rd.xz) / max(dot(rd.xz, rd.xz), 1e-12);
+    vec2 l = f.xz + slid * rd.xz;
+    float chord2 = max(square(kWall * s) - dot(l, l), 0.0);
+    h.t = slid + sqrt(chord2 / max(dot(rd.xz, rd.xz), 1e-12));
+    if (rd.y > 0.0) keepNearer(h, (kCeiling * s - f.y) / rd.y, kWallId);
+    keepNearer(h, -f.y / (abs(rd.y) < kTiny ? kTiny : rd.y), kFloorId);
+    meetDisc(ro, rd, kKey, unit(-kKey), keyRadius, kLampId, h);
+    if (!meetsBox(f, safeInverse(rd), s * kStageLow, s * kStageHigh, h.t)) return h;
+
+    meetSphere(ro, rd, kBall, kBallId, h);
+    meetSphere(ro, rd, kChrome, kChromeId, h);
+    meetSphere(ro, rd, kPearl, kPearlId, h);
+    meetSphere(ro, rd, kBerry, kBerryId, h);
+    meetBox(ro, rd, kPlinthCentre, kPlinthHalf, kPlinthTurn, kPlinthId, h);
+    meetBox(ro, rd, kCubeCentre, kCubeHalf, kCubeTurn, kCubeId, h);
+    meetDisc(ro, rd, kMirrorCentre, kMirrorNormal, kMirrorRadius, kMirrorId, h);
+    meetDisc(ro, rd, kDrumCentre + vec3(0.0, kDrum.y, 0.0), vec3(0, 1, 0), kDrum.x, kDrumTopId, h);
+    f = ro - toWorld(kDrumCentre);
+    keepNearer(h, robust ? robustCylinder(f, rd, s * kDrum.x, s * kDrum.y)
+        : textbookCylinder(f, rd, s * kDrum.x, s * kDrum.y), kDrumId);
+    f = ro - toWorld(kConeApex);
+    keepNearer(h, robust ? robustCone(f, rd, kCone.x, s * kCone.y)
+        : textbookCone(f, rd, kCone.x, s * kCone.y), kConeId);
+    f = ro - toWorld(kEggCentre);
+    keepNearer(h, robust ? robustEllipsoid(f, rd, s * kEggAxes)
+        : textbookEllipsoid(f, rd, s * kEggAxes), kEggId);
+    f = inRing(ro - toWorld(kRingCentre));
+    vec3 fd = inRing(rd);
+    keepNearer(h, robust ? robustTorus(f, fd, s * kRing.x, s * kRing.y)
+        : textbookTorus(f, fd, s * kRing.x, s * kRing.y), kRingId);
+    meetGem(inGem(ro - toWorld(gemCentre())), inGem(rd), h);
+    return h;
+}
+
+// Moves a point near a surface, m, onto it; gives the outward normal.
+vec3 settle(Hit h, inout vec3 q) {
+    vec3 nor = vec3(0.0, 1.0, 0.0), v = q;
+    vec4 ball = h.id == kBallId ? kBall : h.id == kChromeId ? kChrome
+        : h.id == kPearlId ? kPearl : kBerry;
+    if (h.id == kFloorId) {
+        q.y = 0.0;
+    } else if (h.id == kWallId) {
+        v = unit(vec3(q.x, 0.0, q.z));
+        bool above = q.y > kCeiling * 0.9999;
+        nor = above ? vec3(0.0, -1.0, 0.0) : -v;
+        q = above ? vec3(q.x, kCeiling, q.z) : vec3(kWall * v.x, q.y, kWall * v.z);
+    } else if (h.id <= kBerryId) {
+        nor = unit(q - ball.xyz);
+        q = ball.xyz + ball.w * nor;
+    } else if (h.id == kRingId) {
+        v = inRing(q - kRingCentre);
+        vec3 core = kRing.x * unit(vec3(v.x, 0.0, v.z));
+        nor = unit(v - core);
+        q = kRingCentre + outOfRing(core + kRing.y * nor);
+        nor = outOfRing(nor);
+    } else if (h.id == kGemId) {
+        nor = outOfGem(unit(h.face));
+        q += (0.794654472 * kGemSize - dot(q - gemCentre(), nor)) * nor;
+    } else if (h.id == kEggId) {
+        v = (q - kEggCentre) / kEggAxes;
+        v = unit(v);
+        q = kEggCentre + kEggAxes * v;
+        nor = unit(v / kEggAxes);
+    } else if (h.id == kDrumId) {
+        nor = unit(vec3(q.x - kDrumCentre.x, 0.0, q.z - kDrumCentre.z));
+        q.xz = kDrumCentre.xz + kDrum.x * nor.xz;
+    } else if (h.id == kDrumTopId) {
+        q.y = kDrumCentre.y + kDrum.y;
+    } else if (h.id == kConeId) {
+        v = unit(vec3(q.x - kConeApex.x, 0.0, q.z - kConeApex.z));
+        nor = unit(v + vec3(0.0, kCone.x, 0.0));
+        q -= dot(q - kConeApex, nor) * nor;
+    } else if (h.id == kMirrorId) {
+        nor = kMirrorNormal;
+        q -= dot(q - kMirrorCentre, nor) * nor;
+    } else {
+        bool cube = h.id == kCubeId;
+        vec3 centre = cube ? kCubeCentre : kPlinthCentre, size = cube ? kCubeHalf : kPlinthHalf;
+        float angle = cube ? kCubeTurn : kPlinthTurn;
+        v = inBox(q - centre, angle);
+        vec3 a = abs(v) / size;
+        nor = a.x > a.y && a.x > a.z ? vec3(1, 0, 0) : a.y > a.z ? vec3(0, 1, 0) : vec3(0, 0, 1);
+        nor *= sign(v);
+        q = centre + inBox(v + (size - abs(v)) * nor * sign(v) * sign(v), -angle);
+        nor = inBox(nor, -angle);
+    }
+    return nor;
+}
+
+// ---- Light --------------------------------------------------------------------------------------
+// Share of a lamp's disc that a sphere leaves free; rim: slope of the disc's radius seen from ro.
+float besideSphere(vec3 ro, vec3 rd, float rim, float tMax, vec4 s) {
+    vec3 f = s.xyz - ro;
+    float t = dot(f, rd), r = abs(s.w);
+    float away = length(f - t * rd), disc = max(rim * t, 1e-6);
+    float reach = smoothstep(0.0, 1.0, (r + disc - away) / (2.0 * min(r, disc)));
+    float cover = t > 0.0 && t < tMax ? reach * min(1.0, square(r / disc)) : 0.0;
+    return 1.0 - cover * (s.w < 0.0 ? 0.62 : 1.0);   // biased: glass dims, it does not focus
+}
+// The same for any shape, by how far the ray passes from its surface (negative: inside) at t.
+float besideEdge(float away, float t, float rim, float tMax) {
+    return t > 0.0 && t < tMax ? smoothstep(-1.0, 1.0, away / max(rim * t, 1e-6)) : 1.0;
+}
+float besideEllipsoid(vec3 ro, vec3 rd, float rim, float tMax, vec3 axes) {
+    vec3 u = ro / axes, v = rd / axes;
+    float t = -dot(u, v) / dot(v, v), reach;
+    u += t * v;
+    reach = max(length(u), 1e-6);
+    return besideEdge((reach - 1.0) * reach / length(u / axes), t, rim, tMax);
+}
+// A solid |xz| <= r - slope y, |y| <= h: where the ray comes nearest to its side, or to its rim.
+float besideRound(vec3 ro, vec3 rd, float rim, float tMax, float r, float slope, float h) {
+    float dy = abs(rd.y) < kTiny ? kTiny : rd.y, a = dot(rd.xz, rd.xz) + 1e-12;
+    vec2 ends = (vec2(-h, h) - ro.y) / dy;
+    ends = max(vec2(min(ends.x, ends.y), max(ends.x, ends.y)), 0.0);
+    if (ends.y <= 0.0) return 1.0;
+    float n = slope * rd.y, t0 = -dot(ro.xz, rd.xz) / a, c = length(ro.xz + t0 * rd.xz);
+    float best = t0 - n * c / sqrt(a * max(a - n * n, 1e-12));
+    float t = clamp(best, ends.x, ends.y), y = ro.y + t * rd.y;
+    float away = (length(ro.xz + t * rd.xz) - r + slope * y) * inversesqrt(1.0 + slope * slope);
+    return besideEdge(t == best ? away : away * max(abs(rd.y), rim), max(t, 1e-3), rim, tMax);
+}
+float besideBox(vec3 ro, vec3 rd, float rim, float tMax, vec3 halfSize) {
+    vec2 depth;
+    for (int k = 0; k < 2; ++k) {   // against the box shrunk and grown by the cone
+        float grow = k == 0 ? -rim : rim, near = 0.0, far = tMax;
+        for (int side = 0; side < 2; ++side) {
+            vec3 speed = (side == 0 ? rd : -rd) - grow;
+            speed = mix(speed, vec3(kTiny), lessThan(abs(speed), vec3(kTiny)));
+            vec3 t = (halfSize - (side == 0 ? ro : -ro)) / speed;
+            vec3 leave = mix(vec3(tMax), t, greaterThan(speed, vec3(0.0)));
+            far = min(far, min(leave.x, min(leave.y, leave.z)));
+            near = max(near, maxComponent(mix(t, vec3(0.0), greaterThan(speed, vec3(0.0)))));
+        }
+        depth[k] = near - far;
+    }
+    if (depth.y >= 0.0) return 1.0;
+    if (depth.x <= 0.0) return 0.0;
+    return smoothstep(0.0, 1.0, depth.x / max(depth.x - depth.y, 1e-9));
+}
+float besideRing(vec3 ro, vec3 rd, float rim, float tMax) {
+    float t0 = -dot(ro, rd), reach = kRing.x + kRing.y, w2 = reach * reach - dot(ro, ro) + t0 * t0;
+    float grown = square(sqrt(max(w2, 0.0)) + rim * t0), least = 1.0;
+    if (t0 < 0.0 || w2 + grown <= 0.0) return 1.0;
+    float w = sqrt(max(w2 + 2.0 * reach * rim * t0, 0.0));
+    for (int k = 0; k < 16; ++k) {
+        float t = t0 + w * (float(k) + 0.5 - 8.0) / 8.0;
+        vec3 p = ro + t * rd;
+        float away = length(vec2(length(p.xz) - kRing.x, p.y)) - kRing.y;
+        least = min(least, besideEdge(away, t, rim, tMax));
+    }
+    return least;
+}
+float besideDisc(vec3 ro, vec3 rd, float rim, float tMax, vec3 nor, float r) {
+    float speed = dot(rd, nor), t = -dot(ro, nor) / (abs(speed) < kTiny ? kTiny : speed);
+    return besideEdge(length(ro + t * rd) - r, t, rim, tMax);
+}
+
+// Share of one sub-disc of a light that a point sees.
+float visibility(vec3 ro, vec3 rd, float rim, float tMax) {
+    float free = besideSphere(ro, rd, rim, tMax, kBall * vec4(1, 1, 1, -1));
+    free *= besideSphere(ro, rd, rim, tMax, kChrome);
+    free *= besideSphere(ro, rd, rim, tMax, kPearl);
+    free *= besideSphere(ro, rd, rim, tMax, kBerry);
+    free *= besideSphere(ro, rd, rim, tMax, vec4(gemCentre(), -0.88 * kGemSize));
+    free *= besideBox(inBox(ro - kPlinthCentre, kPlinthTurn), inBox(rd, kPlinthTurn), rim, tMax,
+                      kPlinthHalf);
+    float cube = besideBox(inBox(ro - kCubeCentre, kCubeTurn), inBox(rd, kCubeTurn), rim, tMax,
+                           kCubeHalf);
+    free *= mix(1.0, cube, 0.62);
+    free *= besideEllipsoid(ro - kEggCentre, rd, rim, tMax, kEggAxes);
+    free *= besideRound(ro - kDrumCentre, rd, rim, tMax, kDrum.x, 0.0, kDrum.y);
+    free *= besideRound(ro - kConeApex + vec3(0.0, 0.5 * kCone.y, 0.0), rd, rim, tMax,
+                        0.5 * kCone.x * kCone.y, kCone.x, 0.5 * kCone.y);
+    free *= besideRing(inRing(ro - kRingCentre), inRing(rd), rim, tMax);
+    free *= besideDisc(ro - kMirrorCentre, rd, rim, tMax, kMirrorNormal, kMirrorRadius);
+    return free;
+}
+
+// Light that a matt surface sends on, for an albedo of 1.
+vec3 irradiance(vec3 q, vec3 nor, int id) {
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < 2; ++k) {
+        vec3 axis = (k == 0 ? kKey : kFill) - q;
+        float spread = k == 0 ? keyRadius : kFillRadius;
+        vec3 power = k == 0 ? 210.0 * keyPower * linearColour(keyColour)
+            : 55.0 * fillPower * linearColour(fillColour);
+        float far2 = dot(axis, axis), inverse = inversesqrt(far2), seen = dot(axis, nor) * inverse;
+        // A large light rises and sets slowly.
+        float half1 = spread * inverse;
+        seen = seen > half1 ? seen : seen < -half1 ? 0.0 : square(seen + half1) / (4.0 * half1);
+        if (seen <= 0.0) continue;
+        if (shadows) {
+            vec3 beside = abs(axis.y) * inverse > 0.9 ? vec3(1, 0, 0) : vec3(0, 1, 0);
+            vec3 u = unit(cross(axis, beside)), v = cross(u, axis) * inverse;
+            float sees = 0.0, size = spread / sqrt(float(shadowSamples));
+            for (int j = 0; j < shadowSamples; ++j) {   // sub-discs on a phyllotaxis
+                float a = 2.0 * kPi * kGolden * float(j);
+                float r = (spread - size) * sqrt((float(j) + 0.5) / float(shadowSamples));
+                vec3 to = axis + r * (u * cos(a) + v * sin(a));
+                float far = length(to);
+                sees += visibility(liftOff(q, nor), to / far, size / far, far);
+            }
+            seen *= sees / float(shadowSamples);
+        }
+        if (!robust) {   // acne: what the textbooks' shadow ray meets on the surface it leaves
+            vec3 away = axis * inverse;
+            if (closestHit(toWorld(q) + kTextbookLift * nor, away).id == id) seen = 0.0;
+        }
+        sum += power * (seen / far2);
+    }
+    sum += 0.10 * fillPower * linearColour(fillColour) * (0.6 + 0.4 * nor.y);
+    return sum;
+}
+
+// ---- Shading ------------------------------------------------------------------------------------
+// Coverage of a pixel of width w, centred at x, by lines of half-width h at every integer.
+float lines(float x, float h, float w) {
+    w = max(w, 1e-4);
+    float a = x - 0.5 * w, b = x + 0.5 * w;
+    vec2 whole = floor(vec2(a, b) + 0.5), part = clamp(vec2(a, b) - whole, -h, h);
+    return clamp((2.0 * h * (whole.y - whole.x) + part.y - part.x) / w, 0.0, 1.0);
+}
+// Inside of a rectangle, 1 to 0 over the last part `soft` of its half size; p in half sizes.
+float panel(vec2 p, float soft) {
+    vec2 inside = 1.0 - smoothstep(1.0 - soft, 1.0, abs(p));
+    return inside.x * inside.y;
+}
+vec3 metal(vec3 tint, float cosine) { return mix(tint, vec3(1.0), pow(1.0 - cosine, 5.0)); }
+
+// Coverage by one line of half-width h at distance x.
+float oneLine(float x, float h, float w) {
+    return clamp((min(x + 0.5 * w, h) - max(x - 0.5 * w, -h)) / max(w, 1e-4), 0.0, 1.0);
+}
+// Brass of the dial under a footprint w, longer along the ground by `slope` in direction rd.
+float dial(vec2 p, vec2 slope, float w) {
+    float rho = max(length(p), 1e-4), turns = atan(p.x, p.y + 1e-9) / (2.0 * kPi);
+    vec2 out1 = p / rho;
+    float wr = w * sqrt(1.0 + square(dot(slope, out1)));
+    float wt = w * sqrt(1.0 + square(dot(slope, vec2(-out1.y, out1.x))));
+    float sum = oneLine(rho - 3.30, 0.016, wr) + oneLine(rho - 3.38, 0.006, wr)
+        + oneLine(rho - 2.70, 0.008, wr) + oneLine(rho - 0.9, 0.008, wr)
+        + oneLine(rho - 0.84, 0.004, wr) + oneLine(rho - 1.8, 0.004, wr);
+    float around = 2.0 * kPi * rho;
+    float minor = lines(turns * 120.0, 0.003 * 120.0 / around, wt * 120.0 / around);
+    float major = lines(turns * 24.0, 0.006 * 24.0 / around, wt * 24.0 / around);
+    float spokes = lines(turns * 12.0, 0.004 * 12.0 / around, wt * 12.0 / around);
+    sum += minor * oneLine(rho - 3.2, 0.1, wr) + major * oneLine(rho - 3.1, 0.2, wr)
+        + spokes * oneLine(rho - 1.8, 0.9, wr);
+    return min(sum, 1.0);
+}
+
+// What the studio's lamps paint on floor and walls besides the two that cast shadows.
+vec3 gels(vec3 q) {
+    vec3 warm = q - vec3(-0.6, 1.9, -8.0), cool = q - vec3(5.0, 3.0, 8.0);
+    return glow * (1.6 * linearColour(glowColour) * exp(-dot(warm, warm) / 18.0)
+                   + vec3(0.10, 0.16, 0.36) * exp(-dot(cool, cool) / 30.0));
+}
+// Softboxes: two strips beside the set, one behind the camera, one above.
+vec3 softboxes(vec3 q, vec3 nor, float w) {
+    float soft = min(0.04 + w, 1.0);
+    if (nor.y < -0.5)
+        return 5.0 * fillPower * linearColour(fillColour)
+            * panel((q.xz - kFill.xz) / kFillRadius, soft);
+    float angle = atan(q.x, q.z + 1e-9);
+    float left = panel(vec2((angle + 1.75) * kWall / 0.7, (q.y - 3.4) / 2.6), soft);
+    float right = panel(vec2((angle - 1.60) * kWall / 0.5, (q.y - 3.4) / 2.6), soft);
+    float front = panel(vec2((angle - 0.45) * kWall / 2.0, (q.y - 5.4) / 1.2), soft);
+    return keyPower * (vec3(7.0, 5.2, 3.6) * left + vec3(3.0, 4.4, 7.0) * right
+                       + vec3(3.0, 2.8, 2.6) * front);
+}
+
+// Light that arrives at ro (world) against rd. pixel: angle of a pixel, rad.
+vec3 radiance(vec3 ro, vec3 rd, float pixel) {
+    vec3 sum = vec3(0.0), share = vec3(1.0);
+    vec3 laterRo[kPending], laterRd[kPending], laterShare[kPending];
+    vec2 laterWidth[kPending], width = vec2(0.0, pixel);   // footprint: x + y t
+    int pending = 0;
+    for (int ray = 0; ray < bounces; ++ray) {
+        Hit h = closestHit(ro, rd);
+        vec3 p = ro + h.t * rd, q = toStudio(p), onto = q, nor = settle(h, onto);
+        if (robust) q = onto;
+        float t = h.t / worldScale, w = width.x + width.y * t;
+        bool inside = dot(rd, nor) > 0.0;
+        vec3 facing = inside ? -nor : nor, mirror = vec3(0.0), albedo = vec3(0.0);
+        float cosine = clamp(-dot(rd, facing), 0.0, 1.0), bend = 0.0;
+        vec3 shine = vec3(0.0), through = vec3(0.0), behind = rd, lit = facing;
+        if (h.id == kBallId || h.id == kCubeId || h.id == kGemId) {
+            float eta = inside ? glassIndex : 1.0 / glassIndex;
+            vec3 tint = linearColour(h.id == kGemId ? gemColour : glassColour);
+            if (inside) share *= pow(max(tint, 1e-4), vec3(t / (h.id == kGemId ? 0.6 : 1.0)));
+            mirror = vec3(fresnel(cosine, 1.0 / eta));
+            through = 1.0 - mirror;
+            behind = refractExactly(rd, facing, eta);
+            bend = h.id == kBallId ? 1.0 / kBall.w : 0.0;
+        } else if (h.id == kLampId) {
+            shine = (inside ? 0.02 : 14.0) * keyPower * linearColour(keyColour);
+        } else if (h.id <= kWallId) {
+            float rho = length(q.xz), arc = h.id == kWallId ? q.y : rho - kWall;
+            float rise = smoothstep(-kCove, kCove, arc);
+            if (nor.y > -0.5) {   // floor and wall are one sheet, bent
+                vec3 inward = -unit(vec3(q.x, 0.0, q.z));
+                lit = unit(mix(vec3(0.0, 1.0, 0.0), inward, rise));
+            }
+            albedo = linearColour(studioColour) * 0.9;
+            shine = albedo * gels(q);
+            float stage = 1.0 - smoothstep(kDial - 0.5 * w, kDial + 0.5 * w + 0.001, rho);
+            if (h.id == kFloorId && stage > 0.0) {
+                float brass = inlay * dial(q.xz, rd.xz / max(abs(rd.y), 1e-4), w);
+                float clear = fresnel(cosine, kIorVarnish);
+                mirror = floorGloss * stage * mix(vec3(clear), vec3(0.45, 0.30, 0.13), 0.7 * brass);
+                albedo = mix(albedo * mix(1.0, 0.55, stage), vec3(0.62, 0.36, 0.12), 0.8 * brass);
+            } else {
+                shine += softboxes(q, nor, w);
+            }
+        } else if (h.id == kChromeId) {
+            mirror = metal(vec3(0.90, 0.92, 0.95), cosine);
+            bend = 1.0 / kChrome.w;
+        } else if (h.id == kRingId) {
+            mirror = metal(linearColour(goldColour), cosine);
+            bend = 1.0 / kRing.y;
+        } else if (h.id == kMirrorId) {
+            mirror = inside ? vec3(0.02) : vec3(0.88, 0.90, 0.90);
+            albedo = inside ? vec3(0.03) : vec3(0.0);
+        } else {   // glazed
+            albedo = h.id == kEggId ? vec3(0.80, 0.72, 0.62) : h.id == kPearlId ? vec3(0.85, 0.80, 0.74)
+                : h.id == kBerryId ? vec3(0.60, 0.03, 0.05) : h.id == kConeId ? vec3(0.05, 0.32, 0.34)
+                : h.id == kPlinthId ? vec3(0.70, 0.22, 0.14) : vec3(0.72, 0.64, 0.52);
+            mirror = vec3(fresnel(cosine, kIorVarnish));
+            bend = h.id == kPlinthId || h.id == kDrumTopId ? 0.0 : 2.5;
+        }
+        if (maxComponent(share * albedo) > kLeastThroughput)
+            shine += (1.0 - mirror) * albedo * irradiance(q, lit, h.id);
+        sum += share * shine;
+
+        // Two ways on: the stronger is followed, the other waits.
+        vec3 nextRd = reflect(rd, facing), passed = share * through;
+        vec3 side = robust ? liftOff(q, facing) : q, below = robust ? liftOff(q, -facing) : q;
+        vec3 raised = toWorld(side), sunk = toWorld(below);
+        if (!robust) { raised = p + kTextbookLift * facing; sunk = p - kTextbookLift * facing; }
+        share *= mirror;
+        width = vec2(w, width.y + 2.0 * w * bend / max(cosine, 0.1));
+        bool follow = maxComponent(passed) > maxComponent(share);
+        vec3 other = follow ? share : passed;
+        if (maxComponent(other) > kLeastThroughput && pending < kPending) {
+            laterRo[pending] = follow ? raised : sunk;
+            laterRd[pending] = follow ? nextRd : behind;
+            laterShare[pending] = other;
+            laterWidth[pending] = width;
+            ++pending;
+        }
+        ro = follow ? sunk : raised;
+        rd = follow ? behind : nextRd;
+        share = follow ? passed : share;
+        if (maxComponent(share) <= kLeastThroughput) {
+            if (pending == 0) break;
+            --pending;
+            ro = laterRo[pending]; rd = laterRd[pending]; share = laterShare[pending];
+            width = laterWidth[pending];
+        }
+    }
+    return sum;
+}
+
+// ---- Image --------------------------------------------------------------------------------------
+// Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
+// to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
+vec3 display(vec3 light) {
+    vec3 x = mix(vec3(0.0), min(light, 65504.0), greaterThan(light, vec3(0.0)));
+    float peak = max(maxComponent(x), 1e-6), rolled = 1.0 - exp(-peak);
+    vec3 c = mix(x * (rolled / peak), vec3(rolled), 0.35 * pow(rolled, 12.0));
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    robust = intersector == 1 || (intersector == 2 && fragCoord.x >= wipe * iResolution.x);
+    worldScale = magnify == 1 ? magnitude : 1.0;
+    worldPlace = vec3(0.0);
+    if (magnify == 2 && !robust) worldPlace = (magnitude - 1.0) * vec3(0.8, 0.36, 0.48);
+    float stepBack = magnify == 0 ? magnitude : 1.0;
+
+    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
+    float height = clamp(cameraHeight - 4.0 * orbit.y, 0.1, 8.0);
+    vec3 eye = vec3(cameraDistance * sin(angle), height, cameraDistance * cos(angle));
+    vec3 right = vec3(cos(angle), 0.0, -sin(angle));
+    vec3 target = vec3(0.0, targetHeight, 0.0) + targetShift * right, forward = target - eye;
+    float away = length(forward), lens = focalLength / 24.0;
+    forward /= away;
+    right = unit(cross(forward, vec3(0.0, 1.0, 0.0)));
+    vec3 up = cross(right, forward), sum = vec3(0.0);
+    float pixel = 1.0 / (lens * iResolution.y);
+    for (int k = 0; k < antialiasing; ++k) {
+        vec2 jitter = fract(0.5 + float(k) * vec2(0.754877666, 0.569840291)) - 0.5;
+        vec2 uv = (fragCoord + jitter - 0.5 * iResolution.xy) / iResolution.y;
+        vec3 across = (uv.x * right + uv.y * up) / lens;
+        vec3 rd = unit(forward + across / stepBack);
+        // The eye stands stepBack times as far; a robust ray starts where it nears the studio.
+        float start = robust ? 1.0 : stepBack;
+        vec3 ro = target - away * start * forward + away * (1.0 - start / stepBack) * across;
+        sum += min(radiance(toWorld(ro), rd, pixel), 64.0);
+    }
+    fragColor = vec4(display(exp2(exposure) * sum / float(antialiasing)), 1.0);
+}
