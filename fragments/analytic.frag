@@ -16,14 +16,14 @@ uniform int   magnify;         //@ 0 {distance, scale, place} "what it multiplie
 uniform float wipe;            //@ 0.5 [0, 1] "textbook left of it, robust right of it"
 uniform int   view;            //@ 0 {picture, error} "error: of the distance to the first hit"
 //@ group Studio
-uniform vec3  studioColour;    //@ #2b5b66 "floor and backdrop"
-uniform vec3  glowColour;      //@ #ff9a5c "light on the backdrop"
+uniform vec3  studioColour;    //@ #6b3f63 "floor and backdrop"
+uniform vec3  glowColour;      //@ #ff8a4a "light on the backdrop"
 uniform float glow;            //@ 1.0 [0, 4] "brightness of the backdrop's light"
 uniform float floorGloss;      //@ 1.0 [0, 1] "polish of the dial"
 uniform float inlay;           //@ 1.0 [0, 1] "brass of the dial"
 uniform float animation;       //@ 1.0 [0, 8] "speed of everything that moves"
 //@ group Materials
-uniform vec3  gemColour;       //@ #ff2a4d "of the crystal"
+uniform vec3  gemColour;       //@ #4fd8ff "of the crystal"
 uniform vec3  glassColour;     //@ #d8fff4 "of ball and cube"
 uniform float glassIndex;      //@ 1.52 [1, 2.5] "refractive index"
 uniform vec3  goldColour;      //@ #f2b860 "of the ring"
@@ -35,12 +35,12 @@ uniform vec3  fillColour;      //@ #8fb8ff "soft light from above"
 uniform float fillPower;       //@ 1.0 [0, 4] "brightness of the soft light"
 uniform bool  shadows;         //@ on "shadows of both lights"
 //@ group Camera
-uniform float cameraDistance;  //@ 8.0 [4, 14] unit=m "from the middle"
+uniform float cameraDistance;  //@ 7.6 [4, 14] unit=m "from the middle"
 uniform float cameraAngle;     //@ 0 [-180, 180] unit=deg "round the middle"
-uniform float cameraHeight;    //@ 2.0 [0.1, 8] unit=m "of the eye"
-uniform float targetHeight;    //@ 1.0 [0, 4] unit=m "of the point looked at"
+uniform float cameraHeight;    //@ 1.7 [0.1, 8] unit=m "of the eye"
+uniform float targetHeight;    //@ 1.15 [0, 4] unit=m "of the point looked at"
 uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, to the right"
-uniform float focalLength;     //@ 35 [12, 200] log unit=mm "of a lens on 36 x 24 mm film"
+uniform float focalLength;     //@ 40 [12, 200] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
 uniform int   bounces;         //@ 10 [1, 48] log quality reference=48 "rays along one path"
@@ -85,9 +85,9 @@ const vec2  kFive[5] = vec2[5](vec2(0.0, 1.0), vec2(0.951056516, 0.309016994),
     vec2(-0.951056516, 0.309016994));      // corners of a pentagon
 
 struct Hit { float t; int id; vec3 face; };   // face: outward normal of a triangle, else unused
-bool robust;       // which formulas this pixel uses
-float worldScale;  // world units in one metre of the studio
-vec3 worldPlace;   // where the studio's origin lies
+bool robust = true;            // which formulas this pixel uses
+float worldScale = 1.0;        // world units in one metre of the studio
+vec3 worldPlace = vec3(0.0);   // where the studio's origin lies
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -329,7 +329,7 @@ float robustTorus(vec3 ro, vec3 rd, float large, float small) {
         vec2 g = torusAlong(ro, rd, small, t);
         if (g.x * f > 0.0) lo = t; else hi = t;
         float next = t - g.x / (abs(g.y) < kTiny ? kTiny : g.y);
-        t = next > lo && next < hi ? next : 0.5 * (lo + hi);
+        t = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
     }
     return (s + t) * large;
 }
@@ -673,9 +673,9 @@ float dial(vec2 p, vec2 slope, float w) {
 
 // What the studio's lamps paint on floor and walls besides the two that cast shadows.
 vec3 gels(vec3 q) {
-    vec3 warm = q - vec3(-0.6, 1.9, -8.0), cool = q - vec3(5.0, 3.0, 8.0);
-    return glow * (1.6 * linearColour(glowColour) * exp(-dot(warm, warm) / 18.0)
-                   + vec3(0.10, 0.16, 0.36) * exp(-dot(cool, cool) / 30.0));
+    vec3 warm = q - vec3(0.0, 0.9, -8.8), cool = q - vec3(6.0, 3.0, 6.0);
+    return glow * (7.0 * linearColour(glowColour) * exp(-dot(warm, warm) / 12.0)
+                   + vec3(0.3, 0.5, 1.2) * exp(-dot(cool, cool) / 30.0));
 }
 // Softboxes: two strips beside the set, one behind the camera, one above.
 vec3 softboxes(vec3 q, vec3 nor, float w) {
@@ -744,9 +744,11 @@ vec3 radiance(vec3 ro, vec3 rd, float pixel) {
             mirror = inside ? vec3(0.02) : vec3(0.88, 0.90, 0.90);
             albedo = inside ? vec3(0.03) : vec3(0.0);
         } else {   // glazed
-            albedo = h.id == kEggId ? vec3(0.80, 0.72, 0.62) : h.id == kPearlId ? vec3(0.85, 0.80, 0.74)
-                : h.id == kBerryId ? vec3(0.60, 0.03, 0.05) : h.id == kConeId ? vec3(0.05, 0.32, 0.34)
-                : h.id == kPlinthId ? vec3(0.70, 0.22, 0.14) : vec3(0.72, 0.64, 0.52);
+            albedo = h.id == kEggId ? vec3(0.80, 0.72, 0.62)
+                : h.id == kPearlId ? vec3(0.85, 0.80, 0.74)
+                : h.id == kBerryId ? vec3(0.60, 0.03, 0.05)
+                : h.id == kConeId ? vec3(0.85, 0.42, 0.05)
+                : h.id == kPlinthId ? vec3(0.05, 0.24, 0.28) : vec3(0.62, 0.26, 0.20);
             mirror = vec3(fresnel(cosine, kIorVarnish));
             bend = h.id == kPlinthId || h.id == kDrumTopId ? 0.0 : 2.5;
         }
@@ -783,6 +785,50 @@ vec3 radiance(vec3 ro, vec3 rd, float pixel) {
     return sum;
 }
 
+// ---- Error of the hit distance ------------------------------------------------------------------
+// ro + t rd as if in twice the digits (Dekker's product, Knuth's sum), rounded once.
+vec3 alongExactly(vec3 ro, vec3 rd, float t) {
+    vec3 product = t * rd, big = 4097.0 * rd, high = big - (big - rd), low = rd - high;
+    float tHigh = 4097.0 * t - (4097.0 * t - t), tLow = t - tHigh;
+    vec3 lost = ((tHigh * high - product) + tHigh * low + tLow * high) + tLow * low;
+    vec3 sum = ro + product, part = sum - ro;
+    return sum + ((ro - (sum - part)) + (product - part) + lost);
+}
+vec3 heat(float x) {   // black, violet, red, orange, pale yellow; 0 to 1
+    vec3 c = mix(vec3(0.0, 0.0, 0.02), vec3(0.10, 0.01, 0.25), smoothstep(0.0, 0.25, x));
+    c = mix(c, vec3(0.55, 0.02, 0.16), smoothstep(0.2, 0.5, x));
+    c = mix(c, vec3(1.0, 0.22, 0.01), smoothstep(0.45, 0.75, x));
+    return mix(c, vec3(1.0, 0.95, 0.55), smoothstep(0.7, 1.0, x));
+}
+// Relative error of the distance to the first hit, as 1 + log10 / 8, or 2 for another object.
+float distanceError(vec3 ro, vec3 rd) {
+    Hit h = closestHit(ro, rd);
+    bool chosen = robust;
+    robust = true;
+    Hit g = closestHit(ro, rd);
+    robust = chosen;
+    if (g.id != h.id) return 2.0;
+    vec3 q = alongExactly(ro - worldPlace, rd, g.t) / worldScale, onto = q, nor = settle(g, onto);
+    float speed = dot(rd, nor), left = dot(onto - q, nor) / (abs(speed) < 1e-4 ? 1e-4 : speed);
+    float error = abs((h.t - g.t) - worldScale * left) / g.t;
+    return 1.0 + log2(clamp(error, 1e-8, 1.0)) / (8.0 * log2(10.0));
+}
+vec3 errorView(vec3 ro, vec3 rd, vec2 uv) {   // uv: the picture's height is 1, its middle 0
+    float error = distanceError(ro, rd);
+    vec3 c = error > 1.5 ? vec3(0.0, 0.75, 0.65) : heat(error);
+    vec2 bar = vec2(uv.x / 0.96 + 0.5, (uv.y + 0.44) / 0.014);   // the scale: a decade a step
+    if (abs(bar.x - 0.5) < 0.51 && abs(bar.y + 0.7) < 2.6) c = vec3(0.015);
+    if (abs(bar.x - 0.5) < 0.5 && abs(bar.y) < 1.0) c = heat(bar.x);
+    // Exponents below it, from -8 to 0, in digits of 3 x 5 dots.
+    int digits[9] = int[9](31727, 30866, 29679, 29671, 23524, 31207, 31183, 9879, 31599);
+    float step1 = floor(bar.x * 8.0 + 0.5);
+    vec2 dots = vec2((bar.x * 8.0 - step1) * 0.12, uv.y + 0.477) / 0.0035;
+    ivec2 cell = ivec2(floor(dots)) + ivec2(1, 0);
+    bool there = step1 >= 0.0 && step1 <= 8.0 && cell.x >= 0 && cell.x < 3 && cell.y >= 0 && cell.y < 5;
+    if (there && (digits[int(step1)] >> (cell.y * 3 + cell.x) & 1) == 1) c = vec3(0.8);
+    return c;
+}
+
 // ---- Image --------------------------------------------------------------------------------------
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
@@ -797,7 +843,6 @@ vec3 display(vec3 light) {
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     robust = intersector == 1 || (intersector == 2 && fragCoord.x >= wipe * iResolution.x);
     worldScale = magnify == 1 ? magnitude : 1.0;
-    worldPlace = vec3(0.0);
     if (magnify == 2 && !robust) worldPlace = (magnitude - 1.0) * vec3(0.8, 0.36, 0.48);
     float stepBack = magnify == 0 ? magnitude : 1.0;
 
@@ -819,9 +864,10 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         vec3 across = (uv.x * right + uv.y * up) / lens;
         vec3 rd = unit(forward + across / stepBack);
         // The eye stands stepBack times as far; a robust ray starts where it nears the studio.
-        float start = robust ? 1.0 : stepBack;
+        float start = robust ? min(stepBack, 4.0) : stepBack;
         vec3 ro = target - away * start * forward + away * (1.0 - start / stepBack) * across;
-        sum += min(radiance(toWorld(ro), rd, pixel), 64.0);
+        sum += view == 1 ? errorView(toWorld(ro), rd, uv) : radiance(toWorld(ro), rd, pixel);
     }
-    fragColor = vec4(display(exp2(exposure) * sum / float(antialiasing)), 1.0);
+    float gain = view == 1 ? 1.0 : exp2(exposure);
+    fragColor = vec4(display(gain * sum / float(antialiasing)), 1.0);
 }
