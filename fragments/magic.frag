@@ -1,0 +1,703 @@
+// Magic: golden bipyramids, spheres of blue mirror and of glass, in a dark hall.
+//
+// Three bipyramids float and turn above a glossy violet floor. Mirrors and glass balls rise and fall
+// round them, small cubes and fill-lit golden balls go round on orbits, and a red, a blue and a violet
+// lamp wander in thin haze, so that coloured shadows cross and light gathers under the glass.
+//
+// Method   A tree of mirrored and refracted rays, brightest first, `waiting` of them kept. Shadows are
+//          cones to `shadowSamples` sub-discs of a lamp: the share of a sub-disc that one occluder
+//          hides has a closed form, several multiply; smooth with one cone, exact in the limit of
+//          many. Polyhedra are triangles found by clipping the ray with half-spaces: neighbours share
+//          plane equations, so no edge can leak. Glow is single scattering of a point light; with
+//          t = h tan(x) the 1/d^2 is gone and `glowSamples` midpoints do. Light through a glass ball:
+//          a ring of parallel rays meets the ball at b, leaves it with the same impact parameter
+//          turned by 2 (asin b - asin(b/n)), and lands on a ring; summing rings, each smeared by the
+//          lamp's disc, gives a table of the gain over unobstructed light. A lamp at distance S is
+//          sent to infinity by the map z -> z / (1 + z/S), which keeps lines straight.
+// Sources  Haines, Guenther, Akenine-Moeller, Ray Tracing Gems ch. 7 (2019), eq. 5: sphere. Ize,
+//          JCGT 2(2) (2013): slab test. Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Born and Wolf,
+//          Principles of Optics, 1.5: Fresnel. Kulla and Fajardo, CGF 31(4) (2012), eq. 6:
+//          equi-angular. Kelemen and Szirmay-Kalos, EG (2001): gloss. Amanatides (1984): footprints.
+// Units    1 unit = 1 m, y up, linear sRGB colour until the display curve; lamps: radiance x m^2.
+// Passes   gain: on change of a tweak. things: every frame, tiny.
+// Apart    Nothing can collide. A bipyramid keeps its own upright axis, within 2.55 m of the hall's.
+//          Spheres rise on uprights at 3.9 m, half a metre wide. The rest lives on two shells, round
+//          cylinders of 2.95 m and 4.95 m, on one wavy closed curve shifted up by whole steps: two
+//          bodies there stay a step apart times the cosine of the wave's slope, whatever their phase.
+//          Lamps stay beyond 5.7 m or above 7.7 m.
+// Licence  MIT
+
+// ---- Tweaks -------------------------------------------------------------------------------------
+//@ group Things
+uniform int   spheres;         //@ 6 [0, 12] "spheres that rise and fall"
+uniform float glass;           //@ 0.34 [0, 1] "share of the spheres that are clear glass"
+uniform vec3  mirrorTint;      //@ #8fb0ff "colour of the mirror spheres"
+uniform vec3  glassTint;       //@ #dfeaff "what a metre of glass lets through"
+uniform float glassIndex;      //@ 1.5 [1.1, 2.4] "refractive index"
+uniform int   bipyramids;      //@ 0 {gold, crystal} "what they are made of"
+uniform vec3  gold;            //@ #ffb63c "colour of bipyramids and balls"
+uniform int   cubes;           //@ 8 [0, 12] "tiny cubes on orbits"
+uniform bool  glassCubes;      //@ off "cubes of glass"
+uniform int   balls;           //@ 4 [0, 6] "fill-lit golden balls on orbits"
+uniform float animation;       //@ 1.0 [0, 8] "speed of everything that moves"
+//@ group Floor
+uniform vec3  floorColour;     //@ #8c84ff "of the stone"
+uniform float gloss;           //@ 1.0 [0, 1] "polish: 0 is bare stone"
+uniform float pattern;         //@ 1.0 [0, 1] "tone between tiles, and inlays"
+//@ group Light
+uniform vec3  redColour;       //@ #ff4460 "lamp near the floor"
+uniform vec3  blueColour;      //@ #3c50ff "lamp at the height of the spheres"
+uniform vec3  violetColour;    //@ #b493ff "lamp above everything"
+uniform float lampPower;       //@ 1.0 [0, 4] "brightness of the three lamps"
+uniform float lampRadius;      //@ 0.18 [0.02, 0.5] unit=m "size of the lamps; larger is softer"
+uniform float lampSpeed;       //@ 1.0 [0, 8] "how fast the lamps wander"
+uniform float fillLight;       //@ 1.0 [0, 4] "reaches what is golden and nothing else"
+uniform float haze;            //@ 0.0035 [0, 0.1] unit=1/m "scatters light: the glow of the lamps"
+uniform float hallLight;       //@ 1.0 [0, 4] "niches in the wall"
+uniform int   shadows;         //@ 2 {off, hard, soft} "kind of shadow"
+uniform bool  caustics;        //@ on "light that glass gathers"
+//@ group Camera
+uniform float cameraDistance;  //@ 9.5 [8, 20] unit=m "from the hall's axis"
+uniform float cameraAngle;     //@ -15 [-180, 180] unit=deg "round the hall"
+uniform float cameraHeight;    //@ 1.9 [0.1, 12] unit=m "of the eye"
+uniform float targetHeight;    //@ 2.2 [0, 6] unit=m "of the point looked at"
+uniform float targetShift;     //@ 0.0 [-5, 5] unit=m "of the point looked at, to the right"
+uniform float focalLength;     //@ 21 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
+uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
+//@ group Quality
+uniform int   bounces;         //@ 6 [1, 24] quality reference=24 "rays followed for a pixel"
+uniform int   waiting;         //@ 2 [1, 6] quality reference=6 "rays kept for later"
+uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to each lamp"
+uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points along a ray's glow"
+
+precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
+uniform sampler2D gain;            //@ pass mainGain size=128x64
+uniform sampler2D things;          //@ pass mainThings size=48x2
+uniform sampler2D shadowers;       //@ pass mainShadowers size=32x96
+
+// ---- Constants and numbers ----------------------------------------------------------------------
+const float kPi = 3.14159265358979;
+const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
+const float kFar = 1e9;                    // m, a miss
+const float kIorVarnish = 1.62;            // hard lacquer
+const float kIorStone = 1.9;              // polished floor
+const float kLeastThroughput = 0.01;       // a ray that carries less is not followed
+const int   kMostWaiting = 6;
+const float kSphereRing = 3.9, kSphereRadius = 0.49;     // m
+const float kBallRadius = 0.25, kCubeHalf = 0.16;        // m
+const vec2  kBipyramidHalf = vec2(0.62, 1.08);           // m, to the corners: across, up
+const float kInnerShell = 2.95, kOuterShell = 4.95, kStep = 0.64;    // m
+const vec3  kBoundLow = vec3(-5.3, 0.0, -5.3), kBoundHigh = vec3(5.3, 7.0, 5.3);   // m, all things
+const vec3  kHazeTint = vec3(0.5, 0.62, 1.0);           // fine dust scatters blue
+const float kHallRadius = 27.0;            // m
+const float kNiches = 18.0;
+const float kTile = 1.2;                   // m, between parallel joints of the floor
+const vec2  kGainSize = vec2(128.0, 64.0); // texels: tangent of the angle off the axis, r / distance
+const float kGainTan = 1.0;               // the last tangent in the table
+const int   kRings = 256;                  // rings of light through a glass ball
+const int   kBalls = 12, kCubes = 20, kBipyramids = 32, kLamps = 36;   // columns of `things`
+const int   kCells = 32;                   // of a lamp's octahedral map, along a side
+const int   kFloor = 100, kWall = 101;
+
+struct Hit { float t; vec4 face; int id; };   // face: dot(xyz, p) = w, for what is flat
+struct Ray {
+    vec3 ro, rd, weight;
+    float width0, width;   // footprint at the start, and what it gains a metre
+    int inside;            // the solid that it runs through, or -1
+};
+
+uvec3 hash3(ivec3 q) {
+    uvec3 v = uvec3(q) * 1664525u + 1013904223u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+}
+vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+
+// Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
+float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+
+float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float square(float x) { return x * x; }
+vec3 linearColour(vec3 c) {   // from sRGB, a fit to 1/500
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+// A start for a secondary ray: some 8 ulp along the normal from a point that lies on the surface.
+vec3 liftOff(vec3 p, vec3 nor) { return p + nor * (1e-6 * max(maxComponent(abs(p)), 0.1)); }
+
+// Reflected share of unpolarised light, exact; eta: index beyond over index before the surface.
+float fresnel(float cosI, float eta) {
+    float gg = (eta - 1.0) * (eta + 1.0) + cosI * cosI;
+    if (gg <= 0.0) return 1.0;
+    float g = sqrt(gg);
+    float a = (g - cosI) / max(g + cosI, 1e-9);
+    float b = (cosI * (g + cosI) - 1.0) / (cosI * (g - cosI) + 1.0);
+    return min(0.5 * a * a * (1.0 + b * b), 1.0);
+}
+
+int lowestBit(int mask) { return (floatBitsToInt(float(mask & -mask)) >> 23) - 127; }
+vec3 spun(vec3 v, vec4 q) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+vec3 unspun(vec3 v, vec4 q) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) - q.w * v); }
+vec4 thing(int id) { return texelFetch(things, ivec2(id, 0), 0); }
+vec4 attitude(int id) { return texelFetch(things, ivec2(id, 1), 0); }
+
+// ---- Geometry -----------------------------------------------------------------------------------
+float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
+    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    if (d < 0.0) return -1.0;
+    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+}
+
+vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
+    return 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+}
+// Does the ray meet the box before tMax? Far side widened by 2 ulp: rounding never loses a hit.
+bool meetsBox(vec3 ro, vec3 inv, vec3 lo, vec3 hi, float tMax) {
+    vec3 a = (lo - ro) * inv, b = (hi - ro) * inv;
+    vec3 n = min(a, b), f = max(a, b);
+    return max(max(n.x, n.y), max(n.z, 0.0)) <= min(min(f.x, f.y), min(f.z, tMax)) * 1.00000024;
+}
+// Does a cone of radius rim * t come near a ball before tMax?
+bool meetsBall(vec3 ro, vec3 rd, vec3 centre, float radius, float rim, float tMax) {
+    vec3 f = centre - ro;
+    float t = dot(f, rd), reach = radius + rim * max(t, 0.0);
+    return t > -radius && t < tMax + radius && dot(f, f) - t * t < reach * reach;
+}
+// Clips a ray against dot(nor, p) <= d, moved out by widen * t: 0 for a ray, else a cone's slope.
+void clipPlane(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
+               inout vec2 span, inout vec4 entry) {
+    float speed = dot(nor, rd) - widen;
+    if (abs(speed) < 1e-20) speed = 1e-20;
+    float t = (d - dot(nor, ro)) / speed;
+    if (speed > 0.0) span.y = min(span.y, t);
+    else if (t > span.x) { span.x = t; entry = vec4(nor, d); }
+}
+void clipPair(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
+              inout vec2 span, inout vec4 entry) {
+    clipPlane(ro, rd, nor, d, widen, span, entry);
+    clipPlane(ro, rd, -nor, d, widen, span, entry);
+}
+// Solids: where a ray enters and leaves, entry after exit for a miss, and the face it enters by.
+vec2 clipBox(vec3 ro, vec3 rd, vec3 halfSize, float widen, float tMax, out vec4 entry) {
+    vec2 span = vec2(0.0, tMax);
+    entry = vec4(0.0);
+    clipPair(ro, rd, vec3(1, 0, 0), halfSize.x, widen, span, entry);
+    clipPair(ro, rd, vec3(0, 1, 0), halfSize.y, widen, span, entry);
+    clipPair(ro, rd, vec3(0, 0, 1), halfSize.z, widen, span, entry);
+    return span;
+}
+vec3 bipyramidNormal() {
+    vec2 n = normalize(kBipyramidHalf.yx);
+    return vec3(n, n.x) / length(vec3(n, n.x));
+}
+vec2 clipBipyramid(vec3 ro, vec3 rd, float widen, float tMax, out vec4 entry) {
+    vec2 span = vec2(0.0, tMax);
+    entry = vec4(0.0);
+    vec3 n = bipyramidNormal();
+    float d = n.y * kBipyramidHalf.y;
+    clipPair(ro, rd, n, d, widen, span, entry);
+    clipPair(ro, rd, n * vec3(-1, 1, 1), d, widen, span, entry);
+    clipPair(ro, rd, n * vec3(1, -1, 1), d, widen, span, entry);
+    clipPair(ro, rd, n * vec3(1, 1, -1), d, widen, span, entry);
+    return span;
+}
+vec2 clipSolid(int id, vec3 ro, vec3 rd, float widen, float tMax, out vec4 entry) {
+    return id >= kBipyramids ? clipBipyramid(ro, rd, widen, tMax, entry)
+        : clipBox(ro, rd, vec3(kCubeHalf), widen, tMax, entry);
+}
+float boundOf(int id) { return id >= kBipyramids ? kBipyramidHalf.y : 1.7321 * kCubeHalf; }
+
+// From inside a convex solid: the distance to its skin and the outward normal there.
+float leaveSolid(int id, inout vec3 p, vec3 rd, out vec3 nor) {
+    vec4 c = thing(id);
+    if (id < kCubes) {
+        float t = max(intersectSphere(p, rd, c.xyz, abs(c.w)), 0.0);
+        nor = normalize(p + t * rd - c.xyz);
+        p = c.xyz + abs(c.w) * nor;
+        return t;
+    }
+    vec4 spin = attitude(id), entry;   // backwards from beyond: where that ray enters, ours leaves
+    vec3 q = unspun(p - c.xyz, spin), qd = unspun(rd, spin);
+    float beyond = 4.0 * boundOf(id);
+    vec2 span = clipSolid(id, q + beyond * qd, -qd, 0.0, 2.0 * beyond, entry);
+    float t = max(beyond - span.x, 0.0);
+    q += t * qd;
+    q -= (dot(entry.xyz, q) - entry.w) * entry.xyz;
+    nor = spun(entry.xyz, spin);
+    p = c.xyz + spun(q, spin);
+    return t;
+}
+
+void meetSolid(int id, vec3 ro, vec3 rd, inout Hit h) {
+    vec4 c = thing(id), n;
+    if (!meetsBall(ro, rd, c.xyz, boundOf(id), 0.0, h.t)) return;
+    vec4 spin = attitude(id);
+    vec2 span = clipSolid(id, unspun(ro - c.xyz, spin), unspun(rd, spin), 0.0, h.t, n);
+    if (span.x < span.y && span.x > 0.0) {
+        vec3 nor = spun(n.xyz, spin);
+        h = Hit(span.x, vec4(nor, n.w + dot(nor, c.xyz)), id);
+    }
+}
+void meetRound(int id, vec3 ro, vec3 rd, inout Hit h) {
+    vec4 s = thing(id);
+    float t = intersectSphere(ro, rd, s.xyz, abs(s.w));
+    if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
+}
+
+Hit intersect(vec3 ro, vec3 rd) {
+    // The wall is a cylinder seen from inside; upright rays end far up, where nothing shines.
+    float a = max(dot(rd.xz, rd.xz), 1e-6), b = dot(ro.xz, rd.xz);
+    float c = min(dot(ro.xz, ro.xz) - square(kHallRadius), 0.0);
+    float t = (sqrt(b * b - a * c) - b) / a;
+    vec2 w = normalize(ro.xz + t * rd.xz + vec2(1e-9, 0.0));
+    Hit h = Hit(t, vec4(-w.x, 0.0, -w.y, -kHallRadius), kWall);
+    float down = -ro.y / min(rd.y, -1e-9);
+    if (rd.y < 0.0 && down < h.t) h = Hit(down, vec4(0, 1, 0, 0), kFloor);
+    if (!meetsBox(ro, safeInverse(rd), kBoundLow, kBoundHigh, h.t)) return h;
+    for (int k = 0; k < spheres; ++k) meetRound(k, ro, rd, h);
+    for (int k = kBalls; k < kBalls + balls; ++k) meetRound(k, ro, rd, h);
+    for (int k = kCubes; k < kCubes + cubes; ++k) meetSolid(k, ro, rd, h);
+    for (int k = kBipyramids; k < kBipyramids + 3; ++k) meetSolid(k, ro, rd, h);
+    return h;
+}
+
+// ---- Light --------------------------------------------------------------------------------------
+vec3 lampLight(int k) {
+    return lampPower * (k == 0 ? 46.0 * linearColour(redColour)
+        : k == 1 ? 110.0 * linearColour(blueColour) : 150.0 * linearColour(violetColour));
+}
+
+// Share of a cone that a convex solid leaves free: where between the cone's rims its outline lies,
+// from the spans of the cone's axis against the solid shrunk and widened by the cone.
+float besideConvex(vec2 inner, vec2 outer) {
+    float a = inner.x - inner.y, b = outer.x - outer.y;
+    if (b >= 0.0) return 1.0;
+    if (a <= 0.0) return 0.0;
+    return smoothstep(0.0, 1.0, a / max(a - b, 1e-9));
+}
+float besideSolid(int id, vec3 ro, vec3 rd, float rim, float tMax) {
+    vec4 c = thing(id), n;
+    if (!meetsBall(ro, rd, c.xyz, boundOf(id), rim, tMax)) return 1.0;
+    vec4 spin = attitude(id);
+    vec3 q = unspun(ro - c.xyz, spin), qd = unspun(rd, spin);
+    float free = besideConvex(clipSolid(id, q, qd, -rim, tMax, n),
+                              clipSolid(id, q, qd, rim, tMax, n));
+    bool clear = id >= kBipyramids ? bipyramids == 1 : glassCubes;
+    return clear ? 0.45 + 0.55 * free : free;   // biased: facets dim, they do not focus
+}
+// Share of a lamp's disc that a ball leaves free; rim: slope of the disc's radius seen from ro.
+float besideRound(int id, vec3 ro, vec3 rd, float rim, float tMax) {
+    vec4 s = thing(id);
+    vec3 f = s.xyz - ro;
+    float t = dot(f, rd), r = abs(s.w);
+    float away = length(f - t * rd), disc = max(rim * t, 1e-6);
+    float reach = smoothstep(0.0, 1.0, (r + disc - away) / (2.0 * min(r, disc)));
+    float cover = t > 0.0 && t < tMax ? reach * min(1.0, square(r / disc)) : 0.0;
+    return 1.0 - cover * (s.w < 0.0 && !caustics ? 0.5 : 1.0);
+}
+// A light buffer: which things can stand between a lamp and what lies in a direction from it. Cells of
+// an octahedral map; round things and solids as bits, glass balls as bits again for their caustics.
+ivec3 shadowersOf(int k, vec3 d) {
+    vec2 p = d.xz / (abs(d.x) + abs(d.y) + abs(d.z));
+    if (d.y < 0.0) p = (1.0 - abs(p.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThan(p, vec2(0.0)));
+    ivec2 cell = clamp(ivec2((0.5 + 0.5 * p) * float(kCells)), 0, kCells - 1);
+    return ivec3(texelFetch(shadowers, ivec2(cell.x, cell.y + k * kCells), 0).xyz);
+}
+// Share of one sub-disc of a lamp that a point sees past the things in the masks.
+float lampSeen(vec3 ro, vec3 rd, float rim, float tMax, ivec3 masks) {
+    float free = 1.0;
+    for (int m = masks.x; m != 0; m &= m - 1)
+        free *= besideRound(lowestBit(m), ro, rd, rim, tMax);
+    for (int m = masks.y; m != 0; m &= m - 1)
+        free *= besideSolid(kCubes + lowestBit(m), ro, rd, rim, tMax);
+    return free;
+}
+
+// Gain of the light that glass balls send to p over a lamp of power 1.
+float throughBalls(vec3 p, vec3 nor, vec3 lampAt, int mask) {
+    float sum = 0.0;
+    for (int m = mask; m != 0; m &= m - 1) {
+        vec4 s = thing(lowestBit(m));
+        vec3 axis = s.xyz - lampAt, q = p - s.xyz;
+        float far = length(axis), z = dot(q, axis) / far, r = abs(s.w);
+        float side2 = max(dot(q, q) - z * z, 0.0), facing = -dot(q, nor);
+        if (z < r || side2 > square(kGainTan * z) || facing <= 0.0) continue;
+        vec2 at = vec2(sqrt(side2) / z / kGainTan, r * (1.0 / z + 1.0 / far));
+        float most = texture(gain, (at * (kGainSize - 1.0) + 0.5) / kGainSize).x;
+        if (most < 0.01) continue;
+        float away = length(q);   // biased: of all things only bipyramids stand in its way
+        for (int k = kBipyramids; k < kBipyramids + 3; ++k)
+            most *= besideSolid(k, liftOff(p, nor), -q / away, 0.0, away);
+        sum += most * facing / (z * square(far + z));   // as if it came from the ball's centre
+    }
+    return sum;
+}
+
+// Light that a matt surface sends on, for an albedo of 1, and the lamps' sheen on one that shines:
+// GGX of width alpha, Kelemen and Szirmay-Kalos' form, before Fresnel.
+vec3 lampsOn(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
+    vec3 sum = vec3(0.0);
+    sheen = vec3(0.0);
+    int samples = shadows == 2 ? shadowSamples : 1;
+    float spread = shadows == 2 ? lampRadius : 0.0, size = spread / sqrt(float(samples));
+    for (int k = 0; k < 3; ++k) {
+        vec3 at = thing(kLamps + k).xyz, axis = at - p, power = lampLight(k);
+        float far2 = dot(axis, axis), inverse = inversesqrt(far2);
+        float cosine = dot(axis, nor) * inverse, sees = 0.0;
+        ivec3 masks = shadowersOf(k, -axis);
+        if (caustics) sum += power * throughBalls(p, nor, at, masks.z);
+        if (cosine <= 0.0) continue;
+        if (shadows == 0) {
+            sees = 1.0;
+        } else {
+            vec3 beside = abs(axis.y) * inverse > 0.9 ? vec3(1, 0, 0) : vec3(0, 1, 0);
+            vec3 u = normalize(cross(axis, beside)), v = cross(u, axis) * inverse;
+            for (int j = 0; j < samples; ++j) {   // sub-discs on a phyllotaxis; one is the lamp
+                float a = 2.0 * kPi * kGolden * float(j);
+                float r = (spread - size) * sqrt((float(j) + 0.5) / float(samples));
+                vec3 to = axis + r * (u * cos(a) + v * sin(a));
+                float far = length(to);
+                sees += lampSeen(liftOff(p, nor), to / far, size / far, far, masks);
+            }
+            sees /= float(samples);
+        }
+        vec3 light = power * (sees * cosine / far2);
+        sum += light;
+        vec3 mid = axis * inverse - rd;
+        float mid2 = max(dot(mid, mid), 1e-6), up = max(dot(mid, nor), 0.0);
+        float wide = square(min(alpha + 0.5 * lampRadius * inverse, 1.0));
+        float lobe = wide / square(1.0 + up * up / mid2 * (wide - 1.0));
+        sheen += light * lobe / max(mid2, 0.1);   // (l.m)^2 is |l - rd|^2 / 4
+    }
+    return sum;
+}
+
+// What glows along a ray before tMax: haze round the lamps, and their faces. The ray's footprint is
+// width0 + width * t; nothing shines narrower than that.
+vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < 3; ++k) {
+        vec3 f = thing(kLamps + k).xyz - ro;
+        float t = dot(f, rd), foot = width0 + width * max(t, 0.0);
+        vec3 l = f - t * rd;
+        float away2 = dot(l, l), blur = max(lampRadius, foot);
+        float away = sqrt(away2 + blur * blur);   // from the lamp's face, not from its centre
+        float first = -atan(t / away), all = atan((tMax - t) / away) - first;
+        float through = 0.0;
+        for (int j = 0; j < glowSamples; ++j) {
+            float x = first + all * (float(j) + 0.5) / float(glowSamples);
+            through += exp(-haze * (t + away * (tan(x) + 1.0 / cos(x))));
+        }
+        float scattered = haze / (4.0 * kPi) * kPi * all / away * through / float(glowSamples);
+        // The face: dimmed to what film can hold, round towards its rim, never a flat disc.
+        float seen = max(lampRadius, 1.2 * foot), disc = max(1.0 - away2 / (seen * seen), 0.0);
+        float face = t > 0.0 && t < tMax ? disc * disc * square(lampRadius / seen) : 0.0;
+        sum += lampLight(k) * (scattered * kHazeTint + 0.05 * face);
+    }
+    return sum;
+}
+
+// ---- Materials ----------------------------------------------------------------------------------
+// Edges are rounded for light only: near one the normal leans over to the face beyond.
+vec3 rounded(int id, vec3 p, vec3 nor, float w) {
+    vec4 spin = attitude(id);
+    vec3 q = unspun(p - thing(id).xyz, spin), n = unspun(nor, spin);
+    float edge = clamp(w, 0.016, 0.1);   // m
+    n = id < kBipyramids ? sign(q) * max(abs(q) - kCubeHalf + edge, 0.0)
+        : n * smoothstep(0.0, 1.0, abs(q) / edge);
+    return normalize(spun(n, spin));
+}
+vec3 metal(vec3 tint, float cosine) { return mix(tint, vec3(1.0), pow(1.0 - cosine, 5.0)); }
+
+// Coverage of a pixel of width w, centred at x, by lines of half-width h at every integer.
+float lines(float x, float h, float w) {
+    w = max(w, 1e-4);
+    float a = x - 0.5 * w, b = x + 0.5 * w;
+    vec2 whole = floor(vec2(a, b) + 0.5), part = clamp(vec2(a, b) - whole, -h, h);
+    return clamp((2.0 * h * (whole.y - whole.x) + part.y - part.x) / w, 0.0, 1.0);
+}
+// Mean over a width w of a random tone for every unit of x, in [-1, 1]; wide ones see no tone.
+float stripes(float x, float w, int seed) {
+    w = clamp(w, 1e-4, 1.0);
+    float a = x - 0.5 * w, b = x + 0.5 * w, edge = floor(b);
+    float before = random3(ivec3(int(floor(a)), seed, 3)).x;
+    float after = random3(ivec3(int(edge), seed, 3)).x;
+    float share = clamp((b - edge) / w, 0.0, 1.0);
+    return (2.0 * mix(before, after, share) - 1.0) * (1.0 - smoothstep(0.4, 1.0, w));
+}
+
+// Stone in triangles: three families of joints; a tile's tone is the sum of its three stripes'. Inlaid
+// circles mark the shells. Everything is a mean over the footprint: w across, w * slope along.
+vec3 floorStone(vec2 p, float w, vec2 slope, out float inlay) {
+    float tone = 0.0, joints = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        vec2 across = k == 0 ? vec2(1.0, 0.0) : vec2(-0.5, k == 1 ? 0.8660254 : -0.8660254);
+        float x = dot(p, across) / kTile;
+        float wide = w * sqrt(1.0 + square(dot(slope, across))) / kTile;
+        tone += stripes(x, wide, k);
+        joints = max(joints, lines(x, 0.005, wide));
+    }
+    float r = length(p), wide = w * sqrt(1.0 + square(dot(slope, p / max(r, 1e-3))));
+    float rings = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        float radius = k == 0 ? kInnerShell : k == 1 ? kOuterShell : kOuterShell + 0.14;
+        rings += lines(clamp((r - radius) / 20.0, -0.5, 0.5), 0.001 - 0.00025 * float(k), wide / 20.0);
+    }
+    inlay = pattern * min(rings, 1.0);
+    return linearColour(floorColour) * (1.0 + pattern * (0.16 * tone - 0.6 * joints));
+}
+
+// The wall: niches with a round arch, lit from their feet, and what of that light leaves them.
+vec3 hallWall(vec3 p, float w) {
+    float cell = (atan(p.z, p.x) / (2.0 * kPi) + 0.5) * kNiches, pitch = 2.0 * kPi * kHallRadius / kNiches;
+    float x = (fract(cell) - 0.5) * pitch, y = max(p.y, 0.0);
+    float soft = max(0.6 * w, 0.04);
+    float inside = 1.6 - (y < 4.6 ? abs(x) : length(vec2(x, y - 4.6)));
+    float niche = smoothstep(-soft, soft, inside);
+    float which = 0.5 + 0.5 * cos(2.0 * kPi * floor(cell) / kNiches * 3.0);
+    vec3 colour = mix(vec3(0.10, 0.13, 0.62), vec3(0.38, 0.12, 0.55), which);
+    float lit = exp(-0.42 * y) * exp(-0.35 * x * x);
+    float spill = exp(-0.25 * y) / (1.0 + 0.3 * x * x);
+    return hallLight * colour * (niche * (0.55 * lit + 0.03) + 0.05 * spill + 0.006 * exp(-0.06 * y));
+}
+
+// ---- Camera -------------------------------------------------------------------------------------
+// Light that arrives at ro against rd. pixel: angle of a pixel, rad.
+vec3 render(vec3 ro, vec3 rd, float pixel) {
+    vec3 sum = vec3(0.0);
+    Ray ray = Ray(ro, rd, vec3(1.0), 0.0, pixel, -1);
+    Ray later[kMostWaiting];
+    for (int k = 0; k < waiting; ++k) later[k] = Ray(ro, rd, vec3(0.0), 0.0, pixel, -1);
+    for (int n = 0; n < bounces; ++n) {
+        Ray one = ray, other = ray;   // what leaves this surface: mirrored, and refracted
+        other.weight = vec3(0.0);
+        if (ray.inside >= 0) {
+            vec3 p = ray.ro, nor;
+            float t = leaveSolid(ray.inside, p, ray.rd, nor);
+            vec3 weight = ray.weight * exp(t * log(max(linearColour(glassTint), 1e-3)));
+            float cosine = clamp(dot(nor, ray.rd), 0.0, 1.0);
+            float back = fresnel(cosine, 1.0 / glassIndex);
+            float k2 = (1.0 - glassIndex) * (1.0 + glassIndex) + square(glassIndex * cosine);
+            one.ro = liftOff(p, -nor);
+            one.rd = normalize(reflect(ray.rd, nor));
+            one.weight = weight * back;
+            if (k2 > 0.0) {
+                other.ro = liftOff(p, nor);
+                other.rd = normalize(glassIndex * ray.rd - (glassIndex * cosine - sqrt(k2)) * nor);
+                other.weight = weight * (1.0 - back);
+                other.inside = -1;
+            }
+        } else {
+            Hit h = intersect(ray.ro, ray.rd);
+            vec3 p = ray.ro + h.t * ray.rd, nor = h.face.xyz;
+            float w = ray.width0 + ray.width * h.t, clear = exp(-haze * h.t);
+            sum += ray.weight * lampGlow(ray.ro, ray.rd, h.t, ray.width0, ray.width);
+            ray.weight *= clear;
+            vec4 c = thing(h.id < kFloor ? h.id : 0);
+            if (h.id < kCubes) {   // back onto the surface, whatever the rounding of a long ray
+                nor = normalize(p - c.xyz);
+                p = c.xyz + abs(c.w) * nor;
+            } else if (h.id != kWall) {
+                p -= (dot(nor, p) - h.face.w) * nor;
+            }
+            float cosine = clamp(-dot(ray.rd, nor), 0.0, 1.0), alpha = 0.25;
+            vec3 bent = h.id >= kCubes && h.id < kFloor ? rounded(h.id, p, nor, w) : nor;
+            float width = ray.width, coat = fresnel(cosine, kIorVarnish);
+            vec3 mirror = vec3(coat), albedo = vec3(0.0);
+            bool clearBody = h.id < kBalls ? c.w < 0.0 : h.id >= kCubes && h.id < kFloor
+                && (h.id < kBipyramids ? glassCubes : bipyramids == 1);
+            vec3 golden = linearColour(gold);
+            if (h.id == kWall) {
+                sum += ray.weight * hallWall(p, w / max(cosine, 0.2));
+                mirror = vec3(0.0);
+            } else if (h.id == kFloor) {
+                float inlay;
+                vec2 slope = ray.rd.xz / max(-ray.rd.y, 1e-4);
+                albedo = floorStone(p.xz, w, slope, inlay);
+                albedo = mix(albedo, 0.5 * golden, inlay);
+                mirror = gloss * mix(vec3(fresnel(cosine, kIorStone)), metal(golden, cosine), 0.5 * inlay);
+                alpha = mix(0.5, 0.2, gloss);
+            } else if (clearBody) {
+                mirror = vec3(fresnel(cosine, glassIndex));
+                if (h.id < kBalls) width += w / abs(c.w);
+            } else if (h.id < kBalls) {
+                mirror = metal(linearColour(mirrorTint), cosine);
+                width += 2.0 * w / (abs(c.w) * max(cosine, 0.04));
+            } else if (h.id < kCubes) {
+                albedo = 0.9 * golden;
+                width += 2.0 * w / (c.w * max(cosine, 0.04));
+            } else if (h.id < kBipyramids) {
+                albedo = vec3(0.42, 0.44, 0.52);
+            } else {
+                albedo = 0.35 * golden;
+                mirror = 0.7 * metal(golden, cosine);
+                alpha = 0.35;
+            }
+            if (maxComponent(albedo * ray.weight) > kLeastThroughput) {
+                vec3 sheen, lit = lampsOn(p, bent, ray.rd, alpha, sheen);
+                vec3 sky = mix(vec3(0.030, 0.034, 0.110), vec3(0.012, 0.010, 0.030), 0.5 + 0.5 * nor.y);
+                lit += lampPower * sky * (nor.y > 0.99 ? 0.6 : 1.6);
+                if (h.id >= kBalls && h.id < kFloor && (h.id < kCubes || h.id >= kBipyramids)) {
+                    vec3 fill = vec3(-3.0, 8.0, 9.0) - p;
+                    float facing = max(dot(fill, nor) * inversesqrt(dot(fill, fill)), 0.0);
+                    lit += fillLight * vec3(1.0, 0.85, 0.6) * (h.id < kCubes ? 0.08 + 0.9 * facing : 0.05 + 0.75 * facing);
+                }
+                sum += ray.weight * ((1.0 - mirror) * albedo * lit + mirror * sheen);
+            }
+            vec3 back = reflect(ray.rd, clearBody ? nor : bent);   // and above the face itself
+            back += max(1e-4 - dot(back, nor), 0.0) * nor;
+            one = Ray(liftOff(p, nor), normalize(back), ray.weight * mirror, w, width, -1);
+            if (clearBody) {
+                float eta = 1.0 / glassIndex, k2 = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
+                other = Ray(liftOff(p, -nor), normalize(eta * ray.rd + (eta * cosine - sqrt(k2)) * nor),
+                            ray.weight * (1.0 - mirror), w, width, h.id);
+            }
+        }
+        // On with the brighter one; the other waits, instead of the faintest that does.
+        bool swap = maxComponent(other.weight) > maxComponent(one.weight);
+        ray = swap ? other : one;
+        if (swap) other = one;
+        float best = maxComponent(ray.weight);
+        for (int k = 0; k < waiting; ++k) {   // keeps `later` sorted, brightest first
+            if (maxComponent(other.weight) <= maxComponent(later[k].weight)) continue;
+            Ray moved = later[k];
+            later[k] = other;
+            other = moved;
+        }
+        if (best < maxComponent(later[0].weight)) {
+            Ray moved = later[0];
+            later[0] = ray;
+            ray = moved;
+        }
+        if (maxComponent(ray.weight) < kLeastThroughput) break;
+    }
+    return sum;
+}
+
+// ---- Passes -------------------------------------------------------------------------------------
+// Gain of parallel light behind a glass ball, over the tangent off the axis (x) and r / distance (y).
+void mainGain(out vec4 colour, in vec2 pixel) {
+    vec2 uv = (pixel - 0.5) / (kGainSize - 1.0);
+    float tangent = uv.x * kGainTan, z = 1.0 / max(uv.y, 0.01);
+    float blur = max(lampRadius / 6.0, 0.03), sum = 0.0;   // the lamp's disc, 6 m away
+    for (int k = 0; k < kRings; ++k) {
+        float b = (float(k) + 0.5) / float(kRings);
+        float bent = 2.0 * (asin(b) - asin(b / glassIndex)), c = cos(bent);
+        if (c < 0.05) continue;
+        float ring = abs(b - z * sin(bent)) / (c * z);
+        float away = abs(tangent - ring);
+        if (away > blur) continue;
+        float angle = (tangent * tangent + ring * ring - blur * blur) / max(2.0 * tangent * ring, 1e-9);
+        float share = acos(clamp(angle, -1.0, 1.0)) / kPi;
+        sum += 2.0 * b / float(kRings) * square(1.0 - fresnel(sqrt(1.0 - b * b), glassIndex)) * share;
+    }
+    float rim = 1.0 - smoothstep(0.85, 1.0, uv.x);
+    colour = vec4(rim * sum / square(blur * z));
+}
+
+// A wave round a shell, the same for every body on it.
+vec3 onShell(int shell, int level, float phase) {
+    float a = 2.0 * kPi * phase, radius = shell == 0 ? kInnerShell : kOuterShell;
+    float wave = shell == 0 ? 0.45 * sin(a) : 0.6 * sin(2.0 * a + 1.0);
+    return vec3(radius * sin(a), 0.95 + kStep * float(level) + wave, radius * cos(a));
+}
+vec3 fromOctahedron(vec2 p) {
+    vec3 d = vec3(p.x, 1.0 - abs(p.x) - abs(p.y), p.y);
+    vec2 folded = (1.0 - abs(d.zx)) * mix(vec2(-1.0), vec2(1.0), greaterThan(d.xz, vec2(0.0)));
+    if (d.y < 0.0) d.xz = folded;
+    return normalize(d);
+}
+
+// Bits of what may shade each cell of each lamp: round things, solids, glass balls with their light.
+void mainShadowers(out vec4 colour, in vec2 pixel) {
+    ivec2 cell = ivec2(pixel);
+    int k = cell.y / kCells;
+    vec2 low = 2.0 * vec2(cell.x, cell.y - k * kCells) / float(kCells) - 1.0;
+    float side = 2.0 / float(kCells), narrow = 1.0;
+    vec3 middle = fromOctahedron(low + 0.5 * side), at = thing(kLamps + k).xyz;
+    for (int j = 0; j < 4; ++j)   // a cell's farthest points are corners, also where it is folded
+        narrow = min(narrow, dot(middle, fromOctahedron(low + side * vec2(j & 1, j >> 1))));
+    float own = acos(clamp(narrow, -1.0, 1.0)) + 0.002;
+    ivec3 masks = ivec3(0);
+    for (int id = 0; id < kBipyramids + 3; ++id) {
+        vec4 c = thing(id);
+        vec3 f = c.xyz - at;
+        float far = length(f), size = (id < kCubes ? abs(c.w) : boundOf(id)) + lampRadius + 0.01;
+        float angle = acos(clamp(dot(f, middle) / max(far, 1e-6), -1.0, 1.0)) - own;
+        if (angle < asin(min(size / max(far, 1e-6), 1.0))) {
+            if (id < kCubes) masks.x |= 1 << id;
+            else masks.y |= 1 << (id - kCubes);
+        }
+        if (c.w < 0.0 && angle < atan(kGainTan)) masks.z |= 1 << id;
+    }
+    colour = vec4(masks, 0.0);
+}
+vec4 spinOf(vec3 axis, float turns) { return vec4(axis * sin(kPi * turns), cos(kPi * turns)); }
+
+// Row 0: place and size (glass: negative). Row 1: attitude, a unit quaternion.
+void mainThings(out vec4 colour, in vec2 pixel) {
+    int id = int(pixel.x);
+    bool second = pixel.y > 1.0;
+    colour = vec4(0.0, -100.0, 0.0, 0.01);
+    bool there = id < kBalls ? id < spheres : id < kCubes ? id < kBalls + balls
+        : id >= kBipyramids || id < kCubes + cubes;
+    if (!there) return;
+    if (id < kBalls) {
+        float i = float(id), a = 2.0 * kPi * i / float(max(spheres, 1)), turns = fract(i * kGolden);
+        float y = 3.5 + 2.5 * sin(2.0 * kPi * (turns + cycles(0.03125 + 0.00390625 * float(id % 3))));
+        bool clear = fract((i + 0.5) * kGolden + 0.17) < glass;
+        colour = vec4(kSphereRing * sin(a), y, kSphereRing * cos(a), clear ? -kSphereRadius : kSphereRadius);
+    } else if (id < kBipyramids) {
+        int i = id < kCubes ? id - kBalls : id - kCubes;
+        int j = i >> 1, level = id < kCubes ? 3 * j + 1 : j + (j + 1) / 2;   // no two the same
+        float hz = 0.015625 + 0.00390625 * float(i % 4);
+        float turns = fract(float(i) * kGolden + (id < kCubes ? 0.2 : 0.55)) + ((i & 1) == 0 ? 1.0 : -1.0) * cycles(hz);
+        colour = vec4(onShell(i & 1, level, turns), id < kCubes ? kBallRadius : kCubeHalf);
+        vec3 axis = normalize(random3(ivec3(i, 4, 2)) - vec3(0.5, 0.499, 0.5));
+        if (second) colour = spinOf(axis, cycles(0.0625 + 0.015625 * float(i % 3)));
+    } else if (id < kLamps) {
+        int i = id - kBipyramids;
+        vec3 at = i == 0 ? vec3(-1.95, 2.3, -0.3) : i == 1 ? vec3(0.44, 1.8, 1.3) : vec3(1.05, 4.0, -0.2);
+        at.y += 0.2 * sin(2.0 * kPi * (0.37 * float(i) + cycles(0.0625 + 0.015625 * float(i))));
+        colour = vec4(at, kBipyramidHalf.y);
+        vec4 q = spinOf(vec3(0, 1, 0), 0.13 * float(i) + cycles(0.03125 + 0.0078125 * float(i)));
+        if (second) colour = q;
+    } else if (id < kLamps + 3) {
+        int i = id - kLamps;
+        vec3 beat = sin(2.0 * kPi * vec3(cycles(lampSpeed * 0.046875), cycles(lampSpeed * 0.0625) + 0.3,
+                                         cycles(lampSpeed * 0.03125) + 0.6));
+        vec3 path = i == 0 ? vec3(6.3 + 0.5 * beat.x, 2.0 + 0.7 * beat.y, 0.16)
+            : i == 1 ? vec3(6.6 + 0.4 * beat.y, 5.4 + 0.7 * beat.z, 0.62) : vec3(3.4 + beat.z, 8.6 + 0.6 * beat.x, 0.42);
+        float a = 2.0 * kPi * (path.z + (i == 1 ? -1.0 : 1.0) * cycles(lampSpeed * 0.0078125 * float(i + 1)));
+        colour = vec4(path.x * sin(a), path.y, path.x * cos(a), lampRadius);
+    }
+}
+
+// ---- Image --------------------------------------------------------------------------------------
+// Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
+// to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
+vec3 display(vec3 light) {
+    vec3 x = mix(vec3(0.0), min(light, 65504.0), greaterThan(light, vec3(0.0)));
+    float peak = max(maxComponent(x), 1e-6), rolled = 1.0 - exp(-peak);
+    vec3 c = mix(x * (rolled / peak), vec3(rolled), 0.35 * pow(rolled, 12.0));
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
+    float height = clamp(cameraHeight - 8.0 * orbit.y, 0.1, 12.0);
+    vec3 ro = vec3(cameraDistance * sin(angle), height, cameraDistance * cos(angle));
+    vec3 right = vec3(cos(angle), 0.0, -sin(angle));
+    vec3 forward = normalize(vec3(0.0, targetHeight, 0.0) + targetShift * right - ro);
+    right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+    vec3 up = cross(right, forward);
+    vec2 uv = (fragCoord - 0.5 * iResolution.xy) / iResolution.y;
+    float lens = focalLength / 24.0;
+    vec3 rd = normalize(uv.x * right + uv.y * up + lens * forward);
+    float falloff = square(dot(rd, forward));   // half of a simple lens's cos^4
+    vec3 light = render(ro, rd, 1.0 / (lens * iResolution.y));
+    fragColor = vec4(display(exp2(exposure) * falloff * light), 1.0);
+}
