@@ -61,6 +61,7 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     // Where one way to a context is missing the other may be there.
     for (const int api : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
         glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);

@@ -30,7 +30,7 @@ struct WindowEvent {
 
 class Window final : public Context {
 public:
-    // `size` is in pixels; the screen's scale is taken off where windows are measured in points.
+    // `size` is in pixels of a screen of scale 1; on a HiDPI screen the window has more.
     // Throws NoContext when there is no display or no driver.
     Window(glm::ivec2 size, const std::string& title);
     ~Window() override;

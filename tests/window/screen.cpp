@@ -40,6 +40,24 @@ int ignore_error(Display*, XErrorEvent*) {
     return 0;
 }
 
+// A word to a window in the protocol of drag and drop (XDND 5, Lindal and others 1998).
+void say(Display* display, ::Window from, ::Window to, const char* word,
+         const std::array<long, 4>& data = {}) {
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = to;
+    event.xclient.message_type = XInternAtom(display, word, False);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = static_cast<long>(from);
+    for (std::size_t i = 0; i < data.size(); ++i) event.xclient.data.l[i + 1] = data[i];
+    XSendEvent(display, to, False, NoEventMask, &event);
+    XFlush(display);
+}
+
+bool hears(Display* display, ::Window window, int type, XEvent& event) {
+    return eventually([&] { return XCheckTypedWindowEvent(display, window, type, &event); });
+}
+
 KeyCode code_of(Display* display, const std::string& name) {
     const KeyCode code = XKeysymToKeycode(display, XStringToKeysym(name.c_str()));
     if (code == 0) throw std::runtime_error("no key " + name);
@@ -231,6 +249,53 @@ void Screen::minimise(bool minimised) {
     XChangeProperty(display_, target, state, state, 32, PropModeReplace,
                     reinterpret_cast<const unsigned char*>(value.data()), 2);
     if (!minimised) XMapWindow(display_, target);
+    XSync(display_, False);
+}
+
+bool Screen::drop(const std::string& path) {
+    const auto atom = [&](const char* name) { return XInternAtom(display_, name, False); };
+    const auto word = [&](const char* name) { return static_cast<long>(atom(name)); };
+    const ::Window target = window();
+    const ::Window source =
+        XCreateSimpleWindow(display_, DefaultRootWindow(display_), 0, 0, 1, 1, 0, 0, 0);
+    XSetSelectionOwner(display_, atom("XdndSelection"), source, CurrentTime);
+    const long at = 600 << 16 | 300;
+    XEvent event{};
+    say(display_, source, target, "XdndEnter", {5L << 24, word("text/uri-list"), 0, 0});
+    say(display_, source, target, "XdndPosition", {0, at, CurrentTime, word("XdndActionCopy")});
+    bool taken = hears(display_, source, ClientMessage, event) && (event.xclient.data.l[1] & 1);
+    say(display_, source, target, "XdndDrop", {0, CurrentTime, 0, 0});
+    taken = taken && hears(display_, source, SelectionRequest, event);
+    if (taken) {
+        const XSelectionRequestEvent request = event.xselectionrequest;
+        const std::string list = "file://" + path + "\r\n";
+        XChangeProperty(display_, request.requestor, request.property, request.target, 8,
+                        PropModeReplace, reinterpret_cast<const unsigned char*>(list.data()),
+                        static_cast<int>(list.size()));
+        XEvent answer{};
+        answer.xselection = {.type = SelectionNotify,
+                             .serial = 0,
+                             .send_event = True,
+                             .display = display_,
+                             .requestor = request.requestor,
+                             .selection = request.selection,
+                             .target = request.target,
+                             .property = request.property,
+                             .time = request.time};
+        XSendEvent(display_, request.requestor, False, NoEventMask, &answer);
+        taken = hears(display_, source, ClientMessage, event) &&
+                event.xclient.message_type == atom("XdndFinished");
+    }
+    XDestroyWindow(display_, source);
+    XFlush(display_);
+    return taken;
+}
+
+void Screen::set_content_scale(int scale) {
+    const std::string text = "Xft.dpi:\t" + std::to_string(96 * scale) + "\n";
+    XChangeProperty(display_, DefaultRootWindow(display_), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                    PropModeReplace, reinterpret_cast<const unsigned char*>(text.data()),
+                    static_cast<int>(text.size()));
     XSync(display_, False);
 }
 

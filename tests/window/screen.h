@@ -57,6 +57,10 @@ public:
     void resize_window(glm::ivec2 size);
     void minimise(bool minimised);
     void focus(bool focused);
+    // A file is dragged from elsewhere and let go over the window. Whether the window took it.
+    bool drop(const std::string& path);
+    // As desktops tell programs that start from now on; 2 on a HiDPI screen.
+    void set_content_scale(int scale);
 
 private:
     pid_t process_ = 0;
