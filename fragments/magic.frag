@@ -1,30 +1,33 @@
 // Magic: golden bipyramids, spheres of blue mirror and of glass, in a dark hall.
 //
-// Three bipyramids float and turn above a glossy violet floor. Mirrors and glass balls rise and fall
-// round them, small cubes and fill-lit golden balls go round on orbits, and a red, a blue and a violet
-// lamp wander in thin haze, so that coloured shadows cross and light gathers under the glass.
+// Three bipyramids float and turn above a glossy violet floor. Mirrors and glass balls rise and
+// fall round them, small cubes and fill-lit golden balls go round on orbits, and a red, a blue and
+// a violet lamp wander in thin haze: coloured shadows cross, light gathers under the glass.
 //
-// Method   A tree of mirrored and refracted rays, brightest first, `waiting` of them kept. Shadows are
-//          cones to `shadowSamples` sub-discs of a lamp: the share of a sub-disc that one occluder
-//          hides has a closed form, several multiply; smooth with one cone, exact in the limit of
-//          many. Polyhedra are triangles found by clipping the ray with half-spaces: neighbours share
-//          plane equations, so no edge can leak. Glow is single scattering of a point light; with
-//          t = h tan(x) the 1/d^2 is gone and `glowSamples` midpoints do. Light through a glass ball:
-//          a ring of parallel rays meets the ball at b, leaves it with the same impact parameter
-//          turned by 2 (asin b - asin(b/n)), and lands on a ring; summing rings, each smeared by the
-//          lamp's disc, gives a table of the gain over unobstructed light. A lamp at distance S is
-//          sent to infinity by the map z -> z / (1 + z/S), which keeps lines straight.
+// Method   A tree of mirrored and refracted rays, brightest first, `waiting` of them kept. Shadows
+//          are cones to `shadowSamples` sub-discs of a lamp: the share of a sub-disc that one
+//          occluder hides has a closed form, several multiply; smooth with one cone, exact in the
+//          limit of many. A light buffer names the few things that can shade a direction from a
+//          lamp. Polyhedra are triangles found by clipping the ray with half-spaces: neighbours
+//          share plane equations, so no edge can leak. Glow is single scattering of a point light;
+//          with t = h tan(x) the 1/d^2 is gone and `glowSamples` midpoints do. Light through a
+//          glass ball: a ring of parallel rays meets it at impact parameter b, leaves with the same
+//          b turned by 2 (asin b - asin(b/n)) and lands on a ring; rings smeared by the lamp's disc
+//          sum to a table of the gain over unobstructed light. z -> z / (1 + z/S), which keeps
+//          lines straight, sends a lamp at distance S to infinity.
 // Sources  Haines, Guenther, Akenine-Moeller, Ray Tracing Gems ch. 7 (2019), eq. 5: sphere. Ize,
-//          JCGT 2(2) (2013): slab test. Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Born and Wolf,
-//          Principles of Optics, 1.5: Fresnel. Kulla and Fajardo, CGF 31(4) (2012), eq. 6:
-//          equi-angular. Kelemen and Szirmay-Kalos, EG (2001): gloss. Amanatides (1984): footprints.
+//          JCGT 2(2) (2013): slab test. Haines and Greenberg, IEEE CG&A 6(9) (1986): light buffer.
+//          Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Born and Wolf, Principles of Optics, 1.5:
+//          Fresnel. Kulla and Fajardo, CGF 31(4) (2012): equi-angular points. Kelemen and
+//          Szirmay-Kalos, Eurographics (2001): sheen. Amanatides, SIGGRAPH (1984): footprints.
 // Units    1 unit = 1 m, y up, linear sRGB colour until the display curve; lamps: radiance x m^2.
-// Passes   gain: on change of a tweak. things: every frame, tiny.
-// Apart    Nothing can collide. A bipyramid keeps its own upright axis, within 2.55 m of the hall's.
-//          Spheres rise on uprights at 3.9 m, half a metre wide. The rest lives on two shells, round
-//          cylinders of 2.95 m and 4.95 m, on one wavy closed curve shifted up by whole steps: two
-//          bodies there stay a step apart times the cosine of the wave's slope, whatever their phase.
-//          Lamps stay beyond 5.7 m or above 7.7 m.
+// Passes   gain: on change of a tweak. things, shadowers: every frame, tiny.
+// Apart    Nothing can collide. A bipyramid keeps its own upright axis, all within 2.6 m of the
+//          hall's. Spheres rise on uprights at 3.9 m, half a metre wide. The rest lives on two
+//          round shells of 2.95 m and 4.95 m, each on one closed wavy curve shifted up by whole
+//          steps: bodies there stay a step apart times the cosine of the wave's slope, whatever
+//          their phase: 0.62 m, and need 0.56 m. Lamps stay beyond 5.5 m or above 7.9 m, all else
+//          below 7.0 m; cameras stay beyond 8 m.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -37,7 +40,7 @@ uniform float glassIndex;      //@ 1.5 [1.1, 2.4] "refractive index"
 uniform int   bipyramids;      //@ 0 {gold, crystal} "what they are made of"
 uniform vec3  gold;            //@ #ffb63c "colour of bipyramids and balls"
 uniform int   cubes;           //@ 8 [0, 12] "tiny cubes on orbits"
-uniform bool  glassCubes;      //@ off "cubes of glass"
+uniform float glassCubes;      //@ 0.5 [0, 1] "share of the cubes that are glass"
 uniform int   balls;           //@ 4 [0, 6] "fill-lit golden balls on orbits"
 uniform float animation;       //@ 1.0 [0, 8] "speed of everything that moves"
 //@ group Floor
@@ -53,6 +56,7 @@ uniform float lampRadius;      //@ 0.18 [0.02, 0.5] unit=m "size of the lamps; l
 uniform float lampSpeed;       //@ 1.0 [0, 8] "how fast the lamps wander"
 uniform float fillLight;       //@ 1.0 [0, 4] "reaches what is golden and nothing else"
 uniform float haze;            //@ 0.0035 [0, 0.1] unit=1/m "scatters light: the glow of the lamps"
+uniform bool  shafts;          //@ off "things cast shadows in the haze; wants 8 glowSamples"
 uniform float hallLight;       //@ 1.0 [0, 4] "niches in the wall"
 uniform int   shadows;         //@ 2 {off, hard, soft} "kind of shadow"
 uniform bool  caustics;        //@ on "light that glass gathers"
@@ -90,14 +94,16 @@ const float kInnerShell = 2.95, kOuterShell = 4.95, kStep = 0.64;    // m
 const vec3  kBoundLow = vec3(-5.3, 0.0, -5.3), kBoundHigh = vec3(5.3, 7.0, 5.3);   // m, all things
 const vec3  kHazeTint = vec3(0.5, 0.62, 1.0);           // fine dust scatters blue
 const float kHallRadius = 27.0;            // m
+const float kHallHeight = 15.0;            // m
 const float kNiches = 18.0;
+const float kRise[6] = float[6](0.421, 0.012, 0.039, 0.571, 0.378, 0.891);   // cycles at time 0
 const float kTile = 1.2;                   // m, between parallel joints of the floor
-const vec2  kGainSize = vec2(128.0, 64.0); // texels: tangent of the angle off the axis, r / distance
+const vec2  kGainSize = vec2(128.0, 64.0); // texels
 const float kGainTan = 1.0;               // the last tangent in the table
 const int   kRings = 256;                  // rings of light through a glass ball
 const int   kBalls = 12, kCubes = 20, kBipyramids = 32, kLamps = 36;   // columns of `things`
 const int   kCells = 32;                   // of a lamp's octahedral map, along a side
-const int   kFloor = 100, kWall = 101;
+const int   kFloor = 40, kWall = 41, kCeiling = 42;
 
 struct Hit { float t; vec4 face; int id; };   // face: dot(xyz, p) = w, for what is flat
 struct Ray {
@@ -245,14 +251,15 @@ void meetRound(int id, vec3 ro, vec3 rd, inout Hit h) {
 }
 
 Hit intersect(vec3 ro, vec3 rd) {
-    // The wall is a cylinder seen from inside; upright rays end far up, where nothing shines.
+    // The wall is a cylinder seen from inside, the ceiling and the floor cut it off.
     float a = max(dot(rd.xz, rd.xz), 1e-6), b = dot(ro.xz, rd.xz);
     float c = min(dot(ro.xz, ro.xz) - square(kHallRadius), 0.0);
     float t = (sqrt(b * b - a * c) - b) / a;
     vec2 w = normalize(ro.xz + t * rd.xz + vec2(1e-9, 0.0));
     Hit h = Hit(t, vec4(-w.x, 0.0, -w.y, -kHallRadius), kWall);
-    float down = -ro.y / min(rd.y, -1e-9);
+    float down = -ro.y / min(rd.y, -1e-9), up = (kHallHeight - ro.y) / max(rd.y, 1e-9);
     if (rd.y < 0.0 && down < h.t) h = Hit(down, vec4(0, 1, 0, 0), kFloor);
+    if (rd.y > 0.0 && up < h.t) h = Hit(up, vec4(0, -1, 0, -kHallHeight), kCeiling);
     if (!meetsBox(ro, safeInverse(rd), kBoundLow, kBoundHigh, h.t)) return h;
     for (int k = 0; k < spheres; ++k) meetRound(k, ro, rd, h);
     for (int k = kBalls; k < kBalls + balls; ++k) meetRound(k, ro, rd, h);
@@ -263,8 +270,8 @@ Hit intersect(vec3 ro, vec3 rd) {
 
 // ---- Light --------------------------------------------------------------------------------------
 vec3 lampLight(int k) {
-    return lampPower * (k == 0 ? 46.0 * linearColour(redColour)
-        : k == 1 ? 110.0 * linearColour(blueColour) : 150.0 * linearColour(violetColour));
+    return lampPower * (k == 0 ? 55.0 * linearColour(redColour)
+        : k == 1 ? 130.0 * linearColour(blueColour) : 190.0 * linearColour(violetColour));
 }
 
 // Share of a cone that a convex solid leaves free: where between the cone's rims its outline lies,
@@ -282,8 +289,7 @@ float besideSolid(int id, vec3 ro, vec3 rd, float rim, float tMax) {
     vec3 q = unspun(ro - c.xyz, spin), qd = unspun(rd, spin);
     float free = besideConvex(clipSolid(id, q, qd, -rim, tMax, n),
                               clipSolid(id, q, qd, rim, tMax, n));
-    bool clear = id >= kBipyramids ? bipyramids == 1 : glassCubes;
-    return clear ? 0.45 + 0.55 * free : free;   // biased: facets dim, they do not focus
+    return c.w < 0.0 ? 0.45 + 0.55 * free : free;   // biased: facets dim, they do not focus
 }
 // Share of a lamp's disc that a ball leaves free; rim: slope of the disc's radius seen from ro.
 float besideRound(int id, vec3 ro, vec3 rd, float rim, float tMax) {
@@ -295,8 +301,8 @@ float besideRound(int id, vec3 ro, vec3 rd, float rim, float tMax) {
     float cover = t > 0.0 && t < tMax ? reach * min(1.0, square(r / disc)) : 0.0;
     return 1.0 - cover * (s.w < 0.0 && !caustics ? 0.5 : 1.0);
 }
-// A light buffer: which things can stand between a lamp and what lies in a direction from it. Cells of
-// an octahedral map; round things and solids as bits, glass balls as bits again for their caustics.
+// A light buffer: which things can stand between a lamp and what lies in a direction from it, in
+// cells of an octahedral map: bits of round things, of solids, and of glass balls that cast light.
 ivec3 shadowersOf(int k, vec3 d) {
     vec2 p = d.xz / (abs(d.x) + abs(d.y) + abs(d.z));
     if (d.y < 0.0) p = (1.0 - abs(p.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThan(p, vec2(0.0)));
@@ -376,6 +382,7 @@ vec3 lampsOn(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
 // width0 + width * t; nothing shines narrower than that.
 vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
     vec3 sum = vec3(0.0);
+    float jitter = shafts ? random3(floatBitsToInt(rd)).x : 0.5;
     for (int k = 0; k < 3; ++k) {
         vec3 f = thing(kLamps + k).xyz - ro;
         float t = dot(f, rd), foot = width0 + width * max(t, 0.0);
@@ -385,8 +392,15 @@ vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
         float first = -atan(t / away), all = atan((tMax - t) / away) - first;
         float through = 0.0;
         for (int j = 0; j < glowSamples; ++j) {
-            float x = first + all * (float(j) + 0.5) / float(glowSamples);
-            through += exp(-haze * (t + away * (tan(x) + 1.0 / cos(x))));
+            float x = first + all * (float(j) + jitter) / float(glowSamples), far = away / cos(x);
+            float seen = 1.0;
+            if (shafts) {
+                vec3 to = f - (t + away * tan(x)) * rd;
+                float d = max(length(to), 1e-4);
+                seen = lampSeen(thing(kLamps + k).xyz - to, to / d, lampRadius / d, d,
+                                shadowersOf(k, -to / d));
+            }
+            through += seen * exp(-haze * (t + away * tan(x) + far));
         }
         float scattered = haze / (4.0 * kPi) * kPi * all / away * through / float(glowSamples);
         // The face: dimmed to what film can hold, round towards its rim, never a flat disc.
@@ -426,8 +440,8 @@ float stripes(float x, float w, int seed) {
     return (2.0 * mix(before, after, share) - 1.0) * (1.0 - smoothstep(0.4, 1.0, w));
 }
 
-// Stone in triangles: three families of joints; a tile's tone is the sum of its three stripes'. Inlaid
-// circles mark the shells. Everything is a mean over the footprint: w across, w * slope along.
+// Stone in triangles: three families of joints; a tile's tone is the sum of its three stripes'.
+// Inlaid circles mark the shells. All is a mean over the footprint: w across, w * slope along.
 vec3 floorStone(vec2 p, float w, vec2 slope, out float inlay) {
     float tone = 0.0, joints = 0.0;
     for (int k = 0; k < 3; ++k) {
@@ -441,7 +455,7 @@ vec3 floorStone(vec2 p, float w, vec2 slope, out float inlay) {
     float rings = 0.0;
     for (int k = 0; k < 3; ++k) {
         float radius = k == 0 ? kInnerShell : k == 1 ? kOuterShell : kOuterShell + 0.14;
-        rings += lines(clamp((r - radius) / 20.0, -0.5, 0.5), 0.001 - 0.00025 * float(k), wide / 20.0);
+        rings += lines(clamp((r - radius) / 20.0, -0.5, 0.5), k == 0 ? 0.001 : 0.0006, wide / 20.0);
     }
     inlay = pattern * min(rings, 1.0);
     return linearColour(floorColour) * (1.0 + pattern * (0.16 * tone - 0.6 * joints));
@@ -449,16 +463,27 @@ vec3 floorStone(vec2 p, float w, vec2 slope, out float inlay) {
 
 // The wall: niches with a round arch, lit from their feet, and what of that light leaves them.
 vec3 hallWall(vec3 p, float w) {
-    float cell = (atan(p.z, p.x) / (2.0 * kPi) + 0.5) * kNiches, pitch = 2.0 * kPi * kHallRadius / kNiches;
-    float x = (fract(cell) - 0.5) * pitch, y = max(p.y, 0.0);
-    float soft = max(0.6 * w, 0.04);
-    float inside = 1.6 - (y < 4.6 ? abs(x) : length(vec2(x, y - 4.6)));
-    float niche = smoothstep(-soft, soft, inside);
+    float pitch = 2.0 * kPi * kHallRadius / kNiches;
+    float cell = (atan(p.z, p.x) / (2.0 * kPi) + 0.5) * kNiches;
+    float x = (fract(cell) - 0.5) * pitch, y = max(p.y, 0.0), soft = max(0.6 * w, 0.04);
+    float inside = 1.5 - (y < 4.6 ? abs(x) : length(vec2(x, y - 4.6)));
+    float niche = smoothstep(-soft, soft, inside), rim = exp(-square(inside / max(0.06, w)));
     float which = 0.5 + 0.5 * cos(2.0 * kPi * floor(cell) / kNiches * 3.0);
-    vec3 colour = mix(vec3(0.10, 0.13, 0.62), vec3(0.38, 0.12, 0.55), which);
-    float lit = exp(-0.42 * y) * exp(-0.35 * x * x);
-    float spill = exp(-0.25 * y) / (1.0 + 0.3 * x * x);
-    return hallLight * colour * (niche * (0.55 * lit + 0.03) + 0.05 * spill + 0.006 * exp(-0.06 * y));
+    vec3 colour = mix(vec3(0.09, 0.13, 0.95), vec3(0.52, 0.10, 0.80), which);
+    float lit = (1.6 * exp(-0.55 * y) + 0.10) * exp(-0.5 * x * x);
+    float spill = exp(-0.30 * y) / (1.0 + 0.35 * x * x);
+    float edge = rim * min(0.06 / w, 1.0) * (0.12 + 0.5 * exp(-0.4 * y));
+    return hallLight * colour * (niche * lit + edge + 0.07 * spill + 0.004);
+}
+// The ceiling: two rings of panes, seen above all in what shines.
+vec3 hallCeiling(vec2 p, float w) {
+    float r = length(p), soft = max(w, 0.05);
+    vec2 ring = abs(vec2(r - 6.2, r - 11.5)) - vec2(0.9, 0.55);
+    vec2 inside = 1.0 - smoothstep(vec2(-soft), vec2(soft), ring);
+    float round = (atan(p.y, p.x) / (2.0 * kPi) + 0.5) * 24.0;
+    float bars = 1.0 - lines(round, 0.06, 4.0 * w / max(r, 1.0));
+    vec3 night = vec3(0.30, 0.42, 1.5) * inside.x + vec3(0.65, 0.22, 1.0) * inside.y;
+    return hallLight * (bars * night + vec3(0.004, 0.004, 0.014));
 }
 
 // ---- Camera -------------------------------------------------------------------------------------
@@ -493,7 +518,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
             float w = ray.width0 + ray.width * h.t, clear = exp(-haze * h.t);
             sum += ray.weight * lampGlow(ray.ro, ray.rd, h.t, ray.width0, ray.width);
             ray.weight *= clear;
-            vec4 c = thing(h.id < kFloor ? h.id : 0);
+            vec4 c = thing(min(h.id, kFloor - 1));
             if (h.id < kCubes) {   // back onto the surface, whatever the rounding of a long ray
                 nor = normalize(p - c.xyz);
                 p = c.xyz + abs(c.w) * nor;
@@ -504,18 +529,21 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
             vec3 bent = h.id >= kCubes && h.id < kFloor ? rounded(h.id, p, nor, w) : nor;
             float width = ray.width, coat = fresnel(cosine, kIorVarnish);
             vec3 mirror = vec3(coat), albedo = vec3(0.0);
-            bool clearBody = h.id < kBalls ? c.w < 0.0 : h.id >= kCubes && h.id < kFloor
-                && (h.id < kBipyramids ? glassCubes : bipyramids == 1);
+            bool clearBody = h.id < kFloor && c.w < 0.0;
             vec3 golden = linearColour(gold);
             if (h.id == kWall) {
                 sum += ray.weight * hallWall(p, w / max(cosine, 0.2));
+                mirror = vec3(0.0);
+            } else if (h.id == kCeiling) {
+                sum += ray.weight * hallCeiling(p.xz, w / max(cosine, 0.2));
                 mirror = vec3(0.0);
             } else if (h.id == kFloor) {
                 float inlay;
                 vec2 slope = ray.rd.xz / max(-ray.rd.y, 1e-4);
                 albedo = floorStone(p.xz, w, slope, inlay);
                 albedo = mix(albedo, 0.5 * golden, inlay);
-                mirror = gloss * mix(vec3(fresnel(cosine, kIorStone)), metal(golden, cosine), 0.5 * inlay);
+                mirror = vec3(fresnel(cosine, kIorStone));
+                mirror = gloss * mix(mirror, metal(golden, cosine), 0.5 * inlay);
                 alpha = mix(0.5, 0.2, gloss);
             } else if (clearBody) {
                 mirror = vec3(fresnel(cosine, glassIndex));
@@ -529,18 +557,18 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
             } else if (h.id < kBipyramids) {
                 albedo = vec3(0.42, 0.44, 0.52);
             } else {
-                albedo = 0.35 * golden;
-                mirror = 0.7 * metal(golden, cosine);
-                alpha = 0.35;
+                albedo = 0.22 * golden;
+                mirror = 0.85 * metal(golden, cosine);
+                alpha = 0.3;
             }
             if (maxComponent(albedo * ray.weight) > kLeastThroughput) {
                 vec3 sheen, lit = lampsOn(p, bent, ray.rd, alpha, sheen);
-                vec3 sky = mix(vec3(0.030, 0.034, 0.110), vec3(0.012, 0.010, 0.030), 0.5 + 0.5 * nor.y);
-                lit += lampPower * sky * (nor.y > 0.99 ? 0.6 : 1.6);
-                if (h.id >= kBalls && h.id < kFloor && (h.id < kCubes || h.id >= kBipyramids)) {
+                float up = 0.5 + 0.5 * nor.y;   // floor and hall, without shadows
+                lit += lampPower * mix(vec3(0.048, 0.054, 0.176), vec3(0.008, 0.007, 0.020), up);
+                if (h.id < kCubes || (h.id >= kBipyramids && h.id < kFloor)) {
                     vec3 fill = vec3(-3.0, 8.0, 9.0) - p;
                     float facing = max(dot(fill, nor) * inversesqrt(dot(fill, fill)), 0.0);
-                    lit += fillLight * vec3(1.0, 0.85, 0.6) * (h.id < kCubes ? 0.08 + 0.9 * facing : 0.05 + 0.75 * facing);
+                    lit += fillLight * vec3(1.0, 0.85, 0.6) * (0.06 + 0.9 * facing);
                 }
                 sum += ray.weight * ((1.0 - mirror) * albedo * lit + mirror * sheen);
             }
@@ -548,9 +576,10 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
             back += max(1e-4 - dot(back, nor), 0.0) * nor;
             one = Ray(liftOff(p, nor), normalize(back), ray.weight * mirror, w, width, -1);
             if (clearBody) {
-                float eta = 1.0 / glassIndex, k2 = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
-                other = Ray(liftOff(p, -nor), normalize(eta * ray.rd + (eta * cosine - sqrt(k2)) * nor),
-                            ray.weight * (1.0 - mirror), w, width, h.id);
+                float eta = 1.0 / glassIndex;
+                float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
+                vec3 bentIn = normalize(eta * ray.rd + (eta * cosine - sqrt(k2)) * nor);
+                other = Ray(liftOff(p, -nor), bentIn, ray.weight * (1.0 - mirror), w, width, h.id);
             }
         }
         // On with the brighter one; the other waits, instead of the faintest that does.
@@ -575,7 +604,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
-// Gain of parallel light behind a glass ball, over the tangent off the axis (x) and r / distance (y).
+// Gain of parallel light behind a glass ball: tangent off the axis across, r / distance up.
 void mainGain(out vec4 colour, in vec2 pixel) {
     vec2 uv = (pixel - 0.5) / (kGainSize - 1.0);
     float tangent = uv.x * kGainTan, z = 1.0 / max(uv.y, 0.01);
@@ -587,9 +616,10 @@ void mainGain(out vec4 colour, in vec2 pixel) {
         float ring = abs(b - z * sin(bent)) / (c * z);
         float away = abs(tangent - ring);
         if (away > blur) continue;
-        float angle = (tangent * tangent + ring * ring - blur * blur) / max(2.0 * tangent * ring, 1e-9);
-        float share = acos(clamp(angle, -1.0, 1.0)) / kPi;
-        sum += 2.0 * b / float(kRings) * square(1.0 - fresnel(sqrt(1.0 - b * b), glassIndex)) * share;
+        float angle = tangent * tangent + ring * ring - blur * blur;
+        float share = acos(clamp(angle / max(2.0 * tangent * ring, 1e-9), -1.0, 1.0)) / kPi;
+        float passes = square(1.0 - fresnel(sqrt(1.0 - b * b), glassIndex));
+        sum += 2.0 * b / float(kRings) * passes * share;
     }
     float rim = 1.0 - smoothstep(0.85, 1.0, uv.x);
     colour = vec4(rim * sum / square(blur * z));
@@ -608,7 +638,7 @@ vec3 fromOctahedron(vec2 p) {
     return normalize(d);
 }
 
-// Bits of what may shade each cell of each lamp: round things, solids, glass balls with their light.
+// The light buffer: a map for each lamp, one above the other.
 void mainShadowers(out vec4 colour, in vec2 pixel) {
     ivec2 cell = ivec2(pixel);
     int k = cell.y / kCells;
@@ -628,7 +658,7 @@ void mainShadowers(out vec4 colour, in vec2 pixel) {
             if (id < kCubes) masks.x |= 1 << id;
             else masks.y |= 1 << (id - kCubes);
         }
-        if (c.w < 0.0 && angle < atan(kGainTan)) masks.z |= 1 << id;
+        if (id < kBalls && c.w < 0.0 && angle < atan(kGainTan)) masks.z |= 1 << id;
     }
     colour = vec4(masks, 0.0);
 }
@@ -640,36 +670,43 @@ void mainThings(out vec4 colour, in vec2 pixel) {
     bool second = pixel.y > 1.0;
     colour = vec4(0.0, -100.0, 0.0, 0.01);
     bool there = id < kBalls ? id < spheres : id < kCubes ? id < kBalls + balls
-        : id >= kBipyramids || id < kCubes + cubes;
+        : id < kBipyramids ? id < kCubes + cubes : id < kLamps + 3;
     if (!there) return;
+    float i = float(id < kBalls ? id : id < kCubes ? id - kBalls : id - kCubes);
+    float any = fract((i + 0.5) * kGolden + 0.17), a = 2.0 * kPi * i / float(max(spheres, 1));
     if (id < kBalls) {
-        float i = float(id), a = 2.0 * kPi * i / float(max(spheres, 1)), turns = fract(i * kGolden);
-        float y = 3.5 + 2.5 * sin(2.0 * kPi * (turns + cycles(0.03125 + 0.00390625 * float(id % 3))));
-        bool clear = fract((i + 0.5) * kGolden + 0.17) < glass;
-        colour = vec4(kSphereRing * sin(a), y, kSphereRing * cos(a), clear ? -kSphereRadius : kSphereRadius);
+        float hz = 0.03125 + 0.00390625 * float(id % 3);
+        float rise = (id < 6 ? kRise[min(id, 5)] : any) + cycles(hz);
+        colour = vec4(kSphereRing * sin(a), 3.5 + 2.5 * sin(2.0 * kPi * rise),
+                      kSphereRing * cos(a), any < glass ? -kSphereRadius : kSphereRadius);
     } else if (id < kBipyramids) {
-        int i = id < kCubes ? id - kBalls : id - kCubes;
-        int j = i >> 1, level = id < kCubes ? 3 * j + 1 : j + (j + 1) / 2;   // no two the same
-        float hz = 0.015625 + 0.00390625 * float(i % 4);
-        float turns = fract(float(i) * kGolden + (id < kCubes ? 0.2 : 0.55)) + ((i & 1) == 0 ? 1.0 : -1.0) * cycles(hz);
-        colour = vec4(onShell(i & 1, level, turns), id < kCubes ? kBallRadius : kCubeHalf);
-        vec3 axis = normalize(random3(ivec3(i, 4, 2)) - vec3(0.5, 0.499, 0.5));
-        if (second) colour = spinOf(axis, cycles(0.0625 + 0.015625 * float(i % 3)));
+        bool cube = id >= kCubes;
+        int n = int(i), j = n >> 1, level = cube ? j + (j + 1) / 2 : 3 * j + 1;   // no two the same
+        float sense = (n & 1) == 0 ? 1.0 : -1.0;
+        float place = any + sense * cycles(0.015625 + 0.00390625 * float(n % 4));
+        float size = cube ? (any < glassCubes ? -kCubeHalf : kCubeHalf) : kBallRadius;
+        colour = vec4(onShell(n & 1, level, place + (cube ? 0.38 : 0.0)), size);
+        vec3 axis = normalize(random3(ivec3(n, 4, 2)) - vec3(0.5, 0.499, 0.5));
+        if (second) colour = spinOf(axis, cycles(0.0625 + 0.015625 * float(n % 3)));
     } else if (id < kLamps) {
-        int i = id - kBipyramids;
-        vec3 at = i == 0 ? vec3(-1.95, 2.3, -0.3) : i == 1 ? vec3(0.44, 1.8, 1.3) : vec3(1.05, 4.0, -0.2);
-        at.y += 0.2 * sin(2.0 * kPi * (0.37 * float(i) + cycles(0.0625 + 0.015625 * float(i))));
-        colour = vec4(at, kBipyramidHalf.y);
-        vec4 q = spinOf(vec3(0, 1, 0), 0.13 * float(i) + cycles(0.03125 + 0.0078125 * float(i)));
-        if (second) colour = q;
-    } else if (id < kLamps + 3) {
-        int i = id - kLamps;
-        vec3 beat = sin(2.0 * kPi * vec3(cycles(lampSpeed * 0.046875), cycles(lampSpeed * 0.0625) + 0.3,
+        float n = float(id - kBipyramids);
+        vec3 at = n < 0.5 ? vec3(-1.95, 2.3, -0.3) : n < 1.5 ? vec3(0.44, 1.8, 1.3)
+            : vec3(1.05, 4.0, -0.2);
+        at.y += 0.2 * sin(2.0 * kPi * (0.37 * n + cycles(0.0625 + 0.015625 * n)));
+        colour = vec4(at, bipyramids == 1 ? -kBipyramidHalf.y : kBipyramidHalf.y);
+        vec4 spin = spinOf(vec3(0, 1, 0), 0.13 * n + cycles(0.03125 + 0.0078125 * n));
+        if (second) colour = spin;
+    } else {
+        float n = float(id - kLamps), sense = n == 1.0 ? -1.0 : 1.0;
+        vec3 beat = sin(2.0 * kPi * vec3(cycles(lampSpeed * 0.046875),
+                                         cycles(lampSpeed * 0.0625) + 0.3,
                                          cycles(lampSpeed * 0.03125) + 0.6));
-        vec3 path = i == 0 ? vec3(6.3 + 0.5 * beat.x, 2.0 + 0.7 * beat.y, 0.16)
-            : i == 1 ? vec3(6.6 + 0.4 * beat.y, 5.4 + 0.7 * beat.z, 0.62) : vec3(3.4 + beat.z, 8.6 + 0.6 * beat.x, 0.42);
-        float a = 2.0 * kPi * (path.z + (i == 1 ? -1.0 : 1.0) * cycles(lampSpeed * 0.0078125 * float(i + 1)));
-        colour = vec4(path.x * sin(a), path.y, path.x * cos(a), lampRadius);
+        vec3 path = n < 0.5 ? vec3(6.3 + 0.5 * beat.x, 2.0 + 0.7 * beat.y, 0.16)   // away, up, turn
+            : n < 1.5 ? vec3(6.6 + 0.4 * beat.y, 5.4 + 0.7 * beat.z, 0.62)
+            : vec3(3.4 + beat.z, 8.6 + 0.6 * beat.x, 0.42);
+        float turns = path.z + sense * cycles(lampSpeed * 0.0078125 * (n + 1.0));
+        colour = vec4(path.x * sin(2.0 * kPi * turns), path.y, path.x * cos(2.0 * kPi * turns),
+                      lampRadius);
     }
 }
 
