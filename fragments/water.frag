@@ -1,0 +1,1138 @@
+// A pool: wind waves, drops and the touch of a hand on clear water over mosaic.
+//
+// An infinity pool above the sea at any hour. Columns, steps, a mirror ball and floating lanterns
+// stand half in the water; rain and the mouse raise rings that run round them. Press to drop a
+// stone; `mouse` decides whether a drag turns the camera or draws a wake.
+//
+// Method   The surface is a height: eight plane waves with exact phases, plus the wave equation in
+//          a buffer (240 steps a second, fluxes between cells, so that walls and columns reflect;
+//          shallows are slower). `traced` follows the real rays: a march that cannot step over the
+//          surface, then Illinois steps; exact Fresnel shares; refraction first, reflection later
+//          from a one-place queue; ray differentials carry the footprint through every bend, so
+//          that tiles seen through the water are filtered. `planar` is the classic way: one picture
+//          mirrored in the plane of the water, one refracted by it, each shifted as the slope asks.
+//          The shift comes from the distance to what is seen, so it is 0 where a thing meets the
+//          water. Sunlight on the floor: its point of entry by two fixed-point steps, then 1/|J|.
+// Sources  Courant, Friedrichs, Lewy, Math. Ann. 100 (1928): stability. Igehy, SIGGRAPH (1999), eq.
+//          9-18: ray differentials. Dowell and Jarratt, BIT 11 (1971): Illinois. Born and Wolf,
+//          Principles of Optics, 1.5: Fresnel. Bruneton, Neyret, Holzschuch, CGF 29(2) (2010):
+//          filtered waves. Nishita et al., SIGGRAPH (1993): sky. Kasten and Young, Appl. Opt. 28
+//          (1989): air mass. Jarzynski and Olano, JCGT 9(3) (2020): pcg3d.
+// Units    1 unit = 1 m, y up, 0 the water at rest, linear sRGB colour, radiance: noon sun 10.
+// Passes   air, sky: on change of a tweak. wavelets, floats: every frame, tiny. bed, pointer, pond:
+//          the simulation; relief, bend, peaks, crest: its shape once a frame. mirror, below, dudv:
+//          `planar` only.
+// Licence  MIT
+
+// ---- Tweaks -------------------------------------------------------------------------------------
+//@ group Water
+uniform int   water;           //@ 1 {planar, traced} "how reflection and refraction are found"
+uniform float waveHeight;      //@ 0.022 [0, 0.12] unit=m "highest crest that the wind can raise"
+uniform float longestWave;     //@ 1.7 [0.6, 6] log unit=m "wind waves, crest to crest"
+uniform float windAngle;       //@ 20 [-180, 180] unit=deg "where the waves run; 0: from the sea"
+uniform float windSpread;      //@ 70 [0, 180] unit=deg "to either side"
+uniform float depth;           //@ 1.5 [0.8, 4] unit=m "of the pool"
+uniform vec3  waterTint;       //@ #3fd6dc "what 3 m of water leave of white light"
+uniform float caustics;        //@ 1.0 [0, 1] "light gathered by the waves; 0 is even light"
+uniform float animation;       //@ 1.0 [0, 8] "speed of the wind's waves"
+//@ group Ripples
+uniform bool  ripples;         //@ on "the simulated surface"
+uniform float rain;            //@ 1.5 [0, 60] unit=1/s "drops that fall into the pool"
+uniform float dropSize;        //@ 0.13 [0.09, 0.5] log unit=m "radius of the dent"
+uniform float dropForce;       //@ 0.9 [0, 3] unit=m/s "of a drop, or of a press of the mouse"
+uniform float waveSpeed;       //@ 0.9 [0.2, 3.75] log unit=m/s "of rings over deep water"
+uniform float damping;         //@ 0.35 [0.05, 5] log unit=1/s "how fast they die"
+uniform int   mouse;           //@ 0 {orbit, touch} "what a drag does; a press is a drop in both"
+//@ group Pool
+uniform float tileSize;        //@ 0.14 [0.03, 0.6] log unit=m "of the mosaic"
+uniform vec3  tileColour;      //@ #8fe3e6 "of the mosaic"
+uniform bool  columns;         //@ on "six columns and their beams"
+uniform bool  mirrorBall;      //@ on "a steel ball"
+uniform bool  steps;           //@ on "into the water"
+uniform int   lanterns;        //@ 5 [0, 8] "floating spheres"
+//@ group Light
+uniform float sunHeight;       //@ 11 [-12, 80] unit=deg "over the horizon"
+uniform float sunAngle;        //@ -14 [-180, 180] unit=deg "to the right of the sea's middle"
+uniform float haze;            //@ 1.0 [0.1, 6] log "dust in the air"
+uniform float clouds;          //@ 0.5 [0, 1] "how much of the sky they cover"
+uniform float stars;           //@ 0.0 [0, 4] "brightness"
+uniform float poolLights;      //@ 0.0 [0, 8] "six lamps under water"
+uniform float lanternGlow;     //@ 0.0 [0, 8] "light of the floating spheres"
+//@ group Camera
+uniform float cameraDistance;  //@ 9.2 [1, 14] unit=m "from the point looked at, level"
+uniform float cameraAngle;     //@ 8 [-180, 180] unit=deg "round it"
+uniform float cameraHeight;    //@ 1.7 [0.3, 8] unit=m "of the eye"
+uniform float targetX;         //@ 0.0 [-4, 4] unit=m "of the point looked at, to the right"
+uniform float targetZ;         //@ 0.0 [-6, 6] unit=m "of the point looked at, from the sea"
+uniform float targetHeight;    //@ 0.75 [-1, 4] unit=m "of the point looked at"
+uniform float focalLength;     //@ 24 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
+uniform float exposure;        //@ 0.0 [-6, 10] unit=stop "before the display curve"
+//@ group Quality
+uniform int   rays;            //@ 6 [2, 24] quality reference=24 "rays along one path"
+uniform int   marchSteps;      //@ 48 [4, 1024] log quality reference=1024 "towards the surface"
+uniform float overstep;        //@ 1.4 [1, 3] quality reference=1 "1: never beyond what is safe"
+uniform int   refinement;      //@ 3 [0, 8] quality reference=8 "Illinois steps at the end"
+uniform int   antialias;       //@ 1 [1, 32] log quality reference=32 "paths a pixel"
+
+precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
+uniform sampler2D air;         //@ pass mainAir size=64x128
+uniform sampler2D sky;  //@ pass mainSky size=1024x512 format=rgba16f wrap=repeat filter=mipmap
+uniform sampler2D wavelets;    //@ pass mainWavelets size=8x1
+uniform sampler2D bed;         //@ pass mainBed size=256x384
+uniform sampler2D pointer;     //@ pass mainPointer scale=0.05 step=1/240
+uniform sampler2D pond;        //@ pass mainPond size=256x384 step=1/240
+uniform sampler2D relief;      //@ pass mainRelief size=256x384
+uniform sampler2D bend;        //@ pass mainRelief
+uniform sampler2D peaks;       //@ pass mainPeaks size=16x24
+uniform sampler2D crest;       //@ pass mainCrest size=1x1
+uniform sampler2D floats;      //@ pass mainFloats size=8x1
+uniform sampler2D dudv;        //@ pass mainDudv size=256x384 filter=mipmap
+uniform sampler2D mirror;      //@ pass mainMirror
+uniform sampler2D below;       //@ pass mainBelow
+
+// ---- Constants and numbers ----------------------------------------------------------------------
+const float kPi = 3.14159265358979;
+const float kFar = 1e9;                       // m, a miss
+const float kGravity = 9.81;                  // m/s2
+const float kIorWater = 1.333;                // visible light, 20 C
+const float kLeastCarry = 0.004;              // a path that carries less is over
+const vec2  kPool = vec2(4.0, 6.0);           // m, half width and half length
+const float kDeck = 0.14;                     // m, the paving's height over the water
+const float kBrim = -0.4;                     // m, one sees over the far wall
+const float kTerrace = 13.0;                  // m, half size of the paving
+const float kEyeLevel = 40.0;                 // m, terrace over the sea
+const float kColumnRadius = 0.23, kColumnTop = 3.3;      // m
+const vec2  kColumnFirst = vec2(-2.55, -4.3), kColumnStep = vec2(5.1, 3.4);   // m
+const vec3  kBeamHalf = vec3(0.22, 0.19, 4.2);           // m
+const vec4  kBallPlace = vec4(-0.95, 0.10, -0.4, 0.55);  // m: centre, radius
+const float kCeiling = 0.3;                   // m, no ring is higher: they break
+const float kMargin = 1.12;                   // planar pictures show this much more
+const int   kCells = 16;                      // cells of the pond along one texel of `peaks`
+const int   kSky = 0, kFloor = 1, kWall = 2, kPaving = 3, kColumn = 4, kStone = 5, kStep = 6;
+const int   kBall = 7, kLantern = 8;          // and on
+
+struct Hit { float t; vec3 nor; int id; };
+// A ray with its differentials to the next pixel across and up: of the origin, of the direction.
+struct Ray { vec3 o, d, ox, oy, dx, dy; vec3 carry; float rough; bool wet; };
+
+uvec3 hash3(ivec3 q) {
+    uvec3 v = uvec3(q) * 1664525u + 1013904223u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+}
+vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+
+// Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
+float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+
+vec2 turn(vec2 p, float angle) {
+    float c = cos(angle), s = sin(angle);
+    return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
+}
+float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float square(float x) { return x * x; }
+vec3 linearColour(vec3 c) {   // from sRGB, a fit to 1/500
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+// A start for a secondary ray: some 8 ulp along the normal from a point that lies on the surface.
+vec3 liftOff(vec3 p, vec3 nor) { return p + nor * (1e-6 * max(maxComponent(abs(p)), 0.1)); }
+
+// Reflected share of unpolarised light, exact; eta: index beyond over index before the surface.
+float fresnel(float cosI, float eta) {
+    float gg = (eta - 1.0) * (eta + 1.0) + cosI * cosI;
+    if (gg <= 0.0) return 1.0;
+    float g = sqrt(gg);
+    float a = (g - cosI) / max(g + cosI, 1e-9);
+    float b = (cosI * (g + cosI) - 1.0) / (cosI * (g - cosI) + 1.0);
+    return min(0.5 * a * a * (1.0 + b * b), 1.0);
+}
+
+// Coverage of a pixel of width w, centred at x, by lines of half-width h at every integer.
+float lines(float x, float h, float w) {
+    w = max(w, 1e-4);
+    float a = x - 0.5 * w, b = x + 0.5 * w;
+    vec2 whole = floor(vec2(a, b) + 0.5), part = clamp(vec2(a, b) - whole, -h, h);
+    return clamp((2.0 * h * (whole.y - whole.x) + part.y - part.x) / w, 0.0, 1.0);
+}
+// The same by one stripe from a to b.
+float stripe(float x, float a, float b, float w) {
+    w = max(w, 1e-4);
+    return clamp((min(x + 0.5 * w, b) - max(x - 0.5 * w, a)) / w, 0.0, 1.0);
+}
+
+vec3 absorption() { return -log(clamp(linearColour(waterTint), 0.002, 0.998)) / 3.0; }   // 1/m
+vec3 towardsSun() {
+    float e = radians(sunHeight), a = radians(sunAngle);
+    return vec3(cos(e) * sin(a), sin(e), -cos(e) * cos(a));
+}
+// Irradiance of the sun over pi, facing it, for a lamp of 1 above the air.
+vec3 sunColour() {
+    float h = max(sunHeight, -2.0);
+    float mass = 1.0 / (max(sin(radians(h)), 0.0) + 0.15 * pow(h + 3.885, -1.253));
+    vec3 tau = vec3(0.042, 0.098, 0.24) + vec3(0.030, 0.036, 0.044) * haze;
+    return 10.0 * smoothstep(-1.0, 1.5, sunHeight) * exp(-tau * mass);
+}
+
+// ---- Waves --------------------------------------------------------------------------------------
+vec4 gKx[2], gKz[2], gHeight[2], gPhase[2];   // the eight plane waves of this frame
+float gCrests = 0.0;                          // m, the sum of their heights
+vec2 gCrest = vec2(0.0);                      // of the rings: greatest height and slope
+
+void loadWaves() {
+    gCrests = 0.0;
+    for (int g = 0; g < 2; ++g) {
+        gKx[g] = texelFetch(wavelets, ivec2(4 * g, 0), 0);
+        gKz[g] = texelFetch(wavelets, ivec2(4 * g + 1, 0), 0);
+        gHeight[g] = texelFetch(wavelets, ivec2(4 * g + 2, 0), 0);
+        gPhase[g] = texelFetch(wavelets, ivec2(4 * g + 3, 0), 0);
+        gCrests += dot(gHeight[g], vec4(1.0));
+    }
+    if (ripples) gCrest = texelFetch(crest, ivec2(0), 0).xy;
+}
+
+vec2 pondUv(vec2 p) { return p / (2.0 * kPool) + 0.5; }
+
+float waterHeight(vec2 p) {
+    float h = ripples ? textureLod(relief, pondUv(p), 0.0).x : 0.0;
+    if (waveHeight > 0.0)
+        for (int g = 0; g < 2; ++g)
+            h += dot(gHeight[g], sin(gKx[g] * p.x + gKz[g] * p.y + gPhase[g]));
+    return h;
+}
+vec2 waterSlope(vec2 p) {
+    vec2 slope = ripples ? textureLod(relief, pondUv(p), 0.0).yz : vec2(0.0);
+    if (waveHeight > 0.0)
+        for (int g = 0; g < 2; ++g) {
+            vec4 c = gHeight[g] * cos(gKx[g] * p.x + gKz[g] * p.y + gPhase[g]);
+            slope += vec2(dot(c, gKx[g]), dot(c, gKz[g]));
+        }
+    return slope;
+}
+// Slope, second derivatives xx, xz, zz, and the variance of slope that a pixel hides: each wave
+// fades as its phase changes over the pixel, whose sides are a and b.
+float waterShape(vec2 p, vec2 a, vec2 b, out vec2 slope, out vec3 second) {
+    float hidden = 0.0;
+    slope = vec2(0.0);
+    second = vec3(0.0);
+    if (ripples) {
+        slope = textureLod(relief, pondUv(p), 0.0).yz;
+        second = textureLod(bend, pondUv(p), 0.0).xyz;
+        vec2 wide = vec2(dot(second.xy, a), dot(second.yz, a));
+        float fade = 1.0 / (1.0 + 8.0 * (dot(a, a) + dot(b, b)));   // rings of 0.3 m
+        hidden += (1.0 - fade) * dot(slope, slope) + 0.02 * min(dot(wide, wide), 1.0);
+        slope *= fade;
+        second *= fade;
+    }
+    if (waveHeight > 0.0)
+        for (int g = 0; g < 2; ++g) {
+            vec4 phase = gKx[g] * p.x + gKz[g] * p.y + gPhase[g];
+            vec4 u = gKx[g] * a.x + gKz[g] * a.y, v = gKx[g] * b.x + gKz[g] * b.y;
+            vec4 fade = exp(-min(u * u + v * v, 400.0) / 24.0);   // a box of that width
+            vec4 c = gHeight[g] * fade * cos(phase), s = gHeight[g] * fade * sin(phase);
+            slope += vec2(dot(c, gKx[g]), dot(c, gKz[g]));
+            second -= vec3(dot(s * gKx[g], gKx[g]), dot(s * gKx[g], gKz[g]),
+                           dot(s * gKz[g], gKz[g]));
+            vec4 steep = gHeight[g] * gHeight[g] * (gKx[g] * gKx[g] + gKz[g] * gKz[g]);
+            hidden += 0.5 * dot(steep, 1.0 - fade * fade);
+        }
+    return hidden;
+}
+
+// Where a ray meets the water before tMax, else kFar. wet: it comes from below. Steps are as long
+// as the steepest possible surface allows, times `overstep`; then the sign change is closed in on.
+float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
+    evaluations = 0;
+    float level = gCrests + gCrest.x + 1e-4, side = wet ? -1.0 : 1.0;
+    vec3 inv = 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+    vec3 box = vec3(kPool.x, level, kPool.y);
+    vec3 a = (-box - ro) * inv, b = (box - ro) * inv, n = min(a, b), f = max(a, b);
+    float t = max(max(n.x, n.z), max(n.y, 0.0)), end = min(min(f.x, f.z), min(f.y, tMax));
+    if (t >= end) return kFar;
+    float steep = gCrest.y * length(rd.xz);   // along this ray
+    for (int g = 0; g < 2; ++g)
+        steep += dot(gHeight[g], abs(gKx[g] * rd.x + gKz[g] * rd.z));
+    float closing = steep - side * rd.y;
+    if (closing <= 1e-6) return kFar;         // it leaves faster than the water can follow
+    vec3 p = ro + t * rd;
+    float gap = side * (p.y - waterHeight(p.xz)), before = t, gapBefore = gap;
+    evaluations = 1;
+    if (gap <= 0.0) {                         // it starts within rounding of the surface
+        t += 1e-3;
+        gap = 1e-4;
+    }
+    for (int i = 0; i < marchSteps && gap > 0.0; ++i) {
+        before = t;
+        gapBefore = gap;
+        t += max(overstep * gap / closing, 1e-4 + 2e-4 * t);
+        if (t > end) {
+            if (before >= end) return kFar;
+            t = end;
+        }
+        p = ro + t * rd;
+        gap = side * (p.y - waterHeight(p.xz));
+        ++evaluations;
+        if (gap > 0.0 && t >= end) return kFar;
+    }
+    if (gap > 0.0) return t;                  // out of steps: nearly there
+    float lo = before, hi = t, gapLo = gapBefore, gapHi = gap;
+    int last = 0;
+    for (int i = 0; i < refinement; ++i) {
+        t = hi - gapHi * (hi - lo) / min(gapHi - gapLo, -1e-12);
+        p = ro + t * rd;
+        gap = side * (p.y - waterHeight(p.xz));
+        ++evaluations;
+        if (gap > 0.0) {
+            lo = t; gapLo = gap;
+            if (last > 0) gapHi *= 0.5;
+            last = 1;
+        } else {
+            hi = t; gapHi = gap;
+            if (last < 0) gapLo *= 0.5;
+            last = -1;
+        }
+    }
+    return refinement == 0 ? t : clamp(hi - gapHi * (hi - lo) / min(gapHi - gapLo, -1e-12), lo, hi);
+}
+
+// ---- Geometry -----------------------------------------------------------------------------------
+float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
+    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    if (d < 0.0) return -1.0;
+    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+}
+
+vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
+    return 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+}
+vec2 columnPlace(int i) { return kColumnFirst + kColumnStep * vec2(i & 1, i >> 1); }
+vec3 lampPlace(int i) {
+    return vec3(kPool.x * float((i & 1) * 2 - 1), -0.42 * depth, -4.3 + 4.4 * float(i >> 1));
+}
+float stepTop(int i) { return 0.05 - 0.22 * float(i); }
+float stepReach(int i) { return kPool.x - 0.42 * float(i + 1); }
+const vec2 kStepsAlong = vec2(1.1, 4.3);   // m, z
+
+void meetSolidBox(vec3 ro, vec3 inv, vec3 lo, vec3 hi, int id, inout Hit h) {
+    vec3 a = (lo - ro) * inv, b = (hi - ro) * inv, n = min(a, b), f = max(a, b);
+    float enter = maxComponent(n), leave = min(f.x, min(f.y, f.z));
+    if (enter >= leave || enter <= 0.0 || enter >= h.t) return;
+    vec3 axis = enter == n.y ? vec3(0, 1, 0) : enter == n.x ? vec3(1, 0, 0) : vec3(0, 0, 1);
+    h = Hit(enter, -sign(inv) * axis, id);
+}
+void meetSolidSphere(vec3 ro, vec3 rd, vec4 ball, int id, inout Hit h) {
+    float t = intersectSphere(ro, rd, ball.xyz, ball.w);
+    if (t > 0.0 && t < h.t) h = Hit(t, (ro + t * rd - ball.xyz) / ball.w, id);
+}
+
+// The nearest solid thing. wet: from under water the far wall is a wall; from above one sees over.
+Hit intersect(vec3 ro, vec3 rd, bool wet) {
+    Hit h = Hit(kFar, vec3(0.0), kSky);
+    vec3 inv = safeInverse(rd);
+    vec2 a = (-kPool - ro.xz) * inv.xz, b = (kPool - ro.xz) * inv.xz;
+    vec2 n = min(a, b), f = max(a, b);
+    float enter = max(max(n.x, n.y), 0.0), leave = min(f.x, f.y);
+    float toFloor = (-depth - ro.y) * inv.y, toDeck = (kDeck - ro.y) * inv.y;
+    if (leave > enter) {   // through the prism over the pool
+        bool sea = f.y < f.x && rd.z < 0.0;
+        float y = ro.y + leave * rd.y, top = !sea ? kDeck : wet ? kFar : kBrim;
+        if (rd.y < 0.0 && toFloor > enter && toFloor < leave)
+            h = Hit(toFloor, vec3(0, 1, 0), kFloor);
+        else if (y < top && y > -depth - 1e-3)
+            h = Hit(leave, f.x < f.y ? vec3(-sign(rd.x), 0, 0) : vec3(0, 0, -sign(rd.z)), kWall);
+    }
+    if (toDeck > 0.0 && rd.y < 0.0 && toDeck < h.t) {
+        vec2 p = ro.xz + toDeck * rd.xz;
+        bool paved = max(abs(p.x) - kPool.x, p.y - kPool.y) > 0.0 && p.y > -kPool.y;
+        if (paved && max(abs(p.x), p.y) < kTerrace) h = Hit(toDeck, vec3(0, 1, 0), kPaving);
+    }
+    if (columns) {
+        float across = max(dot(rd.xz, rd.xz), 1e-12), r2 = square(kColumnRadius);
+        for (int i = 0; i < 6; ++i) {
+            vec2 c = columnPlace(i), to = c - ro.xz;
+            float mid = dot(to, rd.xz) / across;
+            vec2 off = to - mid * rd.xz;
+            float away2 = dot(off, off);
+            if (away2 > 0.25 || mid + 0.5 * inversesqrt(across) < 0.0) continue;
+            float s = sqrt(max(r2 - away2, 0.0) / across), t = mid - s > 0.0 ? mid - s : mid + s;
+            float y = ro.y + t * rd.y;
+            if (away2 < r2 && t > 0.0 && t < h.t && y < kColumnTop && y > -depth)
+                h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kColumnRadius, kColumn);
+            vec3 foot = vec3(c, 0.0).xzy, cap = vec3(0.31, kColumnTop, 0.31);
+            meetSolidBox(ro, inv, foot + vec3(-0.31, -depth, -0.31), foot + vec3(0.31, 0.1, 0.31),
+                         kStone, h);
+            meetSolidBox(ro, inv, foot + cap * vec3(-1, 1, -1) - vec3(0, 0.16, 0), foot + cap,
+                         kStone, h);
+        }
+        for (int i = 0; i < 2; ++i) {
+            vec3 mid = vec3(columnPlace(i).x, kColumnTop + kBeamHalf.y, columnPlace(2).y);
+            meetSolidBox(ro, inv, mid - kBeamHalf, mid + kBeamHalf, kStone, h);
+        }
+    }
+    if (steps)
+        for (int i = 0; i < 4; ++i)
+            meetSolidBox(ro, inv, vec3(stepReach(i), -depth - 1.0, kStepsAlong.x),
+                         vec3(kPool.x + 1.0, stepTop(i), kStepsAlong.y), kStep, h);
+    if (mirrorBall) meetSolidSphere(ro, rd, kBallPlace, kBall, h);
+    for (int i = 0; i < lanterns; ++i)
+        meetSolidSphere(ro, rd, texelFetch(floats, ivec2(i, 0), 0), kLantern + i, h);
+    return h;
+}
+
+// ---- Light --------------------------------------------------------------------------------------
+vec2 skyUv(vec3 rd, float lod) {
+    vec2 half_texel = 0.5 * exp2(lod) / vec2(1024.0, 512.0);
+    float v = sqrt(clamp(rd.y, 0.0, 1.0));   // finest at the horizon
+    return vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5,
+                clamp(v, half_texel.y, 1.0 - half_texel.y));
+}
+vec3 skyLight(vec3 rd, float cone) {
+    float lod = clamp(log2(max(cone, 1e-4) * 1024.0 / (2.0 * kPi)), 0.0, 5.0);
+    return textureLod(sky, skyUv(rd, lod), lod).rgb;
+}
+vec3 skyAmbient() { return textureLod(sky, vec2(0.5), 9.0).rgb; }
+
+// One layer of stars in square cells. None is smaller than the footprint w: dimmer instead.
+vec3 starLayer(vec2 uv, float cell, float radius, float w, int seed) {
+    vec2 c = floor(uv / cell);
+    uvec3 bits = hash3(ivec3(ivec2(c), seed));
+    vec3 a = vec3(bits & 65535u) / 65536.0, b = vec3(bits >> 16u) / 65536.0;
+    vec2 d = uv / cell - c - 0.3 - 0.4 * a.xy;
+    float r = radius * (0.5 + a.z), seen = min(max(r, 0.75 * w), 0.14 * cell);
+    float twinkle = sin(2.0 * kPi * (b.y + cycles(0.125 + 0.25 * floor(b.z * 4.0))));
+    float shine = square(square(b.x * b.x * b.x)) * (0.75 + 0.25 * twinkle);   // few are bright
+    float disc = exp(-dot(d, d) * square(cell / seen)) * square(r / seen);
+    return mix(vec3(0.65, 0.78, 1.0), vec3(1.0, 0.86, 0.66), b.z)
+        * (shine * disc * clamp(2.0 - 3.0 * w / cell, 0.0, 1.0));
+}
+
+float ridge(float a, int seed) {   // smooth noise round the horizon; a in turns
+    float x = a * 48.0, i = floor(x), f = x - i, s = f * f * (3.0 - 2.0 * f);
+    ivec2 c = (ivec2(int(i)) + ivec2(0, 1) + 96) % 48;
+    return mix(random3(ivec3(c.x, seed, 3)).x, random3(ivec3(c.y, seed, 3)).x, s);
+}
+
+bool gSunDisc = true;   // planar pictures leave it to the water
+// The sun as a blur: its disc, seen over a cone. Its light is kept, but for a ceiling.
+vec3 sunGlint(vec3 rd, float cone) {
+    float sigma2 = square(0.0047) + 0.25 * cone * cone;
+    vec3 off = rd - towardsSun();
+    return sunColour() * min(0.5 / sigma2, 4e3) * exp(-min(0.5 * dot(off, off) / sigma2, 60.0));
+}
+
+// All beyond the terrace: sky, sun, stars, headlands, the sea. cone: rad, what is seen as one.
+vec3 background(vec3 rd, float cone) {
+    vec3 sun = towardsSun(), up = vec3(rd.x, abs(rd.y), rd.z);
+    float soft = max(cone, 1e-3), turns = atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5;
+    vec3 light = skyLight(up, cone), disc = vec3(0.0);
+    float shore = smoothstep(0.04, 0.12, abs(turns - 0.5));
+    float land = 0.095 * shore * ridge(turns, 1) + 0.03 * shore * ridge(fract(turns * 3.0), 2);
+    float hills = smoothstep(-soft, soft, land - abs(rd.y)) * step(0.0, land - 1e-4);
+    if (gSunDisc) disc = sunGlint(up, cone);
+    if (stars > 0.0 && rd.y > 0.0) {
+        vec2 uv = rd.xz / (0.35 + rd.y);
+        light += stars * (starLayer(uv, 0.035, 0.0009, cone, 41) * 3.0
+                          + starLayer(uv + 0.3, 0.11, 0.0013, cone, 43) * 6.0);
+    }
+    vec3 far = mix(light * vec3(0.20, 0.24, 0.32), light, 0.35);
+    light = mix(light + (1.0 - hills) * disc, far, hills);
+    if (rd.y < 0.0) {   // the sea: rough, so it mirrors what stands higher, and glitters
+        float away = kEyeLevel / max(-rd.y, 1e-4);
+        vec3 above = normalize(vec3(rd.x, 0.16 - rd.y, rd.z));
+        float share = 0.12 + 0.55 * exp(9.0 * rd.y);
+        vec3 water = skyLight(above, 0.25) * share + skyAmbient() * vec3(0.006, 0.03, 0.045);
+        vec2 off = normalize(rd.xz + 1e-6) - normalize(sun.xz + 1e-6);
+        float glitter = exp(-dot(off, off) / (0.010 + 0.6 * rd.y * rd.y)
+                            - square(rd.y + 0.02 * (1.0 + sun.y * 8.0)) * 60.0);
+        water += sunColour() * 0.55 * glitter;
+        vec3 mist = skyLight(vec3(rd.x, 0.01, rd.z), 0.1);
+        water = mix(mist, water, exp(-away / 9000.0));
+        light = mix(water, far, hills * 0.5 * exp(30.0 * rd.y));
+    }
+    return light;
+}
+
+// How a thin upright column or a ball dims the sun over a path of length tMax. spread: rad.
+float besideColumn(vec3 p, vec3 rd, float tMax, vec2 c, float spread) {
+    vec2 to = c - p.xz;
+    float across = max(dot(rd.xz, rd.xz), 1e-6), t = dot(to, rd.xz) / across;
+    float away = length(to - t * rd.xz), soft = max(spread * t, 0.003);
+    if (t <= 0.0 || t > tMax || p.y + t * rd.y > kColumnTop) return 1.0;
+    return smoothstep(-soft, soft, away - kColumnRadius);
+}
+float besideBall(vec3 p, vec3 rd, float tMax, vec4 ball, float spread) {
+    vec3 to = ball.xyz - p;
+    float t = dot(to, rd), soft = max(spread * t, 0.003);
+    if (t <= 0.0 || t > tMax + ball.w) return 1.0;
+    return smoothstep(-soft, soft, length(to - t * rd) - ball.w);
+}
+float besideAll(vec3 p, vec3 rd, float tMax, float spread) {
+    float free = 1.0;
+    if (columns) {
+        for (int i = 0; i < 6; ++i)
+            free *= besideColumn(p, rd, tMax, columnPlace(i), spread);
+        for (int i = 0; i < 2; ++i) {   // beams: the ray at their height
+            float t = (kColumnTop + kBeamHalf.y - p.y) / max(rd.y, 1e-3);
+            vec2 q = abs(p.xz + t * rd.xz - vec2(columnPlace(i).x, columnPlace(2).y));
+            vec2 reach = kBeamHalf.xz + kBeamHalf.y * abs(rd.xz) / max(rd.y, 0.05);
+            vec2 in2 = smoothstep(-0.02, 0.02, reach - q);
+            if (t > 0.0 && t < tMax) free *= 1.0 - in2.x * in2.y;
+        }
+    }
+    if (mirrorBall) free *= besideBall(p, rd, tMax, kBallPlace, spread);
+    for (int i = 0; i < lanterns; ++i)
+        free *= besideBall(p, rd, tMax, texelFetch(floats, ivec2(i, 0), 0), spread);
+    return free;
+}
+
+// Refraction of the sun by nearly level water: the direction down, level offset a metre of depth
+// (flat) and the matrix that a slope adds to it, for a first-order map of entry to floor.
+vec3 sunUnderWater(vec3 sun, out mat2 byslope) {
+    float eta = 1.0 / kIorWater, cosI = max(sun.y, 1e-3);
+    float cosT = sqrt(1.0 - eta * eta * (1.0 - cosI * cosI)), m = eta * cosI - cosT;
+    float bias = eta * (eta - eta * eta * cosI / cosT) / (cosT * cosT);
+    byslope = mat2(bias * sun.x * sun.x - m / cosT, bias * sun.x * sun.z,
+                   bias * sun.x * sun.z, bias * sun.z * sun.z - m / cosT);
+    return vec3(-eta * sun.x, -cosT, -eta * sun.z);
+}
+
+// Where light that reaches a point `down` metres deep came in, and how much the waves gather it.
+float gathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
+    vec2 calm = light.xz / -light.y;
+    entry = p - down * calm;
+    if (caustics <= 0.0) return 1.0;
+    vec2 slope = waterSlope(entry);
+    entry = p - down * (calm + byslope * slope);
+    slope = waterSlope(entry);
+    entry = p - down * (calm + byslope * slope);
+    vec3 second;
+    waterShape(entry, vec2(0.0), vec2(0.0), slope, second);
+    mat2 j = mat2(1.0) + down * byslope * mat2(second.xy, second.yz);
+    float area = j[0][0] * j[1][1] - j[0][1] * j[1][0];
+    area = abs(area);   // biased: one of several sheets of light where they fold, none too sharp
+    return mix(1.0, 1.0 / (area < 0.3 ? area * area / 0.6 + 0.15 : area), caustics);
+}
+
+// Sunlight on a surface, over pi.
+vec3 sunOn(vec3 p, vec3 nor, bool wet) {
+    vec3 sun = towardsSun();
+    if (sunHeight <= -1.0) return vec3(0.0);
+    sun.y = max(sun.y, 0.01);
+    if (!wet) {
+        float facing = dot(nor, sun);
+        return facing > 0.0 ? sunColour() * (facing * besideAll(p, sun, kFar, 0.006)) : vec3(0.0);
+    }
+    mat2 byslope;
+    vec2 entry;
+    vec3 light = sunUnderWater(sun, byslope);
+    float down = max(-p.y, 0.0), facing = -dot(nor, light) / -light.y;
+    if (facing <= 0.0) return vec3(0.0);
+    float gather = gathered(p.xz, down, light, byslope, entry);
+    vec3 from = vec3(entry.x, 0.0, entry.y);
+    float path = length(from - p);
+    vec2 inside = smoothstep(-0.04 * down - 0.01, 0.04 * down + 0.01, kPool - abs(entry));
+    // Over the rim: the paving stands higher than the water, the sea's side does not.
+    vec2 leave = (kPool * sign(sun.xz) - entry) / mix(sun.xz, vec2(1e-6), lessThan(abs(sun.xz),
+                                                                                 vec2(1e-6)));
+    bool sea = leave.y < leave.x && sun.z < 0.0;
+    float rim = min(leave.x, leave.y) * sun.y;
+    float over = sea ? 1.0 : smoothstep(kDeck - 0.02, kDeck + 0.02, rim);
+    float free = inside.x * inside.y * over;
+    if (free > 0.0) free *= besideAll(p, -light, path, 0.05);
+    if (free > 0.0) free *= besideAll(from, sun, kFar, 0.012);
+    float share = (1.0 - fresnel(sun.y, kIorWater)) * sun.y;
+    return sunColour() * (share * gather * facing * free) * exp(-absorption() * path);
+}
+
+// Lamps under water and lanterns on it, over pi.
+vec3 lampsOn(vec3 p, vec3 nor, bool wet) {
+    vec3 sum = vec3(0.0);
+    if (poolLights > 0.0) {
+        if (wet)
+            for (int i = 0; i < 6; ++i) {
+                vec3 to = lampPlace(i) - p;
+                float r2 = dot(to, to) + 0.02, r = sqrt(r2);
+                float facing = 0.15 + 0.85 * max(dot(to, nor) / r, 0.0);
+                sum += exp(-absorption() * r) * (1.1 * facing / r2);
+            }
+        else {   // through the surface: as a glowing floor
+            vec2 beyond = max(abs(p.xz) - kPool, 0.0);
+            float near = 1.0 / (1.0 + 0.35 * square(p.y) + 2.0 * dot(beyond, beyond));
+            sum += exp(-absorption() * 2.0) * (0.10 * (0.55 - 0.45 * nor.y) * near);
+        }
+        sum *= poolLights * vec3(0.85, 1.0, 0.95);
+    }
+    if (lanternGlow > 0.0)
+        for (int i = 0; i < lanterns; ++i) {
+            vec4 ball = texelFetch(floats, ivec2(i, 0), 0);
+            vec3 to = ball.xyz - p;
+            float r2 = dot(to, to) + 0.01;
+            float facing = 0.1 + 0.9 * max(dot(to, nor) * inversesqrt(r2), 0.0);
+            vec3 fade = wet ? exp(-absorption() * sqrt(r2)) : vec3(1.0);
+            sum += lanternGlow * vec3(1.0, 0.55, 0.20) * fade * (0.05 * facing / r2);
+        }
+    return sum;
+}
+
+// Light scattered towards the eye along t metres of water: even, and closed-form round each lamp.
+vec3 waterGlow(vec3 ro, vec3 rd, float t) {
+    vec3 sigma = absorption();
+    vec3 even = skyAmbient() + 0.25 * sunColour() * max(sin(radians(sunHeight)), 0.0);
+    vec3 sum = vec3(0.010, 0.045, 0.05) * even * (1.0 - exp(-sigma * t)) / (sigma + 0.05);
+    if (poolLights > 0.0)
+        for (int i = 0; i < 6; ++i) {
+            vec3 to = lampPlace(i) - ro;
+            float mid = dot(to, rd), away = sqrt(max(dot(to, to) - mid * mid, 0.0) + 0.004);
+            float arc = (atan((t - mid) / away) + atan(mid / away)) / away;
+            sum += poolLights * 0.012 * arc * exp(-sigma * (max(mid, 0.0) + away));
+        }
+    return sum;
+}
+// ---- Materials ----------------------------------------------------------------------------------
+vec3 mosaic(vec2 uv, vec2 foot, int seed) {
+    vec2 q = uv / tileSize, w = foot / tileSize, c = floor(q);
+    vec3 r = random3(ivec3(ivec2(c), seed));
+    float distinct = clamp(1.5 - max(w.x, w.y), 0.0, 1.0);
+    float joint = max(lines(q.x, 0.035, w.x), lines(q.y, 0.035, w.y));
+    vec3 tint = linearColour(tileColour) * mix(1.0, 0.70 + 0.60 * r.x, distinct);
+    vec3 accent = linearColour(tileColour) * vec3(0.35, 0.72, 0.95);
+    tint = mix(tint, accent, mix(0.16, step(0.84, r.y), distinct));
+    return mix(tint, vec3(0.62, 0.66, 0.64), joint);
+}
+
+// Albedo of a matt thing, and how it mirrors. x, y: sides of the pixel on it.
+vec3 materialAt(vec3 p, int id, inout vec3 nor, vec3 x, vec3 y, float cosine, out vec3 shine) {
+    vec3 foot = min(abs(x) + abs(y), 50.0);
+    shine = vec3(0.0);
+    if (id == kFloor) {
+        vec3 tile = mosaic(p.xz, foot.xz, 5);
+        vec2 rim = kPool - abs(p.xz) - 0.55;
+        float band = max(stripe(rim.x, 0.0, 0.14, foot.x) * step(0.0, rim.y + 0.14),
+                         stripe(rim.y, 0.0, 0.14, foot.z) * step(0.0, rim.x + 0.14));
+        return tile * mix(vec3(1.0), vec3(0.16, 0.30, 0.45), band);
+    }
+    if (id == kWall) {
+        bool side = abs(nor.x) > 0.5;
+        vec2 across = side ? foot.zy : foot.xy;
+        vec3 tile = mosaic(side ? p.zy : p.xy, across, side ? 6 : 7);
+        tile *= mix(vec3(1.0), vec3(0.10, 0.22, 0.40), stripe(p.y, -0.26, 0.02, foot.y));
+        return mix(tile, vec3(0.60, 0.55, 0.48), stripe(p.y, 0.02, 1.0, foot.y));
+    }
+    if (id == kPaving || id == kStep) {
+        vec2 slab = p.xz / 0.9, w = foot.xz / 0.9;
+        vec2 edge = abs(p.xz) - kPool;
+        float coping = step(max(edge.x, edge.y), 0.45);
+        float distinct = clamp(1.5 - max(w.x, w.y), 0.0, 1.0);
+        vec3 r = random3(ivec3(ivec2(floor(slab)), 9));
+        float joint = max(lines(slab.x, 0.006, w.x), lines(slab.y, 0.006, w.y));
+        vec3 stone = vec3(0.58, 0.51, 0.43)
+            * mix(1.0, 0.86 + 0.28 * r.x, distinct * (1.0 - coping));
+        if (id == kStep) {
+            stone = mosaic(nor.y > 0.5 ? p.xz : abs(nor.x) > 0.5 ? p.zy : p.xy,
+                           nor.y > 0.5 ? foot.xz : abs(nor.x) > 0.5 ? foot.zy : foot.xy, 11);
+            joint = 0.0;
+        } else {
+            shine = vec3(0.25 * fresnel(cosine, 1.4));
+        }
+        return stone * (1.0 - 0.6 * joint);
+    }
+    if (id == kColumn) {   // fluted: twenty shallow grooves
+        float a = atan(nor.x, nor.z + 1e-9), w = length(foot.xz) / kColumnRadius * 3.2;
+        float distinct = clamp(1.0 - w, 0.0, 1.0), groove = sin(20.0 * a) * 0.45 * distinct;
+        nor.xz = turn(nor.xz, groove);
+        return vec3(0.72, 0.68, 0.62) * (0.93 + 0.07 * cos(20.0 * a) * distinct);
+    }
+    if (id == kBall) {
+        shine = mix(vec3(0.88, 0.87, 0.85), vec3(1.0), pow(1.0 - cosine, 5.0));
+        return vec3(0.0);
+    }
+    if (id >= kLantern) {
+        shine = vec3(fresnel(cosine, 1.45));
+        vec3 r = random3(ivec3(id, 4, 4));
+        bool red = r.x > 0.55 && lanternGlow <= 0.0;
+        return red ? vec3(0.85, 0.20, 0.08) : vec3(0.80, 0.76, 0.70);
+    }
+    return vec3(0.66, 0.62, 0.56);
+}
+
+// ---- Transport ----------------------------------------------------------------------------------
+// A ray's differentials where it meets the plane of normal nor after t.
+void landAt(inout Ray r, float t, vec3 nor) {
+    float slope = dot(r.d, nor);
+    if (abs(slope) < 0.02) slope = slope < 0.0 ? -0.02 : 0.02;   // a pixel 50 times as long
+    r.ox += t * r.dx;
+    r.oy += t * r.dy;
+    r.ox = clamp(r.ox - dot(r.ox, nor) / slope * r.d, -9.0, 9.0);
+    r.oy = clamp(r.oy - dot(r.oy, nor) / slope * r.d, -9.0, 9.0);
+    r.o += t * r.d;
+}
+void reflectRay(inout Ray r, vec3 nor, vec3 nx, vec3 ny) {   // nx, ny: change of the normal
+    float c = dot(r.d, nor);
+    r.dx -= 2.0 * (c * nx + (dot(r.dx, nor) + dot(r.d, nx)) * nor);
+    r.dy -= 2.0 * (c * ny + (dot(r.dy, nor) + dot(r.d, ny)) * nor);
+    r.d -= 2.0 * c * nor;
+    r.dx = clamp(r.dx, -2.0, 2.0);
+    r.dy = clamp(r.dy, -2.0, 2.0);
+}
+// False for total reflection. eta: index before over index beyond. cosT without cancellation.
+bool refractRay(inout Ray r, vec3 nor, vec3 nx, vec3 ny, float eta) {
+    float cosI = -dot(r.d, nor), k = (1.0 - eta) * (1.0 + eta) + square(eta * cosI);
+    if (k <= 0.0) return false;
+    float cosT = sqrt(k), m = eta * cosI - cosT;
+    float dm = eta - eta * eta * cosI / max(cosT, 0.05);
+    r.dx = clamp(eta * r.dx + m * nx - dm * (dot(r.dx, nor) + dot(r.d, nx)) * nor, -2.0, 2.0);
+    r.dy = clamp(eta * r.dy + m * ny - dm * (dot(r.dy, nor) + dot(r.d, ny)) * nor, -2.0, 2.0);
+    r.d = normalize(eta * r.d + m * nor);
+    return true;
+}
+float coneOf(Ray r) { return sqrt(0.5 * (dot(r.dx, r.dx) + dot(r.dy, r.dy)) + r.rough); }
+
+// Light that arrives against a ray. level: the water is a plane, for planar pictures. reach: the
+// distance to what is met first.
+vec3 render(Ray r, bool level, out float reach) {
+    vec3 sum = vec3(0.0);
+    Ray later = r;
+    later.carry = vec3(0.0);
+    reach = kFar;
+    for (int k = 0; k < rays; ++k) {
+        Hit h = intersect(r.o, r.d, r.wet);
+        int count;   // of no interest here
+        float t = h.t;
+        if (!level) {
+            t = min(t, marchWater(r.o, r.d, h.t, r.wet, count));
+        } else if ((r.d.y < 0.0) != r.wet) {
+            float down = -r.o.y * safeInverse(r.d).y;
+            vec2 p = abs(r.o.xz + down * r.d.xz);
+            if (down > 0.0 && down < h.t && p.x < kPool.x && p.y < kPool.y) t = down;
+        }
+        bool onWater = t < h.t;
+        if (k == 0) reach = t;
+        if (r.wet) {
+            sum += r.carry * waterGlow(r.o, r.d, min(t, 50.0));
+            r.carry *= exp(-absorption() * min(t, 50.0));
+        }
+        if (onWater) {
+            float side = r.wet ? -1.0 : 1.0;
+            vec2 slope = vec2(0.0);
+            vec3 second = vec3(0.0), p = r.o + t * r.d;
+            if (!level) slope = waterSlope(p.xz);
+            landAt(r, t, side * normalize(vec3(-slope.x, 1.0, -slope.y)));
+            if (!level) r.rough += 4.0 * waterShape(p.xz, r.ox.xz, r.oy.xz, slope, second);
+            r.o.y = level ? 0.0 : waterHeight(p.xz);
+            float shrink = side * inversesqrt(1.0 + dot(slope, slope));
+            vec3 nor = shrink * vec3(-slope.x, 1.0, -slope.y);
+            vec3 nx = -shrink * vec3(dot(second.xy, r.ox.xz), 0.0, dot(second.yz, r.ox.xz));
+            vec3 ny = -shrink * vec3(dot(second.xy, r.oy.xz), 0.0, dot(second.yz, r.oy.xz));
+            float cosI = clamp(-dot(r.d, nor), 1e-3, 1.0);
+            float share = fresnel(cosI, r.wet ? 1.0 / kIorWater : kIorWater);
+            Ray back = r, on = r;
+            reflectRay(back, nor, nx, ny);
+            back.d += max(0.002 - dot(back.d, nor), 0.0) * nor;   // not into the next slope
+            back.d = normalize(back.d);
+            back.o += vec3(0.0, 2e-4 * side, 0.0);
+            back.carry *= share;
+            bool passes = refractRay(on, nor, nx, ny, r.wet ? kIorWater : 1.0 / kIorWater);
+            on.o -= vec3(0.0, 2e-4 * side, 0.0);
+            on.wet = !r.wet;
+            on.carry *= passes ? 1.0 - share : 0.0;
+            r = passes ? on : back;
+            if (passes && maxComponent(back.carry) > maxComponent(later.carry)) later = back;
+        } else if (h.id == kSky) {
+            sum += r.carry * background(r.d, coneOf(r));
+            r.carry = vec3(0.0);
+        } else {
+            vec3 nor = h.nor, shine;
+            landAt(r, t, nor);
+            vec3 facing = nor;
+            float cosine = clamp(-dot(r.d, nor), 0.0, 1.0);
+            vec3 albedo = materialAt(r.o, h.id, facing, r.ox, r.oy, cosine, shine);
+            vec3 start = liftOff(r.o, nor), light = lampsOn(start, facing, r.wet);
+            float corner = 1.0;
+            if (h.id == kFloor || h.id == kWall) {   // less sky in the corners
+                vec3 room = vec3(kPool - abs(r.o.xz), r.o.y + depth).xzy + 0.15;
+                vec3 shut = 1.0 - 0.35 * exp(-2.5 * room) * (1.0 - abs(nor));
+                corner = shut.x * shut.y * shut.z;
+            }
+            vec3 open = skyAmbient() * (0.62 + 0.38 * facing.y) * corner;
+            if (r.wet) open *= 0.93 * exp(-absorption() * max(-r.o.y, 0.0) * 1.2);
+            if (maxComponent(albedo) > 0.0) light += open + sunOn(start, facing, r.wet);
+            vec3 own = vec3(0.0);
+            if (h.id == kWall && poolLights > 0.0)
+                for (int i = 0; i < 6; ++i)
+                    own += smoothstep(0.13, 0.09, distance(r.o, lampPlace(i))) * poolLights * 9.0;
+            if (h.id >= kLantern)
+                own = lanternGlow * vec3(1.0, 0.52, 0.18) * (0.5 + 0.7 * cosine * cosine);
+            if (r.wet) shine *= h.id == kBall ? 1.0 : 0.15;
+            sum += r.carry * (own + (1.0 - shine) * albedo * light);
+            vec3 bent = h.id == kBall ? vec3(1.0 / kBallPlace.w) : vec3(0.0);
+            if (h.id >= kLantern) bent = vec3(1.0 / 0.16);
+            reflectRay(r, nor, bent * r.ox, bent * r.oy);
+            if (h.id == kPaving) r.rough += 0.01;
+            r.d = normalize(r.d);
+            r.o = start;
+            r.carry *= shine;
+        }
+        if (maxComponent(r.carry) < kLeastCarry) {
+            if (maxComponent(later.carry) < kLeastCarry) break;
+            r = later;
+            later.carry = vec3(0.0);
+        }
+    }
+    return sum;
+}
+
+// ---- Camera -------------------------------------------------------------------------------------
+// The eye, and right, up and forward as columns. size: of the picture, pixels.
+mat3 cameraFrame(vec2 size, out vec3 ro) {
+    vec2 drag = mouse == 0 ? (iMouse.xy - abs(iMouse.zw)) / size : vec2(0.0);
+    float angle = radians(cameraAngle) - 2.0 * kPi * drag.x;
+    vec3 target = vec3(targetX, targetHeight, targetZ);
+    ro = target + cameraDistance * vec3(sin(angle), 0.0, cos(angle));
+    ro.y = clamp(cameraHeight - 4.0 * drag.y, 0.3, 8.0);
+    if (columns)
+        for (int i = 0; i < 6; ++i) {   // not from inside a column
+            vec2 away = ro.xz - columnPlace(i);
+            ro.xz += away * max(0.55 * inversesqrt(dot(away, away) + 1e-6) - 1.0, 0.0);
+        }
+    vec3 forward = normalize(target - ro + vec3(0.0, 0.0, -1e-4));
+    vec3 right = normalize(cross(forward, vec3(0.0, 1.0, 1e-5)));
+    return mat3(right, cross(right, forward), forward);
+}
+float lens() { return focalLength / 24.0; }
+
+Ray camera(vec2 at, vec2 size) {
+    Ray r;
+    mat3 frame = cameraFrame(size, r.o);
+    vec2 uv = (at - 0.5 * size) / size.y;
+    vec3 v = frame * vec3(uv, lens());
+    float scale = inversesqrt(dot(v, v));
+    r.d = v * scale;
+    r.dx = (frame[0] - dot(frame[0], r.d) * r.d) * (scale / size.y);
+    r.dy = (frame[1] - dot(frame[1], r.d) * r.d) * (scale / size.y);
+    r.ox = vec3(0.0);
+    r.oy = vec3(0.0);
+    r.carry = vec3(1.0);
+    r.rough = 0.0;
+    r.wet = false;
+    return r;
+}
+
+// ---- Planar -------------------------------------------------------------------------------------
+const vec3 kUp = vec3(0.0, 1.0, 0.0);
+
+vec4 planarPicture(vec2 pixel, bool under) {
+    if (water != 0) return vec4(0.0);
+    loadWaves();
+    vec2 size = iResolution.xy;
+    Ray r = camera((pixel - 0.5 * size) * kMargin + 0.5 * size, size);
+    if (r.d.y > -1e-4) return vec4(0.0);
+    landAt(r, -r.o.y / r.d.y, kUp);
+    r.o.xz = clamp(r.o.xz, 1e-3 - kPool, kPool - 1e-3);
+    if (under) refractRay(r, kUp, vec3(0.0), vec3(0.0), 1.0 / kIorWater);
+    else reflectRay(r, kUp, vec3(0.0), vec3(0.0));
+    r.o.y = under ? -2e-4 : 2e-4;
+    r.wet = under;
+    gSunDisc = under;
+    float reach;
+    vec3 light = render(r, true, reach);
+    return vec4(light, min(reach, 1e4));
+}
+// Where a point is in such a picture.
+vec2 pictureUv(vec3 p) {
+    vec3 ro, v;
+    vec2 size = iResolution.xy;
+    mat3 frame = cameraFrame(size, ro);
+    v = (p - ro) * frame;
+    return v.xy / max(v.z, 1e-3) * lens() * size.y / size / kMargin + 0.5;
+}
+
+// The water at t along a ray, from the two pictures. How far a slope moves what is seen depends on
+// the distance beyond the water, twice looked up: at a waterline it is 0, so nothing smears there.
+vec3 planarWater(Ray r, float t) {
+    vec3 ro = r.o, rd = r.d;
+    landAt(r, t, kUp);
+    float texel = 2.0 * kPool.x / 256.0;
+    float wide = max(length(r.ox.xz), length(r.oy.xz)), lod = log2(max(wide / texel, 1.0));
+    vec4 ripple = textureLod(dudv, pondUv(r.o.xz), lod);
+    vec3 nor = normalize(vec3(-ripple.x, 1.0, -ripple.y));
+    float cosI = clamp(-dot(rd, nor), 1e-3, 1.0), share = fresnel(cosI, kIorWater);
+    vec3 back = reflect(rd, nor), on = refract(rd, nor, 1.0 / kIorWater);
+    back = normalize(vec3(back.x, max(back.y, 0.002), back.z));
+    vec2 here = pictureUv(r.o), at = here;
+    float far = kFar;
+    for (int i = 0; i < 2; ++i) {
+        far = min(far, textureLod(mirror, at, 0.0).w);
+        at = pictureUv((r.o + far * back) * vec3(1, -1, 1));
+    }
+    vec3 sum = share * textureLod(mirror, at, 0.0).rgb;
+    if (far > 9e3) sum += share * sunGlint(back, sqrt(0.5 * dot(r.dx, r.dx) * 2.0
+        + 4.0 * max(ripple.z - dot(ripple.xy, ripple.xy), 0.0)));
+
+    vec3 level = refract(rd, kUp, 1.0 / kIorWater);
+    vec2 along = normalize(rd.xz + vec2(0.0, 1e-6)), across = vec2(-along.y, along.x);
+    float tanI = length(rd.xz) / -rd.y, tanT = length(level.xz) / -level.y, deep = kFar;
+    float bend3 = pow(rd.y / level.y, 3.0) / kIorWater;
+    at = here;
+    for (int i = 0; i < 2; ++i) {
+        deep = min(deep, textureLod(below, at, 0.0).w * -level.y);
+        vec2 moved = deep * (on.xz / min(on.y, -0.05) - level.xz / level.y) * -1.0;
+        float radial = 1.0 / (1.0 + deep / ro.y * bend3);
+        float round_ = ro.y * tanI / max(ro.y * tanI + deep * tanT, 1e-6);
+        vec2 shift = along * (dot(moved, along) * radial) + across * (dot(moved, across) * round_);
+        at = pictureUv(r.o + vec3(shift.x, 0.0, shift.y));
+    }
+    return sum + (1.0 - share) * textureLod(below, at, 0.0).rgb;
+}
+
+// ---- Passes -------------------------------------------------------------------------------------
+// Single scattering in clear and hazy air, by the angle to the sun's bearing and the height.
+void mainAir(out vec4 colour, in vec2 pixel) {
+    vec2 uv = pixel / vec2(64.0, 128.0);
+    vec3 sun = towardsSun(), sunward = vec3(0.0, sun.y, -sqrt(max(1.0 - sun.y * sun.y, 0.0)));
+    float up = uv.y * uv.y, level = sqrt(1.0 - up * up), a = kPi * uv.x;
+    vec3 rd = vec3(level * sin(a), up, -level * cos(a)), ro = vec3(0.0, 6360.3, 0.0);   // km
+    vec3 rayleigh = vec3(5.8e-3, 13.5e-3, 33.1e-3), ozone = vec3(0.65e-3, 1.88e-3, 0.085e-3);
+    float mie = 3.0e-3 * haze, mu = dot(rd, sunward), g = 0.76;
+    float end = -ro.y * rd.y + sqrt(square(ro.y * rd.y) + square(6440.0) - ro.y * ro.y);
+    vec3 sum = vec3(0.0), seen = vec3(0.0);
+    for (int i = 0; i < 32; ++i) {
+        float t0 = end * square(float(i) / 32.0), t1 = end * square(float(i + 1) / 32.0);
+        vec3 p = ro + 0.5 * (t0 + t1) * rd;
+        float r = length(p), h = r - 6360.0, toSun = dot(p, sunward);
+        vec2 dense = exp(-h / vec2(8.0, 1.2));
+        vec3 loss = rayleigh * dense.x + 1.1 * mie * dense.y
+            + ozone * max(1.0 - abs(h - 25.0) / 15.0, 0.0);
+        seen += 0.5 * (t1 - t0) * loss;
+        float leave = -toSun + sqrt(toSun * toSun + square(6440.0) - r * r);
+        vec3 shade = vec3(0.0);
+        for (int j = 0; j < 8; ++j) {
+            vec3 q = p + sunward * leave * (float(j) + 0.5) / 8.0;
+            float hq = max(length(q) - 6360.0, 0.0);
+            shade += rayleigh * exp(-hq / 8.0) + 1.1 * mie * exp(-hq / 1.2)
+                + ozone * max(1.0 - abs(hq - 25.0) / 15.0, 0.0);
+        }
+        float lit = toSun > 0.0 ? 1.0
+            : smoothstep(-6.0, 6.0, sqrt(max(r * r - toSun * toSun, 0.0)) - 6360.0);
+        float hg = (1.0 - g * g) / (4.0 * kPi * pow(1.0 + g * g - 2.0 * g * mu, 1.5));
+        vec3 phase = rayleigh * dense.x * (3.0 / (16.0 * kPi) * (1.0 + mu * mu));
+        // biased: an even share stands for light scattered more than once
+        phase += mie * dense.y * hg + (rayleigh * dense.x + mie * dense.y) * 0.025;
+        sum += (t1 - t0) * lit * phase * exp(-seen - shade * leave / 8.0);
+        seen += 0.5 * (t1 - t0) * loss;
+    }
+    colour = vec4(31.4 * sum, 1.0);   // the sun's 10 x pi
+}
+
+float tiledNoise(vec2 unit, ivec2 period, int seed) {   // value noise on a torus
+    vec2 p = unit * vec2(period), f = fract(p), s = f * f * (3.0 - 2.0 * f);
+    ivec2 a = ivec2(p) % period, b = (a + 1) % period;   // unit in [0, 1)
+    return mix(mix(random3(ivec3(a, seed)).x, random3(ivec3(b.x, a.y, seed)).x, s.x),
+               mix(random3(ivec3(a.x, b.y, seed)).x, random3(ivec3(b, seed)).x, s.x), s.y);
+}
+
+void mainSky(out vec4 colour, in vec2 pixel) {
+    vec2 uv = pixel / vec2(1024.0, 512.0);
+    vec3 sun = towardsSun();
+    float a = 2.0 * kPi * (uv.x - 0.5), up = uv.y * uv.y, level = sqrt(1.0 - up * up);
+    vec3 rd = vec3(level * sin(a), up, -level * cos(a));
+    float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
+    vec3 light = texture(air, vec2(turned, uv.y)).rgb + vec3(0.0011, 0.0017, 0.0042) * 0.6;
+    // Clouds on a flat layer, drawn out along the wind.
+    vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
+    float sum = 0.0, weight = 0.5;
+    for (int i = 0; i < 6; ++i) {
+        sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
+        q += 0.05 * sum;   // curls
+        weight *= 0.55;
+    }
+    float cover = mix(0.85, 0.35, clouds), thick = smoothstep(cover, cover + 0.38, sum);
+    thick *= smoothstep(0.0, 0.10, up) * step(0.001, clouds);
+    float towards = max(dot(rd, normalize(vec3(sun.x, max(sun.y, 0.0), sun.z))), 0.0);
+    vec3 lit = sunColour() * (0.05 + 0.10 * pow(towards, 4.0) + 0.35 * pow(towards, 40.0));
+    vec3 around = 0.9 * texture(air, vec2(turned, 0.75)).rgb
+        + 0.25 * texture(air, vec2(turned, 0.2)).rgb;
+    light = mix(light, around + lit * (1.0 - 0.55 * thick), 0.85 * thick);
+    colour = vec4(min(light, 6e4), 1.0);
+}
+
+// The plane waves, four to a group: kx, kz (rad/m), height (m), phase (rad).
+void mainWavelets(out vec4 colour, in vec2 pixel) {
+    int group = int(pixel.x) >> 2, kind = int(pixel.x) & 3;
+    float total = 0.0;
+    for (int i = 0; i < 8; ++i) total += pow(0.74, 1.2 * float(i));
+    for (int c = 0; c < 4; ++c) {
+        float i = float(group * 4 + c);
+        float aside = 2.0 * fract(i * 0.61803399 + 0.5) - 1.0;
+        float a = radians(windAngle + windSpread * aside);
+        float k = 2.0 * kPi / (longestWave * pow(0.74, i));
+        float hz = sqrt(kGravity * k * tanh(min(k * depth, 20.0))) / (2.0 * kPi);
+        float phase = 2.0 * kPi * (fract(i * 0.7548777) - cycles(hz));
+        colour[c] = kind == 0 ? k * sin(a) : kind == 1 ? k * cos(a)
+            : kind == 2 ? waveHeight * pow(0.74, 1.2 * i) / total : phase;
+    }
+}
+
+// Squared wave speed: that of a wave with this speed over deep water; 0 inside what stands there.
+void mainBed(out vec4 colour, in vec2 pixel) {
+    vec2 p = (pixel / vec2(256.0, 384.0) - 0.5) * 2.0 * kPool;
+    float down = depth;
+    if (columns)
+        for (int i = 0; i < 6; ++i) {
+            vec2 q = abs(p - columnPlace(i));
+            if (max(q.x, q.y) < 0.31) down = 0.0;
+        }
+    if (steps)
+        for (int i = 3; i >= 0; --i)
+            if (p.x > stepReach(i) && p.y > kStepsAlong.x && p.y < kStepsAlong.y)
+                down = min(down, max(-stepTop(i), 0.0));
+    if (mirrorBall && distance(p, kBallPlace.xz) < kBallPlace.w) down = 0.0;
+    float c2 = waveSpeed * waveSpeed;
+    colour = vec4(c2 * tanh(min(kGravity * down / c2, 20.0)));
+}
+
+vec4 previousFrame(vec4 p) {   // NaN compares false
+    return mix(vec4(0.0), p, lessThanEqual(abs(p), vec4(6e4)));
+}
+
+// Where on the water the mouse presses, now (xy) and a step ago (zw); 1000 for nowhere.
+void mainPointer(out vec4 colour, in vec2 pixel) {
+    vec2 size = iResolution.xy * 20.0;   // of the picture
+    vec4 old = previousFrame(texelFetch(pointer, ivec2(0), 0));
+    bool pressed = iMouse.w > 0.0, held = iMouse.z > 0.0 && mouse == 1;
+    vec2 at = vec2(1e3);
+    if (pressed || held) {
+        Ray r = camera(iMouse.xy, size);
+        float t = r.d.y < -1e-3 ? -r.o.y / r.d.y : kFar;
+        if (t < 60.0) at = r.o.xz + t * r.d.xz;
+    }
+    colour = vec4(at, old.x == 0.0 && old.y == 0.0 || old.x > 500.0 || pressed ? at : old.xy);
+}
+
+vec4 pondAt(ivec2 c) { return previousFrame(texelFetch(pond, c, 0)); }
+float flux(vec4 here, vec4 there) {   // between two cells; none into what is solid
+    return 2.0 * here.z * there.z / max(here.z + there.z, 1e-9) * (there.x - here.x);
+}
+
+// One step of the wave equation: x height, y its speed half a step earlier, z squared wave speed.
+// Kick, then drift: second order, stable to a Courant number of 0.7; the ranges end at 0.5.
+void mainPond(out vec4 colour, in vec2 pixel) {
+    ivec2 c = ivec2(pixel), last = textureSize(pond, 0) - 1;
+    float cell = 2.0 * kPool.x / float(last.x + 1);
+    vec4 here = pondAt(c);
+    vec4 west = pondAt(max(c - ivec2(1, 0), 0)), east = pondAt(min(c + ivec2(1, 0), last));
+    vec4 south = pondAt(max(c - ivec2(0, 1), 0)), north = pondAt(min(c + ivec2(0, 1), last));
+    float force = (flux(here, west) + flux(here, east) + flux(here, south) + flux(here, north))
+        / (cell * cell);
+    float kept = exp(-damping * iTimeDelta), weight = iTimeDelta * (1.0 + kept) * 0.5, kick = 0.0;
+    vec2 p = (pixel / vec2(last + 1) - 0.5) * 2.0 * kPool;
+    vec3 r = random3(ivec3(int(iTick), 17, 5)), s = random3(ivec3(int(iTick), 29, 7));
+    if (r.z < rain * iTimeDelta) {   // a drop: a dent and a rim that cancel
+        vec2 off = (p - (2.0 * r.xy - 1.0) * kPool) / (dropSize * (0.8 + 0.5 * s.x));
+        float q = min(dot(off, off), 50.0);
+        kick -= dropForce * (0.3 + 0.9 * s.y) * (1.0 - q) * exp(-q);
+    }
+    vec4 hand = texelFetch(pointer, ivec2(0), 0);
+    if (hand.x < 500.0) {
+        vec2 way = hand.xy - hand.zw, to = p - hand.zw;
+        float along = clamp(dot(to, way) / max(dot(way, way), 1e-9), 0.0, 1.0);
+        vec2 off = (to - along * way) / dropSize;
+        float q = min(dot(off, off), 50.0), strength = mouse == 0 ? 1.0 : 8.0 * iTimeDelta;
+        kick -= dropForce * strength * (1.0 - q) * exp(-q);
+    }
+    float speed = kept * here.y + weight * force + kick;
+    float height = clamp(here.x + iTimeDelta * speed, -kCeiling, kCeiling);
+    float ground = texelFetch(bed, c, 0).x;
+    if (ground <= 0.0) {   // inside what stands there: the water round it, continued
+        height = 0.25 * (west.x + east.x + south.x + north.x);
+        speed = 0.0;
+    }
+    colour = vec4(height, clamp(speed, -50.0, 50.0), ground, 0.0);
+}
+
+// The surface between the cells: a cubic B-spline of heights, for smooth derivatives. x height,
+// y z slope, w a bound of slope; then second derivatives xx, xz, zz.
+void mainRelief(out vec4 shape, out vec4 second, in vec2 pixel) {
+    ivec2 c = ivec2(pixel), last = textureSize(pond, 0) - 1;
+    float cell = 2.0 * kPool.x / float(last.x + 1);
+    float h[9];
+    for (int i = 0; i < 9; ++i)
+        h[i] = texelFetch(pond, clamp(c + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last), 0).x;
+    vec3 a = vec3(h[0], h[1], h[2]), b = vec3(h[3], h[4], h[5]), d = vec3(h[6], h[7], h[8]);
+    vec3 row = (a + d + 4.0 * b) / 6.0, weight = vec3(1.0, 4.0, 1.0) / 6.0;
+    vec3 column = vec3(dot(a, weight), dot(b, weight), dot(d, weight));
+    shape.x = dot(row, weight);
+    shape.yz = vec2(row.z - row.x, column.z - column.x) / (2.0 * cell);
+    float most = 0.0;
+    for (int i = 0; i < 9; ++i) most = max(most, abs(h[i] - h[4]));
+    shape.w = 1.5 * most / cell;
+    second = vec4(row.x - 2.0 * row.y + row.z, 0.25 * (h[8] - h[6] - h[2] + h[0]),
+                  column.x - 2.0 * column.y + column.z, 0.0) / (cell * cell);
+}
+void mainPeaks(out vec4 colour, in vec2 pixel) {
+    ivec2 c = ivec2(pixel) * kCells;
+    vec2 most = vec2(0.0);
+    for (int j = 0; j < kCells; ++j)
+        for (int i = 0; i < kCells; ++i)
+            most = max(most, abs(texelFetch(relief, c + ivec2(i, j), 0).xw));
+    colour = vec4(most, 0.0, 0.0);
+}
+void mainCrest(out vec4 colour, in vec2 pixel) {
+    vec2 most = vec2(0.0);
+    for (int j = 0; j < 24; ++j)
+        for (int i = 0; i < 16; ++i)
+            most = max(most, texelFetch(peaks, ivec2(i, j), 0).xy);
+    colour = vec4(most, 0.0, 0.0);
+}
+
+// The lanterns, each on a small round of its own, as high as the water there: centre, radius.
+void mainFloats(out vec4 colour, in vec2 pixel) {
+    loadWaves();
+    int k = int(pixel.x);
+    vec3 r = random3(ivec3(k, 8, 3));
+    vec2 home = vec2(k % 2 == 0 ? 1.15 : -1.3, 4.2 - 1.28 * float(k));
+    home.x += (r.x - 0.5) * 0.5;
+    float a = 2.0 * kPi * (r.y + cycles(0.015625) * (k % 3 == 0 ? -1.0 : 1.0));
+    vec2 p = home + 0.16 * vec2(sin(a), cos(a));
+    float radius = mix(0.13, 0.19, r.z);
+    colour = vec4(p.x, waterHeight(p) + 0.45 * radius, p.y, radius);
+}
+
+// The classic pictures, a little wider than the screen; w: distance to what they show. What is
+// above the water, from an eye mirrored in it; what is below, bent by a level surface.
+void mainMirror(out vec4 colour, in vec2 pixel) { colour = planarPicture(pixel, false); }
+void mainBelow(out vec4 colour, in vec2 pixel) { colour = planarPicture(pixel, true); }
+
+// Slopes over the pool and, for what a mipmap level hides, the square of their length.
+void mainDudv(out vec4 colour, in vec2 pixel) {
+    colour = vec4(0.0);
+    if (water != 0) return;
+    loadWaves();
+    vec2 slope = waterSlope((pixel / vec2(256.0, 384.0) - 0.5) * 2.0 * kPool);
+    colour = vec4(slope, dot(slope, slope), 1.0);
+}
+
+// ---- Image --------------------------------------------------------------------------------------
+// Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
+// to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
+vec3 display(vec3 light) {
+    vec3 x = mix(vec3(0.0), min(light, 65504.0), greaterThan(light, vec3(0.0)));
+    float peak = max(maxComponent(x), 1e-6), rolled = 1.0 - exp(-peak);
+    vec3 c = mix(x * (rolled / peak), vec3(rolled), 0.35 * pow(rolled, 12.0));
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    loadWaves();
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < antialias; ++i) {   // the first in the middle of the pixel
+        vec2 aside = fract(0.5 + float(i) * vec2(0.75487767, 0.56984029)) - 0.5;
+        Ray r = camera(fragCoord + aside, iResolution.xy);
+        float t = water == 0 && r.d.y < 0.0 ? -r.o.y * safeInverse(r.d).y : kFar, reach;
+        vec2 p = abs(r.o.xz + min(t, 1e4) * r.d.xz);
+        bool pooled = t < kFar && p.x < kPool.x && p.y < kPool.y;
+        if (pooled) pooled = intersect(r.o, r.d, false).t > t;
+        sum += pooled ? planarWater(r, t) : render(r, water == 0, reach);
+    }
+    fragColor = vec4(display(exp2(exposure) * sum / float(antialias)), 1.0);
+}
