@@ -52,7 +52,10 @@ void Context::finish() {
     }
     if (!first_complaint.empty()) {
         const std::string text = std::exchange(first_complaint, {});
-        throw std::runtime_error("The GL driver refused a call: " + text);
+        throw std::runtime_error(
+            text.starts_with("GL_OUT_OF_MEMORY")
+                ? "There is not enough video memory: use smaller buffers or a smaller picture."
+                : "The GL driver refused a call: " + text);
     }
 }
 

@@ -231,6 +231,7 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
         for (const std::size_t sampler : renderer->images_needed()) {
             load_image(*preset, *renderer, sampler);
         }
+        context_.finish();  // now the driver says whether there was memory for all buffers
     } catch (const ContextLost&) {
         throw;
     } catch (const std::runtime_error& error) {
@@ -316,10 +317,20 @@ bool Playground::follows_time() const {
 }
 
 void Playground::resize(glm::ivec2 size) {
-    if (size == size_) return;
-    size_ = size;
-    if (renderer_) renderer_->resize(size);
+    if (size == size_ || size == refused_size_) return;
     touched_ = true;
+    refused_size_ = {0, 0};
+    try {
+        if (renderer_) renderer_->resize(size);
+        context_.finish();
+        size_ = size;
+    } catch (const ContextLost&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        refused_size_ = size;
+        renderer_->resize(size_);
+        diagnostics_.push_back({.place = {.file = file_.string()}, .text = error.what()});
+    }
 }
 
 void Playground::mouse(glm::dvec2 fraction, bool down) {

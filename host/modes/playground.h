@@ -59,7 +59,9 @@ public:
     // new.
     bool draw(double wall_seconds);
 
-    void resize(glm::ivec2 size);  // pixels of the picture
+    // In pixels of the picture. It stays as it is where there is no memory for the new size; the
+    // diagnostics tell.
+    void resize(glm::ivec2 size);
     glm::ivec2 size() const { return size_; }
 
     // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
@@ -142,7 +144,7 @@ private:
 
     Context& context_;
     PlaygroundOptions options_;
-    glm::ivec2 size_;
+    glm::ivec2 size_, refused_size_{0};
     std::filesystem::path file_;
     Watcher watcher_;
     Trial trial_;

@@ -2,6 +2,7 @@
 #include "live.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <csignal>
@@ -86,6 +87,24 @@ TEST_F(Survival, WhenTheTrialIsKilledAnotherOneTakesItsPlace) {
         expect_alive({100 + i, 2, 3});
     }
     EXPECT_EQ(glint_->count("error:"), 0) << glint_->errors();
+}
+
+// Where software draws, video memory is the process's own, which can be limited.
+TEST_F(Survival, WithoutVideoMemoryThePictureBeforeStays) {
+    open(flat({1, 2, 3}));
+    const rlim_t some = rlim_t{2} << 30;
+    const rlimit limit{.rlim_cur = some, .rlim_max = RLIM_INFINITY};
+    ASSERT_EQ(prlimit(glint_->id(), RLIMIT_AS, &limit, nullptr), 0);
+    write(scene(),
+          "uniform sampler2D a; //@ pass mainA size=8192x8192\n"
+          "uniform sampler2D b; //@ pass mainB size=8192x8192\n"
+          "void mainA(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+          "void mainB(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(a, ivec2(p), 0)\n"
+          "    * texelFetch(b, ivec2(p), 0); }\n");
+    EXPECT_TRUE(glint_->says("not enough video memory"));
+    EXPECT_TRUE(shows({1, 2, 3}, {3, 300}));
+    expect_alive({4, 5, 6});
 }
 
 TEST_F(Survival, WhenTheDisplayGoesTheProgramEndsWithASentence) {
