@@ -38,7 +38,7 @@ uniform vec3  mirrorTint;      //@ #8fb0ff "colour of the mirror spheres"
 uniform vec3  glassTint;       //@ #dfeaff "what a metre of glass lets through"
 uniform float glassIndex;      //@ 1.5 [1.1, 2.4] "refractive index"
 uniform int   bipyramids;      //@ 0 {gold, crystal} "what they are made of"
-uniform vec3  gold;            //@ #ffb63c "colour of bipyramids and balls"
+uniform vec3  gold;            //@ #ffc440 "colour of bipyramids and balls"
 uniform int   cubes;           //@ 8 [0, 12] "tiny cubes on orbits"
 uniform float glassCubes;      //@ 0.5 [0, 1] "share of the cubes that are glass"
 uniform int   balls;           //@ 4 [0, 6] "fill-lit golden balls on orbits"
@@ -412,13 +412,21 @@ vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
 }
 
 // ---- Materials ----------------------------------------------------------------------------------
-// Edges are rounded for light only: near one the normal leans over to the face beyond.
-vec3 rounded(int id, vec3 p, vec3 nor, float w) {
+// Edges are rounded for light only: near one the normal leans over to the face beyond. A line is
+// engraved along those of a bipyramid.
+vec3 rounded(int id, vec3 p, vec3 nor, float w, out float engraved) {
     vec4 spin = attitude(id);
     vec3 q = unspun(p - thing(id).xyz, spin), n = unspun(nor, spin);
-    float edge = clamp(w, 0.016, 0.1);   // m
-    n = id < kBipyramids ? sign(q) * max(abs(q) - kCubeHalf + edge, 0.0)
-        : n * smoothstep(0.0, 1.0, abs(q) / edge);
+    float edge = clamp(w, 0.016, 0.1), wide = max(0.011, w);   // m
+    engraved = 0.0;
+    if (id < kBipyramids) {
+        n = sign(q) * max(abs(q) - kCubeHalf + edge, 0.0);
+    } else {
+        vec3 inward = abs(q) * inversesqrt(max(1.0 - n * n, 1e-6));   // m from the edges, in the face
+        float away = abs(min(inward.x, min(inward.y, inward.z)) - 0.085);
+        engraved = (1.0 - smoothstep(0.5 * wide, wide, away)) * 0.011 / wide;
+        n *= smoothstep(0.0, 1.0, abs(q) / edge);
+    }
     return normalize(spun(n, spin));
 }
 vec3 metal(vec3 tint, float cosine) { return mix(tint, vec3(1.0), pow(1.0 - cosine, 5.0)); }
@@ -458,7 +466,7 @@ vec3 floorStone(vec2 p, float w, vec2 slope, out float inlay) {
         rings += lines(clamp((r - radius) / 20.0, -0.5, 0.5), k == 0 ? 0.001 : 0.0006, wide / 20.0);
     }
     inlay = pattern * min(rings, 1.0);
-    return linearColour(floorColour) * (1.0 + pattern * (0.16 * tone - 0.6 * joints));
+    return linearColour(floorColour) * (1.0 + pattern * (0.10 * tone - 0.6 * joints));
 }
 
 // The wall: niches with a round arch, lit from their feet, and what of that light leaves them.
@@ -526,7 +534,9 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
                 p -= (dot(nor, p) - h.face.w) * nor;
             }
             float cosine = clamp(-dot(ray.rd, nor), 0.0, 1.0), alpha = 0.25;
-            vec3 bent = h.id >= kCubes && h.id < kFloor ? rounded(h.id, p, nor, w) : nor;
+            vec3 bent = nor;
+            float engraved = 0.0;
+            if (h.id >= kCubes && h.id < kFloor) bent = rounded(h.id, p, nor, w, engraved);
             float width = ray.width, coat = fresnel(cosine, kIorVarnish);
             vec3 mirror = vec3(coat), albedo = vec3(0.0);
             bool clearBody = h.id < kFloor && c.w < 0.0;
@@ -552,14 +562,16 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
                 mirror = metal(linearColour(mirrorTint), cosine);
                 width += 2.0 * w / (abs(c.w) * max(cosine, 0.04));
             } else if (h.id < kCubes) {
-                albedo = 0.9 * golden;
+                albedo = 0.75 * golden;
+                mirror = 0.3 * metal(golden, cosine);
+                alpha = 0.36;
                 width += 2.0 * w / (c.w * max(cosine, 0.04));
             } else if (h.id < kBipyramids) {
                 albedo = vec3(0.42, 0.44, 0.52);
             } else {
-                albedo = 0.22 * golden;
-                mirror = 0.85 * metal(golden, cosine);
-                alpha = 0.3;
+                albedo = (0.26 - 0.16 * engraved) * golden;
+                mirror = (0.8 - 0.5 * engraved) * metal(golden, cosine);
+                alpha = 0.42;
             }
             if (maxComponent(albedo * ray.weight) > kLeastThroughput) {
                 vec3 sheen, lit = lampsOn(p, bent, ray.rd, alpha, sheen);
@@ -567,10 +579,11 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
                 lit += lampPower * mix(vec3(0.048, 0.054, 0.176), vec3(0.008, 0.007, 0.020), up);
                 if (h.id < kCubes || (h.id >= kBipyramids && h.id < kFloor)) {
                     vec3 fill = vec3(-3.0, 8.0, 9.0) - p;
-                    float facing = max(dot(fill, nor) * inversesqrt(dot(fill, fill)), 0.0);
-                    lit += fillLight * vec3(1.0, 0.85, 0.6) * (0.06 + 0.9 * facing);
+                    float facing = 0.5 + 0.5 * dot(fill, bent) * inversesqrt(dot(fill, fill));
+                    lit += fillLight * vec3(1.8, 1.6, 1.2) * facing * facing * facing;
                 }
-                sum += ray.weight * ((1.0 - mirror) * albedo * lit + mirror * sheen);
+                float left = 1.0 - min(mirror.r, min(mirror.g, mirror.b));
+                sum += ray.weight * (left * albedo * lit + mirror * sheen);
             }
             vec3 back = reflect(ray.rd, clearBody ? nor : bent);   // and above the face itself
             back += max(1e-4 - dot(back, nor), 0.0) * nor;
