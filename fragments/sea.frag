@@ -1,0 +1,902 @@
+// On the sea: two rabbits, a lifebuoy and a looking glass at the end of the day.
+//
+// Open water under a low sun. One rabbit rides in a lifebuoy, another swims with half of it under
+// water, and an arched mirror stands in the sea. Water and mirror find what they show by walking
+// the picture's own depth, or exactly, for comparison.
+//
+// Method   The sea is a height field of directional waves with exact phases; the eight long ones
+//          move the surface, sixteen more tilt it. A wave that is finer than a pixel's footprint is
+//          left out and its slope variance widens the sun's lobe instead, so nothing aliases. Rays
+//          meet the sea by steps that its slope bounds, then Illinois steps. Rabbits are ellipsoids
+//          in a smooth union whose field never exceeds the distance: sphere tracing cannot overstep.
+//          Screen-space rays are clipped to what can be hit, to the near plane and to the picture,
+//          and walked in pixels with depth interpolated in perspective.
+// Sources  McGuire and Mara, JCGT 3(4) (2014): the line walk. Bruneton, Neyret, Holzschuch, CGF 29
+//          (2010), and Ross, Dion, Potvin, JOSA A 22 (2005): glitter of a filtered sea. Cox and
+//          Munk, JOSA 44 (1954): slopes. Nishita et al., SIGGRAPH (1993): single scattering.
+//          Hart, Visual Computer 12 (1996): sphere tracing. Jarzynski and Olano, JCGT 9(3) (2020):
+//          pcg3d. Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel (1979): phyllotaxis.
+// Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
+// Passes   sky, ambient: on change of a tweak. poses, then albedo + normalDepth, then the picture.
+// Licence  MIT
+
+// ---- Tweaks -------------------------------------------------------------------------------------
+//@ group Sea
+uniform float waveHeight;      //@ 1.0 [0, 2] "height of the long waves; 1 is a gentle breeze"
+uniform float choppiness;      //@ 0.6 [0, 1] "sharpness of the crests"
+uniform float ripples;         //@ 1.0 [0, 2] "steepness of the short waves"
+uniform float windAngle;       //@ 60 [-180, 180] unit=deg "where the waves go; 0 is to the right"
+uniform vec3  waterColour;     //@ #0d5a5c "what deep water scatters back"
+uniform float clarity;         //@ 1.6 [0.2, 20] log unit=m "how far light goes in the water"
+uniform float animation;       //@ 1.0 [0, 4] "speed of everything that moves"
+//@ group Sky
+uniform float sunHeight;       //@ 6.0 [0.5, 60] unit=deg "over the horizon"
+uniform float sunAngle;        //@ -16 [-180, 180] unit=deg "0 is straight ahead of the camera's 0"
+uniform float sunSize;         //@ 0.27 [0.1, 3] log unit=deg "radius of the sun's disc"
+uniform float haze;            //@ 1.0 [0.1, 6] log "dust and moisture in the air"
+uniform float clouds;          //@ 0.5 [0, 1] "share of the sky that they cover"
+//@ group Things
+uniform int   rabbits;         //@ 2 [0, 2] "one in the lifebuoy, one that swims"
+uniform float rabbitAngle;     //@ 50 [-180, 180] unit=deg "where the rabbit in the lifebuoy looks"
+uniform vec3  furColour;       //@ #f2e4d2 "of the rabbits"
+uniform bool  mirror;          //@ on "a looking glass stands in the sea"
+uniform float mirrorAngle;     //@ -64 [-180, 180] unit=deg "where it faces"
+uniform float mirrorBlur;      //@ 0.0 [0, 0.2] unit=rad "half width of what the glass gathers"
+//@ group Camera
+uniform float cameraDistance;  //@ 3.9 [2, 12] unit=m "from the middle of the scene"
+uniform float cameraAngle;     //@ 0 [-180, 180] unit=deg "round the scene"
+uniform float cameraHeight;    //@ 1.15 [0.2, 6] unit=m "of the eye, and never inside a wave"
+uniform float targetHeight;    //@ 0.55 [-1, 4] unit=m "of the point looked at"
+uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, to the right"
+uniform float focalLength;     //@ 33 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
+uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
+//@ group Reflections
+uniform int   reflections;     //@ 2 {off, march, screen-space, traced} "how they find what they show"
+uniform float stride;          //@ 3 [1, 16] unit=px quality reference=1 "of the line walk"
+uniform float jitter;          //@ 0.0 [0, 1] "start of the walk, in strides, by chance"
+uniform float thickness;       //@ 0.25 [0.01, 2] log unit=m "depth that a seen surface stands for"
+uniform float bias;            //@ 0.01 [0, 0.2] unit=m "depth that a ray must pass a surface by"
+uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over which reflections fade"
+//@ group Quality
+uniform int   seaSteps;        //@ 64 [8, 512] log quality reference=512 "of a ray to the sea"
+uniform int   mirrorRays;      //@ 4 [1, 64] log quality reference=64 "where the mirror blurs"
+uniform int   shadows;         //@ 1 {off, cone, sampled} "kind of shadow; sampled is the reference"
+uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of a sampled shadow"
+
+precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
+uniform sampler2D sky;         //@ pass mainSky size=256x128
+uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
+uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
+uniform sampler2D albedo;      //@ pass mainGBuffer filter=nearest
+uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
+uniform sampler2D lightBuffer; //@ pass mainLight filter=nearest
+
+// ---- Constants and numbers ----------------------------------------------------------------------
+const float kPi = 3.14159265358979;
+const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
+const float kFar = 1e9;                    // m, a miss
+const float kGravity = 9.81;               // m/s^2
+const float kIorWater = 1.333;             // visible light, 20 C
+const vec3  kSunPower = vec3(20.0);        // above the air, on a surface that faces it
+const float kCalmSpread = 0.0009;          // slope variance of capillary waves, always unresolved
+const vec3  kAbsorption = vec3(1.9, 0.75, 0.65);   // of water, times 1 / clarity
+const float kEarth = 6.36e6, kAir = 6e4;   // m, radius and height of the air
+const vec3  kRayleigh = vec3(5.8e-6, 13.5e-6, 33.1e-6);   // 1/m at sea level
+const vec3  kOzone = vec3(0.65e-6, 1.88e-6, 0.085e-6);    // 1/m at 25 km
+const float kMie = 4e-6;                   // 1/m at sea level and haze 1
+const float kNear = 0.05;                  // m, depth of the near plane of screen-space rays
+const int   kSky = 0, kWater = 1, kGlass = 2, kGilt = 3, kRing = 4, kFur = 5, kBack = 6;
+const int   kTraceSteps = 72;              // for one cluster of things
+const vec3  kMirrorAt = vec3(1.12, 0.0, 0.35);           // m
+const float kArch = 0.52, kSpring = 1.12, kTube = 0.045;  // m: half width, where it bends, frame
+// Waves: numbers 1/m in the wind's frame, long to short, and steepness.
+const vec4 kWaveX[6] = vec4[6](
+    vec4(0.2957, 0.4405, 0.7218, 1.0783), vec4(1.6993, 2.7718, 3.6265, 6.6727),
+    vec4(8.9873, 9.9369, 13.4758, 13.1480), vec4(17.9752, 21.8698, 19.2172, 31.9144),
+    vec4(32.0328, 37.8205, 53.5999, 37.8046), vec4(72.3029, 80.7237, 67.5113, 129.2947));
+const vec4 kWaveZ[6] = vec4[6](
+    vec4(-0.0458, 0.1606, 0.0236, -0.3772), vec4(0.4948, -0.3394, -2.3718, 1.0583),
+    vec4(-3.1398, 5.4405, -0.3845, -9.1923), vec4(6.4303, -6.1500, 19.0148, 4.0550),
+    vec4(-20.9648, 25.3985, -8.1321, -52.2766), vec4(25.8097, -42.7781, 85.2138, 4.4716));
+const vec4 kWaveSteep[6] = vec4[6](
+    vec4(0.022, 0.027, 0.033, 0.038), vec4(0.042, 0.045, 0.045, 0.042),
+    vec4(0.040), vec4(0.040), vec4(0.040), vec4(0.040));
+const int kMovers = 2;                     // groups that move the surface, of four waves each
+
+struct Hit { float t; int id; vec3 nor; };
+struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
+struct Eye { vec3 pos, right, up, forward; float lens; };
+
+uvec3 hash3(ivec3 q) {
+    uvec3 v = uvec3(q) * 1664525u + 1013904223u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+}
+vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+
+// Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
+float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+
+vec2 turn(vec2 p, float angle) {
+    float c = cos(angle), s = sin(angle);
+    return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
+}
+float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float square(float x) { return x * x; }
+vec3 linearColour(vec3 c) {   // from sRGB, a fit to 1/500
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+// Reflected share of unpolarised light, exact; eta: index beyond over index before the surface.
+float fresnel(float cosI, float eta) {
+    float gg = (eta - 1.0) * (eta + 1.0) + cosI * cosI;
+    if (gg <= 0.0) return 1.0;
+    float g = sqrt(gg);
+    float a = (g - cosI) / max(g + cosI, 1e-9);
+    float b = (cosI * (g + cosI) - 1.0) / (cosI * (g - cosI) + 1.0);
+    return min(0.5 * a * a * (1.0 + b * b), 1.0);
+}
+
+vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
+    return 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+}
+
+vec3 sunDirection() {
+    float a = radians(sunAngle), h = radians(sunHeight);
+    return vec3(sin(a) * cos(h), sin(h), -cos(a) * cos(h));
+}
+
+// ---- The sea ------------------------------------------------------------------------------------
+// Wave vectors of a group in the world's frame.
+void waveVectors(int g, out vec4 x, out vec4 z) {
+    float c = cos(radians(windAngle)), s = sin(radians(windAngle));
+    x = c * kWaveX[g] + s * kWaveZ[g];
+    z = c * kWaveZ[g] - s * kWaveX[g];
+}
+vec4 waveTurns(vec4 k) {   // cycles since the start, deep-water dispersion
+    uvec4 hz = uvec4(sqrt(kGravity * k) * (animation * 65536.0 / (2.0 * kPi)));
+    return vec4(hz * iTick) / 4294967296.0;
+}
+float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wave has two crests
+
+// Adds four waves, averaged over a Gaussian footprint with covariance blur (xx, zz, xz; m^2): a
+// cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread.
+void addWaves(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
+    vec4 x, z;
+    waveVectors(g, x, z);
+    vec4 k = sqrt(x * x + z * z), a = gain * kWaveSteep[g] / k;
+    vec4 phase = x * p.x + z * p.y - 2.0 * kPi * waveTurns(k);
+    vec4 keep = exp(-0.5 * (x * x * blur.x + z * z * blur.y + 2.0 * x * z * blur.z));
+    vec4 keep2 = keep * keep, harmonic = crest() * keep2 * keep2;
+    vec4 c = cos(phase), n = sin(phase), down = a * n * (keep + 4.0 * harmonic * c);
+    vec4 lost = 0.5 * a * a * (1.0 - keep2 + 4.0 * (crest() * crest() - harmonic * harmonic));
+    s.height += dot(a, keep * c + harmonic * (2.0 * c * c - 1.0));
+    s.slope -= vec2(dot(down, x), dot(down, z));
+    s.spread += vec3(dot(lost, x * x), dot(lost, z * z), dot(lost, x * z));
+}
+// Ripples come in patches, where gusts touch the water.
+float gust(vec2 p, vec3 blur) {
+    vec2 a = turn(p, radians(windAngle));
+    float keep = exp(-0.03 * (blur.x + blur.y));
+    float u = sin(0.21 * a.x + 0.9 * sin(0.13 * a.y) - 2.0 * kPi * cycles(0.14));
+    float v = sin(0.11 * a.x - 0.17 * a.y - 2.0 * kPi * cycles(0.11));
+    return 1.0 + 0.45 * keep * u * v;
+}
+Sea sea(vec2 p, vec3 blur) {
+    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
+    for (int g = 0; g < kMovers; ++g) addWaves(g, p, blur, waveHeight, s);
+    float gain = ripples * gust(p, blur);
+    for (int g = kMovers; g < 6; ++g) addWaves(g, p, blur, gain, s);
+    return s;
+}
+// Covariance of the footprint on the sea of a pixel of width w that is seen along rd.
+vec3 seaFootprint(vec3 rd, float w) {
+    float across = square(0.35 * w), along = across / max(square(rd.y), 1e-6) - across;
+    vec2 v = rd.xz * inversesqrt(max(dot(rd.xz, rd.xz), 1e-12));
+    return vec3(across + along * v * v, along * v.x * v.y);
+}
+
+// Long waves along a ray: a height is dot(a, cosine(start + rate t)), harmonic included. A wave
+// that is lower than half a pixel no longer moves the surface.
+struct Movers { vec4 a, start, rate; };
+Movers moversAlong(int g, vec3 ro, vec3 rd, float w) {
+    vec4 x, z;
+    waveVectors(g, x, z);
+    vec4 k = sqrt(x * x + z * z), a = waveHeight * kWaveSteep[g] / k;
+    return Movers(a * clamp(4.0 * a / max(w, 1e-6) - 1.0, 0.0, 1.0),
+                  x * ro.x + z * ro.z - 2.0 * kPi * waveTurns(k), x * rd.x + z * rd.z);
+}
+float moversHeight(Movers m, float t) {
+    vec4 c = cos(m.start + m.rate * t);
+    return dot(m.a, c + crest() * (2.0 * c * c - 1.0));
+}
+// Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. Steps are bounded by
+// the steepest slope that the waves can have along the ray, so none is overstepped by more than
+// `least`; the last few are Illinois steps.
+float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
+    float reach = pixel * max(ro.y, 0.0) / max(-rd.y, 1e-4);
+    Movers m0 = moversAlong(0, ro, rd, reach), m1 = moversAlong(1, ro, rd, reach);
+    float top = (1.0 + crest()) * dot(m0.a + m1.a, vec4(1.0)) + 1e-4;
+    float steep = dot(m0.a, abs(m0.rate)) + dot(m1.a, abs(m1.rate));
+    float fastest = max(steep * (1.0 + 4.0 * crest()) - rd.y, 1e-7);
+    float slope = abs(rd.y) < 1e-7 ? -1e-7 : rd.y;
+    float enter = max((top - ro.y) / slope, 0.0) * step(top, ro.y);
+    float leave = min(((slope < 0.0 ? -top : top) - ro.y) / slope, tMax);
+    float t = enter, least = 0.004 + 0.5 * pixel * enter;   // m, finer crests may be cut
+    vec2 above = vec2(t, 0.0), below = vec2(-1.0, 0.0);
+    bool ahead = enter < leave && (slope < 0.0 || ro.y < top);
+    for (int k = 0; k < seaSteps && ahead; ++k) {
+        float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
+        if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
+        ahead = f > 0.0 && t < leave;
+        t = min(t + max(1.1 * f / fastest, least), leave);
+    }
+    if (below.x < 0.0) return ahead ? above.x : -1.0;   // out of steps: nearly there
+    for (int k = 0; k < 4; ++k) {
+        t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
+        float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
+        if (f > 0.0) { above = vec2(t, f); below.y *= 0.5; }
+        else { below = vec2(t, f); above.y *= 0.5; }
+    }
+    return t;
+}
+
+// Mean of max(0, X) for X normal with mean m and deviation s: the area that a rough surface shows.
+float shownArea(float m, float s) {
+    float q = m / max(s, 1e-6);
+    if (q > 4.0) return m;
+    float density = 0.39894228 * exp(-0.5 * min(q * q, 80.0)), tail = 1.0 / (1.0 + 0.2316419 * abs(q));
+    float above = 1.0 - density * tail * (0.31938153 + tail * (-0.356563782 + tail * (1.781477937
+        + tail * (-1.821255978 + tail * 1.330274429))));   // Abramowitz and Stegun 26.2.17
+    return max(m * (q < 0.0 ? 1.0 - above : above) + s * density, 1e-5);
+}
+// What a view along rd sees of slopes with a mean and a spread: the area shown, and the mean slope
+// of what is shown, which leans towards the eye.
+float shownSlope(vec3 rd, Sea s, out vec2 slope) {
+    vec2 lean = vec2(s.spread.x * rd.x + s.spread.z * rd.z, s.spread.z * rd.x + s.spread.y * rd.z);
+    float deviation = sqrt(max(dot(lean, rd.xz), 0.0)), m = dot(s.slope, rd.xz) - rd.y;
+    float area = shownArea(m, deviation);
+    float ahead = 1.0 / (1.0 + exp(clamp(-1.702 * m / max(deviation, 1e-6), -30.0, 30.0)));
+    slope = s.slope + lean * (ahead / area);
+    return area;
+}
+// The sun in a sea of Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7, with
+// the shown area in closed form).
+float seaGlitter(vec3 rd, Sea s, float area) {
+    vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
+    if (h.y < 0.05) return 0.0;
+    float sunSpread = square(0.25 * radians(sunSize));
+    vec3 v = s.spread + vec3(sunSpread, sunSpread, 0.0);
+    vec2 d = -h.xz / h.y - s.slope;
+    float det = max(v.x * v.y - v.z * v.z, 1e-12);
+    float q = (d.x * d.x * v.y + d.y * d.y * v.x - 2.0 * d.x * d.y * v.z) / det;
+    float density = exp(-0.5 * min(q, 80.0)) / (2.0 * kPi * sqrt(det));
+    return fresnel(clamp(-dot(h, rd), 0.0, 1.0), kIorWater) * density
+        / (4.0 * square(square(h.y)) * area);
+}
+
+// ---- Things -------------------------------------------------------------------------------------
+// Fields carry their gradient: vec4(gradient, value). A value is never more than the distance.
+vec4 ellipsoid(vec3 p, vec3 r) {
+    vec3 u = p / r;
+    float l = max(length(u), 1e-6), d = max(length(p), 1e-6), low = min(r.x, min(r.y, r.z));
+    float high = maxComponent(r);   // far off the ball round it is the better bound
+    return d - high > (l - 1.0) * low ? vec4(p / d, d - high)
+        : vec4(u / r * (low / l), (l - 1.0) * low);
+}
+vec4 join(vec4 a, vec4 b, float k) {   // smooth union; a mean of gradients, so no steeper than both
+    float h = clamp(0.5 + 0.5 * (b.w - a.w) / k, 0.0, 1.0);
+    return mix(b, a, h) - vec4(0.0, 0.0, 0.0, k * h * (1.0 - h));
+}
+// Ear's own frame: leans out and back.
+vec3 toEar(vec3 p) {
+    vec3 q = p - vec3(0.05, 0.53, 0.045);
+    q.xy = turn(q.xy, -0.22);
+    q.zy = turn(q.zy, 0.20);
+    return q - vec3(0.0, 0.15, 0.0);
+}
+vec4 rabbitField(vec3 q) {
+    float side = q.x < 0.0 ? -1.0 : 1.0;
+    vec3 p = vec3(abs(q.x), q.yz);
+    vec4 f = ellipsoid(p - vec3(0.0, 0.17, -0.03), vec3(0.185, 0.20, 0.20));
+    f = join(f, ellipsoid(p - vec3(0.10, 0.09, 0.03), vec3(0.095, 0.12, 0.13)), 0.06);
+    f = join(f, ellipsoid(p - vec3(0.0, 0.28, 0.05), vec3(0.125, 0.14, 0.115)), 0.08);
+    f = join(f, ellipsoid(p - vec3(0.10, -0.01, 0.16), vec3(0.05, 0.04, 0.10)), 0.03);
+    f = join(f, ellipsoid(p - vec3(0.0, 0.09, -0.23), vec3(0.07, 0.07, 0.065)), 0.03);
+    f = join(f, ellipsoid(p - vec3(0.075, 0.185, 0.20), vec3(0.04, 0.042, 0.085)), 0.05);
+    f = join(f, ellipsoid(p - vec3(0.0, 0.465, 0.08), vec3(0.13, 0.115, 0.128)), 0.05);
+    f = join(f, ellipsoid(p - vec3(0.052, 0.425, 0.155), vec3(0.062, 0.05, 0.058)), 0.04);
+    f = join(f, ellipsoid(p - vec3(0.0, 0.437, 0.20), vec3(0.042, 0.034, 0.034)), 0.03);
+    vec4 ear = ellipsoid(toEar(p), vec3(0.045, 0.165, 0.026));
+    ear.zy = turn(ear.zy, -0.20);
+    ear.xy = turn(ear.xy, 0.22);
+    f = join(f, ear, 0.03);
+    vec4 eye = ellipsoid(p - vec3(0.098, 0.485, 0.158), vec3(0.028));
+    if (eye.w < f.w) f = eye;
+    f.x *= side;
+    return f;
+}
+vec4 ringField(vec3 p) {
+    float around = max(length(p.xz), 1e-6);
+    vec2 d = vec2(around - 0.305, p.y - 0.05);
+    float l = max(length(d), 1e-6);
+    return vec4(p.x / around * d.x / l, d.y / l, p.z / around * d.x / l, l - 0.10);
+}
+vec3 archField(vec2 p) {   // a doorway without a floor: gradient and distance
+    vec2 d = vec2(p.x, max(p.y - kSpring, 0.0));
+    float l = max(length(d), 1e-6);
+    return vec3(d / l, l - kArch);
+}
+vec4 frameField(vec3 p) {   // a tube round the doorway's edge
+    vec3 a = archField(p.xy);
+    float l = max(length(vec2(a.z, p.z)), 1e-6);
+    return vec4(a.xy * a.z / l, p.z / l, l - kTube);
+}
+
+// The frames of the clusters: rabbit with lifebuoy, rabbit that swims, mirror.
+struct Frame { vec3 at; mat3 axes; };   // columns right, up, forward
+Frame frames[3];
+void readFrames() {
+    for (int c = 0; c < 3; ++c) {
+        vec4 at = texelFetch(poses, ivec2(2 * c, 0), 0);
+        vec4 tilt = texelFetch(poses, ivec2(2 * c + 1, 0), 0);
+        vec3 up = normalize(vec3(-tilt.x, 1.0, -tilt.y));
+        vec3 right = normalize(cross(up, vec3(sin(at.w), 0.0, cos(at.w))));
+        frames[c] = Frame(at.xyz, mat3(right, up, cross(right, up)));
+    }
+}
+vec4 clusterField(int c, vec3 p, out int id) {
+    id = kGilt;
+    if (c == 2) return frameField(p);
+    id = kFur;
+    vec4 f = rabbitField(p);
+    if (c == 0) {
+        vec4 ring = ringField(p);
+        if (ring.w < f.w) { f = ring; id = kRing; }
+    }
+    return f;
+}
+// Where a ray may meet a cluster; nothing when y < x.
+vec2 clusterSpan(int c, vec3 ro, vec3 rd, float grow) {
+    if (c == 2) {
+        vec3 inv = safeInverse(rd), lo = vec3(-kArch, -2.0, 0.0), hi = vec3(kArch, kSpring + kArch, 0.0);
+        vec3 a = (lo - kTube - grow - ro) * inv, b = (hi + kTube + grow - ro) * inv;
+        vec3 n = min(a, b), f = max(a, b);
+        return vec2(max(max(n.x, n.y), max(n.z, 0.0)), min(f.x, min(f.y, f.z)));
+    }
+    vec3 f = ro - vec3(0.0, 0.37, 0.0);
+    float b = dot(f, rd), d = square(0.54 + grow) - dot(f - b * rd, f - b * rd);
+    if (d < 0.0) return vec2(1.0, -1.0);
+    return vec2(max(-b - sqrt(d), 0.0), -b + sqrt(d));
+}
+bool clusterThere(int c) { return c == 2 ? mirror : rabbits > c; }
+
+// The nearest thing on a ray before tMax.
+Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
+    Hit h = Hit(tMax, kSky, vec3(0.0, 1.0, 0.0));
+    for (int c = 0; c < 3; ++c) {
+        mat3 axes = frames[c].axes;
+        vec3 o = (ro - frames[c].at) * axes, d = rd * axes;
+        vec2 span = clusterSpan(c, o, d, 0.0);
+        if (!clusterThere(c) || span.x > min(span.y, h.t)) continue;
+        if (c == 2 && abs(d.z) > 1e-6) {
+            float t = -o.z / d.z;
+            vec3 p = o + t * d;
+            if (t > 0.0 && t < h.t && archField(p.xy).z < 0.0) {
+                h = Hit(t, d.z < 0.0 ? kGlass : kBack, d.z < 0.0 ? axes[2] : -axes[2]);
+            }
+        }
+        float t = span.x, end = min(span.y, h.t);
+        for (int k = 0; k < kTraceSteps && t < end; ++k) {
+            int id;
+            vec4 f = clusterField(c, o + t * d, id);
+            if (f.w < 1e-4 + 0.1 * pixel * t) {
+                h = Hit(t, id, axes * (f.xyz * inversesqrt(max(dot(f.xyz, f.xyz), 1e-12))));
+                break;
+            }
+            t += f.w;
+        }
+    }
+    return h;
+}
+
+// Share of the sun that a point sees; rim: slope of the sun's disc. The narrowest gap between the
+// ray and a thing, against the cone's width there, tells how much of the disc is hidden.
+float sunShare(vec3 ro, vec3 rd, float rim) {
+    float share = 1.0;
+    for (int c = 0; c < 3; ++c) {
+        mat3 axes = frames[c].axes;
+        vec3 o = (ro - frames[c].at) * axes, d = rd * axes;
+        vec2 span = clusterSpan(c, o, d, 0.03);
+        if (!clusterThere(c) || span.x > span.y) continue;
+        float gap = 1.0;
+        if (c == 2) {
+            float t = -o.z / (abs(d.z) < 1e-6 ? 1e-6 : d.z);
+            vec3 p = o + t * d;
+            if (t > 0.0) gap = (archField(p.xy).z - kTube) / (rim * t + 1e-4);
+        } else {
+            float t = max(span.x, 0.01);
+            for (int k = 0; k < 48 && t < span.y && gap > -1.0; ++k) {
+                int id;
+                vec4 f = clusterField(c, o + t * d, id);
+                gap = min(gap, f.w * inversesqrt(max(dot(f.xyz, f.xyz), 1e-4)) / (rim * t + 1e-4));
+                t += max(f.w, 0.004 + 0.3 * rim * t);
+            }
+        }
+        gap = clamp(gap, -1.0, 1.0);
+        share *= 0.25 * square(1.0 + gap) * (2.0 - gap);
+    }
+    return share;
+}
+float sunlight(vec3 p, vec3 nor, float seed) {
+    vec3 rd = sunDirection();
+    float rim = tan(radians(sunSize));
+    if (shadows == 0) return 1.0;
+    if (shadows == 1) return sunShare(p + 0.004 * nor, rd, rim);
+    vec3 u = normalize(cross(rd, vec3(0.0, 0.0, 1.0) + 0.01 * rd.zxy)), v = cross(u, rd);
+    float sum = 0.0;
+    for (int k = 0; k < sunSamples; ++k) {
+        float a = 2.0 * kPi * (kGolden * float(k) + seed);
+        float r = rim * sqrt((float(k) + 0.5) / float(sunSamples));
+        sum += sunShare(p + 0.004 * nor, normalize(rd + r * (u * cos(a) + v * sin(a))), 1e-4);
+    }
+    return sum / float(sunSamples);
+}
+
+// What a thing is made of: colour, and in w how much of the light behind it comes through.
+vec4 paint(int id, vec3 p, float w) {
+    if (id == kGilt) return vec4(0.95, 0.62, 0.22, 0.0);
+    if (id == kBack) return vec4(0.10, 0.055, 0.03, 0.0);
+    bool first = id == kRing || distance(p, frames[0].at) < distance(p, frames[1].at);
+    vec3 q = first ? (p - frames[0].at) * frames[0].axes : (p - frames[1].at) * frames[1].axes;
+    if (id == kRing) {   // white, with four red quarters
+        float a = atan(q.z, q.x + (q.x == 0.0 ? 1e-9 : 0.0)) * (2.0 / kPi) + 0.5;
+        float edge = (abs(fract(a) - 0.5) - 0.27) * 0.48;
+        float red = smoothstep(-0.5 * w - 0.002, 0.5 * w + 0.002, -edge);
+        return vec4(mix(vec3(0.82, 0.80, 0.76), vec3(0.66, 0.035, 0.025), red), 0.0);
+    }
+    q.x = abs(q.x);
+    vec3 ear = toEar(q);
+    vec3 tint = linearColour(furColour);
+    vec3 pink = vec3(0.85, 0.36, 0.30);
+    float inside = smoothstep(1.0, 0.7, length(ear.xy / vec2(0.034, 0.14))) * smoothstep(0.0, 0.012, ear.z);
+    float nose = smoothstep(0.024, 0.016, length((q - vec3(0.0, 0.457, 0.228)) * vec3(0.8, 1.25, 1.0)));
+    float blush = 0.35 * smoothstep(0.05, 0.0, length(q - vec3(0.09, 0.43, 0.19)));
+    tint = mix(tint, pink, max(0.75 * inside, max(nose, blush)));
+    float belly = smoothstep(0.16, 0.0, length(q - vec3(0.0, 0.27, 0.16)));
+    tint = mix(tint, vec3(0.95, 0.92, 0.88), 0.6 * belly);
+    float eye = smoothstep(0.0305, 0.0285, length(q - vec3(0.098, 0.485, 0.158)));
+    float through = 0.9 * smoothstep(-0.15, 0.0, ear.y) * (1.0 - eye);
+    return vec4(mix(tint, vec3(0.012, 0.008, 0.008), eye), eye > 0.5 ? -1.0 : through);
+}
+
+// ---- The sky ------------------------------------------------------------------------------------
+// Density of air (Rayleigh, Mie, ozone) at a height, relative to the sea's level.
+vec3 airDensity(float y) {
+    return vec3(exp(-y / 8e3), exp(-y / 1.2e3), max(0.0, 1.0 - abs(y - 25e3) / 15e3));
+}
+// Height along a ray from height y0 with sine of elevation s; a parabola stands for the sphere.
+float airHeight(float y0, float s, float t) {
+    return y0 + t * (s + t * (1.0 - s * s) / (2.0 * kEarth));
+}
+float airLength(float y0, float s) {   // to the top of the air
+    float a = (1.0 - s * s) / (2.0 * kEarth), c = y0 - kAir;
+    return -2.0 * c / max(s + sqrt(max(s * s - 4.0 * a * c, 0.0)), 1e-6);
+}
+vec3 airExtinction(vec3 density) {
+    return kRayleigh * density.x + vec3(1.1 * kMie * haze * density.y) + kOzone * density.z;
+}
+vec3 airTransmittance(float y0, float s, int steps) {
+    float far = airLength(y0, s);
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < steps; ++k) {   // finer near the start, where air is dense
+        float a = square(float(k) / float(steps)), b = square(float(k + 1) / float(steps));
+        sum += airExtinction(airDensity(max(airHeight(y0, s, 0.5 * (a + b) * far), 0.0))) * (b - a);
+    }
+    return exp(-sum * far);
+}
+vec3 sunBeam() { return texelFetch(ambient, ivec2(6, 0), 0).rgb; }
+
+// The clear sky, from its buffer: sine of half the angle from the sun's azimuth, root of height.
+vec3 clearSky(vec3 rd) {
+    vec2 level = normalize(rd.xz + vec2(0.0, 1e-9)), sun = normalize(sunDirection().xz + vec2(0.0, 1e-9));
+    vec2 uv = vec2(sqrt(max(0.5 - 0.5 * dot(level, sun), 0.0)), sqrt(clamp(rd.y, 0.0, 1.0)));
+    return textureLod(sky, (0.5 + uv * vec2(255.0, 127.0)) / vec2(256.0, 128.0), 0.0).rgb;
+}
+float cloudNoise(vec2 p, int period, int seed) {
+    vec2 c = floor(p), f = p - c, s = f * f * (3.0 - 2.0 * f);
+    ivec2 a = ivec2(c) & (period - 1), b = (a + 1) & (period - 1);
+    return mix(mix(random3(ivec3(a, seed)).x, random3(ivec3(b.x, a.y, seed)).x, s.x),
+               mix(random3(ivec3(a.x, b.y, seed)).x, random3(ivec3(b, seed)).x, s.x), s.y);
+}
+// Thickness of the clouds overhead; width: angle that is averaged, rad.
+float cloudCover(vec3 rd, float width) {
+    float y = max(rd.y, 0.01), w = width * 2.2 / (y * y);
+    vec2 p = rd.xz / (y + 0.04) * vec2(1.1, 2.2) + vec2(256.0 * cycles(0.0003), 64.0);
+    float sum = 0.0, gain = 0.5;
+    for (int k = 0; k < 5; ++k) {
+        float keep = clamp(1.3 - w * exp2(float(k)), 0.0, 1.0);
+        if (keep <= 0.0) { sum += gain; break; }   // the rest averages to half
+        sum += gain * mix(0.5, cloudNoise(p * exp2(float(k)) + 512.0, 512 << k, 40 + k), keep);
+        gain *= 0.5;
+    }
+    float soft = 0.22 + min(w, 0.5);
+    return smoothstep(1.0 - clouds - soft, 1.0 - clouds + soft, sum * 0.96) * smoothstep(0.0, 0.12, rd.y);
+}
+// What comes from above the horizon along rd. width: angle that is averaged; disc: with the sun.
+vec3 airLight(vec3 rd, float width, bool disc) {
+    vec3 sum = clearSky(rd), sun = sunDirection();
+    float cosine = dot(rd, sun), away2 = max(2.0 - 2.0 * cosine, 0.0);
+    if (clouds > 0.0 && rd.y > 0.0) {
+        float cover = cloudCover(rd, width);
+        float silver = 0.05 + 0.22 / (1.0 + 14.0 * away2);
+        vec3 lit = sunBeam() * silver * 1.1 + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.2;
+        sum = mix(sum, mix(sum, lit, 0.8), cover * (1.0 - 0.25 * cover));
+        sum *= 1.0 - 0.18 * cover * cover;
+    }
+    if (disc) {
+        float r2 = square(radians(sunSize)), edge = max(width, 1e-4) * 0.5 * sqrt(r2);
+        float seen = smoothstep(r2 + edge, r2 - edge, away2) * smoothstep(-0.002, 0.002, rd.y);
+        sum += sunBeam() * (seen * 30.0 + 0.0006 / (away2 + 0.0012));
+    }
+    return sum;
+}
+
+vec3 ambientLight(vec3 nor) {
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < 3; ++k)
+        sum += texelFetch(ambient, ivec2(2 * k + (nor[k] > 0.0 ? 1 : 0), 0), 0).rgb * square(nor[k]);
+    return sum;
+}
+
+// How open the surroundings of a point on a thing are, from the room along its normal.
+float roomAround(vec3 p, vec3 nor) {
+    float open = 1.0;
+    for (int c = 0; c < 2; ++c) {
+        int id;
+        vec4 f = clusterField(c, (p + 0.13 * nor - frames[c].at) * frames[c].axes, id);
+        if (clusterThere(c)) open = min(open, f.w / 0.13);
+    }
+    return 0.35 + 0.65 * smoothstep(0.0, 0.8, open);
+}
+
+// Light from a point of a thing against d, without what a gloss mirrors: that is up and upWeight.
+// stuff: paint.
+vec3 thingLight(int id, vec3 p, vec3 nor, vec3 d, vec4 stuff, float share, float open,
+                out vec3 upWeight) {
+    float facingSun = dot(nor, sunDirection()), facingEye = clamp(-dot(nor, d), 0.0, 1.0);
+    vec3 sunny = sunBeam() * share, around = ambientLight(nor) * open;
+    float lit = max(facingSun, 0.0), grazing = square(square(1.0 - facingEye)) * (1.0 - facingEye);
+    upWeight = vec3(id == kRing || stuff.w < 0.0 ? fresnel(facingEye, 1.45) : 0.0);
+    if (id == kGilt) { upWeight = mix(stuff.rgb, vec3(1.0), grazing); stuff.rgb *= 0.1; }
+    float mirrorLine = max(dot(reflect(d, nor), sunDirection()), 0.0);
+    vec3 light = upWeight * sunny * (lit * 8.0 * exp2(130.0 * (mirrorLine - 1.0)));
+    if (id == kFur && stuff.w >= 0.0) {
+        lit = square(max((facingSun + 0.3) / 1.3, 0.0));   // hair lets light round the edge
+        float fuzz = (1.0 - facingEye) * square(1.0 - facingEye);
+        light += stuff.rgb * fuzz
+            * (0.12 * sunny * max(dot(sunDirection(), d), 0.0) + 0.15 * around);
+        light += vec3(1.0, 0.42, 0.26) * sunny * (0.22 * stuff.w * max(-facingSun, 0.0));
+    }
+    return light + stuff.rgb / kPi * (lit * sunny + around);
+}
+vec3 mirrorSky(vec3 d, float width, bool disc) {   // biased: below the horizon the sea, dimmer
+    float dim = d.y < 0.0 ? 0.5 : 1.0;
+    return dim * airLight(normalize(vec3(d.x, abs(d.y), d.z)), width, disc);
+}
+vec3 deepLight() {   // scattered back by deep water
+    vec3 down = texelFetch(ambient, ivec2(3, 0), 0).rgb + sunBeam() * sin(radians(sunHeight));
+    return linearColour(waterColour) * down * (0.5 / kPi);
+}
+float codeShare(float code) { return (fract(code) - 0.5) * 2.0; }
+
+// ---- Screen-space rays --------------------------------------------------------------------------
+Eye camera() {
+    vec4 at = texelFetch(poses, ivec2(6, 0), 0), to = texelFetch(poses, ivec2(7, 0), 0);
+    vec3 forward = normalize(to.xyz - at.xyz), right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+    return Eye(at.xyz, right, cross(right, forward), forward, focalLength / 24.0);
+}
+vec3 viewRay(Eye e, vec2 pixel) {
+    vec2 uv = (pixel - 0.5 * iResolution.xy) / iResolution.y;
+    return normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
+}
+vec3 toView(Eye e, vec3 p) { return vec3(dot(p - e.pos, e.right), dot(p - e.pos, e.up), dot(p - e.pos, e.forward)); }
+vec2 toPixel(Eye e, vec3 v) { return 0.5 * iResolution.xy + iResolution.y * e.lens * v.xy / v.z; }
+
+// The part of a ray on which something can be hit: the box round all things, and the sea below.
+float reachOfRay(vec3 ro, vec3 rd) {
+    float far = 0.0;
+    for (int c = 0; c < 3; ++c) {
+        vec2 span = clusterSpan(c, (ro - frames[c].at) * frames[c].axes, rd * frames[c].axes, 0.02);
+        if (clusterThere(c) && span.x < span.y) far = max(far, span.y);
+    }
+    if (rd.y < 0.0) far = max(far, min((ro.y + 0.5) / -rd.y, 60.0));
+    return far;
+}
+
+int walkFetches = 0;   // of the depth buffer, for measurements
+
+// Walks the depth buffer along a ray. found: the pixel that it meets; the value: how sure, for soft
+// edges; 0 is a miss.
+float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 found) {
+    found = vec2(0.0);
+    walkFetches = 0;
+    vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
+    float far = reachOfRay(ro, rd);
+    if (!wanted || a.z <= kNear || far <= 0.0) return 0.0;
+    if (a.z + far * d.z < kNear) far = (kNear - a.z) / d.z;   // towards the camera
+    vec3 b = a + far * d;
+    vec2 pa = toPixel(e, a), pb = toPixel(e, b), dp = pb - pa;
+    vec2 room = mix((-pa) / min(dp, -1e-4), (iResolution.xy - pa) / max(dp, 1e-4), greaterThan(dp, vec2(0.0)));
+    float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the ray in the picture
+    float ka = 1.0 / a.z, kb = 1.0 / b.z, pixels = max(abs(dp.x), abs(dp.y));
+    float perStep = stride / max(pixels, stride);
+    if (reflections == 1) perStep = inside / 32.0;
+    float s = perStep * (1.0 - jitter * chance), before = min(0.7 / max(pixels, 0.7), s);
+    bool open = before < inside, hit = false;
+    for (int k = 0; k < (reflections == 1 ? 33 : 1024) && open; ++k) {
+        s = min(s, inside);
+        vec2 z = 1.0 / mix(vec2(ka), vec2(kb), vec2(before, s));
+        vec4 seen = texelFetch(normalDepth, ivec2(mix(pa, pb, s)), 0);
+        ++walkFetches;
+        float slack = reflections == 1 ? abs(z.y - z.x) : 0.0;
+        hit = max(z.x, z.y) > seen.w + bias && min(z.x, z.y) < seen.w + thickness + slack
+            && dot(seen.xyz, rd) < 0.1;
+        open = !hit && s < inside;
+        if (open) { before = s; s += perStep; }
+    }
+    if (!hit) return 0.0;
+    vec4 there = vec4(0.0);
+    walkFetches += 7;
+    for (int j = 0; j < 6; ++j) {
+        float m = 0.5 * (before + s);
+        there = texelFetch(normalDepth, ivec2(mix(pa, pb, m)), 0);
+        if (1.0 / mix(ka, kb, m) > there.w + bias) s = m; else before = m;
+    }
+    found = mix(pa, pb, s);
+    there = texelFetch(normalDepth, ivec2(found), 0);
+    if (1.0 / mix(ka, kb, s) > there.w + thickness || dot(there.xyz, rd) > 0.0) return 0.0;
+    vec2 rim = min(found, iResolution.xy - found) / iResolution.xy;
+    return smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
+}
+
+// ---- Passes -------------------------------------------------------------------------------------
+// Single scattering, with a share of light that has been scattered more often and comes from all
+// around. x: sine of half the angle from the sun's azimuth, y: root of the sine of elevation.
+void mainSky(out vec4 colour, in vec2 pixel) {
+    vec2 uv = (pixel - 0.5) / vec2(255.0, 127.0);
+    vec3 sun = sunDirection();
+    float y = uv.y * uv.y, side = 1.0 - 2.0 * uv.x * uv.x, level = sqrt(max(1.0 - y * y, 0.0));
+    float cosine = level * length(sun.xz) * side + y * sun.y;
+    float far = airLength(1.0, y), g = 0.78;
+    float rayleigh = 0.0596831 * (1.0 + cosine * cosine);
+    float mie = 0.1193662 * (1.0 - g * g) * (1.0 + cosine * cosine)
+        / ((2.0 + g * g) * pow(max(1.0 + g * g - 2.0 * g * cosine, 1e-3), 1.5));
+    vec3 through = vec3(1.0), sum = vec3(0.0);
+    for (int k = 0; k < 24; ++k) {
+        float a = square(float(k) / 24.0), b = square(float(k + 1) / 24.0);
+        float h = max(airHeight(1.0, y, 0.5 * (a + b) * far), 0.0), dt = (b - a) * far;
+        vec3 density = airDensity(h), extinction = airExtinction(density);
+        vec3 lost = exp(-extinction * dt);
+        vec3 sunThere = airTransmittance(h, sun.y, 12), mean = pow(sunThere, vec3(0.4));
+        vec3 scattered = kRayleigh * density.x * (rayleigh * sunThere + 0.028 * mean)
+            + kMie * haze * density.y * (mie * sunThere + 0.028 * mean);
+        sum += through * scattered * (1.0 - lost) / max(extinction, 1e-12);
+        through *= lost;
+    }
+    colour = vec4(kSunPower * sum, 1.0);
+}
+
+// 0 to 5: light on a surface that faces -x +x -y +y -z +z, without the sun; 6: the sun's colour.
+void mainAmbient(out vec4 colour, in vec2 pixel) {
+    int face = int(pixel.x);
+    colour = vec4(kSunPower * airTransmittance(1.0, sin(radians(sunHeight)), 32), 1.0);
+    if (face > 5) return;
+    vec3 axis = vec3(face / 2 == 0, face / 2 == 1, face / 2 == 2) * (float(face & 1) * 2.0 - 1.0);
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < 512; ++k) {
+        float y = (float(k) + 0.5) / 256.0 - 1.0, a = 2.0 * kPi * kGolden * float(k);
+        vec3 rd = vec3(sqrt(1.0 - y * y) * vec2(cos(a), sin(a)), y).xzy;
+        float mirrored = y < 0.0 ? 0.04 + 0.96 * pow(1.0 + y, 4.0) : 1.0;   // in the sea
+        vec3 light = clearSky(vec3(rd.x, abs(y), rd.z)) * mirrored;
+        sum += light * max(dot(rd, axis), 0.0) * (4.0 * kPi / 512.0);
+    }
+    colour = vec4(sum, 1.0);
+}
+// 0 to 5: place and heading, then tilt, of the clusters. A float follows the waves averaged over its
+// size. 6, 7: the eye and what it looks at.
+void mainPoses(out vec4 colour, in vec2 pixel) {
+    int k = int(pixel.x), c = k / 2;
+    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
+    vec2 at = c == 0 ? vec2(-0.1, 0.0) : c == 1 ? vec2(-0.95, 0.75) : kMirrorAt.xz;
+    if (c == 3) at = cameraDistance * vec2(sin(angle), cos(angle));
+    float sway = 2.0 * kPi * cycles(0.0625);
+    Sea s = sea(at, c == 3 ? vec3(0.01, 0.01, 0.0) : vec3(0.06, 0.06, 0.0));
+    vec3 place = vec3(at, s.height + (c == 1 ? -0.31 : 0.0)).xzy;
+    float heading = c == 0 ? radians(rabbitAngle) + 0.10 * sin(sway)
+        : 0.5 + 0.12 * sin(2.0 * sway + 1.0);
+    vec2 tilt = s.slope * (c == 0 ? 0.9 : 0.4);
+    if (c == 1) tilt += 0.16 * vec2(sin(heading), cos(heading));   // head up
+    if (c == 2) { place = kMirrorAt; heading = radians(mirrorAngle); tilt = vec2(0.0); }
+    if (c < 3) {
+        colour = (k & 1) == 0 ? vec4(place, heading) : vec4(tilt, 0.0, 0.0);
+    } else {
+        float height = max(clamp(cameraHeight - 4.0 * orbit.y, 0.2, 6.0), s.height + 0.12);
+        vec2 right = vec2(cos(angle), -sin(angle)) * targetShift;
+        colour = k == 6 ? vec4(at, height, 0.0).xzyw : vec4(right, targetHeight, 0.0).xzyw;
+    }
+}
+
+// albedo: colour, for water the lost slope variance; in w the kind of surface + a share of 1 of the
+// light that comes through. normalDepth: the depth along the view's axis.
+void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
+    readFrames();
+    Eye e = camera();
+    vec3 rd = viewRay(e, pixel);
+    float angle = 1.0 / (e.lens * iResolution.y);
+    float t = hitSea(e.pos, rd, angle, kFar);
+    Hit h = hitThings(e.pos, rd, angle, t > 0.0 ? t : kFar);
+    vec3 p = e.pos + h.t * rd;
+    colour = vec4(0.0);
+    normal = vec4(0.0, 1.0, 0.0, kFar);
+    if (h.id != kSky) {
+        vec4 c = h.id == kGlass ? vec4(0.9) : paint(h.id, p, angle * h.t);
+        colour = vec4(c.rgb, float(h.id) + 0.5 + 0.5 * clamp(c.w, -0.9, 0.9));
+        normal = vec4(h.nor, h.t * dot(rd, e.forward));
+    } else if (t > 0.0) {
+        p = e.pos + t * rd;
+        Sea s = sea(p.xz, seaFootprint(rd, angle * t));
+        colour = vec4(s.spread, float(kWater) + 0.5);
+        normal = vec4(normalize(vec3(-s.slope, 1.0).xzy), t * dot(rd, e.forward));
+    }
+}
+
+// What a pixel shows first, and where it mirrors to with what share.
+struct Surface { int id; float t; vec3 pos, nor, away; float mirrored; Sea sea; };
+Surface surfaceAt(Eye e, vec3 rd, ivec2 pixel) {
+    vec4 stuff = texelFetch(albedo, pixel, 0), facing = texelFetch(normalDepth, pixel, 0);
+    vec3 nor = facing.xyz;
+    Surface u;
+    u.id = int(stuff.w);
+    u.t = min(facing.w, 1e5) / dot(rd, e.forward);
+    u.pos = e.pos + u.t * rd;
+    u.nor = nor;
+    u.sea = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb);
+    u.mirrored = u.id == kGlass ? 0.95 : 1.0;
+    u.away = u.id == kGlass ? normalize(reflect(rd, nor)) : rd;
+    vec2 slope;
+    shownSlope(rd, u.sea, slope);
+    vec3 facet = normalize(vec3(-slope, 1.0).xzy), away = reflect(rd, facet);
+    if (u.id == kWater) {   // biased: light between waves is left out, so none goes down
+        u.mirrored = fresnel(clamp(-dot(facet, rd), 0.0, 1.0), kIorWater);
+        u.away = normalize(vec3(away.x, max(away.y, 0.02), away.z));
+    }
+    return u;
+}
+// The reference for screen-space rays: what a ray meets, exactly.
+Hit hitAll(vec3 ro, vec3 rd, float pixel, bool withSea, bool none) {
+    float wet = hitSea(ro, rd, pixel, withSea ? kFar : 0.0);
+    Hit h = hitThings(ro, rd, pixel, none ? 0.0 : wet > 0.0 ? wet : kFar);
+    if (h.id == kSky && wet > 0.0) h.id = kWater;
+    return h;
+}
+
+// Things: the light from them; water: in w the share of the sun that it sees.
+void mainLight(out vec4 colour, in vec2 pixel) {
+    readFrames();
+    Eye e = camera();
+    vec3 rd = viewRay(e, pixel), upWeight;
+    vec4 stuff = texelFetch(albedo, ivec2(pixel), 0);
+    vec4 facing = texelFetch(normalDepth, ivec2(pixel), 0);
+    int id = int(stuff.w);
+    stuff.w = codeShare(stuff.w);
+    vec3 nor = facing.xyz, p = e.pos + rd * (min(facing.w, 1e4) / dot(rd, e.forward));
+    float behind = id == kFur && dot(nor, sunDirection()) < 0.0 ? max(stuff.w, 0.0) : 0.0;
+    float chance = random3(ivec3(ivec2(pixel * 16.0), 5)).x;
+    float share = sunlight(p + 0.1 * behind * sunDirection(), nor, chance);
+    vec3 light = thingLight(id, p, nor, rd, stuff, share, roomAround(p, nor), upWeight);
+    light += upWeight * mirrorSky(reflect(rd, nor), 0.05, false);
+    colour = vec4(light, share);
+}
+
+// ---- Image --------------------------------------------------------------------------------------
+// Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
+// to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
+vec3 display(vec3 light) {
+    vec3 x = mix(vec3(0.0), min(light, 65504.0), greaterThan(light, vec3(0.0)));
+    float peak = max(maxComponent(x), 1e-6), rolled = 1.0 - exp(-peak);
+    vec3 c = mix(x * (rolled / peak), vec3(rolled), 0.35 * pow(rolled, 12.0));
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    readFrames();
+    Eye e = camera();
+    vec3 rd = viewRay(e, fragCoord), chance = random3(ivec3(ivec2(fragCoord * 16.0), 3));
+    float angle = 1.0 / (e.lens * iResolution.y);
+    Surface u = surfaceAt(e, rd, ivec2(fragCoord));
+    bool onSea = u.id == kWater, onGlass = u.id == kGlass;
+    vec4 lit = texelFetch(lightBuffer, ivec2(fragCoord), 0);
+    vec3 sum = vec3(0.0);
+    // What water and glass mirror, and what is above the horizon.
+    int rays = mirrorBlur > 0.0 ? mirrorRays : 1;
+    for (int k = 0; k < rays; ++k) {
+        vec3 away = u.away, from = u.pos + 0.002 * u.nor;
+        if (onGlass && mirrorBlur > 0.0) {
+            float a = 2.0 * kPi * (kGolden * float(k) + chance.y);
+            float r = mirrorBlur * sqrt((float(k) + chance.z) / float(rays));
+            away = normalize(away + r * (cos(a) * e.right + sin(a) * e.up));
+        }
+        // The thing that is met, with how sure that is, over the open sea and the sky.
+        float sure = 0.0, far = -u.pos.y / min(away.y, -1e-4);
+        bool wet = onGlass && away.y < -1e-3 && u.pos.y > 0.0;
+        vec3 thing = vec3(0.0), glass = vec3(0.0), upWeight = vec3(1.0);
+        vec2 found = vec2(0.0);
+        if (reflections == 3) {
+            Hit h = hitAll(from, away, angle, onGlass, u.id == kSky || u.id > kGlass);
+            vec3 q = from + min(h.t, 1e4) * away;
+            vec4 stuff = paint(h.id, q, angle * (u.t + h.t));
+            thing = thingLight(h.id, q, h.nor, away, stuff, sunlight(q, h.nor, chance.y),
+                               roomAround(q, h.nor), upWeight);
+            thing += upWeight * ambientLight(h.nor) / kPi;
+            sure = h.id > kGlass ? 1.0 : 0.0;
+            wet = h.id == kWater;
+            far = h.t;
+            if (h.id == kGlass) glass = h.nor;
+        } else if (reflections > 0) {
+            sure = walkScreen(e, from, away, chance.x, onSea || onGlass, found);
+        }
+        far = min(far, 1e5);
+        vec3 q = u.pos + far * away;
+        Sea s = sea(q.xz, seaFootprint(away, angle * (u.t + far)));
+        if (reflections < 3) {
+            vec4 stuff = texelFetch(albedo, ivec2(found), 0);
+            vec3 nor = texelFetch(normalDepth, ivec2(found), 0).xyz;
+            thing = texelFetch(lightBuffer, ivec2(found), 0).rgb;
+            int id = sure > 0.0 ? int(stuff.w) : kSky;
+            if (id == kGlass) glass = nor;
+            if (id == kWater) {   // the picture's own sea, where it is sure
+                s.slope = mix(s.slope, -nor.xz / max(nor.y, 1e-3), sure);
+                s.spread = mix(s.spread, stuff.rgb, sure);
+                wet = onGlass;
+            }
+            if (id <= kGlass) sure = 0.0;
+        }
+        vec3 light = vec3(0.0);
+        upWeight = vec3(1.0);
+        vec2 leaning;
+        float shown = shownSlope(away, s, leaning);
+        if (wet) {
+            vec3 n = normalize(vec3(-leaning, 1.0).xzy);
+            float f = fresnel(clamp(-dot(n, away), 0.0, 1.0), kIorWater);
+            light = sunBeam() * seaGlitter(away, s, shown) + (1.0 - f) * deepLight();
+            upWeight = vec3(f);
+            away = reflect(away, n);
+        }
+        if (glass != vec3(0.0)) away = reflect(away, glass);
+        light += upWeight * mirrorSky(away, onSea ? 0.1 : angle, u.id == kSky || onGlass && !wet);
+        sum += u.mirrored / float(rays) * mix(light, thing, sure);
+    }
+    if (u.id > kGlass) sum = lit.rgb;
+    // What is seen through the water: rabbits and frame below the waterline, or the deep.
+    float eta = 1.0 / kIorWater, c = clamp(-dot(rd, u.nor), 0.0, 1.0);
+    float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * c);
+    vec3 down = normalize(eta * rd + (eta * c - sqrt(k2)) * u.nor), upWeight;
+    Hit h = hitThings(u.pos + 1e-4 * down, down, angle, onSea ? 6.0 : 0.0);
+    vec3 q = u.pos + h.t * down;
+    vec4 stuff = paint(h.id, q, angle * u.t);
+    vec3 left = exp(-kAbsorption / clarity * (h.t + 1.5 * max(-q.y, 0.0)));
+    vec3 below = thingLight(h.id, q, h.nor, down, stuff, 1.0, 0.8, upWeight);
+    if (onSea) {
+        sum += (1.0 - u.mirrored) * mix(deepLight(), below, h.id > kGlass ? left : vec3(0.0));
+        vec2 slope;
+        sum += sunBeam() * (lit.w * seaGlitter(rd, u.sea, shownSlope(rd, u.sea, slope)));
+        vec3 level = normalize(vec3(rd.x, 1e-3, rd.z));   // the air in between
+        sum = mix(clearSky(level), sum, exp(-4e-5 * haze * u.t));
+    }
+    vec3 dither = (chance + chance.yzx - 1.0) / 255.0;
+    fragColor = vec4(display(exp2(exposure) * sum) + 0.5 * dither, 1.0);
+}
