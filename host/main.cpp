@@ -1,6 +1,7 @@
 // The command line: one verb a mode, and errors as exit codes.
 #include "gl/context.h"
 #include "modes/bench.h"
+#include "modes/check.h"
 #include "modes/info.h"
 #include "modes/open.h"
 #include "modes/still.h"
@@ -62,6 +63,25 @@ void add_still(CLI::App& verb, StillOptions& still) {
         ->check(from(1, 16384));
 }
 
+void add_check(CLI::App& verb, CheckOptions& check) {
+    verb.add_option("files", check.files, "presets (.toml) or scenes (.frag)")->required();
+    verb.add_option("--size", check.view.size, "pixels of most cases; 96x54 otherwise");
+    verb.add_option("--tweak", check.view.tweaks, "name=value, as often as needed")
+        ->allow_extra_args(false);
+    verb.add_option("--device", check.view.device,
+                    "which GPU: a number, a part of its name, or surfaceless");
+    verb.add_option("--inject", check.effort.inject, "texels of a buffer poisoned at once; 0: none")
+        ->check(from(0, 10'000));
+    verb.add_option("--frames", check.effort.frames, "of the long run")->check(from(1, 10'000'000));
+    verb.add_option("--random", check.effort.random, "sets of random tweaks")
+        ->check(from(0, 1'000'000));
+    verb.add_option("--case", check.only, "only cases whose name begins so");
+    verb.add_option("--hang", check.hang_seconds, "s that one frame may take")
+        ->check(from(1.0, 1e5));
+    verb.add_option("-o,--output", check.output, "a folder for the pictures of failures");
+    verb.add_flag("--json", check.view.json, "one JSON object on stdout");
+}
+
 int code(ExitCode exit_code) {
     return static_cast<int>(exit_code);
 }
@@ -119,6 +139,7 @@ int run(int argc, char** argv) {
     StillOptions still;
     InfoOptions info;
     BenchOptions bench;
+    CheckOptions check;
 
     CLI::App& open_verb = *app.add_subcommand("open", "show a scene or preset (the default verb)");
     add_view(open_verb, open);
@@ -132,6 +153,9 @@ int run(int argc, char** argv) {
     bench_verb.add_option("--frames", bench.frames, "how many frames are timed")
         ->check(from(1, 1'000'000));
     bench_verb.add_flag("--compare", bench.compare, "time uniform-fed frames in turn as well");
+
+    CLI::App& check_verb = *app.add_subcommand("check", "numerical stability at every extreme");
+    add_check(check_verb, check);
 
     // What the window starts for itself stands in no help text.
     std::string trial_device;
@@ -164,6 +188,7 @@ int run(int argc, char** argv) {
     if (open_verb.parsed()) return guarded([&] { run_open(open, since_start); });
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
+    if (check_verb.parsed()) return guarded([&] { run_check(check); });
     if (trial_verb.parsed()) return guarded([&] { run_trial(trial_device); });
     return guarded([&] { run_bench(bench); });
 }

@@ -20,9 +20,9 @@ namespace {
 
 constexpr int kFrames = 64, kFineFrames = 32;
 constexpr double kFrame = 1.0 / 60, kFineFrame = 1.0 / 960;
-constexpr int kFirstSecond = 60;        // frames
-constexpr double kLidCatchUp = 0.25;    // s, as in the window
-constexpr double kTickPeriod = 65536;   // s
+constexpr int kFirstSecond = 60;       // frames
+constexpr double kLidCatchUp = 0.25;   // s, as in the window
+constexpr double kTickPeriod = 65536;  // s
 // An aged scene may move in this share of the frames in which it moved when it was young, and be
 // this much more uneven. A float iTime is twice below and beyond both after a day.
 constexpr double kLeastMoving = 0.75, kLeastFinelyMoving = 0.5;
@@ -96,7 +96,8 @@ std::vector<double> changes(AgedClock& clock, CheckSubject& subject, double from
 }
 
 int count_moving(const std::vector<double>& list) {
-    return static_cast<int>(std::count_if(list.begin(), list.end(), [](double d) { return d > 0; }));
+    return static_cast<int>(
+        std::count_if(list.begin(), list.end(), [](double d) { return d > 0; }));
 }
 
 // How much the change jumps from frame to frame, beside its mean: second differences, which a
@@ -115,8 +116,7 @@ Motion motion_at(CheckSubject& subject, double age) {
     const std::vector<double> coarse = changes(clock, subject, 0.0, kFrame, kFrames);
     const double later = (kFrames + 1) * kFrame;
     return {.moving = count_moving(coarse),
-            .finely_moving =
-                count_moving(changes(clock, subject, later, kFineFrame, kFineFrames)),
+            .finely_moving = count_moving(changes(clock, subject, later, kFineFrame, kFineFrames)),
             .unevenness = unevenness(coarse)};
 }
 
@@ -136,11 +136,11 @@ void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
         result.fail(fmt::format("stands still in {} of {} frames, when young in {}",
                                 kFrames - old.moving, kFrames, kFrames - young.moving));
     } else if (old.finely_moving < kLeastFinelyMoving * young.finely_moving) {
-        result.fail(fmt::format("moves in coarse steps: {} of {} frames 1/960 s apart differ, when "
-                                "young {}",
-                                old.finely_moving, kFineFrames, young.finely_moving));
-    } else if (old.unevenness >
-               kUnevennessFactor * young.unevenness + kUnevennessAllowed) {
+        result.fail(
+            fmt::format("moves in coarse steps: {} of {} frames 1/960 s apart differ, when "
+                        "young {}",
+                        old.finely_moving, kFineFrames, young.finely_moving));
+    } else if (old.unevenness > kUnevennessFactor * young.unevenness + kUnevennessAllowed) {
         result.fail(fmt::format("moves unevenly, by {:.0f} %, when young by {:.0f} %",
                                 100.0 * old.unevenness, 100.0 * young.unevenness));
     } else {
@@ -181,8 +181,7 @@ std::vector<float> picture_at(CheckSubject& subject, double time, double periods
     }
     for (int k = 0; k <= frames; ++k) {
         const double young = time + k * kFrame;
-        Frame frame = subject.frame_at(young + periods * kTickPeriod, kFrame,
-                                       kFirstSecond + k);
+        Frame frame = subject.frame_at(young + periods * kTickPeriod, kFrame, kFirstSecond + k);
         frame.date = shadertoy_date(subject.preset.date, young);
         if (subject.stateful()) frame.longest_catch_up = kLidCatchUp;
         subject.still.reset();
@@ -193,7 +192,8 @@ std::vector<float> picture_at(CheckSubject& subject, double time, double periods
 
 void run_same_phase(const Period& period, Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    const double time = std::max(subject.preset.time, 1.0);
+    // Later than the first second by more than is ever caught up, so that both clocks jump.
+    const double time = std::max(subject.preset.time, 2.0);
     const std::vector<float> young = picture_at(subject, time, 0);
     const std::vector<float> old = picture_at(subject, time, period.count);
     if (young.empty() || old.empty()) return;
@@ -213,17 +213,15 @@ void run_same_phase(const Period& period, Check& check, CaseResult& result) {
 
 void add_age_cases(std::vector<Case>& list, const CheckSubject& subject) {
     for (const Age& age : kAges) {
-        list.push_back({fmt::format("age {}", age.name), [&age](Check& check, CaseResult& result) {
-                            run_age(age, check, result);
-                        }});
+        list.push_back({fmt::format("age {}", age.name),
+                        [&age](Check& check, CaseResult& result) { run_age(age, check, result); }});
     }
     if (!subject.reads(Builtin::tick)) return;
     for (const Period& period : kPeriods) {
-        list.push_back(
-            {fmt::format("same phase after {}", period.name),
-             [&period](Check& check, CaseResult& result) {
-                 run_same_phase(period, check, result);
-             }});
+        list.push_back({fmt::format("same phase after {}", period.name),
+                        [&period](Check& check, CaseResult& result) {
+                            run_same_phase(period, check, result);
+                        }});
     }
 }
 

@@ -1,6 +1,7 @@
 // One case of a check: the extreme that a scene was brought to, and what came of it.
 #pragma once
 
+#include "modes/check.h"
 #include "modes/check_subject.h"
 
 #include <nlohmann/json.hpp>
@@ -12,33 +13,24 @@
 
 namespace glint {
 
-enum class Verdict { fail, report, pass, skip };  // worst first
-const char* to_string(Verdict verdict);
+enum class CaseVerdict { fail, report, pass, skip };  // worst first
+const char* to_string(CaseVerdict verdict);
 
 struct CaseResult {
     std::string name;
-    Verdict verdict = Verdict::pass;
+    CaseVerdict verdict = CaseVerdict::pass;
     // Pixels of all buffers and of the picture, in the frame where the first were found.
     std::size_t nan = 0, infinite = 0;
     float min = 0.0f, max = 0.0f;  // of all finite values in all frames
-    std::string note;
-    std::string reproduce;  // the command that shows it again; failures only
-    std::string picture;    // a file; failures only
+    std::string note{};
+    std::string reproduce{};  // the command that shows it again; failures only
+    std::string picture{};    // a file; failures only
 
     void fail(std::string why);
 };
 
 nlohmann::ordered_json to_json(const CaseResult& result);
 CaseResult case_from_json(const nlohmann::ordered_json& json);
-
-// How hard a check tries. Where a person has not said how many, a group of cases also ends when its
-// seconds are over.
-struct Effort {
-    std::optional<int> frames, random;
-    int inject = 3;  // texels that are poisoned at once; 0: no such cases
-    static constexpr int kFrames = 2000, kRandom = 64;
-    static constexpr double kGroupSeconds = 25.0;
-};
 
 // How a scene moves at an age: see check_age.cpp.
 struct Motion {
@@ -50,8 +42,8 @@ struct Motion {
 // What a simulation has come to at a time, drawn at 60 Hz.
 struct State {
     std::vector<float> picture;
-    std::vector<std::vector<float>> buffers;  // of the passes with a step of their own
-    float largest = 0.0f;                     // of all that is fed back
+    std::vector<std::vector<float>> buffers{};  // of the passes with a step of their own
+    float largest = 0.0f;                       // of all that is fed back
 };
 
 // A scene under check, and what several cases need and one works out.
@@ -66,6 +58,7 @@ struct Case {
     std::string name;
     // Draws and judges; what is not finite is found by the subject and needs no words here.
     std::function<void(Check&, CaseResult&)> run;
+    bool sets_all_tweaks = false;  // so it is the same for all presets of a scene
     bool may_be_left_out = false;  // when the seconds of its group are over
 };
 
@@ -80,7 +73,7 @@ void add_mouse_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_step_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
-void add_precision_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
 
 // Runs one case on a subject that is as it was opened, and leaves its traces: the numbers, and for
 // a failure a picture in `folder` and the command that shows it again.

@@ -10,8 +10,8 @@
 namespace glint {
 namespace {
 
-constexpr double kPlayed = 0.5;     // s of a simulation, with each set of tweaks
-constexpr double kPlayedSize = 0.1; // s at each size
+constexpr double kPlayed = 0.5;      // s of a simulation, with each set of tweaks
+constexpr double kPlayedSize = 0.1;  // s at each size
 constexpr double kPlayedLarge = 1.0 / 60;
 
 struct Range {
@@ -73,13 +73,13 @@ void add_extreme(std::vector<Case>& list, const Tweak& tweak, std::size_t index,
                     }});
 }
 
-struct Place2 {
+struct MousePlace {
     const char* name;
     glm::dvec2 at;  // fraction of the picture
 };
-constexpr Place2 kMousePlaces[] = {{"bottom left", {0, 0}},   {"bottom right", {1, 0}},
-                                   {"top left", {0, 1}},      {"top right", {1, 1}},
-                                   {"outside, low", {-2, -2}}, {"outside, high", {3, 3}}};
+constexpr MousePlace kMousePlaces[] = {{"bottom left", {0, 0}},    {"bottom right", {1, 0}},
+                                       {"top left", {0, 1}},       {"top right", {1, 1}},
+                                       {"outside, low", {-2, -2}}, {"outside, high", {3, 3}}};
 
 // Pressed at one place, held, dragged to another, released, and left alone.
 void run_mouse(glm::dvec2 press, glm::dvec2 drag, Check& check) {
@@ -114,7 +114,8 @@ void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject, const
                         [to_max](Check& check, CaseResult&) {
                             set_all(check.subject, to_max);
                             show_tweaks(check);
-                        }});
+                        },
+                        true});
     }
     for (int seed = 1; seed <= effort.random.value_or(Effort::kRandom); ++seed) {
         list.push_back({fmt::format("random tweaks {}", seed),
@@ -122,25 +123,25 @@ void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject, const
                             set_random(check.subject, static_cast<unsigned>(seed));
                             show_tweaks(check);
                         },
-                        !effort.random});
+                        true, !effort.random});
     }
 }
 
 void add_size_cases(std::vector<Case>& list) {
-    for (const glm::ivec2 size :
-         {glm::ivec2(1, 1), {7, 3}, {1, 512}, {512, 1}, {1920, 1080}}) {
-        list.push_back({fmt::format("size {}x{}", size.x, size.y), [size](Check& check, CaseResult&) {
-                            CheckSubject& subject = check.subject;
-                            subject.resize(size);
-                            const bool large = size.x * size.y > 1'000'000;
-                            subject.show(subject.preset.time, large ? kPlayedLarge : kPlayedSize);
-                        }});
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), {7, 3}, {1, 512}, {512, 1}, {1920, 1080}}) {
+        list.push_back(
+            {fmt::format("size {}x{}", size.x, size.y), [size](Check& check, CaseResult&) {
+                 CheckSubject& subject = check.subject;
+                 subject.resize(size);
+                 const bool large = size.x * size.y > 1'000'000;
+                 subject.show(subject.preset.time, large ? kPlayedLarge : kPlayedSize);
+             }});
     }
 }
 
 void add_mouse_cases(std::vector<Case>& list, const CheckSubject& subject) {
     if (!subject.renderer().reads_mouse()) return;
-    for (const Place2& place : kMousePlaces) {
+    for (const MousePlace& place : kMousePlaces) {
         // Nobody can press outside; a drag may end there.
         const bool outside = place.at.x < 0.0 || place.at.x > 1.0;
         const glm::dvec2 middle(0.5);

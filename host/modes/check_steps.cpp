@@ -74,8 +74,8 @@ std::vector<double> tile_means(std::span<const float> picture, glm::ivec2 size) 
     std::vector<double> sums(tiles * 3), counts(tiles, 1e-9);
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
-            const auto tile = static_cast<std::size_t>(y * kTiles.y / size.y * kTiles.x +
-                                                       x * kTiles.x / size.x);
+            const auto tile =
+                static_cast<std::size_t>(y * kTiles.y / size.y * kTiles.x + x * kTiles.x / size.x);
             const auto pixel = static_cast<std::size_t>(y * size.x + x);
             counts[tile] += 1.0;
             for (std::size_t c = 0; c < 3; ++c) {
@@ -106,13 +106,15 @@ void compare_states(const State& now, const State& at_60_hz, double time, glm::i
     const double tiles = tiles_off(now.picture, at_60_hz.picture, size);
     const Difference pictures = difference(now.picture, at_60_hz.picture);
     if (off > kMostStateOff) {
-        result.fail(fmt::format("after {} s the state of a step pass is {:.2g} of its largest value "
-                                "off what 60 Hz reaches",
-                                time, off));
+        result.fail(
+            fmt::format("after {} s the state of a step pass is {:.2g} of its largest value "
+                        "off what 60 Hz reaches",
+                        time, off));
     } else if (tiles > kMostTilesOff) {
-        result.fail(fmt::format("after {} s the picture is off what 60 Hz shows: by {:.3f} in the "
-                                "means of tiles, {:.1f} dB",
-                                time, tiles, pictures.psnr));
+        result.fail(
+            fmt::format("after {} s the picture is off what 60 Hz shows: by {:.3f} in the "
+                        "means of tiles, {:.1f} dB",
+                        time, tiles, pictures.psnr));
     } else {
         result.note = fmt::format("{:.1f} dB beside 60 Hz after {} s", pictures.psnr, time);
     }
@@ -121,8 +123,8 @@ void compare_states(const State& now, const State& at_60_hz, double time, glm::i
 void judge_growth(const CheckSubject& subject, const State& at_60_hz, CaseResult& result) {
     const float largest = subject.largest_state();
     if (largest > std::max(kLargestHalf, 1000.0f * at_60_hz.largest)) {
-        result.fail(fmt::format("the state explodes: {:.3g}, at 60 Hz {:.3g}", largest,
-                                at_60_hz.largest));
+        result.fail(
+            fmt::format("the state explodes: {:.3g}, at 60 Hz {:.3g}", largest, at_60_hz.largest));
     }
 }
 
@@ -147,7 +149,7 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
         if (k != last || lid) continue;
         compare_states(state_of(subject), met == kEarly ? *check.early : *check.later, met,
                        subject.preset.size, result);
-        if (result.verdict == Verdict::fail) return;
+        if (result.verdict == CaseVerdict::fail) return;
     }
     judge_growth(subject, *check.later, result);
 }
@@ -169,7 +171,7 @@ void run_mixed_steps(Check& check, CaseResult& result) {
         if (!subject.draw(subject.frame_at(time, delta, index))) return;
     }
     compare_states(state_of(subject), *check.later, kLater, subject.preset.size, result);
-    if (result.verdict == Verdict::fail) return;
+    if (result.verdict == CaseVerdict::fail) return;
     for (int k = 0; k < kFrames; ++k) {
         const double delta = kAny[random() % std::size(kAny)];
         time += delta;
@@ -209,9 +211,10 @@ void run_long(Check& check, CaseResult& result) {
     const float last = *std::max_element(largest.end() - quarter, largest.end());
     // What starts at nothing may rise to 1; a sum over frames grows by four.
     if (last > 1.0f && last > kGrowth * first) {
-        result.fail(fmt::format("the state grows from {:.3g} in the first {} frames to {:.3g} in "
-                                "the last",
-                                first, quarter, last));
+        result.fail(
+            fmt::format("the state grows from {:.3g} in the first {} frames to {:.3g} in "
+                        "the last",
+                        first, quarter, last));
     }
 }
 
@@ -220,10 +223,9 @@ void run_long(Check& check, CaseResult& result) {
 void add_step_cases(std::vector<Case>& list, const CheckSubject& subject) {
     if (!subject.moves()) return;
     for (const FrameTime& step : kFrameTimes) {
-        list.push_back({fmt::format("frames of {}", step.name),
-                        [&step](Check& check, CaseResult& result) {
-                            run_steps(step, check, result);
-                        }});
+        list.push_back(
+            {fmt::format("frames of {}", step.name),
+             [&step](Check& check, CaseResult& result) { run_steps(step, check, result); }});
     }
     if (subject.stateful()) list.push_back({"frames of mixed lengths", run_mixed_steps});
 }

@@ -11,8 +11,14 @@ namespace {
 // iFrame is an int; a year at 60 Hz still fits, and what counts further stays there.
 constexpr long kMostFrames = 2'000'000'000;
 
-CompiledScene compile_for_uniforms(const Preset& preset) {
-    return compile_or_stop(preset, {.program = {.specialise = false}});
+// Pixels; one that has both NaN and Inf counts once.
+std::size_t count_not_finite(std::span<const float> rgba) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+        count += !std::isfinite(rgba[i]) || !std::isfinite(rgba[i + 1]) ||
+                 !std::isfinite(rgba[i + 2]) || !std::isfinite(rgba[i + 3]);
+    }
+    return count;
 }
 
 }  // namespace
@@ -22,20 +28,20 @@ std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
 }
 
 CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
-                           PixelFormat format)
+                           const SubjectOptions& options)
     : preset(opened), view_(view), opened_(opened), context_(context) {
     for (Pass& pass : preset.scene.passes) {
-        if (pass.format == PixelFormat::rgba32f) pass.format = format;
+        if (pass.format == PixelFormat::rgba32f) pass.format = options.buffers;
     }
-    CompiledScene compiled = compile_for_uniforms(preset);
+    CompiledScene compiled =
+        compile_or_stop(preset, {.program = {.specialise = options.specialise}});
     for (const PassProgram& program : compiled.programs) {
         for (const BuiltinUniform& uniform : program.builtins) {
             builtins_.push_back(uniform.builtin);
         }
     }
-    renderer_.emplace(
-        preset, std::move(compiled),
-        RenderOptions{.size = preset.size, .picture_format = PixelFormat::rgba32f});
+    renderer_.emplace(preset, std::move(compiled),
+                      RenderOptions{.size = preset.size, .picture_format = PixelFormat::rgba32f});
     load_images(preset, *renderer_);
     looked_at_.resize(renderer_->graph().passes.size());
 }
@@ -91,11 +97,10 @@ void CheckSubject::look(std::size_t graph_index) {
             observed_.max = observed_.any ? std::max(observed_.max, found.max[c]) : found.max[c];
             observed_.any = true;
         }
+        if (found.nan + found.infinite == 0) continue;
         observed_.nan += found.nan;
         observed_.infinite += found.infinite;
-        if (found.nan + found.infinite <= observed_.worst) continue;
-        observed_.worst = found.nan + found.infinite;
-        observed_.output = names[output];
+        observed_.found.push_back({names[output], count_not_finite(values)});
         observed_.size = {shape.cube ? shape.size.x * 6 : shape.size.x, shape.size.y};
         observed_.values = std::move(values);
     }
@@ -158,8 +163,7 @@ float CheckSubject::largest_state() const {
     for (std::size_t i = 0; i < renderer_->graph().passes.size(); ++i) {
         if (!is_fed_back(i)) continue;
         for (int output = 0; output < renderer_->buffer(i).shape().outputs; ++output) {
-            for (const float v :
-                 renderer_->read_buffer(i, static_cast<std::size_t>(output))) {
+            for (const float v : renderer_->read_buffer(i, static_cast<std::size_t>(output))) {
                 if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
             }
         }

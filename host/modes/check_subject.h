@@ -1,9 +1,8 @@
 // A scene under check: drawn small and fed with uniforms, every value of every buffer looked at.
 #pragma once
 
-#include "modes/common.h"
-
 #include "gl/context.h"
+#include "modes/common.h"
 
 #include <optional>
 #include <string>
@@ -13,13 +12,18 @@ namespace glint {
 
 // What has been seen since the last restore().
 struct Observed {
-    std::size_t nan = 0, infinite = 0;  // pixels, in the first frame that had any
-    std::string output;                 // the sampler (or "image") that has the most
-    std::vector<float> values;          // of that output, RGBA
-    glm::ivec2 size{0};                 // of `values`
-    std::size_t worst = 0;              // how many of them that output has
-    float min = 0.0f, max = 0.0f;       // of all finite values so far
-    bool any = false;
+    // The first frame that had any: how many pixels, and in which outputs, in drawing order.
+    std::size_t nan = 0, infinite = 0;
+    struct Found {
+        std::string output;  // the sampler, or "image"
+        std::size_t pixels;
+    };
+    std::vector<Found> found;
+    // The picture, or the last buffer, that has any; RGBA.
+    std::vector<float> values;
+    glm::ivec2 size{0};            // of `values`
+    float min = 0.0f, max = 0.0f;  // of all finite values so far
+    bool any = false;              // there were some
     bool is_finite() const { return nan == 0 && infinite == 0; }
 };
 
@@ -28,11 +32,16 @@ struct StillPlace {
     double time = 0.0, fps = 60.0;
 };
 
+struct SubjectOptions {
+    PixelFormat buffers = PixelFormat::rgba32f;  // instead of 32-bit floats
+    bool specialise = false;                     // tweaks stay what they are
+};
+
 class CheckSubject {
 public:
-    // Compiles; throws Stop. `format` replaces the one of all 32-bit float buffers.
+    // Compiles; throws Stop.
     CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
-                 PixelFormat format = PixelFormat::rgba32f);
+                 const SubjectOptions& options = {});
     CheckSubject(const CheckSubject&) = delete;
     CheckSubject& operator=(const CheckSubject&) = delete;
 

@@ -54,9 +54,8 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
     result.rmse = std::sqrt(squares / values);
     result.relative_mse = relative / values;
     result.share_off = static_cast<double>(off) / pixels;
-    result.psnr = byte_squares == 0.0
-                      ? std::numeric_limits<double>::infinity()
-                      : 10.0 * std::log10(255.0 * 255.0 / (byte_squares / values));
+    result.psnr = byte_squares == 0.0 ? std::numeric_limits<double>::infinity()
+                                      : 10.0 * std::log10(255.0 * 255.0 / (byte_squares / values));
     return result;
 }
 

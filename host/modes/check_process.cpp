@@ -1,0 +1,214 @@
+#include "modes/check_process.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kMostRestarts = 8;  // hangs and crashes of one file; then the rest is left out
+// The sanitizers' own exit, so that what they find does not read as a result.
+constexpr int kNoResult = 99;
+
+// ---- The child: one line of JSON for everything that the parent has to know ---------------------
+
+void tell(int pipe, const Json& line) {
+    const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    std::size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t count = ::write(pipe, text.data() + done, text.size() - done);
+        if (count < 0 && errno != EINTR) _exit(kNoResult);  // nobody listens any more
+        if (count > 0) done += static_cast<std::size_t>(count);
+    }
+}
+
+ViewOptions small(const ViewOptions& view) {
+    ViewOptions result = view;
+    if (result.size.empty()) result.size = "96x54";
+    return result;
+}
+
+bool begins_with(const std::string& name, const std::string& only) {
+    return name.starts_with(only);
+}
+
+void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
+    const Preset preset = open_preset(small(wanted.view));
+    const auto context = make_egl_context(wanted.view.device);
+    CheckSubject subject(wanted.view, preset, *context);
+    std::vector<Case> cases = all_cases(subject, wanted.effort);
+    std::erase_if(cases, [&](const Case& c) { return !begins_with(c.name, wanted.only); });
+    tell(pipe, {{"renderer", context->renderer()}, {"cases", cases.size()}});
+    Stopwatch since_told;
+    subject.after_frame = [&] {
+        if (since_told.ms() < 200.0) return;
+        since_told.restart();
+        tell(pipe, {{"alive", true}});
+    };
+    Check check{.subject = subject, .effort = wanted.effort};
+    double group_ms = 0.0;
+    for (std::size_t i = first; i < cases.size(); ++i) {
+        tell(pipe, {{"begin", cases[i].name}});
+        const Stopwatch clock;
+        CaseResult result{.name = cases[i].name, .verdict = CaseVerdict::skip};
+        if (cases[i].sets_all_tweaks && wanted.scene_is_known) {
+            result.note = "the same as with the preset before";
+        } else if (cases[i].may_be_left_out && group_ms > Effort::kGroupSeconds * 1000.0) {
+            result.note = fmt::format("{} s for random tweaks were over", Effort::kGroupSeconds);
+        } else {
+            result = run_case(check, cases[i], wanted.folder);
+        }
+        if (cases[i].may_be_left_out) group_ms += clock.ms();
+        tell(pipe, {{"result", to_json(result)}});
+    }
+    tell(pipe, {{"end", true}});
+}
+
+[[noreturn]] void be_the_child(const FileCheck& wanted, std::size_t first, int pipe) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const auto leave = [](ExitCode code) {
+        std::fflush(nullptr);
+        _exit(static_cast<int>(code));
+    };
+    try {
+        run_cases(wanted, first, pipe);
+        leave(ExitCode::done);
+    } catch (const Stop& stop) {
+        leave(stop.code);
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        leave(ExitCode::usage);
+    } catch (const NoContext& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        leave(ExitCode::no_context);
+    } catch (const ContextLost&) {
+        leave(ExitCode::context_lost);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+    }
+    leave(ExitCode::failure);
+    std::abort();
+}
+
+// ---- The parent ---------------------------------------------------------------------------------
+
+// A child and what it tells, until it ends or is silent for too long.
+class Child {
+public:
+    Child(const FileCheck& wanted, std::size_t first) {
+        std::array<int, 2> ends{};
+        if (::pipe(ends.data()) != 0) throw std::runtime_error("There is no pipe to be had.");
+        std::fflush(nullptr);
+        pid_ = ::fork();
+        if (pid_ < 0) throw std::runtime_error("There is no process to be had.");
+        if (pid_ == 0) {
+            ::close(ends[0]);
+            be_the_child(wanted, first, ends[1]);
+        }
+        ::close(ends[1]);
+        pipe_ = ends[0];
+    }
+    ~Child() {
+        ::close(pipe_);
+        if (pid_ <= 0) return;
+        ::kill(pid_, SIGKILL);
+        ::waitpid(pid_, nullptr, 0);
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    // The next line; nothing at the end, or after `seconds` of silence, which ends the child.
+    std::optional<Json> next(double seconds) {
+        for (;;) {
+            const std::size_t end = text_.find('\n');
+            if (end != std::string::npos) {
+                Json line = Json::parse(text_.substr(0, end));
+                text_.erase(0, end + 1);
+                return line;
+            }
+            pollfd readable{pipe_, POLLIN, 0};
+            const int ready = ::poll(&readable, 1, static_cast<int>(seconds * 1000.0));
+            if (ready < 0 && errno == EINTR) continue;
+            hung_ = ready == 0;
+            if (hung_) ::kill(pid_, SIGKILL);
+            std::array<char, 4096> chunk;
+            const ssize_t count = hung_ ? 0 : ::read(pipe_, chunk.data(), chunk.size());
+            if (count <= 0) return std::nullopt;
+            text_.append(chunk.data(), static_cast<std::size_t>(count));
+        }
+    }
+
+    bool hung() const { return hung_; }
+
+    // Its exit code, or minus the signal that ended it.
+    int wait() {
+        int status = 0;
+        ::waitpid(std::exchange(pid_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    }
+
+private:
+    pid_t pid_ = -1;
+    int pipe_ = -1;
+    std::string text_;
+    bool hung_ = false;
+};
+
+// What a case is told that ended its process.
+std::string last_words(const Child& child, int code, double hang_seconds) {
+    if (child.hung()) return fmt::format("hangs: no frame within {} s", hang_seconds);
+    if (code == static_cast<int>(ExitCode::context_lost)) return "the GPU was lost";
+    if (code < 0) return fmt::format("the driver crashed: {}", ::strsignal(-code));
+    return fmt::format("could not be drawn (exit code {})", code);
+}
+
+}  // namespace
+
+CheckedFile check_file(const FileCheck& wanted,
+                       const std::function<void(long done, long total)>& progress) {
+    CheckedFile file{.scene = wanted.view.file.string()};
+    const Stopwatch clock;
+    for (int start = 0; start <= kMostRestarts; ++start) {
+        Child child(wanted, file.cases.size());
+        std::string running;
+        bool ended = false;
+        long total = 0;
+        while (const auto line = child.next(wanted.hang_seconds)) {
+            if (line->contains("renderer")) file.renderer = line->at("renderer");
+            if (line->contains("cases")) total = line->at("cases");
+            if (line->contains("begin")) running = line->at("begin");
+            if (line->contains("result")) file.cases.push_back(case_from_json(line->at("result")));
+            ended |= line->contains("end");
+            progress(static_cast<long>(file.cases.size()), total);
+        }
+        const int code = child.wait();
+        if (ended) break;
+        if (running.empty() && !child.hung()) {  // it did not come to the first case
+            file.code = code > 0 ? static_cast<ExitCode>(code) : ExitCode::failure;
+            break;
+        }
+        CaseResult result{.name = running.empty() ? "start" : running};
+        result.fail(last_words(child, code, wanted.hang_seconds));
+        result.reproduce = fmt::format("glint check {} --case '{}'", file.scene, result.name);
+        file.cases.push_back(std::move(result));
+        if (running.empty()) break;
+    }
+    file.seconds = clock.ms() / 1000.0;
+    return file;
+}
+
+}  // namespace glint

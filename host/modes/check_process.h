@@ -1,0 +1,37 @@
+// Runs the cases of one file in a process of its own, so that a shader that hangs, a GPU that is
+// reset and a driver that crashes are failed cases, and the rest is still checked.
+#pragma once
+
+#include "modes/check_case.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct CheckedFile {
+    std::string scene;
+    std::string renderer{};
+    ExitCode code = ExitCode::done;  // why it could not be checked at all
+    std::vector<CaseResult> cases{};
+    double seconds = 0.0;
+};
+
+struct FileCheck {
+    ViewOptions view;
+    Effort effort;
+    std::filesystem::path folder;  // for pictures of failures; made when there is one
+    std::string only;              // cases whose name begins so; empty: all
+    // Leave out what does not depend on the preset's tweaks: another preset of the scene went
+    // before.
+    bool scene_is_known = false;
+    double hang_seconds = 60.0;  // how long one frame may take
+};
+
+// `progress` hears how many cases are done, of how many. Call before this process has a GL context:
+// drivers do not survive a fork.
+CheckedFile check_file(const FileCheck& wanted,
+                       const std::function<void(long done, long total)>& progress);
+
+}  // namespace glint
