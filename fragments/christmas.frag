@@ -94,6 +94,7 @@ const int   kBatch = 8;                    // spheres in one turn of the plain l
 const int   kRow = 64;                     // texels in a row of the ornament buffers
 const float kBoxGrid = 0.001;              // m, the hierarchy's boxes are rounded outwards to it
 const vec3  kBoxOrigin = vec3(2.048, 0.1, 2.048);        // m
+const int   kLeastForTree = 32;            // ornaments
 const int   kTreeSteps = 4096;             // cap for one walk, measured at under 600
 const int   kFloor = 8000, kWall = 8001, kTrunk = 8002, kStar = 8003, kBody = 8004, kLid = 8005;
 const int   kBall = 8010;                  // and on; ids below 4096 are ornaments
@@ -240,7 +241,10 @@ void nextNode(inout int node, inout int trail) {
     node = (node >> up) ^ 1;
 }
 
-// The plain loops: all ornaments, or with `boxes` none when the box round them all is missed.
+// A few spheres are cheaper one by one, behind the box round them all, than through a hierarchy.
+bool inPlainLoop() { return acceleration < 2 || ornaments < kLeastForTree; }
+
+// The plain loops: all ornaments, or none when the box round them all is missed.
 int plainCount(vec3 ro, vec3 inv, float grow, float tMax) {
     vec3 lo, hi;
     unpackBox(texelOf(ornamentTree, 1, 128), lo, hi);
@@ -249,7 +253,7 @@ int plainCount(vec3 ro, vec3 inv, float grow, float tMax) {
 
 void hitOrnaments(vec3 ro, vec3 rd, inout Hit h) {
     vec3 lo, hi, inv = safeInverse(rd);
-    if (acceleration < 2) {
+    if (inPlainLoop()) {
         int count = plainCount(ro, inv, 0.0, h.t);
         for (int k = 0; k < count; k += kBatch)
             for (int j = k; j < k + kBatch; ++j)
@@ -275,7 +279,7 @@ void hitOrnaments(vec3 ro, vec3 rd, inout Hit h) {
 
 float besideOrnaments(vec3 ro, vec3 rd, float rim, float tMax, float free) {
     vec3 lo, hi, inv = safeInverse(rd);
-    if (acceleration < 2) {
+    if (inPlainLoop()) {
         int count = plainCount(ro, inv, rim * tMax, tMax);
         for (int k = 0; k < count && free > kLeastLight; k += kBatch)
             for (int j = k; j < k + kBatch; ++j)
