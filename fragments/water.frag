@@ -69,7 +69,7 @@ uniform float focalLength;     //@ 24 [12, 120] log unit=mm "of a lens on 36 x 2
 uniform float exposure;        //@ 0.0 [-6, 10] unit=stop "before the display curve"
 //@ group Quality
 uniform int   rays;            //@ 6 [2, 24] quality reference=24 "rays along one path"
-uniform int   marchSteps;      //@ 48 [4, 1024] log quality reference=1024 "towards the surface"
+uniform int   marchSteps;      //@ 64 [4, 1024] log quality reference=1024 "towards the surface"
 uniform float overstep;        //@ 1.4 [1, 3] quality reference=1 "1: never beyond what is safe"
 uniform int   refinement;      //@ 3 [0, 8] quality reference=8 "Illinois steps at the end"
 uniform int   antialias;       //@ 1 [1, 32] log quality reference=32 "paths a pixel"
@@ -240,7 +240,8 @@ float waterShape(vec2 p, vec2 a, vec2 b, out vec2 slope, out vec3 second) {
 }
 
 // Where a ray meets the water before tMax, else kFar. wet: it comes from below. Steps are as long
-// as the steepest possible surface allows, times `overstep`; then the sign change is closed in on.
+// as the steepest possible surface allows, times `overstep` (which may also skip a crest's last 2
+// cm, 0.1 mm deep); then the sign change is closed in on.
 float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
     evaluations = 0;
     float level = gCrests + gCrest.x + 1e-4, side = wet ? -1.0 : 1.0;
@@ -264,7 +265,7 @@ float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
     for (int i = 0; i < marchSteps && gap > 0.0; ++i) {
         before = t;
         gapBefore = gap;
-        t += max(overstep * gap / closing, 1e-4 + 2e-4 * t);
+        t += max(overstep * gap / closing, (overstep - 1.0) * (0.05 + 0.01 * t) + 1e-4);
         if (t > end) {
             if (before >= end) return kFar;
             t = end;
