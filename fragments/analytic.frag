@@ -260,13 +260,13 @@ float robustDisc(vec3 ro, vec3 rd, vec3 nor, float r) {
     return dot(ro, ro) <= r * r ? s + t : -1.0;
 }
 float robustBox(vec3 ro, vec3 rd, vec3 halfSize) {   // as three slabs
-    bvec3 level = lessThan(abs(rd), vec3(kTiny));
-    vec3 inv = 1.0 / mix(rd, vec3(1.0), level), mid = -ro * inv, reach = halfSize * abs(inv);
-    bvec3 within = lessThanEqual(abs(ro), halfSize);
-    vec3 a = mix(mid - reach, mix(vec3(kFar), vec3(-kFar), within), level);
-    vec3 b = mix((mid + reach) * 1.00000024, vec3(kFar), level);   // 2 ulp: no edge is lost
-    float near = maxComponent(a), far = min(b.x, min(b.y, b.z));
-    return near <= far ? firstAhead(near, far) : -1.0;
+    bvec3 level = lessThan(abs(rd), vec3(kTiny)), within = lessThanEqual(abs(ro), halfSize);
+    vec3 inv = 1.0 / mix(rd, vec3(1.0), level), a = (-halfSize - ro) * inv, b = (halfSize - ro) * inv;
+    vec3 enter = mix(min(a, b), mix(vec3(kFar), vec3(-kFar), within), level);
+    vec3 leave = mix(max(a, b), vec3(kFar), level);
+    float near = maxComponent(enter), far = min(leave.x, min(leave.y, leave.z));
+    // The far side is moved by 3 ulp, what the roundings come to at most: no edge is lost.
+    return near <= far * 1.00000036 ? firstAhead(near, far) : -1.0;
 }
 // Watertight triangles: what depends on the ray alone is worked out once for a mesh.
 struct Shear { vec3 s; int axis; };
@@ -414,7 +414,7 @@ void meetBox(vec3 ro, vec3 rd, vec3 centre, vec3 halfSize, float angle, int id, 
     keepNearer(h, robust ? robustBox(ro, rd, halfSize) : textbookBox(ro, rd, halfSize), id);
 }
 
-Hit closestHit(vec3 ro, vec3 rd) {
+Hit meetScene(vec3 ro, vec3 rd) {
     Hit h = Hit(kFar, kWallId, vec3(0.0));
     float s = worldScale;
     // The room, whose walls are seen from inside only.
@@ -578,7 +578,7 @@ float besideDisc(vec3 ro, vec3 rd, float rim, float tMax, vec3 nor, float r) {
 }
 
 // Share of one sub-disc of a light that a point sees.
-float visibility(vec3 ro, vec3 rd, float rim, float tMax) {
+float seenShare(vec3 ro, vec3 rd, float rim, float tMax) {
     float free = besideSphere(ro, rd, rim, tMax, kBall * vec4(1, 1, 1, -1));
     free *= besideSphere(ro, rd, rim, tMax, kChrome);
     free *= besideSphere(ro, rd, rim, tMax, kPearl);
@@ -620,13 +620,13 @@ vec3 irradiance(vec3 q, vec3 nor, int id) {
                 float r = (spread - size) * sqrt((float(j) + 0.5) / float(shadowSamples));
                 vec3 to = axis + r * (u * cos(a) + v * sin(a));
                 float far = length(to);
-                sees += visibility(liftOff(q, nor), to / far, size / far, far);
+                sees += seenShare(liftOff(q, nor), to / far, size / far, far);
             }
             seen *= sees / float(shadowSamples);
         }
         if (!robust) {   // acne: what the textbooks' shadow ray meets on the surface it leaves
             vec3 away = axis * inverse;
-            if (closestHit(toWorld(q) + kTextbookLift * nor, away).id == id) seen = 0.0;
+            if (meetScene(toWorld(q) + kTextbookLift * nor, away).id == id) seen = 0.0;
         }
         sum += power * (seen / far2);
     }
@@ -692,13 +692,13 @@ vec3 softboxes(vec3 q, vec3 nor, float w) {
 }
 
 // Light that arrives at ro (world) against rd. pixel: angle of a pixel, rad.
-vec3 radiance(vec3 ro, vec3 rd, float pixel) {
+vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
     vec3 sum = vec3(0.0), share = vec3(1.0);
     vec3 laterRo[kPending], laterRd[kPending], laterShare[kPending];
     vec2 laterWidth[kPending], width = vec2(0.0, pixel);   // footprint: x + y t
     int pending = 0;
     for (int ray = 0; ray < bounces; ++ray) {
-        Hit h = closestHit(ro, rd);
+        Hit h = meetScene(ro, rd);
         vec3 p = ro + h.t * rd, q = toStudio(p), onto = q, nor = settle(h, onto);
         if (robust) q = onto;
         float t = h.t / worldScale, w = width.x + width.y * t;
@@ -802,10 +802,10 @@ vec3 heat(float x) {   // black, violet, red, orange, pale yellow; 0 to 1
 }
 // Relative error of the distance to the first hit, as 1 + log10 / 8, or 2 for another object.
 float distanceError(vec3 ro, vec3 rd) {
-    Hit h = closestHit(ro, rd);
+    Hit h = meetScene(ro, rd);
     bool chosen = robust;
     robust = true;
-    Hit g = closestHit(ro, rd);
+    Hit g = meetScene(ro, rd);
     robust = chosen;
     if (g.id != h.id) return 2.0;
     vec3 q = alongExactly(ro - worldPlace, rd, g.t) / worldScale, onto = q, nor = settle(g, onto);
@@ -866,7 +866,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         // The eye stands stepBack times as far; a robust ray starts where it nears the studio.
         float start = robust ? min(stepBack, 4.0) : stepBack;
         vec3 ro = target - away * start * forward + away * (1.0 - start / stepBack) * across;
-        sum += view == 1 ? errorView(toWorld(ro), rd, uv) : radiance(toWorld(ro), rd, pixel);
+        sum += view == 1 ? errorView(toWorld(ro), rd, uv) : lightAlong(toWorld(ro), rd, pixel);
     }
     float gain = view == 1 ? 1.0 : exp2(exposure);
     fragColor = vec4(display(gain * sum / float(antialiasing)), 1.0);

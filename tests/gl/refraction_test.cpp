@@ -1,0 +1,167 @@
+// Refraction, the Fresnel share and the display curve of the laboratory, against long double.
+//
+// Bars. Directions are finite for every index and angle, also in total reflection; with equal
+// indices nothing bends (1e-6 rad, the rounding of a unit vector is 1e-7). Reflected and
+// transmitted light sum to what came, within 1e-6. The display curve stays within 0 and 1, never
+// falls, and knows NaN and Inf.
+#include "intersections.h"
+
+#include <array>
+
+namespace glint {
+namespace {
+
+using Refraction = GlTest;
+
+const std::string kChristmas = "#include \"" GLINT_REPOSITORY "/fragments/christmas.frag\"\n";
+
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+struct Ray {
+    glm::vec3 rd, nor;
+    float eta;  // index before over index behind
+};
+std::vector<Ray> rays(bool equal) {
+    Random random{std::mt19937(31)};
+    std::vector<Ray> all;
+    while (all.size() < 65536) {
+        const glm::dvec3 nor = random.direction();
+        const glm::dvec3 side = glm::normalize(glm::cross(nor, random.direction()));
+        // Angles from straight down to grazing, many of them within a degree of it.
+        const double lift = std::pow(10.0, random.uniform(-6.0, 0.0)) * 0.5 * std::numbers::pi;
+        const glm::dvec3 rd = std::cos(lift) * side - std::sin(lift) * nor;
+        const double eta = equal ? 1.0 : std::exp(random.uniform(std::log(0.4), std::log(2.5)));
+        all.push_back({glm::vec3(rd), glm::vec3(nor), static_cast<float>(eta)});
+    }
+    all.push_back({{0, -1, 0}, {0, 1, 0}, 1.5f});
+    all.push_back({{1, 0, 0}, {0, 1, 0}, 1.5f});
+    all.push_back({{1, 0, 0}, {0, 1, 0}, 1.0f});
+    return all;
+}
+std::vector<ProbeCase> cases_of(const std::vector<Ray>& all) {
+    std::vector<ProbeCase> cases;
+    for (const Ray& ray : all) {
+        cases.push_back(
+            {.a = glm::vec4(ray.rd, 0), .b = glm::vec4(ray.nor, 0), .c = {ray.eta, 0, 0, 0}});
+    }
+    return cases;
+}
+
+TEST_F(Refraction, IsFiniteAndRightAtEveryAngleAndIndex) {
+    const auto all = rays(false);
+    const auto bent = probe_all(kAnalytic, "refractExactly(a.xyz, b.xyz, c.x)", cases_of(all));
+    const auto built_in = probe_all("", "normalize(refract(a.xyz, b.xyz, c.x))", cases_of(all));
+    double worst = 0.0;
+    std::size_t not_numbers = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const glm::vec3 got(bent[i]);
+        ASSERT_TRUE(std::isfinite(got.x) && std::isfinite(got.y) && std::isfinite(got.z)) << i;
+        ASSERT_NEAR(glm::length(got), 1.0f, 1e-6f) << i;
+        if (!std::isfinite(built_in[i].x)) ++not_numbers;
+        const Real3 rd(all[i].rd), nor(all[i].nor);
+        const Real eta = all[i].eta,
+                   cosine = -glm::dot(rd, nor) / (glm::length(rd) * glm::length(nor));
+        const Real k = 1.0L - eta * eta * (1.0L - cosine * cosine);
+        // At the critical angle a rounding of the inputs turns the way out by its square root.
+        if (k < 0.01L) continue;
+        const Real3 truth =
+            eta * glm::normalize(rd) + (eta * cosine - std::sqrt(k)) * glm::normalize(nor);
+        worst = std::max(worst, angle_between(glm::dvec3(got), glm::dvec3(truth)));
+    }
+    fmt::print("refraction: worst {:.1e} rad; refract() and normalize(): {:.1f} % NaN\n", worst,
+               100.0 * static_cast<double>(not_numbers) / static_cast<double>(all.size()));
+    EXPECT_LE(worst, 5e-6);
+    EXPECT_GT(not_numbers, all.size() / 10) << "the built-in way fails in total reflection";
+}
+
+TEST_F(Refraction, EqualIndicesDoNotBend) {
+    const auto all = rays(true);
+    const auto bent = probe_all(kAnalytic, "refractExactly(a.xyz, b.xyz, c.x)", cases_of(all));
+    const auto built_in = probe_all("", "refract(a.xyz, b.xyz, c.x)", cases_of(all));
+    double worst = 0.0, worst_built_in = 0.0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].eta != 1.0f) continue;
+        worst = std::max(worst, angle_between(glm::dvec3(bent[i]), glm::dvec3(all[i].rd)));
+        worst_built_in =
+            std::max(worst_built_in, angle_between(glm::dvec3(built_in[i]), glm::dvec3(all[i].rd)));
+    }
+    fmt::print("equal indices: worst {:.1e} rad, refract() {:.1e} rad\n", worst, worst_built_in);
+    EXPECT_LE(worst, 1e-6);
+    EXPECT_GE(worst_built_in, 1e-5) << "the built-in function bends, or these rays prove nothing";
+}
+
+// What gets through, from the amplitudes of both polarisations (Born and Wolf, 1.5.2).
+Real transmitted(Real cosine, Real eta) {  // eta: index behind over index before
+    const Real sine2 = (1.0L - cosine * cosine) / (eta * eta);
+    if (sine2 >= 1.0L) return 0.0L;
+    const Real beyond = std::sqrt(1.0L - sine2);
+    const Real ts = 2.0L * cosine / (cosine + eta * beyond);
+    const Real tp = 2.0L * cosine / (eta * cosine + beyond);
+    return cosine == 0.0L ? 0.0L : 0.5L * (ts * ts + tp * tp) * eta * beyond / cosine;
+}
+TEST_F(Refraction, ReflectedAndTransmittedLightSumToOne) {
+    std::vector<ProbeCase> cases;
+    for (int i = 0; i <= 255; ++i) {
+        for (int j = 0; j <= 255; ++j) {
+            const double cosine = std::pow(static_cast<double>(i) / 255.0, 2.0);
+            const double eta = 0.4 * std::pow(2.5 / 0.4, static_cast<double>(j) / 255.0);
+            cases.push_back({.a = {static_cast<float>(cosine), static_cast<float>(eta), 0, 0}});
+        }
+    }
+    for (int i = 0; i <= 255; ++i)
+        cases.push_back({.a = {static_cast<float>(i) / 255.0f, 1, 0, 0}});
+    for (const std::string& scene : {kAnalytic, kChristmas}) {
+        const auto reflected = probe_all(scene, "fresnel(a.x, a.y)", cases);
+        Real worst = 0.0L;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            ASSERT_GE(reflected[i].x, 0.0f);
+            ASSERT_LE(reflected[i].x, 1.0f);
+            const Real cosine = cases[i].a.x, eta = cases[i].a.y;
+            // At the critical angle R leaves 1 like a root: a rounding of the cosine moves it
+            // further.
+            const Real rounding = std::abs(transmitted(cosine * (1.0L + 1.2e-7L), eta) -
+                                           transmitted(cosine * (1.0L - 1.2e-7L), eta));
+            const Real sum = Real{reflected[i].x} + transmitted(cosine, eta) - 1.0L;
+            worst = std::max(worst, std::abs(sum) - rounding);
+        }
+        fmt::print("|R + T - 1| <= {:.1e}\n", static_cast<double>(worst));
+        EXPECT_LE(worst, 1e-6L);
+    }
+}
+
+TEST_F(Refraction, TheDisplayCurveIsWithinZeroAndOneAndNeverFalls) {
+    const float inf = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<ProbeCase> cases;
+    for (const float x : {nan, -inf, -1e30f, -1.0f, -1e-30f, 0.0f})
+        cases.push_back({.a = glm::vec4(x)});
+    const std::size_t dark = cases.size();
+    for (int i = 0; i < 16000; ++i) {
+        const float x = std::pow(10.0f, -9.0f + 47.0f * static_cast<float>(i) / 16000.0f);
+        cases.push_back({.a = glm::vec4(x)});
+    }
+    cases.push_back({.a = glm::vec4(inf)});
+    for (const std::string& scene : {kAnalytic, kChristmas}) {
+        const auto shown = probe(scene, "display(a.xyz)", cases);
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            ASSERT_TRUE(shown[i].x >= 0.0f && shown[i].x <= 1.0f) << cases[i].a.x;
+            if (i < dark) {
+                ASSERT_EQ(shown[i].x, 0.0f) << cases[i].a.x;
+            } else {  // a rounding of exp and pow is far below the step between 8-bit colours
+                ASSERT_GE(shown[i].x, shown[i - 1].x - 1e-6f) << cases[i].a.x;
+            }
+        }
+        EXPECT_NEAR(shown.back().x, 1.0f, 1e-6f) << "infinity is white";
+        EXPECT_GT(shown[dark + 8000].x, shown[dark + 3000].x);
+        // A coloured light with one channel at infinity or NaN stays a colour.
+        const std::vector<ProbeCase> mixed = {{.a = {inf, 1, 0, 0}}, {.a = {nan, 1, 0, 0}}};
+        for (const glm::vec4& c : probe(scene, "display(a.xyz)", mixed)) {
+            for (int k = 0; k < 3; ++k) EXPECT_TRUE(c[k] >= 0.0f && c[k] <= 1.0f);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace glint
