@@ -77,7 +77,7 @@ uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points al
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D gain;            //@ pass mainGain size=128x64
 uniform sampler2D things;          //@ pass mainThings size=48x2
-uniform sampler2D shadowers;       //@ pass mainShadowers size=32x96
+uniform sampler2D directions;      //@ pass mainDirections size=64x320
 
 // ---- Constants and numbers ----------------------------------------------------------------------
 const float kPi = 3.14159265358979;
@@ -101,8 +101,9 @@ const float kTile = 1.2;                   // m, between parallel joints of the 
 const vec2  kGainSize = vec2(128.0, 64.0); // texels
 const float kGainTan = 1.0;               // the last tangent in the table
 const int   kRings = 256;                  // rings of light through a glass ball
-const int   kBalls = 12, kCubes = 20, kBipyramids = 32, kLamps = 36;   // columns of `things`
-const int   kCells = 32;                   // of a lamp's octahedral map, along a side
+const int   kBalls = 12, kCubes = 20, kBipyramids = 32, kLamps = 35;   // columns of `things`
+const int   kCells = 64;                   // of an octahedral map, along a side
+const int   kEye = 3, kEyeMirrored = 4, kNowhere = 5;   // maps after those of the lamps
 const int   kFloor = 40, kWall = 41, kCeiling = 42;
 
 struct Hit { float t; vec4 face; int id; };   // face: dot(xyz, p) = w, for what is flat
@@ -110,6 +111,7 @@ struct Ray {
     vec3 ro, rd, weight;
     float width0, width;   // footprint at the start, and what it gains a metre
     int inside;            // the solid that it runs through, or -1
+    int map;               // of directions, that its line starts from
 };
 
 uvec3 hash3(ivec3 q) {
@@ -250,7 +252,18 @@ void meetRound(int id, vec3 ro, vec3 rd, inout Hit h) {
     if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
 }
 
-Hit intersect(vec3 ro, vec3 rd) {
+// What a ray can meet that starts at, or ends in, the middle of a map: bits of round things, of
+// solids, and of glass balls that cast light its way. From nowhere, all that is there.
+ivec3 metTowards(int map, vec3 d) {
+    vec2 p = d.xz / (abs(d.x) + abs(d.y) + abs(d.z));
+    if (d.y < 0.0) p = (1.0 - abs(p.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThan(p, vec2(0.0)));
+    ivec2 cell = clamp(ivec2((0.5 + 0.5 * p) * float(kCells)), 0, kCells - 1);
+    if (map == kNowhere) return ivec3(((1 << balls) - 1) << kBalls | ((1 << spheres) - 1),
+                                      ((1 << cubes) - 1) | 7 << (kBipyramids - kCubes), 0);
+    return ivec3(texelFetch(directions, ivec2(cell.x, cell.y + map * kCells), 0).xyz);
+}
+
+Hit intersect(vec3 ro, vec3 rd, int map) {
     // The wall is a cylinder seen from inside, the ceiling and the floor cut it off.
     float a = max(dot(rd.xz, rd.xz), 1e-6), b = dot(ro.xz, rd.xz);
     float c = min(dot(ro.xz, ro.xz) - square(kHallRadius), 0.0);
@@ -261,10 +274,9 @@ Hit intersect(vec3 ro, vec3 rd) {
     if (rd.y < 0.0 && down < h.t) h = Hit(down, vec4(0, 1, 0, 0), kFloor);
     if (rd.y > 0.0 && up < h.t) h = Hit(up, vec4(0, -1, 0, -kHallHeight), kCeiling);
     if (!meetsBox(ro, safeInverse(rd), kBoundLow, kBoundHigh, h.t)) return h;
-    for (int k = 0; k < spheres; ++k) meetRound(k, ro, rd, h);
-    for (int k = kBalls; k < kBalls + balls; ++k) meetRound(k, ro, rd, h);
-    for (int k = kCubes; k < kCubes + cubes; ++k) meetSolid(k, ro, rd, h);
-    for (int k = kBipyramids; k < kBipyramids + 3; ++k) meetSolid(k, ro, rd, h);
+    ivec3 masks = metTowards(map, rd);
+    for (int m = masks.x; m != 0; m &= m - 1) meetRound(lowestBit(m), ro, rd, h);
+    for (int m = masks.y; m != 0; m &= m - 1) meetSolid(kCubes + lowestBit(m), ro, rd, h);
     return h;
 }
 
@@ -300,14 +312,6 @@ float besideRound(int id, vec3 ro, vec3 rd, float rim, float tMax) {
     float reach = smoothstep(0.0, 1.0, (r + disc - away) / (2.0 * min(r, disc)));
     float cover = t > 0.0 && t < tMax ? reach * min(1.0, square(r / disc)) : 0.0;
     return 1.0 - cover * (s.w < 0.0 && !caustics ? 0.5 : 1.0);
-}
-// A light buffer: which things can stand between a lamp and what lies in a direction from it, in
-// cells of an octahedral map: bits of round things, of solids, and of glass balls that cast light.
-ivec3 shadowersOf(int k, vec3 d) {
-    vec2 p = d.xz / (abs(d.x) + abs(d.y) + abs(d.z));
-    if (d.y < 0.0) p = (1.0 - abs(p.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThan(p, vec2(0.0)));
-    ivec2 cell = clamp(ivec2((0.5 + 0.5 * p) * float(kCells)), 0, kCells - 1);
-    return ivec3(texelFetch(shadowers, ivec2(cell.x, cell.y + k * kCells), 0).xyz);
 }
 // Share of one sub-disc of a lamp that a point sees past the things in the masks.
 float lampSeen(vec3 ro, vec3 rd, float rim, float tMax, ivec3 masks) {
@@ -350,7 +354,7 @@ vec3 lampsOn(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
         vec3 at = thing(kLamps + k).xyz, axis = at - p, power = lampLight(k);
         float far2 = dot(axis, axis), inverse = inversesqrt(far2);
         float cosine = dot(axis, nor) * inverse, sees = 0.0;
-        ivec3 masks = shadowersOf(k, -axis);
+        ivec3 masks = metTowards(k, -axis);
         if (caustics) sum += power * throughBalls(p, nor, at, masks.z);
         if (cosine <= 0.0) continue;
         if (shadows == 0) {
@@ -398,7 +402,7 @@ vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
                 vec3 to = f - (t + away * tan(x)) * rd;
                 float d = max(length(to), 1e-4);
                 seen = lampSeen(thing(kLamps + k).xyz - to, to / d, lampRadius / d, d,
-                                shadowersOf(k, -to / d));
+                                metTowards(k, -to / d));
             }
             through += seen * exp(-haze * (t + away * tan(x) + far));
         }
@@ -422,7 +426,7 @@ vec3 rounded(int id, vec3 p, vec3 nor, float w, out float engraved) {
     if (id < kBipyramids) {
         n = sign(q) * max(abs(q) - kCubeHalf + edge, 0.0);
     } else {
-        vec3 inward = abs(q) * inversesqrt(max(1.0 - n * n, 1e-6));   // m from the edges, in the face
+        vec3 inward = abs(q) * inversesqrt(max(1.0 - n * n, 1e-6));   // m, in the face
         float away = abs(min(inward.x, min(inward.y, inward.z)) - 0.085);
         engraved = (1.0 - smoothstep(0.5 * wide, wide, away)) * 0.011 / wide;
         n *= smoothstep(0.0, 1.0, abs(q) / edge);
@@ -495,12 +499,23 @@ vec3 hallCeiling(vec2 p, float w) {
 }
 
 // ---- Camera -------------------------------------------------------------------------------------
+void camera(out vec3 ro, out vec3 right, out vec3 forward) {
+    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
+    float height = clamp(cameraHeight - 8.0 * orbit.y, 0.1, 12.0);
+    ro = vec3(cameraDistance * sin(angle), height, cameraDistance * cos(angle));
+    right = vec3(cos(angle), 0.0, -sin(angle));
+    forward = normalize(vec3(0.0, targetHeight, 0.0) + targetShift * right - ro);
+    right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+}
+
 // Light that arrives at ro against rd. pixel: angle of a pixel, rad.
 vec3 render(vec3 ro, vec3 rd, float pixel) {
     vec3 sum = vec3(0.0);
-    Ray ray = Ray(ro, rd, vec3(1.0), 0.0, pixel, -1);
+    Ray ray = Ray(ro, rd, vec3(1.0), 0.0, pixel, -1, kEye);
     Ray later[kMostWaiting];
-    for (int k = 0; k < waiting; ++k) later[k] = Ray(ro, rd, vec3(0.0), 0.0, pixel, -1);
+    for (int k = 0; k < waiting; ++k) later[k] = Ray(ro, rd, vec3(0.0), 0.0, pixel, -1, kNowhere);
     for (int n = 0; n < bounces; ++n) {
         Ray one = ray, other = ray;   // what leaves this surface: mirrored, and refracted
         other.weight = vec3(0.0);
@@ -521,7 +536,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
                 other.inside = -1;
             }
         } else {
-            Hit h = intersect(ray.ro, ray.rd);
+            Hit h = intersect(ray.ro, ray.rd, ray.map);
             vec3 p = ray.ro + h.t * ray.rd, nor = h.face.xyz;
             float w = ray.width0 + ray.width * h.t, clear = exp(-haze * h.t);
             sum += ray.weight * lampGlow(ray.ro, ray.rd, h.t, ray.width0, ray.width);
@@ -587,12 +602,14 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
             }
             vec3 back = reflect(ray.rd, clearBody ? nor : bent);   // and above the face itself
             back += max(1e-4 - dot(back, nor), 0.0) * nor;
-            one = Ray(liftOff(p, nor), normalize(back), ray.weight * mirror, w, width, -1);
+            int map = h.id == kFloor && ray.map == kEye ? kEyeMirrored : kNowhere;
+            one = Ray(liftOff(p, nor), normalize(back), ray.weight * mirror, w, width, -1, map);
             if (clearBody) {
                 float eta = 1.0 / glassIndex;
                 float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
                 vec3 bentIn = normalize(eta * ray.rd + (eta * cosine - sqrt(k2)) * nor);
-                other = Ray(liftOff(p, -nor), bentIn, ray.weight * (1.0 - mirror), w, width, h.id);
+                other = Ray(liftOff(p, -nor), bentIn, ray.weight * (1.0 - mirror), w, width, h.id,
+                            kNowhere);
             }
         }
         // On with the brighter one; the other waits, instead of the faintest that does.
@@ -651,27 +668,31 @@ vec3 fromOctahedron(vec2 p) {
     return normalize(d);
 }
 
-// The light buffer: a map for each lamp, one above the other.
-void mainShadowers(out vec4 colour, in vec2 pixel) {
+// Octahedral maps, one above the other, of what may lie in each direction from the lamps (as a cone to
+// all of the lamp), from the eye, and from its mirror image in the floor.
+void mainDirections(out vec4 colour, in vec2 pixel) {
     ivec2 cell = ivec2(pixel);
-    int k = cell.y / kCells;
-    vec2 low = 2.0 * vec2(cell.x, cell.y - k * kCells) / float(kCells) - 1.0;
+    int map = cell.y / kCells;
+    vec2 low = 2.0 * vec2(cell.x, cell.y - map * kCells) / float(kCells) - 1.0;
     float side = 2.0 / float(kCells), narrow = 1.0;
-    vec3 middle = fromOctahedron(low + 0.5 * side), at = thing(kLamps + k).xyz;
+    vec3 middle = fromOctahedron(low + 0.5 * side), at = thing(kLamps + map).xyz, right, forward;
+    if (map >= kEye) camera(at, right, forward);
+    if (map == kEyeMirrored) at.y = -at.y;
     for (int j = 0; j < 4; ++j)   // a cell's farthest points are corners, also where it is folded
         narrow = min(narrow, dot(middle, fromOctahedron(low + side * vec2(j & 1, j >> 1))));
-    float own = acos(clamp(narrow, -1.0, 1.0)) + 0.002;
+    float own = acos(clamp(narrow, -1.0, 1.0)) + 0.002, wide = 0.01;
+    if (map < kEye) wide += lampRadius;
     ivec3 masks = ivec3(0);
-    for (int id = 0; id < kBipyramids + 3; ++id) {
+    for (int id = 0; id < kLamps; ++id) {
         vec4 c = thing(id);
         vec3 f = c.xyz - at;
-        float far = length(f), size = (id < kCubes ? abs(c.w) : boundOf(id)) + lampRadius + 0.01;
-        float angle = acos(clamp(dot(f, middle) / max(far, 1e-6), -1.0, 1.0)) - own;
-        if (angle < asin(min(size / max(far, 1e-6), 1.0))) {
+        float far = max(length(f), 1e-6), size = (id < kCubes ? abs(c.w) : boundOf(id)) + wide;
+        float half2 = min(size / far, 1.0), along = dot(f, middle) / far;   // sine of its half angle
+        if (along > cos(own) * sqrt(1.0 - half2 * half2) - sin(own) * half2) {
             if (id < kCubes) masks.x |= 1 << id;
             else masks.y |= 1 << (id - kCubes);
         }
-        if (id < kBalls && c.w < 0.0 && angle < atan(kGainTan)) masks.z |= 1 << id;
+        if (id < kBalls && c.w < 0.0 && along > cos(atan(kGainTan) + own)) masks.z |= 1 << id;
     }
     colour = vec4(masks, 0.0);
 }
@@ -735,14 +756,8 @@ vec3 display(vec3 light) {
 }
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
-    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
-    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
-    float height = clamp(cameraHeight - 8.0 * orbit.y, 0.1, 12.0);
-    vec3 ro = vec3(cameraDistance * sin(angle), height, cameraDistance * cos(angle));
-    vec3 right = vec3(cos(angle), 0.0, -sin(angle));
-    vec3 forward = normalize(vec3(0.0, targetHeight, 0.0) + targetShift * right - ro);
-    right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+    vec3 ro, right, forward;
+    camera(ro, right, forward);
     vec3 up = cross(right, forward);
     vec2 uv = (fragCoord - 0.5 * iResolution.xy) / iResolution.y;
     float lens = focalLength / 24.0;
