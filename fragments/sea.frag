@@ -54,7 +54,7 @@ uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display cur
 uniform int   reflections;     //@ 2 {off, march, screen-space, traced} "how they find what they show"
 uniform float stride;          //@ 3 [1, 16] unit=px quality reference=1 "of the line walk"
 uniform float jitter;          //@ 0.0 [0, 1] "start of the walk, in strides, by chance"
-uniform float thickness;       //@ 0.25 [0.01, 2] log unit=m "depth that a seen surface stands for"
+uniform float thickness;       //@ 0.0 [0, 2] unit=m "depth behind a surface that is solid; 0: its own"
 uniform float bias;            //@ 0.01 [0, 0.2] unit=m "depth that a ray must pass a surface by"
 uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over which reflections fade"
 //@ group Quality
@@ -69,6 +69,7 @@ uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
 uniform sampler2D albedo;      //@ pass mainGBuffer filter=nearest
 uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
+uniform sampler2D smoothDepth; //@ buffer normalDepth filter=linear
 uniform sampler2D lightBuffer; //@ pass mainLight filter=nearest
 
 // ---- Constants and numbers ----------------------------------------------------------------------
@@ -371,6 +372,21 @@ vec2 clusterSpan(int c, vec3 ro, vec3 rd, float grow) {
 }
 bool clusterThere(int c) { return c == 2 ? mirror : rabbits > c; }
 
+// How deep a thing is along a ray from a point of its surface.
+float depthOfThing(int id, vec3 ro, vec3 rd) {
+    bool first = id == kRing || distance(ro, frames[0].at) < distance(ro, frames[1].at);
+    int c = id < kRing ? 2 : first ? 0 : 1;
+    vec3 o = (ro - frames[c].at) * frames[c].axes, d = rd * frames[c].axes;
+    float t = 0.004;
+    bool inside = id > kGlass;
+    for (int k = 0; k < 24 && inside; ++k) {
+        float f = clusterField(c, o + t * d, id).w;
+        inside = f < 0.0;
+        t += max(-f, 0.004);
+    }
+    return id > kGlass ? t : 0.1;
+}
+
 // The nearest thing on a ray before tMax.
 Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
     Hit h = Hit(tMax, kSky, vec3(0.0, 1.0, 0.0));
@@ -603,17 +619,18 @@ vec3 viewRay(Eye e, vec2 pixel) {
 vec3 toView(Eye e, vec3 p) { return vec3(dot(p - e.pos, e.right), dot(p - e.pos, e.up), dot(p - e.pos, e.forward)); }
 vec2 toPixel(Eye e, vec3 v) { return 0.5 * iResolution.xy + iResolution.y * e.lens * v.xy / v.z; }
 
-// The part of a ray on which something can be hit: the box round all things, and the sea below.
-float reachOfRay(vec3 ro, vec3 rd) {
-    float far = 0.0;
+// The part of a ray on which something can be hit: what the clusters bound, and the sea's crests.
+vec2 reachOfRay(vec3 ro, vec3 rd) {
+    vec2 all = vec2(kFar, -1.0);
     for (int c = 0; c < 3; ++c) {
         vec2 span = clusterSpan(c, (ro - frames[c].at) * frames[c].axes, rd * frames[c].axes, 0.02);
-        if (clusterThere(c) && span.x < span.y) far = max(far, span.y);
+        if (clusterThere(c) && span.x < span.y) all = vec2(min(all.x, span.x), max(all.y, span.y));
     }
-    if (rd.y < 0.0) far = max(far, min((ro.y + 0.5) / -rd.y, 60.0));
-    return far;
+    vec2 wet = clamp((ro.y - vec2(0.5, -0.5) * waveHeight) / max(-rd.y, 1e-5), 0.0, 60.0);
+    return rd.y < 0.0 ? vec2(min(all.x, wet.x), max(all.y, wet.y)) : all;
 }
 
+float depthBehind(vec3 nor) { return thickness > 0.0 ? thickness : max(length(nor), 0.03); }
 int walkFetches = 0;   // of the depth buffer, for measurements
 
 // Walks the depth buffer along a ray. found: the pixel that it meets; the value: how sure, for soft
@@ -622,17 +639,20 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     found = vec2(0.0);
     walkFetches = 0;
     vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
-    float far = reachOfRay(ro, rd);
-    if (!wanted || a.z <= kNear || far <= 0.0) return 0.0;
-    if (a.z + far * d.z < kNear) far = (kNear - a.z) / d.z;   // towards the camera
-    vec3 b = a + far * d;
+    vec2 reach = reachOfRay(ro, rd);
+    if (!wanted || a.z <= kNear) return 0.0;
+    if (a.z + reach.y * d.z < kNear) reach.y = (kNear - a.z) / d.z;   // towards the camera
+    if (reach.x >= reach.y) return 0.0;
+    vec3 b = a + reach.y * d;
+    a += reach.x * d;
     vec2 pa = toPixel(e, a), pb = toPixel(e, b), dp = pb - pa;
     vec2 room = mix((-pa) / min(dp, -1e-4), (iResolution.xy - pa) / max(dp, 1e-4), greaterThan(dp, vec2(0.0)));
     float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the ray in the picture
     float ka = 1.0 / a.z, kb = 1.0 / b.z, pixels = max(abs(dp.x), abs(dp.y));
     float perStep = stride / max(pixels, stride);
     if (reflections == 1) perStep = inside / 32.0;
-    float s = perStep * (1.0 - jitter * chance), before = min(0.7 / max(pixels, 0.7), s);
+    float s = perStep * (1.0 - jitter * chance), start = reach.x > 0.0 ? 0.0 : 0.7 / max(pixels, 0.7);
+    float before = min(start, s);
     bool open = before < inside, hit = false;
     for (int k = 0; k < (reflections == 1 ? 33 : 1024) && open; ++k) {
         s = min(s, inside);
@@ -640,22 +660,39 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
         vec4 seen = texelFetch(normalDepth, ivec2(mix(pa, pb, s)), 0);
         ++walkFetches;
         float slack = reflections == 1 ? abs(z.y - z.x) : 0.0;
-        hit = max(z.x, z.y) > seen.w + bias && min(z.x, z.y) < seen.w + thickness + slack
-            && dot(seen.xyz, rd) < 0.1;
+        hit = max(z.x, z.y) > seen.w + bias && min(z.x, z.y) < seen.w + depthBehind(seen.xyz) + slack
+            && dot(seen.xyz, rd) < 0.2 * length(seen.xyz);
         open = !hit && s < inside;
         if (open) { before = s; s += perStep; }
     }
     if (!hit) return 0.0;
-    vec4 there = vec4(0.0);
-    walkFetches += 7;
-    for (int j = 0; j < 6; ++j) {
+    // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water. Not
+    // where that leads off the thing that was hit.
+    vec2 rough = vec2(before, s);
+    before = max(before - 6.0 / max(pixels, 1.0), min(start, s));
+    s = min(s + 2.0 / max(pixels, 1.0), inside);
+    for (int j = 0; j < 9; ++j) {
         float m = 0.5 * (before + s);
-        there = texelFetch(normalDepth, ivec2(mix(pa, pb, m)), 0);
-        if (1.0 / mix(ka, kb, m) > there.w + bias) s = m; else before = m;
+        float there = textureLod(smoothDepth, mix(pa, pb, m) / iResolution.xy, 0.0).w;
+        if (1.0 / mix(ka, kb, m) > there) s = m; else before = m;
     }
     found = mix(pa, pb, s);
-    there = texelFetch(normalDepth, ivec2(found), 0);
-    if (1.0 / mix(ka, kb, s) > there.w + thickness || dot(there.xyz, rd) > 0.0) return 0.0;
+    vec4 there = texelFetch(normalDepth, ivec2(found), 0);
+    walkFetches += 10;
+    float past = 1.0 / mix(ka, kb, s) - there.w;
+    bool astray = past > bias + depthBehind(there.xyz) || dot(there.xyz, rd) > 0.0;
+    for (int j = 0; j < 5 && astray; ++j) {
+        float m = 0.5 * (rough.x + rough.y);
+        float z = texelFetch(normalDepth, ivec2(mix(pa, pb, m)), 0).w;
+        if (1.0 / mix(ka, kb, m) > z) rough.y = m; else rough.x = m;
+        ++walkFetches;
+    }
+    if (astray) {
+        found = mix(pa, pb, rough.y);
+        there = texelFetch(normalDepth, ivec2(found), 0);
+        past = 1.0 / mix(ka, kb, rough.y) - there.w;
+        if (past > bias + 0.03 || dot(there.xyz, rd) > 0.0) return 0.0;
+    }
     vec2 rim = min(found, iResolution.xy - found) / iResolution.xy;
     return smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
 }
@@ -730,7 +767,8 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
 }
 
 // albedo: colour, for water the lost slope variance; in w the kind of surface + a share of 1 of the
-// light that comes through. normalDepth: the depth along the view's axis.
+// light that comes through. normalDepth: the normal, as long as the thing is deep behind the pixel,
+// and the depth along the view's axis.
 void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
     readFrames();
     Eye e = camera();
@@ -744,12 +782,13 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
     if (h.id != kSky) {
         vec4 c = h.id == kGlass ? vec4(0.9) : paint(h.id, p, angle * h.t);
         colour = vec4(c.rgb, float(h.id) + 0.5 + 0.5 * clamp(c.w, -0.9, 0.9));
-        normal = vec4(h.nor, h.t * dot(rd, e.forward));
+        float deep = depthOfThing(h.id, p, rd) * dot(rd, e.forward);
+        normal = vec4(h.nor * deep, h.t * dot(rd, e.forward));
     } else if (t > 0.0) {
         p = e.pos + t * rd;
         Sea s = sea(p.xz, seaFootprint(rd, angle * t));
         colour = vec4(s.spread, float(kWater) + 0.5);
-        normal = vec4(normalize(vec3(-s.slope, 1.0).xzy), t * dot(rd, e.forward));
+        normal = vec4(2.0 * normalize(vec3(-s.slope, 1.0).xzy), t * dot(rd, e.forward));
     }
 }
 
@@ -757,7 +796,7 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
 struct Surface { int id; float t; vec3 pos, nor, away; float mirrored; Sea sea; };
 Surface surfaceAt(Eye e, vec3 rd, ivec2 pixel) {
     vec4 stuff = texelFetch(albedo, pixel, 0), facing = texelFetch(normalDepth, pixel, 0);
-    vec3 nor = facing.xyz;
+    vec3 nor = normalize(facing.xyz);
     Surface u;
     u.id = int(stuff.w);
     u.t = min(facing.w, 1e5) / dot(rd, e.forward);
@@ -792,7 +831,7 @@ void mainLight(out vec4 colour, in vec2 pixel) {
     vec4 facing = texelFetch(normalDepth, ivec2(pixel), 0);
     int id = int(stuff.w);
     stuff.w = codeShare(stuff.w);
-    vec3 nor = facing.xyz, p = e.pos + rd * (min(facing.w, 1e4) / dot(rd, e.forward));
+    vec3 nor = normalize(facing.xyz), p = e.pos + rd * (min(facing.w, 1e4) / dot(rd, e.forward));
     float behind = id == kFur && dot(nor, sunDirection()) < 0.0 ? max(stuff.w, 0.0) : 0.0;
     float chance = random3(ivec3(ivec2(pixel * 16.0), 5)).x;
     float share = sunlight(p + 0.1 * behind * sunDirection(), nor, chance);
@@ -854,7 +893,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         Sea s = sea(q.xz, seaFootprint(away, angle * (u.t + far)));
         if (reflections < 3) {
             vec4 stuff = texelFetch(albedo, ivec2(found), 0);
-            vec3 nor = texelFetch(normalDepth, ivec2(found), 0).xyz;
+            vec3 nor = normalize(texelFetch(normalDepth, ivec2(found), 0).xyz + vec3(0.0, 1e-6, 0.0));
             thing = texelFetch(lightBuffer, ivec2(found), 0).rgb;
             int id = sure > 0.0 ? int(stuff.w) : kSky;
             if (id == kGlass) glass = nor;
