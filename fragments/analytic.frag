@@ -84,7 +84,7 @@ const vec2  kFive[5] = vec2[5](vec2(0.0, 1.0), vec2(0.951056516, 0.309016994),
     vec2(0.587785252, -0.809016994), vec2(-0.587785252, -0.809016994),
     vec2(-0.951056516, 0.309016994));      // corners of a pentagon
 
-struct Hit { float t; int id; vec3 face; };   // face: outward normal of a triangle, else unused
+struct Hit { float t; int id; vec3 face; };   // face: outward, of triangles and boxes
 bool robust = true;            // which formulas this pixel uses
 float worldScale = 1.0;        // world units in one metre of the studio
 vec3 worldPlace = vec3(0.0);   // where the studio's origin lies
@@ -158,13 +158,18 @@ float textbookDisc(vec3 ro, vec3 rd, vec3 nor, float r) {
     vec3 p = ro + t * rd;
     return dot(p, p) < r * r ? t : -1.0;
 }
-float textbookBox(vec3 ro, vec3 rd, vec3 halfSize) {   // as six rectangles
+float textbookBox(vec3 ro, vec3 rd, vec3 halfSize, out vec3 face) {   // as six rectangles
     float nearest = kFar;
+    vec3 axis = vec3(1.0, 0.0, 0.0);
+    face = axis;
     for (int k = 0; k < 6; ++k) {
-        float t = ((k < 3 ? halfSize.x : -halfSize.x) - ro.x) / rd.x;
+        float side = k < 3 ? 1.0 : -1.0, t = (side * halfSize.x - ro.x) / rd.x;
         vec2 p = abs(ro.yz + t * rd.yz);
-        if (p.x < halfSize.y && p.y < halfSize.z && t > 0.0) nearest = min(nearest, t);
-        ro = ro.yzx; rd = rd.yzx; halfSize = halfSize.yzx;
+        if (p.x < halfSize.y && p.y < halfSize.z && t > 0.0 && t < nearest) {
+            nearest = t;
+            face = side * axis;
+        }
+        ro = ro.yzx; rd = rd.yzx; halfSize = halfSize.yzx; axis = axis.zxy;
     }
     return nearest < kFar ? nearest : -1.0;
 }
@@ -259,12 +264,15 @@ float robustDisc(vec3 ro, vec3 rd, vec3 nor, float r) {
     ro += t * rd;
     return dot(ro, ro) <= r * r ? s + t : -1.0;
 }
-float robustBox(vec3 ro, vec3 rd, vec3 halfSize) {   // as three slabs
+float robustBox(vec3 ro, vec3 rd, vec3 halfSize, out vec3 face) {   // as three slabs
     bvec3 level = lessThan(abs(rd), vec3(kTiny)), within = lessThanEqual(abs(ro), halfSize);
     vec3 inv = 1.0 / mix(rd, vec3(1.0), level), a = (-halfSize - ro) * inv, b = (halfSize - ro) * inv;
     vec3 enter = mix(min(a, b), mix(vec3(kFar), vec3(-kFar), within), level);
     vec3 leave = mix(max(a, b), vec3(kFar), level);
     float near = maxComponent(enter), far = min(leave.x, min(leave.y, leave.z));
+    vec3 at = near > 0.0 ? -vec3(equal(enter, vec3(near))) : vec3(equal(leave, vec3(far)));
+    face = at.x != 0.0 ? vec3(at.x, 0, 0) : at.y != 0.0 ? vec3(0, at.y, 0) : vec3(0, 0, at.z);
+    face *= mix(vec3(-1.0), vec3(1.0), greaterThan(rd, vec3(0.0)));
     // The far side is moved by 3 ulp, what the roundings come to at most: no edge is lost.
     return near <= far * 1.00000036 ? firstAhead(near, far) : -1.0;
 }
@@ -411,7 +419,9 @@ void meetBox(vec3 ro, vec3 rd, vec3 centre, vec3 halfSize, float angle, int id, 
     ro = inBox(ro - toWorld(centre), angle);
     rd = inBox(rd, angle);
     halfSize *= worldScale;
-    keepNearer(h, robust ? robustBox(ro, rd, halfSize) : textbookBox(ro, rd, halfSize), id);
+    vec3 face;
+    float t = robust ? robustBox(ro, rd, halfSize, face) : textbookBox(ro, rd, halfSize, face);
+    if (t > 0.0 && t < h.t) h = Hit(t, id, face);
 }
 
 Hit meetScene(vec3 ro, vec3 rd) {
@@ -498,12 +508,9 @@ vec3 settle(Hit h, inout vec3 q) {
         bool cube = h.id == kCubeId;
         vec3 centre = cube ? kCubeCentre : kPlinthCentre, size = cube ? kCubeHalf : kPlinthHalf;
         float angle = cube ? kCubeTurn : kPlinthTurn;
-        v = inBox(q - centre, angle);
-        vec3 a = abs(v) / size;
-        nor = a.x > a.y && a.x > a.z ? vec3(1, 0, 0) : a.y > a.z ? vec3(0, 1, 0) : vec3(0, 0, 1);
-        nor *= sign(v);
-        q = centre + inBox(v + (size - abs(v)) * nor * sign(v) * sign(v), -angle);
-        nor = inBox(nor, -angle);
+        v = clamp(inBox(q - centre, angle), -size, size);
+        q = centre + inBox(mix(v, size * h.face, abs(h.face)), -angle);
+        nor = inBox(h.face, -angle);
     }
     return nor;
 }
@@ -696,17 +703,19 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
     vec3 sum = vec3(0.0), share = vec3(1.0);
     vec3 laterRo[kPending], laterRd[kPending], laterShare[kPending];
     vec2 laterWidth[kPending], width = vec2(0.0, pixel);   // footprint: x + y t
+    bool within = false, laterWithin[kPending];   // glass
     int pending = 0;
     for (int ray = 0; ray < bounces; ++ray) {
         Hit h = meetScene(ro, rd);
         vec3 p = ro + h.t * rd, q = toStudio(p), onto = q, nor = settle(h, onto);
         if (robust) q = onto;
         float t = h.t / worldScale, w = width.x + width.y * t;
-        bool inside = dot(rd, nor) > 0.0;
+        bool glassy = h.id == kBallId || h.id == kCubeId || h.id == kGemId;
+        bool inside = glassy ? within : h.id == kMirrorId && dot(rd, nor) > 0.0;
         vec3 facing = inside ? -nor : nor, mirror = vec3(0.0), albedo = vec3(0.0);
         float cosine = clamp(-dot(rd, facing), 0.0, 1.0), bend = 0.0;
         vec3 shine = vec3(0.0), through = vec3(0.0), behind = rd, lit = facing;
-        if (h.id == kBallId || h.id == kCubeId || h.id == kGemId) {
+        if (glassy) {
             float eta = inside ? glassIndex : 1.0 / glassIndex;
             vec3 tint = linearColour(h.id == kGemId ? gemColour : glassColour);
             if (inside) share *= pow(max(tint, 1e-4), vec3(t / (h.id == kGemId ? 0.6 : 1.0)));
@@ -715,7 +724,7 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
             behind = refractExactly(rd, facing, eta);
             bend = h.id == kBallId ? 1.0 / kBall.w : 0.0;
         } else if (h.id == kLampId) {
-            shine = (inside ? 0.02 : 14.0) * keyPower * linearColour(keyColour);
+            shine = (dot(rd, nor) > 0.0 ? 0.02 : 14.0) * keyPower * linearColour(keyColour);
         } else if (h.id <= kWallId) {
             float rho = length(q.xz), arc = h.id == kWallId ? q.y : rho - kWall;
             float rise = smoothstep(-kCove, kCove, arc);
@@ -757,7 +766,9 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
         sum += share * shine;
 
         // Two ways on: the stronger is followed, the other waits.
-        vec3 nextRd = reflect(rd, facing), passed = share * through;
+        vec3 nextRd = reflect(rd, facing);   // and above the surface, whatever was rounded
+        nextRd = unit(nextRd + max(1e-4 - dot(nextRd, facing), 0.0) * facing);
+        vec3 passed = share * through;
         vec3 side = robust ? liftOff(q, facing) : q, below = robust ? liftOff(q, -facing) : q;
         vec3 raised = toWorld(side), sunk = toWorld(below);
         if (!robust) { raised = p + kTextbookLift * facing; sunk = p - kTextbookLift * facing; }
@@ -770,16 +781,19 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
             laterRd[pending] = follow ? nextRd : behind;
             laterShare[pending] = other;
             laterWidth[pending] = width;
+            laterWithin[pending] = inside == follow && glassy;
             ++pending;
         }
         ro = follow ? sunk : raised;
         rd = follow ? behind : nextRd;
         share = follow ? passed : share;
+        within = inside != follow && glassy;
         if (maxComponent(share) <= kLeastThroughput) {
             if (pending == 0) break;
             --pending;
             ro = laterRo[pending]; rd = laterRd[pending]; share = laterShare[pending];
             width = laterWidth[pending];
+            within = laterWithin[pending];
         }
     }
     return sum;

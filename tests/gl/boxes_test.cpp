@@ -13,6 +13,11 @@ namespace {
 
 using Boxes = GlTest;
 
+const std::string kFaceless =
+    "float probe_slabs(vec3 o, vec3 d) { vec3 face; return robustBox(o, d, vec3(1), face); }\n"
+    "float probe_rectangles(vec3 o, vec3 d) { vec3 face; return textbookBox(o, d, vec3(1), face); "
+    "}\n";
+
 constexpr std::size_t kRays = 32768;
 
 // Distance to the closed box |p - centre| <= 1, by division, axis by axis; 0 from within.
@@ -137,9 +142,9 @@ TEST_F(Boxes, NoneIsMissedAndNoneInventedAlongAnAxis) {
                 truth.push_back(t);
             }
             const auto t =
-                probe_all(kAnalytic,
-                          "vec4(robustBox(a.xyz - c.xyz, b.xyz, vec3(1)),"
-                          "     textbookBox(a.xyz - c.xyz, b.xyz, vec3(1)),"
+                probe_all(kAnalytic + kFaceless,
+                          "vec4(probe_slabs(a.xyz - c.xyz, b.xyz),"
+                          "     probe_rectangles(a.xyz - c.xyz, b.xyz),"
                           "     meetsBox(a.xyz, safeInverse(b.xyz), c.xyz - 1.0, c.xyz + 1.0,"
                           "              1e9) ? 1.0 : -1.0, 0)",
                           cases);
@@ -188,7 +193,7 @@ TEST_F(Boxes, FromInsideTheFarFaceIsMet) {
         }
         truth.push_back(far);
     }
-    const auto t = probe_all(kAnalytic, "robustBox(a.xyz, b.xyz, vec3(1))", cases);
+    const auto t = probe_all(kAnalytic + kFaceless, "probe_slabs(a.xyz, b.xyz)", cases);
     const Comparison inside = compare(truth, [&](std::size_t i) { return Real{t[i].x}; });
     EXPECT_EQ(inside.flips, 0.0);
     EXPECT_LE(inside.p99, 5e-6) << "relative to distances far below the box's size";
