@@ -55,7 +55,7 @@ uniform int   reflections;     //@ 2 {off, march, screen-space, traced} "how the
 uniform float stride;          //@ 3 [1, 16] unit=px quality reference=1 "of the line walk"
 uniform float jitter;          //@ 0.0 [0, 1] "start of the walk, in strides, by chance"
 uniform float thickness;       //@ 0.0 [0, 2] unit=m "depth behind a surface that is solid; 0: its own"
-uniform float bias;            //@ 0.01 [0, 0.2] unit=m "depth that a ray must pass a surface by"
+uniform float bias;            //@ 0.002 [0, 0.2] unit=m "depth that a ray must pass a surface by"
 uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over which reflections fade"
 //@ group Quality
 uniform int   seaSteps;        //@ 64 [8, 512] log quality reference=512 "of a ray to the sea"
@@ -280,10 +280,8 @@ float seaGlitter(vec3 rd, Sea s, float area) {
 // Fields carry their gradient: vec4(gradient, value). A value is never more than the distance.
 vec4 ellipsoid(vec3 p, vec3 r) {
     vec3 u = p / r;
-    float l = max(length(u), 1e-6), d = max(length(p), 1e-6), low = min(r.x, min(r.y, r.z));
-    float high = maxComponent(r);   // far off the ball round it is the better bound
-    return d - high > (l - 1.0) * low ? vec4(p / d, d - high)
-        : vec4(u / r * (low / l), (l - 1.0) * low);
+    float l = max(length(u), 1e-6), low = min(r.x, min(r.y, r.z));
+    return vec4(u / r * (low / l), (l - 1.0) * low);
 }
 vec4 join(vec4 a, vec4 b, float k) {   // smooth union; a mean of gradients, so no steeper than both
     float h = clamp(0.5 + 0.5 * (b.w - a.w) / k, 0.0, 1.0);
@@ -308,7 +306,10 @@ vec4 rabbitField(vec3 q) {
     f = join(f, ellipsoid(p - vec3(0.0, 0.465, 0.08), vec3(0.13, 0.115, 0.128)), 0.05);
     f = join(f, ellipsoid(p - vec3(0.052, 0.425, 0.155), vec3(0.062, 0.05, 0.058)), 0.04);
     f = join(f, ellipsoid(p - vec3(0.0, 0.437, 0.20), vec3(0.042, 0.034, 0.034)), 0.03);
-    vec4 ear = ellipsoid(toEar(p), vec3(0.045, 0.165, 0.026));
+    vec3 q2 = toEar(p);
+    float far = max(length(q2), 1e-6);
+    vec4 ear = ellipsoid(q2, vec3(0.045, 0.165, 0.026));
+    if (far - 0.165 > ear.w) ear = vec4(q2 / far, far - 0.165);   // far off its ball is nearer
     ear.zy = turn(ear.zy, -0.20);
     ear.xy = turn(ear.xy, 0.22);
     f = join(f, ear, 0.03);
@@ -372,11 +373,34 @@ vec2 clusterSpan(int c, vec3 ro, vec3 rd, float grow) {
 }
 bool clusterThere(int c) { return c == 2 ? mirror : rabbits > c; }
 
+// Rays in the frames of the clusters, and where they may meet them. All clusters share one loop:
+// where nothing branches, a loop that is not needed still costs one turn.
+struct Walk { vec3 o[3], d[3]; vec2 span[3]; };
+Walk walkClusters(vec3 ro, vec3 rd, float grow, float tMax) {
+    Walk w;
+    for (int c = 0; c < 3; ++c) {
+        w.o[c] = (ro - frames[c].at) * frames[c].axes;
+        w.d[c] = rd * frames[c].axes;
+        vec2 span = clusterSpan(c, w.o[c], w.d[c], grow);
+        w.span[c] = vec2(span.x, clusterThere(c) ? min(span.y, tMax) : -1.0);
+    }
+    return w;
+}
+bool onward(Walk w, inout int c, inout float t, out float end) {   // to the next cluster
+    c = c < 0 && w.span[0].x < w.span[0].y ? 0 : c < 1 && w.span[1].x < w.span[1].y ? 1
+        : c < 2 && w.span[2].x < w.span[2].y ? 2 : 3;
+    vec2 span = c == 0 ? w.span[0] : c == 1 ? w.span[1] : w.span[2];
+    t = span.x;
+    end = span.y;
+    return c < 3;
+}
+
 // How deep a thing is along a ray from a point of its surface.
 float depthOfThing(int id, vec3 ro, vec3 rd) {
     bool first = id == kRing || distance(ro, frames[0].at) < distance(ro, frames[1].at);
     int c = id < kRing ? 2 : first ? 0 : 1;
-    vec3 o = (ro - frames[c].at) * frames[c].axes, d = rd * frames[c].axes;
+    Walk w = walkClusters(ro, rd, 0.0, kFar);
+    vec3 o = c == 0 ? w.o[0] : c == 1 ? w.o[1] : w.o[2], d = c == 0 ? w.d[0] : c == 1 ? w.d[1] : w.d[2];
     float t = 0.004;
     bool inside = id > kGlass;
     for (int k = 0; k < 24 && inside; ++k) {
@@ -389,29 +413,32 @@ float depthOfThing(int id, vec3 ro, vec3 rd) {
 
 // The nearest thing on a ray before tMax.
 Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
-    Hit h = Hit(tMax, kSky, vec3(0.0, 1.0, 0.0));
-    for (int c = 0; c < 3; ++c) {
-        mat3 axes = frames[c].axes;
-        vec3 o = (ro - frames[c].at) * axes, d = rd * axes;
-        vec2 span = clusterSpan(c, o, d, 0.0);
-        if (!clusterThere(c) || span.x > min(span.y, h.t)) continue;
-        if (c == 2 && abs(d.z) > 1e-6) {
-            float t = -o.z / d.z;
-            vec3 p = o + t * d;
-            if (t > 0.0 && t < h.t && archField(p.xy).z < 0.0) {
-                h = Hit(t, d.z < 0.0 ? kGlass : kBack, d.z < 0.0 ? axes[2] : -axes[2]);
-            }
-        }
-        float t = span.x, end = min(span.y, h.t);
-        for (int k = 0; k < kTraceSteps && t < end; ++k) {
-            int id;
-            vec4 f = clusterField(c, o + t * d, id);
-            if (f.w < 1e-4 + 0.1 * pixel * t) {
-                h = Hit(t, id, axes * (f.xyz * inversesqrt(max(dot(f.xyz, f.xyz), 1e-12))));
-                break;
-            }
-            t += f.w;
-        }
+    Walk w = walkClusters(ro, rd, 0.0, tMax);
+    float glass = -w.o[2].z / (abs(w.d[2].z) < 1e-6 ? 1e-6 : w.d[2].z);
+    bool pane = mirror && glass > 0.0 && glass < tMax
+        && archField((w.o[2] + glass * w.d[2]).xy).z < 0.0;
+    bool front = w.d[2].z < 0.0;
+    float best = pane ? glass : tMax, t, end;
+    int c = -1, hit = -1;
+    vec3 at = vec3(0.0);
+    bool more = onward(w, c, t, end);
+    for (int k = 0; k < kTraceSteps && more; ++k) {
+        vec3 p = c == 0 ? w.o[0] + t * w.d[0] : c == 1 ? w.o[1] + t * w.d[1] : w.o[2] + t * w.d[2];
+        int id;
+        float f = clusterField(c, p, id).w;
+        bool met = f < 1e-4 + 0.1 * pixel * t && t < best;
+        if (met) { best = t; hit = c; at = p; }
+        t += f;
+        if (met || t >= min(end, best)) more = onward(w, c, t, end);
+    }
+    Hit h = Hit(best, kSky, vec3(0.0, 1.0, 0.0));
+    if (pane) h = Hit(best, front ? kGlass : kBack, front ? frames[2].axes[2] : -frames[2].axes[2]);
+    int id;
+    vec3 g = clusterField(hit, at, id).xyz;
+    g *= inversesqrt(max(dot(g, g), 1e-12));
+    if (hit >= 0) {
+        h.id = id;
+        h.nor = hit == 0 ? frames[0].axes * g : hit == 1 ? frames[1].axes * g : frames[2].axes * g;
     }
     return h;
 }
@@ -419,30 +446,24 @@ Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
 // Share of the sun that a point sees; rim: slope of the sun's disc. The narrowest gap between the
 // ray and a thing, against the cone's width there, tells how much of the disc is hidden.
 float sunShare(vec3 ro, vec3 rd, float rim) {
-    float share = 1.0;
-    for (int c = 0; c < 3; ++c) {
-        mat3 axes = frames[c].axes;
-        vec3 o = (ro - frames[c].at) * axes, d = rd * axes;
-        vec2 span = clusterSpan(c, o, d, 0.03);
-        if (!clusterThere(c) || span.x > span.y) continue;
-        float gap = 1.0;
-        if (c == 2) {
-            float t = -o.z / (abs(d.z) < 1e-6 ? 1e-6 : d.z);
-            vec3 p = o + t * d;
-            if (t > 0.0) gap = (archField(p.xy).z - kTube) / (rim * t + 1e-4);
-        } else {
-            float t = max(span.x, 0.01);
-            for (int k = 0; k < 48 && t < span.y && gap > -1.0; ++k) {
-                int id;
-                vec4 f = clusterField(c, o + t * d, id);
-                gap = min(gap, f.w * inversesqrt(max(dot(f.xyz, f.xyz), 1e-4)) / (rim * t + 1e-4));
-                t += max(f.w, 0.004 + 0.3 * rim * t);
-            }
-        }
-        gap = clamp(gap, -1.0, 1.0);
-        share *= 0.25 * square(1.0 + gap) * (2.0 - gap);
+    Walk w = walkClusters(ro, rd, 0.03, kFar);
+    float t = -w.o[2].z / (abs(w.d[2].z) < 1e-6 ? 1e-6 : w.d[2].z), end, gap = 1.0, pane = 1.0;
+    if (mirror && t > 0.0)
+        pane = clamp((archField((w.o[2] + t * w.d[2]).xy).z - kTube) / (rim * t + 1e-4), -1.0, 1.0);
+    w.span[2].y = -1.0;
+    int c = -1;
+    bool more = onward(w, c, t, end);
+    for (int k = 0; k < 64 && more; ++k) {
+        int id;
+        t = max(t, 0.01);
+        vec4 f = clusterField(c, c == 0 ? w.o[0] + t * w.d[0] : w.o[1] + t * w.d[1], id);
+        gap = min(gap, f.w * inversesqrt(max(dot(f.xyz, f.xyz), 1e-4)) / (rim * t + 1e-4));
+        t += max(f.w, 0.004 + 0.3 * rim * t);
+        if (t >= end) more = onward(w, c, t, end);
+        more = more && gap > -1.0;
     }
-    return share;
+    gap = max(gap, -1.0);
+    return 0.0625 * square(1.0 + gap) * (2.0 - gap) * square(1.0 + pane) * (2.0 - pane);
 }
 float sunlight(vec3 p, vec3 nor, float seed) {
     vec3 rd = sunDirection();
@@ -567,13 +588,12 @@ vec3 ambientLight(vec3 nor) {
 
 // How open the surroundings of a point on a thing are, from the room along its normal.
 float roomAround(vec3 p, vec3 nor) {
-    float open = 1.0;
-    for (int c = 0; c < 2; ++c) {
-        int id;
-        vec4 f = clusterField(c, (p + 0.13 * nor - frames[c].at) * frames[c].axes, id);
-        if (clusterThere(c)) open = min(open, f.w / 0.13);
-    }
-    return 0.35 + 0.65 * smoothstep(0.0, 0.8, open);
+    bool first = distance(p, frames[0].at) < distance(p, frames[1].at);
+    vec3 q = p + 0.13 * nor;
+    int id;
+    float f = clusterField(first ? 0 : 1, first ? (q - frames[0].at) * frames[0].axes
+                                                : (q - frames[1].at) * frames[1].axes, id).w;
+    return 0.35 + 0.65 * smoothstep(0.0, 0.8, f / 0.13);
 }
 
 // Light from a point of a thing against d, without what a gloss mirrors: that is up and upWeight.
@@ -619,15 +639,15 @@ vec3 viewRay(Eye e, vec2 pixel) {
 vec3 toView(Eye e, vec3 p) { return vec3(dot(p - e.pos, e.right), dot(p - e.pos, e.up), dot(p - e.pos, e.forward)); }
 vec2 toPixel(Eye e, vec3 v) { return 0.5 * iResolution.xy + iResolution.y * e.lens * v.xy / v.z; }
 
-// The part of a ray on which something can be hit: what the clusters bound, and the sea's crests.
-vec2 reachOfRay(vec3 ro, vec3 rd) {
+// The parts of a ray on which something can be hit: what the clusters bound, and the sea's crests.
+vec4 reachOfRay(vec3 ro, vec3 rd) {
     vec2 all = vec2(kFar, -1.0);
     for (int c = 0; c < 3; ++c) {
         vec2 span = clusterSpan(c, (ro - frames[c].at) * frames[c].axes, rd * frames[c].axes, 0.02);
         if (clusterThere(c) && span.x < span.y) all = vec2(min(all.x, span.x), max(all.y, span.y));
     }
-    vec2 wet = clamp((ro.y - vec2(0.5, -0.5) * waveHeight) / max(-rd.y, 1e-5), 0.0, 60.0);
-    return rd.y < 0.0 ? vec2(min(all.x, wet.x), max(all.y, wet.y)) : all;
+    vec2 wet = clamp((ro.y - vec2(0.4, -0.4) * waveHeight) / max(-rd.y, 1e-5), 0.0, 60.0);
+    return vec4(all, rd.y < 0.0 ? wet : vec2(kFar, -1.0));
 }
 
 float depthBehind(vec3 nor) { return thickness > 0.0 ? thickness : max(length(nor), 0.03); }
@@ -639,18 +659,22 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     found = vec2(0.0);
     walkFetches = 0;
     vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
-    vec2 reach = reachOfRay(ro, rd);
+    vec4 parts = reachOfRay(ro, rd);
+    vec2 reach = vec2(min(parts.x, parts.z), max(parts.y, parts.w));
     if (!wanted || a.z <= kNear) return 0.0;
     if (a.z + reach.y * d.z < kNear) reach.y = (kNear - a.z) / d.z;   // towards the camera
     if (reach.x >= reach.y) return 0.0;
     vec3 b = a + reach.y * d;
     a += reach.x * d;
+    vec2 gap = clamp((parts.yz - reach.x) / (reach.y - reach.x), 0.0, 1.0);   // nothing is there
+    gap *= b.z / mix(vec2(a.z), vec2(b.z), gap);   // as shares of the line on the screen
     vec2 pa = toPixel(e, a), pb = toPixel(e, b), dp = pb - pa;
     vec2 room = mix((-pa) / min(dp, -1e-4), (iResolution.xy - pa) / max(dp, 1e-4), greaterThan(dp, vec2(0.0)));
     float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the ray in the picture
     float ka = 1.0 / a.z, kb = 1.0 / b.z, pixels = max(abs(dp.x), abs(dp.y));
     float perStep = stride / max(pixels, stride);
-    if (reflections == 1) perStep = inside / 32.0;
+    gap = min(gap, inside);
+    if (reflections == 1) perStep = max(inside - max(gap.y - gap.x, 0.0), 0.01) / 32.0;
     float s = perStep * (1.0 - jitter * chance), start = reach.x > 0.0 ? 0.0 : 0.7 / max(pixels, 0.7);
     float before = min(start, s);
     bool open = before < inside, hit = false;
@@ -661,9 +685,9 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
         ++walkFetches;
         float slack = reflections == 1 ? abs(z.y - z.x) : 0.0;
         hit = max(z.x, z.y) > seen.w + bias && min(z.x, z.y) < seen.w + depthBehind(seen.xyz) + slack
-            && dot(seen.xyz, rd) < 0.2 * length(seen.xyz);
+            && dot(seen.xyz, rd) < 0.7 * length(seen.xyz);
         open = !hit && s < inside;
-        if (open) { before = s; s += perStep; }
+        if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
     }
     if (!hit) return 0.0;
     // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water. Not
@@ -671,14 +695,14 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     vec2 rough = vec2(before, s);
     before = max(before - 6.0 / max(pixels, 1.0), min(start, s));
     s = min(s + 2.0 / max(pixels, 1.0), inside);
-    for (int j = 0; j < 9; ++j) {
+    for (int j = 0; j < 6; ++j) {
         float m = 0.5 * (before + s);
         float there = textureLod(smoothDepth, mix(pa, pb, m) / iResolution.xy, 0.0).w;
         if (1.0 / mix(ka, kb, m) > there) s = m; else before = m;
     }
     found = mix(pa, pb, s);
     vec4 there = texelFetch(normalDepth, ivec2(found), 0);
-    walkFetches += 10;
+    walkFetches += 7;
     float past = 1.0 / mix(ka, kb, s) - there.w;
     bool astray = past > bias + depthBehind(there.xyz) || dot(there.xyz, rd) > 0.0;
     for (int j = 0; j < 5 && astray; ++j) {
@@ -691,7 +715,7 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
         found = mix(pa, pb, rough.y);
         there = texelFetch(normalDepth, ivec2(found), 0);
         past = 1.0 / mix(ka, kb, rough.y) - there.w;
-        if (past > bias + 0.03 || dot(there.xyz, rd) > 0.0) return 0.0;
+        if (past > bias + 0.06 || dot(there.xyz, rd) > 0.3 * length(there.xyz)) return 0.0;
     }
     vec2 rim = min(found, iResolution.xy - found) / iResolution.xy;
     return smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
