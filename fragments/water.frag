@@ -101,19 +101,22 @@ const float kDeck = 0.14;                     // m, the paving's height over the
 const float kBrim = -0.4;                     // m, one sees over the far wall
 const float kTerrace = 13.0;                  // m, half size of the paving
 const float kEyeLevel = 40.0;                 // m, terrace over the sea
-const float kColumnRadius = 0.23, kColumnTop = 3.3;      // m
+const float kShaft = 0.23, kFoot = 0.31;      // m, radii of a column, of its foot and head
+const float kFootTop = 0.10, kHead = 3.14, kColumnTop = 3.3;   // m
 const vec2  kColumnFirst = vec2(-2.55, -4.3), kColumnStep = vec2(5.1, 3.4);   // m
 const vec3  kBeamHalf = vec3(0.22, 0.19, 4.2);           // m
 const vec4  kBallPlace = vec4(-0.95, 0.10, -0.4, 0.55);  // m: centre, radius
 const float kCeiling = 0.3;                   // m, no ring is higher: they break
 const float kMargin = 1.12;                   // planar pictures show this much more
 const int   kCells = 16;                      // cells of the pond along one texel of `peaks`
-const int   kSky = 0, kFloor = 1, kWall = 2, kPaving = 3, kColumn = 4, kStone = 5, kStep = 6;
+const int   kSky = 0, kFloor = 1, kWall = 2, kStep = 3, kPaving = 4, kStone = 5, kColumn = 6;
 const int   kBall = 7, kLantern = 8;          // and on
 
 struct Hit { float t; vec3 nor; int id; };
 // A ray with its differentials to the next pixel across and up: of the origin, of the direction.
-struct Ray { vec3 o, d, ox, oy, dx, dy; vec3 carry; float rough; bool wet; };
+struct Ray { vec3 o, d, ox, oy, dx, dy, carry; float rough; bool wet; };
+// A point to be lit, what the path carries from there, and the sides of the pixel on it.
+struct Matt { vec3 pos, nor, x, y, carry; float cosine; int id; bool wet; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
@@ -137,6 +140,10 @@ vec3 linearColour(vec3 c) {   // from sRGB, a fit to 1/500
 
 // A start for a secondary ray: some 8 ulp along the normal from a point that lies on the surface.
 vec3 liftOff(vec3 p, vec3 nor) { return p + nor * (1e-6 * max(maxComponent(abs(p)), 0.1)); }
+
+vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
+    return 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+}
 
 // Reflected share of unpolarised light, exact; eta: index beyond over index before the surface.
 float fresnel(float cosI, float eta) {
@@ -175,9 +182,13 @@ vec3 sunColour() {
 }
 
 // ---- Waves --------------------------------------------------------------------------------------
-vec4 gKx[2], gKz[2], gHeight[2], gPhase[2];   // the eight plane waves of this frame
-float gCrests = 0.0;                          // m, the sum of their heights
-vec2 gCrest = vec2(0.0);                      // of the rings: greatest height and slope
+// What all rays of a pixel share, fetched once: the eight plane waves of this frame and the sum of
+// their heights, the greatest height and slope of the rings, the lanterns, light of the whole sky.
+vec4 gKx[2], gKz[2], gHeight[2], gPhase[2];
+float gCrests = 0.0;
+vec2 gRings = vec2(0.0);
+vec4 gLanterns[8];
+vec3 gAmbient;
 
 void loadWaves() {
     gCrests = 0.0;
@@ -188,7 +199,13 @@ void loadWaves() {
         gPhase[g] = texelFetch(wavelets, ivec2(4 * g + 3, 0), 0);
         gCrests += dot(gHeight[g], vec4(1.0));
     }
-    if (ripples) gCrest = texelFetch(crest, ivec2(0), 0).xy;
+    if (ripples) gRings = texelFetch(crest, ivec2(0), 0).xy;
+}
+void loadAll() {
+    loadWaves();
+    for (int i = 0; i < lanterns; ++i) gLanterns[i] = texelFetch(floats, ivec2(i, 0), 0);
+    gAmbient = 0.5 * (textureLod(sky, vec2(0.25, 0.75), 8.0).rgb
+                      + textureLod(sky, vec2(0.75, 0.75), 8.0).rgb);
 }
 
 vec2 pondUv(vec2 p) { return p / (2.0 * kPool) + 0.5; }
@@ -239,61 +256,57 @@ float waterShape(vec2 p, vec2 a, vec2 b, out vec2 slope, out vec3 second) {
     return hidden;
 }
 
+// Second derivatives alone.
+vec3 waterBend(vec2 p) {
+    vec3 second = ripples ? textureLod(bend, pondUv(p), 0.0).xyz : vec3(0.0);
+    if (waveHeight > 0.0)
+        for (int g = 0; g < 2; ++g) {
+            vec4 s = gHeight[g] * sin(gKx[g] * p.x + gKz[g] * p.y + gPhase[g]);
+            second -= vec3(dot(s * gKx[g], gKx[g]), dot(s * gKx[g], gKz[g]),
+                           dot(s * gKz[g], gKz[g]));
+        }
+    return second;
+}
+
 // Where a ray meets the water before tMax, else kFar. wet: it comes from below. Steps are as long
 // as the steepest possible surface allows, times `overstep` (which may also skip a crest's last 2
 // cm, 0.1 mm deep); then the sign change is closed in on.
 float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
     evaluations = 0;
-    float level = gCrests + gCrest.x + 1e-4, side = wet ? -1.0 : 1.0;
-    vec3 inv = 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
-    vec3 box = vec3(kPool.x, level, kPool.y);
+    float level = gCrests + gRings.x + 1e-4, side = wet ? -1.0 : 1.0;
+    vec3 inv = safeInverse(rd), box = vec3(kPool.x, level, kPool.y);
     vec3 a = (-box - ro) * inv, b = (box - ro) * inv, n = min(a, b), f = max(a, b);
-    float t = max(max(n.x, n.z), max(n.y, 0.0)), end = min(min(f.x, f.z), min(f.y, tMax));
-    if (t >= end) return kFar;
-    float steep = gCrest.y * length(rd.xz);   // along this ray
+    float t = max(maxComponent(n), 0.0), end = min(min(f.x, f.z), min(f.y, tMax));
+    float steep = gRings.y * length(rd.xz);   // along this ray
     for (int g = 0; g < 2; ++g)
         steep += dot(gHeight[g], abs(gKx[g] * rd.x + gKz[g] * rd.z));
     float closing = steep - side * rd.y;
-    if (closing <= 1e-6) return kFar;         // it leaves faster than the water can follow
-    vec3 p = ro + t * rd;
-    float gap = side * (p.y - waterHeight(p.xz)), before = t, gapBefore = gap;
-    evaluations = 1;
-    if (gap <= 0.0) {                         // it starts within rounding of the surface
-        t += 1e-3;
-        gap = 1e-4;
-    }
-    for (int i = 0; i < marchSteps && gap > 0.0; ++i) {
+    if (t >= end || closing <= 1e-6) return kFar;   // beside it, or faster up than waves rise
+    float gap = 1e-4, before = t, gapBefore = gap;
+    for (int i = 0; i <= marchSteps; ++i) {
+        vec3 p = ro + t * rd;
+        gap = side * (p.y - waterHeight(p.xz));
+        ++evaluations;
+        if (i == 0) gap = max(gap, 1e-4);   // a start within rounding of the surface
+        if (gap <= 0.0 || t >= end) break;
         before = t;
         gapBefore = gap;
         t += max(overstep * gap / closing, (overstep - 1.0) * (0.05 + 0.01 * t) + 1e-4);
-        if (t > end) {
-            if (before >= end) return kFar;
-            t = end;
-        }
-        p = ro + t * rd;
-        gap = side * (p.y - waterHeight(p.xz));
-        ++evaluations;
-        if (gap > 0.0 && t >= end) return kFar;
+        t = min(t, end);
     }
-    if (gap > 0.0) return t;                  // out of steps: nearly there
+    if (gap > 0.0) return t >= end ? kFar : t;   // out of steps: nearly there
     float lo = before, hi = t, gapLo = gapBefore, gapHi = gap;
-    int last = 0;
-    for (int i = 0; i < refinement; ++i) {
-        t = hi - gapHi * (hi - lo) / min(gapHi - gapLo, -1e-12);
-        p = ro + t * rd;
-        gap = side * (p.y - waterHeight(p.xz));
+    for (int i = 0; i < refinement && abs(gap) > 2e-5; ++i) {   // m
+        t = clamp(hi - gapHi * (hi - lo) / min(gapHi - gapLo, -1e-12), lo, hi);
+        vec3 p = ro + t * rd;
+        float now = side * (p.y - waterHeight(p.xz));
         ++evaluations;
-        if (gap > 0.0) {
-            lo = t; gapLo = gap;
-            if (last > 0) gapHi *= 0.5;
-            last = 1;
-        } else {
-            hi = t; gapHi = gap;
-            if (last < 0) gapLo *= 0.5;
-            last = -1;
-        }
+        bool same = (now > 0.0) == (gap > 0.0) && i > 0;   // the other end is kept: halve its gap
+        if (now > 0.0) { lo = t; gapLo = now; if (same) gapHi *= 0.5; }
+        else           { hi = t; gapHi = now; if (same) gapLo *= 0.5; }
+        gap = now;
     }
-    return refinement == 0 ? t : clamp(hi - gapHi * (hi - lo) / min(gapHi - gapLo, -1e-12), lo, hi);
+    return t;
 }
 
 // ---- Geometry -----------------------------------------------------------------------------------
@@ -303,9 +316,6 @@ float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
     float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
 }
 
-vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
-    return 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
-}
 vec2 columnPlace(int i) { return kColumnFirst + kColumnStep * vec2(i & 1, i >> 1); }
 vec3 lampPlace(int i) {
     return vec3(kPool.x * float((i & 1) * 2 - 1), -0.42 * depth, -4.3 + 4.4 * float(i >> 1));
@@ -348,22 +358,23 @@ Hit intersect(vec3 ro, vec3 rd, bool wet) {
         if (paved && max(abs(p.x), p.y) < kTerrace) h = Hit(toDeck, vec3(0, 1, 0), kPaving);
     }
     if (columns) {
-        float across = max(dot(rd.xz, rd.xz), 1e-12), r2 = square(kColumnRadius);
+        float across = max(dot(rd.xz, rd.xz), 1e-12);
+        float disc = ((rd.y < 0.0 ? kFootTop : kHead) - ro.y) * inv.y;   // of all feet, or heads
         for (int i = 0; i < 6; ++i) {
-            vec2 c = columnPlace(i), to = c - ro.xz;
+            vec2 to = columnPlace(i) - ro.xz;
             float mid = dot(to, rd.xz) / across;
             vec2 off = to - mid * rd.xz;
-            float away2 = dot(off, off);
-            if (away2 > 0.25 || mid + 0.5 * inversesqrt(across) < 0.0) continue;
-            float s = sqrt(max(r2 - away2, 0.0) / across), t = mid - s > 0.0 ? mid - s : mid + s;
-            float y = ro.y + t * rd.y;
-            if (away2 < r2 && t > 0.0 && t < h.t && y < kColumnTop && y > -depth)
-                h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kColumnRadius, kColumn);
-            vec3 foot = vec3(c, 0.0).xzy, cap = vec3(0.31, kColumnTop, 0.31);
-            meetSolidBox(ro, inv, foot + vec3(-0.31, -depth, -0.31), foot + vec3(0.31, 0.1, 0.31),
-                         kStone, h);
-            meetSolidBox(ro, inv, foot + cap * vec3(-1, 1, -1) - vec3(0, 0.16, 0), foot + cap,
-                         kStone, h);
+            float away2 = dot(off, off), s = sqrt(max(square(kShaft) - away2, 0.0) / across);
+            float t = mid - s > 0.0 ? mid - s : mid + s, y = ro.y + t * rd.y;
+            if (away2 < square(kShaft) && t > 0.0 && t < h.t && y < kColumnTop && y > -depth)
+                h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kShaft, kColumn);
+            t = mid - sqrt(max(square(kFoot) - away2, 0.0) / across);
+            y = ro.y + t * rd.y;
+            bool thick = y < kFootTop || y > kHead && y < kColumnTop;
+            if (away2 < square(kFoot) && t > 0.0 && t < h.t && thick && y > -depth)
+                h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kFoot, kStone);
+            if (disc > 0.0 && disc < h.t && away2 + square(disc - mid) * across < square(kFoot))
+                h = Hit(disc, vec3(0.0, -sign(rd.y), 0.0), kStone);
         }
         for (int i = 0; i < 2; ++i) {
             vec3 mid = vec3(columnPlace(i).x, kColumnTop + kBeamHalf.y, columnPlace(2).y);
@@ -376,22 +387,18 @@ Hit intersect(vec3 ro, vec3 rd, bool wet) {
                          vec3(kPool.x + 1.0, stepTop(i), kStepsAlong.y), kStep, h);
     if (mirrorBall) meetSolidSphere(ro, rd, kBallPlace, kBall, h);
     for (int i = 0; i < lanterns; ++i)
-        meetSolidSphere(ro, rd, texelFetch(floats, ivec2(i, 0), 0), kLantern + i, h);
+        meetSolidSphere(ro, rd, gLanterns[i], kLantern + i, h);
     return h;
 }
 
 // ---- Light --------------------------------------------------------------------------------------
-vec2 skyUv(vec3 rd, float lod) {
-    vec2 half_texel = 0.5 * exp2(lod) / vec2(1024.0, 512.0);
-    float v = sqrt(clamp(rd.y, 0.0, 1.0));   // finest at the horizon
-    return vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5,
-                clamp(v, half_texel.y, 1.0 - half_texel.y));
-}
+// The sky's picture goes from straight down to straight up, finest at the horizon.
 vec3 skyLight(vec3 rd, float cone) {
     float lod = clamp(log2(max(cone, 1e-4) * 1024.0 / (2.0 * kPi)), 0.0, 5.0);
-    return textureLod(sky, skyUv(rd, lod), lod).rgb;
+    float v = 0.5 + 0.5 * sign(rd.y) * sqrt(abs(rd.y)), edge = exp2(lod) / 1024.0;
+    return textureLod(sky, vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5,
+                                clamp(v, edge, 1.0 - edge)), lod).rgb;
 }
-vec3 skyAmbient() { return textureLod(sky, vec2(0.5), 9.0).rgb; }
 
 // One layer of stars in square cells. None is smaller than the footprint w: dimmer instead.
 vec3 starLayer(vec2 uv, float cell, float radius, float w, int seed) {
@@ -407,12 +414,6 @@ vec3 starLayer(vec2 uv, float cell, float radius, float w, int seed) {
         * (shine * disc * clamp(2.0 - 3.0 * w / cell, 0.0, 1.0));
 }
 
-float ridge(float a, int seed) {   // smooth noise round the horizon; a in turns
-    float x = a * 48.0, i = floor(x), f = x - i, s = f * f * (3.0 - 2.0 * f);
-    ivec2 c = (ivec2(int(i)) + ivec2(0, 1) + 96) % 48;
-    return mix(random3(ivec3(c.x, seed, 3)).x, random3(ivec3(c.y, seed, 3)).x, s);
-}
-
 bool gSunDisc = true;   // planar pictures leave it to the water
 // The sun as a blur: its disc, seen over a cone. Its light is kept, but for a ceiling.
 vec3 sunGlint(vec3 rd, float cone) {
@@ -421,68 +422,44 @@ vec3 sunGlint(vec3 rd, float cone) {
     return sunColour() * min(0.5 / sigma2, 4e3) * exp(-min(0.5 * dot(off, off) / sigma2, 60.0));
 }
 
-// All beyond the terrace: sky, sun, stars, headlands, the sea. cone: rad, what is seen as one.
+// All beyond the terrace. cone: rad, what is seen as one.
 vec3 background(vec3 rd, float cone) {
-    vec3 sun = towardsSun(), up = vec3(rd.x, abs(rd.y), rd.z);
-    float soft = max(cone, 1e-3), turns = atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5;
-    vec3 light = skyLight(up, cone), disc = vec3(0.0);
-    float shore = smoothstep(0.04, 0.12, abs(turns - 0.5));
-    float land = 0.095 * shore * ridge(turns, 1) + 0.03 * shore * ridge(fract(turns * 3.0), 2);
-    float hills = smoothstep(-soft, soft, land - abs(rd.y)) * step(0.0, land - 1e-4);
-    if (gSunDisc) disc = sunGlint(up, cone);
+    vec3 light = skyLight(rd, cone);
+    if (gSunDisc) light += sunGlint(rd, cone);
     if (stars > 0.0 && rd.y > 0.0) {
         vec2 uv = rd.xz / (0.35 + rd.y);
         light += stars * (starLayer(uv, 0.035, 0.0009, cone, 41) * 3.0
                           + starLayer(uv + 0.3, 0.11, 0.0013, cone, 43) * 6.0);
     }
-    vec3 far = mix(light * vec3(0.20, 0.24, 0.32), light, 0.35);
-    light = mix(light + (1.0 - hills) * disc, far, hills);
-    if (rd.y < 0.0) {   // the sea: rough, so it mirrors what stands higher, and glitters
-        float away = kEyeLevel / max(-rd.y, 1e-4);
-        vec3 above = normalize(vec3(rd.x, 0.16 - rd.y, rd.z));
-        float share = 0.12 + 0.55 * exp(9.0 * rd.y);
-        vec3 water = skyLight(above, 0.25) * share + skyAmbient() * vec3(0.006, 0.03, 0.045);
-        vec2 off = normalize(rd.xz + 1e-6) - normalize(sun.xz + 1e-6);
-        float glitter = exp(-dot(off, off) / (0.010 + 0.6 * rd.y * rd.y)
-                            - square(rd.y + 0.02 * (1.0 + sun.y * 8.0)) * 60.0);
-        water += sunColour() * 0.55 * glitter;
-        vec3 mist = skyLight(vec3(rd.x, 0.01, rd.z), 0.1);
-        water = mix(mist, water, exp(-away / 9000.0));
-        light = mix(water, far, hills * 0.5 * exp(30.0 * rd.y));
-    }
     return light;
 }
 
-// How a thin upright column or a ball dims the sun over a path of length tMax. spread: rad.
-float besideColumn(vec3 p, vec3 rd, float tMax, vec2 c, float spread) {
-    vec2 to = c - p.xz;
-    float across = max(dot(rd.xz, rd.xz), 1e-6), t = dot(to, rd.xz) / across;
-    float away = length(to - t * rd.xz), soft = max(spread * t, 0.003);
-    if (t <= 0.0 || t > tMax || p.y + t * rd.y > kColumnTop) return 1.0;
-    return smoothstep(-soft, soft, away - kColumnRadius);
-}
-float besideBall(vec3 p, vec3 rd, float tMax, vec4 ball, float spread) {
-    vec3 to = ball.xyz - p;
-    float t = dot(to, rd), soft = max(spread * t, 0.003);
-    if (t <= 0.0 || t > tMax + ball.w) return 1.0;
-    return smoothstep(-soft, soft, length(to - t * rd) - ball.w);
-}
-float besideAll(vec3 p, vec3 rd, float tMax, float spread) {
-    float free = 1.0;
-    if (columns) {
-        for (int i = 0; i < 6; ++i)
-            free *= besideColumn(p, rd, tMax, columnPlace(i), spread);
-        for (int i = 0; i < 2; ++i) {   // beams: the ray at their height
-            float t = (kColumnTop + kBeamHalf.y - p.y) / max(rd.y, 1e-3);
+// How much of the sun's disc, of slope `spread`, is seen past what stands within tMax; high: past
+// beams and lanterns, too.
+float besideAll(vec3 p, vec3 rd, float tMax, float spread, bool high) {
+    float free = 1.0, across = max(dot(rd.xz, rd.xz), 1e-6);
+    if (columns)
+        for (int i = 0; i < 6; ++i) {
+            vec2 to = columnPlace(i) - p.xz;
+            float t = dot(to, rd.xz) / across, soft = max(spread * t, 0.003), y = p.y + t * rd.y;
+            float away = length(to - t * rd.xz) - (y < kFootTop ? kFoot : kShaft);
+            if (t > 0.0 && t < tMax && y < kColumnTop) free *= smoothstep(-soft, soft, away);
+        }
+    if (columns && high)
+        for (int i = 0; i < 2; ++i) {   // the ray at their height
+            float t = (kColumnTop + kBeamHalf.y - p.y) / max(rd.y, 1e-3), soft = spread * t;
             vec2 q = abs(p.xz + t * rd.xz - vec2(columnPlace(i).x, columnPlace(2).y));
             vec2 reach = kBeamHalf.xz + kBeamHalf.y * abs(rd.xz) / max(rd.y, 0.05);
-            vec2 in2 = smoothstep(-0.02, 0.02, reach - q);
-            if (t > 0.0 && t < tMax) free *= 1.0 - in2.x * in2.y;
+            vec2 within = smoothstep(-soft, soft, reach - q);
+            if (t > 0.02) free *= 1.0 - within.x * within.y;
         }
+    for (int i = mirrorBall ? -1 : 0; i < (high ? lanterns : 0); ++i) {
+        vec4 ball = i < 0 ? kBallPlace : gLanterns[max(i, 0)];
+        vec3 to = ball.xyz - p;
+        float t = dot(to, rd), soft = max(spread * t, 0.003);
+        float away = length(to - t * rd) - ball.w;
+        if (t > 0.0 && t < tMax) free *= smoothstep(-soft, soft, away);
     }
-    if (mirrorBall) free *= besideBall(p, rd, tMax, kBallPlace, spread);
-    for (int i = 0; i < lanterns; ++i)
-        free *= besideBall(p, rd, tMax, texelFetch(floats, ivec2(i, 0), 0), spread);
     return free;
 }
 
@@ -502,47 +479,38 @@ float gathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
     vec2 calm = light.xz / -light.y;
     entry = p - down * calm;
     if (caustics <= 0.0) return 1.0;
-    vec2 slope = waterSlope(entry);
-    entry = p - down * (calm + byslope * slope);
-    slope = waterSlope(entry);
-    entry = p - down * (calm + byslope * slope);
-    vec3 second;
-    waterShape(entry, vec2(0.0), vec2(0.0), slope, second);
+    for (int i = 0; i < 2; ++i) entry = p - down * (calm + byslope * waterSlope(entry));
+    vec3 second = waterBend(entry);
     mat2 j = mat2(1.0) + down * byslope * mat2(second.xy, second.yz);
-    float area = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    area = abs(area);   // biased: one of several sheets of light where they fold, none too sharp
+    float area = abs(j[0][0] * j[1][1] - j[0][1] * j[1][0]);
+    // biased: one of several sheets of light where they fold, and none too sharp
     return mix(1.0, 1.0 / (area < 0.3 ? area * area / 0.6 + 0.15 : area), caustics);
 }
 
-// Sunlight on a surface, over pi.
+// Sunlight on a surface, over pi. Under water: through the point of entry.
 vec3 sunOn(vec3 p, vec3 nor, bool wet) {
-    vec3 sun = towardsSun();
     if (sunHeight <= -1.0) return vec3(0.0);
+    vec3 sun = towardsSun(), from = p;
     sun.y = max(sun.y, 0.01);
-    if (!wet) {
-        float facing = dot(nor, sun);
-        return facing > 0.0 ? sunColour() * (facing * besideAll(p, sun, kFar, 0.006)) : vec3(0.0);
-    }
     mat2 byslope;
     vec2 entry;
     vec3 light = sunUnderWater(sun, byslope);
-    float down = max(-p.y, 0.0), facing = -dot(nor, light) / -light.y;
-    if (facing <= 0.0) return vec3(0.0);
-    float gather = gathered(p.xz, down, light, byslope, entry);
-    vec3 from = vec3(entry.x, 0.0, entry.y);
-    float path = length(from - p);
-    vec2 inside = smoothstep(-0.04 * down - 0.01, 0.04 * down + 0.01, kPool - abs(entry));
-    // Over the rim: the paving stands higher than the water, the sea's side does not.
-    vec2 leave = (kPool * sign(sun.xz) - entry) / mix(sun.xz, vec2(1e-6), lessThan(abs(sun.xz),
-                                                                                 vec2(1e-6)));
-    bool sea = leave.y < leave.x && sun.z < 0.0;
-    float rim = min(leave.x, leave.y) * sun.y;
-    float over = sea ? 1.0 : smoothstep(kDeck - 0.02, kDeck + 0.02, rim);
-    float free = inside.x * inside.y * over;
-    if (free > 0.0) free *= besideAll(p, -light, path, 0.05);
-    if (free > 0.0) free *= besideAll(from, sun, kFar, 0.012);
-    float share = (1.0 - fresnel(sun.y, kIorWater)) * sun.y;
-    return sunColour() * (share * gather * facing * free) * exp(-absorption() * path);
+    float down = max(-p.y, 0.0), gather = gathered(p.xz, down, light, byslope, entry), free = 1.0;
+    if (wet) from = vec3(entry.x, 0.0, entry.y);
+    float facing = wet ? dot(nor, light) / light.y : dot(nor, sun), path = length(from - p);
+    free *= besideAll(from, sun, kFar, wet ? 0.012 : 0.006, true);
+    if (wet) {
+        free *= besideAll(p, -light, path, 0.05, false);
+        vec2 within = smoothstep(-0.04 * down - 0.01, 0.04 * down + 0.01, kPool - abs(entry));
+        // Over the rim: the paving stands higher than the water, the sea's side does not.
+        vec2 leave = (kPool * sign(sun.xz) - entry) * safeInverse(sun).xz;
+        bool sea = leave.y < leave.x && sun.z < 0.0;
+        float rim = smoothstep(kDeck - 0.02, kDeck + 0.02, min(leave.x, leave.y) * sun.y);
+        free *= within.x * within.y * (sea ? 1.0 : rim)
+            * (1.0 - fresnel(sun.y, kIorWater)) * sun.y * gather;
+    }
+    vec3 passed = wet ? exp(-absorption() * path) : vec3(1.0);
+    return sunColour() * (free * max(facing, 0.0)) * passed;
 }
 
 // Lamps under water and lanterns on it, over pi.
@@ -565,8 +533,7 @@ vec3 lampsOn(vec3 p, vec3 nor, bool wet) {
     }
     if (lanternGlow > 0.0)
         for (int i = 0; i < lanterns; ++i) {
-            vec4 ball = texelFetch(floats, ivec2(i, 0), 0);
-            vec3 to = ball.xyz - p;
+            vec3 to = gLanterns[i].xyz - p;
             float r2 = dot(to, to) + 0.01;
             float facing = 0.1 + 0.9 * max(dot(to, nor) * inversesqrt(r2), 0.0);
             vec3 fade = wet ? exp(-absorption() * sqrt(r2)) : vec3(1.0);
@@ -578,7 +545,7 @@ vec3 lampsOn(vec3 p, vec3 nor, bool wet) {
 // Light scattered towards the eye along t metres of water: even, and closed-form round each lamp.
 vec3 waterGlow(vec3 ro, vec3 rd, float t) {
     vec3 sigma = absorption();
-    vec3 even = skyAmbient() + 0.25 * sunColour() * max(sin(radians(sunHeight)), 0.0);
+    vec3 even = gAmbient + 0.25 * sunColour() * max(sin(radians(sunHeight)), 0.0);
     vec3 sum = vec3(0.010, 0.045, 0.05) * even * (1.0 - exp(-sigma * t)) / (sigma + 0.05);
     if (poolLights > 0.0)
         for (int i = 0; i < 6; ++i) {
@@ -589,71 +556,75 @@ vec3 waterGlow(vec3 ro, vec3 rd, float t) {
         }
     return sum;
 }
+
 // ---- Materials ----------------------------------------------------------------------------------
-vec3 mosaic(vec2 uv, vec2 foot, int seed) {
-    vec2 q = uv / tileSize, w = foot / tileSize, c = floor(q);
-    vec3 r = random3(ivec3(ivec2(c), seed));
-    float distinct = clamp(1.5 - max(w.x, w.y), 0.0, 1.0);
-    float joint = max(lines(q.x, 0.035, w.x), lines(q.y, 0.035, w.y));
+// What mirrors, and how much. A path goes on with it.
+vec3 shineOf(int id, float cosine, bool wet) {
+    if (id == kBall) return mix(vec3(0.88, 0.87, 0.85), vec3(1.0), pow(1.0 - cosine, 5.0));
+    if (id == kPaving) return vec3(0.25 * fresnel(cosine, 1.4));
+    return vec3(id < kLantern ? 0.0 : fresnel(cosine, wet ? 1.1 : 1.45));
+}
+
+// Albedo of a matt thing; columns are fluted, which turns the normal.
+vec3 albedoOf(Matt m, inout vec3 nor) {
+    vec3 foot = min(abs(m.x) + abs(m.y), 50.0), p = m.pos;
+    if (m.id == kColumn) {
+        float a = atan(nor.x, nor.z + 1e-9);
+        float distinct = clamp(1.0 - length(foot.xz) / kShaft * 3.2, 0.0, 1.0);
+        nor.xz = turn(nor.xz, 0.45 * distinct * sin(20.0 * a));
+        return vec3(0.72, 0.68, 0.62) * (0.93 + 0.07 * distinct * cos(20.0 * a));
+    }
+    if (m.id >= kLantern) {
+        bool red = random3(ivec3(m.id, 4, 4)).x > 0.55 && lanternGlow <= 0.0;
+        return red ? vec3(0.85, 0.20, 0.08) : vec3(0.80, 0.76, 0.70);
+    }
+    if (m.id >= kStone) return m.id == kBall ? vec3(0.0) : vec3(0.66, 0.62, 0.56);
+    // Tiles or slabs: in the plane across the normal's longest axis.
+    vec3 n = abs(nor);
+    bool slab = m.id == kPaving, level = n.y > 0.5;
+    float size = slab ? 0.9 : tileSize;
+    vec2 uv = (level ? p.xz : n.x > 0.5 ? p.zy : p.xy) / size;
+    vec2 w = (level ? foot.xz : n.x > 0.5 ? foot.zy : foot.xy) / size, c = floor(uv);
+    vec3 r = random3(ivec3(ivec2(c), level ? 5 : 6));
+    float distinct = clamp(1.5 - max(w.x, w.y), 0.0, 1.0), thin = slab ? 0.006 : 0.035;
+    float joint = max(lines(uv.x, thin, w.x), lines(uv.y, thin, w.y));
+    vec2 edge = abs(p.xz) - kPool;
+    if (slab) {
+        distinct *= step(0.45, max(edge.x, edge.y));   // the coping is one stone
+        return vec3(0.58, 0.51, 0.43) * mix(1.0, 0.86 + 0.28 * r.x, distinct) * (1.0 - 0.6 * joint);
+    }
     vec3 tint = linearColour(tileColour) * mix(1.0, 0.70 + 0.60 * r.x, distinct);
     vec3 accent = linearColour(tileColour) * vec3(0.35, 0.72, 0.95);
     tint = mix(tint, accent, mix(0.16, step(0.84, r.y), distinct));
-    return mix(tint, vec3(0.62, 0.66, 0.64), joint);
+    tint = mix(tint, vec3(0.62, 0.66, 0.64), joint);
+    edge += 0.62;   // a dark band near the rim of the floor, one along the waterline, the coping
+    float band = max(stripe(edge.x, -0.07, 0.07, foot.x) * step(edge.y, 0.07),
+                     stripe(edge.y, -0.07, 0.07, foot.z) * step(edge.x, 0.07));
+    if (m.id == kFloor) tint *= mix(vec3(1.0), vec3(0.16, 0.30, 0.45), band);
+    if (m.id == kWall) {
+        tint *= mix(vec3(1.0), vec3(0.10, 0.22, 0.40), stripe(p.y, -0.26, 0.02, foot.y));
+        tint = mix(tint, vec3(0.60, 0.55, 0.48), stripe(p.y, 0.02, 1.0, foot.y));
+    }
+    return tint;
 }
 
-// Albedo of a matt thing, and how it mirrors. x, y: sides of the pixel on it.
-vec3 materialAt(vec3 p, int id, inout vec3 nor, vec3 x, vec3 y, float cosine, out vec3 shine) {
-    vec3 foot = min(abs(x) + abs(y), 50.0);
-    shine = vec3(0.0);
-    if (id == kFloor) {
-        vec3 tile = mosaic(p.xz, foot.xz, 5);
-        vec2 rim = kPool - abs(p.xz) - 0.55;
-        float band = max(stripe(rim.x, 0.0, 0.14, foot.x) * step(0.0, rim.y + 0.14),
-                         stripe(rim.y, 0.0, 0.14, foot.z) * step(0.0, rim.x + 0.14));
-        return tile * mix(vec3(1.0), vec3(0.16, 0.30, 0.45), band);
+// Light that a matt point sends on.
+vec3 lightFrom(Matt m) {
+    vec3 nor = m.nor, albedo = albedoOf(m, nor), start = liftOff(m.pos, m.nor), own = vec3(0.0);
+    float corner = 1.0;
+    if (m.id == kFloor || m.id == kWall) {   // less sky in the corners
+        vec3 room = vec3(kPool - abs(m.pos.xz), m.pos.y + depth).xzy + 0.15;
+        vec3 shut = 1.0 - 0.35 * exp(-2.5 * room) * (1.0 - abs(m.nor));
+        corner = shut.x * shut.y * shut.z;
     }
-    if (id == kWall) {
-        bool side = abs(nor.x) > 0.5;
-        vec2 across = side ? foot.zy : foot.xy;
-        vec3 tile = mosaic(side ? p.zy : p.xy, across, side ? 6 : 7);
-        tile *= mix(vec3(1.0), vec3(0.10, 0.22, 0.40), stripe(p.y, -0.26, 0.02, foot.y));
-        return mix(tile, vec3(0.60, 0.55, 0.48), stripe(p.y, 0.02, 1.0, foot.y));
-    }
-    if (id == kPaving || id == kStep) {
-        vec2 slab = p.xz / 0.9, w = foot.xz / 0.9;
-        vec2 edge = abs(p.xz) - kPool;
-        float coping = step(max(edge.x, edge.y), 0.45);
-        float distinct = clamp(1.5 - max(w.x, w.y), 0.0, 1.0);
-        vec3 r = random3(ivec3(ivec2(floor(slab)), 9));
-        float joint = max(lines(slab.x, 0.006, w.x), lines(slab.y, 0.006, w.y));
-        vec3 stone = vec3(0.58, 0.51, 0.43)
-            * mix(1.0, 0.86 + 0.28 * r.x, distinct * (1.0 - coping));
-        if (id == kStep) {
-            stone = mosaic(nor.y > 0.5 ? p.xz : abs(nor.x) > 0.5 ? p.zy : p.xy,
-                           nor.y > 0.5 ? foot.xz : abs(nor.x) > 0.5 ? foot.zy : foot.xy, 11);
-            joint = 0.0;
-        } else {
-            shine = vec3(0.25 * fresnel(cosine, 1.4));
-        }
-        return stone * (1.0 - 0.6 * joint);
-    }
-    if (id == kColumn) {   // fluted: twenty shallow grooves
-        float a = atan(nor.x, nor.z + 1e-9), w = length(foot.xz) / kColumnRadius * 3.2;
-        float distinct = clamp(1.0 - w, 0.0, 1.0), groove = sin(20.0 * a) * 0.45 * distinct;
-        nor.xz = turn(nor.xz, groove);
-        return vec3(0.72, 0.68, 0.62) * (0.93 + 0.07 * cos(20.0 * a) * distinct);
-    }
-    if (id == kBall) {
-        shine = mix(vec3(0.88, 0.87, 0.85), vec3(1.0), pow(1.0 - cosine, 5.0));
-        return vec3(0.0);
-    }
-    if (id >= kLantern) {
-        shine = vec3(fresnel(cosine, 1.45));
-        vec3 r = random3(ivec3(id, 4, 4));
-        bool red = r.x > 0.55 && lanternGlow <= 0.0;
-        return red ? vec3(0.85, 0.20, 0.08) : vec3(0.80, 0.76, 0.70);
-    }
-    return vec3(0.66, 0.62, 0.56);
+    vec3 open = gAmbient * (0.62 + 0.38 * nor.y) * corner;
+    if (m.wet) open *= 0.93 * exp(-1.2 * absorption() * max(-m.pos.y, 0.0));
+    if (m.id == kWall && poolLights > 0.0)
+        for (int i = 0; i < 6; ++i)
+            own += smoothstep(0.13, 0.09, distance(m.pos, lampPlace(i))) * poolLights * 9.0;
+    if (m.id >= kLantern)
+        own = lanternGlow * vec3(1.0, 0.52, 0.18) * (0.5 + 0.7 * m.cosine * m.cosine);
+    return own + albedo * (open + sunOn(start, nor, m.wet) + lampsOn(start, nor, m.wet));
 }
 
 // ---- Transport ----------------------------------------------------------------------------------
@@ -689,94 +660,86 @@ bool refractRay(inout Ray r, vec3 nor, vec3 nx, vec3 ny, float eta) {
 float coneOf(Ray r) { return sqrt(0.5 * (dot(r.dx, r.dx) + dot(r.dy, r.dy)) + r.rough); }
 
 // Light that arrives against a ray. level: the water is a plane, for planar pictures. reach: the
-// distance to what is met first.
+// distance to what is met first. First come the paths of light, then the matt points on them, two
+// at a time: a loop is the only thing that llvmpipe ever skips.
 vec3 render(Ray r, bool level, out float reach) {
     vec3 sum = vec3(0.0);
     Ray later = r;
     later.carry = vec3(0.0);
-    reach = kFar;
-    for (int k = 0; k < rays; ++k) {
-        Hit h = intersect(r.o, r.d, r.wet);
-        int count;   // of no interest here
-        float t = h.t;
-        if (!level) {
-            t = min(t, marchWater(r.o, r.d, h.t, r.wet, count));
-        } else if ((r.d.y < 0.0) != r.wet) {
-            float down = -r.o.y * safeInverse(r.d).y;
-            vec2 p = abs(r.o.xz + down * r.d.xz);
-            if (down > 0.0 && down < h.t && p.x < kPool.x && p.y < kPool.y) t = down;
-        }
-        bool onWater = t < h.t;
-        if (k == 0) reach = t;
-        if (r.wet) {
-            sum += r.carry * waterGlow(r.o, r.d, min(t, 50.0));
-            r.carry *= exp(-absorption() * min(t, 50.0));
-        }
-        if (onWater) {
-            float side = r.wet ? -1.0 : 1.0;
-            vec2 slope = vec2(0.0);
-            vec3 second = vec3(0.0), p = r.o + t * r.d;
-            if (!level) slope = waterSlope(p.xz);
-            landAt(r, t, side * normalize(vec3(-slope.x, 1.0, -slope.y)));
-            if (!level) r.rough += 4.0 * waterShape(p.xz, r.ox.xz, r.oy.xz, slope, second);
-            r.o.y = level ? 0.0 : waterHeight(p.xz);
-            float shrink = side * inversesqrt(1.0 + dot(slope, slope));
-            vec3 nor = shrink * vec3(-slope.x, 1.0, -slope.y);
-            vec3 nx = -shrink * vec3(dot(second.xy, r.ox.xz), 0.0, dot(second.yz, r.ox.xz));
-            vec3 ny = -shrink * vec3(dot(second.xy, r.oy.xz), 0.0, dot(second.yz, r.oy.xz));
-            float cosI = clamp(-dot(r.d, nor), 1e-3, 1.0);
-            float share = fresnel(cosI, r.wet ? 1.0 / kIorWater : kIorWater);
-            Ray back = r, on = r;
-            reflectRay(back, nor, nx, ny);
-            back.d += max(0.002 - dot(back.d, nor), 0.0) * nor;   // not into the next slope
-            back.d = normalize(back.d);
-            back.o += vec3(0.0, 2e-4 * side, 0.0);
-            back.carry *= share;
-            bool passes = refractRay(on, nor, nx, ny, r.wet ? kIorWater : 1.0 / kIorWater);
-            on.o -= vec3(0.0, 2e-4 * side, 0.0);
-            on.wet = !r.wet;
-            on.carry *= passes ? 1.0 - share : 0.0;
-            r = passes ? on : back;
-            if (passes && maxComponent(back.carry) > maxComponent(later.carry)) later = back;
-        } else if (h.id == kSky) {
-            sum += r.carry * background(r.d, coneOf(r));
-            r.carry = vec3(0.0);
-        } else {
-            vec3 nor = h.nor, shine;
-            landAt(r, t, nor);
-            vec3 facing = nor;
-            float cosine = clamp(-dot(r.d, nor), 0.0, 1.0);
-            vec3 albedo = materialAt(r.o, h.id, facing, r.ox, r.oy, cosine, shine);
-            vec3 start = liftOff(r.o, nor), light = lampsOn(start, facing, r.wet);
-            float corner = 1.0;
-            if (h.id == kFloor || h.id == kWall) {   // less sky in the corners
-                vec3 room = vec3(kPool - abs(r.o.xz), r.o.y + depth).xzy + 0.15;
-                vec3 shut = 1.0 - 0.35 * exp(-2.5 * room) * (1.0 - abs(nor));
-                corner = shut.x * shut.y * shut.z;
+    reach = -1.0;
+    bool alive = true;
+    for (int k = 0; k < rays && alive;) {
+        Matt here, next;
+        here.carry = vec3(0.0);
+        next.carry = vec3(0.0);
+        int points = 0;
+        for (; k < rays && alive && points < 2; ++k) {
+            Hit h = intersect(r.o, r.d, r.wet);
+            int count;   // of no interest here
+            float t = h.t, side = r.wet ? -1.0 : 1.0;
+            if (!level) {
+                t = min(t, marchWater(r.o, r.d, h.t, r.wet, count));
+            } else if (side * r.d.y < 0.0) {
+                float down = -r.o.y * safeInverse(r.d).y;
+                vec2 p = abs(r.o.xz + down * r.d.xz);
+                if (down > 0.0 && down < h.t && p.x < kPool.x && p.y < kPool.y) t = down;
             }
-            vec3 open = skyAmbient() * (0.62 + 0.38 * facing.y) * corner;
-            if (r.wet) open *= 0.93 * exp(-absorption() * max(-r.o.y, 0.0) * 1.2);
-            if (maxComponent(albedo) > 0.0) light += open + sunOn(start, facing, r.wet);
-            vec3 own = vec3(0.0);
-            if (h.id == kWall && poolLights > 0.0)
-                for (int i = 0; i < 6; ++i)
-                    own += smoothstep(0.13, 0.09, distance(r.o, lampPlace(i))) * poolLights * 9.0;
-            if (h.id >= kLantern)
-                own = lanternGlow * vec3(1.0, 0.52, 0.18) * (0.5 + 0.7 * cosine * cosine);
-            if (r.wet) shine *= h.id == kBall ? 1.0 : 0.15;
-            sum += r.carry * (own + (1.0 - shine) * albedo * light);
-            vec3 bent = h.id == kBall ? vec3(1.0 / kBallPlace.w) : vec3(0.0);
-            if (h.id >= kLantern) bent = vec3(1.0 / 0.16);
-            reflectRay(r, nor, bent * r.ox, bent * r.oy);
-            if (h.id == kPaving) r.rough += 0.01;
-            r.d = normalize(r.d);
-            r.o = start;
-            r.carry *= shine;
+            bool onWater = t < h.t;
+            if (reach < 0.0) reach = t;
+            if (r.wet) {
+                sum += r.carry * waterGlow(r.o, r.d, min(t, 50.0));
+                r.carry *= exp(-absorption() * min(t, 50.0));
+            }
+            if (!onWater && h.id == kSky) {
+                sum += r.carry * background(r.d, coneOf(r));
+                r.carry = vec3(0.0);
+            }
+            vec3 nor = onWater ? vec3(0.0, side, 0.0) : h.nor, nx = vec3(0.0), ny = vec3(0.0);
+            if (onWater || h.id != kSky) landAt(r, t, nor);
+            if (onWater && !level) {
+                vec2 slope;
+                vec3 second;
+                r.rough += 4.0 * waterShape(r.o.xz, r.ox.xz, r.oy.xz, slope, second);
+                float scale = side * inversesqrt(1.0 + dot(slope, slope));
+                nor = scale * vec3(-slope.x, 1.0, -slope.y);
+                nx = -scale * vec3(dot(second.xy, r.ox.xz), 0.0, dot(second.yz, r.ox.xz));
+                ny = -scale * vec3(dot(second.xy, r.oy.xz), 0.0, dot(second.yz, r.oy.xz));
+            }
+            float cosine = clamp(-dot(r.d, nor), onWater ? 1e-3 : 0.0, 1.0);
+            vec3 share = vec3(fresnel(cosine, r.wet ? 1.0 / kIorWater : kIorWater));
+            if (!onWater) {
+                share = shineOf(h.id, cosine, r.wet);
+                float bent = h.id == kBall ? 1.0 / kBallPlace.w : h.id >= kLantern ? 6.0 : 0.0;
+                nx = bent * r.ox;
+                ny = bent * r.oy;
+                Matt m = Matt(r.o, nor, r.ox, r.oy, r.carry * (1.0 - share), cosine, h.id, r.wet);
+                if (h.id != kSky && h.id != kBall) {
+                    if (points == 0) here = m; else next = m;
+                    ++points;
+                }
+                if (h.id == kPaving) r.rough += 0.01;
+            }
+            Ray on = r;
+            reflectRay(r, nor, nx, ny);
+            r.d = normalize(r.d + max(0.002 - dot(r.d, nor), 0.0) * nor);   // up from the surface
+            r.carry *= share;
+            r.o = onWater ? r.o + vec3(0.0, 2e-4 * side, 0.0) : liftOff(r.o, nor);
+            if (onWater && refractRay(on, nor, nx, ny, on.wet ? kIorWater : 1.0 / kIorWater)) {
+                on.o.y -= 2e-4 * side;
+                on.wet = !on.wet;
+                on.carry *= 1.0 - share;
+                if (maxComponent(r.carry) > maxComponent(later.carry)) later = r;
+                r = on;
+            }
+            if (maxComponent(r.carry) < kLeastCarry) {
+                alive = maxComponent(later.carry) >= kLeastCarry;
+                r = later;
+                later.carry = vec3(0.0);
+            }
         }
-        if (maxComponent(r.carry) < kLeastCarry) {
-            if (maxComponent(later.carry) < kLeastCarry) break;
-            r = later;
-            later.carry = vec3(0.0);
+        for (; points > 0; --points) {
+            sum += here.carry * lightFrom(here);
+            here = next;
         }
     }
     return sum;
@@ -823,7 +786,7 @@ const vec3 kUp = vec3(0.0, 1.0, 0.0);
 
 vec4 planarPicture(vec2 pixel, bool under) {
     if (water != 0) return vec4(0.0);
-    loadWaves();
+    loadAll();
     vec2 size = iResolution.xy;
     Ray r = camera((pixel - 0.5 * size) * kMargin + 0.5 * size, size);
     if (r.d.y > -1e-4) return vec4(0.0);
@@ -931,13 +894,21 @@ float tiledNoise(vec2 unit, ivec2 period, int seed) {   // value noise on a toru
                mix(random3(ivec3(a.x, b.y, seed)).x, random3(ivec3(b, seed)).x, s.x), s.y);
 }
 
+float ridge(float turns, int seed) {   // smooth noise round the horizon
+    float x = turns * 48.0, i = floor(x), f = x - i, s = f * f * (3.0 - 2.0 * f);
+    ivec2 c = (ivec2(int(i)) + ivec2(0, 1) + 96) % 48;
+    return mix(random3(ivec3(c.x, seed, 3)).x, random3(ivec3(c.y, seed, 3)).x, s);
+}
+
+// All round: sky, thin clouds, headlands, the sea below.
 void mainSky(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / vec2(1024.0, 512.0);
     vec3 sun = towardsSun();
-    float a = 2.0 * kPi * (uv.x - 0.5), up = uv.y * uv.y, level = sqrt(1.0 - up * up);
-    vec3 rd = vec3(level * sin(a), up, -level * cos(a));
+    float a = 2.0 * kPi * (uv.x - 0.5), v = 2.0 * uv.y - 1.0, up = v * v;
+    vec3 rd = vec3(sqrt(1.0 - up * up) * sin(a), up, -sqrt(1.0 - up * up) * cos(a));
     float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
-    vec3 light = texture(air, vec2(turned, uv.y)).rgb + vec3(0.0011, 0.0017, 0.0042) * 0.6;
+    vec3 night = vec3(0.0007, 0.0010, 0.0025);
+    vec3 light = texture(air, vec2(turned, abs(v))).rgb + night;
     // Clouds on a flat layer, drawn out along the wind.
     vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
     float sum = 0.0, weight = 0.5;
@@ -951,8 +922,24 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     float towards = max(dot(rd, normalize(vec3(sun.x, max(sun.y, 0.0), sun.z))), 0.0);
     vec3 lit = sunColour() * (0.05 + 0.10 * pow(towards, 4.0) + 0.35 * pow(towards, 40.0));
     vec3 around = 0.9 * texture(air, vec2(turned, 0.75)).rgb
-        + 0.25 * texture(air, vec2(turned, 0.2)).rgb;
+        + 0.25 * texture(air, vec2(turned, 0.2)).rgb + night;
     light = mix(light, around + lit * (1.0 - 0.55 * thick), 0.85 * thick);
+    float shore = smoothstep(0.04, 0.12, abs(uv.x - 0.5));
+    float land = shore * (0.095 * ridge(uv.x, 1) + 0.03 * ridge(fract(uv.x * 3.0), 2));
+    float hills = smoothstep(-0.0015, 0.0015, land - up);
+    vec3 far = light * mix(vec3(0.20, 0.24, 0.32), vec3(1.0), 0.35);
+    light = mix(light, far, hills);
+    if (v < 0.0) {   // the sea is rough, so it mirrors what stands higher; and it glitters
+        vec3 above = texture(air, vec2(turned, sqrt(min(up + 0.16, 1.0)))).rgb + night;
+        vec3 water = above * (0.12 + 0.55 * exp(-9.0 * up));
+        water += sunColour() * vec3(0.0003, 0.001, 0.0014);
+        vec2 off = normalize(rd.xz + 1e-6) - normalize(sun.xz + 1e-6);
+        water += 0.55 * sunColour() * exp(-dot(off, off) / (0.010 + 0.6 * up * up)
+                                          - 60.0 * square(0.02 + 0.16 * max(sun.y, 0.0) - up));
+        vec3 mist = texture(air, vec2(turned, 0.1)).rgb + night;
+        water = mix(mist, water, exp(-kEyeLevel / max(up, 1e-4) / 9000.0));
+        light = mix(water, far, 0.5 * hills * exp(-30.0 * up));
+    }
     colour = vec4(min(light, 6e4), 1.0);
 }
 
@@ -979,8 +966,8 @@ void mainBed(out vec4 colour, in vec2 pixel) {
     float down = depth;
     if (columns)
         for (int i = 0; i < 6; ++i) {
-            vec2 q = abs(p - columnPlace(i));
-            if (max(q.x, q.y) < 0.31) down = 0.0;
+            vec2 q = p - columnPlace(i);
+            if (dot(q, q) < square(kFoot)) down = 0.0;
         }
     if (steps)
         for (int i = 3; i >= 0; --i)
@@ -1124,7 +1111,7 @@ vec3 display(vec3 light) {
 }
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    loadWaves();
+    loadAll();
     vec3 sum = vec3(0.0);
     for (int i = 0; i < antialias; ++i) {   // the first in the middle of the pixel
         vec2 aside = fract(0.5 + float(i) * vec2(0.75487767, 0.56984029)) - 0.5;
