@@ -49,13 +49,13 @@ uniform float gloss;           //@ 1.0 [0, 1] "polish: 0 is bare stone"
 uniform float pattern;         //@ 1.0 [0, 1] "tone between tiles, and inlays"
 //@ group Light
 uniform vec3  redColour;       //@ #ff4460 "lamp near the floor"
-uniform vec3  blueColour;      //@ #3c50ff "lamp at the height of the spheres"
+uniform vec3  blueColour;      //@ #3c68ff "lamp at the height of the spheres"
 uniform vec3  violetColour;    //@ #b493ff "lamp above everything"
 uniform float lampPower;       //@ 1.0 [0, 4] "brightness of the three lamps"
 uniform float lampRadius;      //@ 0.18 [0.02, 0.5] unit=m "size of the lamps; larger is softer"
 uniform float lampSpeed;       //@ 1.0 [0, 8] "how fast the lamps wander"
 uniform float fillLight;       //@ 1.0 [0, 4] "reaches what is golden and nothing else"
-uniform float haze;            //@ 0.0035 [0, 0.1] unit=1/m "scatters light: the glow of the lamps"
+uniform float haze;            //@ 0.0025 [0, 0.1] unit=1/m "scatters light: the glow of the lamps"
 uniform bool  shafts;          //@ off "things cast shadows in the haze; wants 8 glowSamples"
 uniform float hallLight;       //@ 1.0 [0, 4] "niches in the wall"
 uniform int   shadows;         //@ 2 {off, hard, soft} "kind of shadow"
@@ -71,7 +71,7 @@ uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display cur
 //@ group Quality
 uniform int   bounces;         //@ 6 [1, 24] quality reference=24 "rays followed for a pixel"
 uniform int   waiting;         //@ 2 [1, 6] quality reference=6 "rays kept for later"
-uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to each lamp"
+uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to each lamp"
 uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points along a ray's glow"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
@@ -304,7 +304,7 @@ float besideSolid(int id, vec3 ro, vec3 rd, float rim, float tMax) {
     return c.w < 0.0 ? 0.45 + 0.55 * free : free;   // biased: facets dim, they do not focus
 }
 // Share of a lamp's disc that a ball leaves free; rim: slope of the disc's radius seen from ro.
-float besideRound(int id, vec3 ro, vec3 rd, float rim, float tMax) {
+float besideOrb(int id, vec3 ro, vec3 rd, float rim, float tMax) {
     vec4 s = thing(id);
     vec3 f = s.xyz - ro;
     float t = dot(f, rd), r = abs(s.w);
@@ -317,7 +317,7 @@ float besideRound(int id, vec3 ro, vec3 rd, float rim, float tMax) {
 float lampSeen(vec3 ro, vec3 rd, float rim, float tMax, ivec3 masks) {
     float free = 1.0;
     for (int m = masks.x; m != 0; m &= m - 1)
-        free *= besideRound(lowestBit(m), ro, rd, rim, tMax);
+        free *= besideOrb(lowestBit(m), ro, rd, rim, tMax);
     for (int m = masks.y; m != 0; m &= m - 1)
         free *= besideSolid(kCubes + lowestBit(m), ro, rd, rim, tMax);
     return free;
@@ -345,7 +345,7 @@ float throughBalls(vec3 p, vec3 nor, vec3 lampAt, int mask) {
 
 // Light that a matt surface sends on, for an albedo of 1, and the lamps' sheen on one that shines:
 // GGX of width alpha, Kelemen and Szirmay-Kalos' form, before Fresnel.
-vec3 lampsOn(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
+vec3 lampsLight(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
     vec3 sum = vec3(0.0);
     sheen = vec3(0.0);
     int samples = shadows == 2 ? shadowSamples : 1;
@@ -409,8 +409,8 @@ vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
         float scattered = haze / (4.0 * kPi) * kPi * all / away * through / float(glowSamples);
         // The face: dimmed to what film can hold, round towards its rim, never a flat disc.
         float seen = max(lampRadius, 1.2 * foot), disc = max(1.0 - away2 / (seen * seen), 0.0);
-        float face = t > 0.0 && t < tMax ? disc * disc * square(lampRadius / seen) : 0.0;
-        sum += lampLight(k) * (scattered * kHazeTint + 0.05 * face);
+        float face = t > 0.0 && t < tMax ? disc * square(lampRadius / seen) : 0.0;
+        sum += lampLight(k) * (scattered * kHazeTint + 0.025 * face);
     }
     return sum;
 }
@@ -569,7 +569,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
                 albedo = mix(albedo, 0.5 * golden, inlay);
                 mirror = vec3(fresnel(cosine, kIorStone));
                 mirror = gloss * mix(mirror, metal(golden, cosine), 0.5 * inlay);
-                alpha = mix(0.5, 0.2, gloss);
+                alpha = mix(0.6, 0.28, gloss);
             } else if (clearBody) {
                 mirror = vec3(fresnel(cosine, glassIndex));
                 if (h.id < kBalls) width += w / abs(c.w);
@@ -589,7 +589,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
                 alpha = 0.42;
             }
             if (maxComponent(albedo * ray.weight) > kLeastThroughput) {
-                vec3 sheen, lit = lampsOn(p, bent, ray.rd, alpha, sheen);
+                vec3 sheen, lit = lampsLight(p, bent, ray.rd, alpha, sheen);
                 float up = 0.5 + 0.5 * nor.y;   // floor and hall, without shadows
                 lit += lampPower * mix(vec3(0.048, 0.054, 0.176), vec3(0.008, 0.007, 0.020), up);
                 if (h.id < kCubes || (h.id >= kBipyramids && h.id < kFloor)) {
@@ -641,7 +641,7 @@ void mainGain(out vec4 colour, in vec2 pixel) {
     float blur = max(lampRadius / 6.0, 0.03), sum = 0.0;   // the lamp's disc, 6 m away
     for (int k = 0; k < kRings; ++k) {
         float b = (float(k) + 0.5) / float(kRings);
-        float bent = 2.0 * (asin(b) - asin(b / glassIndex)), c = cos(bent);
+        float bent = 2.0 * (asin(b) - asin(b / glassIndex)), c = cos(bent);   // b <= 1: inside
         if (c < 0.05) continue;
         float ring = abs(b - z * sin(bent)) / (c * z);
         float away = abs(tangent - ring);
@@ -668,8 +668,8 @@ vec3 fromOctahedron(vec2 p) {
     return normalize(d);
 }
 
-// Octahedral maps, one above the other, of what may lie in each direction from the lamps (as a cone to
-// all of the lamp), from the eye, and from its mirror image in the floor.
+// Octahedral maps, one above the other, of what may lie in each direction from the lamps (or from
+// any point of a lamp), from the eye, and from its mirror image in the floor.
 void mainDirections(out vec4 colour, in vec2 pixel) {
     ivec2 cell = ivec2(pixel);
     int map = cell.y / kCells;
@@ -687,8 +687,8 @@ void mainDirections(out vec4 colour, in vec2 pixel) {
         vec4 c = thing(id);
         vec3 f = c.xyz - at;
         float far = max(length(f), 1e-6), size = (id < kCubes ? abs(c.w) : boundOf(id)) + wide;
-        float half2 = min(size / far, 1.0), along = dot(f, middle) / far;   // sine of its half angle
-        if (along > cos(own) * sqrt(1.0 - half2 * half2) - sin(own) * half2) {
+        float sine = min(size / far, 1.0), along = dot(f, middle) / far;   // of its half angle
+        if (along > cos(own) * sqrt(1.0 - sine * sine) - sin(own) * sine) {
             if (id < kCubes) masks.x |= 1 << id;
             else masks.y |= 1 << (id - kCubes);
         }
