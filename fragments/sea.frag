@@ -650,8 +650,15 @@ vec4 reachOfRay(vec3 ro, vec3 rd) {
     return vec4(all, rd.y < 0.0 ? wet : vec2(kFar, -1.0));
 }
 
-float depthBehind(vec3 nor) { return thickness > 0.0 ? thickness : max(length(nor), 0.03); }
 int walkFetches = 0;   // of the depth buffer, for measurements
+// How far behind what a texel shows a point at a depth lies, beyond what the thing there is deep.
+float behindThing(vec4 texel, float depth) {
+    float deep = thickness > 0.0 ? thickness : max(length(texel.xyz), 0.03);
+    return depth - texel.w - deep - bias;
+}
+// A ray's image: pixel and depth at a share s of it, in perspective.
+struct Line { vec2 pa, pb; float ka, kb; };
+vec3 onLine(Line l, float s) { return vec3(mix(l.pa, l.pb, s), 1.0 / mix(l.ka, l.kb, s)); }
 
 // Walks the depth buffer along a ray. found: the pixel that it meets; the value: how sure, for soft
 // edges; 0 is a miss.
@@ -666,59 +673,63 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     if (reach.x >= reach.y) return 0.0;
     vec3 b = a + reach.y * d;
     a += reach.x * d;
+    Line l = Line(toPixel(e, a), toPixel(e, b), 1.0 / a.z, 1.0 / b.z);
+    vec2 dp = l.pb - l.pa, size = iResolution.xy;
+    vec2 room = mix(l.pa / max(-dp, 1e-4), (size - 0.01 - l.pa) / max(dp, 1e-4), greaterThan(dp, vec2(0.0)));
+    float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the line in the picture
     vec2 gap = clamp((parts.yz - reach.x) / (reach.y - reach.x), 0.0, 1.0);   // nothing is there
-    gap *= b.z / mix(vec2(a.z), vec2(b.z), gap);   // as shares of the line on the screen
-    vec2 pa = toPixel(e, a), pb = toPixel(e, b), dp = pb - pa;
-    vec2 room = mix((-pa) / min(dp, -1e-4), (iResolution.xy - pa) / max(dp, 1e-4), greaterThan(dp, vec2(0.0)));
-    float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the ray in the picture
-    float ka = 1.0 / a.z, kb = 1.0 / b.z, pixels = max(abs(dp.x), abs(dp.y));
-    float perStep = stride / max(pixels, stride);
-    gap = min(gap, inside);
-    if (reflections == 1) perStep = max(inside - max(gap.y - gap.x, 0.0), 0.01) / 32.0;
-    float s = perStep * (1.0 - jitter * chance), start = reach.x > 0.0 ? 0.0 : 0.7 / max(pixels, 0.7);
-    float before = min(start, s);
+    gap = min(gap * b.z / mix(vec2(a.z), vec2(b.z), gap), inside);   // as shares of the line
+    float perPixel = 1.0 / max(max(abs(dp.x), abs(dp.y)), 1.0);
+    float perStep = reflections == 1 ? max(inside - max(gap.y - gap.x, 0.0), 0.01) / 32.0
+        : min(stride * perPixel, 1.0);
+    float s = perStep * (1.0 - jitter * chance), start = reach.x > 0.0 ? 0.0 : 0.7 * perPixel;
+    float before = min(start, s), sure = 0.0;
+    int left = reflections == 1 ? 34 : 2048;
     bool open = before < inside, hit = false;
-    for (int k = 0; k < (reflections == 1 ? 33 : 1024) && open; ++k) {
-        s = min(s, inside);
-        vec2 z = 1.0 / mix(vec2(ka), vec2(kb), vec2(before, s));
-        vec4 seen = texelFetch(normalDepth, ivec2(mix(pa, pb, s)), 0);
-        ++walkFetches;
-        float slack = reflections == 1 ? abs(z.y - z.x) : 0.0;
-        hit = max(z.x, z.y) > seen.w + bias && min(z.x, z.y) < seen.w + depthBehind(seen.xyz) + slack
-            && dot(seen.xyz, rd) < 0.7 * length(seen.xyz);
-        open = !hit && s < inside;
-        if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
+    for (int turn = 0; turn < 4 && open; ++turn) {   // again where a hit does not hold
+        for (; left > 0 && open; --left) {
+            s = min(s, inside);
+            vec3 q = onLine(l, s);
+            vec2 z = vec2(onLine(l, before).z, q.z);
+            vec4 texel = texelFetch(normalDepth, ivec2(q.xy), 0);
+            ++walkFetches;
+            float slack = reflections == 1 ? abs(z.y - z.x) : 0.0;
+            hit = max(z.x, z.y) > texel.w + bias && behindThing(texel, min(z.x, z.y)) < slack
+                && dot(texel.xyz, rd) < 0.7 * length(texel.xyz);
+            open = !hit && s < inside;
+            if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
+        }
+        // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water.
+        vec2 fine = vec2(max(before - 6.0 * perPixel, min(start, s)), min(s + 2.0 * perPixel, inside));
+        vec2 rough = vec2(before, s);
+        for (int j = 0; j < 6; ++j) {
+            float m = 0.5 * (fine.x + fine.y);
+            vec3 q = onLine(l, m);
+            if (q.z > textureLod(smoothDepth, q.xy / size, 0.0).w) fine.y = m; else fine.x = m;
+        }
+        vec3 q = onLine(l, fine.y);
+        vec4 texel = texelFetch(normalDepth, ivec2(q.xy), 0);
+        bool astray = behindThing(texel, q.z) > 0.0 || dot(texel.xyz, rd) > 0.0;
+        for (int j = 0; j < 5 && astray && hit; ++j) {   // over an edge: by whole pixels
+            float m = 0.5 * (rough.x + rough.y);
+            q = onLine(l, m);
+            if (q.z > texelFetch(normalDepth, ivec2(q.xy), 0).w) rough.y = m; else rough.x = m;
+            ++walkFetches;
+        }
+        if (astray) {
+            q = onLine(l, rough.y);
+            texel = texelFetch(normalDepth, ivec2(q.xy), 0);
+            astray = q.z - texel.w > 0.06 || dot(texel.xyz, rd) > 0.3 * length(texel.xyz);
+        }
+        if (hit) walkFetches += 7;
+        vec2 rim = min(q.xy, size - q.xy) / size;
+        if (hit && !astray) { sure = smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y)); found = q.xy; }
+        open = hit && astray && s < inside && left > 0;
+        before = s;
+        s += perStep;
+        --left;
     }
-    if (!hit) return 0.0;
-    // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water. Not
-    // where that leads off the thing that was hit.
-    vec2 rough = vec2(before, s);
-    before = max(before - 6.0 / max(pixels, 1.0), min(start, s));
-    s = min(s + 2.0 / max(pixels, 1.0), inside);
-    for (int j = 0; j < 6; ++j) {
-        float m = 0.5 * (before + s);
-        float there = textureLod(smoothDepth, mix(pa, pb, m) / iResolution.xy, 0.0).w;
-        if (1.0 / mix(ka, kb, m) > there) s = m; else before = m;
-    }
-    found = mix(pa, pb, s);
-    vec4 there = texelFetch(normalDepth, ivec2(found), 0);
-    walkFetches += 7;
-    float past = 1.0 / mix(ka, kb, s) - there.w;
-    bool astray = past > bias + depthBehind(there.xyz) || dot(there.xyz, rd) > 0.0;
-    for (int j = 0; j < 5 && astray; ++j) {
-        float m = 0.5 * (rough.x + rough.y);
-        float z = texelFetch(normalDepth, ivec2(mix(pa, pb, m)), 0).w;
-        if (1.0 / mix(ka, kb, m) > z) rough.y = m; else rough.x = m;
-        ++walkFetches;
-    }
-    if (astray) {
-        found = mix(pa, pb, rough.y);
-        there = texelFetch(normalDepth, ivec2(found), 0);
-        past = 1.0 / mix(ka, kb, rough.y) - there.w;
-        if (past > bias + 0.06 || dot(there.xyz, rd) > 0.3 * length(there.xyz)) return 0.0;
-    }
-    vec2 rim = min(found, iResolution.xy - found) / iResolution.xy;
-    return smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
+    return sure;
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
@@ -812,7 +823,7 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
         p = e.pos + t * rd;
         Sea s = sea(p.xz, seaFootprint(rd, angle * t));
         colour = vec4(s.spread, float(kWater) + 0.5);
-        normal = vec4(2.0 * normalize(vec3(-s.slope, 1.0).xzy), t * dot(rd, e.forward));
+        normal = vec4(20.0 * normalize(vec3(-s.slope, 1.0).xzy), t * dot(rd, e.forward));
     }
 }
 
