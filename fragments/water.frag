@@ -851,7 +851,7 @@ vec3 planarWater(Ray r, float t) {
 // ---- Passes -------------------------------------------------------------------------------------
 // Single scattering in clear and hazy air, by the angle to the sun's bearing and the height.
 void mainAir(out vec4 colour, in vec2 pixel) {
-    vec2 uv = pixel / vec2(64.0, 128.0);
+    vec2 uv = pixel / iResolution.xy;
     vec3 sun = towardsSun(), sunward = vec3(0.0, sun.y, -sqrt(max(1.0 - sun.y * sun.y, 0.0)));
     float up = uv.y * uv.y, level = sqrt(1.0 - up * up), a = kPi * uv.x;
     vec3 rd = vec3(level * sin(a), up, -level * cos(a)), ro = vec3(0.0, 6360.3, 0.0);   // km
@@ -902,7 +902,7 @@ float ridge(float turns, int seed) {   // smooth noise round the horizon
 
 // All round: sky, thin clouds, headlands, the sea below.
 void mainSky(out vec4 colour, in vec2 pixel) {
-    vec2 uv = pixel / vec2(1024.0, 512.0);
+    vec2 uv = pixel / iResolution.xy;
     vec3 sun = towardsSun();
     float a = 2.0 * kPi * (uv.x - 0.5), v = 2.0 * uv.y - 1.0, up = v * v;
     vec3 rd = vec3(sqrt(1.0 - up * up) * sin(a), up, -sqrt(1.0 - up * up) * cos(a));
@@ -962,7 +962,7 @@ void mainWavelets(out vec4 colour, in vec2 pixel) {
 
 // Squared wave speed: that of a wave with this speed over deep water; 0 inside what stands there.
 void mainBed(out vec4 colour, in vec2 pixel) {
-    vec2 p = (pixel / vec2(256.0, 384.0) - 0.5) * 2.0 * kPool;
+    vec2 p = (pixel / iResolution.xy - 0.5) * 2.0 * kPool;
     float down = depth;
     if (columns)
         for (int i = 0; i < 6; ++i) {
@@ -1095,7 +1095,7 @@ void mainDudv(out vec4 colour, in vec2 pixel) {
     colour = vec4(0.0);
     if (water != 0) return;
     loadWaves();
-    vec2 slope = waterSlope((pixel / vec2(256.0, 384.0) - 0.5) * 2.0 * kPool);
+    vec2 slope = waterSlope((pixel / iResolution.xy - 0.5) * 2.0 * kPool);
     colour = vec4(slope, dot(slope, slope), 1.0);
 }
 
