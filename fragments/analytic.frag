@@ -246,8 +246,8 @@ float robustCone(vec3 ro, vec3 rd, float slope, float h) {
     float s = slideNear(ro, rd), m = slope * ro.y, n = slope * rd.y;
     vec2 u = ro.xz, v = rd.xz;
     float a = dot(v, v) - n * n, b = dot(u, v) - m * n, c = dot(u, u) - m * m;
-    float along = length(n * u - m * v), across = abs(u.x * v.y - u.y * v.x);
-    float d = (along - across) * (along + across);
+    vec2 along = n * u - m * v;
+    float d = dot(along, along) - square(u.x * v.y - u.y * v.x);
     if (d < 0.0) return -1.0;
     float q = -b - (b < 0.0 ? -sqrt(d) : sqrt(d));
     vec2 t = vec2(q, c) / mix(vec2(a, q), vec2(kTiny), lessThan(abs(vec2(a, q)), vec2(kTiny)));
@@ -310,7 +310,9 @@ float robustTorus(vec3 ro, vec3 rd, float large, float small) {
     ro /= large; small /= large;
     float s = slideNear(ro, rd);
     s += slideNear(ro, rd);
-    float w2 = square(1.0 + small) - dot(ro, ro), hi = sqrt(max(w2, 0.0)), lo = max(-hi, -s);
+    float w2 = square(1.0 + small) - dot(ro, ro), w = sqrt(max(w2, 0.0));
+    float dy = abs(rd.y) < kTiny ? kTiny : rd.y, mid = -ro.y / dy, reach = abs(small / dy);
+    float lo = max(max(-w, mid - reach), -s), hi = min(w, mid + reach);   // in its sphere and slab
     if (w2 <= 0.0 || lo >= hi) return -1.0;
     float p = 2.0 * (dot(ro, ro) + 1.0 - small * small) - 4.0 * dot(rd.xz, rd.xz);
     float third = -p / 6.0, half1 = dot(ro.xz, rd.xz), disc = half1 * half1 - third * third * third;
@@ -319,8 +321,9 @@ float robustTorus(vec3 ro, vec3 rd, float large, float small) {
         float x = cubeRoot(half1 + (half1 < 0.0 ? -sqrt(disc) : sqrt(disc)));
         split = vec3(abs(x) > 1e-9 ? x + third / x : 0.0);
     } else {
-        float turnBy = acos(clamp(half1 / (third * sqrt(third)), -1.0, 1.0)) / 3.0;
-        split = 2.0 * sqrt(third) * cos(turnBy - vec3(2.0, 1.0, 0.0) * (2.0 * kPi / 3.0));
+        float root = sqrt(third), c = cos(acos(clamp(half1 / (third * root), -1.0, 1.0)) / 3.0);
+        float other = sqrt(3.0 * max(1.0 - c * c, 0.0));
+        split = root * vec3(-c - other, -c + other, 2.0 * c);
     }
     split = clamp(split, lo, hi);
     float f = torusAlong(ro, rd, small, lo).x;
@@ -333,11 +336,13 @@ float robustTorus(vec3 ro, vec3 rd, float large, float small) {
     }
     if (!found) return -1.0;
     float t = 0.5 * (lo + hi);
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 16; ++k) {
         vec2 g = torusAlong(ro, rd, small, t);
         if (g.x * f > 0.0) lo = t; else hi = t;
         float next = t - g.x / (abs(g.y) < kTiny ? kTiny : g.y);
-        t = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
+        next = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
+        if (abs(next - t) < 1e-7) break;
+        t = next;
     }
     return (s + t) * large;
 }
