@@ -5,6 +5,7 @@
 #include "modes/info.h"
 #include "modes/open.h"
 #include "modes/still.h"
+#include "modes/study.h"
 #include "modes/trial.h"
 #include "scene/diagnostic.h"
 
@@ -15,6 +16,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <system_error>
 #include <type_traits>
 
@@ -82,6 +84,32 @@ void add_check(CLI::App& verb, CheckOptions& check) {
     verb.add_flag("--json", check.view.json, "one JSON object on stdout");
 }
 
+void add_study(CLI::App& verb, StudyOptions& study) {
+    verb.add_option("files", study.files, "presets (.toml) or scenes (.frag)")->required();
+    verb.add_option("--size", study.view.size, "pixels; 640x360 otherwise");
+    verb.add_option("--tweak", study.view.tweaks, "name=value, as often as needed")
+        ->allow_extra_args(false);
+    verb.add_option("--device", study.view.device,
+                    "which GPU: a number, a part of its name, or surfaceless");
+    verb.add_flag("!--no-specialise", study.view.specialise,
+                  "feed tweaks as uniforms instead of writing them in as constants");
+    verb.add_option("--vary", study.vary,
+                    "name=a,b,c or name=a,...,z: instead of all quality tweaks")
+        ->allow_extra_args(false);
+    verb.add_option("--reference", study.reference, "name=value that counts as the truth")
+        ->allow_extra_args(false);
+    verb.add_option("--second", study.second, "name=value to measure the reference by")
+        ->allow_extra_args(false);
+    verb.add_option("--metric", study.time_only, "error, or time alone: cost over size")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, std::string>{{"error", "false"}, {"time", "true"}}));
+    verb.add_option("--pass", study.pass, "compare this buffer instead of the picture");
+    verb.add_option("--frames", study.frames, "timed frames a row")->check(from(15, 100'000));
+    verb.add_option("-o,--output", study.output, "a folder for the report");
+    verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
+    verb.add_flag("--json", study.view.json, "one JSON object on stdout");
+}
+
 int code(ExitCode exit_code) {
     return static_cast<int>(exit_code);
 }
@@ -140,6 +168,7 @@ int run(int argc, char** argv) {
     InfoOptions info;
     BenchOptions bench;
     CheckOptions check;
+    StudyOptions study;
 
     CLI::App& open_verb = *app.add_subcommand("open", "show a scene or preset (the default verb)");
     add_view(open_verb, open);
@@ -156,6 +185,9 @@ int run(int argc, char** argv) {
 
     CLI::App& check_verb = *app.add_subcommand("check", "numerical stability at every extreme");
     add_check(check_verb, check);
+
+    CLI::App& study_verb = *app.add_subcommand("study", "error against run time");
+    add_study(study_verb, study);
 
     // What the window starts for itself stands in no help text.
     std::string trial_device;
@@ -189,6 +221,7 @@ int run(int argc, char** argv) {
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
     if (check_verb.parsed()) return guarded([&] { run_check(check); });
+    if (study_verb.parsed()) return guarded([&] { run_study(study); });
     if (trial_verb.parsed()) return guarded([&] { run_trial(trial_device); });
     return guarded([&] { run_bench(bench); });
 }

@@ -1,0 +1,55 @@
+// What a study renders: knobs, their values, and the references that count as the truth.
+#pragma once
+
+#include "modes/study.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// Everything that is turned between two pictures of a study.
+struct Setting {
+    std::vector<TweakValue> values;  // one for each tweak of the scene
+    int settle = 0;                  // frames with time held
+};
+
+struct KnobValue {
+    std::string text{};            // as a person types it
+    std::optional<double> work{};  // the number; none for menus and switches
+    Setting setting{};
+};
+
+struct Knob {
+    std::string name{};  // of a tweak, or "settle"
+    std::vector<KnobValue> values{};
+    KnobValue reference{};
+    // To measure the reference by: more work, a second seed, another method.
+    std::optional<KnobValue> second{};
+    // Whether a larger number is nearer to the reference.
+    bool more_is_better = true;
+    bool is_settle = false;
+    std::vector<std::string> notes{};  // what had to be assumed
+};
+
+struct StudyPlan {
+    std::vector<Knob> knobs;
+    std::vector<std::string> left_out;  // what is not studied, and why
+};
+
+// What the compiled scene tells, uniform-fed.
+struct SceneFacts {
+    std::vector<bool> read;    // by tweak: something reads it
+    bool accumulates = false;  // frames with time held bring something new
+};
+SceneFacts scene_facts(const CompiledScene& compiled, const Preset& preset);
+
+// Throws UsageError for what the options name and the scene has not.
+StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options);
+
+// "16,...,4096" is doubled or goes on by the ratio of the two numbers before the dots; other lists
+// are taken as they are.
+std::vector<std::string> parse_list(const std::string& text);
+
+}  // namespace glint

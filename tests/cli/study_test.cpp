@@ -1,0 +1,239 @@
+// `glint study` on scenes whose error is known, and on planted faults.
+#include "command.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <thread>
+
+namespace glint::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+
+fs::path scene(const std::string& name) {
+    return fs::path(GLINT_REPOSITORY) / "tests/scenes" / (name + ".frag");
+}
+
+class Study : public InAFolder {
+protected:
+    Json study(const std::string& name, std::vector<std::string> more = {}) const {
+        std::vector<std::string> arguments = {"study", scene(name).string(), "--size", "64x36",
+                                              "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = glint(std::move(arguments));
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        Json json = Json::parse(outcome.out, nullptr, false);
+        EXPECT_TRUE(json.is_object()) << outcome.out;
+        return json;
+    }
+
+    static std::string findings(const Json& study) { return study["findings"].dump(); }
+};
+
+// Values that double from 1 to 64. Near 1 the error is not of its order yet, and the curve that
+// decodes sRGB bends it a little: so 0.2.
+TEST_F(Study, TheMidpointRuleIsOfOrderTwo) {
+    const Json json = study("quadrature");
+    EXPECT_NEAR(json["order"].get<double>(), 2.0, 0.2);
+    EXPECT_EQ(json["findings"], Json::array());
+}
+
+TEST_F(Study, TheLeftRuleIsOfOrderOne) {
+    const Json json = study("quadrature", {"--tweak", "rule=left"});
+    EXPECT_NEAR(json["order"].get<double>(), 1.0, 0.2);
+}
+
+TEST_F(Study, AMeanOfNoiseIsOfOrderOneHalf) {
+    // Against a reference of 256 frames those of 16 and 64 are told apart badly: so 0.15.
+    const Json json = study("accumulate");
+    EXPECT_EQ(json["knob"], "settle");
+    EXPECT_EQ(json["second_reference"], "256, another seed");
+    EXPECT_NEAR(json["order"].get<double>(), 0.5, 0.15);
+    EXPECT_GT(json["reference_error"]["rmse"].get<double>(), 0.0);
+    EXPECT_TRUE(json["rows"].back()["near_reference"]);
+}
+
+TEST_F(Study, HasTheDocumentedKeys) {
+    const Json json = study("quadrature");
+    EXPECT_EQ(json["knob"], "steps");
+    EXPECT_EQ(json["reference"], "4096");
+    EXPECT_EQ(json["second_reference"], "8192");
+    EXPECT_EQ(json["size"], Json({64, 36}));
+    EXPECT_FALSE(json["renderer"].get<std::string>().empty());
+    EXPECT_FALSE(json["machine"].get<std::string>().empty());
+    EXPECT_FALSE(json["clock"].get<std::string>().empty());
+    ASSERT_EQ(json["rows"].size(), 7u);
+    double before = 1.0;
+    bool any_pareto = false;
+    for (const Json& row : json["rows"]) {
+        EXPECT_GT(row["ms_min"].get<double>(), 0.0);
+        EXPECT_LE(row["ms_min"], row["ms"]);
+        EXPECT_LE(row["ms"], row["ms_max"]);
+        EXPECT_LT(row["rmse"].get<double>(), before);
+        EXPECT_LE(row["rmse"], row["max"]);
+        EXPECT_GE(row["relative_mse"].get<double>(), 0.0);
+        EXPECT_TRUE(row.contains("psnr") && row.contains("share_off"));
+        before = row["rmse"];
+        any_pareto |= row["pareto"].get<bool>();
+    }
+    // The nearest row is on the frontier whatever the clock says.
+    EXPECT_TRUE(json["rows"].back()["pareto"]);
+    EXPECT_TRUE(any_pareto);
+    EXPECT_EQ(json["studies"].size(), 1u);
+}
+
+TEST_F(Study, MethodsAreComparedInOneTable) {
+    const Json json = study("quadrature", {"--vary", "rule=left,midpoint", "--tweak", "steps=16",
+                                           "--reference", "rule=midpoint"});
+    ASSERT_EQ(json["rows"].size(), 2u);
+    EXPECT_EQ(json["rows"][0]["value"], "left");
+    EXPECT_GT(json["rows"][0]["rmse"].get<double>(), 0.0);
+    EXPECT_EQ(json["rows"][1]["is_reference"], true);
+    EXPECT_EQ(json["rows"][1]["rmse"], 0.0);
+    EXPECT_TRUE(json["order"].is_null());
+    // What judges the reference has twice the steps, which the midpoint rule hardly needs.
+    EXPECT_LT(json["reference_error"]["rmse"].get<double>(),
+              json["rows"][0]["rmse"].get<double>() / 10.0);
+}
+
+TEST_F(Study, ABadMethodIsFound) {
+    const Json json = study("planted_bad_method");
+    EXPECT_LT(json["order"].get<double>(), -0.5);
+    EXPECT_NE(findings(json).find("grows with the work"), std::string::npos) << findings(json);
+}
+
+TEST_F(Study, AWrongReferenceIsFound) {
+    const Json json = study("planted_wrong_reference");
+    EXPECT_NE(findings(json).find("the reference is wrong"), std::string::npos) << findings(json);
+}
+
+TEST_F(Study, ADivergedPointIsListed) {
+    const Json json = study("planted_diverged");
+    ASSERT_EQ(json["rows"].size(), 5u);
+    const Json& diverged = json["rows"][0];
+    EXPECT_EQ(diverged["value"], "0");
+    EXPECT_EQ(diverged["failed"], "diverged: 2304 pixels are not finite");
+    EXPECT_TRUE(diverged["rmse"].is_null());
+    EXPECT_FALSE(diverged["pareto"]);
+    EXPECT_NE(findings(json).find("0: diverged"), std::string::npos);
+    const Outcome table = glint({"study", scene("planted_diverged").string(), "--size", "64x36"});
+    EXPECT_NE(table.out.find("diverged: 2304 pixels"), std::string::npos) << table.out;
+}
+
+TEST_F(Study, CostOverSizeNeedsNoReference) {
+    // Large enough that the steps, not the frame, are what is timed.
+    const Json json = study("quadrature", {"--metric", "time", "--vary", "steps=8,\u2026,64"});
+    ASSERT_EQ(json["rows"].size(), 4u);
+    EXPECT_EQ(json["rows"][1]["value"], "16");
+    EXPECT_EQ(json["metric"], "time");
+    EXPECT_TRUE(json["rows"][0]["rmse"].is_null());
+    EXPECT_FALSE(json["cost_exponent"].is_null());
+}
+
+TEST_F(Study, ABufferIsComparedAsItIs) {
+    write("scene.frag",
+          "uniform int n; //@ 1 [1, 4] quality reference=8\n"
+          "uniform sampler2D light; //@ pass mainLight size=4x4\n"
+          "void mainLight(out vec4 c, in vec2 p) { c = vec4(100.0 + 1.0 / float(n)); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(light, ivec2(0), 0); }\n");
+    const Outcome outcome =
+        glint({"study", "scene.frag", "--pass", "light", "--vary", "n=1,2", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["size"], Json({4, 4}));
+    EXPECT_NEAR(json["rows"][0]["rmse"].get<double>(), 1.0 - 1.0 / 8.0, 1e-4);
+    EXPECT_NEAR(json["rows"][1]["rmse"].get<double>(), 0.5 - 1.0 / 8.0, 1e-4);
+}
+
+TEST_F(Study, SeveralScenesAreOneReportThatOpensOffline) {
+    const Outcome outcome =
+        glint({"study", scene("quadrature").string(), scene("planted_diverged").string(), "--size",
+               "64x36", "-o", "report"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = bytes("report/index.html");
+    EXPECT_NE(page.find("quadrature.frag"), std::string::npos);
+    EXPECT_NE(page.find("href=\"#s1\""), std::string::npos) << "an index";
+    EXPECT_NE(page.find("diverged"), std::string::npos);
+    // Nothing comes from elsewhere; the namespaces of the diagrams are names, no addresses.
+    for (const char* tag : {"src=\"http", "href=\"http", "url(http", "<script", "@import"}) {
+        EXPECT_EQ(page.find(tag), std::string::npos) << tag;
+    }
+    // Every picture that it shows is there.
+    std::size_t shown = 0;
+    for (std::size_t at = page.find("src=\""); at != std::string::npos;
+         at = page.find("src=\"", at + 1)) {
+        const std::size_t end = page.find('"', at + 5);
+        EXPECT_TRUE(fs::exists(folder() / "report" / page.substr(at + 5, end - at - 5)));
+        ++shown;
+    }
+    EXPECT_EQ(shown, 15u + 9u) << "a reference, and pictures and maps of 7 and of 4 others";
+    const std::string csv = bytes("report/study.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 7 + 5);
+    EXPECT_EQ(Json::parse(bytes("report/study.json"))["studies"].size(), 2u);
+    if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+}
+
+TEST_F(Study, AfterAKillItGoesOnFromWhatIsDone) {
+    const std::vector<std::string> arguments = {"study",  scene("quadrature").string(),
+                                                "--size", "256x256",
+                                                "-o",     "report",
+                                                "--json", "--frames",
+                                                "60"};
+    const auto rows_done = [&] {
+        std::map<std::string, fs::file_time_type> rows;
+        std::error_code none;
+        for (const auto& entry : fs::directory_iterator(folder() / "report/data", none)) {
+            if (entry.path().extension() == ".json") {
+                rows[entry.path().filename()] = entry.last_write_time();
+            }
+        }
+        return rows;
+    };
+    Process process(command(arguments));
+    while (process.runs() && rows_done().size() < 2) std::this_thread::sleep_for(1ms);
+    process.signal(SIGKILL);
+    EXPECT_EQ(process.wait().signal, SIGKILL);
+    const auto done = rows_done();
+    ASSERT_GE(done.size(), 2u);
+    ASSERT_LT(done.size(), 7u) << "it was faster than the test";
+
+    const Outcome outcome = glint(arguments);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    ASSERT_EQ(json["rows"].size(), 7u);
+    for (std::size_t i = 0; i < 7; ++i) {
+        EXPECT_EQ(json["rows"][i]["resumed"], i < done.size()) << i;
+    }
+    const auto all = rows_done();
+    EXPECT_EQ(all.size(), 7u);
+    for (const auto& [name, time] : done) EXPECT_EQ(all.at(name), time) << name;
+    EXPECT_NEAR(json["order"].get<double>(), 2.0, 0.2);
+
+    // Other pictures are not taken for these.
+    std::vector<std::string> other = arguments;
+    other.insert(other.end(), {"--tweak", "rule=left"});
+    const Json left = Json::parse(glint(other).out);
+    for (const Json& row : left["rows"]) EXPECT_EQ(row["resumed"], false);
+}
+
+TEST_F(Study, MistakesHaveTheSameCodesAsAStill) {
+    write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
+    const std::string quadrature = scene("quadrature").string();
+    EXPECT_EQ(glint({"study", "wrong.frag"}).code, 3);
+    EXPECT_EQ(glint({"study", "gone.frag"}).code, 4);
+    EXPECT_EQ(glint({"study", quadrature, "--vary", "none=1,2"}).code, 2);
+    EXPECT_EQ(glint({"study", quadrature, "--vary", "steps=1,many"}).code, 2);
+    EXPECT_EQ(glint({"study", quadrature, "--vary", "steps=1,65"}).code, 2);
+    EXPECT_EQ(glint({"study", quadrature, "--vary", "settle=1,2"}).code, 2);
+    EXPECT_EQ(glint({"study", quadrature, "--frames", "3"}).code, 2);
+    EXPECT_EQ(glint({"study", quadrature, "--device", "none such"}).code, 5);
+}
+
+}  // namespace
+}  // namespace glint::cli
