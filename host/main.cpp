@@ -4,6 +4,7 @@
 #include "modes/check.h"
 #include "modes/info.h"
 #include "modes/open.h"
+#include "modes/sequence.h"
 #include "modes/still.h"
 #include "modes/study.h"
 #include "modes/trial.h"
@@ -63,6 +64,21 @@ void add_still(CLI::App& verb, StillOptions& still) {
     verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
     verb.add_option("--tile", still.tile, "draw in squares of this many pixels")
         ->check(from(1, 16384));
+}
+
+void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
+    add_view(verb, sequence.view);
+    verb.add_option("-o,--output", sequence.output,
+                    "out.%04d.png (or exr, jpg, tif, hdr), out.mp4 (or webm, mov, gif), or -")
+        ->required();
+    verb.add_option("--frames", sequence.frames,
+                    "FIRST:LAST or FIRST:LAST:STEP; the first ten seconds otherwise");
+    verb.add_option("--fps", sequence.fps, "Hz; frame k stands at k / fps")->check(from(0.01, 1e5));
+    verb.add_option("--samples", sequence.samples, "sub-pixel positions averaged in linear light")
+        ->check(from(1, 65536));
+    verb.add_option("--shard", sequence.shard, "K/N: only the K-th of N shares of the pictures");
+    verb.add_flag("--resume", sequence.resume,
+                  "leave pictures alone that are there and are what would be written");
 }
 
 void add_check(CLI::App& verb, CheckOptions& check) {
@@ -165,6 +181,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     ViewOptions open;
     StillOptions still;
+    SequenceOptions sequence;
     InfoOptions info;
     BenchOptions bench;
     CheckOptions check;
@@ -174,6 +191,9 @@ int run(int argc, char** argv) {
     add_view(open_verb, open);
     CLI::App& still_verb = *app.add_subcommand("still", "one frame to a picture file");
     add_still(still_verb, still);
+    CLI::App& sequence_verb =
+        *app.add_subcommand("sequence", "frames to pictures, a film, or another program");
+    add_sequence(sequence_verb, sequence);
     CLI::App& info_verb = *app.add_subcommand("info", "passes, tweaks, and what was left out");
     add_view(info_verb, info.view);
     info_verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
@@ -219,6 +239,7 @@ int run(int argc, char** argv) {
     }
     if (open_verb.parsed()) return guarded([&] { run_open(open, since_start); });
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
+    if (sequence_verb.parsed()) return guarded([&] { run_sequence(sequence); });
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
     if (check_verb.parsed()) return guarded([&] { run_check(check); });
     if (study_verb.parsed()) return guarded([&] { run_study(study); });

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace glint {
@@ -83,8 +84,11 @@ void Progress::update(long done) {
     shown_ = true;
     constexpr long kWidth = 30;
     const auto filled = static_cast<std::size_t>(kWidth * done / std::max(total_, 1L));
-    fmt::print(stderr, "\r{} [{:<{}}] {}/{}\033[K", what_, std::string(filled, '#'), kWidth, done,
-               total_);
+    const double rate = static_cast<double>(done) / (since_start_.ms() / 1000.0);
+    const auto left = static_cast<long>(
+        rate > 0.0 ? std::min(static_cast<double>(total_ - done) / rate, 360000.0) : 360000.0);
+    fmt::print(stderr, "\r{} [{:<{}}] {}/{}  {:.1f}/s  {}:{:02} left\033[K", what_,
+               std::string(filled, '#'), kWidth, done, total_, rate, left / 60, left % 60);
     std::fflush(stderr);
 }
 
@@ -171,6 +175,18 @@ Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size) {
     image.pixels.resize(rgba.size() / 4 * 3);
     for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
         for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
+    }
+    return image;
+}
+
+Image read_picture(Renderer& renderer, bool floats) {
+    const glm::ivec2 size = renderer.root_size();
+    if (!floats) return picture_without_alpha(renderer.read_bytes(), size);
+    const std::vector<float> rgba = renderer.read_floats();
+    Image image{.size = size, .channels = 3, .type = ChannelType::f32, .pixels = {}};
+    image.pixels.resize(rgba.size() / 4 * 3 * sizeof(float));
+    for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
+        std::memcpy(image.pixels.data() + i * 3 * sizeof(float), &rgba[i * 4], 3 * sizeof(float));
     }
     return image;
 }

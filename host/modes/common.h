@@ -64,7 +64,8 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-// A bar on stderr, when that is a terminal and the work takes longer than half a second.
+// A bar on stderr with the rate and the time left, when that is a terminal and the work takes
+// longer than half a second.
 class Progress {
 public:
     Progress(std::string what, long total);
@@ -75,7 +76,7 @@ private:
     std::string what_;
     long total_;
     bool shown_ = false, enabled_;
-    Stopwatch since_last_;
+    Stopwatch since_start_, since_last_;
 };
 
 // Prints diagnostics to stderr; throws Stop with exit code 3 or 4 when there are errors.
@@ -104,6 +105,9 @@ Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::s
 
 // RGBA bytes as an RGB image: a picture's alpha means nothing.
 Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size);
+
+// The picture as it stands, RGB in bytes or floats.
+Image read_picture(Renderer& renderer, bool floats);
 
 // Frames of a preset that is played from 0 at a fixed rate to exactly `end`: frame k stands at k /
 // fps, the last one at `end`.

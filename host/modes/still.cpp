@@ -41,11 +41,12 @@ std::byte to_byte(float value) {
     return static_cast<std::byte>(value > 0.0f ? std::lround(std::min(value, 1.0f) * 255.0f) : 0);
 }
 
-// The picture has no alpha; float files of a buffer keep all four channels.
+// Float files of a buffer keep all four channels.
 Image read_back(Renderer& renderer, const Preset& preset, std::size_t pass,
                 const StillOptions& options) {
     const bool floats = holds_floats(options.output);
-    const int channels = floats && pass != kImagePass ? 4 : 3;
+    if (pass == kImagePass) return read_picture(renderer, floats);
+    const int channels = floats ? 4 : 3;
     Image image{.size = renderer.root_size(),
                 .channels = channels,
                 .type = floats ? ChannelType::f32 : ChannelType::u8,
@@ -53,15 +54,9 @@ Image read_back(Renderer& renderer, const Preset& preset, std::size_t pass,
     const std::size_t count =
         static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
     const auto kept = static_cast<std::size_t>(channels);
-    if (!floats && pass == kImagePass) {
-        return picture_without_alpha(renderer.read_bytes(), renderer.root_size());
-    }
-    std::size_t output = 0;
-    if (pass != kImagePass) {
-        const auto& names = preset.scene.passes[pass].outputs;
-        output = static_cast<std::size_t>(std::find(names.begin(), names.end(), options.pass) -
-                                          names.begin());
-    }
+    const auto& names = preset.scene.passes[pass].outputs;
+    const auto output = static_cast<std::size_t>(
+        std::find(names.begin(), names.end(), options.pass) - names.begin());
     const std::vector<float> rgba = renderer.read_floats(output);
     image.pixels.resize(count * kept * (floats ? sizeof(float) : 1));
     for (std::size_t i = 0; i < count * kept; ++i) {

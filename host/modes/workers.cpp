@@ -1,0 +1,66 @@
+#include "modes/workers.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace glint {
+
+Workers::Workers(int threads) : most_waiting_(static_cast<std::size_t>(std::max(threads, 1))) {
+    for (std::size_t i = 0; i < most_waiting_; ++i) threads_.emplace_back([this] { work(); });
+}
+
+Workers::~Workers() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+        waiting_.clear();
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+}
+
+void Workers::run(std::function<void()> job) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return waiting_.size() < most_waiting_ || failure_; });
+    rethrow();
+    waiting_.push_back(std::move(job));
+    changed_.notify_all();
+}
+
+void Workers::finish() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return (waiting_.empty() && busy_ == 0) || failure_; });
+    rethrow();
+}
+
+void Workers::rethrow() {
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+void Workers::work() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [&] { return !waiting_.empty() || ends_; });
+        if (ends_) return;
+        const std::function<void()> job = std::move(waiting_.front());
+        waiting_.pop_front();
+        ++busy_;
+        changed_.notify_all();
+        lock.unlock();
+        std::exception_ptr failure;
+        try {
+            job();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        lock.lock();
+        --busy_;
+        if (failure && !failure_) {
+            failure_ = failure;
+            waiting_.clear();
+        }
+        changed_.notify_all();
+    }
+}
+
+}  // namespace glint

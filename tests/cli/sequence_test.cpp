@@ -1,0 +1,248 @@
+// `glint sequence`: its frames are the stills, shared out, resumed, filmed and piped.
+#include "command.h"
+#include "image/image.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <thread>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::json;
+using namespace std::chrono_literals;
+
+// Depends on time and frame, and moves.
+constexpr std::string_view kMoving =
+    "uniform float level; //@ 0.5 [0, 1]\n"
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "    c = vec4(fract(p.x / 40.0 + iTime), level, float(iFrame) / 255.0, 1);\n}\n";
+
+// Counts its frames in a buffer, and steps of 1/240 s in another.
+constexpr std::string_view kCounting =
+    "uniform sampler2D frames; //@ pass mainFrames size=1x1\n"
+    "uniform sampler2D steps;  //@ pass mainSteps size=1x1 step=1/240\n"
+    "void mainFrames(out vec4 c, in vec2 p) { c = texelFetch(frames, ivec2(0), 0) + 1.0; }\n"
+    "void mainSteps(out vec4 c, in vec2 p) { c = texelFetch(steps, ivec2(0), 0) + 1.0; }\n"
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "    c = vec4(texelFetch(frames, ivec2(0), 0).r, texelFetch(steps, ivec2(0), 0).r, iTime, 1);\n"
+    "}\n";
+
+class Sequence : public InAFolder {
+protected:
+    Outcome sequence(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), "sequence");
+        if (std::find(arguments.begin(), arguments.end(), "--size") == arguments.end()) {
+            arguments.insert(arguments.end(), {"--size", "40x24"});
+        }
+        return glint(std::move(arguments));
+    }
+    Json result(std::vector<std::string> arguments) const {
+        arguments.push_back("--json");
+        const Outcome outcome = sequence(std::move(arguments));
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return Json::parse(outcome.out, nullptr, false);
+    }
+    std::string pixels(const std::string& name) const {
+        const Image image = read_image(folder() / name);
+        return {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size()};
+    }
+};
+
+TEST_F(Sequence, FrameKIsTheStillOfFrameK) {
+    write("moving.frag", kMoving);
+    write("counting.frag", kCounting);
+    for (const std::string scene : {"moving", "counting"}) {
+        for (const std::string kind : {"png", "exr"}) {
+            SCOPED_TRACE(scene + " " + kind);
+            const std::string pattern = scene + "%03d." + kind;
+            EXPECT_EQ(sequence({scene + ".frag", "-o", pattern, "--frames", "3:11:4", "--fps", "25",
+                                "--samples", "2"})
+                          .code,
+                      0);
+            for (const int k : {3, 7, 11}) {
+                const std::string still_name = "still." + kind;
+                still({scene + ".frag", "-o", still_name, "--frame", std::to_string(k), "--fps",
+                       "25", "--samples", "2", "--size", "40x24"});
+                EXPECT_EQ(pixels(fmt::format("{}{:03}.{}", scene, k, kind)), pixels(still_name));
+            }
+        }
+    }
+    EXPECT_EQ(names().size(), 2u + 2 * 2 * 3 + 2);
+}
+
+TEST_F(Sequence, SevenSharesGiveTheBytesOfOneProcess) {
+    write("scene.frag", kCounting);
+    EXPECT_EQ(result({"scene.frag", "-o", "one%d.png", "--frames", "0:19"})["frames"], 20);
+    int drawn = 0;
+    for (int k = 1; k <= 7; ++k) {
+        drawn += result({"scene.frag", "-o", "all%d.png", "--frames", "0:19", "--shard",
+                         fmt::format("{}/7", k)})["frames"]
+                     .get<int>();
+    }
+    EXPECT_EQ(drawn, 20);
+    for (int k = 0; k < 20; ++k) {
+        EXPECT_EQ(bytes(fmt::format("all{}.png", k)), bytes(fmt::format("one{}.png", k))) << k;
+    }
+}
+
+TEST_F(Sequence, ResumeLeavesWhatIsWholeAndDrawsTheRest) {
+    write("scene.frag", kMoving);
+    for (const std::string kind : {"png", "exr"}) {
+        SCOPED_TRACE(kind);
+        const auto frame = [&](int k) { return fmt::format("{}.{}", k, kind); };
+        const std::vector<std::string> all = {"scene.frag", "-o",  "%d." + kind,
+                                              "--frames",   "0:5", "--resume"};
+        EXPECT_EQ(result(all)["skipped"], 0);
+        EXPECT_EQ(result(all)["skipped"], 6);
+        const std::string second = bytes(frame(2));
+        const std::string fourth = bytes(frame(4));
+        fs::remove(folder() / frame(2));
+        write(frame(4), fourth.substr(0, fourth.size() - 30));  // cut by another program
+        EXPECT_EQ(result(all)["skipped"], 4);
+        EXPECT_EQ(bytes(frame(2)), second);
+        EXPECT_EQ(bytes(frame(4)), fourth);
+        // Another scene, size or look is another sequence.
+        auto other = all;
+        other.insert(other.end(), {"--tweak", "level=0.25"});
+        EXPECT_EQ(result(other)["skipped"], 0);
+        EXPECT_EQ(result(other)["skipped"], 6);
+        EXPECT_EQ(result(all)["skipped"], 0);
+        write("scene.frag", std::string(kMoving) + "// changed\n");
+        EXPECT_EQ(result(all)["skipped"], 0);
+        write("scene.frag", kMoving);
+    }
+}
+
+TEST_F(Sequence, KilledAndResumedItEndsWithTheSameBytes) {
+    write("scene.frag", kMoving);
+    const std::vector<std::string> words = {"sequence", "scene.frag", "-o",     "%03d.png",
+                                            "--frames", "0:39",       "--size", "320x180"};
+    ASSERT_EQ(glint(words).code, 0);
+    std::vector<std::string> expected;
+    for (int k = 0; k < 40; ++k) expected.push_back(bytes(fmt::format("{:03}.png", k)));
+    for (const int signal : {SIGKILL, SIGINT, SIGTERM}) {
+        for (int k = 0; k < 40; ++k) fs::remove(folder() / fmt::format("{:03}.png", k));
+        Process process(command(words));
+        while (process.runs() && !fs::exists(folder() / "005.png")) {
+            std::this_thread::sleep_for(1ms);
+        }
+        process.signal(signal);
+        process.wait();
+        // Whatever has a name is whole, and nothing else lies about.
+        for (const std::string& name : names()) {
+            if (name == "scene.frag") continue;
+            EXPECT_EQ(bytes(name), expected.at(static_cast<std::size_t>(std::stoi(name)))) << name;
+        }
+        auto resumed = words;
+        resumed.push_back("--resume");
+        EXPECT_EQ(glint(resumed).code, 0);
+        for (int k = 0; k < 40; ++k) {
+            EXPECT_EQ(bytes(fmt::format("{:03}.png", k)), expected[static_cast<std::size_t>(k)]);
+        }
+    }
+}
+
+TEST_F(Sequence, AFullDiskEndsItWithAWordAndWholeFiles) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    uvec3 v = uvec3(p, iFrame) * 1664525u + 1013904223u;\n"
+          "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;\n"
+          "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
+          "    c = iFrame < 3 ? vec4(0) : vec4(vec3(v >> 8u) / 16777216.0, 1);\n}\n");
+    for (const std::string name : {"%d.png", "film.mp4"}) {
+        Command full =
+            command({"sequence", "scene.frag", "-o", name, "--frames", "0:9", "--size", "256x256"});
+        full.largest_file = 20'000;
+        const Outcome outcome = run(full);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_NE(outcome.err.find("annot write"), std::string::npos) << outcome.err;
+    }
+    for (const std::string& name : names()) {
+        EXPECT_TRUE(name == "scene.frag" || std::stoi(name) < 3) << name;
+    }
+}
+
+TEST_F(Sequence, AFilmHasEveryFrameInItsColours) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    vec2 u = p / iResolution.xy;\n"
+          "    c = vec4(u.x < 0.5 ? vec3(0.8, 0.2, 0.1) : vec3(0.1, 0.3, u.y < 0.5 ? 0.9 : 0.2), "
+          "1);\n}\n");
+    for (const std::string name : {"film.mp4", "film.webm", "film.mov", "film.gif"}) {
+        SCOPED_TRACE(name);
+        ASSERT_EQ(result({"scene.frag", "-o", name, "--frames", "0:11", "--fps", "25", "--size",
+                          "128x96"})["frames"],
+                  12);
+        const std::string decode = fmt::format(
+            "cd '{}' && ffmpeg -nostdin -loglevel error -i {} -vf format=rgb24 -f rawvideo -y raw",
+            folder().string(), name);
+        ASSERT_EQ(std::system(decode.c_str()), 0);
+        const std::string raw = bytes("raw");
+        ASSERT_EQ(raw.size(), 12u * 128 * 96 * 3);
+        const auto value = [&](int x, int y, int channel) {
+            return static_cast<unsigned char>(
+                raw[static_cast<std::size_t>(((11 * 96 + y) * 128 + x) * 3 + channel)]);
+        };
+        // The codecs' own rounding, far from edges; upside down or with another colour matrix it
+        // would be tens.
+        EXPECT_NEAR(value(20, 20, 0), 204, 5);
+        EXPECT_NEAR(value(20, 20, 1), 51, 5);
+        EXPECT_NEAR(value(100, 10, 2), 51, 5);
+        EXPECT_NEAR(value(100, 80, 2), 230, 5);
+    }
+    // The same call gives the same bytes.
+    const std::string before = bytes("film.mp4");
+    sequence(
+        {"scene.frag", "-o", "film.mp4", "--frames", "0:11", "--fps", "25", "--size", "128x96"});
+    EXPECT_EQ(bytes("film.mp4"), before);
+}
+
+TEST_F(Sequence, RawFramesGoToStdoutTopRowFirst) {
+    write("scene.frag", kGradient);
+    Command piped =
+        command({"sequence", "scene.frag", "-o", "-", "--frames", "0:2", "--size", "8x4"});
+    write("raw", "");
+    piped.out_to = (folder() / "raw").string();
+    const Outcome outcome = run(piped);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::string raw = bytes("raw");
+    ASSERT_EQ(raw.size(), 3u * 8 * 4 * 3);
+    EXPECT_EQ(static_cast<unsigned char>(raw[1]), 223);  // green of the top row: 3.5 / 4
+    EXPECT_EQ(static_cast<unsigned char>(raw[3 * 8 * 3 + 1]), 32);
+}
+
+TEST_F(Sequence, WhatMakesNoSenseIsSaidBeforeAnythingIsDrawn) {
+    write("scene.frag", kGradient);
+    const std::vector<std::vector<std::string>> wrong = {
+        {"-o", "out.png"},
+        {"-o", "out%s.png"},
+        {"-o", "out%04d.txt"},
+        {"-o", "%d%d.png"},
+        {"-o", "%d.png", "--frames", "5:2"},
+        {"-o", "%d.png", "--frames", "-1:2"},
+        {"-o", "%d.png", "--frames", "1"},
+        {"-o", "%d.png", "--frames", "0:9:0"},
+        {"-o", "%d.png", "--shard", "0/3"},
+        {"-o", "%d.png", "--shard", "4/3"},
+        {"-o", "%d.png", "--shard", "3"},
+        {"-o", "out.mp4", "--shard", "1/3"},
+        {"-o", "out.mp4", "--resume"},
+        {"-o", "%d.jpg", "--resume"},
+        {"-o", "-", "--json"},
+    };
+    for (std::vector<std::string> words : wrong) {
+        words.insert(words.begin(), "scene.frag");
+        const Outcome outcome = sequence(words);
+        EXPECT_EQ(outcome.code, 2) << fmt::format("{}", fmt::join(words, " "));
+        EXPECT_TRUE(outcome.err.starts_with("error: ")) << outcome.err;
+    }
+    EXPECT_EQ(names(), std::set<std::string>{"scene.frag"});
+    EXPECT_EQ(sequence({"scene.frag", "-o", "nowhere/%d.png", "--frames", "0:3"}).code, 1);
+    EXPECT_EQ(sequence({"absent.frag", "-o", "%d.png"}).code, 4);
+}
+
+}  // namespace
+}  // namespace glint::cli
