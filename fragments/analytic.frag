@@ -16,17 +16,17 @@ uniform int   magnify;         //@ 0 {distance, scale, place} "what it multiplie
 uniform float wipe;            //@ 0.5 [0, 1] "textbook left of it, robust right of it"
 uniform int   view;            //@ 0 {picture, error} "error: of the distance to the first hit"
 //@ group Studio
-uniform vec3  studioColour;    //@ #6b3f63 "floor and backdrop"
-uniform vec3  glowColour;      //@ #ff8a4a "light on the backdrop"
-uniform float glow;            //@ 1.0 [0, 4] "brightness of the backdrop's light"
+uniform vec3  studioColour;    //@ #2f2c50 "floor and backdrop"
+uniform vec3  glowColour;      //@ #ff7a3a "light on the backdrop"
+uniform float glow;            //@ 2.0 [0, 8] "brightness of the backdrop's light"
 uniform float floorGloss;      //@ 1.0 [0, 1] "polish of the dial"
 uniform float inlay;           //@ 1.0 [0, 1] "brass of the dial"
 uniform float animation;       //@ 1.0 [0, 8] "speed of everything that moves"
 //@ group Materials
-uniform vec3  gemColour;       //@ #4fd8ff "of the crystal"
+uniform vec3  gemColour;       //@ #d0f0ff "of the crystal"
 uniform vec3  glassColour;     //@ #d8fff4 "of ball and cube"
 uniform float glassIndex;      //@ 1.52 [1, 2.5] "refractive index"
-uniform vec3  goldColour;      //@ #f2b860 "of the ring"
+uniform vec3  goldColour;      //@ #ffcf7a "of the ring"
 //@ group Light
 uniform vec3  keyColour;       //@ #ffd9b0 "large lamp, front left"
 uniform float keyPower;        //@ 1.0 [0, 4] "brightness of the large lamp"
@@ -41,7 +41,7 @@ uniform float cameraHeight;    //@ 1.7 [0.1, 8] unit=m "of the eye"
 uniform float targetHeight;    //@ 1.15 [0, 4] unit=m "of the point looked at"
 uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, to the right"
 uniform float focalLength;     //@ 40 [12, 200] log unit=mm "of a lens on 36 x 24 mm film"
-uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
+uniform float exposure;        //@ 0.25 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
 uniform int   bounces;         //@ 10 [1, 48] log quality reference=48 "rays along one path"
 uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to each light"
@@ -58,7 +58,7 @@ const float kTextbookLift = 1e-3;          // the textbooks' start of a secondar
 const int   kPending = 4;                  // rays of a path that wait while another is followed
 // Places and sizes, m.
 const vec4  kBall = vec4(-1.02, 0.56, 0.95, 0.56), kChrome = vec4(1.28, 0.44, 0.75, 0.44);
-const vec4  kPearl = vec4(-0.02, 0.15, 1.28, 0.15), kBerry = vec4(-2.1, 0.2, 0.75, 0.2);
+const vec4  kPearl = vec4(-0.22, 0.15, 1.85, 0.15), kBerry = vec4(-2.1, 0.2, 0.75, 0.2);
 const vec3  kRingCentre = vec3(0.0, 1.36, -0.75);
 const vec2  kRing = vec2(1.20, 0.16);      // radii, large and small
 const float kGemSize = 0.52;               // from its centre to a corner
@@ -68,7 +68,7 @@ const vec2  kDrum = vec2(0.50, 0.475);     // radius, half height
 const vec3  kConeApex = vec3(1.95, 1.80, -0.75);
 const vec2  kCone = vec2(0.37, 1.0);       // slope of the radius, height
 const vec3  kPlinthCentre = vec3(1.95, 0.40, -0.75), kPlinthHalf = vec3(0.52, 0.40, 0.52);
-const vec3  kCubeCentre = vec3(0.45, 0.30, 1.55), kCubeHalf = vec3(0.30, 0.30, 0.30);
+const vec3  kCubeCentre = vec3(0.50, 0.302, 1.50), kCubeHalf = vec3(0.30, 0.30, 0.30);
 const float kPlinthTurn = 0.45, kCubeTurn = 0.62;   // rad
 const vec3  kMirrorCentre = vec3(3.0, 1.30, -2.3), kMirrorNormal = vec3(-0.56, -0.05, 0.827);
 const float kMirrorRadius = 1.25;
@@ -475,6 +475,9 @@ vec3 settle(Hit h, inout vec3 q) {
         : h.id == kPearlId ? kPearl : kBerry;
     if (h.id == kFloorId) {
         q.y = 0.0;
+    } else if (h.id == kLampId) {
+        nor = unit(-kKey);
+        q -= dot(q - kKey, nor) * nor;
     } else if (h.id == kWallId) {
         v = unit(vec3(q.x, 0.0, q.z));
         bool above = q.y > kCeiling * 0.9999;
@@ -696,11 +699,11 @@ vec3 softboxes(vec3 q, vec3 nor, float w) {
         return 5.0 * fillPower * linearColour(fillColour)
             * panel((q.xz - kFill.xz) / kFillRadius, soft);
     float angle = atan(q.x, q.z + 1e-9);
-    float left = panel(vec2((angle + 1.75) * kWall / 0.7, (q.y - 3.4) / 2.6), soft);
-    float right = panel(vec2((angle - 1.60) * kWall / 0.5, (q.y - 3.4) / 2.6), soft);
-    float front = panel(vec2((angle - 0.45) * kWall / 2.0, (q.y - 5.4) / 1.2), soft);
-    return keyPower * (vec3(7.0, 5.2, 3.6) * left + vec3(3.0, 4.4, 7.0) * right
-                       + vec3(3.0, 2.8, 2.6) * front);
+    float left = panel(vec2((angle + 1.75) * kWall / 1.0, (q.y - 3.6) / 3.0), soft);
+    float right = panel(vec2((angle - 1.60) * kWall / 0.7, (q.y - 3.6) / 3.0), soft);
+    float front = panel(vec2((angle - 0.50) * kWall / 2.2, (q.y - 5.2) / 1.6), soft);
+    return keyPower * (vec3(13.0, 8.0, 4.4) * left + vec3(4.0, 6.4, 11.0) * right
+                       + vec3(6.0, 5.2, 4.4) * front);
 }
 
 // Light that arrives at ro (world) against rd. pixel: angle of a pixel, rad.
@@ -723,7 +726,7 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
         if (glassy) {
             float eta = inside ? glassIndex : 1.0 / glassIndex;
             vec3 tint = linearColour(h.id == kGemId ? gemColour : glassColour);
-            if (inside) share *= pow(max(tint, 1e-4), vec3(t / (h.id == kGemId ? 0.6 : 1.0)));
+            if (inside) share *= pow(max(tint, 1e-4), vec3(t / (h.id == kBallId ? 1.0 : 0.5)));
             mirror = vec3(fresnel(cosine, 1.0 / eta));
             through = 1.0 - mirror;
             behind = refractExactly(rd, facing, eta);
