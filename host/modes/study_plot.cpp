@@ -4,12 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -40,6 +41,10 @@ std::string quoted(const std::string& word) {
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? std::string("''") : std::string(1, c);
     return text + "'";
+}
+
+bool has_floor(const Study& study) {
+    return study.reference_error && study.reference_error->rmse > 0.0;
 }
 
 bool can_be_shown(const Study& study, const StudyRow& row) {
@@ -73,17 +78,80 @@ std::string data_block(const Study& study, const char* name, bool only_pareto) {
     return text + "END\n";
 }
 
+// Both ends of an axis, with room round what is shown.
+struct Span {
+    double low, high;
+    void widen(double factor) { low /= factor, high *= factor; }
+};
+
+Span span_of(const Study& study, bool of_time) {
+    Span span{1e300, 0.0};
+    const auto include = [&](double v) {
+        span.low = std::min(span.low, v);
+        span.high = std::max(span.high, v);
+    };
+    for (const StudyRow& row : study.rows) {
+        if (!can_be_shown(study, row)) continue;
+        if (of_time) {
+            include(study.timing(row).min);
+            include(study.timing(row).max);
+        } else {
+            include(study.time_only ? *row.work : row.error->rmse);
+        }
+    }
+    if (!of_time && has_floor(study)) include(study.reference_error->rmse);
+    return span;
+}
+
+// Tics at round numbers, few enough to be read; gnuplot's own stand at decades alone.
+std::string tics(const Span& span) {
+    const double decades = std::log10(span.high / span.low);
+    const std::vector<double> digits =
+        decades > 4.0   ? std::vector<double>{1}
+        : decades > 1.0 ? std::vector<double>{1, 2, 5}
+        : decades > 0.5
+            ? std::vector<double>{1, 1.5, 2, 3, 4, 5, 7}
+            : std::vector<double>{1, 1.2, 1.5, 1.7, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6, 7, 8, 9};
+    std::string text;
+    const int first = static_cast<int>(std::floor(std::log10(span.low)));
+    const int last = static_cast<int>(std::floor(std::log10(span.high)));
+    for (int decade = first; decade <= last; ++decade) {
+        for (const double digit : digits) {
+            const double v = digit * std::pow(10.0, decade);
+            if (v < span.low || v > span.high) continue;
+            text += fmt::format("{}'{:.4g}' {}", text.empty() ? "" : ", ", v, v);
+        }
+    }
+    return "(" + text + ")";
+}
+
+std::string axis(const char* name, Span span, double room) {
+    span.widen(room);
+    return fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3}\n", name, span.low, span.high,
+                       tics(span));
+}
+
 constexpr const char* kStyle = R"(
 set encoding utf8
 set logscale xy
-set format y '10^{%T}'
-set grid xtics ytics mxtics mytics lc rgb '#d8d8d8', lc rgb '#efefef'
+set grid xtics ytics lt 1 lc rgb '#dddddd'
 set border 3 lc rgb '#808080'
 set tics nomirror textcolor rgb '#404040'
-set offsets graph 0.12, graph 0.12, graph 0.12, graph 0.12
 set key top right
 set bars small
 )";
+
+const char* clock_words(const Study& study) {
+    switch (study.clock) {
+        case Clock::wall:
+            return "";
+        case Clock::gpu:
+            return ", by timer queries";
+        case Clock::processor:
+            return " of the processor, all threads";
+    }
+    return "";
+}
 
 std::string script(const Study& study, const fs::path& output, const std::string& name) {
     std::string text = fmt::format(
@@ -92,30 +160,28 @@ std::string script(const Study& study, const fs::path& output, const std::string
         quoted(name), quoted(output.string()));
     text += kStyle + data_block(study, "rows", false);
     if (study.time_only) {
-        text += fmt::format(
-            "set format x '%g'\nset format y '%g'\nset xlabel {} noenhanced\n"
-            "set ylabel 'ms a frame'\n"
-            "plot $rows using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.6 lc rgb '#1f5fa8' notitle\n",
-            quoted(study.knob));
-        return text;
+        text += axis("x", span_of(study, false), 1.3) + axis("y", span_of(study, true), 1.3);
+        text +=
+            fmt::format("set xlabel {} noenhanced\nset ylabel 'ms a frame'\n", quoted(study.knob));
+        return text +
+               "plot $rows using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.6 lc rgb '#1f5fa8' "
+               "notitle\n";
     }
     text += data_block(study, "pareto", true);
-    text += fmt::format("set format x '%g'\nset xlabel 'ms{}'\nset ylabel 'RMSE{}'\n",
-                        study.clock == Clock::wall  ? ""
-                        : study.clock == Clock::gpu ? ", by timer queries"
-                                                    : " of the processor, all threads",
+    text += axis("x", span_of(study, true), 1.25) + axis("y", span_of(study, false), 2.0);
+    text += fmt::format("set xlabel 'ms{}'\nset ylabel 'RMSE{}'\nplot ", clock_words(study),
                         study.pass == "image" ? " in linear light" : "");
-    const bool floor = study.reference_error && study.reference_error->rmse > 0.0;
-    text += "plot ";
-    if (floor) {
-        text += fmt::format("{} with lines dt 2 lc rgb '#a04040' title 'error of the reference', ",
-                            study.reference_error->rmse);
+    if (has_floor(study)) {
+        text += fmt::format(
+            "{} with lines dt 2 lw 1.5 lc rgb '#a04040' title 'error of the reference', ",
+            study.reference_error->rmse);
     }
-    text +=
-        "$pareto using 1:2 with lines lw 5 lc rgb '#f0c060' title 'Pareto frontier', "
-        "$rows using 1:2:3:4 with xerrorbars lw 1.5 pt 7 ps 0.6 lc rgb '#1f5fa8' notitle, "
-        "$rows using 1:2:5 with labels left offset 0.8,0.5 tc rgb '#1f5fa8' noenhanced notitle\n";
-    return text;
+    return text +
+           "$pareto using 1:2 with lines lw 5 lc rgb '#f0c060' title 'Pareto frontier', "
+           "$rows using 1:2 with lines lw 0.7 lc rgb '#9ab8d8' notitle, "
+           "$rows using 1:2:3:4 with xerrorbars lw 1.5 pt 7 ps 0.6 lc rgb '#1f5fa8' notitle, "
+           "$rows using 1:2:5 with labels left offset 0.8,0.5 tc rgb '#1f5fa8' noenhanced "
+           "notitle\n";
 }
 
 std::string read_svg(const fs::path& file) {
