@@ -58,7 +58,7 @@ uniform float thickness;       //@ 0.0 [0, 2] unit=m "depth behind a surface tha
 uniform float bias;            //@ 0.002 [0, 0.2] unit=m "depth that a ray must pass a surface by"
 uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over which reflections fade"
 //@ group Quality
-uniform int   seaSteps;        //@ 64 [8, 512] log quality reference=512 "of a ray to the sea"
+uniform int   seaSteps;        //@ 96 [8, 512] log quality reference=512 "of a ray to the sea"
 uniform int   mirrorRays;      //@ 4 [1, 64] log quality reference=64 "where the mirror blurs"
 uniform int   shadows;         //@ 1 {off, cone, sampled} "kind of shadow; sampled is the reference"
 uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of a sampled shadow"
@@ -154,9 +154,9 @@ void waveVectors(int g, out vec4 x, out vec4 z) {
     x = c * kWaveX[g] + s * kWaveZ[g];
     z = c * kWaveZ[g] - s * kWaveX[g];
 }
-vec4 waveTurns(vec4 k) {   // cycles since the start, deep-water dispersion
+vec4 waveTurns(vec4 k, uint tick) {   // cycles since the start, deep-water dispersion
     uvec4 hz = uvec4(sqrt(kGravity * k) * (animation * 65536.0 / (2.0 * kPi)));
-    return vec4(hz * iTick) / 4294967296.0;
+    return vec4(hz * tick) / 4294967296.0;
 }
 float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wave has two crests
 
@@ -166,7 +166,7 @@ void addWaves(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
     vec4 x, z;
     waveVectors(g, x, z);
     vec4 k = sqrt(x * x + z * z), a = gain * kWaveSteep[g] / k;
-    vec4 phase = x * p.x + z * p.y - 2.0 * kPi * waveTurns(k);
+    vec4 phase = x * p.x + z * p.y - 2.0 * kPi * waveTurns(k, iTick);
     vec4 keep = exp(-0.5 * (x * x * blur.x + z * z * blur.y + 2.0 * x * z * blur.z));
     vec4 keep2 = keep * keep, harmonic = crest() * keep2 * keep2;
     vec4 c = cos(phase), n = sin(phase), down = a * n * (keep + 4.0 * harmonic * c);
@@ -205,32 +205,43 @@ Movers moversAlong(int g, vec3 ro, vec3 rd, float w) {
     waveVectors(g, x, z);
     vec4 k = sqrt(x * x + z * z), a = waveHeight * kWaveSteep[g] / k;
     return Movers(a * clamp(4.0 * a / max(w, 1e-6) - 1.0, 0.0, 1.0),
-                  x * ro.x + z * ro.z - 2.0 * kPi * waveTurns(k), x * rd.x + z * rd.z);
+                  x * ro.x + z * ro.z - 2.0 * kPi * waveTurns(k, iTick), x * rd.x + z * rd.z);
 }
+int seaEvaluations = 0;   // of a ray's height over the sea, for measurements
 float moversHeight(Movers m, float t) {
     vec4 c = cos(m.start + m.rate * t);
     return dot(m.a, c + crest() * (2.0 * c * c - 1.0));
 }
-// Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. Steps are bounded by
-// the steepest slope that the waves can have along the ray, so none is overstepped by more than
-// `least`; the last few are Illinois steps.
+// Steepest descent of cos x + B cos 2x, B = crest() <= 1/4.
+float steepestShape() {
+    float b = 4.0 * crest(), c = 2.0 * b / (sqrt(1.0 + 8.0 * b * b) + 1.0);
+    return sqrt(1.0 - c * c) * (1.0 + b * c);
+}
+// Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. No step is longer than
+// the steepest waves along the ray allow, with the short waves either as steep or as high as they
+// can be; but none is shorter than `least`, which may cut crests that are lower than a millimetre.
+// The last few are Illinois steps.
 float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
+    seaEvaluations = 0;
     float reach = pixel * max(ro.y, 0.0) / max(-rd.y, 1e-4);
     Movers m0 = moversAlong(0, ro, rd, reach), m1 = moversAlong(1, ro, rd, reach);
-    float top = (1.0 + crest()) * dot(m0.a + m1.a, vec4(1.0)) + 1e-4;
-    float steep = dot(m0.a, abs(m0.rate)) + dot(m1.a, abs(m1.rate));
-    float fastest = max(steep * (1.0 + 4.0 * crest()) - rd.y, 1e-7);
+    float top1 = (1.0 + crest()) * dot(m1.a, vec4(1.0));
+    float top = (1.0 + crest()) * dot(m0.a, vec4(1.0)) + top1 + 1e-4;
+    float steep0 = steepestShape() * dot(m0.a, abs(m0.rate)) - rd.y;
+    float steep1 = steepestShape() * dot(m1.a, abs(m1.rate));
+    float perHeight = 1.1 / max(steep0 + steep1, 1e-6), perHeight0 = 1.1 / max(steep0, 1e-6);
     float slope = abs(rd.y) < 1e-7 ? -1e-7 : rd.y;
     float enter = max((top - ro.y) / slope, 0.0) * step(top, ro.y);
     float leave = min(((slope < 0.0 ? -top : top) - ro.y) / slope, tMax);
-    float t = enter, least = 0.004 + 0.5 * pixel * enter;   // m, finer crests may be cut
+    float t = enter, least = 0.06 + 0.5 * pixel * enter;   // m
     vec2 above = vec2(t, 0.0), below = vec2(-1.0, 0.0);
     bool ahead = enter < leave && (slope < 0.0 || ro.y < top);
     for (int k = 0; k < seaSteps && ahead; ++k) {
-        float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
+        float f0 = ro.y + t * rd.y - moversHeight(m0, t), f = f0 - moversHeight(m1, t);
+        ++seaEvaluations;
         if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
         ahead = f > 0.0 && t < leave;
-        t = min(t + max(1.1 * f / fastest, least), leave);
+        t = min(t + max(max(f * perHeight, (f0 - top1) * perHeight0), least), leave);
     }
     if (below.x < 0.0) return ahead ? above.x : -1.0;   // out of steps: nearly there
     for (int k = 0; k < 4; ++k) {
@@ -418,7 +429,7 @@ Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
     bool pane = mirror && glass > 0.0 && glass < tMax
         && archField((w.o[2] + glass * w.d[2]).xy).z < 0.0;
     bool front = w.d[2].z < 0.0;
-    float best = pane ? glass : tMax, t, end;
+    float best = pane ? glass : tMax, t = 0.0, end = 0.0;
     int c = -1, hit = -1;
     vec3 at = vec3(0.0);
     bool more = onward(w, c, t, end);
@@ -447,7 +458,8 @@ Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
 // ray and a thing, against the cone's width there, tells how much of the disc is hidden.
 float sunShare(vec3 ro, vec3 rd, float rim) {
     Walk w = walkClusters(ro, rd, 0.03, kFar);
-    float t = -w.o[2].z / (abs(w.d[2].z) < 1e-6 ? 1e-6 : w.d[2].z), end, gap = 1.0, pane = 1.0;
+    float t = -w.o[2].z / (abs(w.d[2].z) < 1e-6 ? 1e-6 : w.d[2].z);
+    float end = 0.0, gap = 1.0, pane = 1.0;
     if (mirror && t > 0.0)
         pane = clamp((archField((w.o[2] + t * w.d[2]).xy).z - kTube) / (rim * t + 1e-4), -1.0, 1.0);
     w.span[2].y = -1.0;
@@ -503,8 +515,11 @@ vec4 paint(int id, vec3 p, float w) {
     float belly = smoothstep(0.16, 0.0, length(q - vec3(0.0, 0.27, 0.16)));
     tint = mix(tint, vec3(0.95, 0.92, 0.88), 0.6 * belly);
     float eye = smoothstep(0.0305, 0.0285, length(q - vec3(0.098, 0.485, 0.158)));
+    vec3 glint = q - vec3(0.098, 0.485, 0.158) - 0.028 * vec3(0.46, 0.51, 0.73);
+    float catchLight = smoothstep(0.0095, 0.0075, length(glint));
     float through = 0.9 * smoothstep(-0.15, 0.0, ear.y) * (1.0 - eye);
-    return vec4(mix(tint, vec3(0.012, 0.008, 0.008), eye), eye > 0.5 ? -1.0 : through);
+    vec3 pupil = mix(vec3(0.012, 0.008, 0.008), vec3(1.6, 1.5, 1.4), catchLight);
+    return vec4(mix(tint, pupil, eye), eye > 0.5 ? -1.0 : through);
 }
 
 // ---- The sky ------------------------------------------------------------------------------------
@@ -611,13 +626,13 @@ vec3 thingLight(int id, vec3 p, vec3 nor, vec3 d, vec4 stuff, float share, float
         lit = square(max((facingSun + 0.3) / 1.3, 0.0));   // hair lets light round the edge
         float fuzz = (1.0 - facingEye) * square(1.0 - facingEye);
         light += stuff.rgb * fuzz
-            * (0.12 * sunny * max(dot(sunDirection(), d), 0.0) + 0.15 * around);
-        light += vec3(1.0, 0.42, 0.26) * sunny * (0.22 * stuff.w * max(-facingSun, 0.0));
+            * (0.3 * sunny * max(dot(sunDirection(), d), 0.0) + 0.2 * around);
+        light += vec3(1.0, 0.50, 0.34) * sunny * (0.13 * stuff.w * max(-facingSun, 0.0));
     }
     return light + stuff.rgb / kPi * (lit * sunny + around);
 }
 vec3 mirrorSky(vec3 d, float width, bool disc) {   // biased: below the horizon the sea, dimmer
-    float dim = d.y < 0.0 ? 0.5 : 1.0;
+    float dim = mix(0.45, 1.0, smoothstep(-0.15, 0.1, d.y));
     return dim * airLight(normalize(vec3(d.x, abs(d.y), d.z)), width, disc);
 }
 vec3 deepLight() {   // scattered back by deep water
@@ -873,6 +888,45 @@ void mainLight(out vec4 colour, in vec2 pixel) {
     vec3 light = thingLight(id, p, nor, rd, stuff, share, roomAround(p, nor), upWeight);
     light += upWeight * mirrorSky(reflect(rd, nor), 0.05, false);
     colour = vec4(light, share);
+}
+
+// ---- Sound --------------------------------------------------------------------------------------
+// Noise without much above rate / n, the same for the same sample: values on a lattice of n samples,
+// joined by cubics. Left and right differ.
+vec2 latticeNoise(int samp, int n, int seed) {
+    int c = samp / n;
+    float f = (float(samp - c * n) + 0.5) / float(n);
+    vec2 a = random3(ivec3(c, n, seed)).xy, b = random3(ivec3(c + 1, n, seed)).xy;
+    return 2.0 * mix(a, b, f * f * (3.0 - 2.0 * f)) - 1.0;
+}
+// Surf whose loudness and brightness are the long waves' height at the camera's left and right, small
+// waves that lap at the lifebuoy, and wind in gusts. No filter has a state, so any sample can be first.
+vec2 mainSound(int samp, float time) {
+    uint tick = uint(samp / 44100) * 65536u + uint(samp % 44100) * 65536u / 44100u;
+    vec2 swell = vec2(0.0), lap = vec2(0.0);
+    for (int g = 0; g < kMovers; ++g) {
+        vec4 x, z;
+        waveVectors(g, x, z);
+        vec4 k = sqrt(x * x + z * z), a = kWaveSteep[g] / k;
+        for (int ear = 0; ear < 2; ++ear) {
+            vec4 c = cos(x * (float(ear) * 3.0 - 1.5) - 2.0 * kPi * waveTurns(k, tick));
+            swell[ear] += g == 0 ? dot(a, c) / 0.19 : 0.0;
+            lap[ear] += g == 1 ? dot(vec4(0.25), c) : 0.0;
+        }
+    }
+    vec2 crest = smoothstep(-0.6, 1.0, swell) * min(waveHeight, 1.5), bright = crest * crest;
+    vec2 sum = vec2(0.0);
+    for (int k = 1; k <= 7; ++k) {   // octaves; crests hiss, troughs rumble
+        float low = float(k - 1) / 6.0;
+        sum += latticeNoise(samp, 1 << k, k) * mix(0.03 + 0.20 * bright, 0.10 + 0.25 * crest, low);
+    }
+    vec2 drops = latticeNoise(samp, 23, 11) * latticeNoise(samp, 3000, 12);
+    sum += 0.9 * drops * square(max(lap.x, 0.0)) * square(ripples);
+    float gusts = 0.5 + 0.5 * latticeNoise(samp, 132300, 13).x;
+    vec2 wind = latticeNoise(samp, 61, 14) + 0.6 * latticeNoise(samp, 37, 15) * gusts;
+    sum += wind * (0.10 + 0.22 * gusts * gusts);
+    float fade = smoothstep(0.0, 0.5, time);
+    return 0.5 * fade * sum / (1.0 + 0.5 * abs(sum));
 }
 
 // ---- Image --------------------------------------------------------------------------------------

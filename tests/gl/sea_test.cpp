@@ -1,0 +1,375 @@
+// The sea: screen-space rays against exact ones, rays to the waves, glitter, age, in figures.
+#include "probe.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace glint {
+namespace {
+
+using SeaScene = GlTest;
+
+const std::string kSeaFile = std::string(GLINT_REPOSITORY) + "/fragments/sea.frag";
+
+// The scene with a picture of our own; what stands in `body` writes c from the pixel p.
+std::string with_picture(std::string_view body) {
+    return fmt::format(
+        "#define mainImage scene_image\n#include \"{}\"\n#undef mainImage\n"
+        "void mainImage(out vec4 c, in vec2 p) {{\n"
+        "    readFrames();\n"
+        "    Eye e = camera();\n"
+        "    vec3 rd = viewRay(e, p);\n"
+        "    float angle = 1.0 / (e.lens * iResolution.y);\n"
+        "    Surface u = surfaceAt(e, rd, ivec2(p));\n"
+        "    bool mirrors = u.id == kWater || u.id == kGlass;\n"
+        "    vec3 from = u.pos + 0.002 * u.nor;\n"
+        "{}}}\n",
+        kSeaFile, body);
+}
+
+// Every pixel's value of such a picture, with the scene's clock at 5 s.
+std::vector<glm::vec4> picture(std::string_view body, glm::ivec2 size, const std::string& tweaks) {
+    Player player(with_picture(body), {.size = size, .preset = "[tweaks]\n" + tweaks});
+    Frame frame = player.frame(0);
+    frame.time = 5.0;
+    player.draw(frame);
+    const std::vector<float> values = player.floats();
+    std::vector<glm::vec4> pixels(values.size() / 4);
+    std::memcpy(pixels.data(), values.data(), values.size() * sizeof(float));
+    return pixels;
+}
+
+struct Rates {
+    int solvable = 0, other = 0;
+    double found = 0.0, wrong = 0.0, invented = 0.0, fetches = 0.0;  // percent; fetches a ray
+};
+
+// Walks against exact rays, over the pixels of water and glass.
+std::array<Rates, 4> rates(const std::string& tweaks) {
+    constexpr glm::ivec2 kSize{480, 270};
+    // Where the exact ray meets something: its pixel, its depth, what the picture has there.
+    const auto truth = picture(
+        "    Hit h = hitAll(from, u.away, angle, u.id == kGlass, !mirrors);\n"
+        "    vec3 v = toView(e, from + min(h.t, 1e5) * u.away);\n"
+        "    vec2 at = toPixel(e, v);\n"
+        "    bool inside = v.z > kNear && clamp(at, vec2(0.0), iResolution.xy - 0.01) == at;\n"
+        // Shown: nothing lies between the eye and the point.
+        "    vec3 sight = from + min(h.t, 1e5) * u.away - e.pos;\n"
+        "    float reach = length(sight) * 0.995 - 0.005;\n"
+        "    Hit before = hitThings(e.pos, normalize(sight), angle, reach);\n"
+        "    float wet = hitSea(e.pos, normalize(sight), angle, kFar);\n"
+        "    bool shown = inside && before.id == kSky && (wet < 0.0 || wet > reach);\n"
+        "    float kind = !mirrors ? 0.0 : h.id == kSky || !shown ? 1.0 : 2.0;\n"
+        "    float part = u.id == kWater ? 0.0 : h.id == kWater ? 4.0 : 8.0;\n"
+        "    c = vec4(at, kind == 0.0 ? 0.0 : kind + part, 1.0);\n",
+        kSize, tweaks);
+    const auto walk = picture(
+        "    vec2 found;\n"
+        "    float sure = walkScreen(e, from, u.away, 0.5, mirrors, found);\n"
+        "    c = vec4(found, float(walkFetches) + (sure > 0.0 ? 0.5 : 0.0), 1.0);\n",
+        kSize, tweaks + "edgeFade = 0.0\n");
+    std::array<Rates, 4> all;  // all; water's rays; the mirror's to water; the mirror's to things
+    std::array<double, 4> rays{};
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const int code = static_cast<int>(truth[i].z);
+        if (code == 0) continue;
+        const float off =
+            std::max(std::abs(walk[i].x - truth[i].x), std::abs(walk[i].y - truth[i].y));
+        const double fetches = std::floor(walk[i].z);
+        const bool met = walk[i].z - fetches > 0.25;
+        for (const int part : {0, 1 + code / 4}) {
+            Rates& r = all[static_cast<std::size_t>(part)];
+            rays[static_cast<std::size_t>(part)] += 1.0;
+            r.fetches += fetches;
+            if (code % 4 == 2) {
+                ++r.solvable;
+                r.found += met;
+                r.wrong += met && off > 2.0f;
+            } else {
+                ++r.other;
+                r.invented += met;
+            }
+        }
+    }
+    for (std::size_t part = 0; part < 4; ++part) {
+        Rates& r = all[part];
+        r.wrong *= 100.0 / std::max(r.found, 1.0);
+        r.found *= 100.0 / std::max(r.solvable, 1);
+        r.invented *= 100.0 / std::max(r.other, 1);
+        r.fetches /= std::max(rays[part], 1.0);
+    }
+    return all;
+}
+
+// Bars: of what is on the screen at least 98 % is found, at most 2 % of that more than 2 pixels
+// off; at most 3 % of the other rays find something; the short march reads at most 32 texels a ray.
+// With ever finer steps a walk must not become worse.
+TEST_F(SeaScene, ScreenSpaceRaysFindWhatExactRaysMeet) {
+    struct Case {
+        std::string name, tweaks;
+        double least_found;
+    };
+    const std::vector<Case> cases = {
+        {"march 32 + 6", "reflections = \"march\"\n", 98.0},
+        {"walk, stride 1", "reflections = \"screen-space\"\nstride = 1.0\n", 98.0},
+        {"walk, stride 3", "reflections = \"screen-space\"\nstride = 3.0\n", 98.0},
+        {"walk, stride 8", "reflections = \"screen-space\"\nstride = 8.0\n", 94.0},
+    };
+    constexpr std::array kParts = {"all", "water", "to sea", "to thing"};
+    fmt::print("{:<24}{:>9}{:>9}{:>9}{:>9}{:>10}\n", "", "solvable", "found %", ">2 px %",
+               "false %", "fetches");
+    for (const Case& one : cases) {
+        const auto all = rates(one.tweaks);
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const Rates& r = all[k];
+            fmt::print("{:<16}{:<8}{:>9}{:>9.2f}{:>9.2f}{:>9.2f}{:>10.1f}\n", one.name, kParts[k],
+                       r.solvable, r.found, r.wrong, r.invented, r.fetches);
+        }
+        EXPECT_GE(all[0].found, one.least_found) << one.name;
+        EXPECT_LE(all[0].wrong, 2.0) << one.name;
+        EXPECT_LE(all[0].invented, 3.0) << one.name;
+        EXPECT_LE(all[0].fetches, 32.0) << one.name;
+    }
+}
+
+TEST_F(SeaScene, ScreenSpaceRaysFromTheNearPlaneOrBehindItFindNothing) {
+    // Rays in all directions from the eye's plane, from behind it, and from just before the near
+    // plane.
+    const auto pixels = picture(
+        "    vec3 d = normalize(random3(ivec3(ivec2(p), 7)) - 0.5);\n"
+        "    float depth = p.x < 32.0 ? 0.0 : p.x < 64.0 ? -0.5 : 0.999 * kNear;\n"
+        "    vec3 o = e.pos + depth * e.forward + (p.y < 20.0 ? 0.0 : 0.3) * e.right;\n"
+        "    vec2 found;\n"
+        "    c = vec4(walkScreen(e, o, d, 0.5, true, found), found, 1.0);\n",
+        {96, 40}, "reflections = \"screen-space\"\n");
+    for (const glm::vec4& pixel : pixels) {
+        EXPECT_EQ(pixel, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    }
+}
+
+// The sea of the scene in double precision, from the same table.
+constexpr double kTau = 6.283185307179586;
+constexpr std::array<double, 24> kX = {0.2957f,  0.4405f,  0.7218f,  1.0783f,  1.6993f,  2.7718f,
+                                       3.6265f,  6.6727f,  8.9873f,  9.9369f,  13.4758f, 13.1480f,
+                                       17.9752f, 21.8698f, 19.2172f, 31.9144f, 32.0328f, 37.8205f,
+                                       53.5999f, 37.8046f, 72.3029f, 80.7237f, 67.5113f, 129.2947f};
+constexpr std::array<double, 24> kZ = {
+    -0.0458f,  0.1606f,  0.0236f,  -0.3772f,  0.4948f,  -0.3394f,  -2.3718f, 1.0583f,
+    -3.1398f,  5.4405f,  -0.3845f, -9.1923f,  6.4303f,  -6.1500f,  19.0148f, 4.0550f,
+    -20.9648f, 25.3985f, -8.1321f, -52.2766f, 25.8097f, -42.7781f, 85.2138f, 4.4716f};
+constexpr std::array<double, 8> kSteep = {0.022f, 0.027f, 0.033f, 0.038f,
+                                          0.042f, 0.045f, 0.045f, 0.042f};
+constexpr double kCrest = 0.25 * 0.6f;  // of the default choppiness
+constexpr double kWind = kTau / 6.0;    // the default, 60 degrees
+
+struct Surface {
+    double height = 0.0, x = 0.0, z = 0.0;  // m, slopes
+};
+double steepness(std::size_t i) {
+    return i < kSteep.size() ? kSteep[i] : 0.04f;
+}
+
+// Height and slope of the first `count` waves; no_gusts: as where ripples are even. blur: the
+// footprint's covariance.
+Surface surface(double x, double z, std::uint64_t tick, std::size_t count, glm::dvec3 blur = {}) {
+    Surface s;
+    const double c = std::cos(kWind), n = std::sin(kWind);
+    const double ax = c * x + n * z, az = c * z - n * x;
+    const auto cycles = [&](double hz) {
+        const auto whole = static_cast<std::uint32_t>(hz * 65536.0);
+        return static_cast<double>(whole * static_cast<std::uint32_t>(tick)) / 4294967296.0;
+    };
+    const double even = std::exp(-0.03 * (blur.x + blur.y));
+    const double gust =
+        1.0 + 0.45 * even * std::sin(0.21 * ax + 0.9 * std::sin(0.13 * az) - kTau * cycles(0.14f)) *
+                  std::sin(0.11 * ax - 0.17 * az - kTau * cycles(0.11f));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double kx = c * kX[i] + n * kZ[i], kz = c * kZ[i] - n * kX[i];
+        const double k = std::hypot(kx, kz), a = steepness(i) * (i < 8 ? 1.0 : gust) / k;
+        // The same arithmetic as the shader's, so that the frequency is cut to the same step.
+        const float hz =
+            std::sqrt(9.81f * static_cast<float>(k)) * (65536.0f / (2.0f * 3.14159265f));
+        const auto turns = static_cast<std::uint32_t>(hz) * static_cast<std::uint32_t>(tick);
+        const double phase = kx * x + kz * z - kTau * static_cast<double>(turns) / 4294967296.0;
+        const double q = kx * kx * blur.x + kz * kz * blur.y + 2.0 * kx * kz * blur.z;
+        const double keep = std::exp(-0.5 * q), harmonic = kCrest * std::exp(-2.0 * q);
+        s.height += a * (keep * std::cos(phase) + harmonic * std::cos(2.0 * phase));
+        const double down = a * (keep * std::sin(phase) + 2.0 * harmonic * std::sin(2.0 * phase));
+        s.x -= down * kx;
+        s.z -= down * kz;
+    }
+    return s;
+}
+
+std::string scene_text(std::string_view more) {
+    return fmt::format("#include \"{}\"\n{}", kSeaFile, more);
+}
+
+TEST_F(SeaScene, NormalsAreAnalyticAndFiltered) {
+    std::vector<ProbeCase> cases;
+    for (int i = 0; i < 4000; ++i) {
+        const float far = 0.5f * std::pow(2000.0f, static_cast<float>(i) / 4000.0f);
+        const float turn = 2.399963f * static_cast<float>(i), w = 0.002f * far;
+        cases.push_back(
+            {.a = {far * std::cos(turn), far * std::sin(turn), 0, 0}, .b = {w * w, w * w, 0, 0}});
+    }
+    const auto got =
+        probe(scene_text("vec3 probed(vec2 p, vec3 blur) {\n"
+                         "    Sea s = sea(p, blur); return vec3(s.height, s.slope);\n}\n"),
+              "probed(a.xy, b.xyz)", cases);
+    double worst_height = 0.0, worst_angle = 0.0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const Surface s =
+            surface(cases[i].a.x, cases[i].a.y, 0, 24, {cases[i].b.x, cases[i].b.y, 0.0});
+        worst_height = std::max(worst_height, std::abs(got[i].x - s.height));
+        worst_angle = std::max(worst_angle, std::hypot(got[i].y - s.x, got[i].z - s.z));
+    }
+    fmt::print("height {:.2g} m, normal {:.2g} degrees\n", worst_height,
+               worst_angle * 360.0 / kTau);
+    EXPECT_LE(worst_height, 1e-4);
+    EXPECT_LE(worst_angle * 360.0 / kTau, 0.01) << "degrees, out to 1000 m";
+}
+
+// Bars, at -20, -5 and -1.5 degrees: at most 0.5 % of the hits more than 5 cm off, at most 0.5 %
+// hit or miss against the truth, at most 32 evaluations a ray, at most 0.1 % out of steps.
+TEST_F(SeaScene, RaysMeetTheSeaWhereTheyShould) {
+    for (const double degrees : {-20.0, -5.0, -1.5}) {
+        std::vector<ProbeCase> cases;
+        for (int i = 0; i < 2000; ++i) {
+            const double turn = 2.399963 * i, down = degrees * kTau / 360.0;
+            cases.push_back(
+                {.a = {0.37f * static_cast<float>(i), 1.15f, -0.21f * static_cast<float>(i), 0},
+                 .b = {std::cos(down) * std::cos(turn), std::sin(down),
+                       std::cos(down) * std::sin(turn), 0}});
+        }
+        const auto got = probe(scene_text("vec2 probed(vec3 ro, vec3 rd) {\n"
+                                          "    float t = hitSea(ro, rd, 0.0, kFar); return vec2(t, "
+                                          "float(seaEvaluations));\n}\n"),
+                               "probed(a.xyz, b.xyz)", cases);
+        int wrong = 0, flipped = 0, capped = 0;
+        double evaluations = 0.0;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const glm::dvec3 ro(cases[i].a), rd(cases[i].b);
+            const auto above = [&](double t) {
+                return ro.y + t * rd.y - surface(ro.x + t * rd.x, ro.z + t * rd.z, 0, 8).height;
+            };
+            const double first = (0.5 - ro.y) / rd.y, last = (-0.5 - ro.y) / rd.y;
+            double lo = first, hi = -1.0;
+            for (int k = 1; k <= 4096 && hi < 0.0; ++k) {
+                const double t = first + (last - first) * k / 4096.0;
+                if (above(t) <= 0.0)
+                    hi = t;
+                else
+                    lo = t;
+            }
+            for (int k = 0; k < 50; ++k) (above(0.5 * (lo + hi)) > 0.0 ? lo : hi) = 0.5 * (lo + hi);
+            evaluations += got[i].y;
+            capped += got[i].y >= 96.0f;
+            if (got[i].x < 0.0f)
+                ++flipped;
+            else
+                wrong += std::abs(got[i].x - hi) > 0.05;
+        }
+        const double percent = 100.0 / static_cast<double>(cases.size());
+        fmt::print(
+            "{:5.1f} degrees: {:.2f} % wrong, {:.2f} % hit or miss, {:.1f} evaluations, {:.2f} % "
+            "capped\n",
+            degrees, wrong * percent, flipped * percent,
+            evaluations / static_cast<double>(cases.size()) + 4.0, capped * percent);
+        EXPECT_LE(wrong * percent, 0.5);
+        EXPECT_LE(flipped * percent, 0.5);
+        EXPECT_LE(evaluations / static_cast<double>(cases.size()) + 4.0, 32.0)
+            << "with 4 to finish";
+        EXPECT_LE(capped * percent, 0.1);
+    }
+}
+
+// What a pixel of glitter should show, by many samples of the bare waves, against one filtered one.
+// Bars: error over mean at most 0.4 from 320 m on, the mean within 5 %.
+TEST_F(SeaScene, GlitterIsFilteredFarOff) {
+    constexpr double kEye = 3.0, kPixel = 0.002;  // m, rad
+    constexpr double kBase = 0.0009f;             // the scene's kCalmSpread
+    for (const double far : {320.0, 640.0, 1280.0}) {
+        std::vector<ProbeCase> cases;
+        for (int i = 0; i < 240; ++i) {
+            // Towards the sun and up to 9 degrees beside it.
+            const double a = (-16.0 + (i - 120) * 0.075) * kTau / 360.0, y = -kEye / far;
+            const double level = std::sqrt(1.0 - y * y);
+            cases.push_back({.a = {level * std::sin(a), y, -level * std::cos(a), far}});
+        }
+        const auto got = probe(
+            scene_text("float probed(vec3 rd, float t) {\n"
+                       "    Sea s = sea((t * rd).xz, seaFootprint(rd, 0.002 * t));\n"
+                       "    vec2 slope; return seaGlitter(rd, s, shownSlope(rd, s, slope));\n}\n"),
+            "probed(a.xyz, a.w)", cases);
+        const double sun_a = -16.0 * kTau / 360.0, sun_h = 6.0 * kTau / 360.0;
+        const glm::dvec3 sun(std::sin(sun_a) * std::cos(sun_h), std::sin(sun_h),
+                             -std::cos(sun_a) * std::cos(sun_h));
+        double sum = 0.0, sum_got = 0.0, squares = 0.0;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const glm::dvec3 rd(cases[i].a);
+            const glm::dvec2 ahead(rd.x / std::hypot(rd.x, rd.z), rd.z / std::hypot(rd.x, rd.z));
+            double light = 0.0, area = 0.0;
+            for (int k = 0; k < 4096; ++k) {
+                // Samples of the pixel's Gaussian footprint, by its own size, on the sea's level.
+                const double u = (k + 0.5) / 4096.0, v = std::fmod(k * 0.6180339887498949, 1.0);
+                const double r = std::sqrt(-2.0 * std::log(1.0 - u)), t = kTau * v;
+                const double along = 0.35 * kPixel * far / -rd.y * r * std::cos(t);
+                const double across = 0.35 * kPixel * far * r * std::sin(t);
+                const double x = far * rd.x + along * ahead.x - across * ahead.y;
+                const double z = far * rd.z + along * ahead.y + across * ahead.x;
+                const Surface s = surface(x, z, 0, 24);
+                glm::dvec3 h = sun - rd;
+                const double length = std::sqrt(h.x * h.x + h.y * h.y + h.z * h.z);
+                h = h * (1.0 / length);
+                const double base = kBase + std::pow(0.25 * 0.27 * kTau / 360.0, 2.0);
+                const double dx = -h.x / h.y - s.x, dz = -h.z / h.y - s.z;
+                const double density = std::exp(-0.5 * (dx * dx + dz * dz) / base) / (kTau * base);
+                const double c = -(h.x * rd.x + h.y * rd.y + h.z * rd.z);
+                const double g = std::sqrt(1.333 * 1.333 - 1.0 + c * c), p = (g - c) / (g + c);
+                const double q = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+                light += 0.5 * p * p * (1.0 + q * q) * density / (4.0 * std::pow(h.y, 4.0));
+                const double m = s.x * rd.x + s.z * rd.z - rd.y;
+                const double d = std::sqrt(kBase * (rd.x * rd.x + rd.z * rd.z));
+                area += 0.5 * m * std::erfc(-m / d / std::sqrt(2.0)) +
+                        d * std::exp(-0.5 * m * m / (d * d)) / std::sqrt(kTau);
+            }
+            const double truth = light / area;
+            sum += truth;
+            sum_got += got[i].x;
+            squares += (got[i].x - truth) * (got[i].x - truth);
+        }
+        const double count = static_cast<double>(cases.size()), mean = sum / count;
+        fmt::print("{:.0f} m: error/mean {:.3f}, mean {:+.1f} %\n", far,
+                   std::sqrt(squares / count) / mean, 100.0 * (sum_got / sum - 1.0));
+        EXPECT_LE(std::sqrt(squares / count) / mean, 0.4);
+        EXPECT_NEAR(sum_got / sum, 1.0, 0.05);
+    }
+}
+
+// All motion comes from iTick, which wraps after 65536 s: a year later the picture is the same.
+TEST_F(SeaScene, LooksTheSameAfterAYear) {
+    Player player(fmt::format("#include \"{}\"\n", kSeaFile), {.size = {96, 54}});
+    Frame frame = player.frame(0);
+    frame.time = 5.0;
+    player.draw(frame);
+    const std::vector<float> young = player.floats();
+    for (const double age : {65536.0, 40.0 * 65536.0, 481.0 * 65536.0}) {
+        frame.time = 5.0 + age;
+        player.draw(frame);
+        const std::vector<float> old = player.floats();
+        double squares = 0.0, off = 0.0;
+        for (std::size_t i = 0; i < old.size(); ++i) {
+            const double d = old[i] - young[i];
+            squares += d * d;
+            off += std::abs(d) > 1.0 / 255.0;
+        }
+        const double count = static_cast<double>(old.size());
+        EXPECT_LE(10.0 * std::log10(squares / count + 1e-30), -55.0) << age << " s";
+        EXPECT_LE(off / count, 5e-4) << age << " s";
+    }
+}
+
+}  // namespace
+}  // namespace glint
