@@ -105,7 +105,7 @@ const float kShaft = 0.23, kFoot = 0.31;      // m, radii of a column, of its fo
 const float kFootTop = 0.10, kHead = 3.14, kColumnTop = 3.3;   // m
 const vec2  kColumnFirst = vec2(-2.55, -4.3), kColumnStep = vec2(5.1, 3.4);   // m
 const vec3  kBeamHalf = vec3(0.22, 0.19, 4.2);           // m
-const vec4  kBallPlace = vec4(-0.95, 0.10, -0.4, 0.55);  // m: centre, radius
+const vec4  kBallPlace = vec4(-0.60, 0.10, -1.0, 0.55);  // m: centre, radius
 const float kCeiling = 0.3;                   // m, no ring is higher: they break
 const float kMargin = 1.12;                   // planar pictures show this much more
 const int   kCells = 16;                      // cells of the pond along one texel of `peaks`
@@ -392,12 +392,13 @@ Hit intersect(vec3 ro, vec3 rd, bool wet) {
 }
 
 // ---- Light --------------------------------------------------------------------------------------
-// The sky's picture goes from straight down to straight up, finest at the horizon.
-vec3 skyLight(vec3 rd, float cone) {
+// The sky's picture goes from straight down to straight up, finest at the horizon; a: how clear the
+// view of the sun is. cone: rad, what is seen as one.
+vec4 skyLight(vec3 rd, float cone) {
     float lod = clamp(log2(max(cone, 1e-4) * 1024.0 / (2.0 * kPi)), 0.0, 5.0);
     float v = 0.5 + 0.5 * sign(rd.y) * sqrt(abs(rd.y)), edge = exp2(lod) / 1024.0;
     return textureLod(sky, vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5,
-                                clamp(v, edge, 1.0 - edge)), lod).rgb;
+                                clamp(v, edge, 1.0 - edge)), lod);
 }
 
 // One layer of stars in square cells. None is smaller than the footprint w: dimmer instead.
@@ -422,14 +423,15 @@ vec3 sunGlint(vec3 rd, float cone) {
     return sunColour() * min(0.5 / sigma2, 4e3) * exp(-min(0.5 * dot(off, off) / sigma2, 60.0));
 }
 
-// All beyond the terrace. cone: rad, what is seen as one.
+// All beyond the terrace.
 vec3 background(vec3 rd, float cone) {
-    vec3 light = skyLight(rd, cone);
-    if (gSunDisc) light += sunGlint(rd, cone);
+    vec4 far = skyLight(rd, cone);
+    vec3 light = far.rgb;
+    if (gSunDisc) light += far.a * sunGlint(rd, cone);
     if (stars > 0.0 && rd.y > 0.0) {
         vec2 uv = rd.xz / (0.35 + rd.y);
-        light += stars * (starLayer(uv, 0.035, 0.0009, cone, 41) * 3.0
-                          + starLayer(uv + 0.3, 0.11, 0.0013, cone, 43) * 6.0);
+        light += stars * far.a * (starLayer(uv, 0.022, 0.0004, cone, 41) * 6.0
+                          + starLayer(uv + 0.3, 0.09, 0.0009, cone, 43) * 9.0);
     }
     return light;
 }
@@ -484,7 +486,7 @@ float gathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
     mat2 j = mat2(1.0) + down * byslope * mat2(second.xy, second.yz);
     float area = abs(j[0][0] * j[1][1] - j[0][1] * j[1][0]);
     // biased: one of several sheets of light where they fold, and none too sharp
-    return mix(1.0, 1.0 / (area < 0.3 ? area * area / 0.6 + 0.15 : area), caustics);
+    return mix(1.0, 1.0 / (area < 0.5 ? area * area + 0.25 : area), caustics);
 }
 
 // Sunlight on a surface, over pi. Under water: through the point of entry.
@@ -829,7 +831,7 @@ vec3 planarWater(Ray r, float t) {
         at = pictureUv((r.o + far * back) * vec3(1, -1, 1));
     }
     vec3 sum = share * textureLod(mirror, at, 0.0).rgb;
-    if (far > 9e3) sum += share * sunGlint(back, sqrt(0.5 * dot(r.dx, r.dx) * 2.0
+    if (far > 9e3) sum += share * skyLight(back, 0.0).a * sunGlint(back, sqrt(0.5 * dot(r.dx, r.dx) * 2.0
         + 4.0 * max(ripple.z - dot(ripple.xy, ripple.xy), 0.0)));
 
     vec3 level = refract(rd, kUp, 1.0 / kIorWater);
@@ -907,7 +909,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     float a = 2.0 * kPi * (uv.x - 0.5), v = 2.0 * uv.y - 1.0, up = v * v;
     vec3 rd = vec3(sqrt(1.0 - up * up) * sin(a), up, -sqrt(1.0 - up * up) * cos(a));
     float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
-    vec3 night = vec3(0.0007, 0.0010, 0.0025);
+    vec3 night = vec3(0.0010, 0.0019, 0.0052);   // airglow and what scatters twice
     vec3 light = texture(air, vec2(turned, abs(v))).rgb + night;
     // Clouds on a flat layer, drawn out along the wind.
     vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
@@ -940,7 +942,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
         water = mix(mist, water, exp(-kEyeLevel / max(up, 1e-4) / 9000.0));
         light = mix(water, far, 0.5 * hills * exp(-30.0 * up));
     }
-    colour = vec4(min(light, 6e4), 1.0);
+    colour = vec4(min(light, 6e4), step(0.0, v) * (1.0 - hills) * (1.0 - 0.8 * thick));
 }
 
 // The plane waves, four to a group: kx, kz (rad/m), height (m), phase (rad).
@@ -1072,7 +1074,7 @@ void mainCrest(out vec4 colour, in vec2 pixel) {
     colour = vec4(most, 0.0, 0.0);
 }
 
-// The lanterns, each on a small round of its own, as high as the water there: centre, radius.
+// The lanterns, each on a small round of its own, afloat: centre, radius.
 void mainFloats(out vec4 colour, in vec2 pixel) {
     loadWaves();
     int k = int(pixel.x);
@@ -1081,8 +1083,10 @@ void mainFloats(out vec4 colour, in vec2 pixel) {
     home.x += (r.x - 0.5) * 0.5;
     float a = 2.0 * kPi * (r.y + cycles(0.015625) * (k % 3 == 0 ? -1.0 : 1.0));
     vec2 p = home + 0.16 * vec2(sin(a), cos(a));
-    float radius = mix(0.13, 0.19, r.z);
-    colour = vec4(p.x, waterHeight(p) + 0.45 * radius, p.y, radius);
+    float radius = mix(0.13, 0.19, r.z), height = 0.0;
+    for (int i = 0; i < 4; ++i)   // it does not follow what is shorter than itself
+        height += 0.25 * waterHeight(p + radius * vec2((i & 1) * 2 - 1, (i & 2) - 1));
+    colour = vec4(p.x, height + 0.45 * radius, p.y, radius);
 }
 
 // The classic pictures, a little wider than the screen; w: distance to what they show. What is

@@ -295,7 +295,7 @@ TEST_F(Water, ThingsCrossTheSurfaceWithoutAGap) {
             }
             case 1: {  // the near side of the ball, at the height of the water
                 const double a = uniform(random, -0.9, 0.9), r = std::sqrt(0.55 * 0.55 - 0.01);
-                p = {-0.95 + r * std::sin(a), 0, -0.4 + r * std::cos(a)};
+                p = {-0.60 + r * std::sin(a), 0, -1.0 + r * std::cos(a)};
                 break;
             }
             default:  // the top step's riser
@@ -304,7 +304,7 @@ TEST_F(Water, ThingsCrossTheSurfaceWithoutAGap) {
         p.y = waves.at(p.x, p.z) + uniform(random, -0.004, 0.004);
         if (cases.size() % 3 == 2 && p.y > 0.05) continue;  // the water covers it
         if (cases.size() % 3 == 1) {                        // back onto the ball at this height
-            const glm::dvec2 axis(-0.95, -0.4), off = glm::dvec2(p.x, p.z) - axis;
+            const glm::dvec2 axis(-0.60, -1.0), off = glm::dvec2(p.x, p.z) - axis;
             const double r = std::sqrt(0.55 * 0.55 - (p.y - 0.1) * (p.y - 0.1));
             const glm::dvec2 on = axis + off * (r / glm::length(off));
             p.x = on.x, p.z = on.y;
