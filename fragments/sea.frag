@@ -8,7 +8,7 @@
 //          move the surface, sixteen more tilt it. A wave that is finer than a pixel's footprint is
 //          left out and its slope variance widens the sun's lobe instead, so nothing aliases. Rays
 //          meet the sea by steps that its slope bounds, then Illinois steps. Rabbits are ellipsoids
-//          in a smooth union whose field never exceeds the distance: sphere tracing cannot overstep.
+//          in a smooth union whose field never exceeds the distance: a step cannot be too long.
 //          Screen-space rays are clipped to what can be hit, to the near plane and to the picture,
 //          and walked in pixels with depth interpolated in perspective.
 // Sources  McGuire and Mara, JCGT 3(4) (2014): the line walk. Bruneton, Neyret, Holzschuch, CGF 29
@@ -17,7 +17,10 @@
 //          Hart, Visual Computer 12 (1996): sphere tracing. Jarzynski and Olano, JCGT 9(3) (2020):
 //          pcg3d. Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel (1979): phyllotaxis.
 // Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
-// Passes   sky, ambient: on change of a tweak. poses, then albedo + normalDepth, then the picture.
+// Passes   sky, ambient: on change of a tweak. Every frame: poses (tiny), albedo + normalDepth,
+//          lightBuffer, the picture.
+// Bounds   Slopes sum to 0.67 at most: no wave hides its own foot from above. The loops of a pixel
+//          stay below 12,000 turns with every reference on.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -51,10 +54,10 @@ uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, t
 uniform float focalLength;     //@ 33 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Reflections
-uniform int   reflections;     //@ 2 {off, march, screen-space, traced} "how they find what they show"
+uniform int   reflections;     //@ 2 {off, march, screen-space, traced} "how they find things"
 uniform float stride;          //@ 3 [1, 16] unit=px quality reference=1 "of the line walk"
 uniform float jitter;          //@ 0.0 [0, 1] "start of the walk, in strides, by chance"
-uniform float thickness;       //@ 0.0 [0, 2] unit=m "depth behind a surface that is solid; 0: its own"
+uniform float thickness;       //@ 0.0 [0, 2] unit=m "of what a pixel shows; 0: as deep as it is"
 uniform float bias;            //@ 0.002 [0, 0.2] unit=m "depth that a ray must pass a surface by"
 uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over which reflections fade"
 //@ group Quality
@@ -233,7 +236,7 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
     float slope = abs(rd.y) < 1e-7 ? -1e-7 : rd.y;
     float enter = max((top - ro.y) / slope, 0.0) * step(top, ro.y);
     float leave = min(((slope < 0.0 ? -top : top) - ro.y) / slope, tMax);
-    float t = enter, least = 0.06 + 0.5 * pixel * enter;   // m
+    float t = enter, least = min(0.004 + 0.004 * enter, 0.06) + 0.5 * pixel * enter;   // m
     vec2 above = vec2(t, 0.0), below = vec2(-1.0, 0.0);
     bool ahead = enter < leave && (slope < 0.0 || ro.y < top);
     for (int k = 0; k < seaSteps && ahead; ++k) {
@@ -257,7 +260,8 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
 float shownArea(float m, float s) {
     float q = m / max(s, 1e-6);
     if (q > 4.0) return m;
-    float density = 0.39894228 * exp(-0.5 * min(q * q, 80.0)), tail = 1.0 / (1.0 + 0.2316419 * abs(q));
+    float density = 0.39894228 * exp(-0.5 * min(q * q, 80.0));
+    float tail = 1.0 / (1.0 + 0.2316419 * abs(q));
     float above = 1.0 - density * tail * (0.31938153 + tail * (-0.356563782 + tail * (1.781477937
         + tail * (-1.821255978 + tail * 1.330274429))));   // Abramowitz and Stegun 26.2.17
     return max(m * (q < 0.0 ? 1.0 - above : above) + s * density, 1e-5);
@@ -372,7 +376,8 @@ vec4 clusterField(int c, vec3 p, out int id) {
 // Where a ray may meet a cluster; nothing when y < x.
 vec2 clusterSpan(int c, vec3 ro, vec3 rd, float grow) {
     if (c == 2) {
-        vec3 inv = safeInverse(rd), lo = vec3(-kArch, -2.0, 0.0), hi = vec3(kArch, kSpring + kArch, 0.0);
+        vec3 inv = safeInverse(rd), lo = vec3(-kArch, -2.0, 0.0);
+        vec3 hi = vec3(kArch, kSpring + kArch, 0.0);
         vec3 a = (lo - kTube - grow - ro) * inv, b = (hi + kTube + grow - ro) * inv;
         vec3 n = min(a, b), f = max(a, b);
         return vec2(max(max(n.x, n.y), max(n.z, 0.0)), min(f.x, min(f.y, f.z)));
@@ -411,7 +416,8 @@ float depthOfThing(int id, vec3 ro, vec3 rd) {
     bool first = id == kRing || distance(ro, frames[0].at) < distance(ro, frames[1].at);
     int c = id < kRing ? 2 : first ? 0 : 1;
     Walk w = walkClusters(ro, rd, 0.0, kFar);
-    vec3 o = c == 0 ? w.o[0] : c == 1 ? w.o[1] : w.o[2], d = c == 0 ? w.d[0] : c == 1 ? w.d[1] : w.d[2];
+    vec3 o = c == 0 ? w.o[0] : c == 1 ? w.o[1] : w.o[2];
+    vec3 d = c == 0 ? w.d[0] : c == 1 ? w.d[1] : w.d[2];
     float t = 0.004;
     bool inside = id > kGlass;
     for (int k = 0; k < 24 && inside; ++k) {
@@ -508,16 +514,18 @@ vec4 paint(int id, vec3 p, float w) {
     vec3 ear = toEar(q);
     vec3 tint = linearColour(furColour);
     vec3 pink = vec3(0.85, 0.36, 0.30);
-    float inside = smoothstep(1.0, 0.7, length(ear.xy / vec2(0.034, 0.14))) * smoothstep(0.0, 0.012, ear.z);
-    float nose = smoothstep(0.024, 0.016, length((q - vec3(0.0, 0.457, 0.228)) * vec3(0.8, 1.25, 1.0)));
-    float blush = 0.35 * smoothstep(0.05, 0.0, length(q - vec3(0.09, 0.43, 0.19)));
+    float inside = smoothstep(0.0, 0.012, ear.z)
+        * (1.0 - smoothstep(0.7, 1.0, length(ear.xy / vec2(0.034, 0.14))));
+    vec3 tip = (q - vec3(0.0, 0.457, 0.228)) * vec3(0.8, 1.25, 1.0);
+    float nose = 1.0 - smoothstep(0.016, 0.024, length(tip));
+    float blush = 0.35 - 0.35 * smoothstep(0.0, 0.05, length(q - vec3(0.09, 0.43, 0.19)));
     tint = mix(tint, pink, max(0.75 * inside, max(nose, blush)));
-    float belly = smoothstep(0.16, 0.0, length(q - vec3(0.0, 0.27, 0.16)));
+    float belly = 1.0 - smoothstep(0.0, 0.16, length(q - vec3(0.0, 0.27, 0.16)));
     tint = mix(tint, vec3(0.95, 0.92, 0.88), 0.6 * belly);
-    float eye = smoothstep(0.0305, 0.0285, length(q - vec3(0.098, 0.485, 0.158)));
+    float eye = 1.0 - smoothstep(0.0285, 0.0305, length(q - vec3(0.098, 0.485, 0.158)));
     vec3 glint = q - vec3(0.098, 0.485, 0.158) - 0.028 * vec3(0.46, 0.51, 0.73);
-    float catchLight = smoothstep(0.0095, 0.0075, length(glint));
-    float through = 0.9 * smoothstep(-0.15, 0.0, ear.y) * (1.0 - eye);
+    float catchLight = 1.0 - smoothstep(0.0075, 0.0095, length(glint));
+    float through = 0.9 * smoothstep(-0.17, -0.07, ear.y) * (1.0 - eye);
     vec3 pupil = mix(vec3(0.012, 0.008, 0.008), vec3(1.6, 1.5, 1.4), catchLight);
     return vec4(mix(tint, pupil, eye), eye > 0.5 ? -1.0 : through);
 }
@@ -551,7 +559,8 @@ vec3 sunBeam() { return texelFetch(ambient, ivec2(6, 0), 0).rgb; }
 
 // The clear sky, from its buffer: sine of half the angle from the sun's azimuth, root of height.
 vec3 clearSky(vec3 rd) {
-    vec2 level = normalize(rd.xz + vec2(0.0, 1e-9)), sun = normalize(sunDirection().xz + vec2(0.0, 1e-9));
+    vec2 level = normalize(rd.xz + vec2(0.0, 1e-9));
+    vec2 sun = normalize(sunDirection().xz + vec2(0.0, 1e-9));
     vec2 uv = vec2(sqrt(max(0.5 - 0.5 * dot(level, sun), 0.0)), sqrt(clamp(rd.y, 0.0, 1.0)));
     return textureLod(sky, (0.5 + uv * vec2(255.0, 127.0)) / vec2(256.0, 128.0), 0.0).rgb;
 }
@@ -573,7 +582,8 @@ float cloudCover(vec3 rd, float width) {
         gain *= 0.5;
     }
     float soft = 0.22 + min(w, 0.5);
-    return smoothstep(1.0 - clouds - soft, 1.0 - clouds + soft, sum * 0.96) * smoothstep(0.0, 0.12, rd.y);
+    float cover = smoothstep(1.0 - clouds - soft, 1.0 - clouds + soft, sum * 0.96);
+    return cover * smoothstep(0.0, 0.12, rd.y);
 }
 // What comes from above the horizon along rd. width: angle that is averaged; disc: with the sun.
 vec3 airLight(vec3 rd, float width, bool disc) {
@@ -588,16 +598,19 @@ vec3 airLight(vec3 rd, float width, bool disc) {
     }
     if (disc) {
         float r2 = square(radians(sunSize)), edge = max(width, 1e-4) * 0.5 * sqrt(r2);
-        float seen = smoothstep(r2 + edge, r2 - edge, away2) * smoothstep(-0.002, 0.002, rd.y);
-        sum += sunBeam() * (seen * 30.0 + 0.0006 / (away2 + 0.0012));
+        float seen = 1.0 - smoothstep(r2 - edge, r2 + edge, away2);
+        seen *= smoothstep(-0.002, 0.002, rd.y);
+        sum += sunBeam() * (seen * 30.0 + 0.0003 / (away2 + 0.0008)) + 12.0 * seen;
     }
     return sum;
 }
 
-vec3 ambientLight(vec3 nor) {
+vec3 ambientLight(vec3 nor) {   // from all around, on a surface that faces nor
     vec3 sum = vec3(0.0);
-    for (int k = 0; k < 3; ++k)
-        sum += texelFetch(ambient, ivec2(2 * k + (nor[k] > 0.0 ? 1 : 0), 0), 0).rgb * square(nor[k]);
+    for (int k = 0; k < 3; ++k) {
+        int face = 2 * k + (nor[k] > 0.0 ? 1 : 0);
+        sum += texelFetch(ambient, ivec2(face, 0), 0).rgb * square(nor[k]);
+    }
     return sum;
 }
 
@@ -623,7 +636,7 @@ vec3 thingLight(int id, vec3 p, vec3 nor, vec3 d, vec4 stuff, float share, float
     float mirrorLine = max(dot(reflect(d, nor), sunDirection()), 0.0);
     vec3 light = upWeight * sunny * (lit * 8.0 * exp2(130.0 * (mirrorLine - 1.0)));
     if (id == kFur && stuff.w >= 0.0) {
-        lit = square(max((facingSun + 0.3) / 1.3, 0.0));   // hair lets light round the edge
+        lit = square(max((facingSun + 0.4) / 1.4, 0.0));   // hair lets light round the edge
         float fuzz = (1.0 - facingEye) * square(1.0 - facingEye);
         light += stuff.rgb * fuzz
             * (0.3 * sunny * max(dot(sunDirection(), d), 0.0) + 0.2 * around);
@@ -637,21 +650,22 @@ vec3 mirrorSky(vec3 d, float width, bool disc) {   // biased: below the horizon 
 }
 vec3 deepLight() {   // scattered back by deep water
     vec3 down = texelFetch(ambient, ivec2(3, 0), 0).rgb + sunBeam() * sin(radians(sunHeight));
-    return linearColour(waterColour) * down * (0.5 / kPi);
+    return linearColour(waterColour) * down * (0.8 / kPi);
 }
 float codeShare(float code) { return (fract(code) - 0.5) * 2.0; }
 
 // ---- Screen-space rays --------------------------------------------------------------------------
 Eye camera() {
     vec4 at = texelFetch(poses, ivec2(6, 0), 0), to = texelFetch(poses, ivec2(7, 0), 0);
-    vec3 forward = normalize(to.xyz - at.xyz), right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+    vec3 forward = normalize(to.xyz - at.xyz);
+    vec3 right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
     return Eye(at.xyz, right, cross(right, forward), forward, focalLength / 24.0);
 }
 vec3 viewRay(Eye e, vec2 pixel) {
     vec2 uv = (pixel - 0.5 * iResolution.xy) / iResolution.y;
     return normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
 }
-vec3 toView(Eye e, vec3 p) { return vec3(dot(p - e.pos, e.right), dot(p - e.pos, e.up), dot(p - e.pos, e.forward)); }
+vec3 toView(Eye e, vec3 p) { return (p - e.pos) * mat3(e.right, e.up, e.forward); }
 vec2 toPixel(Eye e, vec3 v) { return 0.5 * iResolution.xy + iResolution.y * e.lens * v.xy / v.z; }
 
 // The parts of a ray on which something can be hit: what the clusters bound, and the sea's crests.
@@ -690,7 +704,8 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     a += reach.x * d;
     Line l = Line(toPixel(e, a), toPixel(e, b), 1.0 / a.z, 1.0 / b.z);
     vec2 dp = l.pb - l.pa, size = iResolution.xy;
-    vec2 room = mix(l.pa / max(-dp, 1e-4), (size - 0.01 - l.pa) / max(dp, 1e-4), greaterThan(dp, vec2(0.0)));
+    vec2 room = mix(l.pa / max(-dp, 1e-4), (size - 0.01 - l.pa) / max(dp, 1e-4),
+                    greaterThan(dp, vec2(0.0)));
     float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the line in the picture
     vec2 gap = clamp((parts.yz - reach.x) / (reach.y - reach.x), 0.0, 1.0);   // nothing is there
     gap = min(gap * b.z / mix(vec2(a.z), vec2(b.z), gap), inside);   // as shares of the line
@@ -715,8 +730,8 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
             if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
         }
         // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water.
-        vec2 fine = vec2(max(before - 6.0 * perPixel, min(start, s)), min(s + 2.0 * perPixel, inside));
-        vec2 rough = vec2(before, s);
+        vec2 rough = vec2(before, s), fine = rough + vec2(-6.0, 2.0) * perPixel;
+        fine = vec2(max(fine.x, min(start, s)), min(fine.y, inside));
         for (int j = 0; j < 6; ++j) {
             float m = 0.5 * (fine.x + fine.y);
             vec3 q = onLine(l, m);
@@ -738,7 +753,10 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
         }
         if (hit) walkFetches += 7;
         vec2 rim = min(q.xy, size - q.xy) / size;
-        if (hit && !astray) { sure = smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y)); found = q.xy; }
+        if (hit && !astray) {
+            sure = smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
+            found = q.xy;
+        }
         open = hit && astray && s < inside && left > 0;
         before = s;
         s += perStep;
@@ -747,7 +765,7 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     return sure;
 }
 
-// ---- Passes -------------------------------------------------------------------------------------
+// ---- Passes and sound ---------------------------------------------------------------------------
 // Single scattering, with a share of light that has been scattered more often and comes from all
 // around. x: sine of half the angle from the sun's azimuth, y: root of the sine of elevation.
 void mainSky(out vec4 colour, in vec2 pixel) {
@@ -790,8 +808,8 @@ void mainAmbient(out vec4 colour, in vec2 pixel) {
     }
     colour = vec4(sum, 1.0);
 }
-// 0 to 5: place and heading, then tilt, of the clusters. A float follows the waves averaged over its
-// size. 6, 7: the eye and what it looks at.
+// 0 to 5: place and heading, then tilt, of the clusters. A float follows the waves averaged over
+// its size. 6, 7: the eye and what it looks at.
 void mainPoses(out vec4 colour, in vec2 pixel) {
     int k = int(pixel.x), c = k / 2;
     bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
@@ -890,17 +908,16 @@ void mainLight(out vec4 colour, in vec2 pixel) {
     colour = vec4(light, share);
 }
 
-// ---- Sound --------------------------------------------------------------------------------------
-// Noise without much above rate / n, the same for the same sample: values on a lattice of n samples,
-// joined by cubics. Left and right differ.
+// Noise without much above rate / n, always the same for a sample: values on a lattice of n
+// samples, joined by cubics. Left and right differ.
 vec2 latticeNoise(int samp, int n, int seed) {
     int c = samp / n;
     float f = (float(samp - c * n) + 0.5) / float(n);
     vec2 a = random3(ivec3(c, n, seed)).xy, b = random3(ivec3(c + 1, n, seed)).xy;
     return 2.0 * mix(a, b, f * f * (3.0 - 2.0 * f)) - 1.0;
 }
-// Surf whose loudness and brightness are the long waves' height at the camera's left and right, small
-// waves that lap at the lifebuoy, and wind in gusts. No filter has a state, so any sample can be first.
+// Surf as loud and bright as the long waves are high to the left and right of the middle, small
+// waves that lap at the lifebuoy, and wind in gusts. Nothing has a state: any sample can be first.
 vec2 mainSound(int samp, float time) {
     uint tick = uint(samp / 44100) * 65536u + uint(samp % 44100) * 65536u / 44100u;
     vec2 swell = vec2(0.0), lap = vec2(0.0);
@@ -982,7 +999,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         Sea s = sea(q.xz, seaFootprint(away, angle * (u.t + far)));
         if (reflections < 3) {
             vec4 stuff = texelFetch(albedo, ivec2(found), 0);
-            vec3 nor = normalize(texelFetch(normalDepth, ivec2(found), 0).xyz + vec3(0.0, 1e-6, 0.0));
+            vec3 nor = texelFetch(normalDepth, ivec2(found), 0).xyz;
+            nor = normalize(nor + vec3(0.0, 1e-6, 0.0));
             thing = texelFetch(lightBuffer, ivec2(found), 0).rgb;
             int id = sure > 0.0 ? int(stuff.w) : kSky;
             if (id == kGlass) glass = nor;
