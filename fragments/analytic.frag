@@ -305,44 +305,46 @@ vec2 torusAlong(vec3 ro, vec3 rd, float small, float t) {
 }
 // Axis y. Scaled to large radius 1 and slid to the middle the quartic is t^4 + p t^2 + q t + w; the
 // roots of its derivative part the ray into pieces with one root at most, found there by Newton
-// steps that never leave their bracket (Yuksel 2022), on the form that was not multiplied out.
+// steps that never leave their bracket (Yuksel 2022); two more on the form not multiplied out.
 float robustTorus(vec3 ro, vec3 rd, float large, float small) {
     ro /= large; small /= large;
     float s = slideNear(ro, rd);
     s += slideNear(ro, rd);
-    float w2 = square(1.0 + small) - dot(ro, ro), w = sqrt(max(w2, 0.0));
+    float ff = dot(ro, ro), room2 = square(1.0 + small) - ff, room = sqrt(max(room2, 0.0));
     float dy = abs(rd.y) < kTiny ? kTiny : rd.y, mid = -ro.y / dy, reach = abs(small / dy);
-    float lo = max(max(-w, mid - reach), -s), hi = min(w, mid + reach);   // in its sphere and slab
-    if (w2 <= 0.0 || lo >= hi) return -1.0;
-    float p = 2.0 * (dot(ro, ro) + 1.0 - small * small) - 4.0 * dot(rd.xz, rd.xz);
-    float third = -p / 6.0, half1 = dot(ro.xz, rd.xz), disc = half1 * half1 - third * third * third;
-    vec3 split;
+    float lo = max(max(-room, mid - reach), -s), hi = min(room, mid + reach);   // sphere and slab
+    if (room2 <= 0.0 || lo >= hi) return -1.0;
+    float k = ff + 1.0 - small * small, twice = 2.0 * length(ro.xz), b = dot(ro.xz, rd.xz);
+    float p = 2.0 * k - 4.0 * dot(rd.xz, rd.xz), q = -8.0 * b, w = (k - twice) * (k + twice);
+    float third = -p / 6.0, disc = b * b - third * third * third;
+    vec3 split;   // roots of t^3 - 3 third t - 2 b
     if (disc >= 0.0) {
-        float x = cubeRoot(half1 + (half1 < 0.0 ? -sqrt(disc) : sqrt(disc)));
+        float x = cubeRoot(b + (b < 0.0 ? -sqrt(disc) : sqrt(disc)));
         split = vec3(abs(x) > 1e-9 ? x + third / x : 0.0);
     } else {
-        float root = sqrt(third), c = cos(acos(clamp(half1 / (third * root), -1.0, 1.0)) / 3.0);
+        float root = sqrt(third), c = cos(acos(clamp(b / (third * root), -1.0, 1.0)) / 3.0);
         float other = sqrt(3.0 * max(1.0 - c * c, 0.0));
         split = root * vec3(-c - other, -c + other, 2.0 * c);
     }
-    split = clamp(split, lo, hi);
-    float f = torusAlong(ro, rd, small, lo).x;
-    vec4 ends = vec4(split, hi);
-    bool found = false;
-    for (int k = 0; k < 4; ++k) {
-        float g = torusAlong(ro, rd, small, ends[k]).x;
-        if (!found && f * g < 0.0) { found = true; hi = ends[k]; }
-        if (!found) { lo = ends[k]; f = g; }
-    }
-    if (!found) return -1.0;
-    float t = 0.5 * (lo + hi);
-    for (int k = 0; k < 16; ++k) {
-        vec2 g = torusAlong(ro, rd, small, t);
-        if (g.x * f > 0.0) lo = t; else hi = t;
-        float next = t - g.x / (abs(g.y) < kTiny ? kTiny : g.y);
+    vec4 ends = vec4(clamp(split, lo, hi), hi), f = ((ends * ends + p) * ends + q) * ends + w;
+    float sense = sign(torusAlong(ro, rd, small, lo).x);
+    f *= sense;
+    if (f.x > 0.0 && f.y > 0.0 && f.z > 0.0 && f.w > 0.0) return -1.0;
+    lo = f.x <= 0.0 ? lo : f.y <= 0.0 ? ends.x : f.z <= 0.0 ? ends.y : ends.z;
+    hi = f.x <= 0.0 ? ends.x : f.y <= 0.0 ? ends.y : f.z <= 0.0 ? ends.z : ends.w;
+    float from = lo, to = hi, t = 0.5 * (lo + hi);
+    for (int i = 0; i < 16; ++i) {
+        float value = ((t * t + p) * t + q) * t + w, slope = (4.0 * t * t + 2.0 * p) * t + q;
+        if (value * sense > 0.0) lo = t; else hi = t;
+        float next = t - value / (abs(slope) < kTiny ? kTiny : slope);
         next = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
-        if (abs(next - t) < 1e-7) break;
+        bool done = abs(next - t) < 1e-6;
         t = next;
+        if (done) break;
+    }
+    for (int i = 0; i < 2; ++i) {
+        vec2 g = torusAlong(ro, rd, small, t);
+        t = clamp(t - g.x / (abs(g.y) < 1e-6 ? 1e-6 : g.y), from, to);
     }
     return (s + t) * large;
 }
@@ -574,18 +576,25 @@ float besideBox(vec3 ro, vec3 rd, float rim, float tMax, vec3 halfSize) {
     if (depth.x <= 0.0) return 0.0;
     return smoothstep(0.0, 1.0, depth.x / max(depth.x - depth.y, 1e-9));
 }
+float ringDistance2(vec3 p) { return square(length(p.xz) - kRing.x) + p.y * p.y; }
 float besideRing(vec3 ro, vec3 rd, float rim, float tMax) {
-    float t0 = -dot(ro, rd), reach = kRing.x + kRing.y, w2 = reach * reach - dot(ro, ro) + t0 * t0;
-    float grown = square(sqrt(max(w2, 0.0)) + rim * t0), least = 1.0;
-    if (t0 < 0.0 || w2 + grown <= 0.0) return 1.0;
-    float w = sqrt(max(w2 + 2.0 * reach * rim * t0, 0.0));
-    for (int k = 0; k < 16; ++k) {
-        float t = t0 + w * (float(k) + 0.5 - 8.0) / 8.0;
-        vec3 p = ro + t * rd;
-        float away = length(vec2(length(p.xz) - kRing.x, p.y)) - kRing.y;
-        least = min(least, besideEdge(away, t, rim, tMax));
+    float t0 = -dot(ro, rd), reach = kRing.x + kRing.y + max(rim * t0, 0.0);
+    float w2 = reach * reach - dot(ro, ro) + t0 * t0;
+    if (w2 <= 0.0 || t0 + sqrt(w2) <= 0.0) return 1.0;
+    float h = sqrt(w2) / 6.0, best = t0, least = 1e9;
+    for (int k = -5; k <= 5; k += 2) {   // the nearest of six points, then parabolas through three
+        float d2 = ringDistance2(ro + (t0 + h * float(k)) * rd);
+        if (d2 < least) { least = d2; best = t0 + h * float(k); }
     }
-    return least;
+    for (int k = 0; k < 3; ++k) {
+        float a = ringDistance2(ro + (best - h) * rd), b = ringDistance2(ro + (best + h) * rd);
+        float bend = a - 2.0 * least + b, next = best + (bend > 1e-9 ? 0.5 * h * (a - b) / bend : 0.0);
+        next = clamp(next, best - h, best + h);
+        float d2 = ringDistance2(ro + next * rd);
+        if (d2 < least) { least = d2; best = next; }
+        h *= 0.35;
+    }
+    return besideEdge(sqrt(least) - kRing.y, best, rim, tMax);
 }
 float besideDisc(vec3 ro, vec3 rd, float rim, float tMax, vec3 nor, float r) {
     float speed = dot(rd, nor), t = -dot(ro, nor) / (abs(speed) < kTiny ? kTiny : speed);
