@@ -76,7 +76,7 @@ uniform int   antialias;       //@ 1 [1, 32] log quality reference=32 "paths a p
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D air;         //@ pass mainAir size=64x128
-uniform sampler2D sky;  //@ pass mainSky size=1024x512 format=rgba16f wrap=repeat filter=mipmap
+uniform sampler2D sky;  //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D wavelets;    //@ pass mainWavelets size=8x1
 uniform sampler2D bed;         //@ pass mainBed size=256x384
 uniform sampler2D pointer;     //@ pass mainPointer scale=0.05 step=1/240
@@ -204,7 +204,7 @@ void loadWaves() {
 void loadAll() {
     loadWaves();
     for (int i = 0; i < lanterns; ++i) gLanterns[i] = texelFetch(floats, ivec2(i, 0), 0);
-    gAmbient = 0.5 * (textureLod(sky, vec2(0.25, 0.75), 8.0).rgb
+    gAmbient = 0.5 * (textureLod(sky, vec2(0.25, 0.75), 8.0).rgb    // 8 by 2 texels
                       + textureLod(sky, vec2(0.75, 0.75), 8.0).rgb);
 }
 
@@ -395,7 +395,7 @@ Hit intersect(vec3 ro, vec3 rd, bool wet) {
 // The sky's picture goes from straight down to straight up, finest at the horizon; a: how clear the
 // view of the sun is. cone: rad, what is seen as one.
 vec4 skyLight(vec3 rd, float cone) {
-    float lod = clamp(log2(max(cone, 1e-4) * 1024.0 / (2.0 * kPi)), 0.0, 5.0);
+    float lod = clamp(log2(max(cone, 1e-4) * 2048.0 / (2.0 * kPi)), 0.0, 6.0);
     float v = 0.5 + 0.5 * sign(rd.y) * sqrt(abs(rd.y)), edge = exp2(lod) / 1024.0;
     return textureLod(sky, vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5,
                                 clamp(v, edge, 1.0 - edge)), lod);
@@ -416,11 +416,13 @@ vec3 starLayer(vec2 uv, float cell, float radius, float w, int seed) {
 }
 
 bool gSunDisc = true;   // planar pictures leave it to the water
-// The sun as a blur: its disc, seen over a cone. Its light is kept, but for a ceiling.
+// The sun as a blur: its disc, seen over a cone. Its light is kept, but for a ceiling; its colour
+// is half bleached, as on film.
 vec3 sunGlint(vec3 rd, float cone) {
     float sigma2 = square(0.0047) + 0.25 * cone * cone;
     vec3 off = rd - towardsSun();
-    return sunColour() * min(0.5 / sigma2, 4e3) * exp(-min(0.5 * dot(off, off) / sigma2, 60.0));
+    return mix(sunColour(), vec3(maxComponent(sunColour())), 0.5) * min(0.5 / sigma2, 4e3)
+        * exp(-min(0.5 * dot(off, off) / sigma2, 60.0));
 }
 
 // All beyond the terrace.
@@ -430,8 +432,8 @@ vec3 background(vec3 rd, float cone) {
     if (gSunDisc) light += far.a * sunGlint(rd, cone);
     if (stars > 0.0 && rd.y > 0.0) {
         vec2 uv = rd.xz / (0.35 + rd.y);
-        light += stars * far.a * (starLayer(uv, 0.022, 0.0004, cone, 41) * 6.0
-                          + starLayer(uv + 0.3, 0.09, 0.0009, cone, 43) * 9.0);
+        light += stars * far.a * (starLayer(uv, 0.05, 0.0005, cone, 41) * 9.0
+                          + starLayer(uv + 0.3, 0.16, 0.0010, cone, 43) * 14.0);
     }
     return light;
 }
@@ -598,7 +600,7 @@ vec3 albedoOf(Matt m, inout vec3 nor) {
     vec3 tint = linearColour(tileColour) * mix(1.0, 0.70 + 0.60 * r.x, distinct);
     vec3 accent = linearColour(tileColour) * vec3(0.35, 0.72, 0.95);
     tint = mix(tint, accent, mix(0.16, step(0.84, r.y), distinct));
-    tint = mix(tint, vec3(0.62, 0.66, 0.64), joint);
+    tint = mix(tint, 0.35 * linearColour(tileColour) + 0.34, joint);
     edge += 0.62;   // a dark band near the rim of the floor, one along the waterline, the coping
     float band = max(stripe(edge.x, -0.07, 0.07, foot.x) * step(edge.y, 0.07),
                      stripe(edge.y, -0.07, 0.07, foot.z) * step(edge.x, 0.07));
@@ -620,12 +622,19 @@ vec3 lightFrom(Matt m) {
         corner = shut.x * shut.y * shut.z;
     }
     vec3 open = gAmbient * (0.62 + 0.38 * nor.y) * corner;
+    if (!m.wet) {   // the lit pool shines up at what stands over it
+        vec2 beyond = max(abs(m.pos.xz) - kPool, 0.0);
+        float far2 = 0.2 * square(m.pos.y) + 2.0 * dot(beyond, beyond);
+        vec3 up = 0.6 * max(sin(radians(sunHeight)), 0.0) * sunColour() + gAmbient;
+        up *= exp(-2.0 * depth * absorption()) * linearColour(tileColour);
+        open += 0.16 * (1.0 - nor.y) / (1.0 + far2) * up;
+    }
     if (m.wet) open *= 0.93 * exp(-1.2 * absorption() * max(-m.pos.y, 0.0));
     if (m.id == kWall && poolLights > 0.0)
         for (int i = 0; i < 6; ++i)
             own += smoothstep(0.13, 0.09, distance(m.pos, lampPlace(i))) * poolLights * 9.0;
     if (m.id >= kLantern)
-        own = lanternGlow * vec3(1.0, 0.52, 0.18) * (0.5 + 0.7 * m.cosine * m.cosine);
+        own = lanternGlow * vec3(1.0, 0.46, 0.13) * (0.2 + m.cosine * m.cosine);
     return own + albedo * (open + sunOn(start, nor, m.wet) + lampsOn(start, nor, m.wet));
 }
 
@@ -831,8 +840,8 @@ vec3 planarWater(Ray r, float t) {
         at = pictureUv((r.o + far * back) * vec3(1, -1, 1));
     }
     vec3 sum = share * textureLod(mirror, at, 0.0).rgb;
-    if (far > 9e3) sum += share * skyLight(back, 0.0).a * sunGlint(back, sqrt(0.5 * dot(r.dx, r.dx) * 2.0
-        + 4.0 * max(ripple.z - dot(ripple.xy, ripple.xy), 0.0)));
+    float spread = dot(r.dx, r.dx) + 4.0 * max(ripple.z - dot(ripple.xy, ripple.xy), 0.0);
+    if (far > 9e3) sum += share * skyLight(back, 0.0).a * sunGlint(back, sqrt(spread));
 
     vec3 level = refract(rd, kUp, 1.0 / kIorWater);
     vec2 along = normalize(rd.xz + vec2(0.0, 1e-6)), across = vec2(-along.y, along.x);
