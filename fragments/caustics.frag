@@ -306,9 +306,9 @@ float cellLight(vec2 a, vec2 b, vec2 c, vec2 d, vec4 flux) {
 // Light that falls into a square of the floor, or of a level at a part `fall` of the depth, beside
 // flat water's. llvmpipe skips no branch, only loops: what meets is marked first, then visited.
 vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, sampler2D boxes2,
-            vec4 bounds, ivec2 frame, int count, vec2 corner, float size, float fall, bool tinted) {
-    float side = 16.0 / float(count), zoom = 1.0 / size, share = square(zoom / float(count));
-    vec4 texel = vec4(corner, corner + size);
+            vec4 bounds, ivec2 frame, int count, ivec2 spot, int texels, float fall, bool tinted) {
+    float side = 16.0 / float(count), zoom = float(texels), unit = zoom / float(count);
+    vec4 texel = vec4(spot, spot + 1) / zoom;
     bounds = mix(vec4(0.0, 0.0, side, side), bounds, fall);
     ivec2 first = ivec2(ceil((texel.xy - bounds.zw) / side));
     ivec2 span = clamp(ivec2(floor((texel.zw - bounds.xy) / side)) - first + 1, 0, 96);
@@ -338,14 +338,14 @@ vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, s
                 vec4 middle[4], pair[4];
                 for (int j = 0; j < (method == kPhotons ? 1 : 4); ++j) {
                     ivec2 place = cell + ivec2(j & 1, j >> 1), from = frame * count;
-                    vec4 home = (vec2(place) / float(count) - corner).xyxy;
+                    vec4 home = vec2(place * texels - spot * count).xyxy / float(count);   // exact
                     if (method == kPhotons)
-                        home += photonStart(wrapped(cell, count), number).xyxy / float(count);
+                        home += unit * photonStart(wrapped(cell, count), number).xyxy;
                     middle[j] = texelFetch(at, from + wrapped(place, count), 0);
                     pair[j] = middle[j].xyxy;
                     if (tinted) pair[j] = texelFetch(pairs, from + wrapped(place, count), 0);
-                    middle[j].xy = zoom * (home.xy + fall * middle[j].xy);
-                    pair[j] = zoom * (home + fall * pair[j]);
+                    middle[j].xy = home.xy + zoom * fall * middle[j].xy;
+                    pair[j] = home + zoom * fall * pair[j];
                 }
                 vec3 light;
                 if (method == kPhotons) {
@@ -360,16 +360,16 @@ vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, s
                         light.z = cellLight(pair[0].zw, pair[1].zw, pair[2].zw, pair[3].zw, flux);
                     }
                 }
-                sum += share * light;
+                sum += unit * unit * light;
             }
         }
     }
     return sum;
 }
 // The same from the buffers of this moment.
-vec3 gatherNow(vec2 corner, float size, float fall, bool tinted) {
+vec3 gatherNow(ivec2 place, int texels, float fall, bool tinted) {
     return gather(landing, split, cellBoxes, blocks, supers, texelFetch(reach, ivec2(0), 0),
-                  ivec2(0), meshCells(), corner, size, fall, tinted);
+                  ivec2(0), meshCells(), place, texels, fall, tinted);
 }
 
 // ---- Objects ------------------------------------------------------------------------------------
@@ -502,7 +502,7 @@ vec3 causticAt(vec3 p, Medium m, float w) {
     float lod = max(log2(texels) - 0.5, 0.0);
     vec3 bed = 0.25 * (textureLod(caustics, u + e.xx, lod) + textureLod(caustics, u + e.yy, lod)
         + textureLod(caustics, u + e.xy, lod) + textureLod(caustics, u + e.yx, lod)).rgb;
-    if (fall == 1.0) return bed;
+    if (fall == 1.0 || (objects == 0 && ground == 0)) return bed;
     vec4 levels = textureLod(slices, u, max(lod - 1.0, 0.0));
     return max(levelLight(levels, fall) + (bed - levels.z) * square(square(fall)), 0.0);
 }
@@ -764,7 +764,7 @@ void mainFrames(out vec4 colour, in vec2 pixel) {
     ivec2 at = ivec2(pixel), frame = at / kMap;
     colour.rgb = gather(frameLanding, frameSplit, frameCells, frameBlocks, frameSupers,
                         texelFetch(frameReach, frame, 0), frame, kFrameCells,
-                        vec2(at % kMap) / float(kMap), 1.0 / float(kMap), 1.0, dispersion > 0.0);
+                        at % kMap, kMap, 1.0, dispersion > 0.0);
 }
 // Five frames of the loop, the next fading in while the oldest fades out. Their weights lag by
 // 1.2 / 1.05 frames, by which the loop runs ahead.
@@ -798,7 +798,7 @@ void mainCaustics(out vec4 colour, in vec2 pixel) {
     } else if (method == kArea && isCalm()) {
         colour.rgb = vec3(inverseLight(u, 1.0));
     } else {
-        colour.rgb = gatherNow(u - 0.5 / float(kMap), 1.0 / float(kMap), 1.0, dispersion > 0.0);
+        colour.rgb = gatherNow(ivec2(pixel), kMap, 1.0, dispersion > 0.0);
         if (method == kPhotons)
             colour.rgb = mix(previousFrame(texelFetch(caustics, ivec2(pixel), 0)).rgb, colour.rgb,
                              1.0 / float(photonPass()));
@@ -813,7 +813,7 @@ void mainSlices(out vec4 colour, in vec2 pixel) {
     if (method < kArea) return;   // these know the floor only: its pattern fades upwards
     for (int i = 0; i < 2; ++i)
         colour[i] = method == kArea && isCalm() ? inverseLight(u, kLevels[i])
-            : gatherNow(u - 0.5 / float(kSliceMap), 1.0 / float(kSliceMap), kLevels[i], false).g;
+            : gatherNow(ivec2(pixel), kSliceMap, kLevels[i], false).g;
     if (method == kPhotons)
         colour.xy = mix(previousFrame(texelFetch(slices, ivec2(pixel), 0)).xy, colour.xy,
                         1.0 / float(photonPass()));
