@@ -2,10 +2,40 @@
 //
 // A still life of everything that a ray meets in closed form: spheres, boxes, a mesh of triangles,
 // discs, a cylinder, a cone, an ellipsoid and a torus, in glass, mirror and glaze on an engraved
-// dial. Each shape is met twice over, by the formula of the textbooks and by one that holds its
+// dial. Each shape is met twice over, by the formula of the textbooks and by one that keeps its
 // digits. `magnitude` takes the world to where the first breaks, `wipe` shows both in one picture,
 // and `view` the error of the hit distance.
 //
+// What it shows (tests/gl, 98,304 rays a row): rays that flip between hit and miss, and the error
+// of the distance that 99 % stay below.
+//                                     textbook            robust
+//   sphere, 1e2 and 1e4 radii away    0.04, 46 %  4e-4    0, 0.008 %      2e-7
+//   ellipsoid                         0.06, 52 %  4e-4    0.001, 0.005 %  2e-7
+//   cylinder                          0.04, 43 %  5e-4    0, 0.008 %      1e-7
+//   cone                              0.08, 26 %  5e-4    0, 0.004 %      2e-7
+//   disc                              0.00, 0.01 %  2e-7  0, 0.005 %      1e-7
+//   torus                             52, 50 %    3e-2    0, 0.013 %      2e-7
+//   edges, corners of the crystal     35, 59 % leak       0 of 1e5, 0 of 1e5
+//   box: edge, ray in a face          12, 14 % missed     0, 0
+//   own surface again, eye at 1e6 m   13 %                0
+//
+// Method   Robust forms slide the ray's start to its point nearest the shape, so that what cancels
+//          does so once, in a subtraction that is nearly exact. Hits are moved back onto their
+//          surface and leave it by 8 ulp. Where the eye steps back a robust ray starts nearby. One
+//          path a pixel: at glass the stronger way is followed, up to kPending weaker ones wait.
+//          Lights are discs; shadows are cones to `shadowSamples` sub-discs, each shape's share in
+//          closed form: smooth with one cone, exact in the limit of many. Biased: glass dims light,
+//          it does not focus it. The error view puts the hit in twice the digits and reads off how
+//          far from the surface it lies. Picked by specialisation, the other formulas cost nothing.
+// Sources  Haines, Guenther, Akenine-Moeller, Ray Tracing Gems ch. 7 (2019), eq. 5: sphere. Woop,
+//          Benthin, Wald, JCGT 2(1) (2013): triangles. Ize, JCGT 2(2) (2013): slabs. Yuksel, Proc.
+//          ACM CGIT 5(3) (2022): roots in brackets. Dekker, Numer. Math. 18 (1971): exact product.
+//          Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel, Math. Biosci. 44 (1979).
+//          Textbook: Shirley, Fundamentals of Computer Graphics (2002): Cramer. Ferrari's quartic.
+// Units    1 unit = 1 m, y up, linear sRGB colour until the display curve; lamps: radiance x m^2.
+// Passes   none but the image.
+// Bounds   llvmpipe ends the loops of a pixel after 65,535 turns together. Each quality knob alone
+//          stays below at its reference; all at once (64 x 48 x 2 x 64) need a GPU.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -41,7 +71,7 @@ uniform float cameraHeight;    //@ 1.7 [0.1, 8] unit=m "of the eye"
 uniform float targetHeight;    //@ 1.15 [0, 4] unit=m "of the point looked at"
 uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, to the right"
 uniform float focalLength;     //@ 40 [12, 200] log unit=mm "of a lens on 36 x 24 mm film"
-uniform float exposure;        //@ 0.25 [-4, 4] unit=stop "before the display curve"
+uniform float exposure;        //@ 0.4 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
 uniform int   bounces;         //@ 10 [1, 48] log quality reference=48 "rays along one path"
 uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to each light"
@@ -98,6 +128,7 @@ vec2 turn(vec2 p, float angle) {
 }
 float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
 float square(float x) { return x * x; }
+vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }
 vec3 linearColour(vec3 c) {   // from sRGB, a fit to 1/500
     return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
 }
@@ -120,7 +151,7 @@ float fresnel(float cosI, float eta) {
 vec3 refractExactly(vec3 rd, vec3 nor, float eta) {
     float cosine = clamp(-dot(rd, nor), 0.0, 1.0);
     float k = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
-    return normalize(eta * rd + (eta * cosine - sqrt(max(k, 0.0))) * nor);
+    return unit(eta * rd + (eta * cosine - sqrt(max(k, 0.0))) * nor);
 }
 
 // ---- Textbook forms: shapes at the origin, the ray as it comes ----------------------------------
@@ -266,7 +297,8 @@ float robustDisc(vec3 ro, vec3 rd, vec3 nor, float r) {
 }
 float robustBox(vec3 ro, vec3 rd, vec3 halfSize, out vec3 face) {   // as three slabs
     bvec3 level = lessThan(abs(rd), vec3(kTiny)), within = lessThanEqual(abs(ro), halfSize);
-    vec3 inv = 1.0 / mix(rd, vec3(1.0), level), a = (-halfSize - ro) * inv, b = (halfSize - ro) * inv;
+    vec3 inv = 1.0 / mix(rd, vec3(1.0), level);
+    vec3 a = (-halfSize - ro) * inv, b = (halfSize - ro) * inv;
     vec3 enter = mix(min(a, b), mix(vec3(kFar), vec3(-kFar), within), level);
     vec3 leave = mix(max(a, b), vec3(kFar), level);
     float near = maxComponent(enter), far = min(leave.x, min(leave.y, leave.z));
@@ -350,7 +382,6 @@ float robustTorus(vec3 ro, vec3 rd, float large, float small) {
 }
 
 // ---- Scene --------------------------------------------------------------------------------------
-vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }
 vec3 inGem(vec3 v) {   // the crystal turns about a tilted axis
     v.xy = turn(v.xy, 0.35);
     v.xz = turn(v.xz, 2.0 * kPi * cycles(0.03125));
@@ -588,8 +619,8 @@ float besideRing(vec3 ro, vec3 rd, float rim, float tMax) {
     }
     for (int k = 0; k < 3; ++k) {
         float a = ringDistance2(ro + (best - h) * rd), b = ringDistance2(ro + (best + h) * rd);
-        float bend = a - 2.0 * least + b, next = best + (bend > 1e-9 ? 0.5 * h * (a - b) / bend : 0.0);
-        next = clamp(next, best - h, best + h);
+        float bend = a - 2.0 * least + b, shift = bend > 1e-9 ? 0.5 * h * (a - b) / bend : 0.0;
+        float next = clamp(best + shift, best - h, best + h);
         float d2 = ringDistance2(ro + next * rd);
         if (d2 < least) { least = d2; best = next; }
         h *= 0.35;
@@ -650,7 +681,8 @@ vec3 irradiance(vec3 q, vec3 nor, int id) {
         }
         if (!robust) {   // acne: what the textbooks' shadow ray meets on the surface it leaves
             vec3 away = axis * inverse;
-            if (meetScene(toWorld(q) + kTextbookLift * nor, away).id == id) seen = 0.0;
+            Hit h = meetScene(toWorld(q) + kTextbookLift * nor, away);
+            if (h.id == id && h.t * inverse < worldScale) seen = 0.0;
         }
         sum += power * (seen / far2);
     }
@@ -855,7 +887,7 @@ vec3 errorView(vec3 ro, vec3 rd, vec2 uv) {   // uv: the picture's height is 1, 
     float step1 = floor(bar.x * 8.0 + 0.5);
     vec2 dots = vec2((bar.x * 8.0 - step1) * 0.12, uv.y + 0.477) / 0.0035;
     ivec2 cell = ivec2(floor(dots)) + ivec2(1, 0);
-    bool there = step1 >= 0.0 && step1 <= 8.0 && cell.x >= 0 && cell.x < 3 && cell.y >= 0 && cell.y < 5;
+    bool there = abs(step1 - 4.0) <= 4.0 && cell.x >= 0 && cell.x < 3 && cell.y >= 0 && cell.y < 5;
     if (there && (digits[int(step1)] >> (cell.y * 3 + cell.x) & 1) == 1) c = vec3(0.8);
     return c;
 }
