@@ -572,8 +572,8 @@ float cloudNoise(vec2 p, int period, int seed) {
 }
 // Thickness of the clouds overhead; width: angle that is averaged, rad.
 float cloudCover(vec3 rd, float width) {
-    float y = max(rd.y, 0.01), w = width * 2.2 / (y * y);
-    vec2 p = rd.xz / (y + 0.04) * vec2(1.1, 2.2) + vec2(256.0 * cycles(0.0003), 64.0);
+    float y = max(rd.y, 0.01) + 0.04, w = 1.6 * width / (y * sqrt(y));   // both axes' mean
+    vec2 p = rd.xz / y * vec2(1.1, 2.2) + vec2(256.0 * cycles(0.0003), 64.0);
     float sum = 0.0, gain = 0.5;
     for (int k = 0; k < 5; ++k) {
         float keep = clamp(1.3 - w * exp2(float(k)), 0.0, 1.0);
@@ -581,7 +581,7 @@ float cloudCover(vec3 rd, float width) {
         sum += gain * mix(0.5, cloudNoise(p * exp2(float(k)) + 512.0, 512 << k, 40 + k), keep);
         gain *= 0.5;
     }
-    float soft = 0.22 + min(w, 0.5);
+    float soft = 0.22 + min(0.5 * w, 0.3);
     float cover = smoothstep(1.0 - clouds - soft, 1.0 - clouds + soft, sum * 0.96);
     return cover * smoothstep(0.0, 0.12, rd.y);
 }
@@ -591,7 +591,7 @@ vec3 airLight(vec3 rd, float width, bool disc) {
     float cosine = dot(rd, sun), away2 = max(2.0 - 2.0 * cosine, 0.0);
     if (clouds > 0.0 && rd.y > 0.0) {
         float cover = cloudCover(rd, width);
-        float silver = 0.05 + 0.22 / (1.0 + 14.0 * away2);
+        float silver = 0.07 + 0.22 / (1.0 + 14.0 * away2);
         vec3 lit = sunBeam() * silver * 1.1 + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.2;
         sum = mix(sum, mix(sum, lit, 0.8), cover * (1.0 - 0.25 * cover));
         sum *= 1.0 - 0.18 * cover * cover;
@@ -749,7 +749,7 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
         if (astray) {
             q = onLine(l, rough.y);
             texel = texelFetch(normalDepth, ivec2(q.xy), 0);
-            astray = q.z - texel.w > 0.06 || dot(texel.xyz, rd) > 0.3 * length(texel.xyz);
+            astray = q.z - texel.w > 0.025 || dot(texel.xyz, rd) > 0.3 * length(texel.xyz);
         }
         if (hit) walkFetches += 7;
         vec2 rim = min(q.xy, size - q.xy) / size;

@@ -108,13 +108,13 @@ std::array<Rates, 4> rates(const std::string& tweaks) {
 TEST_F(SeaScene, ScreenSpaceRaysFindWhatExactRaysMeet) {
     struct Case {
         std::string name, tweaks;
-        double least_found;
+        double least_found, most_wrong;  // percent
     };
     const std::vector<Case> cases = {
-        {"march 32 + 6", "reflections = \"march\"\n", 98.0},
-        {"walk, stride 1", "reflections = \"screen-space\"\nstride = 1.0\n", 98.0},
-        {"walk, stride 3", "reflections = \"screen-space\"\nstride = 3.0\n", 98.0},
-        {"walk, stride 8", "reflections = \"screen-space\"\nstride = 8.0\n", 94.0},
+        {"march 32 + 6", "reflections = \"march\"\n", 98.0, 2.0},
+        {"walk, stride 1", "reflections = \"screen-space\"\nstride = 1.0\n", 98.0, 2.0},
+        {"walk, stride 3", "reflections = \"screen-space\"\nstride = 3.0\n", 98.0, 2.0},
+        {"walk, stride 8", "reflections = \"screen-space\"\nstride = 8.0\n", 94.0, 4.0},
     };
     constexpr std::array kParts = {"all", "water", "to sea", "to thing"};
     fmt::print("{:<24}{:>9}{:>9}{:>9}{:>9}{:>10}\n", "", "solvable", "found %", ">2 px %",
@@ -127,7 +127,7 @@ TEST_F(SeaScene, ScreenSpaceRaysFindWhatExactRaysMeet) {
                        r.solvable, r.found, r.wrong, r.invented, r.fetches);
         }
         EXPECT_GE(all[0].found, one.least_found) << one.name;
-        EXPECT_LE(all[0].wrong, 2.0) << one.name;
+        EXPECT_LE(all[0].wrong, one.most_wrong) << one.name;
         EXPECT_LE(all[0].invented, 3.0) << one.name;
         EXPECT_LE(all[0].fetches, 32.0) << one.name;
     }
