@@ -93,6 +93,9 @@ void add_check(CLI::App& verb, CheckOptions& check) {
     verb.add_option("--frames", check.effort.frames, "of the long run")->check(from(1, 10'000'000));
     verb.add_option("--random", check.effort.random, "sets of random tweaks")
         ->check(from(0, 1'000'000));
+    verb.add_option("--seconds", check.effort.seconds,
+                    "that one file may take, 110 otherwise; 0: no limit")
+        ->check(from(0.0, 1e6));
     verb.add_option("--case", check.only, "only cases whose name begins so");
     verb.add_option("--hang", check.hang_seconds, "s that one frame may take")
         ->check(from(1.0, 1e5));

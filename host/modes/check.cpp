@@ -35,8 +35,11 @@ void print_table(const CheckedFile& file) {
         if (!result.picture.empty()) fmt::print("        picture: {}\n", result.picture);
         if (!result.reproduce.empty()) fmt::print("        again: {}\n", result.reproduce);
     }
-    fmt::print("{}: {} of {} cases failed, {:.0f} s, {}\n", file.scene,
-               count(file, CaseVerdict::fail), file.cases.size(), file.seconds, file.renderer);
+    const std::size_t skipped = count(file, CaseVerdict::skip);
+    fmt::print("{}: {} of {} cases failed{}, {:.0f} s, {}\n", file.scene,
+               count(file, CaseVerdict::fail), file.cases.size(),
+               skipped > 0 ? fmt::format(", {} left out", skipped) : "", file.seconds,
+               file.renderer);
 }
 
 Json to_json(const std::vector<CheckedFile>& files) {

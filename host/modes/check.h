@@ -11,13 +11,18 @@
 
 namespace glint {
 
-// How hard a check tries. Where a person has not said how many, a group of cases also ends when its
-// seconds are over.
+// How hard a check tries.
 struct Effort {
-    std::optional<int> frames, random;
-    int inject = 3;  // texels that are poisoned at once; 0: no such cases
+    std::optional<int> frames, random;  // kFrames and kRandom, as far as the seconds allow
+    int inject = 3;                     // texels that are poisoned at once; 0: no such cases
+    // What one file may take. Then the rest is left out, and says so; a quarter each may go into
+    // the long run and into random tweaks, unless a person has said how many. 0: no limit.
+    double seconds = 110.0;
     static constexpr int kFrames = 2000, kRandom = 64;
-    static constexpr double kGroupSeconds = 25.0;
+
+    bool over(double ms, double share = 1.0) const {
+        return seconds > 0.0 && ms > share * seconds * 1000.0;
+    }
 };
 
 struct CheckOptions {

@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-constexpr int kFrames = 64, kFineFrames = 32;
+constexpr int kFrames = 64, kFineFrames = 32, kLeastFrames = 8;
 constexpr double kFrame = 1.0 / 60, kFineFrame = 1.0 / 960;
 constexpr int kFirstSecond = 60;       // frames
 constexpr double kLidCatchUp = 0.25;   // s, as in the window
@@ -95,9 +95,9 @@ std::vector<double> changes(AgedClock& clock, CheckSubject& subject, double from
     return list;
 }
 
-int count_moving(const std::vector<double>& list) {
-    return static_cast<int>(
-        std::count_if(list.begin(), list.end(), [](double d) { return d > 0; }));
+double share_moving(const std::vector<double>& list) {
+    const auto moving = std::count_if(list.begin(), list.end(), [](double d) { return d > 0; });
+    return static_cast<double>(moving) / std::max(static_cast<double>(list.size()), 1.0);
 }
 
 // How much the change jumps from frame to frame, beside its mean: second differences, which a
@@ -111,19 +111,22 @@ double unevenness(const std::vector<double>& list) {
     return sum > 0.0 ? jumps / sum : 0.0;
 }
 
-Motion motion_at(CheckSubject& subject, double age) {
-    AgedClock clock(subject, age);
-    const std::vector<double> coarse = changes(clock, subject, 0.0, kFrame, kFrames);
-    const double later = (kFrames + 1) * kFrame;
-    return {.moving = count_moving(coarse),
-            .finely_moving = count_moving(changes(clock, subject, later, kFineFrame, kFineFrames)),
+Motion motion_at(const Check& check, double age) {
+    const int frames = check.paced(kFrames, kLeastFrames);
+    const int fine_frames = check.paced(kFineFrames, kLeastFrames);
+    AgedClock clock(check.subject, age);
+    const std::vector<double> coarse = changes(clock, check.subject, 0.0, kFrame, frames);
+    const std::vector<double> fine =
+        changes(clock, check.subject, (frames + 1) * kFrame, kFineFrame, fine_frames);
+    return {.moving = share_moving(coarse),
+            .finely_moving = share_moving(fine),
             .unevenness = unevenness(coarse)};
 }
 
 // The least that can be asked: a scene may come to rest within its first minute.
 Motion young_motion(Check& check) {
     if (!check.young) {
-        const Motion at_1 = motion_at(check.subject, 1.0), at_60 = motion_at(check.subject, 60.0);
+        const Motion at_1 = motion_at(check, 1.0), at_60 = motion_at(check, 60.0);
         check.young = {.moving = std::min(at_1.moving, at_60.moving),
                        .finely_moving = std::min(at_1.finely_moving, at_60.finely_moving),
                        .unevenness = std::max(at_1.unevenness, at_60.unevenness)};
@@ -133,19 +136,19 @@ Motion young_motion(Check& check) {
 
 void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
     if (old.moving < kLeastMoving * young.moving) {
-        result.fail(fmt::format("stands still in {} of {} frames, when young in {}",
-                                kFrames - old.moving, kFrames, kFrames - young.moving));
+        result.fail(fmt::format("stands still in {:.0f} % of frames, when young in {:.0f} %",
+                                100.0 - 100.0 * old.moving, 100.0 - 100.0 * young.moving));
     } else if (old.finely_moving < kLeastFinelyMoving * young.finely_moving) {
         result.fail(
-            fmt::format("moves in coarse steps: {} of {} frames 1/960 s apart differ, when "
-                        "young {}",
-                        old.finely_moving, kFineFrames, young.finely_moving));
+            fmt::format("moves in coarse steps: {:.0f} % of frames 1/960 s apart differ, "
+                        "when young {:.0f} %",
+                        100.0 * old.finely_moving, 100.0 * young.finely_moving));
     } else if (old.unevenness > kUnevennessFactor * young.unevenness + kUnevennessAllowed) {
         result.fail(fmt::format("moves unevenly, by {:.0f} %, when young by {:.0f} %",
                                 100.0 * old.unevenness, 100.0 * young.unevenness));
     } else {
-        result.note = fmt::format("moves in {} of {} frames, uneven by {:.1f} %", old.moving,
-                                  kFrames, 100.0 * old.unevenness);
+        result.note = fmt::format("moves in {:.0f} % of frames, uneven by {:.0f} %",
+                                  100.0 * old.moving, 100.0 * old.unevenness);
     }
 }
 
@@ -158,14 +161,14 @@ void run_age(const Age& age, Check& check, CaseResult& result) {
     }
     if (age.seconds <= 1.0) {
         AgedClock clock(subject, age.seconds);
-        changes(clock, subject, 0.0, kFrame, kFrames);
+        changes(clock, subject, 0.0, kFrame, check.paced(kFrames, kLeastFrames));
         return;
     }
     const Motion young = young_motion(check);
     if (!subject.observed().is_finite()) return;
-    const Motion old = motion_at(subject, age.seconds);
+    const Motion old = motion_at(check, age.seconds);
     if (!subject.observed().is_finite()) return;
-    if (young.moving == 0)
+    if (young.moving == 0.0)
         result.note = "comes to rest within its first minute";
     else
         judge_motion(young, old, result);
@@ -173,8 +176,9 @@ void run_age(const Age& age, Check& check, CaseResult& result) {
 
 // The picture some frames after the clock has jumped to a time. iFrame and iDate are the same
 // whatever the time: they are no phases.
-std::vector<float> picture_at(CheckSubject& subject, double time, double periods) {
-    const int frames = subject.stateful() ? kFineFrames : 0;
+std::vector<float> picture_at(const Check& check, double time, double periods) {
+    CheckSubject& subject = check.subject;
+    const int frames = subject.stateful() ? check.paced(kFineFrames, kLeastFrames) : 0;
     if (subject.stateful()) {
         subject.renderer().reset();
         if (!subject.play_frames(0, kFirstSecond, 60.0)) return {};
@@ -194,8 +198,8 @@ void run_same_phase(const Period& period, Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     // Later than the first second by more than is ever caught up, so that both clocks jump.
     const double time = std::max(subject.preset.time, 2.0);
-    const std::vector<float> young = picture_at(subject, time, 0);
-    const std::vector<float> old = picture_at(subject, time, period.count);
+    const std::vector<float> young = picture_at(check, time, 0);
+    const std::vector<float> old = picture_at(check, time, period.count);
     if (young.empty() || old.empty()) return;
     const Difference found = difference(old, young);
     result.note = fmt::format("{:.1f} dB, {:.2f} % of pixels off by more than 1/255", found.psnr,

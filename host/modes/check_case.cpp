@@ -96,10 +96,11 @@ std::string command_for(const CheckSubject& subject, const CaseResult& result,
     const std::string output =
         subject.observed().found.empty() ? "image" : subject.observed().found.back().output;
     return fmt::format(
-        "glint still {} --size {}x{} --time {}{}{}{} --no-specialise{} -o {}",
-        quoted(file.string()), size.x, size.y, format_number(subject.still->time),
+        "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", quoted(file.string()), size.x,
+        size.y, format_number(subject.still->time),
         subject.still->fps == 60.0 ? "" : " --fps " + format_number(subject.still->fps),
         own_events ? "" : tweak_words(subject), device,
+        subject.specialised() ? "" : " --no-specialise",
         output == "image" ? "" : " --pass " + output, quoted((folder / (stem + ".exr")).string()));
 }
 

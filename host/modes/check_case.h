@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -34,9 +35,9 @@ CaseResult case_from_json(const nlohmann::ordered_json& json);
 
 // How a scene moves at an age: see check_age.cpp.
 struct Motion {
-    int moving = 0;           // frames at 60 Hz, of 64, that differ from the one before
-    int finely_moving = 0;    // frames 1/960 s apart, of 32, that do
-    double unevenness = 0.0;  // of the change from frame to frame
+    double moving = 0.0;         // share of frames at 60 Hz that differ from the one before
+    double finely_moving = 0.0;  // of frames 1/960 s apart
+    double unevenness = 0.0;     // of the change from frame to frame
 };
 
 // What a simulation has come to at a time, drawn at 60 Hz.
@@ -50,16 +51,22 @@ struct State {
 struct Check {
     CheckSubject& subject;
     Effort effort;
+    double pace = 1.0;  // less than 1 for a scene whose frames take long
     std::optional<Motion> young{};
     std::optional<State> early{}, later{};  // after 0.25 s and 1 s
+
+    // How many frames to draw where a quick scene gets so many.
+    int paced(int frames, int least) const {
+        return std::max(least, static_cast<int>(frames * pace));
+    }
 };
 
 struct Case {
     std::string name;
     // Draws and judges; what is not finite is found by the subject and needs no words here.
     std::function<void(Check&, CaseResult&)> run;
-    bool sets_all_tweaks = false;  // so it is the same for all presets of a scene
-    bool may_be_left_out = false;  // when the seconds of its group are over
+    // What it changes of the tweaks, for which the subject has to be fed with uniforms.
+    enum class Tweaks { none, one, all, random } tweaks = Tweaks::none;
 };
 
 // In the order in which they run. Which cases there are depends on the scene alone.

@@ -33,7 +33,7 @@ TweakValue filled(const Tweak& tweak, double component) {
 }
 
 void show_tweaks(Check& check) {
-    check.subject.show(check.subject.preset.time, kPlayed);
+    check.subject.show(check.subject.preset.time, kPlayed * std::max(check.pace, 0.2));
 }
 
 void set_all(CheckSubject& subject, bool to_max) {
@@ -70,7 +70,8 @@ void add_extreme(std::vector<Case>& list, const Tweak& tweak, std::size_t index,
                     [index, extreme](Check& check, CaseResult&) {
                         check.subject.preset.values[index] = extreme;
                         show_tweaks(check);
-                    }});
+                    },
+                    Case::Tweaks::one});
 }
 
 struct MousePlace {
@@ -115,7 +116,7 @@ void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject, const
                             set_all(check.subject, to_max);
                             show_tweaks(check);
                         },
-                        true});
+                        Case::Tweaks::all});
     }
     for (int seed = 1; seed <= effort.random.value_or(Effort::kRandom); ++seed) {
         list.push_back({fmt::format("random tweaks {}", seed),
@@ -123,7 +124,7 @@ void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject, const
                             set_random(check.subject, static_cast<unsigned>(seed));
                             show_tweaks(check);
                         },
-                        true, !effort.random});
+                        Case::Tweaks::random});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -42,37 +43,70 @@ ViewOptions small(const ViewOptions& view) {
     return result;
 }
 
-bool begins_with(const std::string& name, const std::string& only) {
-    return name.starts_with(only);
+// Tells now and then that the driver still answers.
+class Heartbeat {
+public:
+    explicit Heartbeat(int pipe) : pipe_(pipe) {}
+    void operator()() {
+        if (since_told_.ms() < 200.0) return;
+        since_told_.restart();
+        tell(pipe_, {{"alive", true}});
+    }
+
+private:
+    int pipe_;
+    Stopwatch since_told_;
+};
+
+bool is_over(const Effort& effort, const Case& next, double ms, double random_ms) {
+    const bool random = next.tweaks == Case::Tweaks::random && !effort.random;
+    return effort.over(ms) || (random && effort.over(random_ms, 0.25));
+}
+
+// How much of the usual number of frames a scene can afford. Beyond 20 ms a frame the usual number,
+// some 3000, takes more than a minute.
+double pace_of(CheckSubject& subject, const Effort& effort) {
+    constexpr double kQuick = 20.0, kLeast = 0.1;
+    if (effort.seconds == 0.0) return 1.0;
+    subject.draw_blindly(subject.frame_at(0.0, 1.0 / 60, 0));  // compiles to machine code
+    const Stopwatch clock;
+    subject.draw_blindly(subject.frame_at(1.0 / 60, 1.0 / 60, 1));
+    subject.draw_blindly(subject.frame_at(2.0 / 60, 1.0 / 60, 2));
+    return std::clamp(kQuick / std::max(clock.ms() / 2.0, kQuick), kLeast, 1.0);
 }
 
 void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
     const Preset preset = open_preset(small(wanted.view));
     const auto context = make_egl_context(wanted.view.device);
     CheckSubject subject(wanted.view, preset, *context);
+    std::optional<CheckSubject> fed;  // with uniforms, for cases that change tweaks
     std::vector<Case> cases = all_cases(subject, wanted.effort);
-    std::erase_if(cases, [&](const Case& c) { return !begins_with(c.name, wanted.only); });
+    std::erase_if(cases, [&](const Case& c) { return !c.name.starts_with(wanted.only); });
     tell(pipe, {{"renderer", context->renderer()}, {"cases", cases.size()}});
-    Stopwatch since_told;
-    subject.after_frame = [&] {
-        if (since_told.ms() < 200.0) return;
-        since_told.restart();
-        tell(pipe, {{"alive", true}});
-    };
-    Check check{.subject = subject, .effort = wanted.effort};
-    double group_ms = 0.0;
+    subject.after_frame = Heartbeat(pipe);
+    Check check{
+        .subject = subject, .effort = wanted.effort, .pace = pace_of(subject, wanted.effort)};
+    const Stopwatch since_start;
+    double random_ms = 0.0;
     for (std::size_t i = first; i < cases.size(); ++i) {
-        tell(pipe, {{"begin", cases[i].name}});
+        const Case& next = cases[i];
+        tell(pipe, {{"begin", next.name}});
         const Stopwatch clock;
-        CaseResult result{.name = cases[i].name, .verdict = CaseVerdict::skip};
-        if (cases[i].sets_all_tweaks && wanted.scene_is_known) {
+        CaseResult result{.name = next.name, .verdict = CaseVerdict::skip};
+        if (wanted.scene_is_known && next.tweaks >= Case::Tweaks::all) {
             result.note = "the same as with the preset before";
-        } else if (cases[i].may_be_left_out && group_ms > Effort::kGroupSeconds * 1000.0) {
-            result.note = fmt::format("{} s for random tweaks were over", Effort::kGroupSeconds);
+        } else if (is_over(wanted.effort, next, since_start.ms(), random_ms)) {
+            result.note = fmt::format("left out: --seconds {} were over", wanted.effort.seconds);
+        } else if (next.tweaks == Case::Tweaks::none) {
+            result = run_case(check, next, wanted.folder);
         } else {
-            result = run_case(check, cases[i], wanted.folder);
+            if (!fed)
+                fed.emplace(wanted.view, preset, *context, SubjectOptions{.specialise = false});
+            fed->after_frame = subject.after_frame;
+            Check with_uniforms{.subject = *fed, .effort = wanted.effort, .pace = check.pace};
+            result = run_case(with_uniforms, next, wanted.folder);
         }
-        if (cases[i].may_be_left_out) group_ms += clock.ms();
+        if (next.tweaks == Case::Tweaks::random) random_ms += clock.ms();
         tell(pipe, {{"result", to_json(result)}});
     }
     tell(pipe, {{"end", true}});

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kEarly = 0.25, kLater = 1.0;  // s, where states are compared
 constexpr double kLidCatchUp = 0.25;           // s, as in the window
-constexpr int kFrames = 64;                    // at each frame time
+constexpr int kFrames = 64, kLeastFrames = 8;  // at each frame time
 // A step's own state may differ by rounding alone; pictures by what a rate may change, such as the
 // noise of an average. Noise is gone from the means of tiles, a place is not.
 constexpr float kMostStateOff = 1e-3f;  // of the largest value
@@ -22,7 +22,9 @@ constexpr double kMostTilesOff = 0.02;  // root mean square, in display values
 constexpr glm::ivec2 kTiles(8, 5);
 // Beyond this, and beyond a thousand times what it is at 60 Hz, a state has exploded.
 constexpr float kLargestHalf = 65504.0f;
-constexpr float kGrowth = 8.0f;  // from the first quarter of a long run to its last
+constexpr int kMoments = 240;
+constexpr double kMomentsSpan = 600.0;  // s
+constexpr float kGrowth = 8.0f;         // from the first quarter of a long run to its last
 
 struct FrameTime {
     const char* name;
@@ -140,7 +142,7 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
     const double met = step.fps > 500.0 ? kEarly : kLater;
     const int last = lid ? 1 : static_cast<int>(std::lround(met * step.fps));
     const Playback endless{.end = 1e6, .fps = step.fps};
-    for (int k = 0; k <= std::max(last, kFrames); ++k) {
+    for (int k = 0; k <= std::max(last, check.paced(kFrames, kLeastFrames)); ++k) {
         Frame frame = endless.frame(subject.preset, k);
         if (lid) frame.longest_catch_up = kLidCatchUp;
         subject.still.reset();
@@ -172,7 +174,7 @@ void run_mixed_steps(Check& check, CaseResult& result) {
     }
     compare_states(state_of(subject), *check.later, kLater, subject.preset.size, result);
     if (result.verdict == CaseVerdict::fail) return;
-    for (int k = 0; k < kFrames; ++k) {
+    for (int k = 0; k < check.paced(kFrames, kLeastFrames); ++k) {
         const double delta = kAny[random() % std::size(kAny)];
         time += delta;
         Frame frame = subject.frame_at(time, delta, index + k);
@@ -185,12 +187,12 @@ void run_mixed_steps(Check& check, CaseResult& result) {
 // A simulation frame by frame; of another scene, moments spread over ten minutes.
 void run_long(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    constexpr int kMoments = 240;
     if (!subject.stateful()) {
-        for (int k = 0; k < kMoments; ++k) {
-            if (!subject.show(subject.preset.time + k * 2.5, 0.0)) return;
+        const int moments = check.paced(kMoments, 12);
+        for (int k = 0; k < moments; ++k) {
+            if (!subject.show(subject.preset.time + k * kMomentsSpan / moments, 0.0)) return;
         }
-        result.note = fmt::format("{} moments over 10 minutes", kMoments);
+        result.note = fmt::format("{} moments over 10 minutes", moments);
         return;
     }
     const int wanted = check.effort.frames.value_or(Effort::kFrames);
@@ -200,10 +202,10 @@ void run_long(Check& check, CaseResult& result) {
     for (; done < wanted; ++done) {
         if (!subject.play_frames(done, done + 1, 60.0)) return;
         largest.push_back(subject.largest_state());
-        if (!check.effort.frames && clock.ms() > Effort::kGroupSeconds * 1000.0) break;
+        if (!check.effort.frames && check.effort.over(clock.ms(), 0.25)) break;
     }
-    result.note = done < wanted ? fmt::format("{} of {} frames; {} s were over", done, wanted,
-                                              Effort::kGroupSeconds)
+    result.note = done < wanted ? fmt::format("{} of {} frames; --seconds {} were over", done,
+                                              wanted, check.effort.seconds)
                                 : fmt::format("{} frames", done);
     const auto quarter = static_cast<std::ptrdiff_t>(largest.size() / 4);
     if (quarter == 0) return;

@@ -29,7 +29,11 @@ std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
 
 CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
                            const SubjectOptions& options)
-    : preset(opened), view_(view), opened_(opened), context_(context) {
+    : preset(opened),
+      view_(view),
+      opened_(opened),
+      specialised_(options.specialise),
+      context_(context) {
     for (Pass& pass : preset.scene.passes) {
         if (pass.format == PixelFormat::rgba32f) pass.format = options.buffers;
     }

@@ -1,4 +1,4 @@
-// A scene under check: drawn small and fed with uniforms, every value of every buffer looked at.
+// A scene under check: drawn small, every value of every buffer looked at.
 #pragma once
 
 #include "gl/context.h"
@@ -34,7 +34,9 @@ struct StillPlace {
 
 struct SubjectOptions {
     PixelFormat buffers = PixelFormat::rgba32f;  // instead of 32-bit floats
-    bool specialise = false;                     // tweaks stay what they are
+    // Tweaks written in as constants, as a still draws them, and passes left out that they switch
+    // off; the preset's values cannot be changed then.
+    bool specialise = true;
 };
 
 class CheckSubject {
@@ -48,7 +50,7 @@ public:
     // Tweaks, size, events and buffers as they were at first; nothing observed.
     void restore();
 
-    // Tweak values and events may be changed; the size by resize().
+    // Events may be changed, and without constants the values of tweaks; the size by resize().
     Preset preset;
     void resize(glm::ivec2 size);
 
@@ -85,6 +87,7 @@ public:
     const Observed& observed() const { return observed_; }
     const Preset& opened() const { return opened_; }
     const ViewOptions& view() const { return view_; }
+    bool specialised() const { return specialised_; }
     const Scene& scene() const { return preset.scene; }
 
     // Set while a still can show the frame that was drawn last.
@@ -98,6 +101,7 @@ private:
 
     ViewOptions view_;
     Preset opened_;
+    bool specialised_;
     Context& context_;
     std::vector<Builtin> builtins_;  // that any pass reads
     std::optional<Renderer> renderer_;

@@ -82,7 +82,7 @@ TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
         EXPECT_EQ(case_of(report, name)["verdict"], "pass") << name;
     }
     EXPECT_EQ(case_of(report, "buffers of rgba16f")["verdict"], "report");
-    EXPECT_EQ(case_of(report, "tweaks as constants")["verdict"], "report");
+    EXPECT_EQ(case_of(report, "tweaks as uniforms")["verdict"], "report");
     EXPECT_EQ(case_of(report, "long run")["note"], "2000 frames");
     for (const Json& c : report["cases"]) {
         EXPECT_EQ(c["scene"], scene("healthy").string());
