@@ -19,8 +19,8 @@
 // Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
 // Passes   sky, ambient: on change of a tweak. Every frame: poses (tiny), albedo + normalDepth,
 //          lightBuffer, the picture.
-// Bounds   Slopes sum to 0.67 at most: no wave hides its own foot from above. The loops of a pixel
-//          stay below 12,000 turns with every reference on.
+// Bounds   Slopes of the long waves sum to 0.77 at most. The loops of a pixel stay below 12,000
+//          turns with every reference on.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------

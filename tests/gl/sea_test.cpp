@@ -231,6 +231,27 @@ TEST_F(SeaScene, NormalsAreAnalyticAndFiltered) {
     EXPECT_LE(worst_angle * 360.0 / kTau, 0.01) << "degrees, out to 1000 m";
 }
 
+// A height field has no overhangs, but steep sums look like cliffs, and rays to them grow long: at
+// the greatest height and sharpest crests the slopes of the long waves must sum to less than 0.95.
+TEST_F(SeaScene, SlopesOfTheLongWavesSumToLessThanOne) {
+    double sum = 0.0;
+    for (const double steep : kSteep) sum += steep;
+    double shape = 0.0;  // steepest descent of cos x + cos(2 x) / 4
+    for (int i = 0; i < 1000; ++i) {
+        const double x = kTau * i / 1000.0;
+        shape = std::max(shape, std::sin(x) + 0.5 * std::sin(2.0 * x));
+    }
+    EXPECT_LE(2.0 * sum * shape, 0.95);
+    const std::vector<ProbeCase> one(1);
+    const double here = probe(scene_text(""), "steepestShape()", one)[0].x;  // choppiness 0.6
+    double expected = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const double x = kTau * i / 1000.0;
+        expected = std::max(expected, std::sin(x) + 2.0 * kCrest * std::sin(2.0 * x));
+    }
+    EXPECT_NEAR(here, expected, 1e-5);
+}
+
 // Bars, at -20, -5 and -1.5 degrees: at most 0.5 % of the hits more than 5 cm off, at most 0.5 %
 // hit or miss against the truth, at most 32 evaluations a ray, at most 0.1 % out of steps.
 TEST_F(SeaScene, RaysMeetTheSeaWhereTheyShould) {
