@@ -381,12 +381,11 @@ float drum(vec3 p, float r, float halfHeight, bool fluted) {
     return length(max(d, 0.0)) + min(max(d.x, d.y), 0.0) - 0.02;
 }
 float starfish(vec3 p) {
-    p.x = abs(p.x);
-    for (int i = 0; i < 2; ++i) {   // the five arms onto one, by mirrors at 36 and -36 degrees
-        vec2 mirror = vec2(i == 0 ? 0.809017 : -0.809017, -0.587785);
-        p.xz -= 2.0 * max(dot(p.xz, mirror.xy), 0.0) * mirror;
-        p.x = abs(p.x);
-    }
+    p.x = abs(p.x);   // the five arms onto one, by mirrors at 36 degrees to both sides
+    vec2 mirror = vec2(0.809017, -0.587785);
+    p.xz -= 2.0 * max(dot(p.xz, mirror), 0.0) * mirror;
+    mirror.x = -mirror.x;
+    p.xz -= 2.0 * max(dot(p.xz, mirror), 0.0) * mirror;
     float along = clamp(p.z / 0.26, 0.0, 1.0);
     return 0.6 * (length(vec3(p.x, 1.7 * p.y, p.z - 0.26 * along)) - mix(0.07, 0.014, along));
 }
@@ -531,7 +530,7 @@ vec3 inscatter(vec3 ro, vec3 rd, float t, Medium m, float jitter) {
         vec3 weight = start * size * meanFade(fade * size), lost = exp(-fade * size);
         vec2 lean = m.towards.xz / m.towards.y, du = (rd.xz - lean * rd.y) / kTile;
         vec2 u = (ro.xz + lean * below) / kTile;
-        float lod = max(log2(max(size * length(du) * float(kSliceMap), 1e-3)) - 1.5, 0.0);
+        float lod = max(log2(max(size * length(du) * float(kSliceMap), 1e-3)) - 3.0, 0.0);
         vec3 extra = vec3(0.0);
         for (int i = 0; i < shaftSamples; ++i) {
             float s = (float(i) + jitter) * size;
