@@ -396,7 +396,7 @@ vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
         float away = sqrt(away2 + blur * blur);   // from the lamp's face, not from its centre
         float first = -atan(t / away), all = atan((tMax - t) / away) - first;
         float through = 0.0;
-        for (int j = 0; j < glowSamples; ++j) {
+        for (int j = 0; j < glowSamples && haze > 0.0; ++j) {
             float x = first + all * (float(j) + jitter) / float(glowSamples), far = away / cos(x);
             float seen = 1.0;
             if (shafts) {
