@@ -15,8 +15,8 @@ namespace glint {
 struct Effort {
     std::optional<int> frames, random;  // kFrames and kRandom, as far as the seconds allow
     int inject = 3;                     // texels that are poisoned at once; 0: no such cases
-    // What one file may take. Then the rest is left out, and says so; a quarter each may go into
-    // the long run and into random tweaks, unless a person has said how many. 0: no limit.
+    // What one file may take. Then the rest is left out, and says so. A group of cases may take 0.3
+    // of it, so that none is left out as a whole. 0: no limit.
     double seconds = 110.0;
     static constexpr int kFrames = 2000, kRandom = 64;
 

@@ -177,14 +177,27 @@ CaseResult case_from_json(const nlohmann::ordered_json& json) {
 
 std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     std::vector<Case> list;
+    std::size_t group = 0, begin = 0;
+    const auto end_group = [&] {
+        for (; begin < list.size(); ++begin) list[begin].group = group;
+        ++group;
+    };
     add_age_cases(list, subject);
+    end_group();
     add_size_cases(list);
     add_mouse_cases(list, subject);
+    end_group();
     add_step_cases(list, subject);
+    end_group();
     add_poison_cases(list, subject, effort);
     add_other_cases(list, subject);
+    end_group();
     add_long_case(list, subject);
-    add_tweak_cases(list, subject, effort);
+    end_group();
+    add_tweak_cases(list, subject);
+    end_group();
+    add_random_cases(list, subject, effort);
+    end_group();
     return list;
 }
 

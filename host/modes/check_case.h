@@ -67,6 +67,7 @@ struct Case {
     std::function<void(Check&, CaseResult&)> run;
     // What it changes of the tweaks, for which the subject has to be fed with uniforms.
     enum class Tweaks { none, one, all, random } tweaks = Tweaks::none;
+    std::size_t group = 0;  // cases of a group share the seconds that it may take
 };
 
 // In the order in which they run. Which cases there are depends on the scene alone.
@@ -74,7 +75,8 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort);
 
 // The parts of that list, one function a group.
 void add_age_cases(std::vector<Case>& list, const CheckSubject& subject);
-void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
+void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_random_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
 void add_size_cases(std::vector<Case>& list);
 void add_mouse_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_step_cases(std::vector<Case>& list, const CheckSubject& subject);

@@ -95,8 +95,17 @@ void run_mouse(glm::dvec2 press, glm::dvec2 drag, Check& check) {
 
 }  // namespace
 
-void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort) {
+void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject) {
     const auto& tweaks = subject.scene().tweaks;
+    if (tweaks.empty()) return;
+    for (const bool to_max : {false, true}) {
+        list.push_back({fmt::format("all tweaks at their {}", to_max ? "maximum" : "minimum"),
+                        [to_max](Check& check, CaseResult&) {
+                            set_all(check.subject, to_max);
+                            show_tweaks(check);
+                        },
+                        Case::Tweaks::all});
+    }
     for (std::size_t i = 0; i < tweaks.size(); ++i) {
         const auto range = range_of(tweaks[i]);
         if (!range) continue;
@@ -109,15 +118,10 @@ void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject, const
             }
         }
     }
-    if (tweaks.empty()) return;
-    for (const bool to_max : {false, true}) {
-        list.push_back({fmt::format("all tweaks at their {}", to_max ? "maximum" : "minimum"),
-                        [to_max](Check& check, CaseResult&) {
-                            set_all(check.subject, to_max);
-                            show_tweaks(check);
-                        },
-                        Case::Tweaks::all});
-    }
+}
+
+void add_random_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort) {
+    if (subject.scene().tweaks.empty()) return;
     for (int seed = 1; seed <= effort.random.value_or(Effort::kRandom); ++seed) {
         list.push_back({fmt::format("random tweaks {}", seed),
                         [seed](Check& check, CaseResult&) {

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -58,9 +59,11 @@ private:
     Stopwatch since_told_;
 };
 
-bool is_over(const Effort& effort, const Case& next, double ms, double random_ms) {
-    const bool random = next.tweaks == Case::Tweaks::random && !effort.random;
-    return effort.over(ms) || (random && effort.over(random_ms, 0.25));
+// The seconds of all cases, or those of a group: no group may take all that the others need.
+bool is_over(const Effort& effort, const Case& next, double ms, double group_ms) {
+    constexpr double kGroupShare = 0.3;
+    const bool all_wanted = next.tweaks == Case::Tweaks::random && effort.random;
+    return effort.over(ms) || (!all_wanted && effort.over(group_ms, kGroupShare));
 }
 
 // How much of the usual number of frames a scene can afford. Beyond 20 ms a frame the usual number,
@@ -87,7 +90,7 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
     Check check{
         .subject = subject, .effort = wanted.effort, .pace = pace_of(subject, wanted.effort)};
     const Stopwatch since_start;
-    double random_ms = 0.0;
+    std::map<std::size_t, double> group_ms;
     for (std::size_t i = first; i < cases.size(); ++i) {
         const Case& next = cases[i];
         tell(pipe, {{"begin", next.name}});
@@ -95,7 +98,7 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
         CaseResult result{.name = next.name, .verdict = CaseVerdict::skip};
         if (wanted.scene_is_known && next.tweaks >= Case::Tweaks::all) {
             result.note = "the same as with the preset before";
-        } else if (is_over(wanted.effort, next, since_start.ms(), random_ms)) {
+        } else if (is_over(wanted.effort, next, since_start.ms(), group_ms[next.group])) {
             result.note = fmt::format("left out: --seconds {} were over", wanted.effort.seconds);
         } else if (next.tweaks == Case::Tweaks::none) {
             result = run_case(check, next, wanted.folder);
@@ -106,7 +109,7 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
             Check with_uniforms{.subject = *fed, .effort = wanted.effort, .pace = check.pace};
             result = run_case(with_uniforms, next, wanted.folder);
         }
-        if (next.tweaks == Case::Tweaks::random) random_ms += clock.ms();
+        group_ms[next.group] += clock.ms();
         tell(pipe, {{"result", to_json(result)}});
     }
     tell(pipe, {{"end", true}});
