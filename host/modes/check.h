@@ -16,7 +16,7 @@ struct Effort {
     std::optional<int> frames, random;  // kFrames and kRandom, as far as the seconds allow
     int inject = 3;                     // texels that are poisoned at once; 0: no such cases
     // What one file may take. Then the rest is left out, and says so. A group of cases may take 0.3
-    // of it, so that none is left out as a whole. 0: no limit.
+    // of what is left when it begins. 0: no limit.
     double seconds = 110.0;
     static constexpr int kFrames = 2000, kRandom = 64;
 

@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -59,12 +58,30 @@ private:
     Stopwatch since_told_;
 };
 
-// The seconds of all cases, or those of a group: no group may take all that the others need.
-bool is_over(const Effort& effort, const Case& next, double ms, double group_ms) {
-    constexpr double kGroupShare = 0.3;
-    const bool all_wanted = next.tweaks == Case::Tweaks::random && effort.random;
-    return effort.over(ms) || (!all_wanted && effort.over(group_ms, kGroupShare));
-}
+// Who may still begin: no group of cases takes the seconds that later ones need.
+class Budget {
+public:
+    explicit Budget(const Effort& effort) : effort_(effort) {}
+
+    bool is_over(const Case& next) {
+        if (effort_.seconds == 0.0) return false;
+        const double ms = clock_.ms(), all_ms = effort_.seconds * 1000.0;
+        if (next.group != group_) {
+            group_ = next.group;
+            group_end_ms_ = ms + kGroupShare * std::max(all_ms - ms, 0.0);
+        }
+        const bool all_wanted = next.tweaks == Case::Tweaks::random && effort_.random;
+        return ms > all_ms || (!all_wanted && ms > group_end_ms_);
+    }
+
+private:
+    static constexpr double kGroupShare = 0.3;  // of the seconds that are left when it begins
+
+    const Effort& effort_;
+    Stopwatch clock_;
+    std::size_t group_ = static_cast<std::size_t>(-1);
+    double group_end_ms_ = 0.0;
+};
 
 // How much of the usual number of frames a scene can afford. Beyond 20 ms a frame the usual number,
 // some 3000, takes more than a minute.
@@ -89,16 +106,14 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
     subject.after_frame = Heartbeat(pipe);
     Check check{
         .subject = subject, .effort = wanted.effort, .pace = pace_of(subject, wanted.effort)};
-    const Stopwatch since_start;
-    std::map<std::size_t, double> group_ms;
+    Budget budget(wanted.effort);
     for (std::size_t i = first; i < cases.size(); ++i) {
         const Case& next = cases[i];
         tell(pipe, {{"begin", next.name}});
-        const Stopwatch clock;
         CaseResult result{.name = next.name, .verdict = CaseVerdict::skip};
         if (wanted.scene_is_known && next.tweaks >= Case::Tweaks::all) {
             result.note = "the same as with the preset before";
-        } else if (is_over(wanted.effort, next, since_start.ms(), group_ms[next.group])) {
+        } else if (budget.is_over(next)) {
             result.note = fmt::format("left out: --seconds {} were over", wanted.effort.seconds);
         } else if (next.tweaks == Case::Tweaks::none) {
             result = run_case(check, next, wanted.folder);
@@ -109,7 +124,6 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
             Check with_uniforms{.subject = *fed, .effort = wanted.effort, .pace = check.pace};
             result = run_case(with_uniforms, next, wanted.folder);
         }
-        group_ms[next.group] += clock.ms();
         tell(pipe, {{"result", to_json(result)}});
     }
     tell(pipe, {{"end", true}});
