@@ -5,6 +5,7 @@
 #include "modes/info.h"
 #include "modes/open.h"
 #include "modes/sequence.h"
+#include "modes/sound.h"
 #include "modes/still.h"
 #include "modes/study.h"
 #include "modes/trial.h"
@@ -185,6 +186,7 @@ int run(int argc, char** argv) {
     ViewOptions open;
     StillOptions still;
     SequenceOptions sequence;
+    SoundOptions sound;
     InfoOptions info;
     BenchOptions bench;
     CheckOptions check;
@@ -197,6 +199,11 @@ int run(int argc, char** argv) {
     CLI::App& sequence_verb =
         *app.add_subcommand("sequence", "frames to pictures, a film, or another program");
     add_sequence(sequence_verb, sequence);
+    CLI::App& sound_verb = *app.add_subcommand("sound", "mainSound to a .wav file");
+    add_view(sound_verb, sound.view);
+    sound_verb.add_option("-o,--output", sound.output, "a .wav file")->required();
+    sound_verb.add_option("--seconds", sound.seconds, "from the start; 180 otherwise")
+        ->check(from(0.0, 1e5));
     CLI::App& info_verb = *app.add_subcommand("info", "passes, tweaks, and what was left out");
     add_view(info_verb, info.view);
     info_verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
@@ -243,6 +250,7 @@ int run(int argc, char** argv) {
     if (open_verb.parsed()) return guarded([&] { run_open(open, since_start); });
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
     if (sequence_verb.parsed()) return guarded([&] { run_sequence(sequence); });
+    if (sound_verb.parsed()) return guarded([&] { run_sound(sound); });
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
     if (check_verb.parsed()) return guarded([&] { run_check(check); });
     if (study_verb.parsed()) return guarded([&] { run_study(study); });

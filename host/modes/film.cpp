@@ -35,17 +35,19 @@ constexpr std::string_view kToVideo =
 
 // How FFmpeg is to filter and encode, by the film's extension.
 struct Kind {
-    std::string_view extension, filter, codec;
+    std::string_view extension, filter, codec, sound_codec, format;
 };
 
 constexpr Kind kKinds[] = {
-    {".mp4", kToVideo,
-     "-c:v libx264 -preset medium -crf 16 -pix_fmt yuv420p -movflags +faststart -f mp4"},
+    {".mp4", kToVideo, "-c:v libx264 -preset medium -crf 16 -pix_fmt yuv420p -movflags +faststart",
+     "-c:a aac -b:a 256k", "-f mp4"},
     {".webm", kToVideo,
-     "-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -deadline good -cpu-used 4 -pix_fmt yuv420p "
-     "-f webm"},
-    {".mov", kToVideo, "-c:v prores_ks -profile:v 3 -pix_fmt yuv422p10le -f mov"},
-    {".gif", "-vf split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", "-f gif"},
+     "-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -deadline good -cpu-used 4 -pix_fmt yuv420p",
+     "-c:a libopus -b:a 192k", "-f webm"},
+    {".mov", kToVideo, "-c:v prores_ks -profile:v 3 -pix_fmt yuv422p10le", "-c:a pcm_s16le",
+     "-f mov"},
+    {".gif", "-vf split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", "", "",
+     "-f gif"},
 };
 
 const Kind* kind_of(const fs::path& file) {
@@ -57,12 +59,16 @@ const Kind* kind_of(const fs::path& file) {
 }
 
 // The output has no name yet; FFmpeg opens it, to seek in and read back, through ours.
-std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 size, double fps) {
+std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 size, double fps,
+                                      int sound) {
+    const Kind& kind = *kind_of(file);
+    const bool with_sound = sound >= 0 && !kind.sound_codec.empty();
     std::istringstream line(fmt::format(
         "ffmpeg -hide_banner -loglevel error -nostdin "
-        "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0 "
-        "{} {} -fflags +bitexact -flags:v +bitexact -y /proc/{}/fd/{}",
-        size.x, size.y, fps, kind_of(file)->filter, kind_of(file)->codec, getpid(), out));
+        "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0 {} "
+        "{} {} {} {} -fflags +bitexact -flags:a +bitexact -flags:v +bitexact -y /proc/{}/fd/{}",
+        size.x, size.y, fps, with_sound ? fmt::format("-i /proc/{}/fd/{}", getpid(), sound) : "",
+        kind.filter, kind.codec, with_sound ? kind.sound_codec : "", kind.format, getpid(), out));
     return {std::istream_iterator<std::string>(line), {}};
 }
 
@@ -91,14 +97,14 @@ void write_all(int descriptor, std::span<const std::byte> bytes) {
     }
 }
 
-Film::Film(const fs::path& file, glm::ivec2 size, double fps) : file_(file), out_(file) {
+Film::Film(const fs::path& file, glm::ivec2 size, double fps, int sound) : file_(file), out_(file) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
         throw std::system_error(errno, std::generic_category(), "pipe");
     }
     ::fcntl(pipe[1], F_SETPIPE_SZ, 1 << 20);
     errors_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
-    std::vector<std::string> words = command_line(file, out_.descriptor(), size, fps);
+    std::vector<std::string> words = command_line(file, out_.descriptor(), size, fps, sound);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);

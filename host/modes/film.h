@@ -23,9 +23,9 @@ void write_all(int descriptor, std::span<const std::byte> bytes);
 class Film {
 public:
     // The codec follows from the extension: H.264 (mp4), VP9 (webm), ProRes 422 HQ (mov), a palette
-    // for all frames (gif). Throws std::runtime_error when there is no ffmpeg, or the folder cannot
-    // be written.
-    Film(const std::filesystem::path& file, glm::ivec2 size, double fps);
+    // for all frames (gif). `sound` is the descriptor of a WAV file that stays open, or -1. Throws
+    // std::runtime_error when there is no ffmpeg, or the folder cannot be written.
+    Film(const std::filesystem::path& file, glm::ivec2 size, double fps, int sound = -1);
     ~Film();  // without finish() nothing stays behind
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;

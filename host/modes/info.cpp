@@ -201,7 +201,8 @@ void print_tables(const Inspection& seen, const Json& json) {
 void run_info(const InfoOptions& options) {
     const Preset preset = open_preset(options.view);
     if (!options.source.empty()) {
-        const std::size_t pass = find_pass(preset.scene, options.source);
+        const bool sound = options.source == "sound" && preset.scene.has_sound;
+        const std::size_t pass = sound ? kSoundPass : find_pass(preset.scene, options.source);
         fmt::print("{}", pass_text(preset, pass, {.specialise = options.view.specialise}).text);
         return;
     }

@@ -2,14 +2,18 @@
 
 #include "gl/context.h"
 #include "modes/film.h"
+#include "modes/sound.h"
 #include "modes/workers.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -203,6 +207,24 @@ void draw_frames(const SequenceOptions& options, const Preset& preset, Renderer&
     }
 }
 
+// The sound of a film as a WAV file without a name; -1 when the scene has none, or frames are left
+// out and time runs faster.
+int sound_of(const SequenceOptions& options, const Preset& preset, const std::vector<int>& frames) {
+    if (!preset.scene.has_sound || frames.empty()) return -1;
+    if (frames.back() - frames.front() + 1 != static_cast<int>(frames.size())) return -1;
+    const auto sample_of = [&](double frame) {
+        return std::lround(frame / options.fps * kSampleRate);
+    };
+    const long first = sample_of(frames.front());
+    const long count = sample_of(frames.back() + 1.0) - first;
+    const int file = ::memfd_create("sound", MFD_CLOEXEC);
+    if (file < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
+    write_all(file, wav_header(count));
+    render_sound(preset, options.view.specialise, first, count,
+                 [&](auto samples) { write_all(file, std::as_bytes(samples)); });
+    return file;
+}
+
 void print_result(const SequenceOptions& options, const Preset& preset, std::size_t written,
                   std::size_t skipped, const std::string& renderer, double ms) {
     const double rate = static_cast<double>(written) / (ms / 1000.0);
@@ -255,7 +277,9 @@ void run_sequence(const SequenceOptions& options) {
     load_images(preset, renderer);
 
     std::optional<Film> film;
-    if (target == Target::film) film.emplace(options.output, preset.size, options.fps);
+    if (target == Target::film) {
+        film.emplace(options.output, preset.size, options.fps, sound_of(options, preset, frames));
+    }
     // Pictures are files of their own and may overtake each other; a stream may not.
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     Workers workers(target == Target::pictures ? std::clamp(cores / 2, 1, 8) : 1);

@@ -10,12 +10,9 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view kUniforms = R"(uniform vec3 iResolution;
-uniform float iTime;
-uniform float iTimeDelta;
+constexpr std::string_view kUniforms = R"(uniform float iTimeDelta;
 uniform float iFrameRate;
 uniform int iFrame;
-uniform vec4 iMouse;
 uniform vec4 iDate;
 uniform float iSampleRate;
 uniform uint iTick;
@@ -91,13 +88,31 @@ std::string channel_declarations(const Preset& preset, bool image_pass) {
     return text;
 }
 
-// A name that older pastes still use, unless the text declares it itself. A local variable of that
-// name, which stands indented, is no declaration for all.
+// Whether the text declares a name for all of itself. A local variable of that name, which stands
+// indented, is no such declaration.
+bool declares(const Scene& scene, std::string_view type, std::string_view name) {
+    const std::regex declaration(fmt::format(
+        R"((uniform|#\s*define)[^;\n]*\b{1}\b|(^|\n)(const\s+)?{0}\s+{1}\b)", type, name));
+    return std::regex_search(scene.text, declaration);
+}
+
+// A name that older pastes still use.
 std::string old_names(const Scene& scene) {
-    if (!contains_word(scene.text, "iGlobalTime")) return "";
-    static const std::regex declared(
-        R"((uniform|#\s*define)[^;\n]*\biGlobalTime\b|(^|\n)(const\s+)?float\s+iGlobalTime\b)");
-    return std::regex_search(scene.text, declared) ? "" : "uniform float iGlobalTime;\n";
+    const bool used = contains_word(scene.text, "iGlobalTime");
+    return !used || declares(scene, "float", "iGlobalTime") ? "" : "uniform float iGlobalTime;\n";
+}
+
+// The site has none of these in a sound, so that texts for it may use the names themselves; other
+// passes of the same text may want them.
+std::string picture_uniforms(const Scene& scene, bool sound) {
+    constexpr std::pair<std::string_view, std::string_view> kThree[] = {
+        {"vec3", "iResolution"}, {"float", "iTime"}, {"vec4", "iMouse"}};
+    std::string text;
+    for (const auto& [type, name] : kThree) {
+        if (sound && declares(scene, type, name)) continue;
+        text += fmt::format("uniform {} {};\n", type, name);
+    }
+    return text;
 }
 
 // The site's drivers take every precision as highp, where Mesa computes mediump and lowp in halves.
@@ -197,6 +212,19 @@ std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions&
         options.average ? " + glint_jitter" : "", results);
 }
 
+// The site's older form of mainSound takes the time alone.
+std::string sound_main(const Scene& scene) {
+    static const std::regex by_time_alone(R"(\bmainSound\s*\(\s*(in\s+)?float\b)");
+    const bool old = std::regex_search(scene.text, by_time_alone);
+    return fmt::format(
+        "vec2 mainSound({});\n{}layout(location = 0) out vec4 glint_out0;\nvoid main() {{\n"
+        "    int samp = (iFrame * {} + int(gl_FragCoord.y)) * {} + int(gl_FragCoord.x);\n"
+        "    float time = float(samp) / {}.0;\n"
+        "    glint_out0 = vec4(mainSound({}), 0.0, 1.0);\n}}\n",
+        old ? "float time" : "int samp, float time", kAssert, kSoundBlockSide, kSoundBlockSide,
+        kSampleRate, old ? "time" : "samp, time");
+}
+
 // Directions as GL reads cubemaps (OpenGL 4.5, table 8.19), so that texture(sky, rayDir) gives back
 // what was drawn for rayDir.
 std::string cube_main(const Pass& pass, const char* out) {
@@ -259,7 +287,7 @@ std::string specialised_text(const Preset& preset) {
 }  // namespace
 
 std::string pass_name(const Scene& scene, std::size_t pass) {
-    return pass == kImagePass ? "image" : scene.passes[pass].name;
+    return pass == kImagePass ? "image" : pass == kSoundPass ? "sound" : scene.passes[pass].name;
 }
 
 const Sampler& sampler_at(const Preset& preset, std::size_t index) {
@@ -273,22 +301,24 @@ std::size_t sampler_count(const Preset& preset) {
 
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const Scene& scene = preset.scene;
-    const bool image = pass == kImagePass;
+    const bool image = pass == kImagePass, sound = pass == kSoundPass;
     PassText result{.text = options.specialise ? specialised_text(preset) : scene.text};
     const bool defined =
-        make_colour_defined(result, image ? scene.image_entry : scene.passes[pass].entry);
+        !sound && make_colour_defined(result, image ? scene.image_entry : scene.passes[pass].entry);
     const char* out = defined ? "inout" : "out";
     std::string text = "#version 300 es\n#define HW_PERFORMANCE 1\n" + renamed_words(scene);
-    if (image)
-        text += "#define PASS_image 1\n";
+    if (!fills_a_buffer(pass))
+        text += fmt::format("#define PASS_{} 1\n", pass_name(scene, pass));
     else
         for (const std::string& output : scene.passes[pass].outputs)
             text += fmt::format("#define PASS_{} 1\n", output);
     text += kPrecision;
+    text += picture_uniforms(scene, sound);
     text += kUniforms;
     text += old_names(scene);
     text += channel_declarations(preset, image);
-    text += image                     ? image_main(scene, out, options)
+    text += sound                     ? sound_main(scene)
+            : image                   ? image_main(scene, out, options)
             : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
                                       : buffer_main(scene.passes[pass], out, options);
     result.prologue_lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));

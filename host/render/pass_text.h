@@ -8,10 +8,19 @@
 
 namespace glint {
 
-// The pass that draws the picture itself; the others are indices into Scene::passes.
+// The passes that draw the picture itself and a block of sound; the others are indices into
+// Scene::passes.
 inline constexpr std::size_t kImagePass = static_cast<std::size_t>(-1);
+inline constexpr std::size_t kSoundPass = static_cast<std::size_t>(-2);
+inline bool fills_a_buffer(std::size_t pass) {
+    return pass < kSoundPass;
+}
 
-// The name a person knows a pass by: "image", or that of the first sampler that it fills.
+// Sound comes in blocks of this many pixels square, a sample each, row by row; iFrame counts them.
+inline constexpr int kSoundBlockSide = 512;
+inline constexpr int kSampleRate = 44100;  // Hz
+
+// The name a person knows a pass by: "image", "sound", or that of the first sampler that it fills.
 std::string pass_name(const Scene& scene, std::size_t pass);
 
 // A sampler that some pass may read: one of the scene's, or one of the four channels of a preset.

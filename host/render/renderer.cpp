@@ -57,7 +57,7 @@ Renderer::~Renderer() {
 BufferShape Renderer::wanted_shape(std::size_t index) const {
     const std::size_t wanted = scene_.programs[index].pass;
     BufferShape shape{.size = options_.size, .format = options_.picture_format};
-    if (wanted != kImagePass) {
+    if (fills_a_buffer(wanted)) {
         const Pass& pass = preset_.scene.passes[wanted];
         shape = {.size = buffer_size(pass, options_.size),
                  .format = pass.format,
@@ -126,7 +126,7 @@ void Renderer::draw_root(const Frame& frame) {
 void Renderer::reset() {
     // The picture, which nobody reads, stays on the screen until it is drawn anew.
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        if (scene_.programs[i].pass != kImagePass) buffers_[i]->clear();
+        if (fills_a_buffer(scene_.programs[i].pass)) buffers_[i]->clear();
     }
     for (Drawn& drawn : drawn_) drawn.ever = false;
     std::fill(steps_done_.begin(), steps_done_.end(), 0);
@@ -136,7 +136,7 @@ void Renderer::reset() {
 void Renderer::set_picture_format(PixelFormat format) {
     if (format == options_.picture_format) return;
     options_.picture_format = format;
-    if (scene_.programs.back().pass != kImagePass) return;
+    if (fills_a_buffer(scene_.programs.back().pass)) return;
     const std::size_t root = buffers_.size() - 1;
     buffers_[root] = std::make_unique<Buffer>(wanted_shape(root));
     drawn_[root].ever = false;
@@ -161,7 +161,7 @@ void Renderer::run(const Frame& frame, bool state_only) {
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
         const GraphPass& pass = scene_.graph.passes[i];
         if (state_only && !pass.feeds_state) continue;
-        const Step step = pass.pass == kImagePass ? Step{} : preset_.scene.passes[pass.pass].step;
+        const Step step = fills_a_buffer(pass.pass) ? preset_.scene.passes[pass.pass].step : Step{};
         if (step) {
             if (std::find(stepped.begin(), stepped.end(), step) != stepped.end()) continue;
             stepped.push_back(step);
@@ -180,7 +180,7 @@ void Renderer::run_steps(const Frame& frame, Step step) {
     std::vector<std::size_t> group;
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
         const std::size_t pass = scene_.programs[i].pass;
-        if (pass != kImagePass && preset_.scene.passes[pass].step == step) group.push_back(i);
+        if (fills_a_buffer(pass) && preset_.scene.passes[pass].step == step) group.push_back(i);
     }
     // The end of one step is the start of the next to the last bit, so that no event is seen twice.
     const auto time_of = [&](long count) {
@@ -213,7 +213,7 @@ void Renderer::run_steps(const Frame& frame, Step step) {
 // sub-pixel position; all others stay as they are while the picture is averaged.
 bool Renderer::is_jittered(std::size_t index) const {
     const GraphPass& pass = scene_.graph.passes[index];
-    if (pass.pass == kImagePass) return true;
+    if (!fills_a_buffer(pass.pass)) return true;
     const Pass& declared = preset_.scene.passes[pass.pass];
     return !pass.feeds_state && !pass.previous && !declared.cube && !declared.size &&
            declared.scale == 1.0;

@@ -1,0 +1,124 @@
+#include "modes/sound.h"
+
+#include "gl/context.h"
+#include "image/temporary_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace glint {
+namespace {
+
+constexpr long kBlock = long{kSoundBlockSide} * kSoundBlockSide;  // samples
+constexpr long kMostSamples = 0x7fffffff / 4;                     // as a WAV file can hold
+
+// What is not a number is silence.
+std::int16_t to_sample(float value) {
+    const float kept = value > -1.0f ? std::min(value, 1.0f) : value <= -1.0f ? -1.0f : 0.0f;
+    return static_cast<std::int16_t>(std::lround(kept * 32767.0f));
+}
+
+}  // namespace
+
+void render_sound(const Preset& preset, bool specialise, long first, long count,
+                  const std::function<void(std::span<const std::int16_t>)>& take) {
+    CompiledScene compiled =
+        compile_or_stop(preset, {.root = kSoundPass, .program = {.specialise = specialise}});
+    Renderer renderer(
+        preset, std::move(compiled),
+        {.size = glm::ivec2(kSoundBlockSide), .picture_format = PixelFormat::rgba32f});
+    load_images(preset, renderer);
+    std::vector<std::int16_t> samples;
+    for (long block = first / kBlock; block * kBlock < first + count; ++block) {
+        renderer.redraw();
+        Frame frame;
+        frame.time = static_cast<double>(block * kBlock) / kSampleRate;
+        frame.frame = static_cast<int>(block);
+        frame.date = shadertoy_date(preset.date, 0.0);
+        renderer.draw(frame);
+        const std::vector<float> rgba = renderer.read_floats();
+        const long begin = std::max(first - block * kBlock, 0L);
+        const long end = std::min(first + count - block * kBlock, kBlock);
+        samples.clear();
+        for (long i = begin; i < end; ++i) {
+            const auto at = static_cast<std::size_t>(i) * 4;
+            samples.push_back(to_sample(rgba[at]));
+            samples.push_back(to_sample(rgba[at + 1]));
+        }
+        take(samples);
+    }
+}
+
+// Multimedia Programming Interface and Data Specifications 1.0 (IBM and Microsoft 1991), PCM.
+std::vector<std::byte> wav_header(long count) {
+    static_assert(std::endian::native == std::endian::little);
+    std::vector<std::byte> header;
+    const auto add = [&](const auto& value) {
+        const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+        header.insert(header.end(), bytes, bytes + sizeof value);
+    };
+    const auto word = [&](const char* text) {
+        for (int i = 0; i < 4; ++i) add(text[i]);
+    };
+    const auto data_bytes = static_cast<std::uint32_t>(count * 4);
+    word("RIFF");
+    add(data_bytes + 36);
+    word("WAVE");
+    word("fmt ");
+    add(std::uint32_t{16});
+    add(std::uint16_t{1});  // PCM
+    add(std::uint16_t{2});  // channels
+    add(std::uint32_t{kSampleRate});
+    add(std::uint32_t{kSampleRate * 4});
+    add(std::uint16_t{4});   // bytes a pair
+    add(std::uint16_t{16});  // bits
+    word("data");
+    add(data_bytes);
+    return header;
+}
+
+void run_sound(const SoundOptions& options) {
+    const Stopwatch clock;
+    if (options.output.extension() != ".wav") {
+        throw UsageError(fmt::format("-o {}: name a .wav file.", options.output.string()));
+    }
+    const long count = std::lround(options.seconds * kSampleRate);
+    if (count > kMostSamples) throw UsageError("--seconds: a WAV file ends before 3 hours 20.");
+    const Preset preset = open_preset(options.view);
+    if (!preset.scene.has_sound) {
+        throw UsageError(fmt::format(
+            "{} has no sound; it would be vec2 mainSound(int samp, float time) {{ ... }}.",
+            preset.scene.files.front().string()));
+    }
+    const auto context = make_egl_context(options.view.device);
+    TemporaryFile out(options.output);
+    out.append(wav_header(count));
+    long done = 0;
+    Progress progress("sound", count);
+    render_sound(preset, options.view.specialise, 0, count, [&](auto samples) {
+        out.append(std::as_bytes(samples));
+        progress.update(done += static_cast<long>(samples.size() / 2));
+    });
+    out.commit();
+    if (options.view.json) {
+        const nlohmann::ordered_json json = {{"output", options.output.string()},
+                                             {"scene", preset.scene.files.front().string()},
+                                             {"seconds", options.seconds},
+                                             {"rate", kSampleRate},
+                                             {"channels", 2},
+                                             {"renderer", context->renderer()},
+                                             {"ms", {{"total", clock.ms()}}}};
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        fmt::print("{}  {:.1f} s of sound  {:.0f} ms\n", options.output.string(), options.seconds,
+                   clock.ms());
+    }
+}
+
+}  // namespace glint

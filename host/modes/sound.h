@@ -1,0 +1,28 @@
+// `glint sound`: the mainSound of a scene to a WAV file.
+#pragma once
+
+#include "modes/common.h"
+
+#include <functional>
+
+namespace glint {
+
+struct SoundOptions {
+    ViewOptions view;
+    std::filesystem::path output;
+    double seconds = 180.0;  // the site's length
+};
+
+// Throws what main() turns into exit codes.
+void run_sound(const SoundOptions& options);
+
+// Stereo samples of a scene's sound, left and right in turn, 44.1 kHz, 16 bits, from `first` on;
+// `take` gets them block by block. The scene has one. Needs a current context. Throws Stop when it
+// does not compile.
+void render_sound(const Preset& preset, bool specialise, long first, long count,
+                  const std::function<void(std::span<const std::int16_t>)>& take);
+
+// The head of a WAV file for `count` such pairs, which follow.
+std::vector<std::byte> wav_header(long count);
+
+}  // namespace glint

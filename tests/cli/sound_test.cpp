@@ -1,0 +1,127 @@
+// `glint sound`, and the sound of a film.
+#include "command.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+
+namespace glint::cli {
+namespace {
+
+// 441 Hz on the left, half as loud as can be; the sample's number on the right.
+constexpr std::string_view kTone =
+    "uniform float level; //@ 0.5 [0, 1]\n"
+    "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+    "vec2 mainSound(int samp, float time) {\n"
+    "    float turns = fract(float(samp % 100) / 100.0);\n"
+    "    return vec2(level * sin(6.283185307 * turns), float(samp % 30000) / 32767.0);\n}\n";
+
+class Sound : public InAFolder {
+protected:
+    // A value of a file of 16-bit pairs behind a head of 44 bytes.
+    static int sample(const std::string& wav, long index, int channel) {
+        std::int16_t value = 0;
+        std::memcpy(&value, wav.data() + 44 + (index * 2 + channel) * 2, 2);
+        return value;
+    }
+};
+
+TEST_F(Sound, IsAWavOfEverySampleInOrderAcrossBlocks) {
+    write("tone.frag", kTone);
+    const Outcome outcome = glint({"sound", "tone.frag", "-o", "a.wav", "--seconds", "7"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string wav = bytes("a.wav");
+    const long count = 7 * 44100;
+    ASSERT_EQ(wav.size(), 44u + count * 4);
+    EXPECT_EQ(wav.substr(0, 4) + wav.substr(8, 8) + wav.substr(36, 4), "RIFFWAVEfmt data");
+    for (long i = 0; i < count; ++i) {
+        ASSERT_EQ(sample(wav, i, 1), i % 30000) << i;
+        const double turns = static_cast<double>(i % 100) / 100.0;
+        const double wanted = 0.5 * std::sin(2 * std::numbers::pi * turns) * 32767.0;
+        ASSERT_NEAR(sample(wav, i, 0), wanted, 1.0) << i;
+    }
+    glint({"sound", "tone.frag", "-o", "b.wav", "--seconds", "7"});
+    EXPECT_EQ(bytes("b.wav"), wav);
+    EXPECT_EQ(glint({"sound", "tone.frag", "-o", "c.wav", "--tweak", "level=0"}).code, 0);
+    EXPECT_EQ(sample(bytes("c.wav"), 25, 0), 0);
+    EXPECT_EQ(bytes("c.wav").size(), 44u + 180 * 44100 * 4);
+}
+
+TEST_F(Sound, TheSitesOlderFormAndItsFreeNamesWork) {
+    write("old.frag",
+          "#ifdef PASS_sound\n"
+          "float iTime;\n"
+          "vec2 mainSound(float time) {\n"
+          "    iTime = time; vec2 iMouse = vec2(0.25);\n"
+          "    return vec2(iTime < 0.5 ? 1.0 : -1.0, iMouse.x);\n}\n"
+          "#endif\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0, 1); }\n");
+    ASSERT_EQ(glint({"sound", "old.frag", "-o", "a.wav", "--seconds", "1"}).code, 0);
+    const std::string wav = bytes("a.wav");
+    EXPECT_EQ(sample(wav, 100, 0), 32767);
+    EXPECT_EQ(sample(wav, 44000, 0), -32767);
+    EXPECT_EQ(sample(wav, 44000, 1), 8192);
+}
+
+TEST_F(Sound, WhatIsNoNumberIsSilentAndWhatIsTooLoudIsClipped) {
+    write(
+        "bad.frag",
+        "uniform float zero; //@ 0 [0, 1]\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+        "vec2 mainSound(int samp, float time) {\n"
+        "    return vec2(samp < 10 ? sqrt(zero - 1.0) : 9.0, samp < 10 ? 1.0 / zero : -9.0);\n}\n");
+    ASSERT_EQ(glint({"sound", "bad.frag", "-o", "a.wav", "--seconds", "0.1"}).code, 0);
+    const std::string wav = bytes("a.wav");
+    EXPECT_EQ(sample(wav, 5, 0), 0);
+    EXPECT_EQ(sample(wav, 5, 1), 32767);
+    EXPECT_EQ(sample(wav, 20, 0), 32767);
+    EXPECT_EQ(sample(wav, 20, 1), -32767);
+}
+
+TEST_F(Sound, AFilmCarriesItFromItsFirstFrameOn) {
+    write("tone.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+          "vec2 mainSound(int samp, float time) {\n"
+          "    return vec2(time < 1.0 ? 0.5 * sin(0.0628318530 * float(samp % 100)) : 0.0);\n}\n");
+    for (const std::string name : {"film.mov", "film.mp4", "film.webm"}) {
+        SCOPED_TRACE(name);
+        const Outcome outcome = glint({"sequence", "tone.frag", "-o", name, "--frames", "15:44",
+                                       "--fps", "30", "--size", "64x36"});
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const std::string decode = fmt::format(
+            "cd '{}' && ffmpeg -nostdin -loglevel error -i {} -f s16le -ac 2 -ar 44100 -y raw",
+            folder().string(), name);
+        ASSERT_EQ(std::system(decode.c_str()), 0);
+        const std::string raw(44, ' ');
+        const std::string samples = raw + bytes("raw");
+        const auto loudest = [&](long from, long to) {
+            int most = 0;
+            for (long i = from; i < to; ++i) most = std::max(most, std::abs(sample(samples, i, 0)));
+            return most;
+        };
+        // One second long, to a block of the codec; loud in the first half, silent in the second.
+        EXPECT_NEAR(static_cast<double>(samples.size() - 44) / 4, 44100.0, 2100.0);
+        EXPECT_NEAR(loudest(10000, 15000), 16384, 1000);
+        EXPECT_LT(loudest(28000, 40000), 300);
+    }
+}
+
+TEST_F(Sound, WhatCannotBeIsSaid) {
+    write("silent.frag", kGradient);
+    write("tone.frag", kTone);
+    write("typo.frag", "vec2 mainSound(int samp, float time) { return vec2(1.0) }\n");
+    EXPECT_EQ(glint({"sound", "silent.frag", "-o", "a.wav"}).code, 2);
+    EXPECT_EQ(glint({"sound", "tone.frag", "-o", "a.mp3"}).code, 2);
+    EXPECT_EQ(glint({"sound", "tone.frag", "-o", "a.wav", "--seconds", "20000"}).code, 2);
+    EXPECT_EQ(glint({"sound", "tone.frag", "-o", "nowhere/a.wav"}).code, 1);
+    const Outcome typo = glint({"sound", "typo.frag", "-o", "a.wav"});
+    EXPECT_EQ(typo.code, 3);
+    EXPECT_TRUE(typo.err.starts_with("typo.frag:1:")) << typo.err;
+    EXPECT_FALSE(names().contains("a.wav"));
+}
+
+}  // namespace
+}  // namespace glint::cli
