@@ -1,0 +1,1126 @@
+// The boat: a small lugger of varnished wood in a bay of clear water, or out in a gale.
+//
+// Arrow keys drive her: up and down for speed, left and right for the rudder. She rides the waves
+// like a stiff float, leans into the wind, throws a wake, shades the water and the sand below it
+// and stands mirrored in the sea. `firstPerson` takes the helm; else the mouse goes round her.
+//
+// Method   The sea is a height field of twenty directional waves with exact phases; eight long ones
+//          move it, twelve tilt it. All wave numbers fit a square of 480 m, after which the world
+//          repeats, and all is drawn round the boat: no digits are lost however far she sails.
+//          Rays meet the sea by steps that its slope bounds. Waves finer than a pixel widen the
+//          sun's lobe instead. Heave, pitch and roll are damped oscillators driven by the waves
+//          under the hull; a step solves them in closed form, for a force that is linear in it. The
+//          hull is an ellipse at each station; rays march its bound. Her wake is a wave equation
+//          with foam on a torus of cells round her. Light on the sand: its place of entry by
+//          fixed-point steps, then 1/|J|; from there it may still meet the boat.
+// Sources  Juckett, Damped Springs (2012), and Hochbruck and Ostermann, Acta Numerica 19 (2010):
+//          exponential steps. Bruneton, Neyret, Holzschuch, CGF 29 (2010): filtered glitter. Hart,
+//          Visual Computer 12 (1996): sphere tracing. Courant, Friedrichs, Lewy, Math. Ann. 100
+//          (1928): stability. Nishita et al., SIGGRAPH (1993): sky. Kasten and Young, Appl. Opt. 28
+//          (1989): air mass. Born and Wolf, Principles of Optics, 1.5: Fresnel. Jarzynski and
+//          Olano, JCGT 9(3) (2020): pcg3d.
+// Units    1 unit = 1 m, y up, 0 the water at rest, the boat at x = z = 0; linear sRGB colour, noon
+//          sun 10. In the boat's frame x is to port, y up, z forward.
+// Passes   air, sky: on change of a tweak. boat, wake: the simulation, 240 steps a second. Every
+//          frame: wavelets, poses (tiny), relief (the wake's slopes), the picture.
+// Bounds   Slopes of the long waves sum to 0.94. The loops of a pixel stay below 45,000 turns.
+// Licence  MIT
+
+// ---- Tweaks -------------------------------------------------------------------------------------
+//@ group Boat
+uniform bool  firstPerson;     //@ off "the eye at the helm"
+uniform float topSpeed;        //@ 3.0 [0.5, 7] unit=m/s "at full throttle"
+uniform float turnRate;        //@ 34 [5, 90] unit=deg/s "at full rudder and top speed"
+uniform float startHeading;    //@ 0 [-180, 180] unit=deg "at time 0"
+uniform float stiffness;       //@ 26 [0.001, 100000] log unit=1/s2 "how hard the sea holds her"
+uniform float damping;         //@ 3.6 [0, 1000] unit=1/s "how soon she comes to rest"
+uniform bool  sail;            //@ on "hoisted; it trims itself"
+uniform vec3  hullColour;      //@ #f2ede0 "of the planks"
+uniform vec3  sailColour;      //@ #a5432a "of the cloth"
+uniform bool  reflection;      //@ on "of the boat in the water"
+uniform float wakeStrength;    //@ 1.0 [0, 3] "waves and foam that she leaves"
+//@ group Sea
+uniform float depth;           //@ 2.4 [0.8, 40] log unit=m "of the water over the sand"
+uniform float longestWave;     //@ 4.5 [1.5, 40] log unit=m "crest to crest"
+uniform float steepness;       //@ 0.26 [0, 1] "of the long waves; 1 is a gale"
+uniform float choppiness;      //@ 0.5 [0, 1] "sharpness of their crests"
+uniform float ripples;         //@ 0.8 [0, 2] "steepness of the short waves"
+uniform float windAngle;       //@ 50 [-180, 180] unit=deg "where wind and waves go; 0 is ahead"
+uniform vec3  waterTint;       //@ #5fd6d8 "what 3 m of water leave of white light"
+uniform vec3  deepColour;      //@ #0b6a78 "what deep water scatters back"
+uniform float floorShare;      //@ 1.0 [0, 1] "of the sand in the water; 1 is physical, 0 hides it"
+uniform float caustics;        //@ 1.0 [0, 1] "light gathered by the waves; 0 is even light"
+uniform float foam;            //@ 0.5 [0, 1] "on breaking crests and in the wake"
+uniform float animation;       //@ 1.0 [0, 2] "speed of waves and rain"
+//@ group Weather
+uniform float sunHeight;       //@ 46 [0, 80] unit=deg "over the horizon"
+uniform float sunAngle;        //@ 62 [-180, 180] unit=deg "to the right of the way she starts"
+uniform float sunSize;         //@ 0.27 [0.1, 3] log unit=deg "radius of the sun's disc"
+uniform float haze;            //@ 1.0 [0.1, 6] log "dust in the air"
+uniform float clouds;          //@ 0.45 [0, 1] "how much of the sky they cover"
+uniform float overcast;        //@ 0.0 [0, 1] "a grey lid over everything"
+uniform float rain;            //@ 0.0 [0, 1] "streaks, and rings on the water"
+uniform float visibility;      //@ 9000 [60, 30000] log unit=m "where 63 % of the light is air"
+//@ group Camera
+uniform float cameraDistance;  //@ 8.5 [3, 40] unit=m "from the boat, level"
+uniform float cameraAngle;     //@ 38 [-180, 180] unit=deg "round it; 0 is astern"
+uniform float cameraHeight;    //@ 2.6 [0.3, 20] unit=m "of the eye, and never inside a wave"
+uniform float targetHeight;    //@ 1.0 [-2, 5] unit=m "of the point looked at"
+uniform bool  chase;           //@ on "the camera turns with the boat"
+uniform float steadiness;      //@ 0.5 [0, 1] "of the head at the helm; 0 moves as the deck does"
+uniform float focalLength;     //@ 28 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
+uniform float exposure;        //@ -0.6 [-6, 6] unit=stop "before the display curve"
+//@ group Quality
+uniform int   integrator; //@ 2 {explicit, semi-implicit, exact} quality reference=2 "of the float"
+uniform int   substeps;        //@ 1 [1, 64] log quality reference=64 "of the float in 1/240 s"
+uniform int   seaSteps;        //@ 96 [8, 512] log quality reference=512 "of a ray to the sea"
+uniform int   boatSteps;       //@ 64 [16, 256] log quality reference=256 "of a ray to the boat"
+uniform int   shadows;         //@ 1 {off, cone, sampled} "sampled is the reference"
+uniform int   sunSamples;      //@ 8 [1, 32] log quality reference=32 "rays of a sampled shadow"
+uniform int   antialias;       //@ 1 [1, 8] log quality reference=8 "rays through a pixel"
+
+precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
+uniform sampler2D keys;        //@ keyboard
+uniform sampler2D air;         //@ pass mainAir size=64x128
+uniform sampler2D sky; //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
+uniform sampler2D boat;        //@ pass mainBoat size=5x1 step=1/240 filter=nearest
+uniform sampler2D wake;        //@ pass mainWake size=192x192 step=1/240 filter=nearest
+uniform sampler2D wavelets;    //@ pass mainWavelets size=20x1 filter=nearest
+uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
+uniform sampler2D relief;      //@ pass mainRelief size=192x192 wrap=repeat filter=linear
+
+// ---- Constants and numbers ----------------------------------------------------------------------
+const float kPi = 3.14159265358979;
+const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
+const float kFar = 1e9;                    // m, a miss
+const float kGravity = 9.81;               // m/s^2
+const float kIorWater = 1.333;             // visible light, 20 C
+const float kCalmSpread = 0.0009;          // slope variance of capillary waves, always unresolved
+const float kWorld = 480.0;                // m, side of the square after which all repeats
+const float kWindow = 24.0;                // m, side of the wake's torus; divides kWorld
+const float kWakeSpeed = 1.25;             // m/s, of her waves; 0.04 of a cell in a step
+const float kBow = 2.30, kStern = -2.10;   // m, z at the ends of the hull
+const float kDeckEnd = 1.25, kAfterDeck = -1.66, kBottom = -0.12;   // m, the well: z, z, y
+const float kMastAt = 0.46, kMastTop = 4.15;            // m, z and y
+const float kTack = 0.95, kHead = 3.95, kChord = 1.95;  // m, the sail: y, y, length along the boom
+const int   kWater = -1, kNone = 0, kPlanks = 1, kWell = 2, kDeck = 3, kRail = 4, kThwart = 5;
+const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
+const float kSteep[8] = float[8](0.060, 0.075, 0.085, 0.085, 0.085, 0.080, 0.075, 0.065);
+
+struct Hit { float t; int part; vec3 nor, q; };   // q: in the boat's frame
+struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
+struct Eye { vec3 pos, right, up, forward; float lens; };
+
+uvec3 hash3(ivec3 q) {
+    uvec3 v = uvec3(q) * 1664525u + 1013904223u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+}
+vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+
+// Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
+float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+
+vec2 turn(vec2 p, float angle) {
+    float c = cos(angle), s = sin(angle);
+    return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
+}
+float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float square(float x) { return x * x; }
+vec3 linearColour(vec3 c) {   // from sRGB, a fit to 1/500
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+// Reflected share of unpolarised light, exact; eta: index beyond over index before the surface.
+float fresnel(float cosI, float eta) {
+    float gg = (eta - 1.0) * (eta + 1.0) + cosI * cosI;
+    if (gg <= 0.0) return 1.0;
+    float g = sqrt(gg);
+    float a = (g - cosI) / max(g + cosI, 1e-9);
+    float b = (cosI * (g + cosI) - 1.0) / (cosI * (g - cosI) + 1.0);
+    return min(0.5 * a * a * (1.0 + b * b), 1.0);
+}
+
+vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
+    return 1.0 / mix(rd, vec3(1e-20), lessThan(abs(rd), vec3(1e-20)));
+}
+
+// Coverage of a pixel of width w, centred at x, by lines of half-width h at every integer.
+float lines(float x, float h, float w) {
+    w = max(w, 1e-4);
+    float a = x - 0.5 * w, b = x + 0.5 * w;
+    vec2 whole = floor(vec2(a, b) + 0.5), part = clamp(vec2(a, b) - whole, -h, h);
+    return clamp((2.0 * h * (whole.y - whole.x) + part.y - part.x) / w, 0.0, 1.0);
+}
+
+vec4 previousFrame(vec4 p) {   // NaN compares false
+    return mix(vec4(0.0), p, lessThanEqual(abs(p), vec4(6e4)));
+}
+
+float tiledNoise(vec2 unit, ivec2 period, int seed) {   // value noise on a torus
+    vec2 p = unit * vec2(period), f = fract(p), s = f * f * (3.0 - 2.0 * f);
+    ivec2 a = ivec2(p) % period, b = (a + 1) % period;   // unit in [0, 1)
+    return mix(mix(random3(ivec3(a, seed)).x, random3(ivec3(b.x, a.y, seed)).x, s.x),
+               mix(random3(ivec3(a.x, b.y, seed)).x, random3(ivec3(b, seed)).x, s.x), s.y);
+}
+
+vec3 absorption() { return -log(clamp(linearColour(waterTint), 0.002, 0.998)) / 3.0; }   // 1/m
+vec3 sunDirection() {
+    float a = radians(sunAngle), h = radians(sunHeight);
+    return vec3(sin(a) * cos(h), sin(h), -cos(a) * cos(h));
+}
+// Irradiance of the sun over pi, facing it, for a lamp of 1 above the air.
+vec3 sunColour() {
+    float h = max(sunHeight, -2.0);
+    float mass = 1.0 / (max(sin(radians(h)), 0.0) + 0.15 * pow(h + 3.885, -1.253));
+    vec3 tau = vec3(0.042, 0.098, 0.24) + vec3(0.030, 0.036, 0.044) * haze;
+    return 10.0 * smoothstep(-1.0, 1.5, sunHeight) * exp(-tau * mass);
+}
+vec3 sunLight() { return sunColour() * square(1.0 - overcast); }
+
+// ---- The float ----------------------------------------------------------------------------------
+float meanDecay(float x) {   // (1 - exp(-x)) / x, x >= 0
+    return x < 0.02 ? 1.0 - x * 0.5 * (1.0 - x / 3.0 * (1.0 - x * 0.25))
+        : (1.0 - exp(-min(x, 80.0))) / x;
+}
+// x'' + c x' + k x = k f over a step of t, for f from f0 to f1 on a line; s: x and x'.
+// S is the answer to a push, C = S' + c S to a release, k Q = 1 - C to a constant f, R to f = t.
+// No difference of nearly equal numbers is divided by anything small, whatever k, c and t are.
+vec2 floatExactly(vec2 s, float k, float c, float t, float f0, float f1) {
+    float a = 0.5 * c, gap = a * a - k, w = sqrt(abs(gap)), S, C, Q, R;
+    if (c * t < 0.1 && k * t * t < 0.01) {   // series
+        S = t * (1.0 - 0.5 * c * t + (c * c - k) * t * t / 6.0
+                 - c * (c * c - 2.0 * k) * t * t * t / 24.0);
+        Q = t * t * (0.5 - c * t / 6.0 + (c * c - k) * t * t / 24.0);
+        R = k * t * t * t * (1.0 / 6.0 - c * t / 24.0 + (c * c - k) * t * t / 120.0);
+        C = 1.0 - k * Q;
+    } else if (gap < 0.0) {   // it swings
+        float fade = exp(-min(a * t, 80.0)), wt = w * t;
+        float sinc = wt < 0.01 ? 1.0 - wt * wt / 6.0 : sin(wt) / wt;
+        S = fade * t * sinc;
+        C = fade * (cos(wt) + a * t * sinc);
+        Q = (1.0 - C) / k;
+        R = t - S - c * Q;
+    } else {                  // it creeps: rates a - w, without cancellation, and a + w
+        float fast = a + w, slow = k / max(fast, 1e-20), fade = exp(-min(slow * t, 80.0));
+        S = t * fade * meanDecay(2.0 * w * t);
+        C = fade + slow * S;
+        Q = (t * meanDecay(slow * t) - S) / max(fast, 1e-20);
+        R = t - S - c * Q;
+    }
+    float push = (f1 - f0) / t, away = s.x - f0;
+    return vec2(f0 + away * C + s.y * S + push * R,
+                s.y * (C - c * S) - away * k * S + push * k * Q);
+}
+vec2 floatStep(vec2 s, float k, float c, float t, float f0, float f1) {
+    if (integrator == 2) return floatExactly(s, k, c, t, f0, f1);
+    float v = s.y + t * (k * (f0 - s.x) - c * s.y);
+    return vec2(s.x + t * (integrator == 1 ? v : s.y), v);
+}
+
+// ---- The sea ------------------------------------------------------------------------------------
+// Wave i, of twenty from long to short: wave vector, which fits the world, and amplitude.
+vec3 waveOf(int i) {
+    float x = float(i), last = longestWave * 0.0722;   // 0.72^8
+    float far = i < 8 ? longestWave * pow(0.72, x)
+        : last * pow(min(0.07 / last, 0.9), (x - 8.0) / 11.0);
+    float aside = 2.0 * fract(x * kGolden + 0.5) - 1.0;
+    float a = radians(windAngle + (i < 8 ? 42.0 : 75.0) * aside);
+    vec2 k = floor(kWorld / far * vec2(sin(a), -cos(a)) + 0.5) * (2.0 * kPi / kWorld);
+    float steep = i < 8 ? steepness * kSteep[i] : 0.042 * ripples;
+    return vec3(k, steep / max(sqrt(dot(k, k)), 1e-3));
+}
+float waveHz(vec2 k) {   // dispersion over this depth
+    float n = max(sqrt(dot(k, k)), 1e-3);
+    return sqrt(kGravity * n * tanh(min(n * depth, 20.0))) / (2.0 * kPi);
+}
+float worldPhase(vec2 k, vec2 p) {   // in cycles; whole numbers of waves fit the world
+    return fract(floor(k.x * kWorld / (2.0 * kPi) + 0.5) * (p.x / kWorld))
+        + fract(floor(k.y * kWorld / (2.0 * kPi) + 0.5) * (p.y / kWorld));
+}
+float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wave has two crests
+// Steepest descent of cos x + B cos 2x, B = crest() <= 1/4.
+float steepestShape() {
+    float b = 4.0 * crest(), c = 2.0 * b / (sqrt(1.0 + 8.0 * b * b) + 1.0);
+    return sqrt(1.0 - c * c) * (1.0 + b * c);
+}
+
+// What all rays of a pixel share, fetched once: this frame's waves, with phases at the boat; the
+// boat's frame, its place in the world; light from the whole sky.
+vec4 gKx[5], gKz[5], gHeight[5], gPhase[5];
+mat3 gAxes;
+vec2 gPlace;
+float gHeave, gBoom, gRudder;
+vec3 gAmbient;
+void loadWavelets() {
+    for (int g = 0; g < 5; ++g) {
+        gKx[g] = texelFetch(wavelets, ivec2(4 * g, 0), 0);
+        gKz[g] = texelFetch(wavelets, ivec2(4 * g + 1, 0), 0);
+        gHeight[g] = texelFetch(wavelets, ivec2(4 * g + 2, 0), 0);
+        gPhase[g] = texelFetch(wavelets, ivec2(4 * g + 3, 0), 0);
+    }
+}
+vec3 loadBoat() {
+    vec4 x = texelFetch(poses, ivec2(0, 0), 0), y = texelFetch(poses, ivec2(1, 0), 0);
+    vec4 z = texelFetch(poses, ivec2(2, 0), 0), place = texelFetch(poses, ivec2(7, 0), 0);
+    gAxes = mat3(x.xyz, y.xyz, z.xyz);
+    gHeave = x.w;
+    gBoom = y.w;
+    gRudder = z.w;
+    gPlace = place.xy;
+    gAmbient = textureLod(sky, vec2(0.25, 0.6), 7.0).rgb * 0.5
+        + textureLod(sky, vec2(0.75, 0.6), 7.0).rgb * 0.5;
+    return place.xyz;
+}
+
+// Adds four waves, averaged over a Gaussian footprint with covariance blur (xx, zz, xz; m^2): a
+// cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread.
+// The value: how much all crests are in line, in slope.
+float addGroup(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
+    vec4 x = gKx[g], z = gKz[g], a = gain * gHeight[g], k2 = x * x + z * z;
+    vec4 phase = x * p.x + z * p.y + gPhase[g];
+    vec4 keep = exp(-0.5 * (x * x * blur.x + z * z * blur.y + 2.0 * x * z * blur.z));
+    vec4 keep2 = keep * keep, harmonic = crest() * keep2 * keep2;
+    vec4 c = cos(phase), n = sin(phase), down = a * n * (keep + 4.0 * harmonic * c);
+    vec4 lost = 0.5 * a * a * (1.0 - keep2 + 4.0 * (crest() * crest() - harmonic * harmonic));
+    s.height += dot(a, keep * c + harmonic * (2.0 * c * c - 1.0));
+    s.slope -= vec2(dot(down, x), dot(down, z));
+    s.spread += vec3(dot(lost, x * x), dot(lost, z * z), dot(lost, x * z));
+    return dot(a * sqrt(k2), keep * c);
+}
+// Ripples come in patches, where gusts touch the water.
+float gusts(vec2 world, vec3 blur) {
+    float keep = exp(-0.03 * (blur.x + blur.y)), unit = 2.0 * kPi / kWorld;
+    float u = sin(unit * (13.0 * world.x + 9.0 * world.y) + 1.7 * sin(unit * 11.0 * world.y)
+                  - 2.0 * kPi * cycles(0.14));
+    float v = sin(unit * (7.0 * world.x - 16.0 * world.y) - 2.0 * kPi * cycles(0.11));
+    return 1.0 + 0.55 * keep * u * v;
+}
+vec2 inWorld(vec2 p) { return p - kWorld * floor(p / kWorld); }   // none is negative
+// Slope of the rings that drops make: one drop in each cell of a square lattice, again and again.
+vec2 rainRings(vec2 world, float cell, int seed) {
+    vec2 at = inWorld(world) / cell, c = floor(at);
+    vec3 r = random3(ivec3(ivec2(c) % int(kWorld / cell + 0.5), seed));
+    float age = fract(r.z + cycles(1.25 + 0.5 * floor(4.0 * fract(r.x * 7.0))));
+    vec2 d = (at - c - 0.35 - 0.3 * r.xy) * cell;
+    float far = max(length(d), 1e-4), ring = (far - 0.33 * cell * age) / 0.012;
+    return d / far * (ring * exp(-min(ring * ring, 40.0)) * 0.5 * square(1.0 - age));
+}
+// Height, slope and lost slopes at a point round the boat; white: share of foam from the crests
+// (x) and from the wake (y).
+Sea seaAt(vec2 p, vec3 blur, out vec2 white) {
+    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
+    vec2 world = p + gPlace;
+    float inLine = addGroup(0, p, blur, 1.0, s) + addGroup(1, p, blur, 1.0, s);
+    float gain = gusts(world, blur);
+    for (int g = 2; g < 5; ++g) addGroup(g, p, blur, gain, s);
+    white = vec2(smoothstep(0.24, 0.52, inLine + 0.2 * (foam - 0.5)), 0.0);
+    if (wakeStrength > 0.0) {
+        vec4 r = textureLod(relief, world / kWindow, 0.0);
+        float inside = 1.0 - smoothstep(0.40, 0.47, maxComponent(abs(vec3(p, 0.0))) / kWindow);
+        float fade = inside / (1.0 + 6.0 * (blur.x + blur.y));
+        s.slope += fade * r.xy;
+        white.y = inside * r.z;
+    }
+    if (rain > 0.0) {
+        float keep = exp(-min(4000.0 * (blur.x + blur.y), 60.0));
+        vec2 rings = rainRings(world, 0.24, 31) + rainRings(world + 0.11, 0.375, 32);
+        s.slope += rain * keep * rings;
+        s.spread.xy += rain * (1.0 - keep) * 0.006;
+    }
+    return s;
+}
+// Covariance of the footprint on the sea of a pixel of width w that is seen along rd.
+vec3 seaFootprint(vec3 rd, float w) {
+    float across = square(0.35 * w), along = across / max(square(rd.y), 1e-6) - across;
+    vec2 v = rd.xz * inversesqrt(max(dot(rd.xz, rd.xz), 1e-12));
+    return vec3(across + along * v * v, along * v.x * v.y);
+}
+float moversAt(vec2 p) {   // height by the long waves alone
+    float h = 0.0;
+    for (int g = 0; g < 2; ++g) {
+        vec4 c = cos(gKx[g] * p.x + gKz[g] * p.y + gPhase[g]);
+        h += dot(gHeight[g], c + crest() * (2.0 * c * c - 1.0));
+    }
+    return h;
+}
+
+// Long waves along a ray: a height is dot(a, cosine(start + rate t)), harmonic included. A wave
+// that is lower than half a pixel no longer moves the surface.
+struct Movers { vec4 a, start, rate; };
+Movers moversOnRay(int g, vec3 ro, vec3 rd, float w) {
+    vec4 a = gHeight[g];
+    return Movers(a * clamp(4.0 * a / max(w, 1e-6) - 1.0, 0.0, 1.0),
+                  gKx[g] * ro.x + gKz[g] * ro.z + gPhase[g], gKx[g] * rd.x + gKz[g] * rd.z);
+}
+int seaEvaluations = 0;   // of a ray's height over the sea, for measurements
+float moversHeight(Movers m, float t) {
+    vec4 c = cos(m.start + m.rate * t);
+    return dot(m.a, c + crest() * (2.0 * c * c - 1.0));
+}
+// Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. No step is longer than
+// the steepest waves along the ray allow, with the short movers either as steep or as high as they
+// can be; but none is shorter than `least`, which may cut crests that are lower than a millimetre.
+// The last few are Illinois steps.
+float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
+    seaEvaluations = 0;
+    float reach = pixel * max(ro.y, 0.0) / max(-rd.y, 1e-4);
+    Movers m0 = moversOnRay(0, ro, rd, reach), m1 = moversOnRay(1, ro, rd, reach);
+    float top1 = (1.0 + crest()) * dot(m1.a, vec4(1.0));
+    float top = (1.0 + crest()) * dot(m0.a, vec4(1.0)) + top1 + 1e-4;
+    float steep0 = steepestShape() * dot(m0.a, abs(m0.rate)) - rd.y;
+    float steep1 = steepestShape() * dot(m1.a, abs(m1.rate));
+    float perHeight = 1.1 / max(steep0 + steep1, 1e-6), perHeight0 = 1.1 / max(steep0, 1e-6);
+    float slope = abs(rd.y) < 1e-7 ? -1e-7 : rd.y;
+    float enter = max((top - ro.y) / slope, 0.0) * step(top, ro.y);
+    float leave = min(((slope < 0.0 ? -top : top) - ro.y) / slope, tMax);
+    float t = enter, least = min(0.004 + 0.004 * enter, 0.06) + 0.5 * pixel * enter;   // m
+    vec2 above = vec2(t, 0.0), below = vec2(-1.0, 0.0);
+    bool ahead = enter < leave && (slope < 0.0 || ro.y < top);
+    for (int k = 0; k < seaSteps && ahead; ++k) {
+        float f0 = ro.y + t * rd.y - moversHeight(m0, t), f = f0 - moversHeight(m1, t);
+        ++seaEvaluations;
+        if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
+        ahead = f > 0.0 && t < leave;
+        t = min(t + max(max(f * perHeight, (f0 - top1) * perHeight0), least), leave);
+    }
+    if (below.x < 0.0) return ahead ? above.x : -1.0;   // out of steps: nearly there
+    for (int k = 0; k < 4; ++k) {
+        t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
+        float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
+        if (f > 0.0) { above = vec2(t, f); below.y *= 0.5; }
+        else { below = vec2(t, f); above.y *= 0.5; }
+    }
+    return t;
+}
+
+// Mean of max(0, X) for X normal with mean m and deviation s: the area that a rough surface shows.
+float shownArea(float m, float s) {
+    float q = m / max(s, 1e-6);
+    if (q > 4.0) return m;
+    float density = 0.39894228 * exp(-0.5 * min(q * q, 80.0));
+    float tail = 1.0 / (1.0 + 0.2316419 * abs(q));
+    float above = 1.0 - density * tail * (0.31938153 + tail * (-0.356563782 + tail * (1.781477937
+        + tail * (-1.821255978 + tail * 1.330274429))));   // Abramowitz and Stegun 26.2.17
+    return max(m * (q < 0.0 ? 1.0 - above : above) + s * density, 1e-5);
+}
+// What a view along rd sees of slopes with a mean and a spread: the area shown, and the mean slope
+// of what is shown, which leans towards the eye.
+float shownSlope(vec3 rd, Sea s, out vec2 slope) {
+    vec2 lean = vec2(s.spread.x * rd.x + s.spread.z * rd.z, s.spread.z * rd.x + s.spread.y * rd.z);
+    float deviation = sqrt(max(dot(lean, rd.xz), 0.0)), m = dot(s.slope, rd.xz) - rd.y;
+    float area = shownArea(m, deviation);
+    float ahead = 1.0 / (1.0 + exp(clamp(-1.702 * m / max(deviation, 1e-6), -30.0, 30.0)));
+    slope = s.slope + lean * (ahead / area);
+    return area;
+}
+// The sun in a sea of Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7, with
+// the shown area in closed form).
+float seaGlitter(vec3 rd, Sea s, float area) {
+    vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
+    if (h.y < 0.05) return 0.0;
+    float sunSpread = square(0.25 * radians(sunSize));
+    vec3 v = s.spread + vec3(sunSpread, sunSpread, 0.0);
+    vec2 d = -h.xz / h.y - s.slope;
+    float det = max(v.x * v.y - v.z * v.z, 1e-12);
+    float q = (d.x * d.x * v.y + d.y * d.y * v.x - 2.0 * d.x * d.y * v.z) / det;
+    float density = exp(-0.5 * min(q, 80.0)) / (2.0 * kPi * sqrt(det));
+    return fresnel(clamp(-dot(h, rd), 0.0, 1.0), kIorWater) * density
+        / (4.0 * square(square(h.y)) * area);
+}
+
+// Refraction of the sun by nearly level water: the direction down, level offset a metre of depth
+// (flat) and the matrix that a slope adds to it, for a first-order map of entry to floor.
+vec3 sunUnderWater(vec3 sun, out mat2 byslope) {
+    float eta = 1.0 / kIorWater, cosI = max(sun.y, 1e-3);
+    float cosT = sqrt(1.0 - eta * eta * (1.0 - cosI * cosI)), m = eta * cosI - cosT;
+    float bias = eta * (eta - eta * eta * cosI / cosT) / (cosT * cosT);
+    byslope = mat2(bias * sun.x * sun.x - m / cosT, bias * sun.x * sun.z,
+                   bias * sun.x * sun.z, bias * sun.z * sun.z - m / cosT);
+    return vec3(-eta * sun.x, -cosT, -eta * sun.z);
+}
+// Slope and its derivatives xx, xz, zz by the twelve longest waves, without what is too short to
+// gather light at a depth: it is blurred there by all the others.
+void bendAt(vec2 p, float down, out vec2 slope, out vec3 second) {
+    slope = vec2(0.0);
+    second = vec3(0.0);
+    for (int g = 0; g < 3; ++g) {
+        vec4 x = gKx[g], z = gKz[g], phase = x * p.x + z * p.y + gPhase[g];
+        vec4 a = gHeight[g] * exp(-min((x * x + z * z) * square(0.035 * down), 40.0));
+        vec4 s = a * sin(phase), c = a * cos(phase);
+        slope -= vec2(dot(s, x), dot(s, z));
+        second -= vec3(dot(c * x, x), dot(c * x, z), dot(c * z, z));
+    }
+}
+// Where light that reaches a point `down` metres deep came in, and how much the waves gather it.
+float lightGathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
+    vec2 calm = light.xz / -light.y, slope;
+    vec3 second = vec3(0.0);
+    entry = p - down * calm;
+    if (caustics <= 0.0) return 1.0;
+    for (int k = 0; k < 3; ++k) {
+        bendAt(entry, down, slope, second);
+        if (k < 2) entry = p - down * (calm + byslope * slope);
+    }
+    mat2 j = mat2(1.0) + down * byslope * mat2(second.xy, second.yz);
+    float area = abs(j[0][0] * j[1][1] - j[0][1] * j[1][0]);
+    // biased: one of several sheets of light where they fold, and none too sharp
+    return mix(1.0, 1.0 / (area < 0.5 ? area * area + 0.25 : area), caustics);
+}
+
+// ---- The boat -----------------------------------------------------------------------------------
+float sheerAt(float z) { return 0.40 + 0.31 * square((z + 0.35) / 2.5); }   // top of the side
+float keelAt(float z) {
+    return -0.27 + 0.64 * square(max(z - 1.0, 0.0) / 1.3) + 0.12 * square(max(-z - 0.7, 0.0) / 1.4);
+}
+float beamAt(float z) {   // half of it, at the sheer
+    float fore = max(z + 0.25, 0.0) / 2.55, aft = max(-0.25 - z, 0.0) / 1.85;
+    return max(0.80 * (1.0 - fore * fore) * (1.0 - 0.36 * aft * aft), 0.012);
+}
+// A station is half an ellipse. Its gradient, from the sides' 0.9 along z and the estimate across,
+// stays below 1 / 0.62. x: distance to the sides, at most; y: height over the sheer.
+vec2 hullSides(vec3 p) {
+    float z = clamp(p.z, kStern - 0.1, kBow + 0.1), sheer = sheerAt(z);
+    vec2 r = vec2(beamAt(z), sheer - keelAt(z)), d = vec2(abs(p.x), min(p.y - sheer, 0.0));
+    float k0 = length(d / r), k1 = length(d / (r * r));
+    return vec2(0.62 * (k0 - 1.0) * (k1 > 1e-4 ? k0 / k1 : r.x), 0.96 * (p.y - sheer));
+}
+float hullEnds(vec3 p) { return max(kStern - 0.10 * p.y - p.z, p.z - kBow); }
+// Negative in the boat and in the air that she holds.
+float hullBody(vec3 p) {
+    vec2 side = hullSides(p);
+    return max(side.x, max(side.y, hullEnds(p)));
+}
+float stick(vec3 p, vec3 a, vec3 b, float r) {
+    vec3 u = p - a, v = b - a;
+    return length(u - clamp(dot(u, v) / dot(v, v), 0.0, 1.0) * v) - r;
+}
+// Never more than the distance; part: what is nearest.
+float boatField(vec3 p, out int part) {
+    vec2 side = hullSides(p);
+    float ends = hullEnds(p), solid = max(side.x, max(side.y, ends));
+    float well = max(max(side.x + 0.02, kBottom - p.y), max(kAfterDeck - p.z, p.z - kDeckEnd));
+    float best = max(solid, -well);
+    part = -well > solid ? kWell : side.y > max(side.x, ends) ? kDeck : kPlanks;
+
+    float rail = max(length(vec2(side.x, side.y + 0.012)) - 0.024, 0.96 * (ends - 0.03));
+    if (rail < best) { best = rail; part = kRail; }
+    float thwart = min(abs(p.z - kMastAt) - 0.13, abs(p.z + 0.70) - 0.14);
+    thwart = max(max(thwart, abs(p.y - 0.19) - 0.016), side.x + 0.012);
+    if (thwart < best) { best = thwart; part = kThwart; }
+    float under = keelAt(clamp(p.z, kStern, kBow));   // keel and stem
+    float keel = max(max(abs(p.x) - 0.022, ends - 0.03),
+                     max(0.7 * (under - 0.05 - p.y), side.y - 0.03));
+    keel = max(keel, min(0.7 * (p.y - under - 0.06), 2.2 - p.z));
+    if (keel < best) { best = keel; part = kRail; }
+
+    vec3 m = p - vec3(0.0, 0.0, kMastAt);
+    float spar = max(0.99 * (length(m.xz) - 0.046 + 0.006 * p.y), max(p.y - kMastTop, -0.1 - p.y));
+    // The sail's frame: x to lee, y up, z along the boom.
+    float c = cos(gBoom), s = sin(gBoom);
+    vec3 q = vec3(c * m.x + s * m.z, p.y, s * m.x - c * m.z);
+    if (sail) spar = min(spar, stick(q, vec3(0.0, 1.30, 0.04), vec3(-0.03, 0.96, 2.06), 0.020));
+    // Oars, and the tiller.
+    vec3 o = vec3(abs(p.x) - 0.40, p.y, p.z);
+    spar = min(spar, stick(o, vec3(0.0, 0.235, -1.45), vec3(-0.06, 0.235, 0.95), 0.021));
+    vec3 h = vec3(turn(p.xz - vec2(0.0, kStern - 0.09), gRudder), p.y).xzy;
+    spar = min(spar, stick(h, vec3(0.0, 0.62, -0.05), vec3(0.0, 0.70, 0.85), 0.018));
+    if (spar < best) { best = spar; part = kSpar; }
+    vec3 blade = abs(h - vec3(0.0, 0.14, -0.15)) - vec3(0.016, 0.50, 0.15 - 0.1 * min(h.y, 0.4));
+    float rudder = 0.97 * max(blade.x, max(blade.y, blade.z));
+    if (rudder < best) { best = rudder; part = kRudder; }
+
+    if (sail) {   // a triangle that bellies to lee
+        float reach = kChord * clamp((kHead - q.y) / (kHead - kTack), 0.0, 1.0);
+        float along = clamp(q.z, 0.0, reach);
+        float belly = 0.26 * clamp(2.5 * gBoom, -1.0, 1.0) * along
+            * (1.0 - along / max(reach, 1e-3));
+        float leech = dot(q.zy - vec2(kChord, kTack), vec2(0.8381, 0.5455));
+        float foot = 0.99 * (kTack - 0.10 * q.z * (kChord - q.z) - q.y);
+        float cloth = max(0.9 * abs(q.x - belly) - 0.007, max(leech, max(0.8 * foot, 0.05 - q.z)));
+        if (cloth < best) { best = cloth; part = kCloth; }
+    }
+    return best;
+}
+vec3 toBoat(vec3 p) { return (p - vec3(0.0, gHeave, 0.0)) * gAxes; }
+// Where a ray in the boat's frame may meet her; nothing when y < x.
+vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
+    vec3 lo = vec3(-0.9, -0.5, -2.6), hi = vec3(0.9, kMastTop, 2.36);
+    if (sail) { lo.x = -1.75; hi.x = 1.75; }
+    vec3 inv = safeInverse(rd), a = (lo - grow - ro) * inv, b = (hi + grow - ro) * inv;
+    vec3 n = min(a, b), f = max(a, b);
+    return vec2(max(maxComponent(n), 0.0), min(f.x, min(f.y, f.z)));
+}
+// The boat on a ray before tMax. Nothing is found for tMax 0.
+Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
+    vec3 o = toBoat(ro), d = rd * gAxes;
+    vec2 span = boatSpan(o, d, 0.0);
+    span.y = min(span.y, tMax);
+    float t = span.x, f = 1.0;
+    int part = kNone;
+    bool ahead = span.x < span.y;
+    for (int k = 0; k < boatSteps && ahead; ++k) {
+        f = boatField(o + t * d, part);
+        bool met = f < 4e-4 + 0.15 * pixel * t;
+        if (!met) t += f;
+        ahead = !met && t < span.y;
+    }
+    Hit h = Hit(t, part, vec3(0.0, 1.0, 0.0), o + t * d);
+    if (!(t < span.y) || f > 0.02) { h.part = kNone; h.t = kFar; }   // or out of steps far from her
+    float w = 0.0015 + 0.2 * pixel * min(t, 100.0);
+    vec3 g = vec3(0.0);
+    for (int k = 0; k < 4; ++k) {
+        vec3 e = vec3((k + 3 >> 1) & 1, k >> 1, k & 1) * 2.0 - 1.0;
+        int other;
+        g += e * boatField(h.q + w * e, other);
+    }
+    h.nor = gAxes * (g * inversesqrt(max(dot(g, g), 1e-20)));
+    return h;
+}
+// Share of the sun that a point sees past the boat; rim: slope of the sun's disc. The narrowest
+// gap between the ray and her, against the cone's width there, tells how much of it is hidden.
+float pastBoat(vec3 ro, vec3 rd, float rim, float tMax) {
+    vec3 o = toBoat(ro), d = rd * gAxes;
+    vec2 span = boatSpan(o, d, 0.1);
+    span.y = min(span.y, tMax);
+    float t = max(span.x, 0.012), gap = 1.0;
+    bool ahead = t < span.y;
+    for (int k = 0; k < 40 && ahead; ++k) {
+        int part;
+        float f = boatField(o + t * d, part);
+        gap = min(gap, f / (rim * t + 1e-3));
+        t += max(f, 0.006 + 0.2 * rim * t);
+        ahead = t < span.y && gap > -1.0;
+    }
+    gap = max(gap, -1.0);
+    return 0.25 * square(1.0 + gap) * (2.0 - gap);
+}
+float boatShade(vec3 p, vec3 rd, float blur, float tMax, float seed) {
+    float rim = tan(radians(sunSize)) + blur;
+    if (shadows == 0) return 1.0;
+    if (shadows == 1) return pastBoat(p, rd, rim, tMax);
+    vec3 u = normalize(cross(rd, vec3(0.0, 0.0, 1.0) + 0.01 * rd.zxy)), v = cross(u, rd);
+    float sum = 0.0;
+    for (int k = 0; k < sunSamples; ++k) {
+        float a = 2.0 * kPi * (kGolden * float(k) + seed);
+        float r = rim * sqrt((float(k) + 0.5) / float(sunSamples));
+        sum += pastBoat(p, normalize(rd + r * (u * cos(a) + v * sin(a))), 2e-4, tMax);
+    }
+    return sum / float(sunSamples);
+}
+
+// Coverage of wood's grain, -1 to 1, drawn out along z; w: footprint.
+float grain(vec3 p, float w) {
+    float sum = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        float n = k == 0 ? 38.0 : 110.0, keep = clamp(1.4 - w * n, 0.0, 1.0);
+        vec3 q = vec3(p.xy * n, p.z * 2.5 * float(k + 1)) + 300.0;
+        ivec3 c = ivec3(floor(q));
+        vec3 f = q - floor(q), s = f * f * (3.0 - 2.0 * f);
+        vec4 v;
+        for (int j = 0; j < 4; ++j) {
+            ivec3 e = c + ivec3(j & 1, j >> 1, 0);
+            v[j] = mix(random3(e).x, random3(e + ivec3(0, 0, 1)).x, s.z);
+        }
+        sum += keep * (mix(mix(v.x, v.y, s.x), mix(v.z, v.w, s.x), s.y) - 0.5);
+    }
+    return sum;
+}
+// Colour, and in w how far it is varnished; planks tilt the normal. w: footprint.
+vec4 paintOf(int part, vec3 q, float w, inout vec3 nor) {
+    vec3 mahogany = vec3(0.30, 0.095, 0.030), oak = vec3(0.50, 0.26, 0.095);
+    float z = clamp(q.z, kStern, kBow), sheer = sheerAt(z);
+    // Round a station from the sheer, 0, to the keel, 1; strakes are 1/7 of it.
+    float girth = atan(max(sheer - q.y, 0.0) / (sheer - keelAt(z)), abs(q.x) / beamAt(z) + 1e-4)
+        * (2.0 / kPi);
+    float strake = 7.0 * girth, wide = w * 7.0 / 1.15, distinct = clamp(1.3 - 2.0 * wide, 0.0, 1.0);
+    float seam = lines(strake, 0.035, wide), shape = fract(strake) - 0.5;
+    float pale = part == kThwart || part == kWell ? 0.75 : part == kSpar ? 1.1 : 0.0;
+    vec3 wood = mix(mahogany, oak, pale);
+    vec3 lie = part == kSpar ? q.xzy : part == kThwart ? q.zyx : q;
+    float figure = part == kCloth ? 0.0 : grain(lie, w);
+    wood *= 1.0 + 0.55 * figure;
+    if (part == kPlanks || part == kWell) {
+        vec3 down = gAxes * vec3(0.0, -1.0, 0.0);
+        nor = normalize(nor + (part == kPlanks ? 0.20 : -0.10) * distinct * shape * down);
+    }
+    if (part == kPlanks) {
+        float line = smoothstep(-0.5 * w - 0.002, 0.5 * w + 0.002, q.y - 0.045);
+        float boot = smoothstep(-0.5 * w - 0.002, 0.5 * w + 0.002, q.y - 0.095);
+        float top = 1.0 - smoothstep(1.0 - 0.5 * wide, 1.0 + 0.5 * wide, strake);
+        vec3 side = mix(vec3(0.16, 0.022, 0.018), vec3(0.012, 0.045, 0.085), line);
+        side = mix(side, linearColour(hullColour) * (1.0 + 0.05 * figure), boot);
+        side = mix(side, wood, top);
+        return vec4(side * (1.0 - 0.45 * seam), 0.6 + 0.4 * top);
+    }
+    if (part == kWell) {   // planks, ribs, the boards of the bottom
+        float rib = lines(q.z / 0.34, 0.055, w / 0.34) * step(kBottom + 0.01, q.y);
+        float board = q.y < kBottom + 0.01 ? lines(q.x / 0.11 + 0.5, 0.04, w / 0.11) : seam;
+        return vec4(wood * (1.0 - 0.5 * board) * (1.0 - 0.3 * rib), 0.35);
+    }
+    if (part == kDeck) {
+        float caulk = lines(q.x / 0.075 + 0.5, 0.045, w / 0.075);
+        float edge = smoothstep(0.0, 0.02 + w, -hullSides(q).x - 0.025);
+        wood = mix(mahogany, oak * (1.0 + 0.4 * figure), edge);
+        return vec4(wood * (1.0 - 0.8 * caulk * edge), 0.8);
+    }
+    if (part == kCloth) {
+        float panel = lines(q.y / 0.42 + 0.08 * q.z, 0.018, w / 0.42);
+        return vec4(linearColour(sailColour) * (1.0 - 0.25 * panel), 0.0);
+    }
+    return vec4(wood, part == kThwart ? 0.6 : 1.0);
+}
+
+// ---- Light --------------------------------------------------------------------------------------
+// The sky's picture goes from the horizon to straight up, finest low; a: how clear the view of the
+// sun is. cone: rad, what is seen as one.
+vec4 heavens(vec3 rd, float cone) {
+    float lod = clamp(log2(max(cone, 1e-4) * 2048.0 / (2.0 * kPi)), 0.0, 7.0);
+    float edge = min(exp2(lod) / 1024.0, 0.5), v = clamp(sqrt(max(rd.y, 0.0)), edge, 1.0 - edge);
+    return textureLod(sky, vec2(atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5, v), lod);
+}
+// What waves from both sides of a wide cone mirror: the sky, or more water.
+vec3 mirroredSky(vec3 rd, float cone) {
+    return heavens(normalize(vec3(rd.x, max(rd.y, 0.02), rd.z)), cone).rgb;
+}
+vec3 bodyLight(float share) {   // scattered back by deep water
+    vec3 down = gAmbient + sunLight() * (sunDirection().y * share);
+    return linearColour(deepColour) * down;
+}
+// The sand: colour, and the slope of its ripples. Weed grows in patches.
+vec4 seabed(vec2 p, float w) {
+    vec2 unit = fract((p + gPlace) / kWorld), world = unit * kWorld;
+    float far = tiledNoise(unit, ivec2(60), 51), near = tiledNoise(unit, ivec2(210), 52);
+    float fine = tiledNoise(unit, ivec2(1100), 53);
+    float keep = clamp(1.5 - 9.0 * w, 0.0, 1.0);
+    float u = 2.0 * kPi * (world.x * 2500.0 + world.y * 1300.0) / kWorld + 5.0 * near + 2.0 * fine;
+    float patches = far * 0.72 + near * 0.28 + 0.12 * (fine - 0.5);
+    float weed = smoothstep(0.60, 0.72, patches);
+    vec3 sand = vec3(0.66, 0.54, 0.37)
+        * (0.90 + 0.16 * near + keep * (0.05 * sin(u) + 0.10 * (fine - 0.5)));
+    vec3 grass = vec3(0.045, 0.070, 0.030) * (0.6 + 0.9 * fine);
+    return vec4(mix(sand, grass, weed), 0.22 * keep * (1.0 - weed) * cos(u));
+}
+// Sunlight on what lies under water, over pi: through its place of entry, past the boat's shadow.
+vec3 sunBelow(vec3 p, vec3 nor, float seed) {
+    vec3 sun = sunDirection();
+    sun.y = max(sun.y, 0.01);
+    mat2 byslope;
+    vec2 entry;
+    vec3 light = sunUnderWater(sun, byslope);
+    float down = max(-p.y, 0.0), gather = lightGathered(p.xz, down, light, byslope, entry);
+    vec3 from = vec3(entry, moversAt(entry)).xzy;
+    float path = distance(from, p);
+    float share = boatShade(from, sun, 0.010, kFar, seed)
+        * boatShade(p + 0.01 * nor, normalize(from - p + vec3(0.0, 1e-4, 0.0)), 0.05, path, seed);
+    float facing = max(dot(nor, light) / light.y, 0.0) * sun.y;
+    return sunLight() * (share * facing * gather * (1.0 - fresnel(sun.y, kIorWater)))
+        * exp(-absorption() * path);
+}
+// Light from a point of the boat against d. share: of the sun that it sees; w: footprint.
+vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
+    vec3 nor = h.nor, sun = sunDirection();
+    vec4 stuff = paintOf(h.part, h.q, w, nor);
+    if (dot(nor, d) > 0.0) nor = normalize(nor - 1.02 * dot(nor, d) * d);
+    int other;
+    float room = boatField(h.q + (h.nor * 0.10) * gAxes, other) / 0.10
+        + boatField(h.q + (h.nor * 0.35) * gAxes, other) / 0.35;
+    float open = 0.25 + 0.75 * smoothstep(0.0, 1.5, room);
+    vec3 up = mirroredSky(vec3(nor.x, max(nor.y, 0.0) + 0.35, nor.z), 1.2);
+    vec3 below = bodyLight(1.0) + 0.10 * gAmbient;
+    vec3 around = mix(below, 0.5 * (up + gAmbient), 0.5 + 0.5 * nor.y) * open;
+    float lit = dot(nor, sun);
+    vec3 light = stuff.rgb * (around + sunLight() * (share * max(lit, 0.0)));
+    if (h.part == kCloth)   // it glows against the light
+        light += stuff.rgb * stuff.rgb * (sunLight() * max(-lit, 0.0) * 0.9 + 0.35 * gAmbient);
+    float facing = clamp(-dot(nor, d), 0.0, 1.0), gloss = stuff.w * fresnel(facing, 1.45);
+    vec3 away = reflect(d, nor);
+    vec3 seen = mix(below, mirroredSky(away, 0.12), smoothstep(-0.12, 0.06, away.y)) * open;
+    float line = exp2(180.0 * (dot(away, sun) - 1.0)) * 30.0;
+    return light + gloss * (seen + sunLight() * (share * line * step(0.0, lit)));
+}
+// Share of a pixel that foam covers, for an amount of it.
+float foamCover(vec2 p, float amount, float w) {
+    vec2 unit = fract((p + gPlace) / kWorld);
+    float a = tiledNoise(unit, ivec2(900), 61), b = tiledNoise(unit, ivec2(2700), 62);
+    float c = tiledNoise(unit, ivec2(7900), 63), keep = clamp(1.3 - 4.0 * w, 0.0, 1.0);
+    float lace = 1.0 - abs(a + 0.5 * b - 0.75) * 2.2 - 0.35 * c;
+    float torn = smoothstep(1.0 - amount, 1.35 - 0.7 * amount, lace + 0.35 * amount);
+    return amount * mix(0.5, min(1.6 * torn, 1.0), keep);
+}
+// Streaks of rain on three shells round the eye; w: angle of a pixel.
+float rainStreaks(vec3 rd, float w) {
+    float sum = 0.0, around = atan(rd.x, -rd.z + 1e-9) / (2.0 * kPi) + 0.5;
+    float level = max(length(rd.xz), 0.15);
+    for (int k = 0; k < 3; ++k) {
+        float far = 1.6 * exp2(float(k)), n = 260.0 * exp2(float(k));
+        float x = around * n, c = min(floor(x), n - 1.0);
+        vec3 r = random3(ivec3(int(c), k, 71));
+        float y = rd.y / level * far / 2.4 + 0.15 * (x - c) + r.x + cycles(3.0 + floor(3.0 * r.y));
+        vec3 s = random3(ivec3(int(c), int(floor(y)) & 15, 72 + k));
+        float wide = 0.0022 / far, half1 = 0.5 * max(wide, w) * n / (2.0 * kPi);
+        float off = abs(x - c - 0.3 - 0.4 * s.x);
+        float line = clamp((half1 - off) / (w * n / (2.0 * kPi)) + 0.5, 0.0, 1.0);
+        line *= min(wide / w, 1.0);
+        float along = fract(y) / 0.30;
+        sum += line * smoothstep(0.0, 0.3, along) * (1.0 - smoothstep(0.7, 1.0, along))
+            * step(s.y, 0.75 * rain);
+    }
+    return min(sum, 1.0);
+}
+
+// ---- Transport ----------------------------------------------------------------------------------
+vec3 viewRay(Eye e, vec2 pixel) {
+    vec2 uv = (pixel - 0.5 * iResolution.xy) / iResolution.y;
+    return normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
+}
+vec3 render(Eye e, vec3 rd, float angle, float chance) {
+    vec3 sun = sunDirection();
+    float t = hitWaves(e.pos, rd, angle, kFar);
+    if (t > 0.0 && hullBody(toBoat(e.pos + t * rd)) < 0.0) t = -1.0;   // she keeps the sea out
+    Hit h = hitBoat(e.pos, rd, angle, t > 0.0 ? t : kFar);
+    bool wet = h.part == kNone && t > 0.0;
+    t = wet ? min(t, 1e5) : 1.0;
+    vec3 p = e.pos + t * rd;
+    vec2 white, slope;
+    Sea s = seaAt(p.xz, seaFootprint(rd, angle * t), white);
+    float area = shownSlope(rd, s, slope);
+    vec3 facet = normalize(vec3(-slope, 1.0).xzy), away = reflect(rd, facet);
+    away = normalize(vec3(away.x, max(away.y, 0.02), away.z));   // biased: no light between waves
+    float cosine = clamp(-dot(facet, rd), 0.0, 1.0), mirrored = fresnel(cosine, kIorWater);
+    float cone = wet ? 1.2 * sqrt(s.spread.x + s.spread.y) + angle : angle;
+    vec3 distant = wet ? away : rd;
+    vec4 far = heavens(distant, cone);
+    vec3 light = far.rgb;
+
+    // The boat, or her mirror image.
+    Hit m = h;
+    float before = 0.0;
+    if (reflection) {
+        Hit image = hitBoat(p + vec3(0.0, 0.004, 0.0), away, angle, wet ? 30.0 : 0.0);
+        if (wet) { m = image; before = t; }
+    }
+    if (m.part != kNone) {
+        vec3 q = (wet ? p : e.pos) + min(m.t, 1e3) * distant;
+        float share = boatShade(q + 0.006 * m.nor, sun, 0.0, kFar, chance);
+        light = boatLight(m, q, distant, share, angle * (before + min(m.t, 1e3)));
+    }
+    if (wet) {
+        float share = boatShade(p, sun, 0.004, kFar, chance);
+        float eta = 1.0 / kIorWater, k = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
+        vec3 down = normalize(eta * rd + (eta * cosine - sqrt(k)) * facet);
+        down.y = min(down.y, -0.05);
+        // The sand, or the boat's bottom before it.
+        float deep = (depth + p.y) / -down.y;
+        Hit b = hitBoat(p + 0.002 * down, down, angle, min(deep, 8.0));
+        bool hull = b.part != kNone;
+        float path = hull ? b.t : deep;
+        vec3 q = p + path * down;
+        vec4 ground = seabed(q.xz, angle * (t + path) / -down.y);
+        vec3 nor = hull ? b.nor : normalize(vec3(ground.w * 0.88, 1.0, ground.w * 0.47));
+        vec3 albedo = hull ? vec3(0.16, 0.022, 0.018) : ground.rgb;
+        vec3 sigma = absorption(), skylight = 0.9 * gAmbient * exp(-1.2 * sigma * max(-q.y, 0.0));
+        vec3 lit = albedo * (skylight * (0.6 + 0.4 * nor.y) + sunBelow(q, nor, chance));
+        vec3 through = exp(-sigma * path) * mix(hull ? 1.0 : 0.0, 1.0, floorShare);
+        vec3 body = bodyLight(mix(0.25, 1.0, share)) * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
+        body = mix(bodyLight(mix(0.25, 1.0, share)), body, hull ? 1.0 : floorShare);
+        light = mirrored * light + (1.0 - mirrored) * (through * lit + body);
+        light += sunLight() * (kPi * share * seaGlitter(rd, s, area));
+        if (foam > 0.0) {
+            float amount = foam * max(white.x * smoothstep(0.25, 0.6, steepness), 0.0) + white.y;
+            float cover = foamCover(p.xz, min(amount, 1.0), angle * t);
+            vec3 snow = 0.75 * (gAmbient + sunLight() * max(dot(facet, sun), 0.0) * share);
+            light = mix(light, snow, cover);
+        }
+    } else if (m.part == kNone) {
+        float away2 = dot(rd - sun, rd - sun), r2 = square(radians(sunSize));
+        float edge = max(angle, 1e-4) * 0.5 * sqrt(r2);
+        float disc = far.a * (1.0 - smoothstep(r2 - edge, r2 + edge, away2));
+        light += sunLight() * (disc * 40.0 + far.a * 0.0006 / (away2 + 0.001));
+    }
+    vec3 level = normalize(vec3(rd.x, 1e-3, rd.z) + vec3(0.0, 0.02, 0.0));
+    float reach = wet ? t : m.part != kNone ? m.t : kFar;
+    if (wet || m.part != kNone)
+        light = mix(heavens(level, 0.05).rgb, light, exp(-min(reach / visibility, 60.0)));
+    if (rain > 0.0) {
+        float veil = wet || m.part != kNone ? 0.0 : 1.0 - exp(-min(900.0 / visibility, 60.0));
+        light = mix(light, heavens(level, 0.3).rgb, veil * (1.0 - smoothstep(0.0, 0.5, rd.y)));
+        light += 0.5 * gAmbient * rainStreaks(rd, angle);
+    }
+    return light;
+}
+
+// ---- Passes -------------------------------------------------------------------------------------
+// Single scattering in clear and hazy air, by the angle to the sun's bearing and the height.
+void mainAir(out vec4 colour, in vec2 pixel) {
+    vec2 uv = pixel / iResolution.xy;
+    vec3 sun = sunDirection(), sunward = vec3(0.0, sun.y, -sqrt(max(1.0 - sun.y * sun.y, 0.0)));
+    float up = uv.y * uv.y, level = sqrt(1.0 - up * up), a = kPi * uv.x;
+    vec3 rd = vec3(level * sin(a), up, -level * cos(a)), ro = vec3(0.0, 6360.3, 0.0);   // km
+    vec3 rayleigh = vec3(5.8e-3, 13.5e-3, 33.1e-3), ozone = vec3(0.65e-3, 1.88e-3, 0.085e-3);
+    float mie = 3.0e-3 * haze, mu = dot(rd, sunward), g = 0.76;
+    float end = -ro.y * rd.y + sqrt(square(ro.y * rd.y) + square(6440.0) - ro.y * ro.y);
+    vec3 sum = vec3(0.0), seen = vec3(0.0);
+    for (int i = 0; i < 32; ++i) {
+        float t0 = end * square(float(i) / 32.0), t1 = end * square(float(i + 1) / 32.0);
+        vec3 p = ro + 0.5 * (t0 + t1) * rd;
+        float r = length(p), h = r - 6360.0, toSun = dot(p, sunward);
+        vec2 dense = exp(-h / vec2(8.0, 1.2));
+        vec3 loss = rayleigh * dense.x + 1.1 * mie * dense.y
+            + ozone * max(1.0 - abs(h - 25.0) / 15.0, 0.0);
+        seen += 0.5 * (t1 - t0) * loss;
+        float leave = -toSun + sqrt(toSun * toSun + square(6440.0) - r * r);
+        vec3 shade = vec3(0.0);
+        for (int j = 0; j < 8; ++j) {
+            vec3 q = p + sunward * leave * (float(j) + 0.5) / 8.0;
+            float hq = max(length(q) - 6360.0, 0.0);
+            shade += rayleigh * exp(-hq / 8.0) + 1.1 * mie * exp(-hq / 1.2)
+                + ozone * max(1.0 - abs(hq - 25.0) / 15.0, 0.0);
+        }
+        float hg = (1.0 - g * g) / (4.0 * kPi * pow(max(1.0 + g * g - 2.0 * g * mu, 1e-3), 1.5));
+        vec3 phase = rayleigh * dense.x * (3.0 / (16.0 * kPi) * (1.0 + mu * mu));
+        // biased: an even share stands for light scattered more than once
+        phase += mie * dense.y * hg + (rayleigh * dense.x + mie * dense.y) * 0.025;
+        sum += (t1 - t0) * phase * exp(-seen - shade * leave / 8.0);
+        seen += 0.5 * (t1 - t0) * loss;
+    }
+    colour = vec4(31.4 * sum, 1.0);   // the sun's 10 x pi
+}
+
+float ridge(float turns, int seed) {   // smooth noise round the horizon
+    float x = turns * 48.0, i = floor(x), f = x - i, s = f * f * (3.0 - 2.0 * f);
+    ivec2 c = (ivec2(int(i)) + ivec2(0, 1) + 96) % 48;
+    return mix(random3(ivec3(c.x, seed, 3)).x, random3(ivec3(c.y, seed, 3)).x, s);
+}
+
+// All round, over the horizon: sky, clouds, headlands.
+void mainSky(out vec4 colour, in vec2 pixel) {
+    vec2 uv = pixel / iResolution.xy;
+    vec3 sun = sunDirection();
+    float a = 2.0 * kPi * (uv.x - 0.5), up = uv.y * uv.y;
+    vec3 rd = vec3(sqrt(1.0 - up * up) * sin(a), up, -sqrt(1.0 - up * up) * cos(a));
+    float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
+    vec3 light = texture(air, vec2(turned, uv.y)).rgb + vec3(0.0010, 0.0019, 0.0052);
+    vec3 clear = texture(air, vec2(turned, 0.75)).rgb, low = texture(air, vec2(turned, 0.2)).rgb;
+    vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.045, 0.075) + 0.5;
+    float sum = 0.0, weight = 0.5;
+    for (int i = 0; i < 6; ++i) {
+        sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
+        q += 0.05 * sum;   // curls
+        weight *= 0.55;
+    }
+    float cover = mix(0.85, 0.35, clouds), thick = smoothstep(cover, cover + 0.34, sum);
+    thick *= smoothstep(0.0, 0.10, up) * step(0.001, clouds);
+    float towards = max(dot(rd, sun), 0.0);
+    vec3 lit = sunColour() * (0.07 + 0.10 * pow(towards, 4.0) + 0.35 * pow(towards, 40.0));
+    light = mix(light, 0.9 * clear + 0.25 * low + lit * (1.0 - 0.55 * thick), 0.85 * thick);
+    // A lid of cloud: dark bellies, lighter towards the horizon.
+    float grey = dot(clear + 0.5 * low, vec3(0.3)) + 0.05 * sunColour().g * max(sun.y, 0.0);
+    vec3 lid = grey * vec3(0.74, 0.80, 0.86)
+        * mix(1.15, 0.55 + 0.75 * sum, smoothstep(0.0, 0.25, up));
+    light = mix(light, lid * (1.0 - 0.35 * smoothstep(0.45, 0.75, sum)), overcast);
+    float shore = smoothstep(0.06, 0.16, abs(fract(uv.x - sunAngle / 360.0) - 0.5));
+    float land = shore * (0.075 * ridge(uv.x, 1) + 0.022 * ridge(fract(uv.x * 3.0), 2)) - 0.01;
+    float hills = smoothstep(-0.0012, 0.0012, land - up) * exp(-min(4000.0 / visibility, 60.0));
+    light = mix(light, light * vec3(0.30, 0.36, 0.42), hills);
+    colour = vec4(min(light, 6e4), (1.0 - hills) * (1.0 - 0.85 * thick) * (1.0 - overcast));
+}
+
+// How high, and how much higher at the bow and on the port side, the sea stands under her, averaged
+// over the hull, `back` seconds before now; the last two as angles.
+vec3 hullTarget(vec2 place, float heading, float back) {
+    vec2 ahead = vec2(sin(heading), -cos(heading)), port = vec2(ahead.y, -ahead.x);
+    float sum = 0.0, bow = 0.0, side = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        vec3 w = waveOf(i);
+        float hz = waveHz(w.xy), kept = floor(hz * animation * 65536.0) / 65536.0;
+        float phase = worldPhase(w.xy, place) + fract(float(i) * 0.7548777) - cycles(hz);
+        phase += kept * back;
+        for (int j = 0; j < 9; ++j) {
+            vec2 at = vec2(float(j % 3 - 1) * 0.50, float(j / 3 - 1) * 1.35);
+            float c = cos(2.0 * kPi * phase + dot(w.xy, at.x * port + at.y * ahead));
+            float h = w.z * (c + crest() * (2.0 * c * c - 1.0)) / 9.0;
+            sum += h;
+            bow += h * at.y * 1.5 / square(1.35);
+            side += h * at.x * 1.5 / square(0.50);
+        }
+    }
+    return vec3(sum, atan(bow), atan(side));
+}
+float key(int code) { return step(0.5, texelFetch(keys, ivec2(code, 0), 0).x); }
+
+// 0: place, heading (to the right), speed. 1: turning, rudder, what the camera lags, 1 once there
+// is a state. 2 to 4: heave, pitch (bow up), roll (port up), each with its speed and its target.
+void mainBoat(out vec4 colour, in vec2 pixel) {
+    int k = int(pixel.x);
+    vec4 place = previousFrame(texelFetch(boat, ivec2(0), 0));
+    vec4 way = previousFrame(texelFetch(boat, ivec2(1, 0), 0));
+    vec4 own = previousFrame(texelFetch(boat, ivec2(k, 0), 0));
+    bool fresh = abs(way.w - 1.0) > 0.01;
+    if (fresh) {
+        place = vec4(0.0, 0.0, radians(startHeading), 0.0);
+        way = vec4(0.0, 0.0, 0.0, 1.0);
+    }
+    float dt = iTimeDelta, throttle = key(38) - key(40), helm = key(39) - key(37);
+    float speed = clamp(place.w, -8.0, 8.0), turning = clamp(way.x, -2.0, 2.0);
+    // Speed and turning follow with inertia, each exactly.
+    float goal = topSpeed * (throttle < 0.0 ? 0.4 : 1.0) * throttle, lose = exp(-0.55 * dt);
+    float steer = radians(turnRate) * helm * (0.25 + 0.75 * min(abs(speed) / topSpeed, 1.0));
+    if (speed < -0.05) steer = -steer;
+    float run = goal * dt + (speed - goal) * (1.0 - lose) / 0.55, keep = exp(-1.7 * dt);
+    float swing = steer * dt + (turning - steer) * (1.0 - keep) / 1.7;
+    vec2 now = place.xy + run * vec2(sin(place.z + 0.5 * swing), -cos(place.z + 0.5 * swing));
+    now -= kWorld * floor(now / kWorld + 0.5);
+    float heading = place.z + swing;
+    heading -= 2.0 * kPi * floor(heading / (2.0 * kPi) + 0.5);
+    if (k == 0) { colour = vec4(now, heading, goal + (speed - goal) * lose); return; }
+    if (k == 1) {
+        float lag = (clamp(way.z, -2.0, 2.0) + swing) * exp(-dt / 0.8);
+        colour = vec4(steer + (turning - steer) * keep, mix(helm, way.y, exp(-5.0 * dt)), lag, 1.0);
+        return;
+    }
+    // Heave is stiffest; the hull's own lean and squat move the targets.
+    float wind = radians(windAngle) - heading, lean = sail ? 0.10 * sin(wind) : 0.0;
+    vec3 aside = vec3(0.0, 0.016 * speed, lean + 0.05 * speed * turning);
+    float stiff = stiffness * (k == 2 ? 1.0 : k == 3 ? 1.2 : 0.7);
+    float loss = damping * (k == 4 ? 0.6 : 1.0);
+    vec2 s = clamp(own.xy, -50.0, 50.0);
+    float before = own.z, part = dt / float(substeps);
+    for (int i = 1; i <= substeps; ++i) {
+        float back = dt - float(i) * part;
+        vec2 at = mix(now, place.xy, back / dt);
+        if (distance(now, place.xy) > 100.0) at = now;   // over the world's edge
+        float target = (hullTarget(at, heading, back) + aside)[k - 2];
+        if (fresh) { s = vec2(target, 0.0); before = target; }
+        s = floatStep(s, stiff, loss, part, before, target);
+        before = target;
+        fresh = false;
+    }
+    colour = vec4(clamp(s, -5e4, 5e4), before, 0.0);
+}
+
+vec4 wakeAt(ivec2 c) { return previousFrame(texelFetch(wake, (c + 192) % 192, 0)); }
+// The wave equation on a torus that goes along with her: x height, y its speed half a step before,
+// z foam. Cells that leave on one side come in on the other, at rest.
+void mainWake(out vec4 colour, in vec2 pixel) {
+    ivec2 c = ivec2(pixel);
+    float cell = kWindow / 192.0, dt = iTimeDelta;
+    vec4 place = texelFetch(boat, ivec2(0), 0), here = wakeAt(c);
+    vec4 sum = wakeAt(c + ivec2(1, 0)) + wakeAt(c - ivec2(1, 0))
+        + wakeAt(c + ivec2(0, 1)) + wakeAt(c - ivec2(0, 1));
+    vec2 p = pixel * cell - place.xy, ahead = vec2(sin(place.z), -cos(place.z));
+    p -= kWindow * floor(p / kWindow + 0.5);
+    float rim = smoothstep(0.38, 0.49, max(abs(p.x), abs(p.y)) / kWindow);
+    float kept = exp(-dt * (0.22 + 30.0 * rim * rim));
+    float along = dot(p, ahead), across = p.x * ahead.y - p.y * ahead.x;
+    float speed = place.w, power = min(square(speed / 2.4), 2.0), side = across * across;
+    // She lifts the water before her and leaves a hollow behind.
+    float push = exp(-min((square(along - 1.7) + side) / 0.22, 40.0))
+        - exp(-min((square(along + 1.7) + side) / 0.22, 40.0));
+    float drive = 2.4 * wakeStrength * power * sign(speed) * push;
+    float rise = kept * here.y
+        + dt * (square(kWakeSpeed / cell) * (sum.x - 4.0 * here.x) + drive);
+    float height = clamp(kept * (here.x + dt * rise), -0.4, 0.4);
+    float churn = 2.2 * exp(-min(square(along + 2.2) / 0.15 + side / 0.07, 40.0))
+        + 1.5 * exp(-min(square(along - 1.2) / 0.4 + square(abs(across) - 0.62) / 0.012, 40.0));
+    float white = mix(here.z, 0.25 * sum.z, 0.012) * exp(-dt * (0.22 + 20.0 * rim));
+    white += dt * churn * min(wakeStrength, 1.5) * power;
+    colour = vec4(height, clamp(rise, -8.0, 8.0), clamp(white, 0.0, 1.0), 0.0);
+}
+// The wake between the cells: slopes of a cubic B-spline of its heights, foam, height.
+void mainRelief(out vec4 colour, in vec2 pixel) {
+    float cell = kWindow / 192.0;
+    vec3 row = vec3(0.0), column = vec3(0.0), weight = vec3(1.0, 4.0, 1.0) / 6.0;
+    vec4 mean = vec4(0.0);
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) {
+            vec4 w = wakeAt(ivec2(pixel) + ivec2(i, j) - 1);
+            row[i] += weight[j] * w.x;
+            column[j] += weight[i] * w.x;
+            mean += weight[i] * weight[j] * w;
+        }
+    colour = vec4((row.z - row.x) / (2.0 * cell), (column.z - column.x) / (2.0 * cell), mean.zx);
+}
+
+// This frame's waves, four to a group: kx, kz (rad/m), height (m), phase at the boat (rad).
+void mainWavelets(out vec4 colour, in vec2 pixel) {
+    int group = int(pixel.x) >> 2, kind = int(pixel.x) & 3;
+    vec2 place = previousFrame(texelFetch(boat, ivec2(0), 0)).xy;
+    for (int c = 0; c < 4; ++c) {
+        int i = 4 * group + c;
+        vec3 w = waveOf(i);
+        float phase = worldPhase(w.xy, place) + fract(float(i) * 0.7548777) - cycles(waveHz(w.xy));
+        colour[c] = kind < 2 ? w[kind] : kind == 2 ? w.z : 2.0 * kPi * (phase - floor(phase));
+    }
+}
+
+// 0 to 2: the boat's axes, with heave, boom and rudder; 3 to 6: the eye: place, right, up, forward;
+// 7: her place in the world, heading.
+void mainPoses(out vec4 colour, in vec2 pixel) {
+    loadWavelets();
+    int k = int(pixel.x);
+    vec4 place = previousFrame(texelFetch(boat, ivec2(0), 0));
+    vec4 way = previousFrame(texelFetch(boat, ivec2(1, 0), 0));
+    vec3 tilt;
+    for (int i = 0; i < 3; ++i) tilt[i] = previousFrame(texelFetch(boat, ivec2(2 + i, 0), 0)).x;
+    if (way.w < 0.5) {   // before the first step
+        place = vec4(0.0, 0.0, radians(startHeading), 0.0);
+        tilt = hullTarget(place.xy, place.z, 0.0);
+    }
+    tilt = clamp(tilt, vec3(-20.0, -1.3, -1.3), vec3(20.0, 1.3, 1.3));
+    vec3 level = vec3(sin(place.z), 0.0, -cos(place.z)), aside = vec3(level.z, 0.0, -level.x);
+    vec3 up = vec3(0.0, 1.0, 0.0), z = cos(tilt.y) * level + sin(tilt.y) * up;
+    vec3 y = cos(tilt.y) * up - sin(tilt.y) * level, x = cos(tilt.z) * aside + sin(tilt.z) * y;
+    y = cos(tilt.z) * y - sin(tilt.z) * aside;
+    float wind = radians(windAngle) - place.z;
+    float boom = -0.85 * sin(wind) * (0.78 + 0.22 * cos(wind));
+    boom += 0.01 * sin(2.0 * kPi * cycles(0.75));
+
+    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x - (chase ? place.z - way.z : 0.0);
+    vec3 eye = cameraDistance * vec3(sin(angle), 0.0, cos(angle));
+    eye.y = max(clamp(cameraHeight - 6.0 * orbit.y, 0.3, 20.0), moversAt(eye.xz) + 0.25);
+    vec3 forward = vec3(0.0, targetHeight + 0.35 * tilt.x, 0.0) - eye, head = up;
+    if (firstPerson) {
+        eye = vec3(0.0, tilt.x, 0.0) + 0.16 * x + 1.12 * y - 1.28 * z;
+        forward = normalize(mix(z, level, steadiness));
+        head = normalize(mix(y, up, steadiness));
+        float look = radians(cameraAngle) - kPi * orbit.x, nod = 1.2 * orbit.y - 0.11;
+        vec3 left = cross(head, forward);
+        forward = normalize(cos(look) * forward + sin(look) * left + tan(nod) * head);
+    }
+    forward = normalize(forward);
+    vec3 right = normalize(cross(forward, head));
+    head = cross(right, forward);
+    colour = k == 0 ? vec4(x, tilt.x) : k == 1 ? vec4(y, boom) : k == 2 ? vec4(z, 0.5 * way.y)
+        : k == 3 ? vec4(eye, 0.0) : k == 4 ? vec4(right, 0.0) : k == 5 ? vec4(head, 0.0)
+        : k == 6 ? vec4(forward, 0.0) : vec4(place.xyz, 0.0);
+}
+
+// ---- Image --------------------------------------------------------------------------------------
+// Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
+// to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
+vec3 display(vec3 light) {
+    vec3 x = mix(vec3(0.0), min(light, 65504.0), greaterThan(light, vec3(0.0)));
+    float peak = max(maxComponent(x), 1e-6), rolled = 1.0 - exp(-peak);
+    vec3 c = mix(x * (rolled / peak), vec3(rolled), 0.35 * pow(rolled, 12.0));
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    loadWavelets();
+    loadBoat();
+    Eye e = Eye(texelFetch(poses, ivec2(3, 0), 0).xyz, texelFetch(poses, ivec2(4, 0), 0).xyz,
+                texelFetch(poses, ivec2(5, 0), 0).xyz, texelFetch(poses, ivec2(6, 0), 0).xyz,
+                focalLength / 24.0);
+    vec3 chance = random3(ivec3(ivec2(fragCoord * 16.0), 3)), sum = vec3(0.0);
+    for (int i = 0; i < antialias; ++i) {   // the first in the middle of the pixel
+        vec2 aside = fract(0.5 + float(i) * vec2(0.75487767, 0.56984029)) - 0.5;
+        vec3 rd = viewRay(e, fragCoord + aside);
+        sum += render(e, rd, 1.0 / (e.lens * iResolution.y), fract(chance.x + float(i) * kGolden));
+    }
+    vec3 dither = (chance + chance.yzx - 1.0) / 255.0;
+    fragColor = vec4(display(exp2(exposure) * sum / float(antialias)) + 0.5 * dither, 1.0);
+}
