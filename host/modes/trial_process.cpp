@@ -24,14 +24,17 @@ namespace {
 
 // A draw as small as this shows all that can go wrong. The driver compiles differently for textures
 // whose sides are powers of two, so a small side is one where the real one is; then what was
-// compiled here serves the window too.
-int small_side(int real, int power, int other) {
-    if (real <= power) return real;
-    return std::has_single_bit(static_cast<unsigned>(real)) ? power : other;
+// compiled here serves the window too. A huge side is not made smaller than a 64th: the time of a
+// tiny draw is mostly chance, which scaled up to 8192x8192 would look like half a minute.
+int small_side(int real, int least) {
+    const bool power = std::has_single_bit(static_cast<unsigned>(real));
+    int side = std::max(least, real / 64);
+    if (!power && std::has_single_bit(static_cast<unsigned>(side))) side += side / 8;
+    return std::min(real, side);
 }
 
 glm::ivec2 small_size(glm::ivec2 real) {
-    return {small_side(real.x, 32, 36), small_side(real.y, 16, 18)};
+    return {small_side(real.x, 32), small_side(real.y, 16)};
 }
 
 double pixels(glm::ivec2 size) {

@@ -122,6 +122,24 @@ TEST(Trial, ABusyMachineDoesNotMakeASceneLookSlow) {
     }
 }
 
+// It takes a second at most; the chance in the time of a draw of 600 pixels, scaled up to 67
+// million of them, was half a minute.
+TEST(Trial, AHugeButCheapBufferDoesNotLookSlow) {
+    Trial trial(options());
+    wait_until_ready(trial);
+    for (int i = 0; i < 10; ++i) {
+        const Verdict result = try_text(
+            trial,
+            "uniform sampler2D a; //@ pass mainA size=8192x8192\n"
+            "void mainA(out vec4 c, in vec2 p) { c = vec4(" +
+                std::to_string(i) +
+                "); }\n"
+                "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(a, ivec2(p), 0); }\n");
+        EXPECT_EQ(result.state, TrialState::passed) << words(result);
+        EXPECT_LT(result.expected_ms, 5000.0) << words(result);
+    }
+}
+
 TEST(Trial, SaysWhereASceneDoesNotCompile) {
     Trial trial(options());
     const Verdict result =
