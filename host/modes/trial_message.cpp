@@ -29,10 +29,10 @@ void members(auto& bytes, Is<Tweak> auto& value) {
           group, description, place, begin, end);
 }
 void members(auto& bytes, Is<Sampler> auto& value) {
-    auto& [name, type, source, filter, wrap, vflip, pass, output, image, noise_channels, noise_size,
-           place] = value;
-    bytes(name, type, source, filter, wrap, vflip, pass, output, image, noise_channels, noise_size,
-          place);
+    auto& [name, tab, type, source, filter, wrap, vflip, pass, output, image, noise_channels,
+           noise_size, place] = value;
+    bytes(name, tab, type, source, filter, wrap, vflip, pass, output, image, noise_channels,
+          noise_size, place);
 }
 void members(auto& bytes, Is<Pass> auto& value) {
     auto& [name, entry, outputs, size, scale, format, cube, step, place] = value;

@@ -50,14 +50,30 @@ Channel make_volume(const PixelView& slices, int depth, bool mipmaps) {
     return channel;
 }
 
+Channel make_cube(const PixelView& faces, bool mipmaps) {
+    const auto [internal, external] = formats(faces.channels, false);
+    const int side = faces.size.x;
+    Channel channel{
+        .texture = make_texture_cube(internal, side, mipmaps ? mipmap_levels(faces.size) : 1),
+        .size = {side, side, 1},
+        .version = 1};
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage3D(channel.texture.id(), 0, 0, 0, 0, side, side, 6, external, GL_UNSIGNED_BYTE,
+                        faces.data.data());
+    if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
+    return channel;
+}
+
 Channel make_noise(const Sampler& sampler) {
-    const std::vector<std::byte> bytes = noise_bytes(sampler.noise_size, sampler.noise_channels);
+    const bool is_cube = sampler.type == SamplerType::samplerCube;
+    const glm::ivec3 size(glm::ivec2(sampler.noise_size), is_cube ? 6 : sampler.noise_size.z);
+    const std::vector<std::byte> bytes = noise_bytes(size, sampler.noise_channels);
     const bool mipmaps = sampler.filter == Filter::mipmap;
     const PixelView pixels{
         .size = glm::ivec2(sampler.noise_size), .channels = sampler.noise_channels, .data = bytes};
-    return sampler.type == SamplerType::sampler3D
-               ? make_volume(pixels, sampler.noise_size.z, mipmaps)
-               : make_channel(pixels, mipmaps);
+    if (is_cube) return make_cube(pixels, mipmaps);
+    return sampler.type == SamplerType::sampler3D ? make_volume(pixels, size.z, mipmaps)
+                                                  : make_channel(pixels, mipmaps);
 }
 
 // pcg3d (Jarzynski and Olano 2020).

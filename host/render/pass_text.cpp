@@ -66,20 +66,19 @@ const char* glsl_name(SamplerType type) {
     return "";
 }
 
-std::string channel_declarations(const Preset& preset, bool image_pass) {
+std::string channel_declarations(const Preset& preset, std::size_t pass) {
     const Scene& scene = preset.scene;
     std::string text;
     for (std::size_t i = 0; i < preset.channels.size(); ++i) {
         const std::string name = fmt::format("iChannel{}", i);
-        const auto declared =
-            std::find_if(scene.samplers.begin(), scene.samplers.end(),
-                         [&](const Sampler& sampler) { return sampler.name == name; });
-        const bool by_scene = declared != scene.samplers.end();
-        const char* type = glsl_name(
-            by_scene ? declared->type : scene.channel_types[i].value_or(preset.channels[i].type));
+        const auto known = find_sampler(preset, pass, name);
+        const bool by_scene = known && *known < scene.samplers.size();
+        const char* type =
+            glsl_name(by_scene ? scene.samplers[*known].type
+                               : scene.channel_types[i].value_or(preset.channels[i].type));
         if (!by_scene) text += fmt::format("uniform {} {};\n", type, name);
         // A struct of samplers costs a declaration in every shader, so only where it is used.
-        if (image_pass && contains_word(scene.text, fmt::format("iCh{}", i))) {
+        if (pass == kImagePass && contains_word(scene.text, fmt::format("iCh{}", i))) {
             text += fmt::format(
                 "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
                 type, i);
@@ -299,6 +298,21 @@ std::size_t sampler_count(const Preset& preset) {
     return preset.scene.samplers.size() + preset.channels.size();
 }
 
+std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
+                                        std::string_view name) {
+    const auto is_seen = [&](const std::string& tab) {
+        if (tab.empty() || tab == pass_name(preset.scene, pass)) return true;
+        if (!fills_a_buffer(pass)) return false;
+        const auto& outputs = preset.scene.passes[pass].outputs;
+        return std::find(outputs.begin(), outputs.end(), tab) != outputs.end();
+    };
+    for (std::size_t i = 0; i < sampler_count(preset); ++i) {
+        const Sampler& sampler = sampler_at(preset, i);
+        if (sampler.name == name && is_seen(sampler.tab)) return i;
+    }
+    return std::nullopt;
+}
+
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
@@ -316,7 +330,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     text += picture_uniforms(scene, sound);
     text += kUniforms;
     text += old_names(scene);
-    text += channel_declarations(preset, image);
+    text += channel_declarations(preset, pass);
     text += sound                     ? sound_main(scene)
             : image                   ? image_main(scene, out, options)
             : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)

@@ -3,7 +3,9 @@
 
 #include "scene/preset.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -26,6 +28,9 @@ std::string pass_name(const Scene& scene, std::size_t pass);
 // A sampler that some pass may read: one of the scene's, or one of the four channels of a preset.
 const Sampler& sampler_at(const Preset& preset, std::size_t index);  // channels follow the scene's
 std::size_t sampler_count(const Preset& preset);
+// The one that a pass knows by this name.
+std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
+                                        std::string_view name);
 
 struct ProgramOptions {
     bool specialise = true;  // write the tweaks in as constants

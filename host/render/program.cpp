@@ -49,15 +49,11 @@ std::optional<BuiltinUniform> builtin_uniform(const std::string& name, GLint loc
 }
 
 // "iCh2.sampler" reads what iChannel2 reads.
-std::optional<std::size_t> sampler_index(const Preset& preset, std::string_view name) {
-    std::string wanted(name);
-    if (name.size() == 12 && name.starts_with("iCh") && name.ends_with(".sampler")) {
-        wanted = fmt::format("iChannel{}", name[3]);
-    }
-    for (std::size_t i = 0; i < sampler_count(preset); ++i) {
-        if (sampler_at(preset, i).name == wanted) return i;
-    }
-    return std::nullopt;
+std::optional<std::size_t> sampler_index(const Preset& preset, std::size_t pass,
+                                         const std::string& name) {
+    const bool is_member =
+        name.size() == 12 && name.starts_with("iCh") && name.ends_with(".sampler");
+    return find_sampler(preset, pass, is_member ? fmt::format("iChannel{}", name[3]) : name);
 }
 
 // Whether a uniform is a sampler, and of which of the types that textures here have.
@@ -109,7 +105,7 @@ void find_uniforms(const Preset& preset, PassProgram& pass) {
             const auto unit = static_cast<GLint>(pass.samplers.size() + pass.unfilled.size());
             const std::vector<GLint> units(static_cast<std::size_t>(size), unit);
             glProgramUniform1iv(program, location, size, units.data());
-            const auto sampler = sampler_index(preset, name);
+            const auto sampler = sampler_index(preset, pass.pass, name);
             if (sampler && sampler_at(preset, *sampler).source != Source::none)
                 pass.samplers.push_back({*sampler, unit});
             else

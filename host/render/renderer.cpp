@@ -250,6 +250,8 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     const bool averaged = root && average_;
     glUseProgram(program.program.id());
     bind_samplers(program);
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
     if (buffer.shape().cube) {
         for (int face = 0; face < 6; ++face) {
             update_uniforms(index, {.frame = inputs.frame, .face = face});
@@ -264,13 +266,12 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
         if (averaged) glDisable(GL_BLEND);
     }
     if (!averaged) buffer.finish_draw();
+    draw_call_seconds += std::chrono::duration<double>(Clock::now() - start).count();
     if (root) root_drawn_ = true;
     if (after_pass) after_pass(index);
 }
 
 void Renderer::draw_calls(GLuint target, glm::ivec2 size, bool tiled) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, size.x, size.y);
     if (tiled && options_.tile > 0) {
@@ -287,7 +288,6 @@ void Renderer::draw_calls(GLuint target, glm::ivec2 size, bool tiled) {
     } else {
         draw_triangle();
     }
-    draw_call_seconds += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 // Sends what has changed since the pass was last drawn, and says whether anything had. The
@@ -414,18 +414,14 @@ std::size_t Renderer::graph_index(std::size_t pass) const {
     return static_cast<std::size_t>(found - passes.begin());
 }
 
-// What iChannel0..3 read, in pixels; 0 where nothing is bound.
-glm::ivec3 Renderer::channel_size(int channel) const {
-    const std::string name = fmt::format("iChannel{}", channel);
-    for (std::size_t i = 0; i < sampler_count(preset_); ++i) {
-        const Sampler& sampler = sampler_at(preset_, i);
-        if (sampler.name != name) continue;
-        if (sampler.source == Source::none) return glm::ivec3(0);
-        if (sampler.source != Source::buffer) return channels_.channel(i).size;
-        const glm::ivec2 size = buffer_size(preset_.scene.passes[sampler.pass], options_.size);
-        return glm::ivec3(size, 1);
-    }
-    return glm::ivec3(0);
+// What a pass reads as iChannel0..3, in pixels; 0 where nothing is bound.
+glm::ivec3 Renderer::channel_size(std::size_t pass, int channel) const {
+    const auto found = find_sampler(preset_, pass, fmt::format("iChannel{}", channel));
+    if (!found) return glm::ivec3(0);
+    const Sampler& sampler = sampler_at(preset_, *found);
+    if (sampler.source == Source::none) return glm::ivec3(0);
+    if (sampler.source != Source::buffer) return channels_.channel(*found).size;
+    return glm::ivec3(buffer_size(preset_.scene.passes[sampler.pass], options_.size), 1);
 }
 
 Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t index,
@@ -467,12 +463,12 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
             break;  // 0: images, buffers and the keyboard have no time of their own
         case Builtin::channel_resolution:
             for (int i = 0; i < 4; ++i) {
-                const glm::vec3 size(channel_size(i));
+                const glm::vec3 size(channel_size(scene_.programs[index].pass, i));
                 std::copy_n(&size.x, 3, f.begin() + 3 * i);
             }
             break;
         case Builtin::channel_struct: {
-            const glm::vec3 size(channel_size(uniform.index));
+            const glm::vec3 size(channel_size(scene_.programs[index].pass, uniform.index));
             if (uniform.name.ends_with(".size")) std::copy_n(&size.x, 3, f.begin());
             if (uniform.name.ends_with(".loaded")) value.ints[0] = size.x > 0.0f;
             break;

@@ -86,7 +86,8 @@ public:
     std::function<void(std::size_t)> before_pass, after_pass;
     // Called after each sub-pixel position. For progress.
     std::function<void(int)> after_sample;
-    // Seconds spent inside draw calls, which on a software renderer do part of the drawing.
+    // Seconds spent inside draw calls and on mipmaps, where a software renderer does part of the
+    // drawing.
     double draw_call_seconds = 0.0;
 
 private:
@@ -119,7 +120,7 @@ private:
     void bind_samplers(const PassProgram& program);
     void draw_calls(GLuint target, glm::ivec2 size, bool tiled);
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
-    glm::ivec3 channel_size(int channel) const;
+    glm::ivec3 channel_size(std::size_t pass, int channel) const;
     std::size_t graph_index(std::size_t pass) const;
     BufferShape wanted_shape(std::size_t index) const;
     bool is_jittered(std::size_t index) const;

@@ -170,6 +170,36 @@ std::vector<Declaration> find_uniforms(std::string_view code) {
     return declarations;
 }
 
+std::vector<Tab> find_tabs(std::string_view code) {
+    std::vector<Tab> tabs, open;  // open: an entry for each #if; no name where it is no tab
+    const auto close = [&](std::size_t end) {
+        if (open.back().pass.empty()) return;
+        tabs.push_back({{open.back().span.begin, end}, open.back().pass});
+        open.back().pass = {};
+    };
+    for (std::size_t begin = 0, end = 0; begin < code.size(); begin = end + 1) {
+        end = std::min(code.find('\n', begin), code.size());
+        const std::string_view line = code.substr(begin, end - begin);
+        const std::size_t hash = line.find_first_not_of(" \t");
+        if (hash == line.npos || line[hash] != '#') continue;
+        Tokens words(line.substr(hash + 1));
+        const std::string_view directive = words.word();
+        if (directive.starts_with("if")) {
+            words.next();
+            if (words.word() == "defined") words.next();
+            if (words.is('(')) words.next();
+            const bool is_tab = directive != "ifndef" && words.word().starts_with("PASS_");
+            open.push_back({{end, end}, is_tab ? words.word().substr(5) : std::string_view()});
+        } else if (directive.starts_with("el") && !open.empty()) {
+            close(begin);
+        } else if (directive == "endif" && !open.empty()) {
+            close(begin);
+            open.pop_back();
+        }
+    }
+    return tabs;
+}
+
 std::unordered_set<std::string_view> find_identifiers(std::string_view code) {
     std::unordered_set<std::string_view> words;
     for (std::size_t i = 0; i < code.size();) {

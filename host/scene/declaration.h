@@ -32,6 +32,15 @@ struct Declaration {
 // `code` is a text without comments. Preprocessor lines are passed over. Views point into `code`.
 std::vector<Declaration> find_uniforms(std::string_view code);
 
+// `#ifdef PASS_bufferA … #endif`: text that is compiled for one pass alone, a tab of the site.
+struct Tab {
+    Span span;
+    std::string_view pass;  // "bufferA"
+};
+
+// In the order of their ends. What stands behind an #else or #elif is no tab.
+std::vector<Tab> find_tabs(std::string_view code);
+
 // Every identifier, those of preprocessor lines too.
 std::unordered_set<std::string_view> find_identifiers(std::string_view code);
 

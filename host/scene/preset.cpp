@@ -285,7 +285,7 @@ void Reader::read_channels(const toml::node& node) {
         if (known == kChannels.end()) continue;
         const auto& declared = preset_.scene.samplers;
         if (std::any_of(declared.begin(), declared.end(),
-                        [&](const Sampler& s) { return s.name == *known; }))
+                        [&](const Sampler& s) { return s.name == *known && s.tab.empty(); }))
             warning(key.source(),
                     fmt::format("the scene fills {} itself; this line is not used", *known));
         else if (const toml::table* table = value.as_table())
@@ -346,7 +346,7 @@ void Reader::read_channel_source(Sampler& sampler, std::string_view key, const t
     }
     Names names;
     for (const Sampler& declared : preset_.scene.samplers) {
-        if (declared.source != Source::buffer) continue;
+        if (declared.source != Source::buffer || !declared.tab.empty()) continue;
         names.push_back(declared.name);
         if (declared.name != *text) continue;
         sampler.type = declared.type;

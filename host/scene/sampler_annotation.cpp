@@ -121,8 +121,6 @@ void SamplerParser::parse_source(std::string_view word, std::size_t at) {
         return parse_image();
     }
     if (word == "noise") {
-        if (sampler.type == SamplerType::samplerCube)
-            return words.complain(at, "noise fills a sampler2D or a sampler3D, no samplerCube");
         set_defaults(sampler, Source::noise);
         return parse_noise_words();
     }
@@ -299,7 +297,9 @@ std::optional<Step> parse_step(std::string_view text) {
 std::string parse_noise(std::string_view text, Sampler& sampler) {
     text = trimmed(text);
     const bool is_volume = sampler.type == SamplerType::sampler3D;
+    const bool is_cube = sampler.type == SamplerType::samplerCube;
     const std::string how = is_volume ? "write noise rgba 32 or noise r 32x32x32"
+                            : is_cube ? "write noise rgba 64"
                                       : "write noise rgba 256 or noise r 256x128";
     const std::size_t space = text.find(' ');
     std::string_view size = text;
@@ -309,7 +309,7 @@ std::string parse_noise(std::string_view text, Sampler& sampler) {
     }
     if (size.empty()) return fmt::format("the size of the noise is missing; {}", how);
     const auto lengths = parse_lengths(size);
-    const std::size_t dimensions = is_volume ? 3 : 2;
+    const std::size_t dimensions = is_volume ? 3 : is_cube ? 1 : 2;
     if (!lengths || (lengths->size() != 1 && lengths->size() != dimensions))
         return fmt::format("{} is no noise; {}, each from 1 to {}", in_quotes(text), how,
                            kLargestSize);

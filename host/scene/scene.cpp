@@ -50,7 +50,8 @@ private:
     void check_pass_options(const SamplerAnnotation& annotation, const Pass& pass, Span note);
     void check_builtin(const Declaration& declaration, const Declarator& declarator);
     void blank_builtins(const Declaration& declaration);
-    bool claim_name(const Declarator& declarator);
+    bool claim_name(const Declarator& declarator, const std::string& tab);
+    std::string tab_of(const Declaration& declaration, Span note) const;
     void warn_unannotated(const Declaration& declaration);
     void use_note(Span note);
     void resolve_readers();
@@ -79,13 +80,16 @@ private:
     std::unordered_set<std::string_view> identifiers_;
     std::size_t next_note_ = 0;
     std::string group_;
-    std::unordered_map<std::string, std::size_t> declared_;  // name to offset
-    std::unordered_map<std::string, std::size_t> pass_of_;   // function to index of pass
+    std::vector<Tab> tabs_;
+    // Name to offset; a sampler of one tab as "PASS_bufferA iChannel0".
+    std::unordered_map<std::string, std::size_t> declared_;
+    std::unordered_map<std::string, std::size_t> pass_of_;  // function to index of pass
     std::vector<Reader> readers_;
 };
 
 Scene Builder::build() {
     identifiers_ = find_identifiers(source_.code);
+    tabs_ = find_tabs(source_.code);
     scene_.files = source_.files;
     const auto declarations = find_uniforms(source_.code);
     for (std::size_t i = 0; i < declarations.size(); ++i) {
@@ -207,14 +211,29 @@ void Builder::add_annotated(const Declaration& declaration, Span note) {
                      fmt::format("{} is the host's own; give this uniform another name, or take "
                                  "the annotation away",
                                  in_quotes(declarator.name)));
-    if (!claim_name(declarator)) return;
+    if (!claim_name(declarator, sampler ? tab_of(declaration, note) : "")) return;
     if (tweak) return add_tweak(declaration, *tweak, note);
     add_sampler(declaration, *sampler, note);
 }
 
-bool Builder::claim_name(const Declarator& declarator) {
+// Each tab of pasted text has an iChannel0 of its own. A buffer has one name for all, wherever the
+// pass that fills it is written.
+std::string Builder::tab_of(const Declaration& declaration, Span note) const {
+    if (trimmed(note_text(note)).starts_with("pass ")) return {};
+    for (const Tab& tab : tabs_)
+        if (tab.span.begin <= declaration.span.begin && declaration.span.begin < tab.span.end)
+            return std::string(tab.pass);
+    return {};
+}
+
+bool Builder::claim_name(const Declarator& declarator, const std::string& tab) {
+    const std::string name(declarator.name);
+    const auto everywhere = declared_.find(name);
     const auto [entry, is_new] =
-        declared_.emplace(std::string(declarator.name), declarator.span.begin);
+        everywhere != declared_.end()
+            ? std::pair(everywhere, false)
+            : declared_.emplace(tab.empty() ? name : "PASS_" + tab + " " + name,
+                                declarator.span.begin);
     if (is_new) return true;
     const Place first = source_.place(entry->second);
     error(declarator.span.begin,
@@ -247,6 +266,7 @@ void Builder::add_sampler(const Declaration& declaration, SamplerType type, Span
     const Declarator& declarator = declaration.names.front();
     Sampler sampler;
     sampler.name = declarator.name;
+    sampler.tab = tab_of(declaration, note);
     sampler.type = type;
     sampler.place = source_.place(declarator.span.begin);
     std::vector<Complaint> complaints;

@@ -76,6 +76,8 @@ enum class Source { none, buffer, image, noise, keyboard };
 // the texture.
 struct Sampler {
     std::string name;
+    // The pass that alone has it, where it is declared within `#ifdef PASS_x`; empty: all have it.
+    std::string tab;
     SamplerType type = SamplerType::sampler2D;
     Source source = Source::none;  // none reads 0
     Filter filter = Filter::linear;

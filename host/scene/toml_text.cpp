@@ -53,8 +53,8 @@ std::string noise(const Sampler& channel) {
 
 std::string buffer(const Sampler& channel, const Scene& scene) {
     for (const Sampler& declared : scene.samplers)
-        if (declared.source == Source::buffer && declared.pass == channel.pass &&
-            declared.output == channel.output)
+        if (declared.source == Source::buffer && declared.tab.empty() &&
+            declared.pass == channel.pass && declared.output == channel.output)
             return declared.name;
     return {};
 }

@@ -303,7 +303,7 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         {SamplerType::sampler2D, "noise 4x4x4", 6, "no noise"},
         {SamplerType::sampler3D, "noise 4x4", 6, "no noise"},
         {SamplerType::sampler3D, "noise 16384", 6, "more noise than memory"},
-        {SamplerType::samplerCube, "noise 4", 0, "no samplerCube"},
+        {SamplerType::samplerCube, "noise 4x4", 6, "noise rgba 64"},
         {SamplerType::samplerCube, "keyboard", 0, "sampler2D"},
         {SamplerType::sampler3D, "pass a", 0, "no sampler3D"},
         {SamplerType::samplerCube, "pass a size=4x8", 12, "square"},

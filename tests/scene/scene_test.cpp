@@ -289,6 +289,39 @@ TEST(Scene, AMissingFileAndAFolderAreMissing) {
     }
 }
 
+TEST(Scene, ATabHasSamplersOfItsOwn) {
+    const Scene scene = good(
+        "uniform sampler2D bufferA; //@ pass mainBufferA\n"
+        "#ifdef PASS_bufferA\n"
+        "uniform sampler2D iChannel0; //@ buffer bufferA\n"
+        "#if 1\n"
+        "uniform sampler2D iChannel1; //@ keyboard\n"
+        "#endif\n"
+        "#endif\n"
+        "#if defined(PASS_image)\n"
+        "uniform samplerCube iChannel0; //@ noise 16\n"
+        "#else\n"
+        "uniform sampler2D everywhere; //@ noise 16\n"
+        "#endif\n" +
+        std::string(kImage));
+    std::string tabs;
+    for (const Sampler& sampler : scene.samplers) tabs += sampler.name + ":" + sampler.tab + " ";
+    EXPECT_EQ(tabs, "bufferA: iChannel0:bufferA iChannel1:bufferA iChannel0:image everywhere: ");
+    const ReadScene twice = read(
+        "#ifdef PASS_image\n"
+        "uniform sampler2D a; //@ keyboard\n"
+        "uniform sampler2D a; //@ keyboard\n"
+        "#endif\n" +
+        std::string(kImage));
+    EXPECT_NE(all(twice.diagnostics).find("3:19: error: 'a' is declared already"),
+              std::string::npos)
+        << all(twice.diagnostics);
+    EXPECT_FALSE(read("uniform sampler2D a; //@ keyboard\n#ifdef PASS_image\n"
+                      "uniform sampler2D a; //@ keyboard\n#endif\n" +
+                      std::string(kImage))
+                     .scene);
+}
+
 TEST(OddText, EveryKindOfLineEndIsOne) {
     const std::string plain = "// one\n\nuniform float a; //@ 0.5 [0, 1] \"x\"\n" + kImage;
     const std::string expected = good(plain).text;
