@@ -2,6 +2,7 @@
 #include "gl/context.h"
 #include "modes/bench.h"
 #include "modes/check.h"
+#include "modes/convert.h"
 #include "modes/info.h"
 #include "modes/open.h"
 #include "modes/sequence.h"
@@ -204,6 +205,10 @@ int run(int argc, char** argv) {
     sound_verb.add_option("-o,--output", sound.output, "a .wav file")->required();
     sound_verb.add_option("--seconds", sound.seconds, "from the start; 180 otherwise")
         ->check(from(0.0, 1e5));
+    ImportOptions import;
+    CLI::App& import_verb = *app.add_subcommand("import", "a shader of Shadertoy to a scene file");
+    import_verb.add_option("input", import.input, "a .json file, or a folder of tabs")->required();
+    import_verb.add_option("-o,--output", import.output, "a .frag file")->required();
     CLI::App& info_verb = *app.add_subcommand("info", "passes, tweaks, and what was left out");
     add_view(info_verb, info.view);
     info_verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
@@ -251,6 +256,11 @@ int run(int argc, char** argv) {
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
     if (sequence_verb.parsed()) return guarded([&] { run_sequence(sequence); });
     if (sound_verb.parsed()) return guarded([&] { run_sound(sound); });
+    if (import_verb.parsed()) {
+        return guarded([&] {
+            for (const auto& name : import_shadertoys(import)) fmt::print("{}\n", name.string());
+        });
+    }
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
     if (check_verb.parsed()) return guarded([&] { run_check(check); });
     if (study_verb.parsed()) return guarded([&] { run_study(study); });

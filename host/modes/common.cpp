@@ -97,7 +97,9 @@ void report(const Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics) {
         fmt::print(stderr, "{}\n", to_string(diagnostic));
         // No shader is at fault where a preset cannot be read.
-        const bool unreadable = diagnostic.missing_file || diagnostic.place.file.ends_with(".toml");
+        const bool unreadable = diagnostic.missing_file ||
+                                diagnostic.place.file.ends_with(".toml") ||
+                                diagnostic.place.file.ends_with(".json");
         missing |= diagnostic.severity == Severity::error && unreadable;
     }
     if (has_errors(diagnostics)) throw Stop(missing ? ExitCode::missing_file : ExitCode::shader);

@@ -1,0 +1,56 @@
+#include "modes/convert.h"
+
+#include "image/temporary_file.h"
+#include "scene/shadertoy.h"
+
+#include <fmt/format.h>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Shadertoy> read(const fs::path& input, Diagnostics& diagnostics) {
+    std::error_code error;
+    if (!fs::is_directory(input, error)) return read_shadertoys(input, diagnostics);
+    auto shader = read_shadertoy_folder(input, diagnostics);
+    return shader ? std::vector{std::move(*shader)} : std::vector<Shadertoy>();
+}
+
+// out.frag, out-2.frag, …
+fs::path numbered(const fs::path& output, std::size_t index) {
+    if (index == 0) return output;
+    return output.parent_path() /
+           fmt::format("{}-{}{}", output.stem().string(), index + 1, output.extension().string());
+}
+
+}  // namespace
+
+std::vector<fs::path> import_shadertoys(const ImportOptions& options) {
+    if (options.output.extension() != ".frag") {
+        throw UsageError(fmt::format("A scene file ends with .frag; name one behind -o, such as {}",
+                                     fs::path(options.output).replace_extension(".frag").string()));
+    }
+    Diagnostics diagnostics;
+    const std::vector<Shadertoy> shaders = read(options.input, diagnostics);
+    std::vector<fs::path> names;
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+        names.push_back(numbered(options.output, i));
+        texts.push_back(
+            scene_text(shaders[i], options.input, options.output.parent_path(), diagnostics));
+    }
+    report(diagnostics);
+    std::error_code error;
+    for (const fs::path& name : names) {
+        if (fs::exists(name, error))
+            throw cannot_write(name,
+                               "it is there already, and somebody may have worked on it; "
+                               "name another file, or move it away");
+    }
+    for (std::size_t i = 0; i < names.size(); ++i)
+        write_whole_file(names[i], std::as_bytes(std::span(texts[i])));
+    return names;
+}
+
+}  // namespace glint

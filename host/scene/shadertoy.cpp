@@ -1,0 +1,292 @@
+// Reading shaders of the site.
+#include "scene/shadertoy.h"
+
+#include "scene/raw_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <system_error>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// Also the order in which the site draws them.
+constexpr std::array<std::string_view, 8> kTabs = {"common",  "bufferA", "bufferB", "bufferC",
+                                                   "bufferD", "cubeA",   "image",   "sound"};
+
+struct KnownId {
+    std::string_view number, word, tab;
+};
+constexpr std::array<KnownId, 5> kKnownIds = {{{"257", "4dXGR8", "bufferA"},
+                                               {"258", "XsXGR8", "bufferB"},
+                                               {"259", "4sXGR8", "bufferC"},
+                                               {"260", "XdfGR8", "bufferD"},
+                                               {"41", "4dX3Rr", "cubeA"}}};
+
+std::string lower(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
+
+// A member as text, whether it is written as a string, a number or a truth value.
+std::string word(const Json& object, std::string_view key) {
+    if (!object.is_object()) return {};
+    const auto found = object.find(key);
+    if (found == object.end() || found->is_null()) return {};
+    return found->is_string() ? found->get<std::string>() : found->dump();
+}
+
+const Json& member(const Json& object, std::string_view key) {
+    static const Json kNothing;
+    if (!object.is_object()) return kNothing;
+    const auto found = object.find(key);
+    return found == object.end() ? kNothing : *found;
+}
+
+// The first of several spellings that the object has.
+std::string word(const Json& object, std::string_view key, std::string_view other) {
+    const std::string first = word(object, key);
+    return first.empty() ? word(object, other) : first;
+}
+
+std::string known_tab(std::string_view id) {
+    for (const KnownId& known : kKnownIds)
+        if (id == known.number || id == known.word) return std::string(known.tab);
+    return {};
+}
+
+// "Buffer A", "Buf A", "buf_a", "BufferA" → bufferA; empty for other names.
+std::string tab_of_name(std::string_view name) {
+    std::string letters;
+    for (const char c : lower(std::string(name)))
+        if (c >= 'a' && c <= 'z') letters += c;
+    if (letters == "common" || letters == "image" || letters == "sound") return letters;
+    if (letters == "main") return "image";
+    if (letters == "cube" || letters == "cubea" || letters == "cubemap" || letters == "cubemapa")
+        return "cubeA";
+    const char last = letters.empty() ? ' ' : letters.back();
+    const std::string_view front = std::string_view(letters).substr(0, letters.size() - 1);
+    if (last >= 'a' && last <= 'd' && (front == "buf" || front == "buffer"))
+        return std::string("buffer") + static_cast<char>(last - 'a' + 'A');
+    return {};
+}
+
+// By what it puts out where that is known, then by its name.
+std::string tab_name(const Json& pass) {
+    const std::string kind = lower(word(pass, "type"));
+    if (kind == "common" || kind == "sound" || kind == "image") return kind;
+    if (kind == "cubemap") return "cubeA";
+    const Json& outputs = member(pass, "outputs");
+    if (outputs.is_array() && !outputs.empty()) {
+        const Json& output = outputs.front();
+        const std::string id = output.is_object()   ? word(output, "id")
+                               : output.is_string() ? output.get<std::string>()
+                                                    : output.dump();
+        if (const std::string known = known_tab(id); !known.empty()) return known;
+    }
+    return tab_of_name(word(pass, "name"));
+}
+
+ShadertoyInput read_input(const Json& json, const std::map<std::string, std::string>& tab_of_id) {
+    ShadertoyInput input;
+    const std::string channel = word(json, "channel");
+    input.channel = channel.size() == 1 ? channel[0] - '0' : -1;
+    input.kind = lower(word(json, "ctype", "type"));
+    input.file = word(json, "src", "filepath");
+    const std::string id = word(json, "id");
+    if (input.kind == "buffer" || input.kind == "cubemap") {
+        const auto named = tab_of_id.find(id);
+        input.buffer = named != tab_of_id.end() ? named->second : known_tab(id);
+        // Older exports number the buffer in its file: /media/previz/buffer00.png.
+        const std::size_t at = input.file.find("/buffer0");
+        if (input.buffer.empty() && at != std::string::npos && at + 8 < input.file.size())
+            input.buffer =
+                std::string("buffer") + static_cast<char>('A' + (input.file[at + 8] - '0') % 4);
+    }
+    const Json& sampler = member(json, "sampler");
+    input.filter = lower(word(sampler, "filter"));
+    input.wrap = lower(word(sampler, "wrap"));
+    if (const std::string vflip = lower(word(sampler, "vflip")); !vflip.empty())
+        input.vflip = vflip == "true";
+    return input;
+}
+
+class JsonReader {
+public:
+    JsonReader(const fs::path& file, Diagnostics& diagnostics)
+        : file_(file), diagnostics_(diagnostics) {}
+
+    std::optional<Shadertoy> shader(const Json& outer);
+
+private:
+    std::vector<std::string> tab_names(const Json& passes);
+    void error(const std::string& text) {
+        diagnostics_.push_back({Severity::error, {file_.string()}, text});
+    }
+
+    const fs::path& file_;
+    Diagnostics& diagnostics_;
+};
+
+// A buffer whose id and name are strange takes the next letter that is free.
+std::vector<std::string> JsonReader::tab_names(const Json& passes) {
+    std::vector<std::string> names;
+    for (const Json& pass : passes) names.push_back(tab_name(pass));
+    for (std::string& name : names) {
+        for (char letter = 'A'; letter <= 'D' && name.empty(); ++letter) {
+            const std::string free = std::string("buffer") + letter;
+            if (std::find(names.begin(), names.end(), free) == names.end()) name = free;
+        }
+    }
+    return names;
+}
+
+std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
+    const Json& json = outer.is_object() && outer.contains("Shader") ? outer["Shader"] : outer;
+    const Json& passes = member(json, "renderpass");
+    if (!passes.is_array() || passes.empty()) {
+        error("there is no shader in it: \"renderpass\" is missing; export the shader again");
+        return std::nullopt;
+    }
+    Shadertoy shader;
+    const Json& info = member(json, "info");
+    shader.id = word(info, "id");
+    shader.title = word(info, "name");
+    shader.author = word(info, "username");
+    shader.description = word(info, "description");
+    const std::vector<std::string> names = tab_names(passes);
+    std::map<std::string, std::string> tab_of_id;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Json& outputs = member(passes[i], "outputs");
+        if (!outputs.is_array()) continue;
+        for (const Json& output : outputs)
+            if (const std::string id = word(output, "id"); !id.empty()) tab_of_id[id] = names[i];
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::any_of(shader.tabs.begin(), shader.tabs.end(),
+                        [&](const ShadertoyTab& tab) { return tab.name == names[i]; })) {
+            error(fmt::format("two tabs are {}; rename one of them", in_quotes(names[i])));
+            continue;
+        }
+        if (names[i].empty()) {
+            error(fmt::format("the tab {} is none that the site has; name it Buffer A to D",
+                              in_quotes(word(passes[i], "name"))));
+            continue;
+        }
+        ShadertoyTab tab{.name = names[i], .code = word(passes[i], "code"), .inputs = {}};
+        const Json& inputs = member(passes[i], "inputs");
+        if (inputs.is_array())
+            for (const Json& input : inputs) tab.inputs.push_back(read_input(input, tab_of_id));
+        std::erase_if(tab.inputs, [](const ShadertoyInput& read) {
+            return read.channel < 0 || read.channel > 3;
+        });
+        shader.tabs.push_back(std::move(tab));
+    }
+    return shader;
+}
+
+void sort_tabs(Shadertoy& shader) {
+    const auto rank = [](const ShadertoyTab& tab) {
+        return std::find(kTabs.begin(), kTabs.end(), tab.name);
+    };
+    std::stable_sort(shader.tabs.begin(), shader.tabs.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+std::string read_text(const fs::path& file, Diagnostics& diagnostics) {
+    std::string why_not;
+    const auto bytes = read_bytes(file, why_not);
+    if (!bytes)
+        diagnostics.push_back(
+            {Severity::error, {file.string()}, fmt::format("cannot read it: {}", why_not), true});
+    return bytes ? clean_text(*bytes).text : std::string();
+}
+
+}  // namespace
+
+std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagnostics) {
+    std::vector<Shadertoy> shaders;
+    const std::string text = read_text(file, diagnostics);
+    if (has_errors(diagnostics)) return {};
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const std::string before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
+        const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+        const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+        diagnostics.push_back(
+            {Severity::error,
+             {file.string(), static_cast<int>(line), static_cast<int>(column)},
+             "this is no JSON; export the shader again, or give a folder of its tabs"});
+        return {};
+    }
+    JsonReader reader(file, diagnostics);
+    const Json& list = json.is_object() && json.contains("shaders") ? json["shaders"] : json;
+    const Json one = list.is_array() ? list : Json::array({list});
+    for (const Json& outer : one)
+        if (auto shader = reader.shader(outer)) shaders.push_back(std::move(*shader));
+    if (one.empty())
+        diagnostics.push_back({Severity::error, {file.string()}, "there is no shader in it"});
+    if (has_errors(diagnostics)) return {};
+    for (Shadertoy& shader : shaders) sort_tabs(shader);
+    return shaders;
+}
+
+std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnostics& diagnostics) {
+    Shadertoy shader;
+    shader.title = fs::absolute(folder / "").parent_path().filename().string();
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, error)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        const std::string extension = lower(file.extension().string());
+        if (extension != ".glsl" && extension != ".frag" && extension != ".fs" &&
+            extension != ".txt")
+            continue;
+        const std::string name = tab_of_name(file.stem().string());
+        if (name.empty()) continue;
+        const auto same = std::find_if(shader.tabs.begin(), shader.tabs.end(),
+                                       [&](const ShadertoyTab& tab) { return tab.name == name; });
+        if (same == shader.tabs.end())
+            shader.tabs.push_back(
+                {.name = name, .code = read_text(file, diagnostics), .inputs = {}});
+        else
+            diagnostics.push_back({Severity::error,
+                                   {file.string()},
+                                   fmt::format("another file is {} already; move one away", name)});
+    }
+    sort_tabs(shader);
+    if (error || shader.tabs.empty() ||
+        (shader.tabs.size() == 1 && shader.tabs[0].name == "common")) {
+        diagnostics.push_back({Severity::error,
+                               {folder.string()},
+                               "there is no image.glsl in this folder (and bufferA.glsl …, "
+                               "common.glsl, sound.glsl)",
+                               true});
+    }
+    if (has_errors(diagnostics)) return std::nullopt;
+    for (ShadertoyTab& tab : shader.tabs) {
+        for (const ShadertoyTab& other : shader.tabs) {
+            if (tab.name == "common" || !other.name.starts_with("buffer")) continue;
+            tab.inputs.push_back({.channel = other.name.back() - 'A',
+                                  .kind = "buffer",
+                                  .buffer = other.name,
+                                  .file = {},
+                                  .filter = {},
+                                  .wrap = {},
+                                  .vflip = {}});
+        }
+    }
+    return shader;
+}
+
+}  // namespace glint

@@ -1,0 +1,49 @@
+// Shaders of the site, from files: its JSON in both dialects, or a folder of tabs. They become
+// scene files.
+#pragma once
+
+#include "scene/diagnostic.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// What one iChannel of a tab reads.
+struct ShadertoyInput {
+    int channel = 0;           // 0 to 3
+    std::string kind;          // "buffer", "texture", "cubemap", "volume", "keyboard", "music", …
+    std::string buffer;        // "bufferA" or "cubeA", where a tab fills it; empty otherwise
+    std::string file;          // "/media/a/08b42b….png" on the site
+    std::string filter, wrap;  // as the site spells them; empty: the default
+    std::optional<bool> vflip;
+};
+
+struct ShadertoyTab {
+    std::string name;  // "bufferA" … "bufferD", "cubeA", "image", "sound", "common"
+    std::string code;
+    std::vector<ShadertoyInput> inputs;
+};
+
+struct Shadertoy {
+    std::string id, title, author, description;  // what is not known is empty
+    std::vector<ShadertoyTab> tabs;              // in the order in which the site draws them
+};
+
+// Every shader of a file. What is wrong goes to diagnostics; with errors there, the list is empty.
+std::vector<Shadertoy> read_shadertoys(const std::filesystem::path& json, Diagnostics& diagnostics);
+
+// One shader from `common.glsl bufferA.glsl … image.glsl`, in any spelling of these names. A folder
+// does not say what a tab reads: iChannel0 to 3 become the buffers A to D that are there.
+std::optional<Shadertoy> read_shadertoy_folder(const std::filesystem::path& folder,
+                                               Diagnostics& diagnostics);
+
+// The text of a scene file that draws the same. Media that the site does not ship are replaced by
+// noise of the same size, with a warning each; a file of that name beside `from` is used instead.
+// `folder` is where the scene will stand.
+std::string scene_text(const Shadertoy& shader, const std::filesystem::path& from,
+                       const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+}  // namespace glint

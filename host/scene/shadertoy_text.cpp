@@ -1,0 +1,237 @@
+// A shader of the site as a scene file.
+#include "scene/raw_text.h"
+#include "scene/scene.h"
+#include "scene/shadertoy.h"
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The site's own textures by the start of their file names. Their sizes stand in shaders as
+// numbers.
+struct Medium {
+    std::string_view hash, name, noise;
+};
+constexpr std::array<Medium, 26> kMedia = {{{"52d2a8f514c4fd2d", "Abstract 1", "rgb 512"},
+                                            {"bd6464771e47eed8", "Abstract 2", "rgb 512"},
+                                            {"8979352a182bde7c", "Abstract 3", "rgb 512"},
+                                            {"85a6d68622b36995", "Bayer", "r 8"},
+                                            {"cb49c003b454385a", "Blue Noise", "rgba 1024"},
+                                            {"08b42b43ae9d3c06", "Font 1", "rgba 1024"},
+                                            {"0c7bf5fe9462d5bf", "Gray Noise Medium", "r 256"},
+                                            {"0a40562379b63dfb", "Gray Noise Small", "r 64"},
+                                            {"fb918796edc3d222", "Lichen", "rgb 1024"},
+                                            {"8de3a3924cb95bd0", "London", "rgb 512"},
+                                            {"cbcbb5a6cfb55c36", "Nyancat", "rgba 256x32"},
+                                            {"cd4c518bc6ef165c", "Organic 1", "rgb 1024"},
+                                            {"92d7758c402f0927", "Organic 2", "rgb 1024"},
+                                            {"79520a3d3a0f4d3c", "Organic 3", "rgb 1024"},
+                                            {"3871e838723dd6b1", "Organic 4", "rgb 1024"},
+                                            {"ad56fba948dfba9a", "Pebbles", "r 512"},
+                                            {"f735bee5b64ef988", "RGBA Noise Medium", "rgba 256"},
+                                            {"3083c722c0c738ca", "RGBA Noise Small", "rgba 64"},
+                                            {"10eb4fe0ac8a7dc3", "Rock Tiles", "rgb 512"},
+                                            {"95b90082f799f486", "Rusty Metal", "rgb 512"},
+                                            {"e6e5631ce1237ae4", "Stars", "rgb 512"},
+                                            {"1f7dca9c22f32475", "Wood", "rgb 512"},
+                                            {"94284d43be78f00e", "Forest", "rgb 64"},
+                                            {"0681c014f6c88c35", "Forest Blurred", "rgb 64"},
+                                            {"27012b4eadd0c3ce", "Gray Noise 3D", "r 32"},
+                                            {"aea6b99da1d53055", "RGBA Noise 3D", "rgba 32"}}};
+
+std::string stem(const std::string& file) {
+    return fs::path(file).stem().string();
+}
+
+const Medium* find_medium(const std::string& file) {
+    const std::string name = stem(file);
+    for (const Medium& medium : kMedia)
+        if (name.starts_with(medium.hash)) return &medium;
+    return nullptr;
+}
+
+// Noise that stands in for what the site does not ship.
+std::string stand_in(const ShadertoyInput& input) {
+    if (const Medium* medium = find_medium(input.file))
+        return fmt::format("noise {}", medium->noise);
+    if (input.kind == "volume") return "noise r 32";
+    if (input.kind == "cubemap") return "noise rgb 64";
+    if (input.kind == "webcam" || input.kind == "video") return "noise rgb 640x360";
+    if (input.kind.starts_with("music") || input.kind == "mic") return "noise r 512x2";
+    return "noise rgba 512";
+}
+
+std::string sampler_type(const ShadertoyInput& input) {
+    return input.kind == "cubemap"  ? "samplerCube"
+           : input.kind == "volume" ? "sampler3D"
+                                    : "sampler2D";
+}
+
+// A line of a comment: no line end in it, and no backslash that would join it with the next.
+std::string comment_line(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == '\\') c = ' ';
+    return std::string(trimmed(text));
+}
+
+class Writer {
+public:
+    Writer(const Shadertoy& shader, const fs::path& from, const fs::path& folder,
+           Diagnostics& diagnostics)
+        : shader_(shader), from_(from), folder_(folder), diagnostics_(diagnostics) {}
+
+    std::string text();
+
+private:
+    void write_header();
+    void write_passes();
+    void write_inputs();
+    void write_input(const ShadertoyTab& tab, const ShadertoyInput& input);
+    void write_tab(const ShadertoyTab& tab);
+    std::string source_of(const ShadertoyTab& tab, const ShadertoyInput& input);
+    std::string options_of(const ShadertoyInput& input) const;
+    bool is_alone(const ShadertoyTab& tab) const;
+    void warn(const std::string& text) {
+        diagnostics_.push_back({Severity::warning, {from_.string()}, text});
+    }
+
+    const Shadertoy& shader_;
+    const fs::path& from_;
+    const fs::path& folder_;
+    Diagnostics& diagnostics_;
+    std::string text_;
+};
+
+std::string Writer::text() {
+    write_header();
+    write_passes();
+    write_inputs();
+    for (const ShadertoyTab& tab : shader_.tabs) write_tab(tab);
+    return std::move(text_);
+}
+
+void Writer::write_header() {
+    const std::string title = comment_line(shader_.title);
+    const std::string author = comment_line(shader_.author);
+    if (!title.empty())
+        text_ += fmt::format("// {}{}\n", title, author.empty() ? "" : ", by " + author);
+    if (!shader_.id.empty())
+        text_ += fmt::format("// https://www.shadertoy.com/view/{}\n", comment_line(shader_.id));
+    for (std::size_t begin = 0; begin < shader_.description.size();) {
+        const std::size_t end =
+            std::min(shader_.description.find('\n', begin), shader_.description.size());
+        const std::string line = comment_line(shader_.description.substr(begin, end - begin));
+        text_ += line.empty() ? "//\n" : fmt::format("// {}\n", line);
+        begin = end + 1;
+    }
+    if (!text_.empty()) text_ += '\n';
+}
+
+// The site draws in the order of the letters, whatever the order of the tabs.
+void Writer::write_passes() {
+    for (const ShadertoyTab& tab : shader_.tabs) {
+        if (!tab.name.starts_with("buffer") && tab.name != "cubeA") continue;
+        text_ += fmt::format("uniform {} {};  //@ pass main{}{}\n",
+                             tab.name == "cubeA" ? "samplerCube" : "sampler2D", tab.name,
+                             static_cast<char>(tab.name[0] - 'a' + 'A'), tab.name.substr(1));
+    }
+}
+
+// Nothing but the image and what all tabs share: no #ifdef is needed.
+bool Writer::is_alone(const ShadertoyTab& tab) const {
+    return tab.name == "image" &&
+           std::all_of(shader_.tabs.begin(), shader_.tabs.end(), [](const ShadertoyTab& other) {
+               return other.name == "image" || other.name == "common";
+           });
+}
+
+// Before any code: what all tabs share may read a channel too.
+void Writer::write_inputs() {
+    for (const ShadertoyTab& tab : shader_.tabs) {
+        if (tab.inputs.empty() || tab.name == "common") continue;
+        if (!is_alone(tab)) text_ += fmt::format("#ifdef PASS_{}\n", tab.name);
+        for (int channel = 0; channel < 4; ++channel) {
+            const auto input = std::find_if(tab.inputs.begin(), tab.inputs.end(),
+                                            [&](const auto& i) { return i.channel == channel; });
+            if (input != tab.inputs.end()) write_input(tab, *input);
+        }
+        if (!is_alone(tab)) text_ += "#endif\n";
+    }
+}
+
+void Writer::write_input(const ShadertoyTab& tab, const ShadertoyInput& input) {
+    text_ += fmt::format("uniform {} iChannel{};  //@ {}{}\n", sampler_type(input), input.channel,
+                         source_of(tab, input), options_of(input));
+}
+
+std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& input) {
+    if (input.kind == "keyboard") return "keyboard";
+    const bool has_tab =
+        std::any_of(shader_.tabs.begin(), shader_.tabs.end(),
+                    [&](const ShadertoyTab& other) { return other.name == input.buffer; });
+    if (!input.buffer.empty() && has_tab) return "buffer " + input.buffer;
+    const fs::path file = fs::path(input.file).relative_path();
+    std::error_code error;
+    if (input.kind == "texture" && !file.empty()) {
+        for (const fs::path& local :
+             {from_.parent_path() / file, from_.parent_path() / file.filename()})
+            if (fs::is_regular_file(local, error))
+                return fmt::format("image \"{}\"{}",
+                                   fs::proximate(local, folder_, error).generic_string(),
+                                   input.vflip.value_or(true) ? "" : " vflip=off");
+    }
+    const Medium* medium = find_medium(input.file);
+    const std::string what = !input.buffer.empty() ? input.buffer
+                             : medium              ? std::string(medium->name)
+                             : input.file.empty()  ? input.kind
+                                                   : input.file;
+    const std::string noise = stand_in(input);
+    warn(fmt::format("{}, iChannel{}: {} is not in this file; {} stands in its place", tab.name,
+                     input.channel, in_quotes(what), noise));
+    return noise;
+}
+
+// Only what is not the default here anyway, so that the line stays short.
+std::string Writer::options_of(const ShadertoyInput& input) const {
+    const bool is_picture = input.kind == "texture" || input.kind == "cubemap" ||
+                            input.kind == "volume" || input.kind == "video";
+    const bool is_buffer = !input.buffer.empty();
+    const std::string filter = input.kind == "keyboard"   ? "nearest"
+                               : is_picture && !is_buffer ? "mipmap"
+                                                          : "linear";
+    const std::string wrap =
+        is_picture && !is_buffer && input.kind != "cubemap" ? "repeat" : "clamp";
+    const bool known_filter =
+        input.filter == "nearest" || input.filter == "linear" || input.filter == "mipmap";
+    std::string options;
+    if (known_filter && input.filter != filter) options += " filter=" + input.filter;
+    if ((input.wrap == "clamp" || input.wrap == "repeat") && input.wrap != wrap)
+        options += " wrap=" + input.wrap;
+    return options;
+}
+
+void Writer::write_tab(const ShadertoyTab& tab) {
+    const std::string code = clean_text(tab.code).text;
+    if (tab.name == "common" || is_alone(tab)) {
+        text_ += '\n' + code;
+        return;
+    }
+    text_ += fmt::format("\n#ifdef PASS_{}\n{}#endif  // {}\n", tab.name, code, tab.name);
+}
+
+}  // namespace
+
+std::string scene_text(const Shadertoy& shader, const fs::path& from, const fs::path& folder,
+                       Diagnostics& diagnostics) {
+    return Writer(shader, from, folder, diagnostics).text();
+}
+
+}  // namespace glint

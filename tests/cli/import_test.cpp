@@ -1,0 +1,198 @@
+// `glint import`: shaders of the site become scene files that draw the same.
+#include "command.h"
+#include "image/image.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+Json input(int channel, const Json& id, const std::string& kind, const std::string& filter) {
+    return {{"channel", channel},
+            {"id", id},
+            {"ctype", kind},
+            {"src", ""},
+            {"sampler", {{"filter", filter}, {"wrap", "clamp"}, {"vflip", "true"}}}};
+}
+
+Json pass(const std::string& kind, const std::string& name, const Json& output,
+          const std::string& code, const Json& inputs = Json::array()) {
+    return {{"type", kind},
+            {"name", name},
+            {"code", code},
+            {"inputs", inputs},
+            {"outputs", Json::array({{{"id", output}, {"channel", 0}}})}};
+}
+
+// Buffer A counts frames in red; Buffer B, which stands before it in the file, halves what A is in
+// this frame; each calls another buffer iChannel0. Red is B's, green what Common says, blue the
+// width of iChannel1 over 256.
+Json chain(const Json& a, const Json& b, const Json& image) {
+    return Json::array(
+        {pass("image", "Image", image,
+              "void mainImage(out vec4 c, in vec2 p) { c = vec4(texelFetch(iChannel0, ivec2(0), 0)"
+              ".r / 16.0, shared_green(), iChannelResolution[1].x / 256.0, 1); }",
+              Json::array({input(0, b, "buffer", "nearest"), input(1, a, "buffer", "linear")})),
+         pass("buffer", "Strange name", b,
+              "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel0, ivec2(0), 0) / "
+              "2.0; }\r\n",
+              Json::array({input(0, a, "buffer", "nearest")})),
+         pass("buffer", "Another", a,
+              "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(iChannel3, ivec2(p), 0) + "
+              "vec4(1); }",
+              Json::array({input(3, a, "buffer", "nearest")})),
+         pass("common", "Common", "", "float shared_green() { return 0.4; }")});
+}
+
+class Import : public InAFolder {
+protected:
+    std::array<int, 3> draw(const std::string& file, int frame) {
+        const Outcome drawn = glint(
+            {"still", file, "-o", "out.png", "--size", "64x36", "--frame", std::to_string(frame)});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        const Image image = read_image(folder() / "out.png");
+        const auto at = [&](std::size_t i) { return std::to_integer<int>(image.pixels[i]); };
+        return {at(0), at(1), at(2)};
+    }
+};
+
+TEST_F(Import, BothDialectsDrawTheSame) {
+    write("api.json", Json{{"Shader",
+                            {{"ver", "0.1"},
+                             {"info",
+                              {{"name", "A \\ chain\n"},
+                               {"id", "XxXxXx"},
+                               {"username", "somebody"},
+                               {"description", "first\\\nsecond */"}}},
+                             {"renderpass", chain(257, 258, 37)}}}}
+                          .dump());
+    Json download = {{"info", Json::object()}, {"renderpass", chain("4dXGR8", "XsXGR8", "4dfGRr")}};
+    write("download.json", Json{{"shaders", Json::array({download})}}.dump());
+    for (const std::string name : {"api", "download"}) {
+        const Outcome made = glint({"import", name + ".json", "-o", name + ".frag"});
+        ASSERT_EQ(made.code, 0) << made.err;
+        EXPECT_EQ(made.out, name + ".frag\n");
+        EXPECT_EQ(made.err, "");
+        // Frame 7 is the eighth: A is 8 and B is 4.
+        EXPECT_EQ(draw(name + ".frag", 7), (std::array{64, 102, 64})) << bytes(name + ".frag");
+    }
+    EXPECT_TRUE(bytes("api.frag")
+                    .starts_with("// A   chain, by somebody\n"
+                                 "// https://www.shadertoy.com/view/XxXxXx\n"
+                                 "// first\n// second */\n"))
+        << bytes("api.frag");
+}
+
+TEST_F(Import, AShaderOfOneTabStaysAsItIs) {
+    const std::string code = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1, 0, 0, 1); }\n";
+    write("one.json",
+          Json::array({{{"renderpass", Json::array({pass("image", "Image", 37, code)})}}}).dump());
+    ASSERT_EQ(glint({"import", "one.json", "-o", "one.frag"}).code, 0);
+    EXPECT_EQ(bytes("one.frag"), "\n" + code);
+}
+
+TEST_F(Import, WhatTheSiteDoesNotShipIsNamedAndNoiseOfItsSizeStandsInItsPlace) {
+    Json inputs = Json::array({input(0, 30, "texture", "mipmap"), input(1, 31, "cubemap", "mipmap"),
+                               input(2, 32, "volume", "linear"), input(3, 33, "music", "linear")});
+    inputs[0]["src"] =
+        "/media/a/f735bee5b64ef98879dc618b016ecf7939a5756040c2cde21ccb15e69a6e1cfb.png";
+    const Json shader = {
+        {"renderpass",
+         Json::array(
+             {pass("image", "Image", 37,
+                   "void mainImage(out vec4 c, in vec2 p) {\n"
+                   "    vec4 x = texture(iChannel1, vec3(1)) + texture(iChannel2, vec3(0.3))"
+                   " + texture(iChannel3, vec2(0.1));\n"
+                   "    c = vec4(iChannelResolution[0].x / 512.0, dot(x, x) > 0.0, "
+                   "iChannelResolution[2].z / 64.0, 1);\n}\n",
+                   inputs)})}};
+    write("media.json", shader.dump());
+    const Outcome made = glint({"import", "media.json", "-o", "media.frag"});
+    ASSERT_EQ(made.code, 0);
+    EXPECT_NE(made.err.find("media.json: warning: image, iChannel0: 'RGBA Noise Medium' is not in "
+                            "this file; noise rgba 256 stands in its place"),
+              std::string::npos)
+        << made.err;
+    EXPECT_NE(made.err.find("iChannel3: 'music'"), std::string::npos) << made.err;
+    EXPECT_EQ(draw("media.frag", 0), (std::array{128, 255, 128}));
+}
+
+TEST_F(Import, AnImageBesideTheFileIsUsed) {
+    write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.4, 0.6, 1); }\n");
+    fs::create_directories(folder() / "media/a");
+    ASSERT_EQ(glint({"still", "flat.frag", "-o", "media/a/wood.png", "--size", "8x8"}).code, 0);
+    Json inputs = Json::array({input(0, 30, "texture", "nearest")});
+    inputs[0]["src"] = "/media/a/wood.png";
+    write("local.json",
+          Json{{"renderpass",
+                Json::array({pass("image", "Image", 37,
+                                  "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, "
+                                  "p); }\n",
+                                  inputs)})}}
+              .dump());
+    const Outcome made = glint({"import", "local.json", "-o", "local.frag"});
+    ASSERT_EQ(made.code, 0);
+    EXPECT_EQ(made.err, "");
+    EXPECT_EQ(draw("local.frag", 0), (std::array{51, 102, 153}));
+}
+
+TEST_F(Import, AFolderOfTabsInAnySpellingBecomesAScene) {
+    fs::create_directories(folder() / "tabs");
+    write("tabs/Common.glsl", "#define HALF 0.5\n");
+    write("tabs/Buffer A.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(HALF); }");
+    write("tabs/bufB.GLSL",
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p) * "
+          "HALF; }\n");
+    write("tabs/Image.glsl",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(texture(iChannel0, "
+          "p).x, texture(iChannel1, p).x, 0, 1); }\n");
+    write("tabs/notes.md", "not a tab\n");
+    const Outcome made = glint({"import", "tabs", "-o", "scene.frag"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(draw("scene.frag", 0), (std::array{128, 64, 0}));
+}
+
+TEST_F(Import, SeveralShadersBecomeSeveralFilesAndNothingIsOverwritten) {
+    const auto red = [](double r) {
+        return Json{{"renderpass",
+                     Json::array({pass("image", "Image", 37,
+                                       fmt::format("void mainImage(out vec4 c, in vec2 p) {{ c = "
+                                                   "vec4({}, 0, 0, 1); }}\n",
+                                                   r))})}};
+    };
+    write("two.json", Json::array({red(0.2), red(0.4)}).dump());
+    ASSERT_EQ(glint({"import", "two.json", "-o", "two.frag"}).out, "two.frag\ntwo-2.frag\n");
+    EXPECT_EQ(draw("two.frag", 0)[0], 51);
+    EXPECT_EQ(draw("two-2.frag", 0)[0], 102);
+    write("two.frag", "// mine\n");
+    const Outcome again = glint({"import", "two.json", "-o", "two.frag"});
+    EXPECT_EQ(again.code, 1);
+    EXPECT_NE(again.err.find("it is there already"), std::string::npos) << again.err;
+    EXPECT_EQ(bytes("two.frag"), "// mine\n");
+}
+
+TEST_F(Import, WhatIsNoShaderIsSaidWithItsPlace) {
+    write("cut.json", "{\n  \"Shader\": {\n");
+    write("other.json", "{\"name\": \"x\"}");
+    write("odd.json",
+          "[{\"renderpass\": [{\"code\": 7, \"inputs\": 3, \"outputs\": {}}]}, 4, null]");
+    fs::create_directories(folder() / "empty");
+    Outcome outcome = glint({"import", "cut.json", "-o", "a.frag"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("cut.json:3:1: error: this is no JSON"), std::string::npos)
+        << outcome.err;
+    outcome = glint({"import", "other.json", "-o", "a.frag"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("\"renderpass\" is missing"), std::string::npos) << outcome.err;
+    EXPECT_EQ(glint({"import", "odd.json", "-o", "a.frag"}).code, 4);
+    EXPECT_EQ(glint({"import", "none.json", "-o", "a.frag"}).code, 4);
+    EXPECT_EQ(glint({"import", "empty", "-o", "a.frag"}).code, 4);
+    EXPECT_EQ(glint({"import", "cut.json", "-o", "a.png"}).code, 2);
+    EXPECT_FALSE(fs::exists(folder() / "a.frag"));
+}
+
+}  // namespace
+}  // namespace glint::cli
