@@ -177,14 +177,13 @@ bool make_colour_defined(PassText& pass, const std::string& entry) {
     return found;
 }
 
-std::string image_main(const Scene& scene, const char* out, const ProgramOptions& options) {
-    std::string text =
-        fmt::format("void {}({} vec4 color, in vec2 coord);\n", scene.image_entry, out);
+std::string image_main(const char* out, const ProgramOptions& options) {
+    std::string text = fmt::format("void mainImage({} vec4 color, in vec2 coord);\n", out);
     text += kAssert;
     if (options.average) (text += kJitter) += kDecode;
     text +=
         "layout(location = 0) out vec4 glint_out0;\nvoid main() {\n    vec4 color = vec4(1e20);\n";
-    text += fmt::format("    {}(color, gl_FragCoord.xy{});\n", scene.image_entry,
+    text += fmt::format("    mainImage(color, gl_FragCoord.xy{});\n",
                         options.average ? " + glint_jitter" : "");
     text += "    color = glint_asserted(color);\n";
     if (options.average) {
@@ -192,6 +191,24 @@ std::string image_main(const Scene& scene, const char* out, const ProgramOptions
         text += "    color.rgb = glint_decode(color.rgb);\n";
     }
     return text + "    glint_out0 = vec4(color.rgb, 1.0);\n}\n";
+}
+
+// A text with a main() of its own, for GLSL of the web, is called from the site's mainImage. Names
+// of GLSL itself cannot be macros; others, as long, stand for them so that no column moves.
+void adapt_plain_main(std::string& text, std::string& prologue) {
+    for (const auto& [theirs, ours] :
+         {std::pair{"gl_FragColor", "glFragColor_"}, std::pair{"gl_FragCoord", "glFragCoord_"}}) {
+        for (std::size_t at = text.find(theirs); at != text.npos; at = text.find(theirs, at))
+            text.replace(at, std::string_view(ours).size(), ours);
+    }
+    prologue +=
+        "vec4 glFragColor_ = vec4(0.0), glFragCoord_ = vec4(0.0);\n"
+        "#define texture2D texture\n#define textureCube texture\n#define main glint_main\n";
+    if (!text.ends_with('\n')) text += '\n';
+    text +=
+        "void mainImage(inout vec4 color, in vec2 coord) {\n"
+        "    glFragColor_ = color;\n    glFragCoord_ = vec4(coord, gl_FragCoord.zw);\n"
+        "    main();\n    color = glFragColor_;\n}\n";
 }
 
 std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions& options) {
@@ -319,7 +336,8 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     PassText result{.text = options.specialise ? specialised_text(preset) : scene.text};
     const bool defined =
         !sound && make_colour_defined(result, image ? scene.image_entry : scene.passes[pass].entry);
-    const char* out = defined ? "inout" : "out";
+    const bool plain_main = image && scene.image_entry == "main";
+    const char* out = defined || plain_main ? "inout" : "out";
     std::string text = "#version 300 es\n#define HW_PERFORMANCE 1\n" + renamed_words(scene);
     if (!fills_a_buffer(pass))
         text += fmt::format("#define PASS_{} 1\n", pass_name(scene, pass));
@@ -332,9 +350,10 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     text += old_names(scene);
     text += channel_declarations(preset, pass);
     text += sound                     ? sound_main(scene)
-            : image                   ? image_main(scene, out, options)
+            : image                   ? image_main(out, options)
             : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
                                       : buffer_main(scene.passes[pass], out, options);
+    if (plain_main) adapt_plain_main(result.text, text);
     result.prologue_lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
     for (PassText::Widened& widened : result.widened) widened.line += result.prologue_lines;
     result.text.insert(0, text);

@@ -19,6 +19,9 @@ constexpr std::array kBuiltinNames = {
     BuiltinName{"iResolution", Builtin::resolution},
     BuiltinName{"iTime", Builtin::time},
     BuiltinName{"iGlobalTime", Builtin::time},
+    BuiltinName{"u_time", Builtin::time},
+    BuiltinName{"u_resolution", Builtin::resolution_2d},
+    BuiltinName{"u_mouse", Builtin::mouse_2d},
     BuiltinName{"iTimeDelta", Builtin::time_delta},
     BuiltinName{"iFrameRate", Builtin::frame_rate},
     BuiltinName{"iFrame", Builtin::frame},
@@ -110,14 +113,15 @@ void find_uniforms(const Preset& preset, PassProgram& pass) {
                 pass.samplers.push_back({*sampler, unit});
             else
                 pass.unfilled.push_back({kind.type, unit});
-        } else if (auto builtin = builtin_uniform(name, location)) {
-            pass.builtins.push_back(std::move(*builtin));
         } else {
+            // A tweak may bear a name that other programs feed.
             const auto& tweaks = preset.scene.tweaks;
             const auto tweak = std::find_if(tweaks.begin(), tweaks.end(),
                                             [&](const Tweak& t) { return t.name == name; });
             if (tweak != tweaks.end()) {
                 pass.tweaks.push_back({static_cast<std::size_t>(tweak - tweaks.begin()), location});
+            } else if (auto builtin = builtin_uniform(name, location)) {
+                pass.builtins.push_back(std::move(*builtin));
             }
         }
     }

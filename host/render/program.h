@@ -24,8 +24,10 @@ enum class Builtin {
     channel_time,
     channel_resolution,
     channel_struct,  // size, time and loaded of iCh0..3
-    jitter,          // sub-pixel position, averaged pictures only
-    face,            // of a cubemap pass
+    resolution_2d,   // u_resolution, u_mouse: the first two components alone
+    mouse_2d,
+    jitter,  // sub-pixel position, averaged pictures only
+    face,    // of a cubemap pass
 };
 
 // An active uniform: where it is, and which value belongs there.

@@ -93,7 +93,7 @@ std::vector<std::size_t> Renderer::images_needed() const {
 bool Renderer::reads_mouse() const {
     return std::any_of(scene_.programs.begin(), scene_.programs.end(), [](const PassProgram& p) {
         return std::any_of(p.builtins.begin(), p.builtins.end(), [](const BuiltinUniform& uniform) {
-            return uniform.builtin == Builtin::mouse;
+            return uniform.builtin == Builtin::mouse || uniform.builtin == Builtin::mouse_2d;
         });
     });
 }
@@ -315,6 +315,8 @@ bool Renderer::update_uniforms(std::size_t index, const Inputs& inputs) {
                 glProgramUniform1fv(program, location, 4, floats);
                 break;
             case Builtin::jitter:
+            case Builtin::resolution_2d:
+            case Builtin::mouse_2d:
                 glProgramUniform2fv(program, location, 1, floats);
                 break;
             case Builtin::resolution:
@@ -430,7 +432,8 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
     Value value;
     auto& f = value.floats;
     switch (uniform.builtin) {
-        case Builtin::resolution: {
+        case Builtin::resolution:
+        case Builtin::resolution_2d: {
             const glm::ivec2 size = buffers_[index]->shape().size;
             f[0] = static_cast<float>(size.x), f[1] = static_cast<float>(size.y), f[2] = 1.0f;
             break;
@@ -448,6 +451,7 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
             value.ints[0] = frame.frame;
             break;
         case Builtin::mouse:
+        case Builtin::mouse_2d:
             std::copy_n(&frame.input.mouse.x, 4, f.begin());
             break;
         case Builtin::date:

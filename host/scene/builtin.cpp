@@ -20,6 +20,11 @@ const std::map<std::string_view, HostUniform> kBuiltins = {
 
 }  // namespace
 
+bool is_old_name(std::string_view type, std::string_view name) {
+    return (type == "float" && (name == "u_time" || name == "iGlobalTime")) ||
+           (type == "vec2" && (name == "u_resolution" || name == "u_mouse"));
+}
+
 const HostUniform* find_builtin(std::string_view name) {
     const auto found = kBuiltins.find(name);
     return found == kBuiltins.end() ? nullptr : &found->second;

@@ -107,6 +107,8 @@ Scene Builder::build() {
 }
 
 void Builder::check_image() {
+    if (!identifiers_.contains("mainImage") && identifiers_.contains("gl_FragColor"))
+        scene_.image_entry = "main";  // plain GLSL of the web, as in the Book of Shaders
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
     // It may stand in what could not be read.
     if (std::any_of(diagnostics_.begin(), diagnostics_.end(),
@@ -167,7 +169,8 @@ void Builder::add_declaration(const Declaration& declaration, std::size_t next_b
 
 void Builder::warn_unannotated(const Declaration& declaration) {
     for (const Declarator& declarator : declaration.names) {
-        if (find_builtin(declarator.name)) continue;
+        if (find_builtin(declarator.name) || is_old_name(declaration.type, declarator.name))
+            continue;
         const bool is_sampler = declaration.type.find("sampler") != std::string_view::npos;
         warning(declarator.span.begin,
                 fmt::format("{} has no annotation, so it stays 0; say what fills it, such as {}",

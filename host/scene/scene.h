@@ -137,8 +137,8 @@ struct Scene {
     std::vector<Pass> passes;       // in drawing order
     // Where the text declares iChannel0..3 and does not say what fills them: as what.
     std::array<std::optional<SamplerType>, 4> channel_types{};
-    std::string image_entry = "mainImage";
-    bool has_sound = false;  // defines mainSound
+    std::string image_entry = "mainImage";  // or "main", which writes gl_FragColor
+    bool has_sound = false;                 // defines mainSound
 
     // The user's place of a line (from 1) and column of `text`.
     Place place(int line, int column) const;

@@ -1,6 +1,7 @@
 // Reading scene texts: includes, and the map back to the files.
 #include "scene/source_text.h"
 
+#include "scene/foreign_text.h"
 #include "scene/value.h"
 
 #include <fmt/format.h>
@@ -102,6 +103,7 @@ private:
         std::size_t index = 0;  // into source_.files
         fs::path identity;
         std::string text;
+        std::vector<int> lines;  // of rewritten text: which line of the file each stands for
         Comments comments;
         std::size_t next_note = 0;
         int dead_depth = 0;  // how many #if are open, from an `#if 0` on
@@ -146,6 +148,11 @@ std::optional<Reader::File> Reader::open(const fs::path& path,
               "a NUL byte stands here: this is no text, or not UTF-8; save it as UTF-8");
     }
     file.text = std::move(cleaned.text);
+    if (is_foreign(file.text)) {
+        ForeignText ours = rewrite_foreign(path, file.text, chain_.empty(), diagnostics_);
+        file.text = std::move(ours.text);
+        file.lines = std::move(ours.lines);
+    }
     file.comments = find_comments(file.text);
     return file;
 }
@@ -167,8 +174,9 @@ void Reader::append_lines(File& file) {
     const std::string_view text = file.text, code = file.comments.code;
     bool joined = false;  // the line before ends with a backslash
     bool blanking = false;
-    int number = 1;
-    for (std::size_t begin = 0; begin < text.size(); ++number) {
+    std::size_t index = 0;
+    for (std::size_t begin = 0; begin < text.size(); ++index) {
+        const int number = file.lines.empty() ? static_cast<int>(index) + 1 : file.lines[index];
         const std::size_t end = text.find('\n', begin);
         const Span line{begin, end};
         if (file.comments.unclosed && *file.comments.unclosed >= begin &&
