@@ -99,8 +99,7 @@ const float kNear = 0.05;                  // m, depth of the near plane of scre
 const float kHalf = 50.0;                  // m, of the block's sides
 const float kBase = -24.0;                 // m, its bottom
 const float kBed = -19.0;                  // m, no land is lower
-const float kSummit = 40.0;                // m, nor higher at relief 1, but for trees
-const float kTallest = 4.2;                // m, of a tree
+const float kSummit = 40.0;                // m, nor higher at relief 1
 const int   kCells = 512;                  // patches along a side
 const float kPerCell = 5.12;               // cells in a metre
 const float kTreeGap = 2.4;                // m
@@ -181,7 +180,7 @@ vec3 perlinPlane(vec2 p, int plane, int wrap) {
 }
 
 // ---- Land ---------------------------------------------------------------------------------------
-float landTop() { return max(relief * kSummit + kTallest, waterLevel) + 0.1; }
+float landTop() { return max(texelFetch(ambient, ivec2(7, 0), 0).x, waterLevel) + 0.1; }
 vec2 landUv(vec2 p) { return ((p + kHalf) * kPerCell + 0.5) / float(kCells + 1); }
 
 // Height without trees, and its slope: vec3(d/dx, d/dz, height).
@@ -255,7 +254,8 @@ float hitLand(vec3 ro, vec3 rd, float t0, float t1) {
         int shift = 2 * level;
         vec2 g = o + s * d;
         ivec2 c = clamp(ivec2(g + nudge), 0, kCells - 1) >> shift;
-        vec2 sides = ((vec2(c) + ahead) * float(1 << shift) - o) * inverse;
+        vec2 edge = (vec2(c) + ahead) * float(1 << shift), sides = (edge - o) * inverse;
+        sides = mix(sides, vec2(kFar), equal(edge, ahead * float(kCells)));   // t1 ends the ray
         float leave = min(max(min(sides.x, sides.y), s + 1e-5), end);
         ivec2 shelf = ivec2(level > 0 ? kCells : 0, level == 2 ? 128 : level == 3 ? 160 : 0);
         vec4 h = texelFetch(peaks, shelf + c, 0);
@@ -797,10 +797,13 @@ void mainSky(out vec4 colour, in vec2 pixel) {
 }
 
 // 0 to 5: light on a surface that faces -x +x -y +y -z +z, without the sun; 6: the sun's colour.
-// From below comes what clouds there send back.
+// From below comes what clouds there send back. 7: the greatest height of land.
 void mainAmbient(out vec4 colour, in vec2 pixel) {
     int face = int(pixel.x);
     colour = vec4(kSunPower * airTransmittance(1.0, sin(radians(sunHeight)), 32), 1.0);
+    if (face == 7) colour = vec4(kBed);
+    for (int k = 0; k < 64 && face == 7; ++k)
+        colour = max(colour, texelFetch(peaks, ivec2(kCells + (k & 7), 160 + (k >> 3)), 0));
     if (face > 5) return;
     vec3 axis = vec3(face / 2 == 0, face / 2 == 1, face / 2 == 2) * (float(face & 1) * 2.0 - 1.0);
     vec3 sum = vec3(0.0), under = colour.rgb * sin(radians(sunHeight)) * (0.3 / kPi);
