@@ -59,10 +59,7 @@ std::string tweak_words(const CheckSubject& subject) {
 fs::path file_with_events(const CheckSubject& subject, const fs::path& folder,
                           const std::string& stem) {
     const fs::path file = folder / (stem + ".toml");
-    Preset preset = subject.preset;
-    // The path that is written is the one from folder to scene, however both were named.
-    preset.scene.files.front() = fs::weakly_canonical(preset.scene.files.front());
-    const PresetText written = write_preset(preset, fs::weakly_canonical(file));
+    const PresetText written = write_preset(subject.preset, file);
     if (!written.text) throw std::runtime_error(to_string(written.diagnostics.front()));
     write_whole_file(file, std::as_bytes(std::span(*written.text)));
     return file;

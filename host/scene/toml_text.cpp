@@ -157,7 +157,8 @@ std::string toml_braces(const std::vector<TomlLine>& lines) {
 std::string relative_path(const fs::path& file, const fs::path& folder) {
     std::error_code error;
     const auto real = [&error](const fs::path& path) {
-        const fs::path whole = fs::absolute(path, error);
+        // The folder of a bare name is the current one, which fs::absolute does not know as "".
+        const fs::path whole = fs::absolute(path.empty() ? "." : path, error);
         const fs::path found = fs::weakly_canonical(whole, error);
         return error ? whole.lexically_normal() : found;
     };

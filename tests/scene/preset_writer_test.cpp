@@ -385,6 +385,29 @@ TEST_F(PresetWriter, ASceneBehindLinksIsFoundAgain) {
     EXPECT_TRUE(read_preset(folder_.write("looks/look.toml", text)).preset);
 }
 
+// As on a command line: names are seen from the current folder.
+TEST_F(PresetWriter, BareAndRelativeNamesLeadFromOneFolderToTheOther) {
+    namespace fs = std::filesystem;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder_.path() / "fragments");
+    const Preset look = *read_preset("boat.frag").preset;
+    const struct {
+        const char *file, *scene;
+    } cases[] = {{"look.toml", "boat.frag"},
+                 {"./look.toml", "boat.frag"},
+                 {"../look.toml", "fragments/boat.frag"},
+                 {"../presets/look.toml", "../fragments/boat.frag"}};
+    for (const auto& [file, scene] : cases) {
+        const PresetText bare = write_preset(look, file);
+        const PresetText whole = write_preset(look, fs::absolute(file));
+        ASSERT_TRUE(bare.text && whole.text) << file;
+        EXPECT_EQ(*bare.text, *whole.text);
+        EXPECT_NE(bare.text->find(std::string("scene = \"") + scene + "\"\n"), std::string::npos)
+            << *bare.text;
+    }
+    fs::current_path(before);
+}
+
 TEST_F(PresetWriter, WhatIsNoTomlIsAnErrorAtItsPlace) {
     const PresetText saved = write_preset(preset(), file_, "scene = \"x\"\ntime = \n");
     EXPECT_FALSE(saved.text);
