@@ -14,6 +14,9 @@
 namespace glint {
 namespace {
 
+// iFrame is an int: more than a year at 60 Hz, and settling counts a little further.
+constexpr double kMostFrames = 2e9;
+
 glm::ivec2 parse_size(const std::string& text) {
     glm::ivec2 size{0};
     const char* end = text.data() + text.size();
@@ -194,14 +197,14 @@ Image read_picture(Renderer& renderer, bool floats) {
 }
 
 int Playback::last_frame() const {
-    // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame. Times
-    // may be so long that frames cannot be counted; settling counts a little further.
-    constexpr double kMostFrames = 1 << 30;
+    // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame.
     return static_cast<int>(std::clamp(std::ceil(end * fps - 1e-6), 0.0, kMostFrames));
 }
 
 Frame Playback::frame(const Preset& preset, int index) const {
-    const auto time_of = [&](int k) { return k >= last_frame() ? end : k / fps; };
+    // The last frames are one frame apart, also where those before cannot be counted.
+    const double uncounted = std::max(end - kMostFrames / fps, 0.0);
+    const auto time_of = [&](int k) { return k >= last_frame() ? end : uncounted + k / fps; };
     const double time = time_of(index);
     const double previous =
         index == 0 ? -std::numeric_limits<double>::infinity() : time_of(index - 1);
