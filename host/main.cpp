@@ -102,7 +102,9 @@ void add_check(CLI::App& verb, CheckOptions& check) {
     verb.add_option("--hang", check.hang_seconds, "s that one frame may take")
         ->check(from(1.0, 1e5));
     verb.add_option("-o,--output", check.output, "a folder for the pictures of failures");
-    verb.add_flag("--json", check.view.json, "one JSON object on stdout");
+    CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");
+    verb.add_flag("--lines", check.lines, "a JSON object a line, whenever a case ends")
+        ->excludes(json);
 }
 
 void add_study(CLI::App& verb, StudyOptions& study) {
@@ -115,7 +117,7 @@ void add_study(CLI::App& verb, StudyOptions& study) {
     verb.add_flag("!--no-specialise", study.view.specialise,
                   "feed tweaks as uniforms instead of writing them in as constants");
     verb.add_option("--vary", study.vary,
-                    "name=a,b,c or name=a,...,z: instead of all quality tweaks")
+                    "name, name=a,b,c or name=a,...,z: instead of all quality tweaks")
         ->allow_extra_args(false);
     verb.add_option("--reference", study.reference, "name=value that counts as the truth")
         ->allow_extra_args(false);
@@ -127,8 +129,11 @@ void add_study(CLI::App& verb, StudyOptions& study) {
     verb.add_option("--pass", study.pass, "compare this buffer instead of the picture");
     verb.add_option("--frames", study.frames, "timed frames a row")->check(from(15, 100'000));
     verb.add_option("-o,--output", study.output, "a folder for the report");
-    verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
-    verb.add_flag("--json", study.view.json, "one JSON object on stdout");
+    CLI::Option* csv = verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
+    CLI::Option* json = verb.add_flag("--json", study.view.json, "one JSON object on stdout");
+    verb.add_flag("--lines", study.lines, "a JSON object a line, whenever a picture is drawn")
+        ->excludes(csv)
+        ->excludes(json);
 }
 
 int code(ExitCode exit_code) {

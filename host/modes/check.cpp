@@ -42,6 +42,24 @@ void print_table(const CheckedFile& file) {
                file.renderer);
 }
 
+Json to_json(const CheckedFile& file, const CaseResult& result) {
+    Json json = {{"scene", file.scene}};
+    json.update(glint::to_json(result));
+    return json;
+}
+
+// How far a file has come, on stdout; cases that were told of before are not told again.
+void print_lines(const CheckedFile& file, long total, std::size_t& told) {
+    for (; told < file.cases.size(); ++told) {
+        const Json line = {{"done", told + 1},
+                           {"of", total},
+                           {"renderer", file.renderer},
+                           {"case", to_json(file, file.cases[told])}};
+        fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+    std::fflush(stdout);
+}
+
 Json to_json(const std::vector<CheckedFile>& files) {
     Json cases = Json::array(), list = Json::array();
     std::size_t failed = 0;
@@ -54,11 +72,7 @@ Json to_json(const std::vector<CheckedFile>& files) {
                         {"cases", file.cases.size()},
                         {"failed", count(file, CaseVerdict::fail)},
                         {"seconds", file.seconds}});
-        for (const CaseResult& result : file.cases) {
-            Json json = {{"scene", file.scene}};
-            json.update(glint::to_json(result));
-            cases.push_back(std::move(json));
-        }
+        for (const CaseResult& result : file.cases) cases.push_back(to_json(file, result));
     }
     return {{"renderer", renderer}, {"failed", failed}, {"files", list}, {"cases", cases}};
 }
@@ -104,14 +118,17 @@ void run_check(const CheckOptions& options) {
                          .hang_seconds = options.hang_seconds};
         wanted.view.file = name;
         std::unique_ptr<Progress> bar;
-        files.push_back(check_file(wanted, [&](long done, long total) {
+        std::size_t told = 0;
+        files.push_back(check_file(wanted, [&](const CheckedFile& so_far, long total) {
             if (!bar)
                 bar = std::make_unique<Progress>("checking " + name.filename().string(), total);
-            bar->update(done);
+            bar->update(static_cast<long>(so_far.cases.size()));
+            if (options.lines) print_lines(so_far, total, told);
         }));
         bar.reset();
         sort_worst_first(files.back().cases);
-        if (!options.view.json && files.back().code == ExitCode::done) print_table(files.back());
+        const bool table = !options.view.json && !options.lines;
+        if (table && files.back().code == ExitCode::done) print_table(files.back());
     }
     if (!options.only.empty()) require_cases(files, options.only);
     if (options.view.json) fmt::print("{}\n", to_json(files).dump(2));

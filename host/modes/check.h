@@ -32,6 +32,7 @@ struct CheckOptions {
     std::filesystem::path output = "glint-check";  // a folder, for pictures of failures
     std::string only;                              // cases whose name begins so; empty: all
     double hang_seconds = 60.0;                    // how long one frame may take
+    bool lines = false;                            // of JSON on stdout, as cases end
 };
 
 // Throws Stop with exit code 6 when a case fails, after all files have been checked, or with the

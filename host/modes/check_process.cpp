@@ -230,21 +230,21 @@ std::string last_words(const Child& child, int code, double hang_seconds) {
 }  // namespace
 
 CheckedFile check_file(const FileCheck& wanted,
-                       const std::function<void(long done, long total)>& progress) {
+                       const std::function<void(const CheckedFile& so_far, long total)>& progress) {
     CheckedFile file{.scene = wanted.view.file.string()};
     const Stopwatch clock;
+    long total = 0;
     for (int start = 0; start <= kMostRestarts; ++start) {
         Child child(wanted, file.cases.size());
         std::string running;
         bool ended = false;
-        long total = 0;
         while (const auto line = child.next(wanted.hang_seconds)) {
             if (line->contains("renderer")) file.renderer = line->at("renderer");
             if (line->contains("cases")) total = line->at("cases");
             if (line->contains("begin")) running = line->at("begin");
             if (line->contains("result")) file.cases.push_back(case_from_json(line->at("result")));
             ended |= line->contains("end");
-            progress(static_cast<long>(file.cases.size()), total);
+            progress(file, total);
         }
         const int code = child.wait();
         if (ended) break;
@@ -256,6 +256,7 @@ CheckedFile check_file(const FileCheck& wanted,
         result.fail(last_words(child, code, wanted.hang_seconds));
         result.reproduce = fmt::format("glint check {} --case '{}'", file.scene, result.name);
         file.cases.push_back(std::move(result));
+        progress(file, total);
         if (running.empty()) break;
     }
     file.seconds = clock.ms() / 1000.0;

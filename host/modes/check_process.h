@@ -29,9 +29,9 @@ struct FileCheck {
     double hang_seconds = 60.0;  // how long one frame may take
 };
 
-// `progress` hears how many cases are done, of how many. Call before this process has a GL context:
-// drivers do not survive a fork.
+// `progress` hears what is known so far, and how many cases there are. Call before this process has
+// a GL context: drivers do not survive a fork.
 CheckedFile check_file(const FileCheck& wanted,
-                       const std::function<void(long done, long total)>& progress);
+                       const std::function<void(const CheckedFile& so_far, long total)>& progress);
 
 }  // namespace glint

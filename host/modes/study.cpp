@@ -14,6 +14,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Tells on stdout how far the studies of a file have come, for those who do not want to wait.
+class Lines {
+public:
+    Lines(bool wanted, const StudyPlan& plan, bool time_only) : wanted_(wanted) {
+        for (const Knob& knob : plan.knobs) {
+            of_ += knob.values.size() + (time_only ? 0 : knob.second ? 2 : 1);
+        }
+    }
+
+    // Another picture is drawn; the study as it stands now.
+    void tell(Study study, bool more_is_better, bool on_software) {
+        ++done_;
+        if (!wanted_) return;
+        judge(study, more_is_better, on_software);
+        const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
+        fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        std::fflush(stdout);
+    }
+
+private:
+    bool wanted_;
+    std::size_t done_ = 0, of_ = 0;  // pictures
+};
+
 // A scene that is studied: what every picture of it shares.
 struct Scenery {
     const StudyOptions& options;
@@ -24,7 +48,12 @@ struct Scenery {
     glm::ivec2 size;  // of what is compared
     std::string name;
     std::string key;  // of all that is the same for its pictures
+    Lines& lines;
 };
+
+void tell(const Scenery& scenery, const Knob& knob, const Study& study) {
+    scenery.lines.tell(study, knob.more_is_better, scenery.context.is_software());
+}
 
 bool is_encoded(const Scenery& scenery) {
     return scenery.how.pass == kImagePass;
@@ -92,7 +121,7 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         row.map = scenery.store.keep_map(key, measured.picture, reference->picture, scenery.size,
                                          encoded);
     }
-    previous = std::move(measured.picture);
+    if (!value.is_between) previous = std::move(measured.picture);
     return row;
 }
 
@@ -109,14 +138,20 @@ void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* ref
                                              before, reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
         if (auto kept = scenery.store.row(key)) {
-            previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
+            if (!value.is_between) {
+                previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
+            }
             study.rows.push_back(std::move(*kept));
         } else {
             study.rows.push_back(measure_row(scenery, knob, value, reference, key, previous));
             scenery.store.keep(key, study.rows.back());
         }
-        before = " after " + value.text;
+        study.rows.back().is_preset = same_setting(
+            value.setting, {.values = scenery.preset.values, .settle = scenery.preset.settle});
+        study.rows.back().is_between = value.is_between;
+        if (!value.is_between) before = " after " + value.text;
         progress.update(static_cast<long>(study.rows.size()));
+        tell(scenery, knob, study);
     }
 }
 
@@ -135,10 +170,12 @@ Study study_knob(const Scenery& scenery, const Knob& knob) {
     if (!study.time_only) {
         reference = draw_reference(scenery, knob, knob.reference);
         study.reference_picture = reference->file;
+        tell(scenery, knob, study);
         if (knob.second) {
             const Reference second = draw_reference(scenery, knob, *knob.second);
             study.reference_error =
                 difference(second.picture, reference->picture, is_encoded(scenery));
+            tell(scenery, knob, study);
         }
     }
     measure_rows(scenery, knob, reference ? &*reference : nullptr, study);
@@ -171,6 +208,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     const SceneFacts facts = scene_facts(
         compile_or_stop(preset, {.root = pass, .program = {.specialise = false}}), preset);
     const StudyPlan plan = plan_study(preset, facts, options);
+    Lines lines(options.lines, plan, options.time_only);
     const Scenery scenery{
         .options = options,
         .preset = preset,
@@ -181,7 +219,8 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
                 .specialise = view.specialise},
         .size = size_of(preset, pass),
         .name = file.stem().string(),
-        .key = key_of_preset(preset, context.renderer(), options.pass, view.specialise)};
+        .key = key_of_preset(preset, context.renderer(), options.pass, view.specialise),
+        .lines = lines};
     if (plan.knobs.empty()) {
         fmt::print(stderr,
                    "warning: {} has no quality tweaks and accumulates nothing; name a tweak with "
@@ -194,7 +233,8 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
         for (const std::string& left_out : plan.left_out) {
             study.notes.push_back("left out: " + left_out);
         }
-        if (!options.view.json && !options.csv) fmt::print("{}\n", to_table(study));
+        const bool table = !options.view.json && !options.csv && !options.lines;
+        if (table) fmt::print("{}\n", to_table(study));
         std::fflush(stdout);
     }
 }

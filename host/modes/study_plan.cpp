@@ -48,6 +48,14 @@ public:
 
     Knob knob(const Tweak& tweak, const std::vector<TweakValue>& values) const;
     Knob settle_knob(const std::vector<int>& values) const;
+    // With the preset's own value among them.
+    Knob with_own(Knob knob, KnobValue own) const;
+    Knob knob_and_own(const Tweak& tweak, const std::vector<TweakValue>& values) const {
+        return with_own(knob(tweak, values), value(tweak, preset_.values[index(tweak)]));
+    }
+    Knob settle_and_own(const std::vector<int>& values) const {
+        return with_own(settle_knob(values), settle(preset_.settle));
+    }
 
     KnobValue value(const Tweak& tweak, const TweakValue& value) const {
         KnobValue result{.text = format_value(tweak, value), .work = {}, .setting = setting()};
@@ -191,6 +199,17 @@ Knob Planner::settle_knob(const std::vector<int>& values) const {
     return result;
 }
 
+Knob Planner::with_own(Knob knob, KnobValue own) const {
+    const auto same = [&](const KnobValue& v) { return v.text == own.text; };
+    if (!own.work || std::any_of(knob.values.begin(), knob.values.end(), same)) return knob;
+    own.is_between = true;
+    const auto after =
+        std::find_if(knob.values.begin(), knob.values.end(),
+                     [&](const KnobValue& v) { return v.work.value_or(0.0) > *own.work; });
+    knob.values.insert(after, std::move(own));
+    return knob;
+}
+
 // From the least to the most, doubled or evenly.
 std::vector<TweakValue> spread_values(const Tweak& tweak, double least, double most) {
     std::vector<TweakValue> list;
@@ -223,6 +242,22 @@ std::vector<TweakValue> values_of(const Tweak& tweak) {
     }
     if (!is_number(tweak) || !tweak.min || !tweak.max) return {};
     return spread_values(tweak, *tweak.min, *tweak.max);
+}
+
+// A knob with its own values: those that it takes where nobody names any.
+Knob named_knob(const Planner& planner, const Preset& preset, const SceneFacts& facts,
+                const std::string& name) {
+    const Tweak* tweak = find_tweak(preset.scene, name);
+    if (!tweak && name == kSettle && facts.accumulates)
+        return planner.settle_and_own(kSettleValues);
+    const std::vector<TweakValue> values = tweak ? values_of(*tweak) : std::vector<TweakValue>();
+    if (values.empty()) {
+        throw UsageError(
+            fmt::format("--vary {}: the scene has no such tweak with a range or a menu; name its "
+                        "values with --vary {}=a,b,c.",
+                        name, name));
+    }
+    return planner.knob_and_own(*tweak, values);
 }
 
 Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts& facts,
@@ -301,7 +336,10 @@ StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyO
     const Planner planner(preset, facts, options);
     StudyPlan plan;
     for (const std::string& text : options.vary) {
-        plan.knobs.push_back(varied_knob(planner, preset, facts, split(text, "--vary")));
+        const bool only_named = text.find('=') == std::string::npos;
+        plan.knobs.push_back(only_named
+                                 ? named_knob(planner, preset, facts, text)
+                                 : varied_knob(planner, preset, facts, split(text, "--vary")));
     }
     if (!plan.knobs.empty()) return plan;
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
@@ -313,10 +351,10 @@ StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyO
         } else if (values.empty()) {
             plan.left_out.push_back(tweak.name + ": it has no range; name values with --vary");
         } else {
-            plan.knobs.push_back(planner.knob(tweak, values));
+            plan.knobs.push_back(planner.knob_and_own(tweak, values));
         }
     }
-    if (facts.accumulates) plan.knobs.push_back(planner.settle_knob(kSettleValues));
+    if (facts.accumulates) plan.knobs.push_back(planner.settle_and_own(kSettleValues));
     return plan;
 }
 

@@ -19,6 +19,9 @@ struct KnobValue {
     std::string text{};            // as a person types it
     std::optional<double> work{};  // the number; none for menus and switches
     Setting setting{};
+    // The preset's own value, which is studied as well: it may lie close to a value of the list, so
+    // that nothing follows from how alike their pictures are.
+    bool is_between = false;
 };
 
 struct Knob {

@@ -105,7 +105,8 @@ void fit(Study& study, bool more_is_better) {
 void find_plateau(Study& study, bool more_is_better) {
     std::vector<const StudyRow*> rows;
     for (const StudyRow& row : study.rows) {
-        if (has_error(row) && row.work && !row.is_reference) rows.push_back(&row);
+        const bool compares = row.work && !row.is_reference && !row.is_between;
+        if (has_error(row) && compares) rows.push_back(&row);
     }
     if (rows.size() < 2) return;
     const StudyRow& best = more_is_better ? *rows.back() : *rows.front();
@@ -168,8 +169,11 @@ Json to_json(const Study& study, const StudyRow& row) {
     json["pareto"] = row.pareto;
     json["near_reference"] = row.near_reference;
     json["is_reference"] = row.is_reference;
+    json["is_preset"] = row.is_preset;
     json["resumed"] = row.resumed;
     if (!row.failed.empty()) json["failed"] = row.failed;
+    if (!row.picture.empty()) json["picture"] = row.picture;
+    if (!row.map.empty()) json["map"] = row.map;
     return json;
 }
 
@@ -235,22 +239,25 @@ Json to_json(const Study& study) {
     Json rows = Json::array();
     for (const StudyRow& row : study.rows) rows.push_back(to_json(study, row));
     const auto optional = [](const std::optional<double>& v) { return v ? Json(*v) : Json(); };
-    return {{"scene", study.scene},
-            {"knob", study.knob},
-            {"reference", study.reference},
-            {"second_reference", study.second},
-            {"reference_error", study.reference_error ? to_json(*study.reference_error) : Json()},
-            {"renderer", study.renderer},
-            {"machine", study.machine},
-            {"clock", to_string(study.clock)},
-            {"size", {study.size.x, study.size.y}},
-            {"compared", study.pass},
-            {"metric", study.time_only ? "time" : "error"},
-            {"order", optional(study.order)},
-            {"cost_exponent", optional(study.cost_exponent)},
-            {"findings", study.findings},
-            {"notes", study.notes},
-            {"rows", rows}};
+    Json json = {
+        {"scene", study.scene},
+        {"knob", study.knob},
+        {"reference", study.reference},
+        {"second_reference", study.second},
+        {"reference_error", study.reference_error ? to_json(*study.reference_error) : Json()},
+        {"renderer", study.renderer},
+        {"machine", study.machine},
+        {"clock", to_string(study.clock)},
+        {"size", {study.size.x, study.size.y}},
+        {"compared", study.pass},
+        {"metric", study.time_only ? "time" : "error"},
+        {"order", optional(study.order)},
+        {"cost_exponent", optional(study.cost_exponent)},
+        {"findings", study.findings},
+        {"notes", study.notes},
+        {"rows", rows}};
+    if (!study.reference_picture.empty()) json["reference_picture"] = study.reference_picture;
+    return json;
 }
 
 std::string to_table(const Study& study) {

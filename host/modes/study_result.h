@@ -32,7 +32,9 @@ struct StudyRow {
     std::optional<Difference> error{};  // none without a reference
     // To the row before, in the order of values: do the values converge, wherever to?
     std::optional<double> rmse_to_previous{};
-    std::string failed{};  // why there is no picture to compare
+    std::string failed{};     // why there is no picture to compare
+    bool is_preset = false;   // the preset's own value
+    bool is_between = false;  // as in KnobValue
     // Judged afterwards.
     bool is_reference = false;
     bool pareto = false;           // no other row is both faster and nearer

@@ -255,5 +255,24 @@ TEST_F(Check, MistakesHaveTheSameCodesAsAStill) {
     EXPECT_NE(outcome.out.find("scene.frag: 0 of"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Check, LinesTellOfEachCaseAsItEnds) {
+    const Outcome outcome =
+        glint({"check", scene("planted_bad_size").string(), "--lines", "--case", "size"});
+    EXPECT_EQ(outcome.code, 6) << outcome.err;
+    std::istringstream lines(outcome.out);
+    std::string line;
+    long done = 0, of = -1, failed = 0;
+    while (std::getline(lines, line)) {
+        const Json json = Json::parse(line, nullptr, false);
+        ASSERT_TRUE(json.is_object()) << line;
+        EXPECT_EQ(json["done"], ++done);
+        of = json["of"];
+        failed += json["case"]["verdict"] == "fail";
+        EXPECT_TRUE(json["case"]["case"].get<std::string>().starts_with("size"));
+    }
+    EXPECT_EQ(done, of);
+    EXPECT_GT(failed, 0);
+}
+
 }  // namespace
 }  // namespace glint::cli

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <sstream>
 #include <thread>
 
 namespace glint::cli {
@@ -150,6 +151,48 @@ TEST_F(Study, ABufferIsComparedAsItIs) {
     EXPECT_NEAR(json["rows"][1]["rmse"].get<double>(), 0.5 - 1.0 / 8.0, 1e-4);
 }
 
+TEST_F(Study, LinesTellOfEachPictureAsItIsDrawn) {
+    const Outcome outcome = glint(
+        {"study", scene("quadrature").string(), "--size", "64x36", "--frames", "15", "--lines"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    std::string line;
+    std::size_t done = 0, rows = 0;
+    while (std::getline(lines, line)) {
+        const Json json = Json::parse(line, nullptr, false);
+        ASSERT_TRUE(json.is_object()) << line;
+        EXPECT_EQ(json["done"], ++done);
+        EXPECT_EQ(json["of"], 9) << "seven rows and two references";
+        EXPECT_EQ(json["study"]["knob"], "steps");
+        EXPECT_GE(json["study"]["rows"].size(), rows);
+        rows = json["study"]["rows"].size();
+    }
+    EXPECT_EQ(done, 9u);
+    EXPECT_EQ(rows, 7u);
+    EXPECT_EQ(glint({"study", scene("quadrature").string(), "--lines", "--json"}).code, 2);
+}
+
+TEST_F(Study, AKnobThatIsOnlyNamedHasItsOwnValuesAndThePresets) {
+    write(
+        "scene.frag",
+        "uniform int n; //@ 1 [1, 32] quality reference=4096\n"
+        "uniform int m; //@ 1 [1, 4] quality\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(vec3(0.2 + 0.5 / float(n * m)), 1); }\n");
+    // 31 and 32 are more alike than the reference is far: no reason to doubt the reference.
+    write("look.toml", "scene = \"scene.frag\"\n[tweaks]\nn = 31\n");
+    const Outcome outcome = glint({"study", "look.toml", "--size", "8x8", "--vary", "n", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    ASSERT_EQ(json["studies"].size(), 1u);
+    std::string values;
+    for (const Json& row : json["rows"]) {
+        values += row["value"].get<std::string>() + " ";
+        EXPECT_EQ(row["is_preset"], row["value"] == "31");
+    }
+    EXPECT_EQ(values, "1 2 4 8 16 31 32 ");
+    EXPECT_EQ(json["findings"], Json::array());
+}
+
 TEST_F(Study, SeveralScenesAreOneReportThatOpensOffline) {
     const Outcome outcome =
         glint({"study", scene("quadrature").string(), scene("planted_diverged").string(), "--size",
@@ -228,6 +271,8 @@ TEST_F(Study, MistakesHaveTheSameCodesAsAStill) {
     EXPECT_EQ(glint({"study", "wrong.frag"}).code, 3);
     EXPECT_EQ(glint({"study", "gone.frag"}).code, 4);
     EXPECT_EQ(glint({"study", quadrature, "--vary", "none=1,2"}).code, 2);
+    EXPECT_EQ(glint({"study", quadrature, "--vary", "none"}).code, 2);
+    EXPECT_EQ(glint({"study", quadrature, "--vary", "settle"}).code, 2);
     EXPECT_EQ(glint({"study", quadrature, "--vary", "steps=1,many"}).code, 2);
     EXPECT_EQ(glint({"study", quadrature, "--vary", "steps=1,65"}).code, 2);
     EXPECT_EQ(glint({"study", quadrature, "--vary", "settle=1,2"}).code, 2);
