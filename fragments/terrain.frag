@@ -34,12 +34,12 @@ uniform float ruggedness;      //@ 1.0 [0, 2] "ridges and gullies"
 uniform float trees;           //@ 0.6 [0, 1] "share of the green that is woods"
 uniform float rockLine;        //@ 12 [-5, 60] unit=m "where meadows end"
 uniform float snowLine;        //@ 19 [-5, 80] unit=m "where snow begins"
-uniform vec3  grassColour;     //@ #7ea24a "of meadows"
+uniform vec3  grassColour;     //@ #6f9a44 "of meadows"
 uniform vec3  rockColour;      //@ #a48563 "of cliffs"
 //@ group Water
 uniform float waterLevel;      //@ 0 [-16, 12] unit=m "of the lake"
-uniform float waveHeight;      //@ 0.3 [0, 1.5] unit=m "of the longest waves"
-uniform float waveLength;      //@ 6 [2, 24] log unit=m "between points of the longest waves' noise"
+uniform float waveHeight;      //@ 0.2 [0, 1.5] unit=m "of the longest waves"
+uniform float waveLength;      //@ 4.5 [2, 24] log unit=m "of the noise of the longest waves"
 uniform vec3  waterTint;       //@ #49b3c2 "what 10 m of water leave of white light"
 uniform float murk;            //@ 0.35 [0, 2] "share of what is lost that comes back scattered"
 uniform float caustics;        //@ 0.7 [0, 1] "light that waves gather on the bed"
@@ -48,7 +48,7 @@ uniform float animation;       //@ 1.0 [0, 4] "speed of everything that moves"
 uniform float sunHeight;       //@ 30 [1, 85] unit=deg "over the horizon"
 uniform float sunAngle;        //@ -100 [-180, 180] unit=deg "0 is straight ahead of the camera's 0"
 uniform float sunSize;         //@ 0.8 [0.1, 3] log unit=deg "radius of the sun's disc"
-uniform float haze;            //@ 0.8 [0.1, 6] log "dust and moisture in the air"
+uniform float haze;           //@ 0.35 [0.1, 6] log "dust and moisture in the air"
 uniform float clouds;          //@ 0.5 [0, 1] "share of the sky that they cover"
 //@ group Camera
 uniform float cameraDistance;  //@ 250 [20, 600] log unit=m "from the point looked at"
@@ -102,14 +102,15 @@ const float kBed = -19.0;                  // m, no land is lower
 const float kSummit = 40.0;                // m, nor higher at relief 1
 const int   kCells = 512;                  // patches along a side
 const float kPerCell = 5.12;               // cells in a metre
-const float kTreeGap = 2.4;                // m
+const float kTreeGap = 1.9;                // m
 const int   kWaveCells = 64;               // of time, after which waves begin again
 const int   kSky = 0, kLand = 1, kWall = 2, kBottom = 3, kWater = 4, kSide = 5;
-// Hills of the land that is laid out by hand: place in half sides, height in m, radius.
+// Hills of the land that is laid out by hand: place in half sides, height in m, radius. The first
+// two are peaks.
 const vec4 kHills[8] = vec4[8](
-    vec4(-0.52, -0.46, 38.0, 0.74), vec4(0.06, -0.92, 27.0, 0.50), vec4(-1.02, 0.56, 27.0, 0.58),
-    vec4(1.04, 0.36, 30.0, 0.62), vec4(0.74, -0.86, 22.0, 0.46), vec4(0.20, -0.02, 18.0, 0.24),
-    vec4(-0.30, 1.08, 20.0, 0.44), vec4(-0.95, -0.95, 20.0, 0.46));
+    vec4(-0.50, -0.46, 28.0, 0.74), vec4(0.08, -0.90, 20.0, 0.54), vec4(-1.02, 0.60, 20.0, 0.50),
+    vec4(1.04, 0.38, 22.0, 0.54), vec4(0.76, -0.84, 18.0, 0.42), vec4(0.20, -0.02, 14.5, 0.20),
+    vec4(-0.42, 1.12, 18.0, 0.40), vec4(-0.95, -0.95, 17.0, 0.50));
 
 struct Hit { float t; int id; vec3 nor; };
 struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
@@ -198,7 +199,8 @@ vec3 bareLand(vec2 p) {
         vec4 hill = kHills[k];
         if (seed > 0) hill.xy = 2.2 * chance.xy - 1.1;
         vec2 d = (q / kHalf - hill.xy) / hill.w;
-        float r = sqrt(dot(d, d) + 0.03), e = hill.z * exp(-2.1 * r);   // a peak, hardly blunt
+        float blunt = k < 2 ? 0.17 : 0.5, r = sqrt(dot(d, d) + blunt * blunt);
+        float e = hill.z * exp(2.1 * (blunt - r));
         hills += vec3(e * -2.1 / (r * hill.w * kHalf) * d, e);
     }
     hills.xy = vec2(dot(hills.xy, acrossX), dot(hills.xy, acrossZ));
@@ -216,8 +218,8 @@ vec3 bareLand(vec2 p) {
     }
     float up = clamp((hills.z + 1.0) / 17.0, 0.0, 1.0), share = up * up * (3.0 - 2.0 * up);
     vec2 dShare = 6.0 * up * (1.0 - up) / 17.0 * hills.xy;
-    vec3 rough = mix(4.5 * smoothed, 34.0 * ridged, share);
-    rough.xy += (34.0 * ridged.z - 4.5 * smoothed.z) * dShare;
+    vec3 rough = mix(7.0 * smoothed, 34.0 * ridged, share);
+    rough.xy += (34.0 * ridged.z - 7.0 * smoothed.z) * dShare;
     vec3 sum = hills + ruggedness * rough;
     // Beaches: flatter near the lake's usual level.
     float x = sum.z / 1.5, beach = 0.62 * exp(-min(x * x, 60.0));
@@ -385,24 +387,25 @@ vec3 daylight() {   // on level ground
 }
 
 float lodOf(float w) { return clamp(log2(max(w, 1e-6) * 512.0), 0.0, 9.0); }   // w: in tiles
-// What is seen along rd where the block is not: clouds over and under a clear sky; far below, haze.
+// What is seen along rd where the block is not: sky and clouds all round, below as above.
 // width: angle that is averaged, rad; disc: with the sun.
 vec3 background(vec3 rd, float width, bool disc) {
-    vec3 sun = sunDirection(), sum = clearSky(rd);
-    float away2 = max(2.0 - 2.0 * dot(rd, sun), 0.0), low = max(-rd.y, 0.0);
-    vec3 depth = 0.30 / kPi * daylight() * mix(vec3(1.0), vec3(0.50, 0.74, 1.0), low);
-    sum = mix(sum, depth, 1.0 - exp(-3.0 * low));
+    vec3 sun = sunDirection(), sum = clearSky(vec3(rd.x, abs(rd.y), rd.z));
+    float away2 = max(2.0 - 2.0 * dot(rd, sun), 0.0);
+    if (rd.y < 0.0) sum *= 1.0 + 0.25 * rd.y;
     if (clouds > 0.0) {
-        float y = abs(rd.y) + 0.30, w = 0.20 * width / (y * sqrt(y));   // both axes' mean
-        vec2 p = rd.xz / y * 0.20 + (rd.y < 0.0 ? 0.37 : 0.0), wind = vec2(cycles(0.0005), 0.0);
+        float y = abs(rd.y) + 0.30, w = 0.26 * width / (y * sqrt(y));   // both axes' mean
+        vec2 p = rd.xz / y * 0.26 + (rd.y < 0.0 ? 0.37 : 0.0), wind = vec2(cycles(0.0005), 0.0);
         vec2 n = 0.66 * textureLod(cloudTile, p + wind, lodOf(w)).xy
             + 0.34 * textureLod(cloudTile, 3.0 * p.yx - wind.yx, lodOf(3.0 * w)).xy;
-        float soft = 0.15 + min(3.0 * w, 0.3), level = 1.0 - clouds;
+        float soft = 0.17 + min(3.0 * w, 0.3), level = 1.02 - 0.9 * clouds;
         float cover = smoothstep(level - soft, level + soft, n.x);
-        float silver = 0.10 + 0.16 * clamp(0.5 + n.y, 0.0, 1.0) + 0.25 / (1.0 + 14.0 * away2);
-        vec3 white = sunBeam() * silver + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.16
-            + texelFetch(ambient, ivec2(3, 0), 0).rgb * 0.10;
-        cover *= smoothstep(0.0, 0.16, abs(rd.y)) * (rd.y < 0.0 ? 0.55 : 0.9);
+        float lit = clamp(0.5 + 1.2 * n.y, 0.0, 1.0) * (1.0 - 0.35 * cover);
+        float silver = 0.03 + 0.15 * lit + 0.20 / (1.0 + 14.0 * away2);
+        vec3 sunny = mix(sunBeam(), vec3(dot(sunBeam(), vec3(1.0 / 3.0))), 0.5);
+        vec3 white = sunny * silver + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.12
+            + texelFetch(ambient, ivec2(3, 0), 0).rgb * 0.12;
+        cover *= smoothstep(0.0, 0.16, abs(rd.y)) * 0.9;
         sum = mix(sum, white, cover);
     }
     if (disc) {
@@ -485,7 +488,7 @@ vec3 landColour(vec3 p, float up, float tree, vec4 n, vec4 fine) {
     vec3 rock = linearColour(rockColour), cliff = mix(rock * 0.55, rock * 1.2, n.y);
     float bleak = smoothstep(0.7, 1.2, y / max(snowLine, 1.0));
     cliff = mix(cliff, vec3(0.30, 0.29, 0.30) * (0.6 + 0.8 * n.y), bleak);
-    float steep = smoothstep(0.74, 0.56, up + 0.24 * (fine.x - 0.5));
+    float steep = smoothstep(0.74, 0.56, up + 0.16 * (fine.x - 0.5));
     c = mix(c, cliff, max(steep, smoothstep(-2.5, 2.5, y - rockLine)));
     float shore = p.y - waterLevel + 1.2 * (fine.x - 0.5);
     vec3 sand = vec3(0.62, 0.49, 0.30) * (0.75 + 0.5 * fine.y);
@@ -530,16 +533,16 @@ vec3 wallLight(vec3 p, vec3 nor, float w) {
     vec4 g = textureLod(land, landUv(p.xz), 0.0);
     float deep = nor.y < 0.0 ? 30.0 : max(g.z - p.y, 0.0);
     vec4 fine = textureLod(tile, (nor.y < 0.0 ? p.xz : vec2(along, p.y)) / 17.0, lodOf(w / 17.0));
-    float bent = p.y + 2.2 * sin(along / 13.0 + 2.0 * sin(along / 29.0)) + 1.6 * fine.x;
-    vec4 layer = textureLod(tile, vec2(along / 700.0, bent / 30.0), lodOf(w / 30.0));
-    vec4 seam = textureLod(tile, vec2(along / 500.0, bent / 9.0), lodOf(w / 9.0));
-    vec3 c = mix(vec3(0.17, 0.095, 0.055), vec3(0.52, 0.35, 0.20), smoothstep(0.30, 0.70, layer.y));
-    c = mix(c, vec3(0.30, 0.26, 0.24), smoothstep(-9.0, -19.0, bent) * 0.85);
-    c *= (0.62 + 0.76 * smoothstep(0.25, 0.75, seam.x)) * (0.80 + 0.40 * fine.y);
-    c = mix(vec3(0.055, 0.034, 0.022), c, smoothstep(0.5, 2.2, deep + 1.4 * (fine.x - 0.5)));
+    float bent = p.y + 2.2 * sin(along / 13.0 + 2.0 * sin(along / 29.0)) + 0.7 * fine.x;
+    vec4 layer = textureLod(tile, vec2(along / 700.0, bent / 34.0), lodOf(w / 34.0));
+    vec4 seam = textureLod(tile, vec2(along / 400.0, bent / 11.0), lodOf(w / 11.0));
+    vec3 c = mix(vec3(0.20, 0.105, 0.058), vec3(0.56, 0.37, 0.21), smoothstep(0.30, 0.70, layer.y));
+    c = mix(c, vec3(0.27, 0.24, 0.23), smoothstep(-11.0, -17.0, bent) * 0.85);
+    c *= (0.50 + 0.95 * smoothstep(0.30, 0.70, seam.x)) * (0.90 + 0.20 * fine.y);
+    c = mix(vec3(0.055, 0.034, 0.022), c, smoothstep(0.5, 2.0, deep + 1.2 * (fine.x - 0.5)));
     vec3 top = landColour(vec3(p.x, g.z, p.z), inversesqrt(1.0 + dot(g.xy, g.xy)), g.w, fine, fine);
     c = mix(top, c, smoothstep(0.1, 0.45 + w, deep + 0.5 * (fine.y - 0.5)));
-    nor = normalize(nor + 0.25 * (nor.y < 0.0 ? vec3(fine.z, 0.0, fine.w)
+    nor = normalize(nor + 0.12 * (nor.y < 0.0 ? vec3(fine.z, 0.0, fine.w)
         : fine.z * vec3(nor.z, 0.0, -nor.x) + vec3(0.0, fine.w, 0.0)));
     return c / kPi * (sunBeam() * max(dot(nor, sunDirection()), 0.0) + ambientLight(nor));
 }
@@ -735,7 +738,7 @@ void mainLand(out vec4 colour, in vec2 pixel) {
         vec2 at = (vec2(c) + 0.5 + 0.62 * (chance.xy - 0.5)) * kTreeGap;
         vec3 ground = textureLod(bare, landUv(at), 0.0).xyz;
         float wood = perlinPlane(at / 13.0, 64 * seed + 20, -1).z + 0.6 * (chance.z - 0.5);
-        float above = ground.z - waterLevel, radius = mix(0.75, 1.25, look.x);
+        float above = ground.z - waterLevel, radius = mix(0.55, 1.0, look.x);
         bool grows = wood > 0.55 - trees && above > 1.1 && ground.z < rockLine + 2.0 * look.y
             && dot(ground.xy, ground.xy) < 0.7 && trees > 0.0
             && max(abs(at.x), abs(at.y)) < kHalf - radius - 0.2;
@@ -743,7 +746,7 @@ void mainLand(out vec4 colour, in vec2 pixel) {
         vec2 d = p - at;
         float r = length(d) / radius;
         if (!grows || r >= 1.0) continue;
-        float tall = fir ? 2.9 * radius : 1.75 * radius;
+        float tall = fir ? 3.1 * radius : 1.7 * radius;
         float top = ground.z + tall * (fir ? 1.0 - r : 1.0 - r * r * r);
         vec2 slope = d / (max(r, 1e-3) * radius * radius) * -tall * (fir ? 1.0 : 3.0 * r * r);
         if (top > colour.z)

@@ -155,7 +155,7 @@ TEST_F(Terrain, NoiseHasNoSeamAndItsTimeClosesAfter64Cells) {
         ASSERT_EQ(d, glm::vec4(0.0f));
 }
 
-// The longest waves begin again after 64 cells of their third axis: 65536 / 376 s. Across that
+// The longest waves begin again after 64 cells of their third axis: 65536 / 434 s. Across that
 // moment the waves change as they do at any other.
 TEST_F(Terrain, WavesDoNotJumpWhenTheirTimeCloses) {
     Player player(terrain_text(""), {.pass = "waves"});
@@ -176,7 +176,7 @@ TEST_F(Terrain, WavesDoNotJumpWhenTheirTimeCloses) {
         EXPECT_GT(sum, 0.0) << "the water stands still";
         return glm::dvec2(sum, most);
     };
-    const double closes = 65536.0 / 376.0;
+    const double closes = 65536.0 / 434.0;
     const glm::dvec2 usual = change(17.3);
     for (const double start : {closes - 0.5 / 60.0, 2.0 * closes - 0.5 / 60.0}) {
         const glm::dvec2 d = change(start);
@@ -208,23 +208,25 @@ struct Land {
 
 // The same land as the scene's, in double, without its derivatives.
 double bare_land(glm::dvec2 p) {
-    constexpr std::array<std::array<double, 4>, 8> kHills = {{{-0.52f, -0.46f, 38.0f, 0.74f},
-                                                              {0.06f, -0.92f, 27.0f, 0.50f},
-                                                              {-1.02f, 0.56f, 27.0f, 0.58f},
-                                                              {1.04f, 0.36f, 30.0f, 0.62f},
-                                                              {0.74f, -0.86f, 22.0f, 0.46f},
-                                                              {0.20f, -0.02f, 18.0f, 0.24f},
-                                                              {-0.30f, 1.08f, 20.0f, 0.44f},
-                                                              {-0.95f, -0.95f, 20.0f, 0.46f}}};
+    constexpr std::array<std::array<double, 4>, 8> kHills = {{{-0.50f, -0.46f, 28.0f, 0.74f},
+                                                              {0.08f, -0.90f, 20.0f, 0.54f},
+                                                              {-1.02f, 0.60f, 20.0f, 0.50f},
+                                                              {1.04f, 0.38f, 22.0f, 0.54f},
+                                                              {0.76f, -0.84f, 18.0f, 0.42f},
+                                                              {0.20f, -0.02f, 14.5f, 0.20f},
+                                                              {-0.42f, 1.12f, 18.0f, 0.40f},
+                                                              {-0.95f, -0.95f, 17.0f, 0.50f}}};
     const auto turned = [](glm::dvec2 v, double angle) {
         return glm::dvec2(std::cos(angle) * v.x + std::sin(angle) * v.y,
                           std::cos(angle) * v.y - std::sin(angle) * v.x);
     };
     const glm::dvec2 q = p + 11.0 * glm::dvec2(plane_noise(p / 31.0, 1), plane_noise(p / 31.0, 2));
     double hills = -12.5, smooth = 0.0, ridged = 0.0;
-    for (const auto& hill : kHills) {
+    for (std::size_t k = 0; k < kHills.size(); ++k) {
+        const auto& hill = kHills[k];
         const glm::dvec2 d = (q / kHalf - glm::dvec2(hill[0], hill[1])) / hill[3];
-        hills += hill[2] * std::exp(-2.1 * std::sqrt(dot(d, d) + 0.03));
+        const double blunt = k < 2 ? 0.17f : 0.5f;
+        hills += hill[2] * std::exp(2.1 * (blunt - std::sqrt(dot(d, d) + blunt * blunt)));
     }
     for (int k = 0; k < 6; ++k) {
         const double n = plane_noise(turned(p, 0.6 * k) / (31.0 * std::exp2(-k)), 8 + k);
@@ -233,7 +235,7 @@ double bare_land(glm::dvec2 p) {
     }
     const double up = std::clamp((hills + 1.0) / 17.0, 0.0, 1.0);
     const double share = up * up * (3.0 - 2.0 * up);
-    double h = hills + 4.5 * smooth * (1.0 - share) + 34.0 * ridged * share;
+    double h = hills + 7.0 * smooth * (1.0 - share) + 34.0 * ridged * share;
     h *= 1.0 - 0.62 * std::exp(-std::pow(h / 1.5, 2.0));
     return std::clamp(h, -19.0, 40.0);
 }
