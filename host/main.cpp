@@ -261,11 +261,7 @@ int run(int argc, char** argv) {
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });
     if (sequence_verb.parsed()) return guarded([&] { run_sequence(sequence); });
     if (sound_verb.parsed()) return guarded([&] { run_sound(sound); });
-    if (import_verb.parsed()) {
-        return guarded([&] {
-            for (const auto& name : import_shadertoys(import)) fmt::print("{}\n", name.string());
-        });
-    }
+    if (import_verb.parsed()) return guarded([&] { run_import(import); });
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
     if (check_verb.parsed()) return guarded([&] { run_check(check); });
     if (study_verb.parsed()) return guarded([&] { run_study(study); });

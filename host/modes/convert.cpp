@@ -26,12 +26,11 @@ fs::path numbered(const fs::path& output, std::size_t index) {
 
 }  // namespace
 
-std::vector<fs::path> import_shadertoys(const ImportOptions& options) {
+std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostics& diagnostics) {
     if (options.output.extension() != ".frag") {
         throw UsageError(fmt::format("A scene file ends with .frag; name one behind -o, such as {}",
                                      fs::path(options.output).replace_extension(".frag").string()));
     }
-    Diagnostics diagnostics;
     const std::vector<Shadertoy> shaders = read(options.input, diagnostics);
     std::vector<fs::path> names;
     std::vector<std::string> texts;
@@ -40,7 +39,7 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options) {
         texts.push_back(
             scene_text(shaders[i], options.input, options.output.parent_path(), diagnostics));
     }
-    report(diagnostics);
+    if (has_errors(diagnostics)) return {};
     std::error_code error;
     for (const fs::path& name : names) {
         if (fs::exists(name, error))
@@ -51,6 +50,36 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options) {
     for (std::size_t i = 0; i < names.size(); ++i)
         write_whole_file(names[i], std::as_bytes(std::span(texts[i])));
     return names;
+}
+
+bool is_shadertoy(const fs::path& file) {
+    std::error_code error;
+    return file.extension() == ".json" || fs::is_directory(file, error);
+}
+
+ImportedBeside import_beside(const fs::path& input) {
+    const fs::path scene = fs::path(input).replace_extension(".frag");
+    const std::string name = scene.filename().string();
+    std::error_code error;
+    if (fs::exists(scene, error)) return {scene, fmt::format("{} was there already", name)};
+    Diagnostics diagnostics;
+    try {
+        import_shadertoys({.input = input, .output = scene}, diagnostics);
+    } catch (const std::exception& problem) {
+        return {{}, problem.what()};
+    }
+    for (const Diagnostic& diagnostic : diagnostics)
+        fmt::print(stderr, "{}\n", to_string(diagnostic));
+    if (has_errors(diagnostics)) return {{}, diagnostics.front().text};
+    if (diagnostics.empty()) return {scene, fmt::format("{} written", name)};
+    return {scene, fmt::format("{}: {}", name, diagnostics.front().text)};
+}
+
+void run_import(const ImportOptions& options) {
+    Diagnostics diagnostics;
+    const auto names = import_shadertoys(options, diagnostics);
+    report(diagnostics);
+    for (const fs::path& name : names) fmt::print("{}\n", name.string());
 }
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 #include "gl/window.h"
 #include "image/image.h"
 #include "modes/browser.h"
+#include "modes/convert.h"
 #include "modes/crash_mark.h"
 #include "modes/editor.h"
 #include "modes/inspect.h"
@@ -79,6 +80,7 @@ private:
     void take_still();
     void toggle_recording();
     void edit(const Diagnostic& diagnostic);
+    void drop(const fs::path& file);
     void notice(std::string text);
 
     // Drawing
@@ -353,6 +355,13 @@ void PlaygroundWindow::open(const fs::path& file) {
     dirty_ = true;
 }
 
+void PlaygroundWindow::drop(const fs::path& file) {
+    if (!is_shadertoy(file)) return open(file);
+    const ImportedBeside imported = import_beside(file);
+    notice(imported.notice);
+    if (!imported.scene.empty()) open(imported.scene);
+}
+
 void PlaygroundWindow::notice(std::string text) {
     notice_ = std::move(text);
     dirty_ = true;
@@ -452,7 +461,7 @@ void PlaygroundWindow::handle(const WindowEvent& event) {
             handle_mouse(event);
             break;
         case WindowEvent::Kind::drop:
-            if (!event.files.empty()) open(event.files.front());
+            if (!event.files.empty()) drop(event.files.front());
             break;
         case WindowEvent::Kind::resize:
             break;

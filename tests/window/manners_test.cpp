@@ -23,6 +23,30 @@ TEST_F(Manners, AFileThatIsDroppedOnTheWindowIsOpened) {
     EXPECT_TRUE(shows({91, 80, 70}, {3, 300})) << glint_->errors();
 }
 
+TEST_F(Manners, AShadertoyThatIsDroppedBecomesASceneBesideIt) {
+    open(flat({1, 2, 3}));
+    const auto shader = [](int red) {
+        return R"([{"renderpass": [{"type": "image", "name": "Image", "inputs": [], "outputs": [],
+            "code": "void mainImage(out vec4 c, in vec2 p) { c = vec4()" +
+               std::to_string(red) + R"(, 80, 70, 255) / 255.0; }"}]}])";
+    };
+    write(folder_->path() / "toy.json", shader(90));
+    EXPECT_TRUE(screen_->drop(folder_->path() / "toy.json"));
+    EXPECT_TRUE(shows({90, 80, 70}, {3, 300})) << glint_->errors();
+    EXPECT_TRUE(eventually([&] { return screen_->title() == "toy - Glint"; }));
+    // It may have been worked on since.
+    write(folder_->path() / "toy.frag", flat({91, 80, 70}));
+    EXPECT_TRUE(shows({91, 80, 70}, {3, 300})) << glint_->errors();
+    EXPECT_TRUE(screen_->drop(folder_->path() / "toy.json"));
+    std::this_thread::sleep_for(500ms);
+    EXPECT_TRUE(shows({91, 80, 70}, {3, 300})) << glint_->errors();
+    // What is no shader leaves the scene as it is.
+    write(folder_->path() / "broken.json", "{");
+    EXPECT_TRUE(screen_->drop(folder_->path() / "broken.json"));
+    EXPECT_TRUE(glint_->says("this is no JSON")) << glint_->errors();
+    EXPECT_TRUE(shows({91, 80, 70}, {3, 300}));
+}
+
 TEST_F(Manners, AHeldFrameRateLowersTheResolutionAndLettingGoRestoresIt) {
     // One colour where the picture is as fine as the window, another where it is coarser.
     open(
