@@ -21,9 +21,9 @@
 //          Olano, JCGT 9(3) (2020): pcg3d.
 // Units    1 unit = 1 m, y up, 0 the water at rest, the boat at x = z = 0; linear sRGB colour, noon
 //          sun 10. In the boat's frame x is to port, y up, z forward.
-// Passes   air, sky: on change of a tweak. boat, wake: the simulation, 240 steps a second. Every
-//          frame: wavelets, poses (tiny), relief (the wake's slopes), the picture.
-// Bounds   Slopes of the long waves sum to 0.94. The loops of a pixel stay below 45,000 turns.
+// Passes   air, sky, motif: on change of a tweak. boat, wake: the simulation, 240 a second.
+//          Every frame: wavelets, poses (tiny), relief (the wake's slopes), the picture.
+// Bounds   Slopes of the long waves sum to 0.95. The loops of a pixel stay below 45,000 turns.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -44,32 +44,33 @@ uniform float depth;           //@ 2.4 [0.8, 40] log unit=m "of the water over t
 uniform float longestWave;     //@ 4.5 [1.5, 40] log unit=m "crest to crest"
 uniform float steepness;       //@ 0.26 [0, 1] "of the long waves; 1 is a gale"
 uniform float choppiness;      //@ 0.5 [0, 1] "sharpness of their crests"
-uniform float ripples;         //@ 0.8 [0, 2] "steepness of the short waves"
+uniform float ripples;         //@ 0.6 [0, 2] "steepness of the short waves"
 uniform float windAngle;       //@ 50 [-180, 180] unit=deg "where wind and waves go; 0 is ahead"
-uniform vec3  waterTint;       //@ #5fd6d8 "what 3 m of water leave of white light"
-uniform vec3  deepColour;      //@ #0b6a78 "what deep water scatters back"
+uniform vec3  waterTint;       //@ #67c3d6 "what 3 m of water leave of white light"
+uniform vec3  deepColour;      //@ #08546c "what deep water scatters back"
 uniform float floorShare;      //@ 1.0 [0, 1] "of the sand in the water; 1 is physical, 0 hides it"
 uniform float caustics;        //@ 1.0 [0, 1] "light gathered by the waves; 0 is even light"
 uniform float foam;            //@ 0.5 [0, 1] "on breaking crests and in the wake"
 uniform float animation;       //@ 1.0 [0, 2] "speed of waves and rain"
 //@ group Weather
 uniform float sunHeight;       //@ 46 [0, 80] unit=deg "over the horizon"
-uniform float sunAngle;        //@ 62 [-180, 180] unit=deg "to the right of the way she starts"
+uniform float sunAngle;        //@ -118 [-180, 180] unit=deg "to the right of the way she starts"
 uniform float sunSize;         //@ 0.27 [0.1, 3] log unit=deg "radius of the sun's disc"
 uniform float haze;            //@ 1.0 [0.1, 6] log "dust in the air"
-uniform float clouds;          //@ 0.45 [0, 1] "how much of the sky they cover"
+uniform float clouds;          //@ 0.75 [0, 1] "how much of the sky they cover"
 uniform float overcast;        //@ 0.0 [0, 1] "a grey lid over everything"
 uniform float rain;            //@ 0.0 [0, 1] "streaks, and rings on the water"
 uniform float visibility;      //@ 9000 [60, 30000] log unit=m "where 63 % of the light is air"
 //@ group Camera
 uniform float cameraDistance;  //@ 8.5 [3, 40] unit=m "from the boat, level"
-uniform float cameraAngle;     //@ 38 [-180, 180] unit=deg "round it; 0 is astern"
-uniform float cameraHeight;    //@ 2.6 [0.3, 20] unit=m "of the eye, and never inside a wave"
+uniform float cameraAngle;     //@ -60 [-180, 180] unit=deg "round it; 0 is astern"
+uniform float cameraHeight;    //@ 3.0 [0.3, 20] unit=m "of the eye, and never inside a wave"
 uniform float targetHeight;    //@ 1.0 [-2, 5] unit=m "of the point looked at"
+uniform float targetShift;     //@ 0.0 [-8, 8] unit=m "of the point looked at, to the right"
 uniform bool  chase;           //@ on "the camera turns with the boat"
 uniform float steadiness;      //@ 0.5 [0, 1] "of the head at the helm; 0 moves as the deck does"
 uniform float focalLength;     //@ 28 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
-uniform float exposure;        //@ -0.6 [-6, 6] unit=stop "before the display curve"
+uniform float exposure;        //@ -0.8 [-6, 6] unit=stop "before the display curve"
 //@ group Quality
 uniform int   integrator; //@ 2 {explicit, semi-implicit, exact} quality reference=2 "of the float"
 uniform int   substeps;        //@ 1 [1, 64] log quality reference=64 "of the float in 1/240 s"
@@ -85,8 +86,9 @@ uniform sampler2D air;         //@ pass mainAir size=64x128
 uniform sampler2D sky; //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D boat;        //@ pass mainBoat size=5x1 step=1/240 filter=nearest
 uniform sampler2D wake;        //@ pass mainWake size=192x192 step=1/240 filter=nearest
-uniform sampler2D wavelets;    //@ pass mainWavelets size=20x1 filter=nearest
+uniform sampler2D wavelets;    //@ pass mainWavelets size=23x1 filter=nearest
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
+uniform sampler2D motif; //@ pass mainMotif size=512x512 format=rgba8 wrap=repeat filter=mipmap
 uniform sampler2D relief;      //@ pass mainRelief size=192x192 wrap=repeat filter=linear
 
 // ---- Constants and numbers ----------------------------------------------------------------------
@@ -105,7 +107,7 @@ const float kMastAt = 0.46, kMastTop = 4.15;            // m, z and y
 const float kTack = 0.95, kHead = 3.95, kChord = 1.95;  // m, the sail: y, y, length along the boom
 const int   kWater = -1, kNone = 0, kPlanks = 1, kWell = 2, kDeck = 3, kRail = 4, kThwart = 5;
 const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
-const float kSteep[8] = float[8](0.060, 0.075, 0.085, 0.085, 0.085, 0.080, 0.075, 0.065);
+const float kSteep[8] = float[8](0.072, 0.090, 0.102, 0.102, 0.102, 0.096, 0.090, 0.076);
 
 struct Hit { float t; int part; vec3 nor, q; };   // q: in the boat's frame
 struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
@@ -247,7 +249,7 @@ float steepestShape() {
 
 // What all rays of a pixel share, fetched once: this frame's waves, with phases at the boat; the
 // boat's frame, its place in the world; light from the whole sky.
-vec4 gKx[5], gKz[5], gHeight[5], gPhase[5];
+vec4 gKx[5], gKz[5], gHeight[5], gPhase[5], gLens[3];   // gLens: heights that gather light
 mat3 gAxes;
 vec2 gPlace;
 float gHeave, gBoom, gRudder;
@@ -258,6 +260,7 @@ void loadWavelets() {
         gKz[g] = texelFetch(wavelets, ivec2(4 * g + 1, 0), 0);
         gHeight[g] = texelFetch(wavelets, ivec2(4 * g + 2, 0), 0);
         gPhase[g] = texelFetch(wavelets, ivec2(4 * g + 3, 0), 0);
+        if (g < 3) gLens[g] = texelFetch(wavelets, ivec2(20 + g, 0), 0);
     }
 }
 vec3 loadBoat() {
@@ -275,7 +278,7 @@ vec3 loadBoat() {
 
 // Adds four waves, averaged over a Gaussian footprint with covariance blur (xx, zz, xz; m^2): a
 // cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread.
-// The value: how much all crests are in line, in slope.
+// The value: how much their crests, with some of their backs, are in line, in slope.
 float addGroup(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
     vec4 x = gKx[g], z = gKz[g], a = gain * gHeight[g], k2 = x * x + z * z;
     vec4 phase = x * p.x + z * p.y + gPhase[g];
@@ -286,7 +289,7 @@ float addGroup(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
     s.height += dot(a, keep * c + harmonic * (2.0 * c * c - 1.0));
     s.slope -= vec2(dot(down, x), dot(down, z));
     s.spread += vec3(dot(lost, x * x), dot(lost, z * z), dot(lost, x * z));
-    return dot(a * sqrt(k2), keep * c);
+    return dot(a * sqrt(k2), keep * (0.86 * c - 0.5 * n));
 }
 // Ripples come in patches, where gusts touch the water.
 float gusts(vec2 world, vec3 blur) {
@@ -306,15 +309,15 @@ vec2 rainRings(vec2 world, float cell, int seed) {
     float far = max(length(d), 1e-4), ring = (far - 0.33 * cell * age) / 0.012;
     return d / far * (ring * exp(-min(ring * ring, 40.0)) * 0.5 * square(1.0 - age));
 }
-// Height, slope and lost slopes at a point round the boat; white: share of foam from the crests
-// (x) and from the wake (y).
+// Height, slope and lost slopes at a point round the boat; white: how much crests are in line (x),
+// foam of the wake (y).
 Sea seaAt(vec2 p, vec3 blur, out vec2 white) {
     Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
     vec2 world = p + gPlace;
     float inLine = addGroup(0, p, blur, 1.0, s) + addGroup(1, p, blur, 1.0, s);
     float gain = gusts(world, blur);
     for (int g = 2; g < 5; ++g) addGroup(g, p, blur, gain, s);
-    white = vec2(smoothstep(0.24, 0.52, inLine + 0.2 * (foam - 0.5)), 0.0);
+    white = vec2(inLine, 0.0);
     if (wakeStrength > 0.0) {
         vec4 r = textureLod(relief, world / kWindow, 0.0);
         float inside = 1.0 - smoothstep(0.40, 0.47, maxComponent(abs(vec3(p, 0.0))) / kWindow);
@@ -358,19 +361,18 @@ float moversHeight(Movers m, float t) {
     vec4 c = cos(m.start + m.rate * t);
     return dot(m.a, c + crest() * (2.0 * c * c - 1.0));
 }
-// Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. No step is longer than
-// the steepest waves along the ray allow, with the short movers either as steep or as high as they
-// can be; but none is shorter than `least`, which may cut crests that are lower than a millimetre.
-// The last few are Illinois steps.
+// Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. The four longest waves
+// have a known slope here and a bounded curvature; the next four are as steep or as high as they
+// can be: no step is longer than that allows. But none is shorter than `least`, which may cut
+// crests that are lower than a millimetre. The last few are Illinois steps.
 float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
     seaEvaluations = 0;
     float reach = pixel * max(ro.y, 0.0) / max(-rd.y, 1e-4);
     Movers m0 = moversOnRay(0, ro, rd, reach), m1 = moversOnRay(1, ro, rd, reach);
     float top1 = (1.0 + crest()) * dot(m1.a, vec4(1.0));
     float top = (1.0 + crest()) * dot(m0.a, vec4(1.0)) + top1 + 1e-4;
-    float steep0 = steepestShape() * dot(m0.a, abs(m0.rate)) - rd.y;
     float steep1 = steepestShape() * dot(m1.a, abs(m1.rate));
-    float perHeight = 1.1 / max(steep0 + steep1, 1e-6), perHeight0 = 1.1 / max(steep0, 1e-6);
+    float bend0 = 2.0 * (1.0 + 4.0 * crest()) * dot(m0.a, m0.rate * m0.rate);
     float slope = abs(rd.y) < 1e-7 ? -1e-7 : rd.y;
     float enter = max((top - ro.y) / slope, 0.0) * step(top, ro.y);
     float leave = min(((slope < 0.0 ? -top : top) - ro.y) / slope, tMax);
@@ -378,11 +380,17 @@ float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
     vec2 above = vec2(t, 0.0), below = vec2(-1.0, 0.0);
     bool ahead = enter < leave && (slope < 0.0 || ro.y < top);
     for (int k = 0; k < seaSteps && ahead; ++k) {
-        float f0 = ro.y + t * rd.y - moversHeight(m0, t), f = f0 - moversHeight(m1, t);
+        vec4 phase = m0.start + m0.rate * t, c = cos(phase), n = sin(phase);
+        float f0 = ro.y + t * rd.y - dot(m0.a, c + crest() * (2.0 * c * c - 1.0));
+        float close0 = -rd.y - dot(m0.a * m0.rate, n * (1.0 + 4.0 * crest() * c));
+        float f = f0 - moversHeight(m1, t), close = close0 + steep1, over = max(f0 - top1, 0.0);
         ++seaEvaluations;
         if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
         ahead = f > 0.0 && t < leave;
-        t = min(t + max(max(f * perHeight, (f0 - top1) * perHeight0), least), leave);
+        f = max(f, 0.0);
+        float far = 2.4 * f / max(close + sqrt(close * close + bend0 * f), 1e-6);
+        float far0 = 2.4 * over / max(close0 + sqrt(close0 * close0 + bend0 * over), 1e-6);
+        t = min(t + max(max(far, far0), least), leave);
     }
     if (below.x < 0.0) return ahead ? above.x : -1.0;   // out of steps: nearly there
     for (int k = 0; k < 4; ++k) {
@@ -439,29 +447,31 @@ vec3 sunUnderWater(vec3 sun, out mat2 byslope) {
                    bias * sun.x * sun.z, bias * sun.z * sun.z - m / cosT);
     return vec3(-eta * sun.x, -cosT, -eta * sun.z);
 }
-// Slope and its derivatives xx, xz, zz by the twelve longest waves, without what is too short to
-// gather light at a depth: it is blurred there by all the others.
-void bendAt(vec2 p, float down, out vec2 slope, out vec3 second) {
-    slope = vec2(0.0);
-    second = vec3(0.0);
-    for (int g = 0; g < 3; ++g) {
-        vec4 x = gKx[g], z = gKz[g], phase = x * p.x + z * p.y + gPhase[g];
-        vec4 a = gHeight[g] * exp(-min((x * x + z * z) * square(0.035 * down), 40.0));
-        vec4 s = a * sin(phase), c = a * cos(phase);
-        slope -= vec2(dot(s, x), dot(s, z));
-        second -= vec3(dot(c * x, x), dot(c * x, z), dot(c * z, z));
+// Slope by the eight longest waves; its derivatives xx, xz, zz by twelve. Those that are too short
+// to gather light on the floor, where all the others blur them, are left out.
+vec2 lensSlope(vec2 p) {
+    vec2 slope = vec2(0.0);
+    for (int g = 0; g < 2; ++g) {
+        vec4 s = gLens[g] * sin(gKx[g] * p.x + gKz[g] * p.y + gPhase[g]);
+        slope -= vec2(dot(s, gKx[g]), dot(s, gKz[g]));
     }
+    return slope;
+}
+vec3 lensBend(vec2 p) {
+    vec3 second = vec3(0.0);
+    for (int g = 0; g < 3; ++g) {
+        vec4 c = gLens[g] * cos(gKx[g] * p.x + gKz[g] * p.y + gPhase[g]);
+        second -= vec3(dot(c * gKx[g], gKx[g]), dot(c * gKx[g], gKz[g]), dot(c * gKz[g], gKz[g]));
+    }
+    return second;
 }
 // Where light that reaches a point `down` metres deep came in, and how much the waves gather it.
 float lightGathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
-    vec2 calm = light.xz / -light.y, slope;
-    vec3 second = vec3(0.0);
+    vec2 calm = light.xz / -light.y;
     entry = p - down * calm;
     if (caustics <= 0.0) return 1.0;
-    for (int k = 0; k < 3; ++k) {
-        bendAt(entry, down, slope, second);
-        if (k < 2) entry = p - down * (calm + byslope * slope);
-    }
+    for (int k = 0; k < 2; ++k) entry = p - down * (calm + byslope * lensSlope(entry));
+    vec3 second = lensBend(entry);
     mat2 j = mat2(1.0) + down * byslope * mat2(second.xy, second.yz);
     float area = abs(j[0][0] * j[1][1] - j[0][1] * j[1][0]);
     // biased: one of several sheets of light where they fold, and none too sharp
@@ -483,7 +493,8 @@ vec2 hullSides(vec3 p) {
     float z = clamp(p.z, kStern - 0.1, kBow + 0.1), sheer = sheerAt(z);
     vec2 r = vec2(beamAt(z), sheer - keelAt(z)), d = vec2(abs(p.x), min(p.y - sheer, 0.0));
     float k0 = length(d / r), k1 = length(d / (r * r));
-    return vec2(0.62 * (k0 - 1.0) * (k1 > 1e-4 ? k0 / k1 : r.x), 0.96 * (p.y - sheer));
+    float reach = k0 > 1.0 ? k0 / k1 : min(r.x, r.y);
+    return vec2(0.62 * (k0 - 1.0) * reach, 0.96 * (p.y - sheer));
 }
 float hullEnds(vec3 p) { return max(kStern - 0.10 * p.y - p.z, p.z - kBow); }
 // Negative in the boat and in the air that she holds.
@@ -569,7 +580,8 @@ Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
     if (!(t < span.y) || f > 0.02) { h.part = kNone; h.t = kFar; }   // or out of steps far from her
     float w = 0.0015 + 0.2 * pixel * min(t, 100.0);
     vec3 g = vec3(0.0);
-    for (int k = 0; k < 4; ++k) {
+    int corners = h.part == kNone ? 0 : 4;   // not a constant: a loop may end early, code cannot
+    for (int k = 0; k < corners; ++k) {
         vec3 e = vec3((k + 3 >> 1) & 1, k >> 1, k & 1) * 2.0 - 1.0;
         int other;
         g += e * boatField(h.q + w * e, other);
@@ -609,26 +621,14 @@ float boatShade(vec3 p, vec3 rd, float blur, float tMax, float seed) {
     return sum / float(sunSamples);
 }
 
-// Coverage of wood's grain, -1 to 1, drawn out along z; w: footprint.
+// Wood's grain, -1 to 1, drawn out along z; w: footprint.
 float grain(vec3 p, float w) {
-    float sum = 0.0;
-    for (int k = 0; k < 2; ++k) {
-        float n = k == 0 ? 38.0 : 110.0, keep = clamp(1.4 - w * n, 0.0, 1.0);
-        vec3 q = vec3(p.xy * n, p.z * 2.5 * float(k + 1)) + 300.0;
-        ivec3 c = ivec3(floor(q));
-        vec3 f = q - floor(q), s = f * f * (3.0 - 2.0 * f);
-        vec4 v;
-        for (int j = 0; j < 4; ++j) {
-            ivec3 e = c + ivec3(j & 1, j >> 1, 0);
-            v[j] = mix(random3(e).x, random3(e + ivec3(0, 0, 1)).x, s.z);
-        }
-        sum += keep * (mix(mix(v.x, v.y, s.x), mix(v.z, v.w, s.x), s.y) - 0.5);
-    }
-    return sum;
+    vec2 uv = vec2(p.x + 0.83 * p.y, 0.12 * p.z + 0.2 * p.y) * 1.6;
+    return textureLod(motif, uv, log2(max(w * 1.6 * 512.0, 1e-3))).a * 2.0 - 1.0;
 }
 // Colour, and in w how far it is varnished; planks tilt the normal. w: footprint.
 vec4 paintOf(int part, vec3 q, float w, inout vec3 nor) {
-    vec3 mahogany = vec3(0.30, 0.095, 0.030), oak = vec3(0.50, 0.26, 0.095);
+    vec3 mahogany = vec3(0.19, 0.058, 0.020), oak = vec3(0.36, 0.185, 0.070);
     float z = clamp(q.z, kStern, kBow), sheer = sheerAt(z);
     // Round a station from the sheer, 0, to the keel, 1; strakes are 1/7 of it.
     float girth = atan(max(sheer - q.y, 0.0) / (sheer - keelAt(z)), abs(q.x) / beamAt(z) + 1e-4)
@@ -654,8 +654,9 @@ vec4 paintOf(int part, vec3 q, float w, inout vec3 nor) {
         return vec4(side * (1.0 - 0.45 * seam), 0.6 + 0.4 * top);
     }
     if (part == kWell) {   // planks, ribs, the boards of the bottom
-        float rib = lines(q.z / 0.34, 0.055, w / 0.34) * step(kBottom + 0.01, q.y);
-        float board = q.y < kBottom + 0.01 ? lines(q.x / 0.11 + 0.5, 0.04, w / 0.11) : seam;
+        bool level = q.y < kBottom + 0.01 || q.z > kDeckEnd - 0.01 || q.z < kAfterDeck + 0.01;
+        float board = level ? lines(q.x / 0.11 + 0.5, 0.04, w / 0.11) : seam;
+        float rib = level ? 0.0 : lines(q.z / 0.34, 0.055, w / 0.34);
         return vec4(wood * (1.0 - 0.5 * board) * (1.0 - 0.3 * rib), 0.35);
     }
     if (part == kDeck) {
@@ -689,42 +690,25 @@ vec3 bodyLight(float share) {   // scattered back by deep water
 }
 // The sand: colour, and the slope of its ripples. Weed grows in patches.
 vec4 seabed(vec2 p, float w) {
-    vec2 unit = fract((p + gPlace) / kWorld), world = unit * kWorld;
-    float far = tiledNoise(unit, ivec2(60), 51), near = tiledNoise(unit, ivec2(210), 52);
-    float fine = tiledNoise(unit, ivec2(1100), 53);
-    float keep = clamp(1.5 - 9.0 * w, 0.0, 1.0);
-    float u = 2.0 * kPi * (world.x * 2500.0 + world.y * 1300.0) / kWorld + 5.0 * near + 2.0 * fine;
-    float patches = far * 0.72 + near * 0.28 + 0.12 * (fine - 0.5);
-    float weed = smoothstep(0.60, 0.72, patches);
-    vec3 sand = vec3(0.66, 0.54, 0.37)
-        * (0.90 + 0.16 * near + keep * (0.05 * sin(u) + 0.10 * (fine - 0.5)));
-    vec3 grass = vec3(0.045, 0.070, 0.030) * (0.6 + 0.9 * fine);
-    return vec4(mix(sand, grass, weed), 0.22 * keep * (1.0 - weed) * cos(u));
-}
-// Sunlight on what lies under water, over pi: through its place of entry, past the boat's shadow.
-vec3 sunBelow(vec3 p, vec3 nor, float seed) {
-    vec3 sun = sunDirection();
-    sun.y = max(sun.y, 0.01);
-    mat2 byslope;
-    vec2 entry;
-    vec3 light = sunUnderWater(sun, byslope);
-    float down = max(-p.y, 0.0), gather = lightGathered(p.xz, down, light, byslope, entry);
-    vec3 from = vec3(entry, moversAt(entry)).xzy;
-    float path = distance(from, p);
-    float share = boatShade(from, sun, 0.010, kFar, seed)
-        * boatShade(p + 0.01 * nor, normalize(from - p + vec3(0.0, 1e-4, 0.0)), 0.05, path, seed);
-    float facing = max(dot(nor, light) / light.y, 0.0) * sun.y;
-    return sunLight() * (share * facing * gather * (1.0 - fresnel(sun.y, kIorWater)))
-        * exp(-absorption() * path);
+    vec2 unit = (p + gPlace) / kWorld;
+    float far = textureLod(motif, 10.0 * unit, log2(max(w * 10.67, 1e-3))).r;
+    vec4 near = textureLod(motif, 96.0 * unit, log2(max(w * 102.4, 1e-3)));
+    float weed = smoothstep(0.60, 0.70, far + 0.45 * (near.r - 0.5)), slope = 2.0 * near.b - 1.0;
+    vec3 sand = vec3(0.68, 0.57, 0.40) * (0.80 + 0.40 * near.r - 0.08 * slope);
+    vec3 grass = vec3(0.040, 0.062, 0.026) * (0.3 + 1.4 * near.r + 0.6 * near.g);
+    return vec4(mix(sand, grass, weed), 0.30 * (1.0 - weed) * slope);
 }
 // Light from a point of the boat against d. share: of the sun that it sees; w: footprint.
 vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     vec3 nor = h.nor, sun = sunDirection();
     vec4 stuff = paintOf(h.part, h.q, w, nor);
     if (dot(nor, d) > 0.0) nor = normalize(nor - 1.02 * dot(nor, d) * d);
-    int other;
-    float room = boatField(h.q + (h.nor * 0.10) * gAxes, other) / 0.10
-        + boatField(h.q + (h.nor * 0.35) * gAxes, other) / 0.35;
+    float room = 0.0;
+    int looks = h.part == kNone ? 0 : 2, other;
+    for (int k = 0; k < looks; ++k) {
+        float far = k == 0 ? 0.10 : 0.35;
+        room += boatField(h.q + (h.nor * far) * gAxes, other) / far;
+    }
     float open = 0.25 + 0.75 * smoothstep(0.0, 1.5, room);
     vec3 up = mirroredSky(vec3(nor.x, max(nor.y, 0.0) + 0.35, nor.z), 1.2);
     vec3 below = bodyLight(1.0) + 0.10 * gAmbient;
@@ -732,7 +716,7 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     float lit = dot(nor, sun);
     vec3 light = stuff.rgb * (around + sunLight() * (share * max(lit, 0.0)));
     if (h.part == kCloth)   // it glows against the light
-        light += stuff.rgb * stuff.rgb * (sunLight() * max(-lit, 0.0) * 0.9 + 0.35 * gAmbient);
+        light += stuff.rgb * stuff.rgb * (sunLight() * max(-lit, 0.0) * 0.28 + 0.25 * gAmbient);
     float facing = clamp(-dot(nor, d), 0.0, 1.0), gloss = stuff.w * fresnel(facing, 1.45);
     vec3 away = reflect(d, nor);
     vec3 seen = mix(below, mirroredSky(away, 0.12), smoothstep(-0.12, 0.06, away.y)) * open;
@@ -741,12 +725,10 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
 }
 // Share of a pixel that foam covers, for an amount of it.
 float foamCover(vec2 p, float amount, float w) {
-    vec2 unit = fract((p + gPlace) / kWorld);
-    float a = tiledNoise(unit, ivec2(900), 61), b = tiledNoise(unit, ivec2(2700), 62);
-    float c = tiledNoise(unit, ivec2(7900), 63), keep = clamp(1.3 - 4.0 * w, 0.0, 1.0);
-    float lace = 1.0 - abs(a + 0.5 * b - 0.75) * 2.2 - 0.35 * c;
-    float torn = smoothstep(1.0 - amount, 1.35 - 0.7 * amount, lace + 0.35 * amount);
-    return amount * mix(0.5, min(1.6 * torn, 1.0), keep);
+    vec2 unit = (p + gPlace) / kWorld;
+    float lod = log2(max(w * 102.4, 1e-3)), soft = 0.10 + 0.05 * clamp(lod, 0.0, 6.0);
+    float lace = textureLod(motif, mat2(89.0, 37.0, -37.0, 89.0) * unit, lod).g;
+    return min(1.3 * amount, 1.0) * smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace);
 }
 // Streaks of rain on three shells round the eye; w: angle of a pixel.
 float rainStreaks(vec3 rd, float w) {
@@ -754,7 +736,7 @@ float rainStreaks(vec3 rd, float w) {
     float level = max(length(rd.xz), 0.15);
     for (int k = 0; k < 3; ++k) {
         float far = 1.6 * exp2(float(k)), n = 260.0 * exp2(float(k));
-        float x = around * n, c = min(floor(x), n - 1.0);
+        float x = fract(around + 0.02 * rd.y / level) * n, c = min(floor(x), n - 1.0);
         vec3 r = random3(ivec3(int(c), k, 71));
         float y = rd.y / level * far / 2.4 + 0.15 * (x - c) + r.x + cycles(3.0 + floor(3.0 * r.y));
         vec3 s = random3(ivec3(int(c), int(floor(y)) & 15, 72 + k));
@@ -767,6 +749,11 @@ float rainStreaks(vec3 rd, float w) {
             * step(s.y, 0.75 * rain);
     }
     return min(sum, 1.0);
+}
+
+bool meetsBoat(vec3 ro, vec3 rd, float tMax) {   // perhaps: her box
+    vec2 span = boatSpan(toBoat(ro), rd * gAxes, 0.15);
+    return span.x < min(span.y, tMax);
 }
 
 // ---- Transport ----------------------------------------------------------------------------------
@@ -793,59 +780,86 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
     vec4 far = heavens(distant, cone);
     vec3 light = far.rgb;
 
-    // The boat, or her mirror image.
-    Hit m = h;
-    float before = 0.0;
-    if (reflection) {
-        Hit image = hitBoat(p + vec3(0.0, 0.004, 0.0), away, angle, wet ? 30.0 : 0.0);
-        if (wet) { m = image; before = t; }
+    // From the water: what is mirrored, what is seen through it. Rays that miss her are skipped.
+    float eta = 1.0 / kIorWater, k2 = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
+    vec3 down = normalize(eta * rd + (eta * cosine - sqrt(k2)) * facet);
+    down.y = min(down.y, -0.05);
+    float deep = wet ? (depth + p.y) / -down.y : 1.0, before = wet ? t : 0.0;
+    Hit m = h, bottom = h;
+    bottom.part = kNone;
+    int todo = wet ? (reflection && meetsBoat(p, away, 30.0) ? 1 : 0)
+        + (meetsBoat(p, down, min(deep, 8.0)) ? 2 : 0) : 0;
+    for (int turns = 0; turns < 2 && todo != 0; ++turns) {
+        bool up = (todo & 1) != 0;
+        Hit x = hitBoat(p + vec3(0.0, up ? 0.004 : -0.002, 0.0), up ? away : down, angle,
+                        up ? 30.0 : min(deep, 8.0));
+        if (up) m = x; else bottom = x;
+        todo &= todo - 1;
     }
-    if (m.part != kNone) {
-        vec3 q = (wet ? p : e.pos) + min(m.t, 1e3) * distant;
-        float share = boatShade(q + 0.006 * m.nor, sun, 0.0, kFar, chance);
-        light = boatLight(m, q, distant, share, angle * (before + min(m.t, 1e3)));
+    bool shown = m.part != kNone, hull = bottom.part != kNone;
+    vec3 q = (wet ? p : e.pos) + min(m.t, 1e3) * distant;
+    float path = hull ? bottom.t : deep;
+    vec3 ground = p + path * down;
+    // Sunlight under water: its place of entry, and how much of it the waves gather.
+    mat2 byslope;
+    vec2 entry;
+    vec3 low = sun;
+    low.y = max(sun.y, 0.01);
+    vec3 ray = sunUnderWater(low, byslope);
+    float sunk = max(-ground.y, 0.0), gather = lightGathered(ground.xz, sunk, ray, byslope, entry);
+    float blurred = 4.0 * angle * (t + path) / max(-down.y, 0.1);
+    gather = mix(gather, 1.0, 1.0 - exp(-min(blurred * blurred * 8.0, 40.0)));
+    vec3 from = vec3(entry, wet ? moversAt(entry) : 0.0).xzy;
+    vec3 back = normalize(from - ground + vec3(0.0, 1e-4, 0.0));
+    float sunken = distance(from, ground);
+    // Shadows: on the water, on the boat, and both parts of the way to the ground.
+    vec4 share = vec4(1.0);
+    todo = shadows == 0 || overcast >= 1.0 ? 0 : (wet && meetsBoat(p, sun, kFar) ? 1 : 0)
+        + (shown ? 2 : 0) + (wet && meetsBoat(from, low, kFar) ? 4 : 0)
+        + (wet && meetsBoat(ground, back, sunken) ? 8 : 0);
+    for (int turns = 0; turns < 4 && todo != 0; ++turns) {
+        int bit = todo & -todo;
+        vec3 o = bit == 1 ? p : bit == 2 ? q + 0.006 * m.nor : from;
+        if (bit == 8) o = ground + 0.01 * back;
+        float blur = bit == 1 ? 0.004 : bit == 2 ? 0.0 : bit == 4 ? 0.010 : 0.05;
+        float seen = boatShade(o, bit == 8 ? back : low, blur, bit == 8 ? sunken : kFar, chance);
+        share = mix(share, vec4(seen), equal(ivec4(bit), ivec4(1, 2, 4, 8)));
+        todo &= todo - 1;
     }
+    if (shown) light = boatLight(m, q, distant, share.y, angle * (before + min(m.t, 1e3)));
     if (wet) {
-        float share = boatShade(p, sun, 0.004, kFar, chance);
-        float eta = 1.0 / kIorWater, k = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
-        vec3 down = normalize(eta * rd + (eta * cosine - sqrt(k)) * facet);
-        down.y = min(down.y, -0.05);
-        // The sand, or the boat's bottom before it.
-        float deep = (depth + p.y) / -down.y;
-        Hit b = hitBoat(p + 0.002 * down, down, angle, min(deep, 8.0));
-        bool hull = b.part != kNone;
-        float path = hull ? b.t : deep;
-        vec3 q = p + path * down;
-        vec4 ground = seabed(q.xz, angle * (t + path) / -down.y);
-        vec3 nor = hull ? b.nor : normalize(vec3(ground.w * 0.88, 1.0, ground.w * 0.47));
-        vec3 albedo = hull ? vec3(0.16, 0.022, 0.018) : ground.rgb;
-        vec3 sigma = absorption(), skylight = 0.9 * gAmbient * exp(-1.2 * sigma * max(-q.y, 0.0));
-        vec3 lit = albedo * (skylight * (0.6 + 0.4 * nor.y) + sunBelow(q, nor, chance));
-        vec3 through = exp(-sigma * path) * mix(hull ? 1.0 : 0.0, 1.0, floorShare);
-        vec3 body = bodyLight(mix(0.25, 1.0, share)) * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
-        body = mix(bodyLight(mix(0.25, 1.0, share)), body, hull ? 1.0 : floorShare);
-        light = mirrored * light + (1.0 - mirrored) * (through * lit + body);
-        light += sunLight() * (kPi * share * seaGlitter(rd, s, area));
+        vec4 stuff = seabed(ground.xz, angle * (t + path) / -down.y);
+        vec3 nor = hull ? bottom.nor : normalize(vec3(stuff.w * 0.88, 1.0, stuff.w * 0.47));
+        vec3 albedo = hull ? vec3(0.16, 0.022, 0.018) : stuff.rgb, sigma = absorption();
+        float facing = max(dot(nor, ray) / ray.y, 0.0) * low.y * (1.0 - fresnel(low.y, kIorWater));
+        vec3 lit = 0.9 * gAmbient * exp(-1.2 * sigma * sunk) * (0.6 + 0.4 * nor.y)
+            + sunLight() * (share.z * share.w * facing * gather) * exp(-sigma * sunken);
+        vec3 body = bodyLight(mix(0.25, 1.0, share.x)) * (1.0 + 2.5 * max(white.x, 0.0)), left = exp(-sigma * path);
+        vec3 through = albedo * lit * left + body * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
+        through = mix(body, through, hull ? 1.0 : floorShare);
+        light = mirrored * light + (1.0 - mirrored) * through;
+        light += sunLight() * (kPi * share.x * seaGlitter(rd, s, area));
         if (foam > 0.0) {
-            float amount = foam * max(white.x * smoothstep(0.25, 0.6, steepness), 0.0) + white.y;
+            float breaking = smoothstep(0.20, 0.52, white.x + 0.16 * (foam - 0.5));
+            float amount = foam * breaking + white.y;
             float cover = foamCover(p.xz, min(amount, 1.0), angle * t);
-            vec3 snow = 0.75 * (gAmbient + sunLight() * max(dot(facet, sun), 0.0) * share);
+            vec3 snow = 0.75 * (gAmbient + sunLight() * (max(dot(facet, sun), 0.0) * share.x));
             light = mix(light, snow, cover);
         }
-    } else if (m.part == kNone) {
+    } else if (!shown) {
         float away2 = dot(rd - sun, rd - sun), r2 = square(radians(sunSize));
         float edge = max(angle, 1e-4) * 0.5 * sqrt(r2);
         float disc = far.a * (1.0 - smoothstep(r2 - edge, r2 + edge, away2));
-        light += sunLight() * (disc * 40.0 + far.a * 0.0006 / (away2 + 0.001));
+        light += sunLight() * (disc * 600.0 + far.a * (0.0016 / (away2 + 0.0006) + 0.02));
     }
     vec3 level = normalize(vec3(rd.x, 1e-3, rd.z) + vec3(0.0, 0.02, 0.0));
-    float reach = wet ? t : m.part != kNone ? m.t : kFar;
-    if (wet || m.part != kNone)
+    float reach = wet ? t : shown ? m.t : kFar;
+    if (wet || shown)
         light = mix(heavens(level, 0.05).rgb, light, exp(-min(reach / visibility, 60.0)));
     if (rain > 0.0) {
-        float veil = wet || m.part != kNone ? 0.0 : 1.0 - exp(-min(900.0 / visibility, 60.0));
+        float veil = wet || shown ? 0.0 : 1.0 - exp(-min(900.0 / visibility, 60.0));
         light = mix(light, heavens(level, 0.3).rgb, veil * (1.0 - smoothstep(0.0, 0.5, rd.y)));
-        light += 0.5 * gAmbient * rainStreaks(rd, angle);
+        light += 0.16 * gAmbient * rainStreaks(rd, angle);
     }
     return light;
 }
@@ -902,28 +916,61 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
     vec3 light = texture(air, vec2(turned, uv.y)).rgb + vec3(0.0010, 0.0019, 0.0052);
     vec3 clear = texture(air, vec2(turned, 0.75)).rgb, low = texture(air, vec2(turned, 0.2)).rgb;
-    vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.045, 0.075) + 0.5;
+    vec2 q = turn(rd.xz / (up + 0.05), 0.5) * vec2(0.030, 0.055) + 0.5;
     float sum = 0.0, weight = 0.5;
     for (int i = 0; i < 6; ++i) {
         sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
         q += 0.05 * sum;   // curls
         weight *= 0.55;
     }
-    float cover = mix(0.85, 0.35, clouds), thick = smoothstep(cover, cover + 0.34, sum);
-    thick *= smoothstep(0.0, 0.10, up) * step(0.001, clouds);
+    float cover = mix(0.80, 0.22, clouds), thick = smoothstep(cover, cover + 0.30, sum);
+    thick *= smoothstep(0.0, 0.05, up) * step(0.001, clouds);
     float towards = max(dot(rd, sun), 0.0);
     vec3 lit = sunColour() * (0.07 + 0.10 * pow(towards, 4.0) + 0.35 * pow(towards, 40.0));
     light = mix(light, 0.9 * clear + 0.25 * low + lit * (1.0 - 0.55 * thick), 0.85 * thick);
     // A lid of cloud: dark bellies, lighter towards the horizon.
     float grey = dot(clear + 0.5 * low, vec3(0.3)) + 0.05 * sunColour().g * max(sun.y, 0.0);
     vec3 lid = grey * vec3(0.74, 0.80, 0.86)
-        * mix(1.15, 0.55 + 0.75 * sum, smoothstep(0.0, 0.25, up));
-    light = mix(light, lid * (1.0 - 0.35 * smoothstep(0.45, 0.75, sum)), overcast);
+        * mix(0.80, 0.20 + 0.55 * sum, smoothstep(0.0, 0.22, up));
+    light = mix(light, lid * (1.0 - 0.55 * smoothstep(0.42, 0.72, sum)), overcast);
     float shore = smoothstep(0.06, 0.16, abs(fract(uv.x - sunAngle / 360.0) - 0.5));
-    float land = shore * (0.075 * ridge(uv.x, 1) + 0.022 * ridge(fract(uv.x * 3.0), 2)) - 0.01;
-    float hills = smoothstep(-0.0012, 0.0012, land - up) * exp(-min(4000.0 / visibility, 60.0));
-    light = mix(light, light * vec3(0.30, 0.36, 0.42), hills);
+    float hills = 0.0;
+    for (int i = 0; i < 3; ++i) {   // each range nearer and darker than the one behind
+        float n = float(i), land = (0.085 - 0.026 * n) * ridge(fract(uv.x + 0.31 * n), 1 + i)
+            + 0.020 * ridge(fract(3.0 * uv.x), 5 + i) + 0.007 * ridge(fract(9.0 * uv.x), 9 + i);
+        float there = smoothstep(-0.0010, 0.0010, shore * land - 0.018 - up);
+        there *= exp(-min((9.0 - 3.0 * n) * 500.0 / visibility, 60.0));
+        light = mix(light, light * (vec3(0.60, 0.70, 0.80) - vec3(0.09, 0.07, 0.09) * n), there);
+        hills = max(hills, there);
+    }
     colour = vec4(min(light, 6e4), (1.0 - hills) * (1.0 - 0.85 * thick) * (1.0 - overcast));
+}
+
+// What must not be computed at each pixel: clouds of noise, foam's lace, slope of the sand's
+// ripples, wood's grain; all on a torus.
+void mainMotif(out vec4 colour, in vec2 pixel) {
+    vec2 unit = pixel / 512.0;
+    float sum = 0.0, gain = 0.5, lace = 0.0;
+    for (int k = 0; k < 6; ++k) {
+        sum += gain * tiledNoise(unit, ivec2(4 << k), 81 + k);
+        gain *= 0.5;
+    }
+    for (int k = 0; k < 3; ++k) {   // walls between the cells of scattered points
+        int n = 14 << k;
+        vec2 at = unit * float(n) + 1.2 * (sum - 0.5), c = floor(at), best = vec2(9.0);
+        for (int j = 0; j < 9; ++j) {
+            ivec2 cell = ivec2(c) + ivec2(j % 3 - 1, j / 3 - 1);
+            vec2 d = vec2(cell) + random3(ivec3((cell + n) % n, 91 + k)).xy - at;
+            float far = length(d);
+            best = far < best.x ? vec2(far, best.x) : vec2(best.x, min(best.y, far));
+        }
+        lace += (k == 0 ? 0.45 : 0.275) * (1.0 - smoothstep(0.0, 0.45, best.y - best.x));
+    }
+    float phase = 2.0 * kPi * (27.0 * unit.x + 14.0 * unit.y) + 9.0 * sum;
+    float wood = 0.5 * tiledNoise(unit, ivec2(160, 16), 95)
+        + 0.5 * tiledNoise(unit, ivec2(48, 6), 96);
+    colour = vec4(smoothstep(0.15, 0.85, sum), clamp(0.85 * lace + 0.5 * (sum - 0.3), 0.0, 1.0),
+                  0.5 + 0.5 * cos(phase), wood);
 }
 
 // How high, and how much higher at the bow and on the port side, the sea stands under her, averaged
@@ -984,7 +1031,7 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
     vec3 aside = vec3(0.0, 0.016 * speed, lean + 0.05 * speed * turning);
     float stiff = stiffness * (k == 2 ? 1.0 : k == 3 ? 1.2 : 0.7);
     float loss = damping * (k == 4 ? 0.6 : 1.0);
-    vec2 s = clamp(own.xy, -50.0, 50.0);
+    vec2 s = clamp(own.xy, vec2(-50.0, -5e4), vec2(50.0, 5e4));
     float before = own.z, part = dt / float(substeps);
     for (int i = 1; i <= substeps; ++i) {
         float back = dt - float(i) * part;
@@ -1011,13 +1058,14 @@ void mainWake(out vec4 colour, in vec2 pixel) {
     vec2 p = pixel * cell - place.xy, ahead = vec2(sin(place.z), -cos(place.z));
     p -= kWindow * floor(p / kWindow + 0.5);
     float rim = smoothstep(0.38, 0.49, max(abs(p.x), abs(p.y)) / kWindow);
-    float kept = exp(-dt * (0.22 + 30.0 * rim * rim));
+    float kept = exp(-dt * (0.40 + 30.0 * rim * rim));
     float along = dot(p, ahead), across = p.x * ahead.y - p.y * ahead.x;
     float speed = place.w, power = min(square(speed / 2.4), 2.0), side = across * across;
     // She lifts the water before her and leaves a hollow behind.
     float push = exp(-min((square(along - 1.7) + side) / 0.22, 40.0))
         - exp(-min((square(along + 1.7) + side) / 0.22, 40.0));
-    float drive = 2.4 * wakeStrength * power * sign(speed) * push;
+    float beat = 0.45 + 0.75 * sin(2.0 * kPi * cycles(1.125));   // as she nods, so crests follow
+    float drive = 2.2 * wakeStrength * power * sign(speed) * push * beat;
     float rise = kept * here.y
         + dt * (square(kWakeSpeed / cell) * (sum.x - 4.0 * here.x) + drive);
     float height = clamp(kept * (here.x + dt * rise), -0.4, 0.4);
@@ -1042,15 +1090,18 @@ void mainRelief(out vec4 colour, in vec2 pixel) {
     colour = vec4((row.z - row.x) / (2.0 * cell), (column.z - column.x) / (2.0 * cell), mean.zx);
 }
 
-// This frame's waves, four to a group: kx, kz (rad/m), height (m), phase at the boat (rad).
+// This frame's waves, four to a group: kx, kz (rad/m), height (m), phase at the boat (rad);
+// then the heights by which the longest twelve gather light on the floor.
 void mainWavelets(out vec4 colour, in vec2 pixel) {
-    int group = int(pixel.x) >> 2, kind = int(pixel.x) & 3;
+    bool lens = pixel.x > 20.0;
+    int group = lens ? int(pixel.x) - 20 : int(pixel.x) >> 2, kind = int(pixel.x) & 3;
     vec2 place = previousFrame(texelFetch(boat, ivec2(0), 0)).xy;
     for (int c = 0; c < 4; ++c) {
         int i = 4 * group + c;
         vec3 w = waveOf(i);
         float phase = worldPhase(w.xy, place) + fract(float(i) * 0.7548777) - cycles(waveHz(w.xy));
         colour[c] = kind < 2 ? w[kind] : kind == 2 ? w.z : 2.0 * kPi * (phase - floor(phase));
+        if (lens) colour[c] = w.z * exp(-min(dot(w.xy, w.xy) * square(0.018 * depth), 40.0));
     }
 }
 
@@ -1081,7 +1132,8 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x - (chase ? place.z - way.z : 0.0);
     vec3 eye = cameraDistance * vec3(sin(angle), 0.0, cos(angle));
     eye.y = max(clamp(cameraHeight - 6.0 * orbit.y, 0.3, 20.0), moversAt(eye.xz) + 0.25);
-    vec3 forward = vec3(0.0, targetHeight + 0.35 * tilt.x, 0.0) - eye, head = up;
+    vec3 to = targetShift * vec3(cos(angle), 0.0, -sin(angle)), head = up;
+    vec3 forward = to + vec3(0.0, targetHeight + 0.35 * tilt.x, 0.0) - eye;
     if (firstPerson) {
         eye = vec3(0.0, tilt.x, 0.0) + 0.16 * x + 1.12 * y - 1.28 * z;
         forward = normalize(mix(z, level, steadiness));
