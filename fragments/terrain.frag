@@ -395,7 +395,7 @@ vec3 background(vec3 rd, float width, bool disc) {
     if (rd.y < 0.0) sum *= 1.0 + 0.25 * rd.y;
     if (clouds > 0.0) {
         float y = abs(rd.y) + 0.30, w = 0.26 * width / (y * sqrt(y));   // both axes' mean
-        vec2 p = rd.xz / y * 0.26 + (rd.y < 0.0 ? 0.37 : 0.0), wind = vec2(cycles(0.0005), 0.0);
+        vec2 p = rd.xz / y * 0.26 + (rd.y < 0.0 ? 0.37 : 0.0), wind = vec2(cycles(0.0012), 0.0);
         vec2 n = 0.66 * textureLod(cloudTile, p + wind, lodOf(w)).xy
             + 0.34 * textureLod(cloudTile, 3.0 * p.yx - wind.yx, lodOf(3.0 * w)).xy;
         float soft = 0.17 + min(3.0 * w, 0.3), level = 1.02 - 0.9 * clouds;
@@ -479,8 +479,9 @@ vec3 waterGlow(float depth, float rise, float t) {
 }
 
 // ---- Light on land ------------------------------------------------------------------------------
-// Colour of land: sand, meadow, rock, snow, trees; up: y of its normal; n, fine: from the tile.
-vec3 landColour(vec3 p, float up, float tree, vec4 n, vec4 fine) {
+// Colour of land: sand, meadow, rock, snow, trees; up: y of its normal; n, fine: of the
+// tile; w: m on the ground that a pixel shows.
+vec3 landColour(vec3 p, float up, float tree, vec4 n, vec4 fine, float w) {
     float y = p.y + 5.0 * (n.x - 0.5);
     vec3 grass = linearColour(grassColour);
     vec3 c = mix(grass * vec3(0.62, 0.80, 0.55), grass * vec3(1.25, 1.12, 0.85), fine.y);
@@ -488,13 +489,15 @@ vec3 landColour(vec3 p, float up, float tree, vec4 n, vec4 fine) {
     vec3 rock = linearColour(rockColour), cliff = mix(rock * 0.55, rock * 1.2, n.y);
     float bleak = smoothstep(0.7, 1.2, y / max(snowLine, 1.0));
     cliff = mix(cliff, vec3(0.30, 0.29, 0.30) * (0.6 + 0.8 * n.y), bleak);
+    float layers = sin(2.1 * p.y + 7.0 * n.x) + 0.6 * sin(5.3 * p.y - 9.0 * n.y);
+    cliff *= 1.0 + 0.12 * layers * clamp(1.4 - 2.0 * w, 0.0, 1.0);
     float steep = smoothstep(0.74, 0.56, up + 0.16 * (fine.x - 0.5));
     c = mix(c, cliff, max(steep, smoothstep(-2.5, 2.5, y - rockLine)));
     float shore = p.y - waterLevel + 1.2 * (fine.x - 0.5);
     vec3 sand = vec3(0.62, 0.49, 0.30) * (0.75 + 0.5 * fine.y);
     c = mix(c, mix(sand, cliff, 0.7 * steep), smoothstep(1.5, 0.8, shore));
     float cold = smoothstep(-1.2, 1.2, y - snowLine);
-    c = mix(c, vec3(0.86, 0.89, 0.93), cold * smoothstep(0.50, 0.70, up + 0.15 * (fine.x - 0.5)));
+    c = mix(c, vec3(0.86, 0.89, 0.93), cold * smoothstep(0.42, 0.60, up + 0.15 * (fine.x - 0.5)));
     vec3 fir = vec3(0.035, 0.085, 0.030), crown = vec3(0.16, 0.22, 0.045);
     vec3 leaves = mix(fir, crown, smoothstep(0.5, 0.6, tree));
     leaves *= 0.65 + 1.1 * fract(tree * 7.0 + 0.15) * smoothstep(0.1, 0.3, tree);
@@ -507,7 +510,7 @@ vec3 landLight(vec3 p, vec3 d, float w, bool wet) {
     vec4 n = textureLod(tile, p.xz / 41.0, lodOf(w / 41.0));
     vec4 fine = textureLod(tile, p.zx / 9.0, lodOf(w / 9.0));
     float up = inversesqrt(1.0 + dot(g.xy, g.xy));
-    vec3 c = landColour(p, up, g.w, n, fine);
+    vec3 c = landColour(p, up, g.w, n, fine, w);
     float stony = smoothstep(0.9, 0.7, up) * step(g.w, 0.02);
     vec2 slope = g.xy + (0.10 + 0.55 * stony) * fine.zw;
     vec3 nor = normalize(vec3(-slope, 1.0).xzy), sun = sunDirection();
@@ -531,18 +534,22 @@ vec3 landLight(vec3 p, vec3 d, float w, bool wet) {
 vec3 wallLight(vec3 p, vec3 nor, float w) {
     float along = p.x * nor.z - p.z * nor.x + 100.0 * (nor.x + 2.0 * nor.z);
     vec4 g = textureLod(land, landUv(p.xz), 0.0);
-    float deep = nor.y < 0.0 ? 30.0 : max(g.z - p.y, 0.0);
-    vec4 fine = textureLod(tile, (nor.y < 0.0 ? p.xz : vec2(along, p.y)) / 17.0, lodOf(w / 17.0));
-    float bent = p.y + 2.2 * sin(along / 13.0 + 2.0 * sin(along / 29.0)) + 0.7 * fine.x;
-    vec4 layer = textureLod(tile, vec2(along / 700.0, bent / 34.0), lodOf(w / 34.0));
-    vec4 seam = textureLod(tile, vec2(along / 400.0, bent / 11.0), lodOf(w / 11.0));
+    bool under = nor.y < 0.0;   // cut like an agate
+    vec2 at = under ? p.xz / 103.0 + 0.2 : vec2(along, p.y) / 17.0;
+    vec4 fine = textureLod(tile, at, lodOf(under ? w / 103.0 : w / 17.0));
+    float wavy = 2.2 * sin(along / 13.0 + 2.0 * sin(along / 29.0)) + 0.7 * fine.x;
+    float bent = p.y + (under ? 34.0 * fine.x - 10.0 : wavy), stretched = under ? 0.0 : along;
+    vec4 layer = textureLod(tile, vec2(stretched / 700.0, bent / 34.0), lodOf(w / 34.0));
+    vec4 seam = textureLod(tile, vec2(stretched / 400.0, bent / 11.0), lodOf(w / 11.0));
     vec3 c = mix(vec3(0.20, 0.105, 0.058), vec3(0.56, 0.37, 0.21), smoothstep(0.30, 0.70, layer.y));
     c = mix(c, vec3(0.27, 0.24, 0.23), smoothstep(-11.0, -17.0, bent) * 0.85);
     c *= (0.50 + 0.95 * smoothstep(0.30, 0.70, seam.x)) * (0.90 + 0.20 * fine.y);
+    float deep = under ? 30.0 : max(g.z - p.y, 0.0);
     c = mix(vec3(0.055, 0.034, 0.022), c, smoothstep(0.5, 2.0, deep + 1.2 * (fine.x - 0.5)));
-    vec3 top = landColour(vec3(p.x, g.z, p.z), inversesqrt(1.0 + dot(g.xy, g.xy)), g.w, fine, fine);
+    float up = inversesqrt(1.0 + dot(g.xy, g.xy));
+    vec3 top = landColour(vec3(p.x, g.z, p.z), up, g.w, fine, fine, w);
     c = mix(top, c, smoothstep(0.1, 0.45 + w, deep + 0.5 * (fine.y - 0.5)));
-    nor = normalize(nor + 0.12 * (nor.y < 0.0 ? vec3(fine.z, 0.0, fine.w)
+    nor = normalize(nor + 0.06 * (under ? vec3(fine.z, 0.0, fine.w)
         : fine.z * vec3(nor.z, 0.0, -nor.x) + vec3(0.0, fine.w, 0.0)));
     return c / kPi * (sunBeam() * max(dot(nor, sunDirection()), 0.0) + ambientLight(nor));
 }
@@ -858,7 +865,7 @@ void mainLightMap(out vec4 colour, in vec2 pixel) {
 void mainWaves(out vec4 colour, in vec2 pixel) {
     vec2 p = (pixel / iResolution.xy - 0.5) * 2.0 * kHalf, slope = vec2(0.0);
     float depth = waterLevel - textureLod(land, landUv(p), 0.0).z;
-    float steep = waveHeight * (0.15 + 0.85 * smoothstep(0.0, 3.0, depth)) / waveLength;
+    float steep = waveHeight * (0.4 + 0.6 * smoothstep(0.0, 3.0, depth)) / waveLength;
     float lattice = waveLength, hz = 0.9 * inversesqrt(waveLength);   // long waves are slower
     for (int k = 0; k < 4 && depth > -0.5; ++k) {
         float angle = 0.4 + 0.75 * float(k);
