@@ -499,4 +499,15 @@ Preset Playground::current_preset() const {
     return preset;
 }
 
+Preset Playground::preset_as_shown() const {
+    constexpr double kSoon = 2.0;  // s
+    Preset preset = current_preset();
+    preset.size = size_;
+    if (renderer_->graph().stateful) {
+        preset.time = std::min(preset.time, std::max(preset_->time, kSoon));
+    }
+    if (preset.events.empty()) preset.events = input_.as_events(0.0);
+    return preset;
+}
+
 }  // namespace glint

@@ -86,6 +86,10 @@ public:
     // The preset as it stands now: values, time, size, recorded events.
     Preset current_preset() const;
 
+    // The same for another process to draw what is seen here, mouse and keys included. A scene that
+    // has to be played to its time is taken soon after its start.
+    Preset preset_as_shown() const;
+
     bool is_open() const { return renderer_ != nullptr; }
     bool is_loading() const { return candidate_ != nullptr; }
     bool is_specialised() const { return specialised_; }

@@ -1,18 +1,11 @@
 #include "modes/window.h"
 
-#include "gl/window.h"
 #include "image/image.h"
-#include "modes/browser.h"
 #include "modes/convert.h"
-#include "modes/crash_mark.h"
 #include "modes/editor.h"
 #include "modes/inspect.h"
-#include "modes/keys.h"
-#include "modes/playground.h"
-#include "render/viewer.h"
+#include "modes/playground_window.h"
 #include "scene/preset_writer.h"
-#include "ui/panels.h"
-#include "ui/shortcuts.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -55,79 +48,7 @@ fs::path free_picture_name(const fs::path& file) {
     }
 }
 
-class PlaygroundWindow {
-public:
-    explicit PlaygroundWindow(const ViewOptions& options);
-    void run();
-
-private:
-    // Input
-    void handle(const WindowEvent& event);
-    void handle_key(const WindowEvent& event);
-    void handle_mouse(const WindowEvent& event);
-    void release_keys();
-    bool run_shortcut(int key, int modifiers);
-    void act(Action action);
-    bool is_over_scene() const {
-        return settings_.view.sampler.empty() && settings_.view.zoom == 0.0;
-    }
-
-    // What panels and shortcuts ask for
-    void grant(const Wishes& wishes);
-    void open(const fs::path& file);
-    void save(const fs::path& file);
-    void revert();
-    void take_still();
-    void toggle_recording();
-    void edit(const Diagnostic& diagnostic);
-    void drop(const fs::path& file);
-    void notice(std::string text);
-
-    // Drawing
-    double wait_seconds() const;
-    bool shows_clock() const;
-    void draw_frame();
-    void show_picture();
-    Facts facts();
-    void gather_pixels();
-    BufferView buffer_view() const;
-    void adapt_resolution();
-    glm::ivec2 picture_size() const;
-    glm::dvec2 on_picture(glm::dvec2 position) const;
-    void print_reports();
-    bool is_unsaved() const;
-
-    ViewOptions options_;
-    Window window_;
-    CrashMark crash_mark_;
-    Playground playground_;
-    Viewer viewer_;
-    PanelSettings settings_;
-    Panels panels_;
-    Browser browser_;
-    fs::path file_;
-    std::vector<TweakValue> saved_values_;
-    bool values_known_ = false;
-    std::vector<Event> recorded_;
-
-    Stopwatch since_draw_, since_scaling_;
-    double frame_due_ = 0.0;  // s from since_draw_
-    std::size_t printed_reports_ = 0;
-    std::string notice_, title_, last_reload_;
-    double automatic_scale_ = 1.0;
-    float content_scale_ = window_.content_scale();
-    bool dirty_ = true;  // the screen is behind what it should show
-    bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
-    glm::dvec2 mouse_{0.0};
-    std::uint32_t random_seed_ = 0;
-    std::vector<int> held_keys_;
-
-    std::vector<PassFact> passes_;
-    std::vector<BrowserEntry> browser_entries_;
-    std::optional<PixelFacts> pixel_facts_;
-    std::vector<PixelValue> pixel_values_;
-    std::vector<GridPixel> grid_;
-};
+}  // namespace
 
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
@@ -137,7 +58,10 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
                   {.device = options.device, .specialise = options.specialise}),
       panels_(window_.handle(), window_.content_scale(),
               home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
-      browser_(home_folder("XDG_CACHE_HOME", ".cache")) {
+      browser_(home_folder("XDG_CACHE_HOME", ".cache")),
+      study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
+             {.device = options.device, .specialise = options.specialise}),
+      check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}) {
     pause_at_open_ = crash_mark_.take(options.file);
     if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
     open(options.file);
@@ -145,10 +69,13 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
 
 void PlaygroundWindow::run() {
     while (!window_.should_close()) {
-        const std::vector<int> descriptors = playground_.descriptors();
+        std::vector<int> descriptors = playground_.descriptors();
+        descriptors.push_back(study_.process().descriptor());
+        descriptors.push_back(check_.process().descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
         dirty_ |= browser_.update();
+        dirty_ |= follow_findings();
         print_reports();
         const double now = since_draw_.ms() / 1000.0;
         if (!window_.is_visible() || window_.size().x == 0 || window_.size().y == 0) continue;
@@ -174,6 +101,7 @@ double PlaygroundWindow::wait_seconds() const {
     }
     if (shows_clock()) return std::max(0.0, kClockTick - now);
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
+                         study_.process().is_ending() || check_.process().is_ending() ||
                          (playground_.is_open() && !playground_.is_at_rest());
     return pending ? 0.1 : kLongestWait;
 }
@@ -183,14 +111,6 @@ glm::ivec2 PlaygroundWindow::picture_size() const {
     const glm::dvec2 size = glm::dvec2(window_.size()) * scale;
     return {std::max(1, static_cast<int>(std::lround(size.x))),
             std::max(1, static_cast<int>(std::lround(size.y)))};
-}
-
-// The fraction of the picture, as recordings keep it, of a place in the window (pixels, y up).
-glm::dvec2 PlaygroundWindow::on_picture(glm::dvec2 position) const {
-    const glm::dvec2 window(glm::max(window_.size(), glm::ivec2(1)));
-    const glm::ivec2 size = playground_.size();
-    return mouse_fraction(glm::dvec2(position.x, window.y - position.y) / window * glm::dvec2(size),
-                          size);
 }
 
 // Holds the chosen frame rate by the resolution: the cost of a frame goes with its pixels.
@@ -245,7 +165,7 @@ void PlaygroundWindow::show_picture() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClearColor(0.07f, 0.07f, 0.08f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (!playground_.is_open()) return;
+    if (!playground_.is_open() || show_finding()) return;
     BufferView view = buffer_view();
     const Output viewed = find_output(playground_, settings_.view.sampler);
     view.output = viewed.output;
@@ -255,15 +175,20 @@ void PlaygroundWindow::show_picture() {
         viewer_.show(*buffer, view, all);
         return;
     }
-    // The other set's picture lies right of the line.
-    const auto line = static_cast<int>(settings_.wipe_position * static_cast<float>(all.size.x));
     const auto other =
         playground_.history.shown() == History::Set::a ? History::Set::b : History::Set::a;
     const Buffer* picture = playground_.picture_of(other);
-    viewer_.show(*buffer, view, all);
+    show_wipe(*buffer, picture ? *picture : *buffer, view);
+}
+
+// One picture left of the line, another right of it.
+void PlaygroundWindow::show_wipe(const Buffer& left, const Buffer& right, const BufferView& view) {
+    const ScreenArea all{.origin = {0, 0}, .size = window_.size()};
+    const auto line = static_cast<int>(settings_.wipe_position * static_cast<float>(all.size.x));
+    viewer_.show(left, view, all);
     glEnable(GL_SCISSOR_TEST);
     glScissor(line, 0, all.size.x - line, all.size.y);
-    if (picture) viewer_.show(*picture, view, all);
+    viewer_.show(right, view, all);
     glScissor(line, 0, 2, all.size.y);
     glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -292,7 +217,8 @@ Facts PlaygroundWindow::facts() {
     pixel_facts_.reset();
     pixel_values_.clear();
     grid_.clear();
-    if (playground_.is_open() && settings_.visible && settings_.passes) gather_pixels();
+    const bool sees_scene = playground_.is_open() && settings_.shown == Shown::scene;
+    if (sees_scene && settings_.visible && settings_.passes) gather_pixels();
     browser_entries_.clear();
     for (const Look& look : browser_.looks()) {
         browser_entries_.push_back({look.file, look.title, look.thumbnail.id(), {}});
@@ -319,6 +245,7 @@ Facts PlaygroundWindow::facts() {
     facts.browser = browser_entries_;
     facts.recording = playground_.recorder.recording();
     facts.notice = notice_;
+    tell_findings(facts);
     const std::string title = fmt::format("{}{} - Glint", facts.title, facts.unsaved ? " *" : "");
     if (title != title_) window_.set_title(title_ = title);
     return facts;
@@ -339,6 +266,8 @@ void PlaygroundWindow::print_reports() {
             values_known_ = true;
             if (pause_at_open_) playground_.transport.pause();
             pause_at_open_ = false;
+        } else if (reports[i].shown && reports[i].file.extension() != ".toml") {
+            stop_findings();  // they are about another text
         }
         dirty_ = true;
     }
@@ -349,6 +278,9 @@ void PlaygroundWindow::open(const fs::path& file) {
     file_ = file;
     values_known_ = false;
     recorded_.clear();
+    study_.clear();
+    check_.clear();
+    settings_.shown = Shown::scene;
     crash_mark_.set(file);
     playground_.open(file);
     browser_.list(file);
@@ -446,166 +378,9 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.toggle_recording) toggle_recording();
     if (wishes.toggle_full_screen) window_.set_full_screen(!window_.is_full_screen());
     if (wishes.edit) edit(*wishes.edit);
+    grant_findings(wishes);
     if (wishes.quit) window_.close();
 }
-
-void PlaygroundWindow::handle(const WindowEvent& event) {
-    dirty_ = true;
-    switch (event.kind) {
-        case WindowEvent::Kind::key:
-            handle_key(event);
-            break;
-        case WindowEvent::Kind::mouse_button:
-        case WindowEvent::Kind::mouse_move:
-        case WindowEvent::Kind::scroll:
-            handle_mouse(event);
-            break;
-        case WindowEvent::Kind::drop:
-            if (!event.files.empty()) drop(event.files.front());
-            break;
-        case WindowEvent::Kind::resize:
-            break;
-        case WindowEvent::Kind::focus:
-            if (!event.down) release_keys();
-            break;
-    }
-}
-
-// Keys that were down when the window lost the keyboard would never be seen to come up.
-void PlaygroundWindow::release_keys() {
-    for (const int code : held_keys_) playground_.key(code, false);
-    held_keys_.clear();
-}
-
-void PlaygroundWindow::handle_key(const WindowEvent& event) {
-    if (event.down && !event.repeat && run_shortcut(event.code, event.modifiers)) return;
-    const int code = key_code_of(event.code);
-    if (code < 0 || event.repeat) return;
-    const auto held = std::find(held_keys_.begin(), held_keys_.end(), code);
-    if (event.down && !panels_.takes_keyboard() && held == held_keys_.end()) {
-        held_keys_.push_back(code);
-        playground_.key(code, true);
-    } else if (!event.down && held != held_keys_.end()) {
-        held_keys_.erase(held);
-        playground_.key(code, false);
-    }
-}
-
-void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
-    const glm::dvec2 window(glm::max(window_.size(), glm::ivec2(1)));
-    PassView& view = settings_.view;
-    if (event.kind == WindowEvent::Kind::scroll) {
-        if (panels_.takes_mouse() || !settings_.passes) return;
-        const glm::dvec2 size(playground_.size());
-        const double fit = std::min(window.x / size.x, window.y / size.y);
-        const double zoom =
-            (view.zoom > 0.0 ? view.zoom : fit) * std::exp2(event.position.y * 0.25);
-        view.zoom = zoom <= fit ? 0.0 : std::min(zoom, 256.0);
-        return;
-    }
-    const glm::dvec2 moved = event.position - mouse_;
-    mouse_ = event.position;
-    if (event.kind == WindowEvent::Kind::mouse_button) {
-        panels_.mouse_button(event.position, event.code, event.down);
-    }
-    if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
-        const bool starts = event.down && !panels_.takes_mouse_at(event.position);
-        panning_ = starts && !is_over_scene();
-        if (starts && is_over_scene()) dragging_scene_ = true;
-        if (dragging_scene_) playground_.mouse(on_picture(event.position), event.down);
-        if (!event.down) dragging_scene_ = false;
-        return;
-    }
-    // A drag that began on the scene goes on over the panels and outside the window.
-    if (dragging_scene_) playground_.mouse(on_picture(event.position), true);
-    if (panning_ && view.zoom > 0.0)
-        view.centre -= moved / (glm::dvec2(playground_.size()) * view.zoom);
-}
-
-bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
-    const std::optional<Action> action = action_of(key, modifiers);
-    if (!action) return false;
-    // What a person types into a field, and undoes there, is not meant for the window.
-    const bool plain = modifiers == 0 || modifiers == GLFW_MOD_SHIFT;
-    const bool undoes = *action == Action::undo || *action == Action::redo;
-    if ((plain && panels_.takes_keyboard()) || (undoes && panels_.takes_text())) return false;
-    act(*action);
-    return true;
-}
-
-void PlaygroundWindow::act(Action action) {
-    Transport& transport = playground_.transport;
-    History& history = playground_.history;
-    switch (action) {
-        case Action::play_pause:
-            transport.playing() ? transport.pause() : transport.play();
-            break;
-        case Action::step:
-            transport.step();
-            break;
-        case Action::reset:
-            transport.reset();
-            break;
-        case Action::tweaks:
-            settings_.tweaks = !settings_.tweaks;
-            break;
-        case Action::passes:
-            settings_.passes = !settings_.passes;
-            break;
-        case Action::browser:
-            settings_.browser = !settings_.browser;
-            break;
-        case Action::transport:
-            settings_.transport = !settings_.transport;
-            break;
-        case Action::hide_panels:
-            settings_.visible = !settings_.visible;
-            break;
-        case Action::close_panels:
-            settings_.help = settings_.browser = false;
-            break;
-        case Action::undo:
-            if (history.undo()) playground_.tweaks_changed();
-            break;
-        case Action::redo:
-            if (history.redo()) playground_.tweaks_changed();
-            break;
-        case Action::randomise:
-            history.randomise(++random_seed_);
-            playground_.tweaks_changed();
-            break;
-        case Action::save:
-            if (file_.extension() == ".toml")
-                save(file_);
-            else
-                settings_.save_as = settings_.visible = true;
-            break;
-        case Action::save_as:
-            settings_.save_as = settings_.visible = true;
-            break;
-        case Action::still:
-            take_still();
-            break;
-        case Action::record:
-            toggle_recording();
-            break;
-        case Action::edit:
-            edit(playground_.diagnostics().empty() ? Diagnostic{}
-                                                   : playground_.diagnostics().front());
-            break;
-        case Action::full_screen:
-            window_.set_full_screen(!window_.is_full_screen());
-            break;
-        case Action::help:
-            settings_.help = !settings_.help;
-            break;
-        case Action::quit:
-            window_.close();
-            break;
-    }
-}
-
-}  // namespace
 
 void run_window(const ViewOptions& options) {
     PlaygroundWindow(options).run();

@@ -104,6 +104,22 @@ void grid(const Pen& pen) {
         for (const float y : {-0.85f, 0.15f}) pen.box(x, y, x + 0.7f, y + 0.7f);
 }
 
+// Error that falls as the time grows.
+void diagram(const Pen& pen) {
+    pen.path({{-0.85f, -0.85f}, {-0.85f, 0.85f}, {0.85f, 0.85f}});
+    pen.path({{-0.45f, -0.6f}, {-0.1f, 0.1f}, {0.75f, 0.4f}});
+    for (const ImVec2 at : {ImVec2{-0.45f, -0.6f}, {-0.1f, 0.1f}, {0.75f, 0.4f}})
+        pen.dot(at.x, at.y, 0.17f);
+}
+
+// A shield with a tick.
+void shield(const Pen& pen) {
+    pen.path(
+        {{0, -0.95f}, {0.75f, -0.65f}, {0.7f, 0.15f}, {0, 0.95f}, {-0.7f, 0.15f}, {-0.75f, -0.65f}},
+        true);
+    pen.path({{-0.35f, -0.05f}, {-0.05f, 0.3f}, {0.4f, -0.35f}});
+}
+
 void corners(const Pen& pen) {
     for (const float x : {-1.0f, 1.0f})
         for (const float y : {-1.0f, 1.0f})
@@ -194,6 +210,10 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
             return layers(pen);
         case Icon::browser:
             return grid(pen);
+        case Icon::study:
+            return diagram(pen);
+        case Icon::check:
+            return shield(pen);
         case Icon::clock:
             pen.ring(0, 0, 0.85f);
             return pen.path({{0, -0.5f}, {0, 0}, {0.4f, 0.25f}});

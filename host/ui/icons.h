@@ -24,6 +24,8 @@ enum class Icon {
     tweaks,
     passes,
     browser,
+    study,
+    check,
     clock,
     screen,
     camera,

@@ -23,15 +23,20 @@ Wishes Interface::build(const Facts& facts, History& history, Transport& transpo
     follow_notice(facts);
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
         pixel_grid(build);
+        shown_labels(build);
         wipe_handle(build);
         top_bar(build, diagnostics_);
         if (!settings.transport) layout_.transport = {};
         if (settings.transport) transport_panel(build, transport_);
-        layout_.arrange(theme_, screen, {settings.tweaks, settings.passes, settings.browser});
+        layout_.arrange(
+            theme_, screen,
+            {settings.tweaks, settings.passes, settings.browser, settings.study, settings.check});
         if (!facts.scene) empty_hint(build);
         if (settings.tweaks) tweaks_panel(build, tweaks_);
         if (settings.passes) passes_panel(build);
         browser_panel(build, browser_);
+        if (settings.study) study_panel(build, study_);
+        if (settings.check) check_panel(build);
         diagnostics_panel(build, diagnostics_);
         if (settings.help) help_panel(build);
     }

@@ -63,16 +63,25 @@ struct BrowserState {
     std::optional<std::filesystem::path> leaving_for;  // opened once the unsaved is dealt with
 };
 
+struct StudyState {
+    std::string knob;  // to be studied; "" for all
+    // The row under the mouse, in the diagram or in the table; in the frame before, and in this.
+    std::optional<std::size_t> hovered, hovering;
+};
+
 void top_bar(Build& build, DiagnosticsState& diagnostics);
 void tweaks_panel(Build& build, TweaksState& state);
 void transport_panel(Build& build, TransportState& state);
 void passes_panel(Build& build);
 void browser_panel(Build& build, BrowserState& state);
+void study_panel(Build& build, StudyState& state);
+void check_panel(Build& build);
 void diagnostics_panel(Build& build, DiagnosticsState& state);
 void diagnostics_button(Build& build, DiagnosticsState& state);  // in the bar: how many
 void help_panel(Build& build);
 void empty_hint(Build& build);
 void wipe_handle(Build& build);
+void shown_labels(Build& build);
 void pixel_grid(Build& build);
 void notice(Build& build, float alpha);
 
@@ -81,6 +90,9 @@ void notice(Build& build, float alpha);
 void begin_panel(Build& build, PanelId id, const char* title, bool& open);
 void begin_body();
 void end_panel(Build& build, PanelId id);
+
+// How far work beside the window has come, and what went wrong with it.
+void work_line(const Theme& theme, const WorkFact& work);
 
 class Interface {
 public:
@@ -111,6 +123,7 @@ private:
     TransportState transport_;
     DiagnosticsState diagnostics_;
     BrowserState browser_;
+    StudyState study_;
     std::string notice_;
     float notice_age_ = 1e9f;  // s
 };

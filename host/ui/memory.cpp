@@ -5,12 +5,15 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 namespace glint {
 namespace {
 
-constexpr const char* kPanelNames[] = {"tweaks", "passes", "browser"};
-constexpr const char* kOpenNames[] = {"tweaks", "transport", "passes", "browser"};
+constexpr const char* kPanelNames[] = {"tweaks", "passes", "browser", "study", "check"};
+constexpr const char* kOpenNames[] = {"tweaks", "transport", "passes", "browser", "study", "check"};
+static_assert(std::size(kPanelNames) == kPanelCount);
+static_assert(std::size(kOpenNames) == std::tuple_size<decltype(Memory::open)>());
 
 Memory& memory_of(ImGuiSettingsHandler* handler) {
     return *static_cast<Memory*>(handler->UserData);
@@ -76,10 +79,13 @@ void recall(Memory& memory, Places& places, PanelSettings& settings) {
     settings.transport = memory.open[1];
     settings.passes = memory.open[2];
     settings.browser = memory.open[3];
+    settings.study = memory.open[4];
+    settings.check = memory.open[5];
 }
 
 void note(Memory& memory, const Places& places, const PanelSettings& settings) {
-    const std::array open{settings.tweaks, settings.transport, settings.passes, settings.browser};
+    const std::array open{settings.tweaks,  settings.transport, settings.passes,
+                          settings.browser, settings.study,     settings.check};
     if (memory.places == places && memory.open == open) return;
     memory.places = places;
     memory.open = open;

@@ -10,8 +10,9 @@ namespace glint {
 
 struct Memory {
     Places places;
-    std::array<bool, 4> open{true, true, false, false};  // tweaks, transport, passes, browser
-    bool read = false;                                   // the file had something to say
+    // tweaks, transport, passes, browser, study, check
+    std::array<bool, 6> open{true, true, false, false, false, false};
+    bool read = false;  // the file had something to say
     bool recalled = false;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glint {
@@ -48,6 +49,25 @@ double rounded_to(double value, int digits) {
 }
 
 }  // namespace
+
+std::string power_text(double value) {
+    static constexpr std::array<const char*, 10> kRaised = {"\u2070", "\u00b9", "\u00b2", "\u00b3",
+                                                            "\u2074", "\u2075", "\u2076", "\u2077",
+                                                            "\u2078", "\u2079"};
+    const double size = std::abs(value);
+    if (value == 0.0 || !std::isfinite(value)) return short_number(value);
+    if (size > 0.0999 && size < 99999.0) return fmt::format("{:.3g}", value);
+    const std::string written = fmt::format("{:.2e}", value);  // "3.64e-04"
+    const std::size_t e = written.find('e');
+    std::string digits = written.substr(0, e);
+    digits.erase(digits.find_last_not_of("0") + 1);
+    if (digits.ends_with('.')) digits.pop_back();
+    std::string text = digits == "1" ? "10" : digits + "\u00b710";
+    if (written[e + 1] == '-') text += "\u207b";
+    const std::size_t power = std::min(written.find_first_not_of('0', e + 2), written.size() - 1);
+    for (const char c : written.substr(power)) text += kRaised[static_cast<std::size_t>(c - '0')];
+    return text;
+}
 
 bool has_range(const Tweak& tweak) {
     return tweak.min && tweak.max && std::isfinite(*tweak.min) && std::isfinite(*tweak.max) &&

@@ -13,6 +13,9 @@ std::string number_text(const Tweak& tweak, double value);
 // A short number for tables: "0.1234", "1.23e-5", "nan", "inf".
 std::string short_number(double value);
 
+// Three digits and a power of ten where that is shorter: "0.25", "3.64·10⁻⁴", "10⁻³".
+std::string power_text(double value);
+
 // Whether the tweak has a range that a slider can span.
 bool has_range(const Tweak& tweak);
 

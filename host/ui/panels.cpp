@@ -60,12 +60,16 @@ void add(Wishes& all, Wishes more) {
     if (more.open) all.open = std::move(more.open);
     if (more.save_as) all.save_as = std::move(more.save_as);
     if (more.edit) all.edit = std::move(more.edit);
+    if (more.study) all.study = std::move(more.study);
     all.save |= more.save;
     all.revert |= more.revert;
     all.still |= more.still;
     all.toggle_recording |= more.toggle_recording;
     all.toggle_full_screen |= more.toggle_full_screen;
     all.tweaks_changed |= more.tweaks_changed;
+    all.cancel_study |= more.cancel_study;
+    all.check |= more.check;
+    all.cancel_check |= more.cancel_check;
     all.quit |= more.quit;
 }
 

@@ -5,6 +5,7 @@
 #include "scene/history.h"
 #include "scene/scene.h"
 #include "scene/transport.h"
+#include "ui/findings.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -92,6 +93,9 @@ struct Facts {
     std::span<const PixelValue> pixel_values;
     std::span<const GridPixel> grid;  // those in view, when the zoom is far enough for numbers
     std::span<const BrowserEntry> browser;
+    WorkFact study_work, check_work;
+    std::span<const StudyFact> studies;
+    std::span<const CaseFact> cases;  // worst first
     bool recording = false;
     // A short message such as "christmas.png written". It fades by itself; a new text shows anew.
     std::string notice;
@@ -105,7 +109,10 @@ struct Wishes {
     bool toggle_recording = false;
     bool toggle_full_screen = false;
     bool tweaks_changed = false;
-    std::optional<Diagnostic> edit;  // open the editor at this place
+    std::optional<Diagnostic> edit;    // open the editor at this place
+    std::optional<std::string> study;  // run one of this knob; "" for all
+    bool cancel_study = false;
+    bool check = false, cancel_check = false;
     bool quit = false;
 };
 
@@ -113,13 +120,18 @@ struct Wishes {
 struct PanelSettings {
     bool visible = true;  // Tab hides all
     bool tweaks = true, transport = true, passes = false, browser = false, help = false;
+    bool study = false, check = false;
     bool save_as = false;  // ask for the path; the panels answer with Wishes::save_as
     PassView view;
     float resolution_scale = 1.0f;  // 0.25 to 2
     bool hold_frame_rate = false;   // lower the resolution to hold this rate
     float frame_rate = 30.0f;       // Hz
     bool wipe = false;  // the tweak set that is shown left of a line, the other right of it
-    float wipe_position = 0.5f;  // fraction of the width
+    float wipe_position = 0.5f;            // fraction of the width; also of the wipe of a study
+    Shown shown = Shown::scene;            // what stands in the view
+    std::size_t shown_study = 0;           // of Facts::studies
+    std::optional<std::size_t> shown_row;  // of that study, to be compared
+    std::string shown_case;                // the chosen one of Facts::cases
 };
 
 class Panels {

@@ -104,13 +104,15 @@ void top_bar(Build& build, DiagnosticsState& diagnostics) {
     ImGui::Begin("bar", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    const float toggles = 9 * (ImGui::GetFrameHeight() + theme.px(2)) + theme.px(60);
+    const float toggles = 11 * (ImGui::GetFrameHeight() + theme.px(2)) + theme.px(60);
     title(build, std::max(std::min(theme.px(260), screen - 2 * margin - toggles), 1.0f));
     PanelSettings& settings = build.settings;
     toggle(build, "Browser", Icon::browser, Action::browser, settings.browser);
     toggle(build, "Passes", Icon::passes, Action::passes, settings.passes);
     toggle(build, "Tweaks", Icon::tweaks, Action::tweaks, settings.tweaks);
     toggle(build, "Transport", Icon::clock, Action::transport, settings.transport);
+    toggle(build, "Study", Icon::study, Action::study, settings.study);
+    toggle(build, "Check", Icon::check, Action::check, settings.check);
     ImGui::SameLine(0, theme.px(8));
     actions(build);
     if (build.facts.loading) {

@@ -294,6 +294,7 @@ TEST(Browser, WhatIsNotSavedIsNotLeftWithoutAQuestion) {
 void open_all(Screen& screen) {
     PanelSettings& settings = screen.settings;
     settings.passes = settings.browser = settings.help = settings.view.inspect = true;
+    settings.study = settings.check = true;
     settings.wipe = true;
     for (int i = 0; i < 4; ++i) screen.frame();
 }
@@ -395,14 +396,18 @@ TEST(Panels, RememberTheirPlaces) {
         if (again) ImGui::LoadIniSettingsFromMemory(written.c_str());
         recall(memory, screen.interface.places(), screen.settings);
         if (!again) {
-            screen.interface.places() = {{Side::left, Side::right, Side::left}, {250, 400}};
-            screen.settings.passes = true;
+            screen.interface.places() = {{Side::left, Side::right, Side::left, Side::right},
+                                         {250, 400}};
+            screen.settings.passes = screen.settings.check = true;
             note(memory, screen.interface.places(), screen.settings);
             written = ImGui::SaveIniSettingsToMemory();
         }
         EXPECT_EQ(screen.interface.places().side[0], Side::left);
         EXPECT_EQ(screen.interface.places().width[1], 400.0f);
+        EXPECT_EQ(screen.interface.places().side[3], Side::right);
         EXPECT_TRUE(screen.settings.passes);
+        EXPECT_TRUE(screen.settings.check);
+        EXPECT_FALSE(screen.settings.study);
     }
 }
 

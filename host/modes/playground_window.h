@@ -1,0 +1,125 @@
+// The window of an open scene: what it holds together, and who does what.
+//
+// window.cpp draws and grants wishes, window_input.cpp hears keys and mouse, window_findings.cpp
+// runs studies and checks beside it.
+#pragma once
+
+#include "gl/window.h"
+#include "modes/browser.h"
+#include "modes/crash_mark.h"
+#include "modes/live_check.h"
+#include "modes/live_study.h"
+#include "modes/picture_shelf.h"
+#include "modes/playground.h"
+#include "render/viewer.h"
+#include "ui/panels.h"
+#include "ui/shortcuts.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+class PlaygroundWindow {
+public:
+    explicit PlaygroundWindow(const ViewOptions& options);
+    void run();
+
+private:
+    // Input
+    void handle(const WindowEvent& event);
+    void handle_key(const WindowEvent& event);
+    void handle_mouse(const WindowEvent& event);
+    void release_keys();
+    bool run_shortcut(int key, int modifiers);
+    void act(Action action);
+    bool is_over_scene() const {
+        return settings_.view.sampler.empty() && settings_.view.zoom == 0.0 &&
+               settings_.shown == Shown::scene;
+    }
+
+    // What panels and shortcuts ask for
+    void grant(const Wishes& wishes);
+    void open(const std::filesystem::path& file);
+    void save(const std::filesystem::path& file);
+    void revert();
+    void take_still();
+    void toggle_recording();
+    void edit(const Diagnostic& diagnostic);
+    void drop(const std::filesystem::path& file);
+    void notice(std::string text);
+
+    // Studies and checks
+    bool follow_findings();
+    void grant_findings(const Wishes& wishes);
+    void start_study(const std::string& knob);
+    void start_check();
+    void stop_findings();
+    void tell_findings(Facts& facts) const;
+    bool show_finding();
+    bool show_failure();
+    bool show_comparison();
+
+    // Drawing
+    double wait_seconds() const;
+    bool shows_clock() const;
+    void draw_frame();
+    void show_picture();
+    void show_wipe(const Buffer& left, const Buffer& right, const BufferView& view);
+    Facts facts();
+    void gather_pixels();
+    BufferView buffer_view() const;
+    void adapt_resolution();
+    glm::ivec2 picture_size() const;
+    glm::ivec2 viewed_size() const;
+    glm::dvec2 on_picture(glm::dvec2 position) const;
+    void print_reports();
+    bool is_unsaved() const;
+
+    ViewOptions options_;
+    Window window_;
+    CrashMark crash_mark_;
+    Playground playground_;
+    Viewer viewer_;
+    PanelSettings settings_;
+    Panels panels_;
+    Browser browser_;
+    LiveStudy study_;
+    LiveCheck check_;
+    PictureShelf pictures_;
+    std::filesystem::path file_;
+    std::vector<TweakValue> saved_values_;
+    bool values_known_ = false;
+    std::vector<Event> recorded_;
+    // What a study or a check is about: the values it began with, and whether they are still those
+    // of the same text.
+    struct Subject {
+        std::vector<TweakValue> values;
+        bool is_other_text = false;
+    };
+    Subject studied_, checked_;
+    Shown shown_before_ = Shown::scene;
+    glm::ivec2 finding_size_{1};  // of the picture in the view that is not the scene's
+
+    Stopwatch since_draw_, since_scaling_;
+    double frame_due_ = 0.0;  // s from since_draw_
+    std::size_t printed_reports_ = 0;
+    std::string notice_, title_, last_reload_;
+    double automatic_scale_ = 1.0;
+    float content_scale_ = window_.content_scale();
+    bool dirty_ = true;  // the screen is behind what it should show
+    bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
+    glm::dvec2 mouse_{0.0};
+    std::uint32_t random_seed_ = 0;
+    std::vector<int> held_keys_;
+
+    std::vector<PassFact> passes_;
+    std::vector<BrowserEntry> browser_entries_;
+    std::optional<PixelFacts> pixel_facts_;
+    std::vector<PixelValue> pixel_values_;
+    std::vector<GridPixel> grid_;
+};
+
+}  // namespace glint
