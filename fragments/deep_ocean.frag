@@ -30,21 +30,21 @@
 // ---- Tweaks -------------------------------------------------------------------------------------
 //@ group Water
 uniform float depth;           //@ 24 [16, 40] unit=m "from the surface to the sand"
-uniform vec3  waterTint;       //@ #7cc8d8 "what white light becomes over the distance below"
-uniform float tintDistance;    //@ 22 [1, 100] log unit=m "that light goes to take on the tint"
-uniform float haze;            //@ 0.016 [0, 0.2] unit=1/m "light scattered out of its way"
+uniform vec3  waterTint;       //@ #5eb9d6 "what white light becomes over the distance below"
+uniform float tintDistance;    //@ 16 [1, 100] log unit=m "that light goes to take on the tint"
+uniform float haze;            //@ 0.012 [0, 0.2] unit=1/m "light scattered out of its way"
 uniform float waveSlope;       //@ 0.08 [0, 0.25] "of the surface, root mean square"
 uniform float specks;          //@ 1.0 [0, 4] "marine snow"
 uniform float animation;       //@ 1.0 [0, 4] "speed of everything that moves"
 //@ group Light
 uniform float sunElevation;    //@ 28 [15, 90] unit=deg "above the horizon"
 uniform float sunAngle;        //@ 4 [-180, 180] unit=deg "round the axis; 0 is ahead"
-uniform float sunPower;        //@ 18 [0, 40] "irradiance of a face towards the sun"
-uniform float skyLight;        //@ 1.0 [0, 4] "of the open sky"
-uniform float netContrast;     //@ 1.0 [0, 2] "of the net of light on everything"
+uniform float sunPower;        //@ 28 [0, 40] "irradiance of a face towards the sun"
+uniform float skyLight;        //@ 0.5 [0, 4] "of the open sky"
+uniform float netContrast;     //@ 0.7 [0, 2] "of the net of light on everything"
 uniform float netSharpness;    //@ 0.7 [0, 1] "how well the waves focus"
 uniform float loopSeconds;     //@ 16 [2, 64] unit=s "after which the waves repeat"
-uniform float shafts;          //@ 1.0 [0, 4] "contrast of the light in the water"
+uniform float shafts;          //@ 2.0 [0, 4] "contrast of the light in the water"
 //@ group Sea floor
 uniform float wideRelief;      //@ 30 [0, 60] unit=m "height of the wide band of noise"
 uniform float fineRelief;      //@ 20 [0, 40] unit=m "height of the fine band of noise"
@@ -70,9 +70,9 @@ uniform float cameraHeight;    //@ 1.6 [0.3, 38] unit=m "of the eye, and never i
 uniform float targetHeight;    //@ 7.6 [0, 30] unit=m "of the point looked at"
 uniform float targetShift;     //@ 0.0 [-15, 15] unit=m "of the point looked at, to the right"
 uniform float focalLength;     //@ 17 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
-uniform float exposure;        //@ 0.4 [-4, 6] unit=stop "before the display curve"
+uniform float exposure;        //@ 0.3 [-4, 6] unit=stop "before the display curve"
 //@ group Quality
-uniform int   marchSteps;      //@ 96 [8, 1024] log quality reference=1024 "of a ray to the ground"
+uniform int   marchSteps;      //@ 224 [16, 1024] log quality reference=1024 "of a ray to the floor"
 uniform int   shaftSamples;    //@ 12 [1, 256] log quality reference=256 "along one view ray"
 uniform int   antialias;       //@ 1 [1, 16] quality reference=16 "samples of a pixel"
 uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and tears are cut out"
@@ -85,7 +85,7 @@ uniform sampler2D summits;     //@ pass mainSummits size=32x32 filter=nearest
 uniform sampler2D shade;       //@ pass mainShade size=256x256 wrap=repeat
 uniform sampler2D grain;       //@ pass mainGrain size=256x256 wrap=repeat filter=mipmap
 uniform sampler2D rig;         //@ pass mainRig size=32x4 filter=nearest
-uniform sampler2D garden;      //@ pass mainGarden size=64x1 filter=nearest
+uniform sampler2D garden;      //@ pass mainGarden size=64x2 filter=nearest
 uniform sampler2D swarm;       //@ pass mainSwarm size=16x1 filter=nearest
 uniform sampler2D surface;     //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
 uniform sampler2D splat;       //@ pass mainSurface size=128x128 filter=nearest
@@ -193,11 +193,11 @@ vec2 floorShape(vec2 p) {
         fine += gain * floorNoise(p, 16.0 * exp2(float(-k)), 2 + k);
         gain *= 0.42;
     }
-    float along = 2.0 * kPi * p.x / kTile, clear = exp(-dot(p, p) / 324.0);
-    float beyond = 13.0 * sin(along + 0.9) + 4.0 * floorNoise(p, 32.0, 8) - p.y - 33.0;
+    float along = 2.0 * kPi * p.x / kTile, clear = exp(-dot(p, p) / 260.0);
+    float beyond = 20.0 * sin(along + 0.6) + 4.0 * floorNoise(p, 32.0, 8) - p.y - 34.0;
     float face = smoothstep(-3.0, 6.0, beyond + 0.35 * fine);
     float back = smoothstep(-3.0, 9.0, p.y - 88.0 + 0.5 * fine);   // closes the tile
-    float rock = wide + fine - 5.0 - 18.0 * clear + cliff * max(face, back);
+    float rock = wide + fine - 2.4 - 14.0 * clear + cliff * max(face, back);
     rock += 0.9 * face * sin(rock);                                // ledges
     float sand = 0.8 * floorNoise(p, 32.0, 20) + 0.22 * floorNoise(p, 8.0, 21);
     sand = sand * (1.0 - 0.7 * clear) + 2.6 * smoothstep(-24.0, 2.0, beyond);   // scree
@@ -213,7 +213,7 @@ int seabedEvaluations = 0;   // of a ray's height over the floor, for measuremen
 // steepest slope allows, but none is shorter than `least`. The last few are Illinois steps.
 float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     seabedEvaluations = 0;
-    float level = length(rd.xz), t = 0.0, least = 1.5 / float(marchSteps);   // m
+    float level = length(rd.xz), t = 0.0, least = 3.0 / float(marchSteps);   // m
     vec2 inverse = safeInverse(vec3(rd.xz, 1.0)).xy, far = step(0.0, rd.xz);
     vec2 nudge = 1e-3 * sign(rd.xz), above = vec2(0.0), below = vec2(-1.0, 0.0);
     if (rd.y > 0.0) tMax = min(tMax, (depth - ro.y) / rd.y);
@@ -285,6 +285,8 @@ vec4 hullSide(vec3 p) {
     float side = (abs(p.z) - 3.0 * plan * section) * inversesqrt(1.0 + rise * rise + run * run);
     return vec4(0.85 * side, v, sheer, tall);
 }
+// Two numbers for a plank or a frame: terms of the R2 sequence, many times cheaper than a hash.
+vec2 spread(float n) { return fract(n * vec2(0.7548777, 0.5698403)); }
 // Distance to the hull, never more than the true one, and what is there. Where parts repeat and
 // differ, the next one is assumed whole, so a step never passes it.
 vec2 map(vec3 p) {
@@ -293,7 +295,7 @@ vec2 map(vec3 p) {
     float rim = min(p.y - sheer, max(p.y - sheer - 1.15, p.x + 5.4));
     // Planking, broken open to port: each strake ends where it tore.
     float strake = floor(hull.y * kStrakes), part = hull.y * kStrakes - strake;
-    vec3 r = random3(ivec3(int(strake), 3, 7));
+    vec2 r = spread(strake);
     float open = 3.7 * smoothstep(0.1, 0.7, (strake + 0.5) / kStrakes) + 1.2 * (r.x - 0.5);
     float gap = p.z < 0.0 ? open - abs(p.x - 0.7 - 1.1 * (r.y - 0.5)) : -1.0;
     gap = min(gap, min(part, 1.0 - part) * hull.w / kStrakes + 0.03);
@@ -303,7 +305,7 @@ vec2 map(vec3 p) {
     shell = min(shell, max(keel, 0.3 * side));
     // Frames, some of them broken off.
     float place = floor(p.x / kFrames + 0.5), off = abs(p.x - kFrames * place);
-    r = random3(ivec3(int(place), 5, 1));
+    r = spread(place + 40.0);
     float band = max(abs(side + 0.28) - 0.14, abs(p.x) - 9.9);
     float broken = p.z < 0.0 && abs(p.x - 0.7) < 4.5 ? 0.35 - 2.0 * r.x * r.x : 0.0;
     float frames = max(max(off - 0.08, band), p.y - sheer - broken);
@@ -311,7 +313,7 @@ vec2 map(vec3 p) {
     // Decks, torn open amidships, and the beams that carried them.
     float lane = p.z / 0.3, board = floor(lane);
     lane -= board;
-    r = random3(ivec3(int(board), 11, 2));
+    r = spread(board + 20.0);
     float torn = min(p.x + 2.8 + 1.6 * r.x, 5.0 + 1.4 * r.y - p.x);
     torn = min(torn, 0.3 * min(lane, 1.0 - lane) + 0.03);
     float decks = max(max(abs(p.y - deck) - 0.06, inside), torn);
@@ -321,7 +323,7 @@ vec2 map(vec3 p) {
     place = floor(p.x / kBeams + 0.5);
     off = abs(p.x - kBeams * place);
     band = max(max(abs(p.y - deck + 0.2) - 0.13, inside), abs(p.x) - 9.0);
-    float beams = max(random3(ivec3(int(place), 13, 4)).x < 0.7 ? off - 0.1 : 1.3 - off, band);
+    float beams = max(spread(place + 9.0).y < 0.7 ? off - 0.1 : 1.3 - off, band);
     beams = min(beams, max(1.3 - off, band));
     float rudder = max(max(abs(p.z) - 0.09, abs(p.x + 11.6) - 0.55), abs(p.y - 1.7) - 2.2);
     float timber = min(min(frames, beams), min(wall, rudder));
@@ -409,10 +411,15 @@ float clothCover(vec2 p, vec2 size, float seed, vec2 w) {
     vec2 scale = vec2(2.4, 6.0);   // m, the grain is drawn out along the fall of the threads
     float lod = log2(max(max(w.x / scale.x, w.y / scale.y) * 256.0, 1.0));
     vec4 g = textureLod(grain, p / scale + vec2(0.37, 0.21) * seed, lod);
+    // What a pixel holds differs by the grain's slopes and lost variance and by the bound's own
+    // slope: as an even distribution of that width, about a mean that the bound's curve shifts.
     float lost = max(g.y - g.x * g.x, 0.0), slope = length(g.zw * w / scale);
-    float soft = sqrt(12.0 * lost + slope * slope + 1e-5);   // as wide as an even distribution
+    float down = clamp(p.y / size.y, 0.0, 1.0), part = w.y / size.y;
+    float fall = (0.35 + 2.25 * down * down) * part;
+    float soft = sqrt(12.0 * lost + slope * slope + fall * fall + 1e-5);
     float inside = overlap(p.x, w.x, 0.0, size.x) * overlap(p.y, w.y, 0.0, size.y);
-    return inside * clamp(0.5 + (clothBound(p, size) - g.x) / soft, 0.0, 1.0);
+    float bound = clothBound(p, size) - 0.19 * down * part * part;
+    return inside * clamp(0.5 + (bound - g.x) / soft, 0.0, 1.0);
 }
 // A sail in its own coordinates: along the yard, down, and out of its plane. It bellies as a
 // parabola down its fall, bend.x v + bend.y v^2, and sways.
@@ -509,26 +516,33 @@ float plantCover(float u, float v, float tall, float swing, float seed, float w)
 void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
     float level2 = max(dot(rd.xz, rd.xz), 1e-4);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
-    for (int first = 0; first < kelp; first += 30) {
-        int marks = 0, count = min(kelp - first, 30);
-        for (int k = 0; k < count; ++k) {
-            vec4 plant = texelFetch(garden, ivec2(first + k, 0), 0);
+    int groups = 0;
+    for (int g = 0; 5 * g < kelp; ++g) {
+        vec4 bound = texelFetch(garden, ivec2(g, 1), 0);
+        vec2 f = bound.xz - ro.xz;
+        float t = dot(f, rd.xz) / level2, slack = bound.w + 1.2;
+        float high = ro.y + rd.y * (t + (rd.y > 0.0 ? slack : -slack) * inversesqrt(level2));
+        if (abs(dot(f, across)) < slack && t > -slack && high < bound.y + 1.0) groups |= 1 << g;
+    }
+    for (; groups != 0; groups &= groups - 1) {
+        int first = 5 * lowestBit(groups), marks = 0;
+        for (int k = first; k < min(first + 5, kelp); ++k) {
+            vec4 plant = texelFetch(garden, ivec2(k, 0), 0);
             vec2 f = plant.xz - ro.xz;
             float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y;
-            bool met = abs(dot(f, across)) < 1.3 + 0.12 * plant.w && v > 0.0 && v < plant.w + 0.5;
-            if (met && t > 0.3 && t < tMax) marks |= 1 << k;
+            bool met = abs(dot(f, across)) < 1.3 + 0.2 * plant.w && v > 0.0 && v < plant.w + 0.5;
+            if (met && t > 0.3 && t < tMax) marks |= 1 << (k - first);
         }
         for (; marks != 0; marks &= marks - 1) {
             int k = first + lowestBit(marks);
             vec4 plant = texelFetch(garden, ivec2(k, 0), 0);
             vec2 f = plant.xz - ro.xz;
             float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y, seed = float(k) * 1.7;
-            float swing = 0.12 * plant.w
+            float swing = 0.12 * plant.w * across.x
                 * (0.6 + sin(2.0 * kPi * (cycles(0.09375) + 0.013 * plant.x) - 0.35 * v));
-            float cover =
-                plantCover(-dot(f, across), v, plant.w, swing * across.x, seed, pixel * t);
+            float cover = plantCover(-dot(f, across), v, plant.w, swing, seed, pixel * t);
             vec3 nor = unit(vec3(0.7 * sin(seed + 5.0 * v) * across, 0.5).xzy - 0.6 * rd);
-            addLayer(Layer(t, cover * smoothstep(0.3, 1.5, t), kWeed, nor));
+            addLayer(Layer(t, cover * smoothstep(1.0, 2.5, t), kWeed, nor));
         }
     }
 }
@@ -560,7 +574,7 @@ Medium oceanMedium() {
 }
 vec3 fieldLight(Medium m) { return skyLight * vec3(0.5, 0.9, 1.1) + 0.25 * m.sun; }   // above
 float phaseToSun(vec3 rd, Medium m) {
-    float g = 0.78, cosine = dot(rd, m.towards);
+    float g = 0.72, cosine = dot(rd, m.towards);
     return (1.0 - g * g) / (4.0 * kPi * pow(1.0 + g * g - 2.0 * g * cosine, 1.5)) + 0.03;
 }
 
@@ -590,22 +604,24 @@ float netAt(vec3 p, Medium m, float w) {
     return max(1.0 + netContrast * (near * (0.3 + 0.7 * wide) - 1.0), 0.0);
 }
 
-// What shafts and the shadow of rock change along the same ray: a few jittered steps, each exact in
-// its own extinction.
+// What shafts and the shadow of rock change along the same ray: a few jittered steps that grow with
+// the distance, each exact in its own extinction and in a pattern as fine as it can tell.
 vec3 shaftsAlong(vec3 ro, vec3 rd, float t, vec3 once, float jitter, Medium m) {
-    float least = min(m.extinction.x, min(m.extinction.y, m.extinction.z));
-    float size = min(t, 3.5 / max(least, 1e-4)) / float(shaftSamples);   // beyond, 3 % are left
-    vec3 fade = m.extinction * (1.0 - rd.y / m.towards.y);
-    vec3 lost = exp(-clamp(fade * size, -80.0, 80.0));
-    vec3 weight = once * size * meanFade(fade * size), sum = vec3(0.0);
-    for (int i = 0; i < shaftSamples; ++i) {
-        vec3 p = ro + (float(i) + jitter) * size * rd;
-        float pattern = textureLod(caustics, turn(entryOf(p, m), -0.4) / (5.3 * kNet), 1.0).x;
+    float least = min(m.extinction.x, min(m.extinction.y, m.extinction.z)), before = 0.0;
+    float reach = min(3.5 / max(least, 1e-3), 120.0), texel = 5.3 * kNet / float(kNetTexels);   // m
+    vec3 fade = m.extinction * (1.0 - rd.y / m.towards.y), passed = vec3(0.0), sum = vec3(0.0);
+    for (int i = 0; i < shaftSamples && before < t; ++i) {
+        float part = float(i + 1) / float(shaftSamples), end = reach * part * sqrt(part);
+        float stop = min(end, t), lod = max(floor(log2((end - before) / texel) - 0.9), 0.0);
+        vec3 p = ro + mix(before, stop, jitter) * rd, total = stop * meanFade(fade * stop);
+        float pattern = textureLod(caustics, turn(entryOf(p, m), -0.4) / (5.3 * kNet), lod).x;
         float deep = mix(0.45, 1.0, clamp(p.y / depth, 0.0, 1.0));   // they blur on their way
-        sum += weight * (besideRock(p, 0.1) * (1.0 + shafts * deep * (pattern - 1.0)) - 1.0);
-        weight *= lost;
+        float lit = besideRock(p, 0.5) * (1.0 + shafts * deep * (pattern - 1.0));
+        sum += (total - passed) * (lit - 1.0);
+        passed = total;
+        before = end;
     }
-    return sum;
+    return once * sum;
 }
 
 // The surface from below: sky through the window, outside it the mirrored deep.
@@ -699,15 +715,15 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     sum += open * exp(-m.diffuse * below) * fieldLight(m) * (0.55 + 0.45 * nor.y)
         * (1.0 + 0.5 * through);
     // The jellyfish light what is near them.
-    vec3 glow = linearColour(jellyColour) * jellyGlow;
+    float near = 0.0;
     for (int k = 0; k < (jellyGlow > 0.0 ? jellyfish : 0); ++k) {
         vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
         vec3 to = jelly.xyz - p;
         float d2 = dot(to, to) + 0.3;
-        sum += glow * exp(-m.extinction * sqrt(d2)) * (1.2 * jelly.w * jelly.w / d2)
+        near += exp(-m.extinction.g * sqrt(d2)) * (1.2 * jelly.w * jelly.w / d2)
             * max(dot(to, nor) * inversesqrt(d2), 0.15);
     }
-    return albedo / kPi * sum;
+    return albedo / kPi * (sum + near * jellyGlow * linearColour(jellyColour));
 }
 
 // Glow of the jellyfish along a ray: bells, arms and tentacles as far as they are seen, and round
@@ -717,14 +733,16 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, Medium m) {
     vec3 dim = m.absorption + jellyReach * haze;
     float level2 = max(dot(rd.xz, rd.xz), 1e-3);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
+    float halo = 0.0;
     int marks = 0;
     for (int k = 0; k < jellyfish; ++k) {
         vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
         vec3 f = jelly.xyz - ro;
         float t = dot(f, rd), away = sqrt(max(dot(f, f) - t * t, 0.0) + square(0.6 * jelly.w));
-        float air = (atan((tMax - t) / away) + atan(t / away)) / away;
-        sum += glow * exp(-dim * (max(t, 0.0) + 2.0 * away))
-            * (haze * 0.22 * jelly.w * jelly.w * air);
+        vec2 ends = vec2(tMax - t, t) / away;   // their arcs, about
+        ends *= inversesqrt(1.0 + ends * ends);
+        halo += exp(-dim.g * (max(t, 0.0) + 2.0 * away)) * jelly.w * jelly.w
+            * (ends.x + ends.y) / away;
         float side = abs(dot(f.xz, across));
         float low = f.y - rd.y * dot(f.xz, rd.xz) / level2;   // the bell above the ray, m
         bool hangs = side < 1.4 * jelly.w && low > -1.2 * jelly.w && low < 6.5 * jelly.w;
@@ -776,7 +794,7 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, Medium m) {
             * vec3(0.9, 0.85, 1.1);
         sum += glow * light * exp(-dim * max(t0, 0.0)) * (0.75 + 0.25 * squeeze);
     }
-    return sum;
+    return sum + 0.35 * haze * halo * glow;
 }
 
 // Marine snow: one speck in every cell that the ray crosses near the eye, each as bright as the
@@ -970,9 +988,8 @@ void mainRig(out vec4 colour, in vec2 pixel) {
     }
     colour = row == 0 || row == 2 ? a : b;
 }
-// The foot of each plant and its height, in groups of five.
-void mainGarden(out vec4 colour, in vec2 pixel) {
-    int k = int(pixel.x), group = k / 5;
+vec4 plantAt(int k) {   // its foot and its height; they stand in groups of five
+    int group = k / 5;
     vec3 r = random3(ivec3(k, 21, 4)), g = random3(ivec3(group, 22, 4));
     float a = 2.0 * kPi * (kGolden * float(group) + 0.13), away = mix(13.0, 36.0, g.x);
     vec2 at = away * vec2(sin(a), cos(a));
@@ -982,7 +999,23 @@ void mainGarden(out vec4 colour, in vec2 pixel) {
     at *= max(1.0, inversesqrt(max(dot(hull, hull), 1e-3)));
     at += (1.2 + 0.05 * away) * (2.0 * r.xy - 1.0);
     float foot = groundHeight(at) - 0.1, tall = kelpHeight * mix(0.5, 1.25, r.z);
-    colour = vec4(at.x, foot, at.y, clamp(tall, 0.5, max(depth - 1.5 - foot, 0.5)));
+    return vec4(at.x, foot, at.y, clamp(tall, 0.5, max(depth - 1.5 - foot, 0.5)));
+}
+// Row 0 the plants; row 1 for each group its middle, its top and its radius.
+void mainGarden(out vec4 colour, in vec2 pixel) {
+    int k = int(pixel.x);
+    colour = plantAt(k);
+    if (pixel.y < 1.0) return;
+    vec3 lo = vec3(kFar), hi = vec3(-kFar);
+    float reach = 0.0;
+    for (int j = 5 * k; j < 5 * k + 5; ++j) {
+        vec4 plant = plantAt(j);
+        lo = min(lo, plant.xyz);
+        hi = max(hi, vec3(plant.x, plant.y + plant.w, plant.z));
+        reach = max(reach, 0.2 * plant.w);   // how far it swings
+    }
+    colour = vec4(0.5 * (lo + hi), 0.5 * length((hi - lo).xz) + reach);
+    colour.y = hi.y;
 }
 // The middle of each bell and its radius: slow rounds about a place of its own beside the wreck.
 void mainSwarm(out vec4 colour, in vec2 pixel) {
@@ -1027,7 +1060,7 @@ void mainSurface(out vec4 slopes, out vec4 landing, out vec4 shape, in vec2 pixe
     vec2 aside = -fall * float(kNetTexels) / kNet * slope;   // texels
     landing = vec4(aside * min(1.0, 5.5 * inversesqrt(max(dot(aside, aside), 1e-6))), 0.0, 1.0);
     mat2 j = mat2(1.0 - fall * curve.x, -fall * curve.y, -fall * curve.y, 1.0 - fall * curve.z);
-    mat2 wide = 0.36 * j * transpose(j) + mat2(0.28);        // the sun's disc blurs by the latter
+    mat2 wide = 0.36 * j * transpose(j) + mat2(0.34);        // the sun's disc blurs by the latter
     float size = max(determinant(wide), 1e-4);
     shape = vec4(wide[1][1], -wide[0][1], wide[0][0], 0.0) / size;
     shape.w = inversesqrt(size) / (2.0 * kPi);
@@ -1065,8 +1098,9 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         vec2 uv = (at - 0.5 * iResolution.xy) / iResolution.y;
         vec3 rd = normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
         vec3 chance = random3(ivec3(ivec2(at * 16.0), 5));
+        float jitter = fract(dot(floor(at * 16.0), vec2(0.797172, 0.598115)));   // R2, by pixels
         float falloff = square(dot(rd, e.forward));   // half of a simple lens's cos^4
-        vec3 light = render(e.pos, rd, 1.0 / (e.lens * iResolution.y), chance.x);
+        vec3 light = render(e.pos, rd, 1.0 / (e.lens * iResolution.y), jitter);
         sum += falloff * light / float(antialias);
         dither += (chance + chance.yzx - 1.0) * (0.5 / 255.0 / float(antialias));
     }
