@@ -632,7 +632,7 @@ vec3 lightFrom(Matt m) {
     if (m.wet) open *= 0.93 * exp(-1.2 * absorption() * max(-m.pos.y, 0.0));
     if (m.id == kWall && poolLights > 0.0)
         for (int i = 0; i < 6; ++i)
-            own += smoothstep(0.13, 0.09, distance(m.pos, lampPlace(i))) * poolLights * 9.0;
+            own += (1.0 - smoothstep(0.09, 0.13, distance(m.pos, lampPlace(i)))) * poolLights * 9.0;
     if (m.id >= kLantern)
         own = lanternGlow * vec3(1.0, 0.46, 0.13) * (0.2 + m.cosine * m.cosine);
     return own + albedo * (open + sunOn(start, nor, m.wet) + lampsOn(start, nor, m.wet));
