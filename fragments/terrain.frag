@@ -38,8 +38,8 @@ uniform vec3  grassColour;     //@ #6f9a44 "of meadows"
 uniform vec3  rockColour;      //@ #a48563 "of cliffs"
 //@ group Water
 uniform float waterLevel;      //@ 0 [-16, 12] unit=m "of the lake"
-uniform float waveHeight;      //@ 0.2 [0, 1.5] unit=m "of the longest waves"
-uniform float waveLength;      //@ 4.5 [2, 24] log unit=m "of the noise of the longest waves"
+uniform float waveHeight;      //@ 0.3 [0, 1.5] unit=m "of the longest waves"
+uniform float waveLength;      //@ 4.0 [2, 24] log unit=m "of the noise of the longest waves"
 uniform vec3  waterTint;       //@ #49b3c2 "what 10 m of water leave of white light"
 uniform float murk;            //@ 0.35 [0, 2] "share of what is lost that comes back scattered"
 uniform float caustics;        //@ 0.7 [0, 1] "light that waves gather on the bed"
@@ -90,7 +90,7 @@ const float kGolden = 0.61803398874989;    // turns between neighbours of a phyl
 const float kFar = 1e9;                    // m, a miss
 const float kIorWater = 1.333;             // visible light, 20 C
 const vec3  kSunPower = vec3(20.0);        // above the air, on a surface that faces it
-const float kCalmSpread = 0.0007;          // slope variance of capillary waves, always unresolved
+const float kCalmSpread = 0.0006;          // slope variance of capillary waves, always unresolved
 const float kEarth = 6.36e6, kAir = 6e4;   // m, radius and height of the air
 const vec3  kRayleigh = vec3(5.8e-6, 13.5e-6, 33.1e-6);   // 1/m at sea level
 const vec3  kOzone = vec3(0.65e-6, 1.88e-6, 0.085e-6);    // 1/m at 25 km
@@ -309,7 +309,7 @@ float meetLand(vec3 ro, vec3 rd, float t0, float t1) {
     return march == 0 ? hitLand(ro, rd, t0, t1) : stepLand(ro, rd, t0, t1);
 }
 // Where a ray is in the block's box; entered: the face by which it comes in, outwards.
-vec2 boxSpan(vec3 ro, vec3 rd, out vec3 entered) {
+vec2 blockSpan(vec3 ro, vec3 rd, out vec3 entered) {
     vec3 inverse = safeInverse(rd), lo = vec3(-kHalf, kBase, -kHalf);
     vec3 a = (lo - ro) * inverse, b = (vec3(kHalf, landTop(), kHalf) - ro) * inverse;
     vec3 near = min(a, b), far = max(a, b);
@@ -322,7 +322,7 @@ vec2 boxSpan(vec3 ro, vec3 rd, out vec3 entered) {
 // What a ray from outside meets first: land, the block's sides and bottom, water or its sides.
 Hit intersect(vec3 ro, vec3 rd) {
     vec3 face;
-    vec2 span = boxSpan(ro, rd, face);
+    vec2 span = blockSpan(ro, rd, face);
     Hit h = Hit(kFar, kSky, face);
     if (span.x > span.y * 1.000001) return h;
     vec3 p = ro + span.x * rd;
@@ -471,7 +471,7 @@ float meanTransmittance(float x) {
 }
 // Light that water scatters towards the start of a ray of length t, from a point at a depth.
 // Daylight fades with depth; the integral along the ray is exact.
-vec3 waterGlow(float depth, float rise, float t) {
+vec3 lakeGlow(float depth, float rise, float t) {
     vec3 loss = waterLoss(), fade = 0.7 * loss, x = (loss - fade * rise) * t;
     float scattered = murk * min(loss.r, min(loss.g, loss.b));
     vec3 mean = vec3(meanTransmittance(x.r), meanTransmittance(x.g), meanTransmittance(x.b));
@@ -532,12 +532,12 @@ vec3 landLight(vec3 p, vec3 d, float w, bool wet) {
 }
 // Light from the block's sides and bottom: earth in layers under a fringe of grass.
 vec3 wallLight(vec3 p, vec3 nor, float w) {
-    float along = p.x * nor.z - p.z * nor.x + 100.0 * (nor.x + 2.0 * nor.z);
+    float along = p.x + p.z;   // goes on round every corner
     vec4 g = textureLod(land, landUv(p.xz), 0.0);
     bool under = nor.y < 0.0;   // cut like an agate
     vec2 at = under ? p.xz / 103.0 + 0.2 : vec2(along, p.y) / 17.0;
     vec4 fine = textureLod(tile, at, lodOf(under ? w / 103.0 : w / 17.0));
-    float wavy = 2.2 * sin(along / 13.0 + 2.0 * sin(along / 29.0)) + 0.7 * fine.x;
+    float wavy = 2.2 * sin((p.x + 0.7 * p.z) / 13.0 + 2.0 * sin((p.x - p.z) / 29.0)) + 0.7 * fine.x;
     float bent = p.y + (under ? 34.0 * fine.x - 10.0 : wavy), stretched = under ? 0.0 : along;
     vec4 layer = textureLod(tile, vec2(stretched / 700.0, bent / 34.0), lodOf(w / 34.0));
     vec4 seam = textureLod(tile, vec2(stretched / 400.0, bent / 11.0), lodOf(w / 11.0));
@@ -563,7 +563,7 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
     vec3 sum = vec3(0.0), loss = waterLoss(), entered;
     bool open = true;
     for (int k = 0; k < bends && open; ++k) {
-        float airEnd = exact ? boxSpan(r.airO, r.airD, entered).y : 0.0, met = kFar;
+        float airEnd = exact ? blockSpan(r.airO, r.airD, entered).y : 0.0, met = kFar;
         if (exact) met = meetLand(r.airO, r.airD, 0.0, maxComponent(r.air) > 0.0 ? airEnd : 0.0);
         vec3 beyond = background(r.airD, width, disc);
         if (exact && met < kFar)
@@ -575,7 +575,7 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
         float level = r.wetD.y > 0.0 ? (waterLevel - r.wetO.y) * inverse.y : kFar;
         float end = maxComponent(r.wet) > 0.0 ? max(min(min(sides.x, sides.z), level), 0.0) : 0.0;
         float t = meetLand(r.wetO, r.wetD, 0.0, end), run = min(t, end);
-        sum += r.wet * waterGlow(waterLevel - r.wetO.y, r.wetD.y, run);
+        sum += r.wet * lakeGlow(waterLevel - r.wetO.y, r.wetD.y, run);
         r.wet *= exp(-loss * run);
         vec3 p = r.wetO + run * r.wetD;
         far += run;
@@ -657,13 +657,13 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
                     greaterThan(dp, vec2(0.0)));
     float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the line in the picture
     float perPixel = 1.0 / max(max(abs(dp.x), abs(dp.y)), 1.0);
-    float perStep = max(inside / float(reflectionSteps), perPixel);
-    float before = min(0.7 * perPixel, inside), s = min(perStep + before, inside), sure = 0.0;
-    bool open = before < inside;
-    int left = reflectionSteps + 2;
+    float perStep = 1.0 / ceil(clamp(inside / perPixel, 1.0, float(reflectionSteps)));
+    float start = min(0.7 * perPixel, inside), before = start, sure = 0.0;
+    float walked = perStep, s = mix(start, inside, walked);
+    bool open = start < inside;
     for (int turn = 0; turn < 3 && open; ++turn) {   // again where a hit does not hold
         bool hit = false;
-        for (; left > 0 && open; --left) {
+        for (int k = 0; k < reflectionSteps && open; ++k) {
             float z = onLine(l, s).z, zBefore = onLine(l, before).z;
             vec4 texel = texelFetch(normalDepth, ivec2(onLine(l, s).xy), 0);
             float deep = length(texel.xyz);
@@ -671,7 +671,11 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
             hit = deep > 0.02 && max(z, zBefore) > texel.w
                 && min(z, zBefore) - texel.w < deep + abs(z - zBefore);
             open = !hit && s < inside;
-            if (open) { before = s; s = min(s + perStep, inside); }
+            if (open) {
+                before = s;
+                walked = min(walked + perStep, 1.0);
+                s = mix(start, inside, walked);
+            }
         }
         float low = before, high = s;
         for (int j = 0; j < 6 && hit; ++j) {
@@ -687,9 +691,10 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
             found = q.xy;
             sure = 1.0;
         }
-        open = hit && sure == 0.0 && s < inside && left > 0;
+        open = hit && sure == 0.0 && s < inside;
         before = s;
-        s = min(s + perStep, inside);
+        walked = min(walked + perStep, 1.0);
+        s = mix(start, inside, walked);
     }
     if (border == 0) {
         vec2 last = onLine(l, inside).xy;
@@ -845,7 +850,7 @@ void mainLightMap(out vec4 colour, in vec2 pixel) {
         float r = tan(radians(sunSize)) * sqrt((float(sampled) + 0.5) / float(shadowSamples));
         vec3 rd = normalize(sun + r * (u * cos(a) + v * sin(a))), ro = k == sampled ? low : high;
         rd.y = max(rd.y, 1e-3);
-        float clear = step(kFar, hitLand(ro, rd, 0.0, boxSpan(ro, rd, face).y));
+        float clear = step(kFar, hitLand(ro, rd, 0.0, blockSpan(ro, rd, face).y));
         seen += k == sampled ? vec2(clear, 0.0) : vec2(0.0, clear);
     }
     float open = 0.0;
@@ -865,7 +870,7 @@ void mainLightMap(out vec4 colour, in vec2 pixel) {
 void mainWaves(out vec4 colour, in vec2 pixel) {
     vec2 p = (pixel / iResolution.xy - 0.5) * 2.0 * kHalf, slope = vec2(0.0);
     float depth = waterLevel - textureLod(land, landUv(p), 0.0).z;
-    float steep = waveHeight * (0.4 + 0.6 * smoothstep(0.0, 3.0, depth)) / waveLength;
+    float steep = waveHeight * (0.6 + 0.4 * smoothstep(0.0, 3.0, depth)) / waveLength;
     float lattice = waveLength, hz = 0.9 * inversesqrt(waveLength);   // long waves are slower
     for (int k = 0; k < 4 && depth > -0.5; ++k) {
         float angle = 0.4 + 0.75 * float(k);
@@ -946,7 +951,7 @@ void mainPicture(out vec4 colour, in vec2 pixel) {
     vec3 down = refractExactly(rd, nor, 1.0 / kIorWater), entered;
     vec2 found = vec2(0.0);
     if (reflections == 1)
-        sure = walkPicture(e, p, away, boxSpan(p, away, entered).y, onWater, found);
+        sure = walkPicture(e, p, away, blockSpan(p, away, entered).y, onWater, found);
     Pair pair = Pair(p, away, vec3(share * (1.0 - sure)), p - 1e-4 * nor, down, vec3(1.0 - share));
     if (id < kWater) {
         pair.airD = rd;
