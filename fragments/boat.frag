@@ -46,7 +46,7 @@ uniform float steepness;       //@ 0.26 [0, 1] "of the long waves; 1 is a gale"
 uniform float choppiness;      //@ 0.5 [0, 1] "sharpness of their crests"
 uniform float ripples;         //@ 0.6 [0, 2] "steepness of the short waves"
 uniform float windAngle;       //@ 50 [-180, 180] unit=deg "where wind and waves go; 0 is ahead"
-uniform vec3  waterTint;       //@ #67c3d6 "what 3 m of water leave of white light"
+uniform vec3  waterTint;       //@ #7dcade "what 3 m of water leave of white light"
 uniform vec3  deepColour;      //@ #08546c "what deep water scatters back"
 uniform float floorShare;      //@ 1.0 [0, 1] "of the sand in the water; 1 is physical, 0 hides it"
 uniform float caustics;        //@ 1.0 [0, 1] "light gathered by the waves; 0 is even light"
@@ -179,6 +179,7 @@ vec3 sunColour() {
     return 10.0 * smoothstep(-1.0, 1.5, sunHeight) * exp(-tau * mass);
 }
 vec3 sunLight() { return sunColour() * square(1.0 - overcast); }
+vec3 sunBleached() { return mix(sunLight(), vec3(maxComponent(sunLight())), 0.3); }   // as on film
 
 // ---- The float ----------------------------------------------------------------------------------
 float meanDecay(float x) {   // (1 - exp(-x)) / x, x >= 0
@@ -637,7 +638,11 @@ vec4 paintOf(int part, vec3 q, float w, inout vec3 nor) {
     float seam = lines(strake, 0.035, wide), shape = fract(strake) - 0.5;
     float pale = part == kThwart || part == kWell ? 0.75 : part == kSpar ? 1.1 : 0.0;
     vec3 wood = mix(mahogany, oak, pale);
-    vec3 lie = part == kSpar ? q.xzy : part == kThwart ? q.zyx : q;
+    bool across = part == kWell && (q.z > kDeckEnd - 0.01 || q.z < kAfterDeck + 0.01);
+    float off = distance(q.xz, vec2(0.0, kMastAt));
+    bool upright = across || part == kRudder || part == kSpar && off < 0.06;
+    vec3 lie = upright ? q.xzy : part == kThwart ? q.zyx : q;
+    if (part == kSpar && off >= 0.06 && q.y > 0.85) lie = vec3(q.y, 0.0, off);
     float figure = part == kCloth ? 0.0 : grain(lie, w);
     wood *= 1.0 + 0.55 * figure;
     if (part == kPlanks || part == kWell) {
@@ -654,7 +659,7 @@ vec4 paintOf(int part, vec3 q, float w, inout vec3 nor) {
         return vec4(side * (1.0 - 0.45 * seam), 0.6 + 0.4 * top);
     }
     if (part == kWell) {   // planks, ribs, the boards of the bottom
-        bool level = q.y < kBottom + 0.01 || q.z > kDeckEnd - 0.01 || q.z < kAfterDeck + 0.01;
+        bool level = q.y < kBottom + 0.01 || across;
         float board = level ? lines(q.x / 0.11 + 0.5, 0.04, w / 0.11) : seam;
         float rib = level ? 0.0 : lines(q.z / 0.34, 0.055, w / 0.34);
         return vec4(wood * (1.0 - 0.5 * board) * (1.0 - 0.3 * rib), 0.35);
@@ -693,7 +698,7 @@ vec4 seabed(vec2 p, float w) {
     vec2 unit = (p + gPlace) / kWorld;
     float far = textureLod(motif, 10.0 * unit, log2(max(w * 10.67, 1e-3))).r;
     vec4 near = textureLod(motif, 96.0 * unit, log2(max(w * 102.4, 1e-3)));
-    float weed = smoothstep(0.60, 0.70, far + 0.45 * (near.r - 0.5)), slope = 2.0 * near.b - 1.0;
+    float weed = smoothstep(0.64, 0.74, far + 0.45 * (near.r - 0.5)), slope = 2.0 * near.b - 1.0;
     vec3 sand = vec3(0.68, 0.57, 0.40) * (0.80 + 0.40 * near.r - 0.08 * slope);
     vec3 grass = vec3(0.040, 0.062, 0.026) * (0.3 + 1.4 * near.r + 0.6 * near.g);
     return vec4(mix(sand, grass, weed), 0.30 * (1.0 - weed) * slope);
@@ -712,6 +717,8 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     float open = 0.25 + 0.75 * smoothstep(0.0, 1.5, room);
     vec3 up = mirroredSky(vec3(nor.x, max(nor.y, 0.0) + 0.35, nor.z), 1.2);
     vec3 below = bodyLight(1.0) + 0.10 * gAmbient;
+    bool outside = h.part == kPlanks || h.part == kRudder || h.part == kRail;
+    if (!outside) below = 0.3 * below + vec3(0.16, 0.10, 0.055) * (gAmbient + 0.2 * sunLight());
     vec3 around = mix(below, 0.5 * (up + gAmbient), 0.5 + 0.5 * nor.y) * open;
     float lit = dot(nor, sun);
     vec3 light = stuff.rgb * (around + sunLight() * (share * max(lit, 0.0)));
@@ -727,8 +734,10 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
 float foamCover(vec2 p, float amount, float w) {
     vec2 unit = (p + gPlace) / kWorld;
     float lod = log2(max(w * 102.4, 1e-3)), soft = 0.10 + 0.05 * clamp(lod, 0.0, 6.0);
-    float lace = textureLod(motif, mat2(89.0, 37.0, -37.0, 89.0) * unit, lod).g;
-    return min(1.3 * amount, 1.0) * smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace);
+    float lace = 0.6 * textureLod(motif, mat2(89.0, 37.0, -37.0, 89.0) * unit, lod).g
+        + 0.6 * textureLod(motif, mat2(31.0, -17.0, 17.0, 31.0) * unit, lod - 1.4).g - 0.1;
+    float torn = smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace);
+    return min(1.3 * amount, 1.0) * torn * (0.55 + 0.45 * lace);
 }
 // Streaks of rain on three shells round the eye; w: angle of a pixel.
 float rainStreaks(vec3 rd, float w) {
@@ -834,11 +843,12 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
         float facing = max(dot(nor, ray) / ray.y, 0.0) * low.y * (1.0 - fresnel(low.y, kIorWater));
         vec3 lit = 0.9 * gAmbient * exp(-1.2 * sigma * sunk) * (0.6 + 0.4 * nor.y)
             + sunLight() * (share.z * share.w * facing * gather) * exp(-sigma * sunken);
-        vec3 body = bodyLight(mix(0.25, 1.0, share.x)) * (1.0 + 2.5 * max(white.x, 0.0)), left = exp(-sigma * path);
+        vec3 left = exp(-sigma * path);   // crests are thin, light comes through them
+        vec3 body = bodyLight(mix(0.25, 1.0, share.x)) * (1.0 + 2.5 * max(white.x, 0.0));
         vec3 through = albedo * lit * left + body * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
         through = mix(body, through, hull ? 1.0 : floorShare);
         light = mirrored * light + (1.0 - mirrored) * through;
-        light += sunLight() * (kPi * share.x * seaGlitter(rd, s, area));
+        light += sunBleached() * (kPi * share.x * seaGlitter(rd, s, area));
         if (foam > 0.0) {
             float breaking = smoothstep(0.20, 0.52, white.x + 0.16 * (foam - 0.5));
             float amount = foam * breaking + white.y;
@@ -850,7 +860,7 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
         float away2 = dot(rd - sun, rd - sun), r2 = square(radians(sunSize));
         float edge = max(angle, 1e-4) * 0.5 * sqrt(r2);
         float disc = far.a * (1.0 - smoothstep(r2 - edge, r2 + edge, away2));
-        light += sunLight() * (disc * 600.0 + far.a * (0.0016 / (away2 + 0.0006) + 0.02));
+        light += sunBleached() * (disc * 600.0 + far.a * (0.0016 / (away2 + 0.0006) + 0.02));
     }
     vec3 level = normalize(vec3(rd.x, 1e-3, rd.z) + vec3(0.0, 0.02, 0.0));
     float reach = wet ? t : shown ? m.t : kFar;
@@ -916,22 +926,22 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
     vec3 light = texture(air, vec2(turned, uv.y)).rgb + vec3(0.0010, 0.0019, 0.0052);
     vec3 clear = texture(air, vec2(turned, 0.75)).rgb, low = texture(air, vec2(turned, 0.2)).rgb;
-    vec2 q = turn(rd.xz / (up + 0.05), 0.5) * vec2(0.030, 0.055) + 0.5;
+    vec2 q = turn(rd.xz / (up + 0.05), 0.5) * vec2(0.055, 0.10) + 0.5;
     float sum = 0.0, weight = 0.5;
     for (int i = 0; i < 6; ++i) {
         sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
         q += 0.05 * sum;   // curls
         weight *= 0.55;
     }
-    float cover = mix(0.80, 0.22, clouds), thick = smoothstep(cover, cover + 0.30, sum);
+    float cover = mix(0.80, 0.22, clouds), thick = smoothstep(cover, cover + 0.22, sum);
     thick *= smoothstep(0.0, 0.05, up) * step(0.001, clouds);
     float towards = max(dot(rd, sun), 0.0);
-    vec3 lit = sunColour() * (0.07 + 0.10 * pow(towards, 4.0) + 0.35 * pow(towards, 40.0));
+    vec3 lit = sunColour() * (0.21 + 0.10 * pow(towards, 4.0) + 0.35 * pow(towards, 40.0));
     light = mix(light, 0.9 * clear + 0.25 * low + lit * (1.0 - 0.55 * thick), 0.85 * thick);
     // A lid of cloud: dark bellies, lighter towards the horizon.
-    float grey = dot(clear + 0.5 * low, vec3(0.3)) + 0.05 * sunColour().g * max(sun.y, 0.0);
+    float grey = dot(clear + 0.5 * low, vec3(0.3)) + 0.04 * sunColour().g * max(sun.y, 0.0);
     vec3 lid = grey * vec3(0.74, 0.80, 0.86)
-        * mix(0.80, 0.20 + 0.55 * sum, smoothstep(0.0, 0.22, up));
+        * mix(0.75, 0.04 + 0.70 * smoothstep(0.2, 0.8, sum), smoothstep(0.0, 0.22, up));
     light = mix(light, lid * (1.0 - 0.55 * smoothstep(0.42, 0.72, sum)), overcast);
     float shore = smoothstep(0.06, 0.16, abs(fract(uv.x - sunAngle / 360.0) - 0.5));
     float hills = 0.0;
