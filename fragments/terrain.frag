@@ -28,7 +28,7 @@
 
 // ---- Tweaks -------------------------------------------------------------------------------------
 //@ group Land
-uniform int   seed;            //@ 0 [0, 999] "another land; 0 is laid out by hand"
+uniform int   landscape;       //@ 0 [0, 999] "another land; 0 is laid out by hand"
 uniform float relief;          //@ 1.0 [0, 1.6] "heights and depths, times this"
 uniform float ruggedness;      //@ 1.0 [0, 2] "ridges and gullies"
 uniform float trees;           //@ 0.6 [0, 1] "share of the green that is woods"
@@ -186,7 +186,7 @@ vec2 landUv(vec2 p) { return ((p + kHalf) * kPerCell + 0.5) / float(kCells + 1);
 
 // Height without trees, and its slope: vec3(d/dx, d/dz, height).
 vec3 bareLand(vec2 p) {
-    int plane = 64 * seed;
+    int plane = 64 * landscape;
     // Bent a little, so that no hill is round.
     vec3 bx = perlinPlane(p / 31.0, plane + 1, -1) * 11.0;
     vec3 bz = perlinPlane(p / 31.0, plane + 2, -1) * 11.0;
@@ -195,9 +195,9 @@ vec3 bareLand(vec2 p) {
     vec2 acrossZ = vec2(bx.y / 31.0, 1.0 + bz.y / 31.0);
     vec3 hills = vec3(0.0, 0.0, -12.5);
     for (int k = 0; k < 8; ++k) {
-        vec3 chance = random3(ivec3(k, seed, 9));
+        vec3 chance = random3(ivec3(k, landscape, 9));
         vec4 hill = kHills[k];
-        if (seed > 0) hill.xy = 2.2 * chance.xy - 1.1;
+        if (landscape > 0) hill.xy = 2.2 * chance.xy - 1.1;
         vec2 d = (q / kHalf - hill.xy) / hill.w;
         float blunt = k < 2 ? 0.17 : 0.5, r = sqrt(dot(d, d) + blunt * blunt);
         float e = hill.z * exp(2.1 * (blunt - r));
@@ -491,11 +491,11 @@ vec3 landColour(vec3 p, float up, float tree, vec4 n, vec4 fine, float w) {
     cliff = mix(cliff, vec3(0.30, 0.29, 0.30) * (0.6 + 0.8 * n.y), bleak);
     float layers = sin(2.1 * p.y + 7.0 * n.x) + 0.6 * sin(5.3 * p.y - 9.0 * n.y);
     cliff *= 1.0 + 0.12 * layers * clamp(1.4 - 2.0 * w, 0.0, 1.0);
-    float steep = smoothstep(0.74, 0.56, up + 0.16 * (fine.x - 0.5));
+    float steep = 1.0 - smoothstep(0.56, 0.74, up + 0.16 * (fine.x - 0.5));
     c = mix(c, cliff, max(steep, smoothstep(-2.5, 2.5, y - rockLine)));
     float shore = p.y - waterLevel + 1.2 * (fine.x - 0.5);
     vec3 sand = vec3(0.62, 0.49, 0.30) * (0.75 + 0.5 * fine.y);
-    c = mix(c, mix(sand, cliff, 0.7 * steep), smoothstep(1.5, 0.8, shore));
+    c = mix(mix(sand, cliff, 0.7 * steep), c, smoothstep(0.8, 1.5, shore));
     float cold = smoothstep(-1.2, 1.2, y - snowLine);
     c = mix(c, vec3(0.86, 0.89, 0.93), cold * smoothstep(0.42, 0.60, up + 0.15 * (fine.x - 0.5)));
     vec3 fir = vec3(0.035, 0.085, 0.030), crown = vec3(0.16, 0.22, 0.045);
@@ -511,10 +511,10 @@ vec3 landLight(vec3 p, vec3 d, float w, bool wet) {
     vec4 fine = textureLod(tile, p.zx / 9.0, lodOf(w / 9.0));
     float up = inversesqrt(1.0 + dot(g.xy, g.xy));
     vec3 c = landColour(p, up, g.w, n, fine, w);
-    float stony = smoothstep(0.9, 0.7, up) * step(g.w, 0.02);
+    float stony = (1.0 - smoothstep(0.7, 0.9, up)) * step(g.w, 0.02);
     vec2 slope = g.xy + (0.10 + 0.55 * stony) * fine.zw;
     vec3 nor = normalize(vec3(-slope, 1.0).xzy), sun = sunDirection();
-    float damp = smoothstep(0.5, 0.0, p.y - waterLevel);
+    float damp = 1.0 - smoothstep(0.0, 0.5, p.y - waterLevel);
     vec3 sunny = sunBeam() * lit.x, around = ambientLight(nor) * lit.z;
     c = mix(c, 0.7 * c * sqrt(c), damp);
     float mirrorLine = max(dot(reflect(d, nor), sun), 0.0);   // Phong
@@ -542,7 +542,7 @@ vec3 wallLight(vec3 p, vec3 nor, float w) {
     vec4 layer = textureLod(tile, vec2(stretched / 700.0, bent / 34.0), lodOf(w / 34.0));
     vec4 seam = textureLod(tile, vec2(stretched / 400.0, bent / 11.0), lodOf(w / 11.0));
     vec3 c = mix(vec3(0.20, 0.105, 0.058), vec3(0.56, 0.37, 0.21), smoothstep(0.30, 0.70, layer.y));
-    c = mix(c, vec3(0.27, 0.24, 0.23), smoothstep(-11.0, -17.0, bent) * 0.85);
+    c = mix(c, vec3(0.27, 0.24, 0.23), 0.85 - 0.85 * smoothstep(-17.0, -11.0, bent));
     c *= (0.50 + 0.95 * smoothstep(0.30, 0.70, seam.x)) * (0.90 + 0.20 * fine.y);
     float deep = under ? 30.0 : max(g.z - p.y, 0.0);
     c = mix(vec3(0.055, 0.034, 0.022), c, smoothstep(0.5, 2.0, deep + 1.2 * (fine.x - 0.5)));
@@ -746,10 +746,11 @@ void mainLand(out vec4 colour, in vec2 pixel) {
     ivec2 cell = ivec2(floor(p / kTreeGap));
     for (int k = 0; k < 9; ++k) {
         ivec2 c = cell + ivec2(k % 3, k / 3) - 1;
-        vec3 chance = random3(ivec3(c, 40 + seed)), look = random3(ivec3(c, 2000 + seed));
+        vec3 chance = random3(ivec3(c, 40 + landscape));
+        vec3 look = random3(ivec3(c, 2000 + landscape));
         vec2 at = (vec2(c) + 0.5 + 0.62 * (chance.xy - 0.5)) * kTreeGap;
         vec3 ground = textureLod(bare, landUv(at), 0.0).xyz;
-        float wood = perlinPlane(at / 13.0, 64 * seed + 20, -1).z + 0.6 * (chance.z - 0.5);
+        float wood = perlinPlane(at / 13.0, 64 * landscape + 20, -1).z + 0.6 * (chance.z - 0.5);
         float above = ground.z - waterLevel, radius = mix(0.55, 1.0, look.x);
         bool grows = wood > 0.55 - trees && above > 1.1 && ground.z < rockLine + 2.0 * look.y
             && dot(ground.xy, ground.xy) < 0.7 && trees > 0.0

@@ -568,7 +568,7 @@ TEST_F(Terrain, IsFiniteWhereTweaksEnd) {
         "waterLevel = 12.0\nwaterTint = \"#000000\"\ncameraRise = -30.0\nreflections = "
         "\"traced\"\n",
         "cameraDistance = 20.0\ncameraRise = 1.0\ntarget = [50.0, -50.0, 50.0]\ntiltShift = 0.05\n"
-        "lensSamples = 8\nseed = 999\nborder = \"fade\"\n"};
+        "lensSamples = 8\nlandscape = 999\nborder = \"fade\"\n"};
     for (const std::string& look : looks) {
         Player player(terrain_text(""),
                       {.size = {64, 36}, .preset = "[tweaks]\nshadowSamples = 1\n" + look});
