@@ -61,6 +61,7 @@ uniform float sailCloth;       //@ 0.6 [0, 1] "how much of the sails is left; 0:
 //@ group Jellyfish
 uniform int   jellyfish;       //@ 7 [0, 12] "how many"
 uniform float jellyGlow;       //@ 1.0 [0, 8] "their light"
+uniform bool  jellyLamps;      //@ off "they light what is near"
 uniform vec3  jellyColour;     //@ #8fdcff "of their light"
 uniform float jellyReach;      //@ 0.35 [0, 1] "share of the haze that dims it; 1: as all else"
 //@ group Camera
@@ -72,7 +73,7 @@ uniform float targetShift;     //@ 0.0 [-15, 15] unit=m "of the point looked at,
 uniform float focalLength;     //@ 17 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.3 [-4, 6] unit=stop "before the display curve"
 //@ group Quality
-uniform int   marchSteps;      //@ 224 [16, 1024] log quality reference=1024 "of a ray to the floor"
+uniform int   marchSteps;      //@ 256 [16, 1024] log quality reference=1024 "of a ray to the floor"
 uniform int   shaftSamples;    //@ 12 [1, 256] log quality reference=256 "along one view ray"
 uniform int   antialias;       //@ 1 [1, 16] quality reference=16 "samples of a pixel"
 uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and tears are cut out"
@@ -84,7 +85,7 @@ uniform sampler2D tops;        //@ pass mainTops size=128x128 filter=nearest
 uniform sampler2D summits;     //@ pass mainSummits size=32x32 filter=nearest
 uniform sampler2D shade;       //@ pass mainShade size=256x256 wrap=repeat
 uniform sampler2D grain;       //@ pass mainGrain size=256x256 wrap=repeat filter=mipmap
-uniform sampler2D rig;         //@ pass mainRig size=32x4 filter=nearest
+uniform sampler2D rig;         //@ pass mainRig size=32x2 filter=nearest
 uniform sampler2D garden;      //@ pass mainGarden size=64x2 filter=nearest
 uniform sampler2D swarm;       //@ pass mainSwarm size=16x1 filter=nearest
 uniform sampler2D surface;     //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
@@ -108,9 +109,16 @@ const float kPitch = 0.07;                 // rad, of the ship, stern down
 const float kStrakes = 15.0;               // planks from keel to rail
 const float kFrames = 0.75, kBeams = 1.5;  // m, between frames, between beams
 const int   kSpars = 10, kShrouds = 12, kStays = 5, kSails = 5;
+// Where sails hang, with their fall, and how much they belly: four yards and the forestay.
+const vec4  kYardFrom[kSails] = vec4[kSails](
+    vec4(2.3, 9.0, -2.9, 4.2), vec4(3.0, 14.0, -2.0, 3.6), vec4(-4.9, 10.9, -2.9, 4.2),
+    vec4(-3.8, 15.6, -2.2, 3.6), vec4(14.5, 8.0, 0.0, 5.0));
+const vec4  kYardTo[kSails] = vec4[kSails](
+    vec4(8.9, 9.8, 2.9, 1.0), vec4(7.9, 13.2, 2.0, 0.85), vec4(2.9, 9.2, 3.1, 0.7),
+    vec4(1.7, 16.2, 2.2, 0.55), vec4(6.6, 15.2, 0.0, 0.8));
 const int   kSand = 1, kPlank = 2, kTimber = 3, kSpar = 4, kRope = 5, kSail = 6, kWeed = 7;
 const int   kLayers = 4;                   // things in front of each other that are kept
-const float kSpeckCell = 0.6;              // m, one speck in each; repeats after 32
+const float kSpeckCell = 0.8;              // m, one speck in each; repeats after 32
 
 struct Medium { vec3 absorption, extinction, diffuse, towards, sun; };   // 1/m; unit; irradiance
 struct Eye { vec3 pos, right, up, forward; float lens; };
@@ -219,11 +227,12 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     if (rd.y > 0.0) tMax = min(tMax, (depth - ro.y) / rd.y);
     for (int k = 0; k < marchSteps && below.x < 0.0 && t < tMax; ++k) {
         vec3 p = ro + t * rd;
-        vec2 patch8 = floor((p.xz + nudge) / kPatch), cell = floor((p.xz + nudge) / kCell);
-        vec2 leave8 = ((patch8 + far) * kPatch - ro.xz) * inverse;
+        vec2 large = floor((p.xz + nudge) / kPatch), cell = floor((p.xz + nudge) / kCell);
+        vec2 leaveLarge = ((large + far) * kPatch - ro.xz) * inverse;
         vec2 leave = ((cell + far) * kCell - ro.xz) * inverse;
-        float t8 = max(min(leave8.x, leave8.y), t), t2 = max(min(leave.x, leave.y), t);
-        float top8 = texelFetch(summits, ivec2(patch8) & 31, 0).x;
+        float tLarge = max(min(leaveLarge.x, leaveLarge.y), t);
+        float tCell = max(min(leave.x, leave.y), t);
+        float topLarge = texelFetch(summits, ivec2(large) & 31, 0).x;
         vec2 top = texelFetch(tops, ivec2(cell) & 127, 0).xy;
         float f = p.y - groundHeight(p.xz), safe = f / max(top.y * level - rd.y, 1e-3);
         ++seabedEvaluations;
@@ -231,9 +240,9 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
             below = vec2(t, f);
         } else {
             above = vec2(t, f);
-            float next = min(t + safe, t2);
-            if (min(p.y, ro.y + t2 * rd.y) > top.x) next = t2;
-            if (min(p.y, ro.y + t8 * rd.y) > top8) next = t8;
+            float next = min(t + safe, tCell);
+            if (min(p.y, ro.y + tCell * rd.y) > top.x) next = tCell;
+            if (min(p.y, ro.y + tLarge * rd.y) > topLarge) next = tLarge;
             t = max(next, t + least + 0.3 * pixel * t);
         }
     }
@@ -422,16 +431,18 @@ float clothCover(vec2 p, vec2 size, float seed, vec2 w) {
     return inside * clamp(0.5 + (bound - g.x) / soft, 0.0, 1.0);
 }
 // A sail in its own coordinates: along the yard, down, and out of its plane. It bellies as a
-// parabola down its fall, bend.x v + bend.y v^2, and sways.
-void sailFrame(int k, out vec3 corner, out mat3 into, out vec2 size, out vec2 bend) {
-    vec4 a = texelFetch(rig, ivec2(k, 2), 0), b = texelFetch(rig, ivec2(k, 3), 0);
-    corner = a.xyz;
-    vec3 along = b.xyz - a.xyz, down = toWreck(vec3(0.0, -1.0, 0.0));
-    size = vec2(length(along), a.w);
-    along /= size.x;
-    into = inverse(mat3(along, down, unit(cross(along, down))));
-    float now = 2.0 * kPi * (cycles(0.09375) + 0.37 * float(k));
-    bend = vec2(0.14 + 0.10 * sin(now), (-0.5 + 0.7 * cos(now - 0.8)) * 0.09) * b.w;
+// parabola down its fall, bend.x v + bend.y v^2, and sways. With a constant k all but the sway is
+// constant.
+struct Sail { vec3 corner; mat3 into; vec2 size, bend; };
+Sail sail(int k) {
+    vec3 from = kYardFrom[k].xyz, along = kYardTo[k].xyz - from;
+    vec3 down = toWreck(vec3(0.0, -1.0, 0.0));
+    float wide = length(along), now = 2.0 * kPi * (cycles(0.09375) + 0.37 * float(k));
+    along /= wide;
+    vec2 bend = vec2(0.14 + 0.10 * sin(now), (-0.5 + 0.7 * cos(now - 0.8)) * 0.09);
+    mat3 into = inverse(mat3(along, down, unit(cross(along, down))));
+    return Sail(from + 0.04 * wide * along, into, vec2(0.92 * wide, kYardFrom[k].w),
+                bend * kYardTo[k].w);
 }
 // The two places where a ray meets a sail's parabola, as t, and nothing where it does not.
 vec2 sailRoots(vec3 q, vec3 qd, vec2 bend) {
@@ -445,20 +456,17 @@ bool metSail(float t, vec3 q, vec3 qd, vec2 size, float pixel, float tMax) {
     vec2 p = q.xy + t * qd.xy, slack = vec2(pixel * t);
     return t > 0.2 && t < tMax && all(greaterThan(p, -slack)) && all(lessThan(p, size + slack));
 }
-// Light that the sails let through on its way to p, in the wreck's frame.
-float besideSails(vec3 p, vec3 towards, float blur) {   // by their mean cover, without tears
-    vec2 span = boxSpan(p, towards, vec3(-6.0, 2.0, -7.0), vec3(15.0, 18.0, 7.0));
+// Light that the sails let through on its way to p, in the wreck's frame: by their mean cover.
+float besideSails(vec3 p, vec3 towards, float blur) {
     float seen = 1.0;
-    for (int k = 0; k < (span.x < span.y && sailCloth > 0.0 ? kSails : 0); ++k) {
-        vec3 corner; mat3 into; vec2 size, bend;
-        sailFrame(k, corner, into, size, bend);
-        vec3 q = into * (p - corner), qd = into * towards;
-        float t = sailRoots(q, qd, bend).x;
-        vec2 uv = q.xy + t * qd.xy;
-        size = sailSize(uv.x, size, k);
-        float w = max(blur * t, 0.3), cloth = clothBound(uv, size) * 2.0 - 0.5;   // mean share
+    for (int k = 0; k < kSails; ++k) {
+        Sail one = sail(k);
+        vec3 q = one.into * (p - one.corner), qd = one.into * towards;
+        float t = sailRoots(q, qd, one.bend).x, w = max(blur * t, 0.3);
+        vec2 uv = q.xy + t * qd.xy, size = sailSize(uv.x, one.size, k);
         vec2 inside = clamp(0.5 + min(uv, size - uv) / w, 0.0, 1.0);
-        if (t > 0.05) seen *= 1.0 - 0.75 * inside.x * inside.y * clamp(cloth, 0.0, 1.0);
+        float cloth = clamp(clothBound(uv, size) * 2.0 - 0.5, 0.0, 1.0);
+        if (t > 0.05) seen *= 1.0 - 0.75 * inside.x * inside.y * cloth;
     }
     return seen;
 }
@@ -473,25 +481,28 @@ void meetRig(vec3 ro, vec3 rd, float pixel, float tMax) {
         if (l.cover > 0.004 && l.t < tMax) marks |= 1 << k;
     }
     for (; marks != 0; marks &= marks - 1) addLayer(spar(lowestBit(marks), ro, rd, pixel));
-    for (int k = 0; k < (near && sailCloth > 0.0 ? kSails : 0); ++k) {
-        vec3 corner; mat3 into; vec2 size, bend;
-        sailFrame(k, corner, into, size, bend);
-        vec3 q = into * (ro - corner), qd = into * rd;
-        vec2 roots = sailRoots(q, qd, bend);
-        bool first = metSail(roots.x, q, qd, size, pixel, tMax);
-        bool second = metSail(roots.y, q, qd, size, pixel, tMax);
-        for (int j = first ? 0 : 1; j < (second ? 2 : 1); ++j) {
-            float t = j == 0 ? roots.x : roots.y;
-            vec2 uv = q.xy + t * qd.xy;
-            vec3 nor = vec3(0.0, bend.x + 2.0 * bend.y * uv.y, -1.0);   // of the surface, not unit
-            float facing = abs(dot(nor, qd)) * inversesqrt(dot(nor, nor)), w = pixel * t;
-            vec2 wide = w * clamp(abs(qd.xy) / max(facing, 0.05) + 1.0, 1.0, 8.0);
-            vec3 folds = vec3(0.30 * sin(5.0 * uv.x + 1.5 * sin(1.3 * uv.y)), 0.0, 0.0);
-            nor = unit(transpose(into) * (nor + folds));
-            nor *= -sign(dot(nor, rd));
-            float cover = clothCover(uv, sailSize(uv.x, size, k), float(k), wide);
-            addLayer(Layer(t, cover, kSail, nor));
+    if (sailCloth > 0.0)
+        for (int k = 0; k < kSails; ++k) {   // bits 2 k and 2 k + 1: the two roots
+            Sail one = sail(k);
+            vec3 q = one.into * (ro - one.corner), qd = one.into * rd;
+            vec2 roots = sailRoots(q, qd, one.bend);
+            if (metSail(roots.x, q, qd, one.size, pixel, tMax)) marks |= 1 << (2 * k);
+            if (metSail(roots.y, q, qd, one.size, pixel, tMax)) marks |= 2 << (2 * k);
         }
+    for (; marks != 0; marks &= marks - 1) {
+        int bit = lowestBit(marks), k = bit >> 1;
+        Sail one = sail(k);
+        vec3 q = one.into * (ro - one.corner), qd = one.into * rd;
+        vec2 roots = sailRoots(q, qd, one.bend);
+        float t = (bit & 1) == 0 ? roots.x : roots.y, w = pixel * t;
+        vec2 uv = q.xy + t * qd.xy, size = sailSize(uv.x, one.size, k);
+        vec3 nor = vec3(0.0, one.bend.x + 2.0 * one.bend.y * uv.y, -1.0);   // not unit
+        float facing = abs(dot(nor, qd)) * inversesqrt(dot(nor, nor));
+        vec2 wide = w * clamp(abs(qd.xy) / max(facing, 0.05) + 1.0, 1.0, 8.0);
+        nor.x += 0.3 * sin(5.0 * uv.x + 1.5 * sin(1.3 * uv.y));             // folds
+        nor = unit(transpose(one.into) * nor);
+        nor *= -sign(dot(nor, rd));
+        addLayer(Layer(t, clothCover(uv, size, float(k), wide), kSail, nor));
     }
 }
 
@@ -642,7 +653,7 @@ vec3 surfaceLight(vec3 p, vec3 rd, float w, Medium m) {
 // ---- Shading ------------------------------------------------------------------------------------
 // Albedo and normal of the floor; w: the pixel's footprint, m, and along the ray.
 vec3 floorColour(vec3 p, inout vec3 nor, float w, float grazing) {
-    float wide = w * inversesqrt(grazing), lod = log2(max(wide * 4.0, 1.0));
+    float wide = w * inversesqrt(grazing), lod = floor(log2(max(wide * 4.0, 1.0)) + 0.5);
     vec4 lie = textureLod(relief, p.xz / kTile, lod);
     nor = unit(vec3(-lie.y, 1.0, -lie.z));
     float rock = smoothstep(0.35, 0.65, lie.w + 0.25 * (nor.y < 0.75 ? 1.0 : 0.0));
@@ -653,7 +664,7 @@ vec3 floorColour(vec3 p, inout vec3 nor, float w, float grazing) {
     vec4 x = textureLod(grain, vec2(p.x + 0.4 * p.z, p.y) / vec2(3.1, 2.3), floor(fine + 0.5));
     vec3 slope = mix(vec3(x.zw, 0.4 * x.z), vec3(y.z, 0.0, y.w), level);
     float tone = mix(x.x, y.x, level);
-    vec3 stone = mix(vec3(0.16, 0.15, 0.13), vec3(0.42, 0.37, 0.30), tone);
+    vec3 stone = mix(vec3(0.07, 0.065, 0.055), vec3(0.40, 0.35, 0.28), tone);
     vec4 large = textureLod(grain, p.xz / 23.0, max(floor(fine - 2.4), 0.0));
     float grown = smoothstep(0.4, 0.7, large.x) * clamp(nor.y, 0.0, 1.0);
     stone = mix(stone, vec3(0.17, 0.21, 0.08), grown);
@@ -667,7 +678,7 @@ vec3 floorColour(vec3 p, inout vec3 nor, float w, float grazing) {
     vec3 sand = mix(vec3(0.50, 0.44, 0.34), vec3(0.74, 0.67, 0.53), 0.6 * large.x + 0.4 * y.x)
         * (1.0 + 0.10 * keep1 * sin(phase));
     vec3 sandy = unit(nor - ripples * vec3(roll.x, 0.0, roll.y));
-    nor = unit(mix(sandy, unit(nor - 0.35 * slope), rock));
+    nor = unit(mix(sandy, unit(nor - 0.7 * slope), rock));
     return mix(sand, stone, rock);
 }
 // Albedo of wood; q: in the wreck's frame.
@@ -702,7 +713,8 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     float seen = besideRock(p + 0.2 * nor, 0.1);
     if (wreck) {
         seen *= besideHull(q + 0.05 * shipNor, towards, 0.12);
-        if (l.kind != kSail) seen *= besideSails(q, towards, 0.1);
+        for (int k = 0; k < (sailCloth > 0.0 && l.kind <= kTimber ? 1 : 0); ++k)
+            seen *= besideSails(q, towards, 0.1);
         vec2 here = hullSpan(q - vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0));
         for (int k = 0; k < (here.x < 2.0 && here.x < here.y ? 1 : 0); ++k)
             open = clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0);
@@ -716,7 +728,7 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
         * (1.0 + 0.5 * through);
     // The jellyfish light what is near them.
     float near = 0.0;
-    for (int k = 0; k < (jellyGlow > 0.0 ? jellyfish : 0); ++k) {
+    for (int k = 0; k < (jellyLamps ? jellyfish : 0); ++k) {
         vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
         vec3 to = jelly.xyz - p;
         float d2 = dot(to, to) + 0.3;
@@ -800,11 +812,11 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, Medium m) {
 // Marine snow: one speck in every cell that the ray crosses near the eye, each as bright as the
 // share of the pixel that it covers; near ones are out of focus. They sink by whole periods.
 float specksAlong(vec3 ro, vec3 rd, float tMax, float pixel) {
-    const float reach = 6.0;   // m
+    const float reach = 5.6;   // m
     vec3 sink = 32.0 * vec3(cycles(1.0 / 512.0), cycles(1.0 / 256.0), -cycles(1.0 / 1024.0));
     vec3 start = ro / kSpeckCell + sink, inverse = safeInverse(rd), far = step(0.0, rd);
     float sum = 0.0, t = 0.0, end = min(reach, tMax) / kSpeckCell;
-    for (int k = 0; k < 18 && t < end; ++k) {
+    for (int k = 0; k < 14 && t < end; ++k) {
         ivec3 cell = ivec3(floor(start + t * rd + 1e-4 * sign(rd)));
         vec3 r = random3(cell & 31), f = vec3(cell) + 0.15 + 0.7 * r - start;
         float along = dot(f, rd), m = along * kSpeckCell;   // m
@@ -872,10 +884,9 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
         left -= share;
     }
     mean += left * solid.t;
-    if (rd.y > 0.0) {   // what is left is open water
-        vec3 top = surfaceLight(ro + up * rd, rd, pixel * min(up, 200.0), m);
-        sum += left * exp(-m.extinction * solid.t) * top;
-    }
+    for (int k = 0; k < (rd.y > 0.0 && left > 0.004 ? 1 : 0); ++k)   // what is left is open water
+        sum += left * exp(-m.extinction * solid.t)
+            * surfaceLight(ro + up * rd, rd, pixel * min(up, 200.0), m);
     vec3 once, sea = veil(depth - ro.y, rd, mean, m, once);
     sea = max(sea + shaftsAlong(ro, rd, mean, once, jitter, m), 0.0);
     sum += sea;
@@ -948,45 +959,38 @@ void mainGrain(out vec4 colour, in vec2 pixel) {
                      grainHeight(u + e.yx) - grainHeight(u - e.yx));
     colour = vec4(here, here * here, rise * 128.0);
 }
-// Rows 0 and 1: both ends of spars and ropes with their radius. Rows 2 and 3: the upper corners of
-// sails, with their fall and how much they belly.
+// Both ends of spars and ropes, with their radius.
 void mainRig(out vec4 colour, in vec2 pixel) {
     // Foremast, mainmast, stump of the mizzen, bowsprit, four yards, a fallen yard, a fallen spar.
     const vec4 from[kSpars] = vec4[kSpars](
         vec4(5.6, 0.4, 0.0, 0.24), vec4(-0.8, 0.4, 0.0, 0.28), vec4(-7.4, 0.6, 0.0, 0.22),
-        vec4(9.6, 5.0, 0.0, 0.20), vec4(2.3, 9.0, -2.9, 0.10), vec4(3.0, 14.0, -2.0, 0.07),
-        vec4(-4.9, 10.9, -2.9, 0.11), vec4(-3.8, 15.6, -2.2, 0.08), vec4(-4.6, 5.3, -3.9, 0.10),
+        vec4(9.6, 5.0, 0.0, 0.20), vec4(kYardFrom[0].xyz, 0.10), vec4(kYardFrom[1].xyz, 0.07),
+        vec4(kYardFrom[2].xyz, 0.11), vec4(kYardFrom[3].xyz, 0.08), vec4(-4.6, 5.3, -3.9, 0.10),
         vec4(2.9, 1.0, -5.6, 0.12));
     const vec4 to[kSpars] = vec4[kSpars](
         vec4(5.3, 16.8, 0.0, 0.09), vec4(-1.3, 19.0, 0.0, 0.10), vec4(-7.7, 9.3, 0.2, 0.19),
-        vec4(15.6, 7.6, 0.0, 0.09), vec4(8.9, 9.8, 2.9, 0.10), vec4(7.9, 13.2, 2.0, 0.07),
-        vec4(2.9, 9.2, 3.1, 0.11), vec4(1.7, 16.2, 2.2, 0.08), vec4(-2.0, 3.0, 4.2, 0.10),
+        vec4(15.6, 7.6, 0.0, 0.09), vec4(kYardTo[0].xyz, 0.10), vec4(kYardTo[1].xyz, 0.07),
+        vec4(kYardTo[2].xyz, 0.11), vec4(kYardTo[3].xyz, 0.08), vec4(-2.0, 3.0, 4.2, 0.10),
         vec4(-3.2, 0.9, -4.7, 0.08));
     int k = int(pixel.x), row = int(pixel.y);
     vec4 a = vec4(0.0), b = vec4(0.0);
-    if (row < 2 && k < kSpars) { a = from[k]; b = to[k]; }
+    if (k < kSpars) { a = from[k]; b = to[k]; }
     int rope = k - kSpars, stay = rope - kShrouds;
-    if (row < 2 && rope >= 0 && rope < kShrouds) {
+    if (rope >= 0 && rope < kShrouds) {
         bool fore = rope < 6;
         float lane = float(rope / 2 % 3) - 1.0, side = float(rope % 2) * 2.0 - 1.0;
         a = vec4(fore ? 5.4 : -1.1, fore ? 12.6 : 14.4, 0.05 * side, 0.018);
         b = vec4((fore ? 5.0 : -1.6) + 0.75 * lane, 4.5, 2.75 * side, 0.022);
         if (rope == 9) b = vec4(-2.3, 4.9, -3.9, 0.018);   // torn off
     }
-    if (row < 2 && stay >= 0 && stay < kStays) {
+    if (stay >= 0 && stay < kStays) {
         a = stay < 2 ? vec4(15.2, 7.4, 0.0, 0.022) : stay == 2 ? vec4(5.3, 16.4, 0.0, 0.02)
             : stay == 3 ? vec4(-1.3, 18.4, 0.0, 0.02) : vec4(2.8, 9.2, 3.0, 0.014);
         b = stay == 0 ? vec4(5.35, 16.4, 0.0, 0.02) : stay == 1 ? vec4(5.45, 9.0, 0.0, 0.02)
             : stay == 2 ? vec4(-1.1, 13.6, 0.0, 0.02) : stay == 3 ? vec4(-7.7, 9.1, 0.2, 0.02)
             : vec4(3.0, 5.4, 3.6, 0.014);
     }
-    if (row >= 2 && k < kSails) {   // on yards 4 to 7, and a jib's rest on the stay
-        a = k < 4 ? vec4(mix(from[4 + k], to[4 + k], 0.04).xyz, k % 2 == 0 ? 4.2 : 3.6)
-            : vec4(14.2, 8.3, 0.0, 5.0);
-        b = k < 4 ? vec4(mix(from[4 + k], to[4 + k], 0.96).xyz, 1.0 - 0.15 * float(k))
-            : vec4(6.9, 14.9, 0.0, 0.8);
-    }
-    colour = row == 0 || row == 2 ? a : b;
+    colour = row == 0 ? a : b;
 }
 vec4 plantAt(int k) {   // its foot and its height; they stand in groups of five
     int group = k / 5;

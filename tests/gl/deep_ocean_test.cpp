@@ -176,7 +176,7 @@ TEST_F(DeepOcean, RaysMeetTheFloorWhereTheyShould) {
                 (above(0.5 * (lo + hi)) > 0.0 ? lo : hi) = 0.5 * (lo + hi);
             }
             evaluations += got[i].y;
-            capped += got[i].y >= 224.0f;
+            capped += got[i].y >= 256.0f;
             if ((got[i].x < 0.0f) != (hi < 0.0)) {
                 ++flipped;
             } else if (hi > 0.0) {
