@@ -3,6 +3,8 @@
 #include "ui/number_text.h"
 #include "ui/widgets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,6 +39,12 @@ Axis axis_over(const std::vector<double>& values, double room) {
     axis.low = *std::ranges::min_element(values) / room;
     axis.high = *std::ranges::max_element(values) * room;
     return axis;
+}
+
+// All of an axis in one way: as plain numbers, or as powers of ten.
+std::string tick_text(const Axis& axis, double value) {
+    const bool plain = axis.low > 9e-4 && axis.high < 1e5;
+    return plain ? fmt::format("{:.3g}", value) : power_text(value);
 }
 
 class Diagram {
@@ -96,8 +104,10 @@ void Diagram::find_axes() {
     if (study_.reference_error.value_or(0.0) > 0.0) errors.push_back(*study_.reference_error);
     x_ = axis_over(ms, 1.3);
     y_ = axis_over(errors, 2.5);
-    const float left = ImGui::CalcTextSize("2\u00b710\u207b\u2074").x + theme_.px(8);
-    x_.begin = corner_.x + left;
+    float widest = ImGui::CalcTextSize("10\u207b\u2074").x;
+    for (const double value : round_ticks(y_.low, y_.high))
+        widest = std::max(widest, ImGui::CalcTextSize(tick_text(y_, value).c_str()).x);
+    x_.begin = corner_.x + widest + theme_.px(10);
     x_.end = end_x() - theme_.px(10);
     y_.begin = end_y() - 2 * line() - theme_.px(6);
     y_.end = corner_.y + std::round(1.5f * line()) + theme_.px(6);
@@ -118,7 +128,7 @@ void Diagram::draw_ticks() {
     for (const double value : round_ticks(x_.low, x_.high)) {
         const float x = x_.at(value);
         list_.AddLine({x, y_.end}, {x, y_.begin}, kGrid);
-        const std::string text = power_text(value);
+        const std::string text = tick_text(x_, value);
         const float half = 0.5f * ImGui::CalcTextSize(text.c_str()).x;
         if (x - half < free_from || x + half > end_x()) continue;
         list_.AddText({x - half, y_.begin + theme_.px(3)}, colours::kDim, text.c_str());
@@ -129,7 +139,7 @@ void Diagram::draw_ticks() {
         const float y = y_.at(value);
         list_.AddLine({x_.begin, y}, {x_.end, y}, kGrid);
         if (y + 0.5f * line() > free_to) continue;
-        const std::string text = power_text(value);
+        const std::string text = tick_text(y_, value);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         list_.AddText({x_.begin - width - theme_.px(4), y - 0.5f * line()}, colours::kDim,
                       text.c_str());
