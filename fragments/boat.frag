@@ -696,7 +696,7 @@ vec3 bodyLight(float share) {   // scattered back by deep water
 // The sand: colour, and the slope of its ripples. Weed grows in patches.
 vec4 seabed(vec2 p, float w) {
     vec2 unit = (p + gPlace) / kWorld;
-    float far = textureLod(motif, 10.0 * unit, log2(max(w * 10.67, 1e-3))).r;
+    float far = textureLod(motif, 10.0 * unit + vec2(0.55, 0.21), log2(max(w * 10.67, 1e-3))).r;
     vec4 near = textureLod(motif, 96.0 * unit, log2(max(w * 102.4, 1e-3)));
     float weed = smoothstep(0.64, 0.74, far + 0.45 * (near.r - 0.5)), slope = 2.0 * near.b - 1.0;
     vec3 sand = vec3(0.68, 0.57, 0.40) * (0.80 + 0.40 * near.r - 0.08 * slope);
