@@ -57,7 +57,7 @@ uniform bool  wreck;           //@ on "the ship"
 uniform float wreckAngle;      //@ 148 [-180, 180] unit=deg "where the bow points; 0 is right"
 uniform float heel;            //@ 13 [-25, 25] unit=deg "of the ship to starboard"
 uniform bool  rigging;         //@ on "masts, yards and ropes"
-uniform float sailCloth;       //@ 0.6 [0, 1] "how much of the sails is left; 0: none"
+uniform float sailCloth;       //@ 0.5 [0, 1] "how much of the sails is left; 0: none"
 //@ group Jellyfish
 uniform int   jellyfish;       //@ 7 [0, 12] "how many"
 uniform float jellyGlow;       //@ 1.0 [0, 8] "their light"
@@ -327,6 +327,7 @@ vec2 map(vec3 p) {
     torn = min(torn, 0.3 * min(lane, 1.0 - lane) + 0.03);
     float decks = max(max(abs(p.y - deck) - 0.06, inside), torn);
     decks = min(decks, max(max(abs(p.y - sheer - 0.1) - 0.06, inside), p.x + 5.4));
+    decks = max(decks, -10.95 - p.x);
     float wall = max(max(abs(p.x + 5.4) - 0.06, inside), abs(p.y - sheer + 0.5) - 0.64);
     wall = max(wall, min(0.5 - abs(p.z + 0.8), sheer + 0.55 - p.y));   // a doorway
     place = floor(p.x / kBeams + 0.5);
@@ -553,7 +554,7 @@ void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
                 * (0.6 + sin(2.0 * kPi * (cycles(0.09375) + 0.013 * plant.x) - 0.35 * v));
             float cover = plantCover(-dot(f, across), v, plant.w, swing, seed, pixel * t);
             vec3 nor = unit(vec3(0.7 * sin(seed + 5.0 * v) * across, 0.5).xzy - 0.6 * rd);
-            addLayer(Layer(t, cover * smoothstep(1.0, 2.5, t), kWeed, nor));
+            addLayer(Layer(t, cover * smoothstep(0.5, 1.2, t), kWeed, nor));
         }
     }
 }
@@ -686,6 +687,7 @@ vec3 woodColour(vec3 q, int kind, float w) {
     vec4 hull = hullSide(q);
     float strake = kind == kPlank ? hull.y * kStrakes : q.z / 0.3;
     float tall = kind == kPlank ? hull.w / kStrakes : 0.3, apart = clamp(1.5 - w / tall, 0.0, 1.0);
+    if (kind == kSpar) apart = 0.0;   // round, of one piece
     float seam = overlap(strake - floor(strake + 0.5), w / tall, -0.06, 0.06) * apart;
     float r = random3(ivec3(int(floor(strake)), int(floor(q.x / 2.7)), 9)).x;
     float lod = log2(max(w / 2.0 * 256.0, 1.0));
@@ -981,7 +983,8 @@ void mainRig(out vec4 colour, in vec2 pixel) {
         float lane = float(rope / 2 % 3) - 1.0, side = float(rope % 2) * 2.0 - 1.0;
         a = vec4(fore ? 5.4 : -1.1, fore ? 12.6 : 14.4, 0.05 * side, 0.018);
         b = vec4((fore ? 5.0 : -1.6) + 0.75 * lane, 4.5, 2.75 * side, 0.022);
-        if (rope == 9) b = vec4(-2.3, 4.9, -3.9, 0.018);   // torn off
+        if (!fore && side < 0.0)   // where the side is gone they hang
+            b.xyz = a.xyz + (6.3 + 1.2 * lane) * toWreck(vec3(0.1 * lane, -1.0, 0.0));
     }
     if (stay >= 0 && stay < kStays) {
         a = stay < 2 ? vec4(15.2, 7.4, 0.0, 0.022) : stay == 2 ? vec4(5.3, 16.4, 0.0, 0.02)
