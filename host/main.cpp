@@ -3,6 +3,7 @@
 #include "modes/bench.h"
 #include "modes/check.h"
 #include "modes/convert.h"
+#include "modes/export.h"
 #include "modes/info.h"
 #include "modes/open.h"
 #include "modes/sequence.h"
@@ -214,6 +215,10 @@ int run(int argc, char** argv) {
     CLI::App& import_verb = *app.add_subcommand("import", "a shader of Shadertoy to a scene file");
     import_verb.add_option("input", import.input, "a .json file, or a folder of tabs")->required();
     import_verb.add_option("-o,--output", import.output, "a .frag file")->required();
+    ExportOptions export_options;
+    CLI::App& export_verb = *app.add_subcommand("export", "a scene to the tabs of a Shadertoy");
+    add_view(export_verb, export_options.view, false);
+    export_verb.add_option("-o,--output", export_options.output, "a folder")->required();
     CLI::App& info_verb = *app.add_subcommand("info", "passes, tweaks, and what was left out");
     add_view(info_verb, info.view);
     info_verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
@@ -262,6 +267,7 @@ int run(int argc, char** argv) {
     if (sequence_verb.parsed()) return guarded([&] { run_sequence(sequence); });
     if (sound_verb.parsed()) return guarded([&] { run_sound(sound); });
     if (import_verb.parsed()) return guarded([&] { run_import(import); });
+    if (export_verb.parsed()) return guarded([&] { run_export(export_options); });
     if (info_verb.parsed()) return guarded([&] { run_info(info); });
     if (check_verb.parsed()) return guarded([&] { run_check(check); });
     if (study_verb.parsed()) return guarded([&] { run_study(study); });

@@ -282,24 +282,6 @@ std::string constant(const Tweak& tweak, const TweakValue& value) {
                       : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
 }
 
-// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
-// its line ends are kept.
-std::string specialised_text(const Preset& preset) {
-    const std::string& text = preset.scene.text;
-    std::string result;
-    std::size_t done = 0;
-    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
-        const Tweak& tweak = preset.scene.tweaks[i];
-        result.append(text, done, tweak.declaration_begin - done);
-        result += constant(tweak, preset.values[i]);
-        for (std::size_t at = tweak.declaration_begin; at < tweak.declaration_end; ++at) {
-            if (text[at] == '\n') result += '\n';
-        }
-        done = tweak.declaration_end;
-    }
-    return result.append(text, done);
-}
-
 }  // namespace
 
 std::string pass_name(const Scene& scene, std::size_t pass) {
@@ -328,6 +310,22 @@ std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
         if (sampler.name == name && is_seen(sampler.tab)) return i;
     }
     return std::nullopt;
+}
+
+std::string specialised_text(const Preset& preset) {
+    const std::string& text = preset.scene.text;
+    std::string result;
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        result.append(text, done, tweak.declaration_begin - done);
+        result += constant(tweak, preset.values[i]);
+        for (std::size_t at = tweak.declaration_begin; at < tweak.declaration_end; ++at) {
+            if (text[at] == '\n') result += '\n';
+        }
+        done = tweak.declaration_end;
+    }
+    return result.append(text, done);
 }
 
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {

@@ -38,6 +38,10 @@ struct ProgramOptions {
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
 };
 
+// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
+// its line ends are kept.
+std::string specialised_text(const Preset& preset);
+
 // The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {
     // A place of the text, behind which its line is longer than the user's.
