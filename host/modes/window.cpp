@@ -1,8 +1,8 @@
 #include "modes/window.h"
 
 #include "image/image.h"
-#include "modes/convert.h"
 #include "modes/editor.h"
+#include "modes/import.h"
 #include "modes/inspect.h"
 #include "modes/playground_window.h"
 #include "scene/preset_writer.h"

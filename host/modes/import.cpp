@@ -1,4 +1,4 @@
-#include "modes/convert.h"
+#include "modes/import.h"
 
 #include "image/temporary_file.h"
 #include "scene/shadertoy.h"
