@@ -33,6 +33,7 @@ constexpr const char* kMoving =
 TEST_F(Idle, PausedAndUntouchedItUsesAtMostAHundredthOfACore) {
     open(kMoving);
     screen_->tap("Control_L+space");
+    for (const char* panel : {"Control_L+p", "Control_L+d", "Control_L+k"}) screen_->tap(panel);
     wait_for_rest();
     EXPECT_LE(percent("paused"), 1.0);
 }
