@@ -628,8 +628,9 @@ vec3 shaftsAlong(vec3 ro, vec3 rd, float t, vec3 once, float jitter, Medium m) {
         vec3 p = ro + mix(before, stop, jitter) * rd, total = stop * meanFade(fade * stop);
         float pattern = textureLod(caustics, turn(entryOf(p, m), -0.4) / (5.3 * kNet), lod).x;
         float deep = mix(0.45, 1.0, clamp(p.y / depth, 0.0, 1.0));   // they blur on their way
-        float lit = besideRock(p, 0.5) * (1.0 + shafts * deep * (pattern - 1.0));
-        sum += (total - passed) * (lit - 1.0);
+        float more = shafts * deep * (pattern - 1.0);   // biased: less than none would be dark
+        more = more < 0.0 ? more / (1.0 - more) : more;
+        sum += (total - passed) * (besideRock(p, 0.5) * (1.0 + more) - 1.0);
         passed = total;
         before = end;
     }
@@ -660,13 +661,13 @@ vec3 floorColour(vec3 p, inout vec3 nor, float w, float grazing) {
     float rock = smoothstep(0.35, 0.65, lie.w + 0.25 * (nor.y < 0.75 ? 1.0 : 0.0));
     // Rock: a grain from above and one from the side; its slope roughens the normal. Whole levels:
     // half the price, and what steps between them is faint.
-    float fine = log2(max(wide / 3.1 * 256.0, 1.0)), level = nor.y * nor.y;
-    vec4 y = textureLod(grain, p.xz / 3.1, floor(fine + 0.5));
-    vec4 x = textureLod(grain, vec2(p.x + 0.4 * p.z, p.y) / vec2(3.1, 2.3), floor(fine + 0.5));
+    float fine = log2(max(wide / 8.0 * 256.0, 1.0)), level = nor.y * nor.y;
+    vec4 y = textureLod(grain, p.xz / 8.0, floor(fine + 0.5));
+    vec4 x = textureLod(grain, vec2(p.x + 0.4 * p.z, p.y) / vec2(8.0, 5.0), floor(fine + 0.5));
     vec3 slope = mix(vec3(x.zw, 0.4 * x.z), vec3(y.z, 0.0, y.w), level);
     float tone = mix(x.x, y.x, level);
     vec3 stone = mix(vec3(0.07, 0.065, 0.055), vec3(0.40, 0.35, 0.28), tone);
-    vec4 large = textureLod(grain, p.xz / 23.0, max(floor(fine - 2.4), 0.0));
+    vec4 large = textureLod(grain, p.xz / 23.0, max(floor(fine - 1.0), 0.0));
     float grown = smoothstep(0.4, 0.7, large.x) * clamp(nor.y, 0.0, 1.0);
     stone = mix(stone, vec3(0.17, 0.21, 0.08), grown);
     // Sand: two trains of ripples that bend with the grain.
