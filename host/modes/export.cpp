@@ -29,7 +29,7 @@ public:
           scene_(preset.scene),
           compiled_(compile_or_stop(preset, {})),
           text_(specialised_text(preset)) {
-        if (scene_.has_sound) sound_ = compile_or_stop(preset, {.root = kSoundPass});
+        if (scene_.has_sound) sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}});
         find_tabs();
     }
 
