@@ -280,7 +280,7 @@ TEST_F(BoatScene, RaysMeetTheSeaWhereTheyShould) {
                 one.eye, level, down, level);
             const auto hits = texels(with_picture(ray + "    c = vec4(hitWaves(ro, rd, 0.0, kFar), "
                                                         "float(seaEvaluations), 0.0, 1.0);\n"),
-                                     one.tweaks, 5.0, {64, 32});
+                                     one.tweaks, 5.0, {64, 16});
             int wrong = 0, flipped = 0, capped = 0;
             double evaluations = 0.0;
             for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -450,11 +450,11 @@ TEST_F(BoatScene, OnlyTheExactFloatStaysWithTheSeaWhenItIsStiff) {
     EXPECT_GT(std::abs(lost[0] - lost[1]), 0.5f) << "explicit steps leave the sea";
 }
 
-// The wake is bounded: a minute of full speed in circles.
+// The wake is bounded: full speed in circles.
 TEST_F(BoatScene, TheWakeStaysBounded) {
     const std::string preset = "[tweaks]\ntopSpeed = 7.0\nwakeStrength = 3.0\nfoam = 1.0\n" +
                                event(0.0, "up", true) + event(3.0, "left", true);
-    const auto cells = texels(scene_text(), preset, 30.0, {8, 8}, "wake");
+    const auto cells = texels(scene_text(), preset, 15.0, {8, 8}, "wake");
     float highest = 0.0f, white = 0.0f;
     for (const glm::vec4& cell : cells) {
         ASSERT_TRUE(std::isfinite(cell.x) && std::isfinite(cell.y) && std::isfinite(cell.z));
