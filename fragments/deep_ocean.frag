@@ -22,9 +22,9 @@
 //          Wolf, Principles of Optics, 1.5: Fresnel. Sun et al., SIGGRAPH (2005): airlight.
 // Units    1 unit = 1 m, y up from the sand, linear sRGB colour until the display curve. The wreck
 //          has a frame of its own: x to the bow, y up from the keel, z to starboard.
-// Passes   ground to grain, rig, garden: on change of a tweak. swarm, surface with splat and
+// Passes   ground to grain, rig, garden: on change of a tweak at most. swarm, surface with splat and
 //          splatShape, caustics: every frame, small.
-// Bounds   The loops of a pixel stay below 25,000 turns with every reference on.
+// Bounds   The loops of a pixel stay below 30,000 turns with every reference on.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -221,7 +221,7 @@ int seabedEvaluations = 0;   // of a ray's height over the floor, for measuremen
 // steepest slope allows, but none is shorter than `least`. The last few are Illinois steps.
 float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     seabedEvaluations = 0;
-    float level = length(rd.xz), t = 0.0, least = 3.0 / float(marchSteps);   // m
+    float level = length(rd.xz), t = 0.0, least = 6.0 / float(marchSteps);   // m
     vec2 inverse = safeInverse(vec3(rd.xz, 1.0)).xy, far = step(0.0, rd.xz);
     vec2 nudge = 1e-3 * sign(rd.xz), above = vec2(0.0), below = vec2(-1.0, 0.0);
     if (rd.y > 0.0) tMax = min(tMax, (depth - ro.y) / rd.y);
