@@ -22,7 +22,7 @@
 //          Wolf, Principles of Optics, 1.5: Fresnel. Sun et al., SIGGRAPH (2005): airlight.
 // Units    1 unit = 1 m, y up from the sand, linear sRGB colour until the display curve. The wreck
 //          has a frame of its own: x to the bow, y up from the keel, z to starboard.
-// Passes   ground to grain, rig, garden: on change of a tweak at most. swarm, surface with splat and
+// Passes   ground to grain, rig, garden: on change of a tweak only. swarm, surface, splat and
 //          splatShape, caustics: every frame, small.
 // Bounds   The loops of a pixel stay below 30,000 turns with every reference on.
 // Licence  MIT
