@@ -22,8 +22,9 @@
 // Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
 // Passes   tile, cloudTile, bare, land, peaks, sky, ambient, lightMap: on change of a tweak. Every
 //          frame: waves, gathered, colours + normalDepth, picture; the lens is in the image.
-// Bounds   Biased: waves tilt the water and do not move it; light that leaves the water meets land
-//          and sky, not water again. The loops of a pixel stay below 20,000 turns.
+// Bounds   Biased: waves tilt the water and do not move it; light that leaves the water meets the
+//          sky, and land where reflections are traced, but never water again. The loops of a
+//          pixel stay below 30,000 turns with every reference on.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -38,7 +39,7 @@ uniform vec3  grassColour;     //@ #6f9a44 "of meadows"
 uniform vec3  rockColour;      //@ #a48563 "of cliffs"
 //@ group Water
 uniform float waterLevel;      //@ 0 [-16, 12] unit=m "of the lake"
-uniform float waveHeight;      //@ 0.3 [0, 1.5] unit=m "of the longest waves"
+uniform float waveHeight;      //@ 0.2 [0, 1.5] unit=m "of the longest waves"
 uniform float waveLength;      //@ 4.0 [2, 24] log unit=m "of the noise of the longest waves"
 uniform vec3  waterTint;       //@ #49b3c2 "what 10 m of water leave of white light"
 uniform float murk;            //@ 0.35 [0, 2] "share of what is lost that comes back scattered"
@@ -61,7 +62,7 @@ uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display cur
 //@ group Quality
 uniform int   reflections;     //@ 1 {off, screen-space, traced} "how the lake finds land"
 uniform int   border;          //@ 0 {stretch, fade} "what a ray finds that leaves the picture"
-uniform int   reflectionSteps; //@ 32 [4, 1024] log quality reference=1024 "of a ray in the picture"
+uniform int   reflectionSteps; //@ 34 [4, 1024] log quality reference=1024 "of a ray in the picture"
 uniform int   march;           //@ 0 {pyramid, steps} "of rays to land; steps is the reference"
 uniform int   marchSteps;      //@ 128 [8, 512] log quality reference=512 "most for one ray to land"
 uniform int   bends;           //@ 3 [1, 8] quality reference=8 "faces that light in water meets"
@@ -90,7 +91,7 @@ const float kGolden = 0.61803398874989;    // turns between neighbours of a phyl
 const float kFar = 1e9;                    // m, a miss
 const float kIorWater = 1.333;             // visible light, 20 C
 const vec3  kSunPower = vec3(20.0);        // above the air, on a surface that faces it
-const float kCalmSpread = 0.0006;          // slope variance of capillary waves, always unresolved
+const float kCalmSpread = 0.0008;          // slope variance of capillary waves, always unresolved
 const float kEarth = 6.36e6, kAir = 6e4;   // m, radius and height of the air
 const vec3  kRayleigh = vec3(5.8e-6, 13.5e-6, 33.1e-6);   // 1/m at sea level
 const vec3  kOzone = vec3(0.65e-6, 1.88e-6, 0.085e-6);    // 1/m at 25 km
