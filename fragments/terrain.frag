@@ -62,7 +62,7 @@ uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display cur
 //@ group Quality
 uniform int   reflections;     //@ 1 {off, screen-space, traced} "how the lake finds land"
 uniform int   border;          //@ 0 {stretch, fade} "what a ray finds that leaves the picture"
-uniform int   reflectionSteps; //@ 34 [4, 1024] log quality reference=1024 "of a ray in the picture"
+uniform int   reflectionSteps; //@ 35 [4, 1024] log quality reference=1024 "of a ray in the picture"
 uniform int   march;           //@ 0 {pyramid, steps} "of rays to land; steps is the reference"
 uniform int   marchSteps;      //@ 128 [8, 512] log quality reference=512 "most for one ray to land"
 uniform int   bends;           //@ 3 [1, 8] quality reference=8 "faces that light in water meets"

@@ -493,7 +493,7 @@ TEST_F(Terrain, ScreenSpaceRaysFindWhatExactRaysMeet) {
             "    bool shown = inside && h.id == kLand && h.t > length(sight) - 0.3;\n"
             "    c = vec4(to, !wet ? 0.0 : t < kFar && shown ? 2.0 : 1.0, 1.0);\n"),
         {.size = kSize, .preset = tweaks});
-    for (const int steps : {16, 34, 256}) {
+    for (const int steps : {16, 35, 256}) {
         const auto walk =
             drawn(with_picture(
                       start +
@@ -524,11 +524,11 @@ TEST_F(Terrain, ScreenSpaceRaysFindWhatExactRaysMeet) {
             steps, solvable + other, solvable, 100.0 * found / solvable, 100.0 * wrong / found,
             100.0 * invented / other, fetches / (solvable + other));
         EXPECT_GT(solvable, 2000);
-        if (steps < 34) continue;
+        if (steps < 35) continue;
         EXPECT_GE(100.0 * found / solvable, 98.0);
         EXPECT_LE(100.0 * wrong / found, 2.0);
         EXPECT_LE(100.0 * invented / other, 3.0);
-        if (steps == 34) {
+        if (steps == 35) {
             EXPECT_LE(fetches / (solvable + other), 32.0);
         }
     }
