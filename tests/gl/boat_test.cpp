@@ -125,14 +125,9 @@ struct Wave {
     double height, rate, phase;
 };
 constexpr std::array<Wave, 3> kWaves = {{{0.30, 1.1, 0.3}, {0.12, 2.3, 1.9}, {0.05, 4.1, 4.0}}};
-double force(double t) {
-    double sum = 0.0;
-    for (const Wave& w : kWaves) sum += w.height * std::sin(w.rate * t + w.phase);
-    return sum;
-}
 double closed_form(double k, double c, double t) {
     using Complex = std::complex<double>;
-    Complex steady = 0.0, steady_speed = 0.0, start = 2.0, start_speed = 0.0;
+    Complex steady = 0.0, start = 2.0, start_speed = 0.0;
     for (const Wave& w : kWaves) {
         const Complex s(0.0, w.rate), turn = std::polar(w.height, w.phase) * Complex(0.0, -1.0);
         const Complex answer = k / (s * s + c * s + k) * turn;
@@ -230,7 +225,7 @@ double height_of(const Waves& w, double x, double z, std::size_t count) {
 // A height field has no folds, but steep sums look like cliffs: at the tweaks' most, the slopes of
 // the long waves must sum to at most 0.95.
 TEST_F(BoatScene, SlopesOfTheLongWavesSumToLessThanOne) {
-    for (const std::string& length : {"1.5", "4.5", "40.0"}) {
+    for (const std::string length : {"1.5", "4.5", "40.0"}) {
         const std::string tweaks =
             "[tweaks]\nsteepness = 1.0\nchoppiness = 1.0\nlongestWave = " + length + "\n";
         const Waves w = waves_of(tweaks, 1.0);
@@ -440,8 +435,8 @@ TEST_F(BoatScene, OnlyTheExactFloatStaysWithTheSeaWhenItIsStiff) {
     };
     const auto exact = heave(""), rough = heave("integrator = \"explicit\"\n");
     EXPECT_NEAR(exact[0], rough[0], 2e-3);
-    for (const std::string& hard : {"stiffness = 100000.0\n", "damping = 1000.0\n",
-                                    "stiffness = 100000.0\ndamping = 1000.0\n"}) {
+    for (const std::string hard : {"stiffness = 100000.0\n", "damping = 1000.0\n",
+                                   "stiffness = 100000.0\ndamping = 1000.0\n"}) {
         const auto stiff = heave(hard);
         EXPECT_LE(std::abs(stiff[0] - stiff[1]), 0.1f) << hard;
         EXPECT_LE(std::abs(stiff[1]), 1.0f) << hard;
