@@ -52,6 +52,13 @@ void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true) {
     if (takes_json) verb.add_flag("--json", view.json, "one JSON object on stdout");
 }
 
+void add_state(CLI::App& verb, StateOptions& state) {
+    verb.add_option("--from-state", state.from,
+                    "go on from this state of the simulation; with %06d: from the newest of use");
+    verb.add_option("--save-state", state.save,
+                    "keep the state that the last frame is drawn from in this file");
+}
+
 void add_still(CLI::App& verb, StillOptions& still) {
     add_view(verb, still.view);
     verb.add_option("-o,--output", still.output, "a .png, .exr, .jpg, .tif or .hdr file")
@@ -65,6 +72,7 @@ void add_still(CLI::App& verb, StillOptions& still) {
     verb.add_option("--settle", still.settle, "more frames with time held still")
         ->check(from(0, 1'000'000));
     verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
+    add_state(verb, still.state);
     verb.add_option("--tile", still.tile, "draw in squares of this many pixels")
         ->check(from(1, 16384));
 }
@@ -72,8 +80,8 @@ void add_still(CLI::App& verb, StillOptions& still) {
 void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
     add_view(verb, sequence.view);
     verb.add_option("-o,--output", sequence.output,
-                    "out.%04d.png (or exr, jpg, tif, hdr), out.mp4 (or webm, mov, gif), or -")
-        ->required();
+                    "out.%04d.png (or exr, jpg, tif, hdr), out.mp4 (or webm, mov, gif), or -; "
+                    "may be left out with --save-state");
     verb.add_option("--frames", sequence.frames,
                     "FIRST:LAST or FIRST:LAST:STEP; the first ten seconds otherwise");
     verb.add_option("--fps", sequence.fps, "Hz; frame k stands at k / fps")->check(from(0.01, 1e5));
@@ -82,6 +90,10 @@ void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
     verb.add_option("--shard", sequence.shard, "K/N: only the K-th of N shares of the pictures");
     verb.add_flag("--resume", sequence.resume,
                   "leave pictures alone that are there and are what would be written");
+    add_state(verb, sequence.state);
+    verb.add_option("--save-state-every", sequence.state.save_every,
+                    "keep the state before each frame that is a multiple of this")
+        ->check(from(1, 1 << 30));
 }
 
 void add_check(CLI::App& verb, CheckOptions& check) {

@@ -230,16 +230,16 @@ Frame settled_frame(const Preset& preset, const Playback& playback, int extra) {
 }
 
 Frame play(const Preset& preset, Renderer& renderer, const Playback& playback, int settle,
-           int& frames_rendered) {
+           int& frames_rendered, int first) {
     if (renderer.graph().stateful) {
         const int last = playback.last_frame();
-        Progress progress("simulating", last + settle);
-        for (int k = 0; k < last + settle; ++k) {
+        Progress progress("simulating", last + settle - first);
+        for (int k = first; k < last + settle; ++k) {
             renderer.advance(k <= last ? playback.frame(preset, k)
                                        : settled_frame(preset, playback, k - last));
-            progress.update(k);
+            progress.update(k - first);
         }
-        frames_rendered += last + settle;
+        frames_rendered += last + settle - first;
     }
     ++frames_rendered;
     return settled_frame(preset, playback, settle);

@@ -123,8 +123,9 @@ struct Playback {
 Frame settled_frame(const Preset& preset, const Playback& playback, int extra);
 
 // Brings a stateful scene to just before the last frame of `playback` with `settle` frames after
-// it, and returns that last frame, to be drawn. `frames_rendered` counts what was played.
+// it, and returns that last frame, to be drawn. `frames_rendered` counts what was played. A
+// renderer that has been brought to a saved state goes on with frame `first`.
 Frame play(const Preset& preset, Renderer& renderer, const Playback& playback, int settle,
-           int& frames_rendered);
+           int& frames_rendered, int first = 0);
 
 }  // namespace glint

@@ -2,6 +2,8 @@
 
 #include "gl/context.h"
 #include "modes/film.h"
+#include "modes/hash.h"
+#include "modes/numbered_name.h"
 #include "modes/sound.h"
 #include "modes/workers.h"
 
@@ -72,36 +74,19 @@ std::vector<int> frames_of(const SequenceOptions& options) {
     return frames;
 }
 
-// "out.%04d.png" as what stands before the number, its least digits, and what stands after.
-struct Pattern {
-    std::string before, after;
-    int digits = 0;
-
-    fs::path name(int frame) const {
-        return fmt::format("{}{:0{}}{}", before, frame, digits, after);
-    }
-};
-
-std::optional<Pattern> pattern_of(const std::string& text) {
-    const std::size_t percent = text.find('%');
-    const std::size_t d = text.find('d', percent);
-    if (percent == std::string::npos || d == std::string::npos) return std::nullopt;
-    const std::string digits = text.substr(percent + 1, d - percent - 1);
-    const bool is_plain = digits.size() <= 3 && std::ranges::all_of(digits, [](unsigned char c) {
-                              return std::isdigit(c) != 0;
-                          });
-    if (!is_plain || text.find('%', d) != std::string::npos) return std::nullopt;
-    return Pattern{.before = text.substr(0, percent),
-                   .after = text.substr(d + 1),
-                   .digits = digits.empty() ? 0 : std::stoi(digits)};
-}
-
-enum class Target { pictures, film, raw };
+enum class Target { pictures, film, raw, states };
 
 Target target_of(const SequenceOptions& options) {
     const std::string& output = options.output;
-    const bool is_numbered = pattern_of(output).has_value();
-    const Target target = output == "-"                     ? Target::raw
+    const bool is_numbered = numbered_name(output).has_value();
+    if (output.empty() && options.state.save.empty()) {
+        throw UsageError("Name with -o where the frames go, or with --save-state where states go.");
+    }
+    if (options.state.save.empty() && options.state.save_every > 0) {
+        throw UsageError("--save-state-every needs --save-state, which names the files.");
+    }
+    const Target target = output.empty()                    ? Target::states
+                          : output == "-"                   ? Target::raw
                           : is_film(output) && !is_numbered ? Target::film
                                                             : Target::pictures;
     if (target == Target::pictures && (!is_numbered || !can_write(output))) {
@@ -113,7 +98,7 @@ Target target_of(const SequenceOptions& options) {
     if (target != Target::pictures && !options.shard.empty()) {
         throw UsageError("--shard shares pictures out; a film is made of all of them.");
     }
-    if (options.resume) {
+    if (options.resume && target != Target::states) {
         const std::string extension = fs::path(output).extension().string();
         if (target != Target::pictures || (extension != ".png" && extension != ".exr")) {
             throw UsageError(
@@ -127,46 +112,13 @@ Target target_of(const SequenceOptions& options) {
     return target;
 }
 
-// FNV-1a (Fowler, Noll and Vo 1991), 64 bits.
-class Hash {
-public:
-    void add(std::string_view text) {
-        for (const char c : text)
-            value_ = (value_ ^ static_cast<unsigned char>(c)) * 1099511628211u;
-        value_ = (value_ ^ 0xffu) * 1099511628211u;  // "ab", "c" is not "a", "bc"
-    }
-    std::string text() const { return fmt::format("{:016x}", value_); }
-
-private:
-    std::uint64_t value_ = 14695981039346656037u;
-};
-
-std::string content_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // All that a frame's picture follows from, but for its number.
-std::string inputs_of(const SequenceOptions& options, const Preset& preset,
+std::string inputs_of(const SequenceOptions& options, const Provenance& provenance,
                       const std::string& renderer) {
     Hash hash;
-    for (const std::string& part : {std::string(GLINT_VERSION), renderer, preset.scene.text}) {
-        hash.add(part);
-    }
-    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
-        hash.add(format_value(preset.scene.tweaks[i], preset.values[i]));
-    }
-    for (const Event& event : preset.events) {
-        hash.add(fmt::format("{} {} {} {} {}", event.time, event.key, event.down, event.mouse.x,
-                             event.mouse.y));
-    }
-    for (std::size_t i = 0; i < sampler_count(preset); ++i) {
-        const Sampler& sampler = sampler_at(preset, i);
-        if (sampler.source == Source::image) hash.add(content_of(sampler.image));
-    }
-    hash.add(fmt::format("{} {} {} {} {} {} {} {} {}", preset.size.x, preset.size.y, options.fps,
-                         options.samples, options.view.specialise, preset.date.year,
-                         preset.date.month, preset.date.day, preset.date.seconds));
+    hash.add(renderer);
+    hash.add(fmt::format("{}", options.samples));
+    for (const auto& [name, text] : provenance) hash.add(text);
     return hash.text();
 }
 
@@ -186,25 +138,62 @@ bool is_made_from(const fs::path& file, const std::string& inputs) {
     }
 }
 
+// What a run plays: the frames whose pictures are wanted, and where it ends.
+struct Run {
+    const Preset& preset;
+    Renderer& renderer;
+    Context& context;
+    Playback playback;
+    States& states;
+    Workers& workers;
+    int next = 0;  // the frame to be played next
+    int simulated = 0, saved = 0;
+
+    // Whoever resumes relies on a state only where all pictures before it are there.
+    void keep_state() {
+        if (!states.is_due(next)) return;
+        workers.finish();
+        states.save(next);
+        ++saved;
+    }
+
+    // Plays frames that are not drawn; only the simulation costs time.
+    void advance_to(int frame) {
+        for (; next < frame; ++next, ++simulated) {
+            keep_state();
+            renderer.advance(playback.frame(preset, next));
+            if (next % 64 == 0) context.finish();  // keeps what is queued, and Ctrl+C, short
+        }
+    }
+};
+
 // Draws the frames one after the other and hands their pictures to `write`.
 template <class Write>
-void draw_frames(const SequenceOptions& options, const Preset& preset, Renderer& renderer,
-                 Context& context, const std::vector<int>& frames, bool floats, Write write) {
-    if (frames.empty()) return;
-    const Playback playback{.end = frames.back() / options.fps, .fps = options.fps};
-    const bool simulates = renderer.graph().stateful;
+void draw_frames(Run& run, const std::vector<int>& frames, bool floats, Write write) {
+    const bool simulates = run.renderer.graph().stateful;
     Progress progress("frame", static_cast<long>(frames.size()));
-    int played = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (!simulates) played = frames[i];
-        for (; played < frames[i]; ++played) renderer.advance(playback.frame(preset, played));
-        const Frame frame = playback.frame(preset, played++);
-        renderer.draw(frame);
-        Image image = read_picture(renderer, floats);
-        context.finish();
+        if (!simulates) run.next = frames[i];
+        run.advance_to(frames[i]);
+        run.keep_state();
+        const Frame frame = run.playback.frame(run.preset, run.next++);
+        run.renderer.draw(frame);
+        Image image = read_picture(run.renderer, floats);
+        run.context.finish();
         write(frame, std::move(image));
         progress.update(static_cast<long>(i) + 1);
     }
+}
+
+// Walks on to where the last state is saved.
+void walk_to(Run& run, int last) {
+    if (run.next > last) return;
+    Progress progress("simulating", last - run.next);
+    for (const int first = run.next; run.next < last;) {
+        run.advance_to(run.next + 1);
+        progress.update(run.next - first);
+    }
+    run.keep_state();
 }
 
 // The sound of a film as a WAV file without a name; -1 when the scene has none, or frames are left
@@ -225,8 +214,9 @@ int sound_of(const SequenceOptions& options, const Preset& preset, const std::ve
     return file;
 }
 
-void print_result(const SequenceOptions& options, const Preset& preset, std::size_t written,
-                  std::size_t skipped, const std::string& renderer, double ms) {
+void print_result(const SequenceOptions& options, const Preset& preset, const Run& run,
+                  std::size_t written, std::size_t skipped, const std::string& renderer,
+                  double ms) {
     const double rate = static_cast<double>(written) / (ms / 1000.0);
     if (options.view.json) {
         const Json json = {{"output", options.output},
@@ -235,10 +225,17 @@ void print_result(const SequenceOptions& options, const Preset& preset, std::siz
                            {"renderer", renderer},
                            {"frames", written},
                            {"skipped", skipped},
+                           {"simulated", run.simulated},
+                           {"states_saved", run.saved},
                            {"specialised", options.view.specialise},
                            {"frames_per_second", rate},
                            {"ms", {{"total", ms}}}};
         fmt::print("{}\n", json.dump(2));
+        return;
+    }
+    if (options.output.empty()) {
+        fmt::print("{}  {} states  {} frames simulated  {:.1f} s\n", options.state.save, run.saved,
+                   run.simulated, ms / 1000.0);
         return;
     }
     // Raw frames have stdout for themselves.
@@ -254,12 +251,15 @@ void run_sequence(const SequenceOptions& options) {
     const Stopwatch clock;
     const Target target = target_of(options);
     std::vector<int> frames = frames_of(options);
+    const int last = frames.empty() ? 0 : frames.back();
+    if (target == Target::states) frames.clear();
     const std::size_t wanted = frames.size();
     const Preset preset = open_preset(options.view);
     const auto context = make_egl_context(options.view.device);
     const std::string gpu = context->renderer();
-    const std::string inputs = inputs_of(options, preset, gpu);
-    const std::optional<Pattern> pattern = pattern_of(options.output);
+    const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
+    const std::string inputs = inputs_of(options, provenance, gpu);
+    const std::optional<NumberedName> pattern = numbered_name(options.output);
     const auto made_from = [&](int frame) { return fmt::format("{}-{};", inputs, frame); };
     if (options.resume) {
         std::erase_if(frames, [&](int k) { return is_made_from(pattern->name(k), made_from(k)); });
@@ -293,10 +293,20 @@ void run_sequence(const SequenceOptions& options) {
             write_image(pattern->name(k), image, metadata);
         });
     };
-    draw_frames(options, preset, renderer, *context, frames, floats, write);
+    const Playback playback{.end = last / options.fps, .fps = options.fps};
+    States states(options.state, preset, renderer, playback, 0, provenance, gpu, options.resume);
+    Run run{.preset = preset,
+            .renderer = renderer,
+            .context = *context,
+            .playback = playback,
+            .states = states,
+            .workers = workers};
+    run.next = states.start(frames.empty() ? last : frames.front());
+    draw_frames(run, frames, floats, write);
+    if (!options.state.save.empty()) walk_to(run, last);
     workers.finish();
     if (film) film->finish();
-    print_result(options, preset, frames.size(), wanted - frames.size(), gpu, clock.ms());
+    print_result(options, preset, run, frames.size(), wanted - frames.size(), gpu, clock.ms());
 }
 
 }  // namespace glint

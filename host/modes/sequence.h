@@ -1,18 +1,21 @@
 // `glint sequence`: many frames of a scene to numbered pictures, to a film, or to another program.
 #pragma once
 
-#include "modes/common.h"
+#include "modes/snapshot.h"
 
 namespace glint {
 
 struct SequenceOptions {
     ViewOptions view;
-    std::string output;   // "out.%04d.png", "out.mp4", or "-" for raw RGB on stdout
+    // "out.%04d.png", "out.mp4", or "-" for raw RGB on stdout; empty: only walk the simulation and
+    // save its states
+    std::string output;
     std::string frames;   // "A:B" or "A:B:STEP", both ends included; empty: the first ten seconds
     double fps = 60.0;    // Hz; frame k stands at k / fps
     int samples = 1;      // sub-pixel positions averaged in linear light
     std::string shard;    // "K/N": only the K-th of N shares, K from 1; empty: all
     bool resume = false;  // leave pictures alone that are there and are what would be written
+    StateOptions state;
 };
 
 // Throws what main() turns into exit codes. Frame k is, bit for bit, the still of `--frame k`.

@@ -128,9 +128,15 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     load_images(preset, renderer);
     ms.load += clock.restart();
 
+    const Playback playback = playback_of(options, preset);
+    const int settle = options.settle.value_or(preset.settle);
+    const int last = playback.last_frame() + settle;
+    States states(options.state, preset, renderer, playback, settle,
+                  provenance_of(preset, options.fps, options.view.specialise), gpu);
     int frames_rendered = 0;
-    const Frame frame = play(preset, renderer, playback_of(options, preset),
-                             options.settle.value_or(preset.settle), frames_rendered);
+    const int first = states.start(last);
+    const Frame frame = play(preset, renderer, playback, settle, frames_rendered, first);
+    if (states.is_due(last)) states.save(last);
     Progress progress("sampling", options.samples);
     renderer.after_sample = [&](int done) {
         context->finish();

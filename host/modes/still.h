@@ -1,7 +1,7 @@
 // `glint still`: one frame of a scene to a picture file.
 #pragma once
 
-#include "modes/common.h"
+#include "modes/snapshot.h"
 
 #include <optional>
 
@@ -16,6 +16,7 @@ struct StillOptions {
     int samples = 1;               // sub-pixel positions averaged in linear light
     std::optional<int> settle{};   // frames drawn with time held; the preset's otherwise
     std::string pass = "image";
+    StateOptions state{};
     int tile = 0;  // pixels; 0: draw the picture in one go
 };
 

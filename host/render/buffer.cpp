@@ -21,6 +21,24 @@ GLenum gl_format(PixelFormat format) {
     return GL_RGBA32F;
 }
 
+// How a texel's channel stands in memory; the same as in the texture, so that nothing is converted.
+struct ChannelFormat {
+    GLenum type;
+    std::size_t bytes;
+};
+
+ChannelFormat channel_format(PixelFormat format) {
+    switch (format) {
+        case PixelFormat::rgba8:
+            return {GL_UNSIGNED_BYTE, 1};
+        case PixelFormat::rgba16f:
+            return {GL_HALF_FLOAT, 2};
+        case PixelFormat::rgba32f:
+            return {GL_FLOAT, 4};
+    }
+    return {GL_FLOAT, 4};
+}
+
 }  // namespace
 
 Buffer::Buffer(const BufferShape& shape) : shape_(shape) {
@@ -102,6 +120,50 @@ void Buffer::copy_from(const Buffer& other) {
         glCopyImageSubData(other.texture(i), target, 0, 0, 0, 0, texture(i), target, 0, 0, 0, 0,
                            kept.x, kept.y, shape_.cube ? 6 : 1);
         if (shape_.mipmaps) glGenerateTextureMipmap(texture(i));
+    }
+    ++version_;
+}
+
+std::size_t Buffer::texture_bytes() const {
+    return static_cast<std::size_t>(shape_.size.x) * static_cast<std::size_t>(shape_.size.y) *
+           (shape_.cube ? 6 : 1) * 4 * channel_format(shape_.format).bytes;
+}
+
+std::size_t Buffer::byte_count() const {
+    return texture_bytes() * static_cast<std::size_t>(shape_.outputs) * sides_.size();
+}
+
+std::vector<std::byte> Buffer::bytes() const {
+    std::vector<std::byte> all(byte_count());
+    const std::size_t one = texture_bytes();
+    std::byte* to = all.data();
+    for (const std::size_t side : {front_, back()}) {
+        if (to == all.data() + all.size()) break;  // single: front and back are the same
+        for (const Texture& texture : sides_[side].textures) {
+            glGetTextureImage(texture.id(), 0, GL_RGBA, channel_format(shape_.format).type,
+                              static_cast<GLsizei>(one), to);
+            to += one;
+        }
+    }
+    return all;
+}
+
+void Buffer::set_bytes(std::span<const std::byte> bytes) {
+    const GLenum type = channel_format(shape_.format).type;
+    const std::byte* from = bytes.data();
+    for (const std::size_t side : {front_, back()}) {
+        if (from == bytes.data() + bytes.size()) break;
+        for (const Texture& texture : sides_[side].textures) {
+            if (shape_.cube) {
+                glTextureSubImage3D(texture.id(), 0, 0, 0, 0, shape_.size.x, shape_.size.y, 6,
+                                    GL_RGBA, type, from);
+            } else {
+                glTextureSubImage2D(texture.id(), 0, 0, 0, shape_.size.x, shape_.size.y, GL_RGBA,
+                                    type, from);
+            }
+            if (shape_.mipmaps) glGenerateTextureMipmap(texture.id());
+            from += texture_bytes();
+        }
     }
     ++version_;
 }

@@ -5,6 +5,8 @@
 #include "gl/objects.h"
 #include "scene/scene.h"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace glint {
@@ -47,6 +49,14 @@ public:
     // where the formats differ.
     void copy_from(const Buffer& other);
 
+    // Every texel of every output in the buffer's own format, bit for bit, also of the side that is
+    // drawn into next: where a shader discards, that one shows through. Mipmaps are left out.
+    std::vector<std::byte> bytes() const;
+    std::size_t byte_count() const;
+
+    // Takes back what bytes() gave; as many as byte_count().
+    void set_bytes(std::span<const std::byte> bytes);
+
     // Framebuffer of what readers see, for reading back; `face` is 0 unless it is a cube.
     GLuint front_framebuffer(int face = 0) const {
         return sides_[front_].framebuffers[static_cast<std::size_t>(face)].id();
@@ -58,6 +68,7 @@ private:
         std::vector<Framebuffer> framebuffers;  // one, or one a face
     };
     Side make_side() const;
+    std::size_t texture_bytes() const;
     std::size_t back() const { return sides_.size() - 1 - front_; }
 
     BufferShape shape_;

@@ -133,6 +133,40 @@ void Renderer::reset() {
     force_root_ = true;
 }
 
+std::vector<PassState> Renderer::state() const {
+    std::vector<PassState> list;
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        if (!scene_.graph.passes[i].feeds_state) continue;
+        list.push_back({.pass = pass_name(preset_.scene, scene_.programs[i].pass),
+                        .shape = buffers_[i]->shape(),
+                        .steps_done = steps_done_[i],
+                        .bytes = buffers_[i]->bytes()});
+    }
+    return list;
+}
+
+void Renderer::set_state(std::span<const PassState> state) {
+    std::vector<const PassState*> kept(buffers_.size(), nullptr);
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        if (!scene_.graph.passes[i].feeds_state) continue;
+        const std::string name = pass_name(preset_.scene, scene_.programs[i].pass);
+        const auto saved = std::ranges::find(state, name, &PassState::pass);
+        if (saved == state.end()) throw std::runtime_error("It lacks the buffer " + name + ".");
+        BufferShape shape = saved->shape;
+        shape.mipmaps = buffers_[i]->shape().mipmaps;  // made anew, where somebody reads them
+        if (shape != buffers_[i]->shape() || saved->bytes.size() != buffers_[i]->byte_count()) {
+            throw std::runtime_error("It holds the buffer " + name + " in another shape.");
+        }
+        kept[i] = &*saved;
+    }
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        if (!kept[i]) continue;
+        buffers_[i]->set_bytes(kept[i]->bytes);
+        steps_done_[i] = kept[i]->steps_done;
+    }
+    for (Drawn& drawn : drawn_) drawn.ever = false;
+}
+
 void Renderer::set_picture_format(PixelFormat format) {
     if (format == options_.picture_format) return;
     options_.picture_format = format;

@@ -20,6 +20,14 @@ struct RenderOptions {
     int tile = 0;     // draw the root in squares of this many pixels; 0: whole
 };
 
+// What later frames depend on in one pass.
+struct PassState {
+    std::string pass;  // its name
+    BufferShape shape;
+    long steps_done = 0;           // of its simulation
+    std::vector<std::byte> bytes;  // as Buffer::bytes() gives them
+};
+
 class Renderer {
 public:
     // Keeps references: preset must outlive the renderer. Its values may change between draws; they
@@ -48,6 +56,14 @@ public:
 
     // Buffers to 0 and simulations to their start; everything is drawn again.
     void reset();
+
+    // All that the next frame depends on, bit for bit; waits for the GPU.
+    std::vector<PassState> state() const;
+
+    // Goes on from a state of the same scene at the same size; passes that this scene does not draw
+    // are left out. Throws std::runtime_error, and changes nothing, where a pass is missing or has
+    // another shape.
+    void set_state(std::span<const PassState> state);
 
     // The root is drawn next time even if nothing has changed.
     void redraw() { force_root_ = true; }

@@ -232,6 +232,8 @@ TEST_F(Sequence, WhatMakesNoSenseIsSaidBeforeAnythingIsDrawn) {
         {"-o", "out.mp4", "--resume"},
         {"-o", "%d.jpg", "--resume"},
         {"-o", "-", "--json"},
+        {},
+        {"-o", "%d.png", "--save-state-every", "10"},
     };
     for (std::vector<std::string> words : wrong) {
         words.insert(words.begin(), "scene.frag");
