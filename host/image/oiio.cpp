@@ -3,10 +3,8 @@
 // OpenImageIO pulls in some 260 shared libraries, 0.2 s of work for the dynamic linker. A program
 // that only writes PNG never pays it; any other loads them while the GPU draws.
 #include "image/codecs.h"
+#include "image/module.h"
 #include "image/oiio_module.h"
-
-#include <dlfcn.h>
-#include <fmt/format.h>
 
 #include <array>
 #include <cerrno>
@@ -24,21 +22,10 @@ struct Module {
     GlintOiioRead* read = nullptr;
 };
 
-void* open_module() {
-    constexpr const char* kName = "glint-oiio.so";
-    std::error_code error;
-    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / kName;
-    if (fs::exists(beside, error)) return ::dlopen(beside.c_str(), RTLD_LAZY | RTLD_LOCAL);
-    return ::dlopen(fs::path(GLINT_MODULE_FOLDER).append(kName).c_str(), RTLD_LAZY | RTLD_LOCAL);
-}
-
 Module load_module() {
-    void* handle = open_module();
-    if (!handle) {
-        throw std::runtime_error(fmt::format("The image library does not load: {}.", ::dlerror()));
-    }
-    return {.write = reinterpret_cast<GlintOiioWrite*>(::dlsym(handle, "glint_oiio_write")),
-            .read = reinterpret_cast<GlintOiioRead*>(::dlsym(handle, "glint_oiio_read"))};
+    void* module = open_module("glint-oiio.so", "image");
+    return {.write = find_function<GlintOiioWrite>(module, "glint_oiio_write"),
+            .read = find_function<GlintOiioRead>(module, "glint_oiio_read")};
 }
 
 // The dynamic linker loads a library once a process; so does this. At exit it is waited for.

@@ -1,6 +1,7 @@
 #include "modes/bench.h"
 
 #include "gl/context.h"
+#include "modes/input_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,7 +35,7 @@ public:
           context_(context),
           renderer_(preset, compile_or_stop(preset, {.program = {.specialise = specialise}}),
                     {.size = preset.size}) {
-        load_images(preset, renderer_);
+        load_inputs(preset, renderer_);
         int ignored = 0;
         play(preset, renderer_, playback(), 0, ignored);
         // The driver compiles to machine code at the first draw.

@@ -1,5 +1,6 @@
 #include "modes/check_subject.h"
 
+#include "modes/input_files.h"
 #include "render/viewer.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
     }
     renderer_.emplace(preset, std::move(compiled),
                       RenderOptions{.size = preset.size, .picture_format = PixelFormat::rgba32f});
-    load_images(preset, *renderer_);
+    load_inputs(preset, *renderer_);
     looked_at_.resize(renderer_->graph().passes.size());
 }
 

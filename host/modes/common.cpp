@@ -61,17 +61,6 @@ void apply_tweak(Preset& preset, const std::string& assignment) {
     }
 }
 
-// The first row of the file becomes the bottom of the picture.
-void turn_over(Image& image) {
-    const auto row = image.pixels.size() / static_cast<std::size_t>(image.size.y);
-    auto low = image.pixels.begin();
-    auto high = image.pixels.end() - static_cast<std::ptrdiff_t>(row);
-    for (; low < high;
-         low += static_cast<std::ptrdiff_t>(row), high -= static_cast<std::ptrdiff_t>(row)) {
-        std::swap_ranges(low, low + static_cast<std::ptrdiff_t>(row), high);
-    }
-}
-
 }  // namespace
 
 Progress::Progress(std::string what, long total)
@@ -134,29 +123,6 @@ CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& option
     report(result.diagnostics);
     if (!result.scene) throw Stop(ExitCode::shader);
     return std::move(*result.scene);
-}
-
-void load_image(const Preset& preset, Renderer& renderer, std::size_t index) {
-    const Sampler& sampler = sampler_at(preset, index);
-    Image image = read_image(sampler.image);
-    if (!sampler.vflip) turn_over(image);
-    renderer.set_image(index, {.size = image.size,
-                               .channels = image.channels,
-                               .floats = image.type == ChannelType::f32,
-                               .data = image.pixels});
-}
-
-void load_images(const Preset& preset, Renderer& renderer) {
-    Diagnostics diagnostics;
-    for (const std::size_t sampler : renderer.images_needed()) {
-        try {
-            load_image(preset, renderer, sampler);
-        } catch (const std::runtime_error& error) {
-            const Place& place = sampler_at(preset, sampler).place;
-            diagnostics.push_back({Severity::error, place, error.what(), true});
-        }
-    }
-    report(diagnostics);
 }
 
 Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::string& renderer) {

@@ -92,13 +92,6 @@ std::size_t find_pass(const Scene& scene, const std::string& name);
 // Links what `options` asks for. Throws Stop with exit code 3.
 CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options);
 
-// Reads the image of one sampler (as in sampler_at) into the renderer. Throws std::runtime_error.
-void load_image(const Preset& preset, Renderer& renderer, std::size_t sampler);
-
-// Reads the image files that the renderer needs. Throws Stop with exit code 4, at the place that
-// names the file.
-void load_images(const Preset& preset, Renderer& renderer);
-
 // What a picture's file tells of where it comes from. File names only: the same scene gives the
 // same bytes in every folder.
 Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::string& renderer);

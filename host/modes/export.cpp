@@ -119,6 +119,11 @@ std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) 
     return channels;
 }
 
+// Of the first file that fills it, if any.
+std::string file_name(const Sampler& sampler) {
+    return sampler.files.empty() ? "" : sampler.files.front().filename().string();
+}
+
 std::string Exporter::source_words(const Tab& tab, const Sampler& sampler) {
     const std::string where = fmt::format("{}, {}", tab.name, sampler.name);
     if (sampler.wrap == Wrap::mirror) warn(where + ": the site cannot mirror; it repeats there");
@@ -131,9 +136,12 @@ std::string Exporter::source_words(const Tab& tab, const Sampler& sampler) {
             warn(where + ": the site's noise has other values than ours");
             return fmt::format("noise of {} pixels", sampler.noise_size.x);
         case Source::image:
-            warn(fmt::format("{}: the site takes no pictures; choose one of its own instead of {}",
-                             where, sampler.image.filename().string()));
-            return sampler.image.filename().string();
+        case Source::cube:
+        case Source::volume:
+        case Source::sound:
+            warn(fmt::format("{}: the site takes no files; choose one of its own instead of {}",
+                             where, file_name(sampler)));
+            return file_name(sampler);
         case Source::none:
             break;
     }
@@ -256,13 +264,14 @@ Json Exporter::input_json(const Sampler& sampler, int channel) const {
     const char* kind = tab == "cubeA"                             ? "cubemap"
                        : is_buffer                                ? "buffer"
                        : sampler.source == Source::keyboard       ? "keyboard"
+                       : sampler.source == Source::sound          ? "music"
                        : sampler.type == SamplerType::sampler3D   ? "volume"
                        : sampler.type == SamplerType::samplerCube ? "cubemap"
                                                                   : "texture";
     return {{"id", is_buffer                            ? output_id(tab)
                    : sampler.source == Source::keyboard ? 33
                                                         : 0},
-            {"src", sampler.source == Source::image ? sampler.image.filename().string() : ""},
+            {"src", file_name(sampler)},
             {"ctype", kind},
             {"channel", channel},
             {"sampler",

@@ -1,6 +1,7 @@
 #include "modes/playground.h"
 
 #include "image/image.h"
+#include "modes/input_files.h"
 
 #include <fmt/format.h>
 
@@ -53,7 +54,7 @@ std::vector<std::filesystem::path> watched_files(const std::vector<std::filesyst
     if (!preset) return files;
     for (std::size_t i = 0; i < sampler_count(*preset); ++i) {
         const Sampler& sampler = sampler_at(*preset, i);
-        if (sampler.source == Source::image) files.push_back(sampler.image);
+        files.insert(files.end(), sampler.files.begin(), sampler.files.end());
     }
     return files;
 }
@@ -97,7 +98,7 @@ void Playground::notice_saves() {
     };
     const auto text = std::find_if(changed.begin(), changed.end(), is_text);
     if (text != changed.end()) read_again(*text);
-    reload_images(changed);
+    reload_inputs(changed);
 }
 
 void Playground::read_again(const std::filesystem::path& changed) {
@@ -118,18 +119,17 @@ void Playground::read_again(const std::filesystem::path& changed) {
     start_trial(Purpose::reload);
 }
 
-void Playground::reload_images(const std::vector<std::filesystem::path>& changed) {
+void Playground::reload_inputs(const std::vector<std::filesystem::path>& changed) {
     if (!renderer_) return;
     for (std::size_t i = 0; i < sampler_count(*preset_); ++i) {
         const Sampler& sampler = sampler_at(*preset_, i);
-        if (sampler.source != Source::image ||
-            std::find(changed.begin(), changed.end(), sampler.image) == changed.end()) {
-            continue;
-        }
-        report_ = {.file = sampler.image, .text = {}};
+        const auto file = std::find_first_of(changed.begin(), changed.end(), sampler.files.begin(),
+                                             sampler.files.end());
+        if (file == changed.end()) continue;
+        report_ = {.file = *file, .text = {}};
         since_notice_.restart();
         try {
-            load_image(*preset_, *renderer_, i);
+            load_input(*preset_, *renderer_, i);
             std::erase_if(diagnostics_, [](const Diagnostic& d) { return d.missing_file; });
             touched_ = report_first_frame_ = true;
         } catch (const std::runtime_error& error) {
@@ -228,8 +228,8 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
         if (!renderer) return refuse("");
         const bool same_file = preset_ && written_;
         if (renderer_ && (same_file || !saved)) renderer->adopt(*renderer_);
-        for (const std::size_t sampler : renderer->images_needed()) {
-            load_image(*preset, *renderer, sampler);
+        for (const std::size_t sampler : renderer->inputs_needed()) {
+            load_input(*preset, *renderer, sampler);
         }
         context_.finish();  // now the driver says whether there was memory for all buffers
     } catch (const ContextLost&) {

@@ -128,7 +128,7 @@ private:
 
     void notice_saves();
     void read_again(const std::filesystem::path& changed);
-    void reload_images(const std::vector<std::filesystem::path>& changed);
+    void reload_inputs(const std::vector<std::filesystem::path>& changed);
     void watch(const std::vector<std::filesystem::path>& files);
     void start_trial(Purpose purpose);
     void follow_trial();

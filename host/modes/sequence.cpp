@@ -3,6 +3,7 @@
 #include "gl/context.h"
 #include "modes/film.h"
 #include "modes/hash.h"
+#include "modes/input_files.h"
 #include "modes/numbered_name.h"
 #include "modes/sound.h"
 #include "modes/workers.h"
@@ -274,7 +275,7 @@ void run_sequence(const SequenceOptions& options) {
                       {.size = preset.size,
                        .picture_format = floats ? PixelFormat::rgba32f : PixelFormat::rgba8,
                        .samples = options.samples});
-    load_images(preset, renderer);
+    load_inputs(preset, renderer);
 
     std::optional<Film> film;
     if (target == Target::film) {

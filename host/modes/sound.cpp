@@ -2,6 +2,7 @@
 
 #include "gl/context.h"
 #include "image/temporary_file.h"
+#include "modes/input_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,7 +34,7 @@ void render_sound(const Preset& preset, bool specialise, long first, long count,
     Renderer renderer(
         preset, std::move(compiled),
         {.size = glm::ivec2(kSoundBlockSide), .picture_format = PixelFormat::rgba32f});
-    load_images(preset, renderer);
+    load_inputs(preset, renderer);
     std::vector<std::int16_t> samples;
     for (long block = first / kBlock; block * kBlock < first + count; ++block) {
         renderer.redraw();

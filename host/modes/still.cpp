@@ -2,6 +2,7 @@
 
 #include "gl/context.h"
 #include "image/image.h"
+#include "modes/input_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -125,7 +126,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
                        .picture_format = floats ? PixelFormat::rgba32f : PixelFormat::rgba8,
                        .samples = options.samples,
                        .tile = options.tile});
-    load_images(preset, renderer);
+    load_inputs(preset, renderer);
     ms.load += clock.restart();
 
     const Playback playback = playback_of(options, preset);

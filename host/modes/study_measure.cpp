@@ -1,5 +1,7 @@
 #include "modes/study_measure.h"
 
+#include "modes/input_files.h"
+
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <time.h>
@@ -60,7 +62,7 @@ public:
                     compile_or_stop(preset_, {.root = options.pass,
                                               .program = {.specialise = options.specialise}}),
                     {.size = preset_.size, .picture_format = PixelFormat::rgba32f}) {
-        load_images(preset_, renderer_);
+        load_inputs(preset_, renderer_);
     }
 
     std::vector<float> draw_picture() {

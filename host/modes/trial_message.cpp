@@ -29,9 +29,9 @@ void members(auto& bytes, Is<Tweak> auto& value) {
           group, description, place, begin, end);
 }
 void members(auto& bytes, Is<Sampler> auto& value) {
-    auto& [name, tab, type, source, filter, wrap, vflip, pass, output, image, noise_channels,
+    auto& [name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
            noise_size, place] = value;
-    bytes(name, tab, type, source, filter, wrap, vflip, pass, output, image, noise_channels,
+    bytes(name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
           noise_size, place);
 }
 void members(auto& bytes, Is<Pass> auto& value) {

@@ -174,10 +174,11 @@ bool Child::compile(const TrialOrder& order, CompiledScene& scene) {
 
 // Grey ones of the right form.
 void Child::set_images(const TrialOrder& order, Renderer& renderer) {
-    for (const std::size_t sampler : renderer.images_needed()) {
+    for (const std::size_t sampler : renderer.inputs_needed()) {
         const auto image = std::find_if(order.images.begin(), order.images.end(),
                                         [&](const TrialImage& i) { return i.sampler == sampler; });
         if (image == order.images.end()) continue;
+        if (sampler_at(order.preset, sampler).type != SamplerType::sampler2D) continue;
         const auto values =
             static_cast<std::size_t>(image->size.x * image->size.y * image->channels);
         const std::vector<std::uint8_t> bytes(values, 128);

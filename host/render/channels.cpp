@@ -23,7 +23,11 @@ Formats formats(int channels, bool floats) {
     }
 }
 
-Channel make_channel(const PixelView& pixels, bool mipmaps) {
+GLenum value_type(const PixelView& pixels) {
+    return pixels.floats ? GL_FLOAT : GL_UNSIGNED_BYTE;
+}
+
+Channel make_picture(const PixelView& pixels, bool mipmaps) {
     const auto [internal, external] = formats(pixels.channels, pixels.floats);
     Channel channel{
         .texture = make_texture_2d(internal, pixels.size, mipmaps ? mipmap_levels(pixels.size) : 1),
@@ -31,49 +35,60 @@ Channel make_channel(const PixelView& pixels, bool mipmaps) {
         .version = 1};
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(channel.texture.id(), 0, 0, 0, pixels.size.x, pixels.size.y, external,
-                        pixels.floats ? GL_FLOAT : GL_UNSIGNED_BYTE, pixels.data.data());
+                        value_type(pixels), pixels.data.data());
     if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
     return channel;
 }
 
-Channel make_volume(const PixelView& slices, int depth, bool mipmaps) {
-    const auto [internal, external] = formats(slices.channels, false);
-    const glm::ivec3 size(slices.size, depth);
+Channel make_volume(const PixelView& slices, bool mipmaps) {
+    const auto [internal, external] = formats(slices.channels, slices.floats);
+    const glm::ivec3 size(slices.size, slices.slices);
     const int levels = mipmaps ? mipmap_levels({std::max(size.x, size.z), size.y}) : 1;
     Channel channel{.texture = make_texture_3d(internal, size.x, size.y, size.z, levels),
                     .size = size,
                     .version = 1};
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage3D(channel.texture.id(), 0, 0, 0, 0, size.x, size.y, size.z, external,
-                        GL_UNSIGNED_BYTE, slices.data.data());
+                        value_type(slices), slices.data.data());
     if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
     return channel;
 }
 
 Channel make_cube(const PixelView& faces, bool mipmaps) {
-    const auto [internal, external] = formats(faces.channels, false);
+    const auto [internal, external] = formats(faces.channels, faces.floats);
     const int side = faces.size.x;
     Channel channel{
         .texture = make_texture_cube(internal, side, mipmaps ? mipmap_levels(faces.size) : 1),
         .size = {side, side, 1},
         .version = 1};
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage3D(channel.texture.id(), 0, 0, 0, 0, side, side, 6, external, GL_UNSIGNED_BYTE,
-                        faces.data.data());
+    glTextureSubImage3D(channel.texture.id(), 0, 0, 0, 0, side, side, 6, external,
+                        value_type(faces), faces.data.data());
     if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
     return channel;
+}
+
+Channel make_channel(SamplerType type, const PixelView& pixels, bool mipmaps) {
+    switch (type) {
+        case SamplerType::sampler2D:
+            break;
+        case SamplerType::samplerCube:
+            return make_cube(pixels, mipmaps);
+        case SamplerType::sampler3D:
+            return make_volume(pixels, mipmaps);
+    }
+    return make_picture(pixels, mipmaps);
 }
 
 Channel make_noise(const Sampler& sampler) {
     const bool is_cube = sampler.type == SamplerType::samplerCube;
     const glm::ivec3 size(glm::ivec2(sampler.noise_size), is_cube ? 6 : sampler.noise_size.z);
     const std::vector<std::byte> bytes = noise_bytes(size, sampler.noise_channels);
-    const bool mipmaps = sampler.filter == Filter::mipmap;
-    const PixelView pixels{
-        .size = glm::ivec2(sampler.noise_size), .channels = sampler.noise_channels, .data = bytes};
-    if (is_cube) return make_cube(pixels, mipmaps);
-    return sampler.type == SamplerType::sampler3D ? make_volume(pixels, size.z, mipmaps)
-                                                  : make_channel(pixels, mipmaps);
+    const PixelView pixels{.size = glm::ivec2(size),
+                           .slices = size.z,
+                           .channels = sampler.noise_channels,
+                           .data = bytes};
+    return make_channel(sampler.type, pixels, sampler.filter == Filter::mipmap);
 }
 
 // pcg3d (Jarzynski and Olano 2020).
@@ -127,20 +142,20 @@ const Channel& Channels::channel(std::size_t index) {
 }
 
 void Channels::set_image(std::size_t index, const PixelView& pixels) {
-    const bool mipmaps = sampler_at(preset_, index).filter == Filter::mipmap;
+    const Sampler& sampler = sampler_at(preset_, index);
     const std::size_t version = channel(index).version;
     Channel& channel = channels_[index];
-    channel = make_channel(pixels, mipmaps);
+    channel = make_channel(sampler.type, pixels, sampler.filter == Filter::mipmap);
     channel.version = version + 1;
 }
 
 void Channels::adopt(Channels& previous) {
     for (std::size_t i = 0; i < sampler_count(preset_); ++i) {
         const Sampler& wanted = sampler_at(preset_, i);
-        if (wanted.source != Source::image) continue;
+        if (wanted.files.empty()) continue;
         for (auto& [index, channel] : previous.channels_) {
             const Sampler& had = sampler_at(previous.preset_, index);
-            const bool same = had.source == Source::image && had.image == wanted.image &&
+            const bool same = had.source == wanted.source && had.files == wanted.files &&
                               had.vflip == wanted.vflip &&
                               (had.filter == Filter::mipmap) == (wanted.filter == Filter::mipmap);
             if (!same || !channel.texture) continue;

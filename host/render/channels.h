@@ -12,9 +12,11 @@
 
 namespace glint {
 
-// Pixels in memory, rows bottom up, channels interleaved.
+// Pixels in memory, rows bottom up, channels interleaved. A volume has slices, a cube six of them:
+// +X -X +Y -Y +Z -Z.
 struct PixelView {
     glm::ivec2 size{0};
+    int slices = 1;
     int channels = 4;
     bool floats = false;  // 32-bit floats; bytes otherwise
     std::span<const std::byte> data;
@@ -32,7 +34,7 @@ public:
     explicit Channels(const Preset& preset);
 
     // The texture of a sampler (as in sampler_at) that reads no buffer. Noise and the keyboard are
-    // made on first use; an image reads 0 until set_image.
+    // made on first use; what comes from a file reads 0 until set_image.
     const Channel& channel(std::size_t sampler);
 
     // Reads 0.
@@ -40,11 +42,11 @@ public:
         return empty_[static_cast<std::size_t>(type)].texture.id();
     }
 
-    bool has_image(std::size_t sampler) const { return channels_.contains(sampler); }
+    bool has(std::size_t sampler) const { return channels_.contains(sampler); }
     void set_image(std::size_t sampler, const PixelView& pixels);
     void set_keyboard(const Input& input);
 
-    // Takes over images that a sampler here would read from the same file. The others are empty
+    // Takes over what a sampler here would read from the same files. The others are empty
     // until set_image.
     void adopt(Channels& previous);
 

@@ -54,18 +54,6 @@ bool contains_word(std::string_view text, std::string_view word) {
     return false;
 }
 
-const char* glsl_name(SamplerType type) {
-    switch (type) {
-        case SamplerType::sampler2D:
-            return "sampler2D";
-        case SamplerType::samplerCube:
-            return "samplerCube";
-        case SamplerType::sampler3D:
-            return "sampler3D";
-    }
-    return "";
-}
-
 std::string channel_declarations(const Preset& preset, std::size_t pass) {
     const Scene& scene = preset.scene;
     std::string text;

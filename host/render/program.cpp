@@ -129,6 +129,21 @@ void find_uniforms(const Preset& preset, PassProgram& pass) {
 
 }  // namespace
 
+std::vector<std::size_t> channels_told_of(const Preset& preset, const PassProgram& program) {
+    std::vector<std::size_t> list;
+    for (int i = 0; i < 4; ++i) {
+        const bool asked = std::any_of(
+            program.builtins.begin(), program.builtins.end(), [&](const BuiltinUniform& uniform) {
+                return uniform.builtin == Builtin::channel_time ||
+                       uniform.builtin == Builtin::channel_resolution ||
+                       (uniform.builtin == Builtin::channel_struct && uniform.index == i);
+            });
+        const auto sampler = find_sampler(preset, program.pass, fmt::format("iChannel{}", i));
+        if (asked && sampler) list.push_back(*sampler);
+    }
+    return list;
+}
+
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const PassText source = pass_text(preset, pass, options);
     LinkedProgram linked = make_program(source.text);

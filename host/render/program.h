@@ -62,6 +62,9 @@ struct PassProgram {
     std::vector<UnfilledSampler> unfilled;
 };
 
+// The samplers of iChannel0..3 about which the pass asks: their sizes or times.
+std::vector<std::size_t> channels_told_of(const Preset& preset, const PassProgram& program);
+
 struct CompiledPass {
     std::optional<PassProgram> program;  // empty when there are errors
     Diagnostics diagnostics;             // with places in the user's text

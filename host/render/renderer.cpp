@@ -76,16 +76,16 @@ BufferShape Renderer::wanted_shape(std::size_t index) const {
     return shape;
 }
 
-std::vector<std::size_t> Renderer::images_needed() const {
+std::vector<std::size_t> Renderer::inputs_needed() const {
     std::vector<std::size_t> list;
+    const auto need = [&](std::size_t sampler) {
+        if (sampler_at(preset_, sampler).files.empty() || channels_.has(sampler)) return;
+        if (std::find(list.begin(), list.end(), sampler) == list.end()) list.push_back(sampler);
+    };
     for (const PassProgram& program : scene_.programs) {
-        for (const SamplerUniform& uniform : program.samplers) {
-            if (sampler_at(preset_, uniform.sampler).source != Source::image) continue;
-            if (channels_.has_image(uniform.sampler)) continue;
-            if (std::find(list.begin(), list.end(), uniform.sampler) == list.end()) {
-                list.push_back(uniform.sampler);
-            }
-        }
+        for (const SamplerUniform& uniform : program.samplers) need(uniform.sampler);
+        // Only the file knows its size and its length.
+        for (const std::size_t sampler : channels_told_of(preset_, program)) need(sampler);
     }
     return list;
 }

@@ -38,9 +38,9 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // The samplers whose images something reads (as in sampler_at) and that have none yet; hand
-    // each its pixels.
-    std::vector<std::size_t> images_needed() const;
+    // The samplers (as in sampler_at) that something reads and whose files are not here yet; hand
+    // each its content.
+    std::vector<std::size_t> inputs_needed() const;
     void set_image(std::size_t sampler, const PixelView& pixels) {
         channels_.set_image(sampler, pixels);
     }

@@ -28,7 +28,7 @@ struct Option {
     std::size_t at = 0;
 };
 
-// What a sampler's line says. The sampler's pass, and the place of its image among the folders, are
+// What a sampler's line says. The sampler's pass, and the place of its files among the folders, are
 // the scene's to find.
 struct SamplerAnnotation {
     Sampler sampler;
@@ -42,7 +42,7 @@ struct SamplerAnnotation {
 };
 
 // A sampler that has its name and type already. Filter and wrap are the source's defaults unless
-// written; `image` is the path as it was written.
+// written; `files` are the paths as they were written.
 SamplerAnnotation parse_sampler(Sampler sampler, std::string_view annotation,
                                 std::vector<Complaint>& complaints);
 
@@ -57,6 +57,9 @@ std::optional<Step> parse_step(std::string_view text);
 // "rgba 256", "r 64x32", "32x32x32"; the sampler's type says how many lengths may stand there.
 // Returns what is wrong, or "".
 std::string parse_noise(std::string_view text, Sampler& sampler);
+
+// What is wrong with so many files for a cube, or "".
+std::string check_cube_files(std::size_t count);
 
 // What a sampler of this source and type does unless told otherwise.
 void set_defaults(Sampler& sampler, Source source);

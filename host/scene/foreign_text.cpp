@@ -94,6 +94,37 @@ fs::path path_of(const fs::path& file, const std::string& source) {
     return (file.parent_path() / without_scheme(source)).lexically_normal();
 }
 
+bool is_sound(const std::string& source) {
+    const std::string extension = fs::path(source).extension().string();
+    return extension == ".mp3" || extension == ".wav" || extension == ".ogg" ||
+           extension == ".flac";
+}
+
+// The six files of `sky_{}.jpg` as they are there: sky_px.jpg and so on, in quotes, each behind a
+// space. Empty when they are not all there.
+std::string face_names(const fs::path& file, const std::string& source) {
+    using Names = std::array<const char*, 6>;  // +X -X +Y -Y +Z -Z
+    constexpr std::array<Names, 4> kSpellings = {
+        {{"e", "w", "u", "d", "n", "s"},
+         {"east", "west", "up", "down", "north", "south"},
+         {"px", "nx", "py", "ny", "pz", "nz"},
+         {"posx", "negx", "posy", "negy", "posz", "negz"}}};
+    const std::string pattern = without_scheme(source);
+    const std::size_t at = pattern.find("{}");
+    if (at == std::string::npos) return {};
+    for (const Names& names : kSpellings) {
+        std::string list;
+        const bool all = std::all_of(names.begin(), names.end(), [&](const char* name) {
+            const std::string face = std::string(pattern).replace(at, 2, name);
+            list += fmt::format(" \"{}\"", face);
+            std::error_code error;
+            return fs::is_regular_file(file.parent_path() / face, error);
+        });
+        if (all) return list;
+    }
+    return {};
+}
+
 // A name for the buffer that a file fills, unlike the functions that the file may have.
 std::string buffer_name(const fs::path& file) {
     std::string name = file.stem().string();
@@ -277,18 +308,20 @@ std::string Rewriter::source_of(const ForeignChannel& channel, const std::string
     if (channel.source == "self" && !own_buffer.empty()) return "buffer " + own_buffer;
     if (channel.source == "keyboard") return "keyboard";
     if (is_shader(channel.source)) return "buffer " + buffer_name(path_of(file_, channel.source));
-    const std::string extension = fs::path(channel.source).extension().string();
-    const bool is_sound = extension == ".mp3" || extension == ".wav" || extension == ".ogg";
-    if (channel.source.starts_with("http") || is_sound || channel.type == "CubeMap" ||
-        channel.source == "self") {
-        const std::string noise = is_sound                    ? "noise r 512x2"
-                                  : channel.type == "CubeMap" ? "noise rgb 64"
-                                                              : "noise rgba 256";
+    const bool is_cube = channel.type == "CubeMap";
+    const std::string faces = is_cube ? face_names(file_, channel.source) : "";
+    if (channel.source.starts_with("http") || channel.source == "self" ||
+        (is_cube && faces.empty())) {
+        const std::string noise = is_sound(channel.source) ? "noise r 512x2"
+                                  : is_cube                ? "noise rgb 64"
+                                                           : "noise rgba 256";
         warning(channel.line, fmt::format("{} is not read here; {} stands in its place",
                                           in_quotes(channel.source), noise));
         return noise;
     }
-    return fmt::format("image \"{}\"", without_scheme(channel.source));
+    if (is_cube) return "cube" + faces;
+    return fmt::format("{} \"{}\"", is_sound(channel.source) ? "sound" : "image",
+                       without_scheme(channel.source));
 }
 
 std::string Rewriter::options_of(const ForeignChannel& channel) {

@@ -46,6 +46,7 @@ private:
     void read_channels(const toml::node& node);
     void read_channel(std::size_t index, const toml::table& table);
     void read_channel_source(Sampler& sampler, std::string_view key, const toml::node& node);
+    void read_cube_files(Sampler& sampler, const toml::array& files);
     void read_channel_options(Sampler& sampler, const toml::table& table);
     void read_events(const toml::node& node);
     std::optional<Event> read_event(const toml::table& table);
@@ -297,7 +298,8 @@ void Reader::read_channels(const toml::node& node) {
 }
 
 void Reader::read_channel(std::size_t index, const toml::table& table) {
-    static const Names kSources = {"image", "noise", "keyboard", "buffer"};
+    static const Names kSources = {"image", "cube",     "volume", "sound",
+                                   "noise", "keyboard", "buffer"};
     Names known = kSources;
     known.insert(known.end(), {"wrap", "filter", "vflip"});
     check_keys(table, known);
@@ -315,9 +317,14 @@ void Reader::read_channel(std::size_t index, const toml::table& table) {
     }
     if (sources == 0)
         warning(table.source(),
-                "this channel has no source; write image =, noise =, keyboard = "
-                "true or buffer =");
+                "this channel has no source; write image =, cube =, volume =, sound =, noise =, "
+                "keyboard = true or buffer =");
     if (sampler.source == Source::none) return;
+    const auto declared = preset_.scene.channel_types[index];
+    if (declared && *declared != sampler.type)
+        return warning(table.source(),
+                       fmt::format("the scene declares {} as {}, and this fills a {}; not used",
+                                   sampler.name, glsl_name(*declared), glsl_name(sampler.type)));
     read_channel_options(sampler, table);
     preset_.channels[index] = std::move(sampler);
 }
@@ -329,16 +336,25 @@ void Reader::read_channel_source(Sampler& sampler, std::string_view key, const t
         if (on && on->get()) set_defaults(sampler, Source::keyboard);
         return;
     }
+    if (key == "cube" && node.is_array()) return read_cube_files(sampler, *node.as_array());
     const auto text = node.value<std::string>();
     if (!text || text->empty())
         return warning(node, fmt::format("{} is a text; write {} = \"{}\"", key, key,
-                                         key == "image"   ? "wood.png"
-                                         : key == "noise" ? "rgba 256"
-                                                          : "waves"));
-    if (key == "image") {
-        sampler.image = preset_.file.parent_path() / *text;
-        return set_defaults(sampler, Source::image);
-    }
+                                         key == "image"    ? "wood.png"
+                                         : key == "cube"   ? "sky.hdr"
+                                         : key == "volume" ? "clouds.bin"
+                                         : key == "sound"  ? "song.ogg"
+                                         : key == "noise"  ? "rgba 256"
+                                                           : "waves"));
+    const auto read_file = [&](Source source, SamplerType type) {
+        sampler.type = type;
+        sampler.files = {preset_.file.parent_path() / *text};
+        set_defaults(sampler, source);
+    };
+    if (key == "image") return read_file(Source::image, SamplerType::sampler2D);
+    if (key == "cube") return read_file(Source::cube, SamplerType::samplerCube);
+    if (key == "volume") return read_file(Source::volume, SamplerType::sampler3D);
+    if (key == "sound") return read_file(Source::sound, SamplerType::sampler2D);
     if (key == "noise") {
         if (std::count(text->begin(), text->end(), 'x') == 2) sampler.type = SamplerType::sampler3D;
         const std::string wrong = parse_noise(*text, sampler);
@@ -357,6 +373,19 @@ void Reader::read_channel_source(Sampler& sampler, std::string_view key, const t
     if (has_scene_)
         warning(node, fmt::format("the scene has no buffer {}{}", in_quotes(*text),
                                   did_you_mean(*text, names)));
+}
+
+void Reader::read_cube_files(Sampler& sampler, const toml::array& files) {
+    const std::string wrong = check_cube_files(files.size());
+    if (!wrong.empty()) return warning(files, wrong);
+    for (const toml::node& file : files) {
+        const auto name = file.value<std::string>();
+        if (!name || name->empty())
+            return warning(file, "the name of a file is a text; write \"px.png\"");
+        sampler.files.push_back(preset_.file.parent_path() / *name);
+    }
+    sampler.type = SamplerType::samplerCube;
+    set_defaults(sampler, Source::cube);
 }
 
 void Reader::read_channel_options(Sampler& sampler, const toml::table& table) {

@@ -63,6 +63,13 @@ std::optional<PixelFormat> parse_format(std::string_view text) {
     return std::nullopt;
 }
 
+// What fills a sampler of this type from a file, for a message.
+const char* source_for(SamplerType type) {
+    return type == SamplerType::samplerCube ? "cube sky.hdr"
+           : type == SamplerType::sampler3D ? "volume clouds.bin"
+                                            : "image wood.png";
+}
+
 struct SamplerParser {
     SamplerAnnotation result;
     Words words;
@@ -71,7 +78,9 @@ struct SamplerParser {
     void parse();
     void parse_source(std::string_view word, std::size_t at);
     void parse_target(std::string_view what);
-    void parse_image();
+    void parse_file(Source source, SamplerType type, std::string_view example);
+    void parse_cube();
+    bool has_type(SamplerType type, std::string_view what, std::size_t at);
     void parse_noise_words();
     void parse_option(std::string_view key, std::size_t at);
     void parse_pass_option(std::string_view key, std::string_view value, std::size_t at);
@@ -116,23 +125,24 @@ void SamplerParser::parse_source(std::string_view word, std::size_t at) {
         result.reads_another = true;
         return parse_target("sampler that has the pass, such as buffer waves");
     }
-    if (word == "image") {
-        set_defaults(sampler, Source::image);
-        return parse_image();
-    }
+    if (word == "image") return parse_file(Source::image, SamplerType::sampler2D, "image wood.png");
+    if (word == "sound") return parse_file(Source::sound, SamplerType::sampler2D, "sound song.ogg");
+    if (word == "volume")
+        return parse_file(Source::volume, SamplerType::sampler3D, "volume clouds.bin");
+    if (word == "cube") return parse_cube();
     if (word == "noise") {
         set_defaults(sampler, Source::noise);
         return parse_noise_words();
     }
     if (word == "keyboard") {
-        if (sampler.type != SamplerType::sampler2D)
-            return words.complain(at, "the keyboard is a sampler2D");
-        return set_defaults(sampler, Source::keyboard);
+        if (has_type(SamplerType::sampler2D, "the keyboard", at))
+            set_defaults(sampler, Source::keyboard);
+        return;
     }
-    static const std::vector<std::string> kSources = {"pass", "buffer", "image", "noise",
-                                                      "keyboard"};
-    words.complain(at, fmt::format("{} fills no sampler; write pass, buffer, image, noise or "
-                                   "keyboard{}",
+    static const std::vector<std::string> kSources = {"pass",   "buffer", "image", "cube",
+                                                      "volume", "sound",  "noise", "keyboard"};
+    words.complain(at, fmt::format("{} fills no sampler; write pass, buffer, image, cube, volume, "
+                                   "sound, noise or keyboard{}",
                                    in_quotes(word), did_you_mean(word, kSources)));
 }
 
@@ -143,11 +153,39 @@ void SamplerParser::parse_target(std::string_view what) {
     words.complain(result.target_at, fmt::format("here stands the name of a {}", what));
 }
 
-void SamplerParser::parse_image() {
+bool SamplerParser::has_type(SamplerType type, std::string_view what, std::size_t at) {
+    if (result.sampler.type == type) return true;
+    words.complain(at, fmt::format("{} is a {}; declare it as that, or write {} here", what,
+                                   glsl_name(type), source_for(result.sampler.type)));
+    return false;
+}
+
+void SamplerParser::parse_file(Source source, SamplerType type, std::string_view example) {
+    const std::string_view word = example.substr(0, example.find(' '));
+    if (!has_type(type, fmt::format("a file behind {}", word), words.at())) return;
+    set_defaults(result.sampler, source);
     const std::size_t at = words.at();
     const std::string path = words.text();
-    if (path.empty()) words.complain(at, "the image's path is missing; write image wood.png");
-    result.sampler.image = path;
+    if (path.empty()) words.complain(at, fmt::format("the path is missing; write {}", example));
+    result.sampler.files = {path};
+}
+
+// One file or six. A quoted text behind them is the description.
+void SamplerParser::parse_cube() {
+    const std::size_t at = words.at();
+    if (!has_type(SamplerType::samplerCube, "a cube", at)) return;
+    set_defaults(result.sampler, Source::cube);
+    auto& files = result.sampler.files;
+    bool ends_quoted = false;
+    while (!words.done()) {
+        Words ahead = words.ahead();
+        if (!ahead.bare("=\"").empty() && ahead.accept('=')) break;
+        ends_quoted = words.peek() == '"';
+        files.emplace_back(words.text());
+    }
+    if (ends_quoted && (files.size() == 2 || files.size() == kCubeFaces + 1)) files.pop_back();
+    const std::string wrong = check_cube_files(files.size());
+    if (!wrong.empty()) words.complain(at, wrong);
 }
 
 void SamplerParser::parse_noise_words() {
@@ -167,7 +205,8 @@ std::vector<std::string> SamplerParser::known_options() const {
     std::vector<std::string> known = {"filter", "wrap"};
     const bool is_pass = result.sampler.source == Source::buffer && !result.reads_another;
     if (is_pass) known.insert(known.end(), {"size", "scale", "step", "format"});
-    if (result.sampler.source == Source::image) known.push_back("vflip");
+    const Source source = result.sampler.source;
+    if (source == Source::image || source == Source::cube) known.push_back("vflip");
     return known;
 }
 
@@ -323,9 +362,18 @@ std::string parse_noise(std::string_view text, Sampler& sampler) {
     return {};
 }
 
+std::string check_cube_files(std::size_t count) {
+    if (count == 1 || count == kCubeFaces) return {};
+    return fmt::format(
+        "a cube is one file, or six in the order +X -X +Y -Y +Z -Z, and not {}; write cube sky.hdr "
+        "or cube px.png nx.png py.png ny.png pz.png nz.png",
+        count);
+}
+
 void set_defaults(Sampler& sampler, Source source) {
     const bool is_cube = sampler.type == SamplerType::samplerCube;
-    const bool is_picture = source == Source::image || source == Source::noise;
+    const bool is_picture = source == Source::image || source == Source::noise ||
+                            source == Source::cube || source == Source::volume;
     sampler.source = source;
     sampler.filter = source == Source::keyboard ? Filter::nearest
                      : is_picture               ? Filter::mipmap

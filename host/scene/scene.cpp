@@ -275,9 +275,8 @@ void Builder::add_sampler(const Declaration& declaration, SamplerType type, Span
     std::vector<Complaint> complaints;
     SamplerAnnotation annotation = parse_sampler(std::move(sampler), note_text(note), complaints);
     if (!report(complaints, note)) return;
-    if (annotation.sampler.source == Source::image)
-        annotation.sampler.image =
-            source_.file(note.begin).parent_path() / annotation.sampler.image;
+    for (std::filesystem::path& file : annotation.sampler.files)
+        file = source_.file(note.begin).parent_path() / file;
     if (annotation.reads_another)
         readers_.push_back(
             {scene_.samplers.size(), annotation.target, note.begin + annotation.target_at});

@@ -65,12 +65,17 @@ std::optional<TweakValue> parse_value(const Tweak& tweak, std::string_view text)
 std::string format_value(const Tweak& tweak, const TweakValue& value);
 
 enum class SamplerType { sampler2D, samplerCube, sampler3D };
+constexpr std::size_t kCubeFaces = 6;
+
+// The GLSL spelling: "sampler2D", "samplerCube", "sampler3D".
+const char* glsl_name(SamplerType type);
+
 enum class Filter { nearest, linear, mipmap };
 enum class Wrap { clamp, repeat, mirror };
 enum class PixelFormat { rgba8, rgba16f, rgba32f };
 
 // Who fills what a sampler reads.
-enum class Source { none, buffer, image, noise, keyboard };
+enum class Source { none, buffer, image, cube, volume, sound, noise, keyboard };
 
 // One `uniform sampler…`, or one iChannel of a preset. Filter and wrap belong to the reader, not to
 // the texture.
@@ -82,10 +87,13 @@ struct Sampler {
     Source source = Source::none;  // none reads 0
     Filter filter = Filter::linear;
     Wrap wrap = Wrap::clamp;
-    bool vflip = true;            // images: the first row of the file is the top of the picture
+    bool vflip = true;            // images: the first row of the file is the top of the picture;
+                                  // cubes: the world stands on its head
     std::size_t pass = 0;         // buffer: index into Scene::passes
     std::size_t output = 0;       // buffer: which `out` parameter of that pass
-    std::filesystem::path image;  // image: resolved against the file that names it
+    // What an image, a cube, a volume or a sound is read from, resolved against the file that names
+    // it: one file, or the six faces +X -X +Y -Y +Z -Z of a cube.
+    std::vector<std::filesystem::path> files;
     int noise_channels = 4;       // noise: 1 to 4
     glm::ivec3 noise_size{0};     // noise: pixels; z is 1 for sampler2D
     Place place;

@@ -97,6 +97,7 @@ private:
     void write_input(const ShadertoyTab& tab, const ShadertoyInput& input);
     void write_tab(const ShadertoyTab& tab);
     std::string source_of(const ShadertoyTab& tab, const ShadertoyInput& input);
+    std::string file_beside(const ShadertoyInput& input) const;
     std::string options_of(const ShadertoyInput& input) const;
     bool is_alone(const ShadertoyTab& tab) const;
     void warn(const std::string& text) {
@@ -178,16 +179,7 @@ std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& inp
         std::any_of(shader_.tabs.begin(), shader_.tabs.end(),
                     [&](const ShadertoyTab& other) { return other.name == input.buffer; });
     if (!input.buffer.empty() && has_tab) return "buffer " + input.buffer;
-    const fs::path file = fs::path(input.file).relative_path();
-    std::error_code error;
-    if (input.kind == "texture" && !file.empty()) {
-        for (const fs::path& local :
-             {from_.parent_path() / file, from_.parent_path() / file.filename()})
-            if (fs::is_regular_file(local, error))
-                return fmt::format("image \"{}\"{}",
-                                   fs::proximate(local, folder_, error).generic_string(),
-                                   input.vflip.value_or(true) ? "" : " vflip=off");
-    }
+    if (const std::string file = file_beside(input); !file.empty()) return file;
     const Medium* medium = find_medium(input.file);
     const std::string what = !input.buffer.empty() ? input.buffer
                              : medium              ? std::string(medium->name)
@@ -197,6 +189,43 @@ std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& inp
     warn(fmt::format("{}, iChannel{}: {} is not in this file; {} stands in its place", tab.name,
                      input.channel, in_quotes(what), noise));
     return noise;
+}
+
+// What reads this input from the files of its name beside the JSON, or under the site's own folders
+// there; empty when there are none.
+std::string Writer::file_beside(const ShadertoyInput& input) const {
+    const char* source = input.kind == "texture"           ? "image"
+                         : input.kind == "cubemap"         ? "cube"
+                         : input.kind == "volume"          ? "volume"
+                         : input.kind.starts_with("music") ? "sound"
+                                                           : "";
+    const fs::path file = fs::path(input.file).relative_path();
+    if (!*source || !file.has_filename()) return {};
+    std::error_code error;
+    const auto quoted = [&](const fs::path& local) {
+        return fmt::format(" \"{}\"", fs::proximate(local, folder_, error).generic_string());
+    };
+    for (const fs::path& local :
+         {from_.parent_path() / file, from_.parent_path() / file.filename()}) {
+        if (!fs::is_regular_file(local, error)) continue;
+        std::string text = source + quoted(local);
+        // The site's cubes are six files: NAME.png, and NAME_1.png to NAME_5.png.
+        std::string others;
+        for (int face = 1; input.kind == "cubemap" && face < 6; ++face) {
+            const fs::path other =
+                local.parent_path() /
+                fmt::format("{}_{}{}", local.stem().string(), face, local.extension().string());
+            if (!fs::is_regular_file(other, error)) break;
+            others += quoted(other);
+            if (face == 5) text += others;
+        }
+        const bool usual = input.kind != "cubemap";
+        if ((input.kind == "texture" || input.kind == "cubemap") &&
+            input.vflip.value_or(usual) != usual)
+            text += usual ? " vflip=off" : " vflip=on";
+        return text;
+    }
+    return {};
 }
 
 // Only what is not the default here anyway, so that the line stays short.

@@ -59,10 +59,24 @@ std::string buffer(const Sampler& channel, const Scene& scene) {
     return {};
 }
 
+std::string toml_files(const std::vector<fs::path>& files, const fs::path& folder) {
+    if (files.size() == 1) return toml_string(relative_path(files.front(), folder));
+    std::string list;
+    for (const fs::path& file : files)
+        list += (list.empty() ? "" : ", ") + toml_string(relative_path(file, folder));
+    return fmt::format("[{}]", list);
+}
+
 TomlLine source(const Sampler& channel, const Scene& scene, const fs::path& folder) {
     switch (channel.source) {
         case Source::image:
-            return {"image", toml_string(relative_path(channel.image, folder))};
+            return {"image", toml_files(channel.files, folder)};
+        case Source::cube:
+            return {"cube", toml_files(channel.files, folder)};
+        case Source::volume:
+            return {"volume", toml_files(channel.files, folder)};
+        case Source::sound:
+            return {"sound", toml_files(channel.files, folder)};
         case Source::noise:
             return {"noise", toml_string(noise(channel))};
         case Source::buffer:

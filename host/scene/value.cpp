@@ -174,6 +174,18 @@ const char* glsl_name(TweakType type) {
     return "float";
 }
 
+const char* glsl_name(SamplerType type) {
+    switch (type) {
+        case SamplerType::sampler2D:
+            return "sampler2D";
+        case SamplerType::samplerCube:
+            return "samplerCube";
+        case SamplerType::sampler3D:
+            return "sampler3D";
+    }
+    return "";
+}
+
 std::string expected_value(const Tweak& tweak) {
     const std::string range =
         tweak.min && tweak.max

@@ -5,6 +5,7 @@
 
 #include "gl/context.h"
 #include "modes/common.h"
+#include "modes/input_files.h"
 #include "render/renderer.h"
 
 #include <fmt/format.h>
@@ -156,7 +157,7 @@ public:
                                         .picture_format = options_.format,
                                         .samples = options_.samples,
                                         .tile = options_.tile});
-        load_images(preset, *renderer_);
+        load_inputs(preset, *renderer_);
     }
 
     Renderer& renderer() { return *renderer_; }

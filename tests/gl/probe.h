@@ -58,7 +58,7 @@ inline std::vector<glm::vec4> probe(std::string_view functions, std::string_view
         *read.preset, {.root = find_pass(read.preset->scene, "probe_result"), .program = {}});
     if (!compiled.scene) throw std::runtime_error(to_text(compiled.diagnostics));
     Renderer renderer(*read.preset, std::move(*compiled.scene), {.size = {1, 1}});
-    for (const std::size_t sampler : renderer.images_needed()) {
+    for (const std::size_t sampler : renderer.inputs_needed()) {
         renderer.set_image(sampler, {.size = {count, 4},
                                      .channels = 4,
                                      .floats = true,

@@ -81,7 +81,7 @@ TEST_F(LeftOut, ImagesThatNothingReadsAreNotAskedFor) {
         "uniform bool wooden; //@ off\n"
         "uniform sampler2D wood; //@ image there_is_no_such.png\n"
         "void mainImage(out vec4 c, vec2 p) { c = vec4(1); if (wooden) c = texture(wood, p); }\n");
-    EXPECT_TRUE(player.renderer().images_needed().empty());
+    EXPECT_TRUE(player.renderer().inputs_needed().empty());
 }
 
 TEST_F(LeftOut, OnlyABufferThatReadsItselfIsDouble) {

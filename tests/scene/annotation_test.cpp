@@ -208,7 +208,9 @@ TEST(SamplerAnnotation, FilterAndWrapAreTheSitesUnlessWritten) {
         {SamplerType::sampler2D, "pass mainA", Source::buffer, Filter::linear, Wrap::clamp},
         {SamplerType::samplerCube, "pass mainA", Source::buffer, Filter::linear, Wrap::clamp},
         {SamplerType::sampler2D, "image a.png", Source::image, Filter::mipmap, Wrap::repeat},
-        {SamplerType::samplerCube, "image a.png", Source::image, Filter::mipmap, Wrap::clamp},
+        {SamplerType::samplerCube, "cube a.png", Source::cube, Filter::mipmap, Wrap::clamp},
+        {SamplerType::sampler3D, "volume a.bin", Source::volume, Filter::mipmap, Wrap::repeat},
+        {SamplerType::sampler2D, "sound a.ogg", Source::sound, Filter::linear, Wrap::clamp},
         {SamplerType::sampler2D, "noise 64", Source::noise, Filter::mipmap, Wrap::repeat},
         {SamplerType::sampler3D, "noise 32", Source::noise, Filter::mipmap, Wrap::repeat},
         {SamplerType::sampler2D, "keyboard", Source::keyboard, Filter::nearest, Wrap::clamp},
@@ -237,10 +239,58 @@ TEST(SamplerAnnotation, ReadsTheOptionsOfAPass) {
     EXPECT_EQ(sampler(SamplerType::sampler2D, "pass a scale=1/4").annotation.scale->value, 0.25);
 }
 
+TEST(SamplerAnnotation, ACubeIsReadFromOneFileOrFromSix) {
+    using Files = std::vector<std::filesystem::path>;
+    const struct {
+        const char* annotation;
+        Files files;
+        bool vflip;
+    } cases[] = {
+        {"cube sky.hdr", {"sky.hdr"}, false},
+        {"cube sky.hdr \"a panorama\"", {"sky.hdr"}, false},
+        {"cube \"my sky.hdr\" vflip=on \"a panorama\"", {"my sky.hdr"}, true},
+        {"cube a b c d e f filter=linear", {"a", "b", "c", "d", "e", "f"}, false},
+        {"cube a b c \"my d\" e \"f\" \"six faces\"", {"a", "b", "c", "my d", "e", "f"}, false},
+    };
+    for (const auto& c : cases) {
+        const auto read = sampler(SamplerType::samplerCube, c.annotation);
+        EXPECT_EQ(all(read.complaints), "") << c.annotation;
+        EXPECT_EQ(read.annotation.sampler.files, c.files) << c.annotation;
+        EXPECT_EQ(read.annotation.sampler.vflip, c.vflip) << c.annotation;
+    }
+}
+
+TEST(SamplerAnnotation, SaysWhatIsWrongWithFiles) {
+    const struct {
+        SamplerType type;
+        const char* annotation;
+        std::size_t at;
+        const char* text;
+    } cases[] = {
+        {SamplerType::samplerCube, "cube", 4, "a cube is one file, or six"},
+        {SamplerType::samplerCube, "cube a b c", 5, "and not 3"},
+        {SamplerType::samplerCube, "cube a b c d e f g", 5, "and not 7"},
+        {SamplerType::samplerCube, "image a.png", 6, "write cube sky.hdr here"},
+        {SamplerType::sampler2D, "cube a.png", 5, "a cube is a samplerCube"},
+        {SamplerType::sampler2D, "volume a.bin", 7, "is a sampler3D"},
+        {SamplerType::sampler3D, "sound a.ogg", 6, "write volume clouds.bin here"},
+        {SamplerType::sampler2D, "sound", 5, "the path is missing; write sound song.ogg"},
+        {SamplerType::sampler3D, "volume", 6, "the path is missing; write volume clouds.bin"},
+        {SamplerType::sampler3D, "volume a.bin vflip=on", 13, "unknown word 'vflip'"},
+    };
+    for (const auto& c : cases) {
+        const auto read = sampler(c.type, c.annotation);
+        ASSERT_EQ(read.complaints.size(), 1u) << c.annotation;
+        EXPECT_EQ(read.complaints[0].at, c.at) << c.annotation;
+        EXPECT_NE(read.complaints[0].text.find(c.text), std::string::npos)
+            << c.annotation << ": " << read.complaints[0].text;
+    }
+}
+
 TEST(SamplerAnnotation, ReadsImagesAndNoise) {
     const auto image = sampler(SamplerType::sampler2D, "image \"my wood.png\" vflip=off");
     ASSERT_EQ(all(image.complaints), "");
-    EXPECT_EQ(image.annotation.sampler.image, "my wood.png");
+    EXPECT_EQ(image.annotation.sampler.files.at(0), "my wood.png");
     EXPECT_FALSE(image.annotation.sampler.vflip);
 
     const struct {
@@ -270,7 +320,7 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         std::size_t at;
         const char* words;
     } cases[] = {
-        {SamplerType::sampler2D, "", 0, "write pass, buffer, image, noise or keyboard"},
+        {SamplerType::sampler2D, "", 0, "write pass, buffer, sound, noise or keyboard"},
         {SamplerType::sampler2D, "0.5", 0, "write pass"},
         {SamplerType::sampler2D, "pas mainA", 0, "did you mean 'pass'"},
         {SamplerType::sampler2D, "pass", 4, "name of a function"},

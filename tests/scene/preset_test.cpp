@@ -93,8 +93,8 @@ down = false
     EXPECT_EQ(preset.date.seconds, 12 * 3600 + 30 * 60 + 15.5);
     EXPECT_EQ(preset.values, (std::vector<TweakValue>{{1}, {1, 0, 0}, {1}, {16}, {1}, {0.5, -3}}));
     EXPECT_EQ(preset.channels[0].source, Source::image);
-    EXPECT_EQ(preset.channels[0].image.filename(), "oak.png");
-    EXPECT_EQ(preset.channels[0].image.parent_path(), preset.file.parent_path());
+    EXPECT_EQ(preset.channels[0].files.at(0).filename(), "oak.png");
+    EXPECT_EQ(preset.channels[0].files.at(0).parent_path(), preset.file.parent_path());
     EXPECT_EQ(preset.channels[0].wrap, Wrap::clamp);
     EXPECT_EQ(preset.channels[0].filter, Filter::nearest);
     EXPECT_FALSE(preset.channels[0].vflip);

@@ -103,7 +103,7 @@ TEST_F(PresetWriter, ANewFileIsWholeAndReadable) {
     look = with("marchSteps", {100}, look);
     look.channels[1].source = Source::image;
     look.channels[1].filter = Filter::mipmap;
-    look.channels[1].image = folder_.path() / "textures/oak.png";
+    look.channels[1].files = {folder_.path() / "textures/oak.png"};
     look.events = {{.time = 0.5, .key = 38, .down = true},
                    {.time = 2.0, .key = -1, .down = true, .mouse = {0.5, 0.4}}};
     EXPECT_EQ(save(look), R"(scene = "../fragments/boat.frag"

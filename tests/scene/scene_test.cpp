@@ -439,7 +439,7 @@ TEST(Include, ImagesAreNamedFromTheFileThatNamesThem) {
     const ReadScene result =
         read_scene(folder.write("a.frag", "#include \"lib/wood.glsl\"\n" + kImage));
     ASSERT_TRUE(result.scene) << all(result.diagnostics);
-    EXPECT_EQ(result.scene->samplers.at(0).image, folder.path() / "lib/wood.png");
+    EXPECT_EQ(result.scene->samplers.at(0).files.at(0), folder.path() / "lib/wood.png");
 }
 
 TEST(Include, AMissingFileIsReportedWhereItIsNamed) {

@@ -1,0 +1,21 @@
+// The site's volumes: `.bin` files.
+#pragma once
+
+#include "image/image.h"
+
+#include <glm/vec3.hpp>
+
+namespace glint {
+
+// Interleaved voxels, x fastest, then y, then z, as in GL.
+struct Volume {
+    glm::ivec3 size{0};
+    int channels = 0;  // 1 to 4
+    ChannelType type = ChannelType::u8;
+    std::vector<std::byte> voxels;
+};
+
+// Throws std::runtime_error with a whole sentence when the file is missing, cut short or no volume.
+Volume read_volume(const std::filesystem::path& file);
+
+}  // namespace glint
