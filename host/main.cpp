@@ -218,9 +218,9 @@ int run(int argc, char** argv) {
     CLI::App& sequence_verb =
         *app.add_subcommand("sequence", "frames to pictures, a film, or another program");
     add_sequence(sequence_verb, sequence);
-    CLI::App& sound_verb = *app.add_subcommand("sound", "mainSound to a .wav file");
+    CLI::App& sound_verb = *app.add_subcommand("sound", "mainSound to a wav, flac or ogg file");
     add_view(sound_verb, sound.view);
-    sound_verb.add_option("-o,--output", sound.output, "a .wav file")->required();
+    sound_verb.add_option("-o,--output", sound.output, "a .wav, .flac or .ogg file")->required();
     sound_verb.add_option("--seconds", sound.seconds, "from the start; 180 otherwise")
         ->check(from(0.0, 1e5));
     ImportOptions import;

@@ -4,6 +4,7 @@
 #include "image/image.h"
 #include "image/volume.h"
 #include "modes/common.h"
+#include "sound/analyser.h"
 
 #include <algorithm>
 
@@ -51,6 +52,20 @@ void load_volume(const Sampler& sampler, Renderer& renderer, std::size_t index) 
                                .data = volume.voxels});
 }
 
+class AnalysedSound : public SoundTexture {
+public:
+    explicit AnalysedSound(const std::filesystem::path& file) : analyser_(read_sound(file)) {}
+    std::span<const std::byte> rows_at(double time) override { return analyser_.rows_at(time); }
+    double seconds() const override { return analyser_.seconds(); }
+
+private:
+    Analyser analyser_;
+};
+
+void load_sound(const Sampler& sampler, Renderer& renderer, std::size_t index) {
+    renderer.set_sound(index, std::make_unique<AnalysedSound>(sampler.files.front()));
+}
+
 }  // namespace
 
 void load_input(const Preset& preset, Renderer& renderer, std::size_t index) {
@@ -63,6 +78,7 @@ void load_input(const Preset& preset, Renderer& renderer, std::size_t index) {
         case Source::volume:
             return load_volume(sampler, renderer, index);
         case Source::sound:
+            return load_sound(sampler, renderer, index);
         case Source::none:
         case Source::buffer:
         case Source::noise:

@@ -7,6 +7,7 @@
 #include "modes/numbered_name.h"
 #include "modes/sound.h"
 #include "modes/workers.h"
+#include "sound/sound.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -209,9 +210,11 @@ int sound_of(const SequenceOptions& options, const Preset& preset, const std::ve
     const long count = sample_of(frames.back() + 1.0) - first;
     const int file = ::memfd_create("sound", MFD_CLOEXEC);
     if (file < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
-    write_all(file, wav_header(count));
+    SoundWriter writer(file, "sound.wav");
     render_sound(preset, options.view.specialise, first, count,
-                 [&](auto samples) { write_all(file, std::as_bytes(samples)); });
+                 [&](auto samples) { writer.append(samples); });
+    if (const int error = writer.finish())
+        throw std::system_error(error, std::generic_category(), "the film's sound");
     return file;
 }
 

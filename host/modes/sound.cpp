@@ -3,15 +3,14 @@
 #include "gl/context.h"
 #include "image/temporary_file.h"
 #include "modes/input_files.h"
+#include "sound/sound.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace glint {
 namespace {
@@ -56,38 +55,11 @@ void render_sound(const Preset& preset, bool specialise, long first, long count,
     }
 }
 
-// Multimedia Programming Interface and Data Specifications 1.0 (IBM and Microsoft 1991), PCM.
-std::vector<std::byte> wav_header(long count) {
-    static_assert(std::endian::native == std::endian::little);
-    std::vector<std::byte> header;
-    const auto add = [&](const auto& value) {
-        const auto* bytes = reinterpret_cast<const std::byte*>(&value);
-        header.insert(header.end(), bytes, bytes + sizeof value);
-    };
-    const auto word = [&](const char* text) {
-        for (int i = 0; i < 4; ++i) add(text[i]);
-    };
-    const auto data_bytes = static_cast<std::uint32_t>(count * 4);
-    word("RIFF");
-    add(data_bytes + 36);
-    word("WAVE");
-    word("fmt ");
-    add(std::uint32_t{16});
-    add(std::uint16_t{1});  // PCM
-    add(std::uint16_t{2});  // channels
-    add(std::uint32_t{kSampleRate});
-    add(std::uint32_t{kSampleRate * 4});
-    add(std::uint16_t{4});   // bytes a pair
-    add(std::uint16_t{16});  // bits
-    word("data");
-    add(data_bytes);
-    return header;
-}
-
 void run_sound(const SoundOptions& options) {
     const Stopwatch clock;
-    if (options.output.extension() != ".wav") {
-        throw UsageError(fmt::format("-o {}: name a .wav file.", options.output.string()));
+    if (!can_write_sound(options.output)) {
+        throw UsageError(
+            fmt::format("-o {}: name a .wav, .flac or .ogg file.", options.output.string()));
     }
     const long count = std::lround(options.seconds * kSampleRate);
     if (count > kMostSamples) throw UsageError("--seconds: a WAV file ends before 3 hours 20.");
@@ -99,13 +71,14 @@ void run_sound(const SoundOptions& options) {
     }
     const auto context = make_egl_context(options.view.device);
     TemporaryFile out(options.output);
-    out.append(wav_header(count));
+    SoundWriter writer(out.descriptor(), options.output);
     long done = 0;
     Progress progress("sound", count);
     render_sound(preset, options.view.specialise, 0, count, [&](auto samples) {
-        out.append(std::as_bytes(samples));
+        writer.append(samples);
         progress.update(done += static_cast<long>(samples.size() / 2));
     });
+    if (const int error = writer.finish()) out.fail(error);
     out.commit();
     if (options.view.json) {
         const nlohmann::ordered_json json = {{"output", options.output.string()},

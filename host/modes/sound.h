@@ -1,4 +1,4 @@
-// `glint sound`: the mainSound of a scene to a WAV file.
+// `glint sound`: the mainSound of a scene to a file.
 #pragma once
 
 #include "modes/common.h"
@@ -21,8 +21,5 @@ void run_sound(const SoundOptions& options);
 // does not compile.
 void render_sound(const Preset& preset, bool specialise, long first, long count,
                   const std::function<void(std::span<const std::int16_t>)>& take);
-
-// The head of a WAV file for `count` such pairs, which follow.
-std::vector<std::byte> wav_header(long count);
 
 }  // namespace glint

@@ -1,10 +1,14 @@
 #include "render/channels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 namespace glint {
 namespace {
+
+constexpr int kSoundBins = 512;
 
 struct Formats {
     GLenum internal, external;
@@ -160,9 +164,37 @@ void Channels::adopt(Channels& previous) {
                               (had.filter == Filter::mipmap) == (wanted.filter == Filter::mipmap);
             if (!same || !channel.texture) continue;
             channels_[i] = std::move(channel);
+            if (had.source == Source::sound) sounds_[i] = std::move(previous.sounds_[index]);
             break;
         }
     }
+}
+
+void Channels::set_sound(std::size_t index, std::unique_ptr<SoundTexture> sound) {
+    const std::size_t version = channel(index).version;
+    channels_[index] = {.texture = make_texture_2d(GL_R8, {kSoundBins, 2}),
+                        .size = {kSoundBins, 2, 1},
+                        .version = version + 1};
+    sounds_[index] = std::move(sound);
+}
+
+void Channels::set_time(double time) {
+    for (auto& [index, sound] : sounds_) {
+        const std::span<const std::byte> rows = sound->rows_at(time);
+        Channel& channel = channels_[index];
+        if (std::equal(rows.begin(), rows.end(), channel.bytes.begin(), channel.bytes.end()))
+            continue;
+        channel.bytes.assign(rows.begin(), rows.end());
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTextureSubImage2D(channel.texture.id(), 0, 0, 0, kSoundBins, 2, GL_RED, GL_UNSIGNED_BYTE,
+                            rows.data());
+        ++channel.version;
+    }
+}
+
+double Channels::time_of(std::size_t index, double time) const {
+    const auto sound = sounds_.find(index);
+    return sound == sounds_.end() ? 0.0 : std::fmod(time, sound->second->seconds());
 }
 
 void Channels::set_keyboard(const Input& input) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,11 +23,20 @@ struct PixelView {
     std::span<const std::byte> data;
 };
 
+// A sound as shaders see it: 512x2 bytes at a time.
+class SoundTexture {
+public:
+    virtual ~SoundTexture() = default;
+    virtual std::span<const std::byte> rows_at(double time) = 0;  // valid until the next call
+    virtual double seconds() const = 0;                           // its length; it plays in a loop
+};
+
 // A texture that does not come from a pass.
 struct Channel {
     Texture texture;
-    glm::ivec3 size{1};       // as iChannelResolution tells it
-    std::size_t version = 0;  // counts changes
+    glm::ivec3 size{1};              // as iChannelResolution tells it
+    std::size_t version = 0;         // counts changes
+    std::vector<std::byte> bytes{};  // of a sound: what the texture holds
 };
 
 class Channels {
@@ -44,7 +54,13 @@ public:
 
     bool has(std::size_t sampler) const { return channels_.contains(sampler); }
     void set_image(std::size_t sampler, const PixelView& pixels);
+    void set_sound(std::size_t sampler, std::unique_ptr<SoundTexture> sound);
     void set_keyboard(const Input& input);
+    // Brings the textures of the sounds to this time.
+    void set_time(double time);
+
+    // How far what a sampler reads has played at this time; 0 for what does not play.
+    double time_of(std::size_t sampler, double time) const;
 
     // Takes over what a sampler here would read from the same files. The others are empty
     // until set_image.
@@ -55,7 +71,8 @@ public:
 
 private:
     const Preset& preset_;
-    std::map<std::size_t, Channel> channels_;  // by sampler; images and noise
+    std::map<std::size_t, Channel> channels_;                      // by sampler; images and noise
+    std::map<std::size_t, std::unique_ptr<SoundTexture>> sounds_;  // by sampler
     Channel keyboard_;
     std::array<Channel, 3> empty_;  // reads 0; one for each sampler type
     Input keys_;                    // what the keyboard texture holds

@@ -20,7 +20,7 @@ const char* to_string(Runs runs);
 struct PassReads {
     std::size_t pass = 0;              // kImagePass for the picture
     std::vector<std::size_t> buffers;  // passes whose buffers it reads, each once
-    bool changes_by_itself = false;    // reads time, frame, tick or date: new in every frame
+    bool changes_by_itself = false;  // reads time, frame, tick, date or a sound: new in every frame
 };
 
 // One pass that must run, in drawing order.

@@ -120,6 +120,7 @@ bool Renderer::draw(const Frame& frame) {
 void Renderer::draw_root(const Frame& frame) {
     glBindVertexArray(vertex_array_.id());
     channels_.set_keyboard(frame.input);
+    channels_.set_time(frame.time);
     run_pass(scene_.programs.size() - 1, {.frame = frame}, true);
 }
 
@@ -190,6 +191,7 @@ void Renderer::resize(glm::ivec2 size) {
 void Renderer::run(const Frame& frame, bool state_only) {
     glBindVertexArray(vertex_array_.id());
     channels_.set_keyboard(frame.input);
+    channels_.set_time(frame.time);
     root_drawn_ = false;
     std::vector<Step> stepped;
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
@@ -237,8 +239,10 @@ void Renderer::run_steps(const Frame& frame, Step step) {
             inner.input = replay(frame.events, from, inner.time, options_.size);
             channels_.set_keyboard(inner.input);
         }
+        channels_.set_time(inner.time);
         for (const std::size_t i : group) run_pass(i, {.frame = inner}, true);
     }
+    channels_.set_time(frame.time);
     if (!frame.events.empty()) channels_.set_keyboard(frame.input);
     for (const std::size_t i : group) steps_done_[i] = done;
 }
@@ -460,6 +464,12 @@ glm::ivec3 Renderer::channel_size(std::size_t pass, int channel) const {
     return glm::ivec3(buffer_size(preset_.scene.passes[sampler.pass], options_.size), 1);
 }
 
+// Sounds alone have a time of their own.
+float Renderer::channel_time(std::size_t pass, int channel, double time) const {
+    const auto found = find_sampler(preset_, pass, fmt::format("iChannel{}", channel));
+    return found ? static_cast<float>(channels_.time_of(*found, time)) : 0.0f;
+}
+
 Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t index,
                                    const Inputs& inputs) const {
     const Frame& frame = inputs.frame;
@@ -498,7 +508,10 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
             value.ints[0] = static_cast<GLint>(tick(frame.time));
             break;
         case Builtin::channel_time:
-            break;  // 0: images, buffers and the keyboard have no time of their own
+            for (int i = 0; i < 4; ++i)
+                f[static_cast<std::size_t>(i)] =
+                    channel_time(scene_.programs[index].pass, i, frame.time);
+            break;
         case Builtin::channel_resolution:
             for (int i = 0; i < 4; ++i) {
                 const glm::vec3 size(channel_size(scene_.programs[index].pass, i));
@@ -508,6 +521,8 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
         case Builtin::channel_struct: {
             const glm::vec3 size(channel_size(scene_.programs[index].pass, uniform.index));
             if (uniform.name.ends_with(".size")) std::copy_n(&size.x, 3, f.begin());
+            if (uniform.name.ends_with(".time"))
+                f[0] = channel_time(scene_.programs[index].pass, uniform.index, frame.time);
             if (uniform.name.ends_with(".loaded")) value.ints[0] = size.x > 0.0f;
             break;
         }

@@ -44,6 +44,9 @@ public:
     void set_image(std::size_t sampler, const PixelView& pixels) {
         channels_.set_image(sampler, pixels);
     }
+    void set_sound(std::size_t sampler, std::unique_ptr<SoundTexture> sound) {
+        channels_.set_sound(sampler, std::move(sound));
+    }
 
     // Draws only what later frames depend on: how a simulation is brought to a time.
     void advance(const Frame& frame);
@@ -137,6 +140,7 @@ private:
     void draw_calls(GLuint target, glm::ivec2 size, bool tiled);
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
     glm::ivec3 channel_size(std::size_t pass, int channel) const;
+    float channel_time(std::size_t pass, int channel, double time) const;
     std::size_t graph_index(std::size_t pass) const;
     BufferShape wanted_shape(std::size_t index) const;
     bool is_jittered(std::size_t index) const;

@@ -54,6 +54,9 @@ bool is_directive(std::string_view line, std::string_view directive) {
     return line.size() <= kLongestLine && trimmed(line).starts_with(directive);
 }
 
+// The buffer that remembers which keys were held.
+constexpr const char* kKeyStates = "glintKeyStates";
+
 // What a channel's lines say, gathered from the whole file.
 struct ForeignChannel {
     int line = 0;        // of `#iChannelN "…"`; 0: there is none
@@ -154,6 +157,7 @@ private:
     void add_uniform(const std::string& line, int number);
     void add_channel(std::size_t index, const std::string& own_buffer);
     void add_keyboard(int number);
+    void add_key_states();
     std::string source_of(const ForeignChannel& channel, const std::string& own_buffer);
     std::string options_of(const ForeignChannel& channel);
     void error(int line, std::string text) {
@@ -168,6 +172,7 @@ private:
     ForeignChannels channels_;
     Diagnostics& diagnostics_;
     ForeignText result_;
+    bool asks_for_releases_ = false;
 };
 
 void Rewriter::add(std::string line, int number) {
@@ -183,8 +188,12 @@ bool Rewriter::reads_itself() const {
 // A picture that reads itself becomes a buffer, which the picture shows.
 ForeignText Rewriter::root() {
     std::set<fs::path> known = {file_.lexically_normal()};
+    asks_for_releases_ = std::any_of(lines_.begin(), lines_.end(), [](const std::string& line) {
+        return line.find("isKeyReleased") != std::string::npos;
+    });
     add_buffers(file_, channels_, 1, known);
-    const bool is_tab = known.size() > 1;
+    if (asks_for_releases_) add_key_states();
+    const bool is_tab = known.size() > 1 || asks_for_releases_;
     if (reads_itself()) {
         const std::string name = buffer_name(file_);
         add(fmt::format("uniform sampler2D {0};  //@ pass main_{0}", name), 1);
@@ -219,8 +228,9 @@ void Rewriter::add_buffers(const fs::path& file, const ForeignChannels& channels
         if (!known.insert(path).second) continue;
         const int at = file == file_ ? channel.line : line;
         std::string why_not;
-        if (const auto bytes = read_bytes(path, why_not))
-            add_buffers(path, find_channels(lines_of(clean_text(*bytes).text)), at, known);
+        const auto bytes = read_bytes(path, why_not);
+        asks_for_releases_ |= bytes && bytes->find("isKeyReleased") != std::string::npos;
+        if (bytes) add_buffers(path, find_channels(lines_of(clean_text(*bytes).text)), at, known);
         const std::string name = buffer_name(path);
         add(fmt::format("uniform sampler2D {0};  //@ pass main_{0}", name), at);
         add(fmt::format("#ifdef PASS_{}", name), at);
@@ -338,6 +348,20 @@ std::string Rewriter::options_of(const ForeignChannel& channel) {
     return options;
 }
 
+// A key was let go in the frame in which it is no longer held: red is held now, green let go now.
+void Rewriter::add_key_states() {
+    add(fmt::format("uniform sampler2D {0};  //@ pass main_{0} size=256x1", kKeyStates), 1);
+    add(fmt::format("#ifdef PASS_{}", kKeyStates), 1);
+    add("uniform sampler2D iKeyboard;  //@ keyboard", 1);
+    add(fmt::format("void mainImage(out vec4 color, in vec2 coord) {{ "
+                    "float held = texelFetch(iKeyboard, ivec2(coord.x, 0), 0).x; "
+                    "float before = texelFetch({}, ivec2(coord), 0).x; "
+                    "color = vec4(held, before * (1.0 - held), 0, 1); }}",
+                    kKeyStates),
+        1);
+    add("#endif", 1);
+}
+
 void Rewriter::add_keyboard(int number) {
     add("uniform sampler2D iKeyboard;  //@ keyboard", number);
     constexpr std::array kRows = {"isKeyDown", "isKeyPressed", "isKeyToggled"};
@@ -352,8 +376,10 @@ void Rewriter::add_keyboard(int number) {
         if (std::regex_search(all, std::regex(fmt::format("\\bKey_{}\\b", name))))
             add(fmt::format("const int Key_{} = {};", name, code), number);
     if (all.find("isKeyReleased") != std::string::npos)
-        error(number,
-              "isKeyReleased is not there; keep what isKeyDown said in a buffer and compare");
+        add(fmt::format("bool isKeyReleased(int key) {{ return texelFetch({}, ivec2(key, 0), 0).y "
+                        "> 0.5; }}",
+                        kKeyStates),
+            number);
 }
 
 }  // namespace

@@ -105,15 +105,59 @@ TEST_F(Foreign, PicturesAndKeysAreRead) {
     EXPECT_EQ(std::to_integer<int>(read_image(folder() / "keys.png").pixels[0]), 102);
 }
 
+TEST_F(Foreign, AKeyThatIsLetGoIsReleasedForOneFrame) {
+    write("a.glsl",
+          "#iKeyboard\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(isKeyReleased(Key_A), isKeyDown(Key_A), isKeyReleased(Key_B), 1);\n}\n");
+    write("keys.toml",
+          "scene = \"a.glsl\"\n[[events]]\nt = 0.05\nkey = \"a\"\ndown = true\n"
+          "[[events]]\nt = 0.15\nkey = \"a\"\ndown = false\n");
+    const auto at = [&](int frame) {
+        const Outcome drawn = glint({"still", "keys.toml", "-o", "k.png", "--size", "8x8",
+                                     "--frame", std::to_string(frame)});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        const Image image = read_image(folder() / "k.png");
+        return std::array{std::to_integer<int>(image.pixels[0]),
+                          std::to_integer<int>(image.pixels[1]),
+                          std::to_integer<int>(image.pixels[2])};
+    };
+    EXPECT_EQ(at(5), (std::array{0, 255, 0})) << "held";
+    EXPECT_EQ(at(9), (std::array{255, 0, 0})) << "let go at 0.15 s";
+    EXPECT_EQ(at(10), (std::array{0, 0, 0}));
+}
+
+TEST_F(Foreign, CubesOfSixFilesAndSoundsAreRead) {
+    const char* names[] = {"px", "nx", "py", "ny", "pz", "nz"};
+    write("flat.frag",
+          "uniform float red; //@ 0 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(red, 0.4, 0.6, 1); }\n"
+          "vec2 mainSound(int samp, float time) { return vec2(sin(6.2831853 * 441.0 * time)); }\n");
+    for (int i = 0; i < 6; ++i)
+        ASSERT_EQ(glint({"still", "flat.frag", "-o", fmt::format("sky_{}.png", names[i]), "--size",
+                         "4x4", "--tweak", fmt::format("red={}", 0.2 * i)})
+                      .code,
+                  0);
+    ASSERT_EQ(glint({"sound", "flat.frag", "-o", "tune.wav", "--seconds", "1"}).code, 0);
+    write("a.glsl",
+          "#iChannel0 \"file://sky_{}.png\"\n#iChannel0::Type \"CubeMap\"\n"
+          "#iChannel1 \"file://tune.wav\"\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(texture(iChannel0, vec3(0, 0, 1)).r,\n"
+          "             texelFetch(iChannel1, ivec2(20, 0), 0).r > 0.8, 0.6, 1);\n}\n");
+    EXPECT_EQ(draw({"--time", "0.5"}), (std::array{204, 255, 153})) << errors_;
+}
+
 TEST_F(Foreign, WhatHasNoCounterpartIsSaid) {
     write("a.glsl",
-          "#iChannel0 \"https://example.com/x.png\"\n#iChannel1 \"file://tune.mp3\"\n"
+          "#iChannel0 \"https://example.com/x.png\"\n"
+          "#iChannel1 \"file://none_{}.png\"\n#iChannel1::Type \"CubeMap\"\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n");
     draw();
     EXPECT_NE(errors_.find("a.glsl:1:1: warning: 'https://example.com/x.png' is not read here"),
               std::string::npos)
         << errors_;
-    EXPECT_NE(errors_.find("a.glsl:2:1: warning: 'file://tune.mp3'"), std::string::npos) << errors_;
+    EXPECT_NE(errors_.find("a.glsl:2:1: warning: 'file://none_{}.png'"), std::string::npos)
+        << errors_;
 }
 
 TEST_F(Foreign, AMainOfTheBookOfShadersDraws) {

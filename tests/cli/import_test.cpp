@@ -139,6 +139,41 @@ TEST_F(Import, AnImageBesideTheFileIsUsed) {
     EXPECT_EQ(draw("local.frag", 0), (std::array{51, 102, 153}));
 }
 
+TEST_F(Import, CubesVolumesAndMusicBesideTheFileAreUsed) {
+    write("flat.frag",
+          "uniform float red; //@ 0 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(red, 0.4, 0.6, 1); }\n"
+          "vec2 mainSound(int samp, float time) { return vec2(sin(6.2831853 * 441.0 * time)); }\n");
+    for (int i = 0; i < 6; ++i) {
+        const std::string name = i == 0 ? "sky.png" : fmt::format("sky_{}.png", i);
+        ASSERT_EQ(glint({"still", "flat.frag", "-o", name, "--size", "4x4", "--tweak",
+                         fmt::format("red={}", 0.2 * i)})
+                      .code,
+                  0);
+    }
+    ASSERT_EQ(glint({"sound", "flat.frag", "-o", "tune.ogg", "--seconds", "1"}).code, 0);
+    write("grey.bin", std::string("BIN\0\1\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0\x66", 21));
+    Json inputs = Json::array({input(0, 30, "cubemap", "linear"), input(1, 31, "volume", "linear"),
+                               input(2, 32, "music", "linear")});
+    inputs[0]["src"] = "/media/a/sky.png";
+    inputs[0]["sampler"]["vflip"] = "false";
+    inputs[1]["src"] = "/media/a/grey.bin";
+    inputs[2]["src"] = "/media/a/tune.ogg";
+    write("local.json",
+          Json{{"renderpass",
+                Json::array({pass("image", "Image", 37,
+                                  "void mainImage(out vec4 c, in vec2 p) {\n"
+                                  "    c = vec4(texture(iChannel0, vec3(0, 0, -1)).r,\n"
+                                  "             texture(iChannel1, vec3(0.5)).r,\n"
+                                  "             texelFetch(iChannel2, ivec2(0, 1), 0).r, 1);\n}\n",
+                                  inputs)})}}
+              .dump());
+    const Outcome made = glint({"import", "local.json", "-o", "local.frag"});
+    ASSERT_EQ(made.code, 0);
+    EXPECT_EQ(made.err, "");
+    EXPECT_EQ(draw("local.frag", 0), (std::array{255, 102, 128})) << bytes("local.frag");
+}
+
 TEST_F(Import, AFolderOfTabsInAnySpellingBecomesAScene) {
     fs::create_directories(folder() / "tabs");
     write("tabs/Common.glsl", "#define HALF 0.5\n");

@@ -109,6 +109,47 @@ TEST_F(Sound, AFilmCarriesItFromItsFirstFrameOn) {
     }
 }
 
+TEST_F(Sound, FlacHoldsTheSameSamplesAndOggTheSameSound) {
+    write("tone.frag", kTone);
+    for (const char* name : {"a.wav", "a.flac", "a.ogg"})
+        ASSERT_EQ(glint({"sound", "tone.frag", "-o", name, "--seconds", "2"}).code, 0) << name;
+    const auto decoded = [&](const std::string& name) {
+        const std::string decode = fmt::format(
+            "cd '{}' && ffmpeg -nostdin -loglevel error -i {} -f s16le -ac 2 -ar 44100 -y raw",
+            folder().string(), name);
+        EXPECT_EQ(std::system(decode.c_str()), 0);
+        return bytes("raw");
+    };
+    EXPECT_EQ(decoded("a.flac"), bytes("a.wav").substr(44));
+    EXPECT_NEAR(static_cast<double>(decoded("a.ogg").size()), 2 * 44100 * 4, 4);
+}
+
+TEST_F(Sound, ASceneHearsAFileAndLoadsItsLibraryForThatAlone) {
+    write("tone.frag", kTone);
+    ASSERT_EQ(glint({"sound", "tone.frag", "-o", "song.ogg", "--seconds", "1"}).code, 0);
+    write("listens.frag",
+          "uniform sampler2D song; //@ sound song.ogg\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(song, ivec2(p), 0).rrrr; }\n");
+    // The dynamic linker tells of every library.
+    const auto libraries = [&](const std::string& scene) {
+        Command asked = command({"still", scene, "-o", "a.png", "--size", "8x2", "--time", "0.5"});
+        asked.environment.emplace_back("LD_DEBUG", "files");
+        const Outcome outcome = run(asked);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_NE(libraries("listens.frag").find("libsndfile"), std::string::npos);
+    EXPECT_EQ(libraries("tone.frag").find("libsndfile"), std::string::npos);
+
+    write("gone.frag",
+          "uniform sampler2D song; //@ sound gone.ogg\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(song, ivec2(p), 0); }\n");
+    const Outcome gone = glint({"still", "gone.frag", "-o", "b.png", "--size", "8x2"});
+    EXPECT_EQ(gone.code, 4);
+    EXPECT_EQ(gone.err,
+              "gone.frag:1:19: error: Cannot read gone.ogg: No such file or directory.\n");
+}
+
 TEST_F(Sound, WhatCannotBeIsSaid) {
     write("silent.frag", kGradient);
     write("tone.frag", kTone);

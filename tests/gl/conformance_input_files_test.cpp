@@ -1,8 +1,11 @@
 // Cubes and volumes from files, as a scene reads them.
 #include "fixture.h"
 #include "image/image.h"
+#include "sound/sound.h"
 
+#include <fcntl.h>
 #include <glm/geometric.hpp>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -167,6 +170,78 @@ TEST_F(InputFiles, APresetNamesCubesAndVolumesForPastedText) {
          .files = {{"a.bin", volume_file()}}});
     volume.draw(0);
     EXPECT_NEAR(volume.colour().r * 255, 100, 0.5);
+}
+
+// Half a second of a square wave, half a second of silence.
+File sound_file() {
+    const ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "song.wav";
+    const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    std::vector<std::int16_t> samples(2 * 44100, 0);
+    for (std::size_t i = 0; i < 44100; ++i)
+        samples[i] = static_cast<std::int16_t>(i / 2 % 100 < 50 ? 16384 : -16384);
+    SoundWriter writer(descriptor, file);
+    writer.append(samples);
+    EXPECT_EQ(writer.finish(), 0);
+    ::close(descriptor);
+    return {"song.wav", content_of(file)};
+}
+
+constexpr const char* kListens =
+    "uniform sampler2D iChannel1; //@ sound song.wav\n"
+    "void mainImage(out vec4 c, vec2 p) {\n"
+    "    c = vec4(texelFetch(iChannel1, ivec2(20, 0), 0).r, texelFetch(iChannel1, ivec2(9, 1), "
+    "0).r,\n"
+    "             iChannelTime[1], 1);\n"
+    "    if (p.x > 1.0) c = vec4(iChannelResolution[1], 1);\n"
+    "}\n";
+
+TEST_F(InputFiles, ASoundIsItsSpectrumAndItsWaveAtTheTime) {
+    Player player(kListens, {.files = {sound_file()}});
+    EXPECT_EQ(player.renderer().graph().passes.back().runs, Runs::every_frame);
+    player.draw(15);
+    const glm::vec3 loud = player.colour();
+    EXPECT_GT(loud.r, 0.8) << "441 Hz, in bin 20 of 21.5 Hz each";
+    EXPECT_TRUE(loud.g == 64 / 255.0f || loud.g == 192 / 255.0f) << loud.g * 255;
+    EXPECT_EQ(loud.b, 0.25f);
+    EXPECT_EQ(player.colour(1), glm::vec3(512, 2, 1));
+    player.draw(58);
+    EXPECT_LT(player.colour().r, loud.r);
+    EXPECT_EQ(player.colour().g, 128 / 255.0f);
+    player.draw(90);
+    EXPECT_EQ(player.colour().b, 0.5f) << "it plays again and again";
+}
+
+TEST_F(InputFiles, AFrameOfASoundIsTheSameInAStillAndInASequence) {
+    const File song = sound_file();
+    Player walks(kListens, {.files = {song}}), jumps(kListens, {.files = {song}});
+    walks.draw_frames(0, 41);
+    jumps.still(40 / 60.0);
+    EXPECT_EQ(walks.floats(), jumps.floats());
+}
+
+TEST_F(InputFiles, AStepOfASimulationHearsTheSoundOfItsOwnTime) {
+    const char* text =
+        "uniform sampler2D song; //@ sound song.wav\n"
+        "uniform sampler2D sum; //@ pass mainSum size=1 step=1/60\n"
+        "void mainSum(out vec4 c, vec2 p) {\n"
+        "    c = texelFetch(sum, ivec2(0), 0) + texelFetch(song, ivec2(20, 0), 0);\n"
+        "}\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(sum, ivec2(0), 0); }\n";
+    const File song = sound_file();
+    Player fine(text, {.files = {song}, .fps = 60.0}), coarse(text, {.files = {song}, .fps = 4.0});
+    fine.draw_frames(0, 61);
+    coarse.draw_frames(0, 5);
+    EXPECT_GT(fine.colour().r, 10.0);
+    EXPECT_EQ(fine.colour(), coarse.colour());
+}
+
+TEST_F(InputFiles, APresetFillsAChannelWithASound) {
+    Player player(
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(iChannel3, ivec2(20, 0), 0); }\n",
+        {.preset = "[channels]\niChannel3 = { sound = \"song.wav\" }\n", .files = {sound_file()}});
+    player.draw(20);
+    EXPECT_GT(player.colour().r, 0.8);
 }
 
 }  // namespace

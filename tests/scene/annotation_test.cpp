@@ -320,7 +320,8 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         std::size_t at;
         const char* words;
     } cases[] = {
-        {SamplerType::sampler2D, "", 0, "write pass, buffer, sound, noise or keyboard"},
+        {SamplerType::sampler2D, "", 0,
+         "write pass, buffer, image, cube, volume, sound, noise or keyboard"},
         {SamplerType::sampler2D, "0.5", 0, "write pass"},
         {SamplerType::sampler2D, "pas mainA", 0, "did you mean 'pass'"},
         {SamplerType::sampler2D, "pass", 4, "name of a function"},

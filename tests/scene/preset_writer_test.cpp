@@ -325,6 +325,10 @@ TEST_F(PresetWriter, EveryKindOfChannelReadsBack) {
         "noise = \"rgba 32x16x8\"",
         "keyboard = true",
         "buffer = \"waves\", filter = \"mipmap\"",
+        "cube = \"../sky.hdr\", vflip = true",
+        "cube = [\"px.png\", \"nx.png\", \"py.png\", \"ny.png\", \"pz.png\", \"nz.png\"]",
+        "volume = \"../clouds.bin\", filter = \"linear\"",
+        "sound = \"song.ogg\"",
     };
     for (const char* channel : channels) {
         const Preset look = read("scene = \"../fragments/boat.frag\"\nchannels = { iChannel3 = { " +
