@@ -109,7 +109,7 @@ std::string image_digest(const Preset& preset) {
     Hash hash;
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);
-        if (sampler.source == Source::image) hash.add(content_of(sampler.image));
+        for (const std::filesystem::path& file : sampler.files) hash.add(content_of(file));
     }
     return hash.text();
 }
