@@ -44,6 +44,10 @@ bool Context::is_software() const {
 
 void Context::finish() {
     glFinish();
+    check();
+}
+
+void Context::check() {
     if (const GLenum status = glGetGraphicsResetStatus(); status != GL_NO_ERROR) {
         throw ContextLost(
             fmt::format("The picture was lost: {}. Try fewer iterations, a smaller "

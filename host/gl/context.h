@@ -29,9 +29,12 @@ public:
     // pixel.
     bool is_software() const;
 
-    // Waits until all drawing is done. Throws ContextLost after a reset, and std::runtime_error
-    // with the driver's words when a GL call failed since the last time.
+    // Waits until all drawing is done, and does what check() does.
     void finish();
+
+    // Throws ContextLost after a reset, and std::runtime_error with the driver's words when a GL
+    // call failed since the last time.
+    void check();
 
 protected:
     // For implementations, once current: checks the version and hears the driver's complaints.

@@ -57,6 +57,9 @@ void destroy_program(GLuint id) {
 void destroy_vertex_array(GLuint id) {
     glDeleteVertexArrays(1, &id);
 }
+void destroy_buffer(GLuint id) {
+    glDeleteBuffers(1, &id);
+}
 
 Texture make_texture_2d(GLenum format, glm::ivec2 size, int levels) {
     GLuint id = 0;

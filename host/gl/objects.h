@@ -35,12 +35,14 @@ void destroy_framebuffer(GLuint id);
 void destroy_sampler(GLuint id);
 void destroy_program(GLuint id);
 void destroy_vertex_array(GLuint id);
+void destroy_buffer(GLuint id);
 
 using Texture = Handle<destroy_texture>;
 using Framebuffer = Handle<destroy_framebuffer>;
 using SamplerObject = Handle<destroy_sampler>;
 using Program = Handle<destroy_program>;
 using VertexArray = Handle<destroy_vertex_array>;
+using PixelBuffer = Handle<destroy_buffer>;
 
 // A texture of zeros. `levels` is 1, or the full chain for mipmaps.
 Texture make_texture_2d(GLenum format, glm::ivec2 size, int levels = 1);

@@ -141,12 +141,25 @@ Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::s
     return list;
 }
 
-Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size) {
-    Image image{.size = size, .channels = 3, .type = ChannelType::u8, .pixels = {}};
-    image.pixels.resize(rgba.size() / 4 * 3);
-    for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
-        for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
+namespace {
+
+template <class Value>
+void copy_without_alpha(const std::byte* from, std::byte* to, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        std::memcpy(to + i * 3 * sizeof(Value), from + i * 4 * sizeof(Value), 3 * sizeof(Value));
     }
+}
+
+}  // namespace
+
+Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size, ChannelType type) {
+    Image image{.size = size, .channels = 3, .type = type, .pixels = {}};
+    image.pixels.resize(rgba.size() / 4 * 3);
+    const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    if (type == ChannelType::f32)
+        copy_without_alpha<float>(rgba.data(), image.pixels.data(), count);
+    else
+        copy_without_alpha<std::byte>(rgba.data(), image.pixels.data(), count);
     return image;
 }
 
@@ -154,12 +167,7 @@ Image read_picture(Renderer& renderer, bool floats) {
     const glm::ivec2 size = renderer.root_size();
     if (!floats) return picture_without_alpha(renderer.read_bytes(), size);
     const std::vector<float> rgba = renderer.read_floats();
-    Image image{.size = size, .channels = 3, .type = ChannelType::f32, .pixels = {}};
-    image.pixels.resize(rgba.size() / 4 * 3 * sizeof(float));
-    for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
-        std::memcpy(image.pixels.data() + i * 3 * sizeof(float), &rgba[i * 4], 3 * sizeof(float));
-    }
-    return image;
+    return picture_without_alpha(std::as_bytes(std::span(rgba)), size, ChannelType::f32);
 }
 
 int Playback::last_frame() const {

@@ -7,6 +7,7 @@
 #include "modes/numbered_name.h"
 #include "modes/sound.h"
 #include "modes/workers.h"
+#include "render/readback.h"
 #include "sound/sound.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <system_error>
@@ -29,6 +32,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+// What a GPU may draw while the first of them is still on its way to memory.
+constexpr int kPicturesAhead = 2;
 
 // The whole numbers of a text such as "10:20:2"; empty when it is not made of them.
 std::vector<int> numbers_in(const std::string& text, char separator) {
@@ -150,11 +156,12 @@ struct Run {
     Workers& workers;
     int next = 0;  // the frame to be played next
     int simulated = 0, saved = 0;
+    std::function<void()> write_what_is_drawn{};
 
     // Whoever resumes relies on a state only where all pictures before it are there.
     void keep_state() {
         if (!states.is_due(next)) return;
-        workers.finish();
+        if (write_what_is_drawn) write_what_is_drawn();
         states.save(next);
         ++saved;
     }
@@ -169,22 +176,36 @@ struct Run {
     }
 };
 
-// Draws the frames one after the other and hands their pictures to `write`.
+// Draws the frames one after the other and hands their pictures, as RGBA, to `write`.
 template <class Write>
 void draw_frames(Run& run, const std::vector<int>& frames, bool floats, Write write) {
     const bool simulates = run.renderer.graph().stateful;
     Progress progress("frame", static_cast<long>(frames.size()));
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (!simulates) run.next = frames[i];
-        run.advance_to(frames[i]);
+    Readback readback(run.renderer, floats, run.context.is_software() ? 0 : kPicturesAhead);
+    std::deque<Frame> on_the_way;
+    long written = 0;
+    const auto write_first = [&] {
+        std::vector<std::byte> rgba = readback.take();
+        run.context.check();
+        write(on_the_way.front(), std::move(rgba));
+        on_the_way.pop_front();
+        progress.update(++written);
+    };
+    run.write_what_is_drawn = [&] {
+        while (!on_the_way.empty()) write_first();
+        run.workers.finish();
+    };
+    for (const int k : frames) {
+        if (!simulates) run.next = k;
+        run.advance_to(k);
         run.keep_state();
-        const Frame frame = run.playback.frame(run.preset, run.next++);
-        run.renderer.draw(frame);
-        Image image = read_picture(run.renderer, floats);
-        run.context.finish();
-        write(frame, std::move(image));
-        progress.update(static_cast<long>(i) + 1);
+        on_the_way.push_back(run.playback.frame(run.preset, run.next++));
+        run.renderer.draw(on_the_way.back());
+        readback.send();
+        if (readback.full()) write_first();
     }
+    run.write_what_is_drawn();
+    run.write_what_is_drawn = nullptr;
 }
 
 // Walks on to where the last state is saved.
@@ -286,10 +307,12 @@ void run_sequence(const SequenceOptions& options) {
     }
     // Pictures are files of their own and may overtake each other; a stream may not.
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    Workers workers(target == Target::pictures ? std::clamp(cores / 2, 1, 8) : 1);
-    const auto write = [&](const Frame& frame, Image image) {
+    Workers workers(target == Target::pictures ? std::clamp(cores, 1, 16) : 1);
+    const auto write = [&](const Frame& frame, std::vector<std::byte> rgba) {
         workers.run([&, k = frame.frame, metadata = picture_metadata(preset, frame, gpu),
-                     image = std::move(image)]() mutable {
+                     rgba = std::move(rgba)]() mutable {
+            const Image image = picture_without_alpha(rgba, preset.size,
+                                                      floats ? ChannelType::f32 : ChannelType::u8);
             if (target == Target::film) return film->write(image);
             if (target == Target::raw) return write_all(STDOUT_FILENO, raw_frame(image));
             metadata.emplace_back("glint:samples", fmt::format("{}", options.samples));

@@ -542,13 +542,18 @@ glm::ivec2 Renderer::root_size() const {
     return shape.cube ? glm::ivec2(shape.size.x * 6, shape.size.y) : shape.size;
 }
 
+void Renderer::read_picture(bool floats, void* to) const {
+    const glm::ivec2 size = root_size();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_[scene_.root]->front_framebuffer());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE, to);
+}
+
 std::vector<std::byte> Renderer::read_bytes() {
     const glm::ivec2 size = root_size();
     std::vector<std::byte> pixels(static_cast<std::size_t>(size.x) *
                                   static_cast<std::size_t>(size.y) * 4);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_[scene_.root]->front_framebuffer());
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    read_picture(false, pixels.data());
     return pixels;
 }
 

@@ -97,6 +97,8 @@ public:
     glm::vec4 read_pixel(std::size_t graph_index, std::size_t output, glm::ivec2 pixel) const;
 
     // The wanted pass as RGBA, rows bottom up; `output` chooses among several. Waits for the GPU.
+    // `to` is as in glReadPixels: memory, or a place in the pixel buffer that is bound.
+    void read_picture(bool floats, void* to) const;
     std::vector<std::byte> read_bytes();
     std::vector<float> read_floats(std::size_t output = 0);
     glm::ivec2 root_size() const;

@@ -2,6 +2,7 @@
 //
 //   glint-floor SHADER.glsl OUT.png WIDTH HEIGHT        one picture
 //   glint-floor SHADER.glsl - WIDTH HEIGHT --frames N   the median frame in milliseconds, on stdout
+//   glint-floor SHADER.glsl OUT.png WIDTH HEIGHT --export N   N pictures, each over the last
 //   ... --feedback BUFFER.glsl                          and a buffer that both texts read
 //
 // Bare EGL on Mesa's surfaceless platform, one RGBA8 picture, one triangle, libpng. No error but a
@@ -142,12 +143,14 @@ void write_png(const char* file, int width, int height) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    require(argc >= 5, "usage: SHADER OUT.png WIDTH HEIGHT [--frames N] [--feedback BUFFER]");
+    require(argc >= 5,
+            "usage: SHADER OUT.png WIDTH HEIGHT [--frames N | --export N] [--feedback BUFFER]");
     const int width = std::atoi(argv[3]), height = std::atoi(argv[4]);
-    int frames = 0;
+    int frames = 0, pictures = 0;
     const char* buffer_file = nullptr;
     for (int i = 5; i + 1 < argc; i += 2) {
         if (std::string(argv[i]) == "--frames") frames = std::atoi(argv[i + 1]);
+        if (std::string(argv[i]) == "--export") pictures = std::atoi(argv[i + 1]);
         if (std::string(argv[i]) == "--feedback") buffer_file = argv[i + 1];
     }
 
@@ -175,6 +178,12 @@ int main(int argc, char** argv) {
         }
         draw(image, picture, frame);
     };
+
+    for (int frame = 0; frame < pictures; ++frame) {
+        draw_frame(frame);
+        write_png(argv[2], width, height);
+    }
+    if (pictures > 0) return 0;
 
     // The driver compiles to machine code at the first draws.
     for (int frame = 0; frames > 0 && frame < 3; ++frame) draw_frame(frame);
