@@ -81,7 +81,7 @@ void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
     add_view(verb, sequence.view);
     verb.add_option("-o,--output", sequence.output,
                     "out.%04d.png (or exr, jpg, tif, hdr), out.mp4 (or webm, mov, gif), or -; "
-                    "may be left out with --save-state");
+                    "may be left out with --save-state or --from-pictures");
     verb.add_option("--frames", sequence.frames,
                     "FIRST:LAST or FIRST:LAST:STEP; the first ten seconds otherwise");
     verb.add_option("--fps", sequence.fps, "Hz; frame k stands at k / fps")->check(from(0.01, 1e5));
@@ -90,6 +90,9 @@ void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
     verb.add_option("--shard", sequence.shard, "K/N: only the K-th of N shares of the pictures");
     verb.add_flag("--resume", sequence.resume,
                   "leave pictures alone that are there and are what would be written");
+    verb.add_option(
+        "--from-pictures", sequence.from_pictures,
+        "frames/%06d.png that others have drawn: check them, and make the film of them");
     add_state(verb, sequence.state);
     verb.add_option("--save-state-every", sequence.state.save_every,
                     "keep the state before each frame that is a multiple of this")

@@ -11,6 +11,7 @@
 #include "sound/sound.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -87,7 +88,8 @@ enum class Target { pictures, film, raw, states };
 Target target_of(const SequenceOptions& options) {
     const std::string& output = options.output;
     const bool is_numbered = numbered_name(output).has_value();
-    if (output.empty() && options.state.save.empty()) {
+    const bool only_checks = output.empty() && !options.from_pictures.empty();
+    if (output.empty() && options.state.save.empty() && !only_checks) {
         throw UsageError("Name with -o where the frames go, or with --save-state where states go.");
     }
     if (options.state.save.empty() && options.state.save_every > 0) {
@@ -97,6 +99,13 @@ Target target_of(const SequenceOptions& options) {
                           : output == "-"                   ? Target::raw
                           : is_film(output) && !is_numbered ? Target::film
                                                             : Target::pictures;
+    if (!options.from_pictures.empty() && !numbered_name(options.from_pictures)) {
+        throw UsageError(fmt::format("--from-pictures {}: name them as in frames/%06d.png.",
+                                     options.from_pictures));
+    }
+    if (!options.from_pictures.empty() && target == Target::pictures) {
+        throw UsageError("--from-pictures joins pictures that are there to a film.");
+    }
     if (target == Target::pictures && (!is_numbered || !can_write(output))) {
         throw UsageError(
             fmt::format("-o {}: name pictures such as out.%04d.png (or exr, jpg, tif, hdr), a film "
@@ -120,11 +129,9 @@ Target target_of(const SequenceOptions& options) {
     return target;
 }
 
-// All that a frame's picture follows from, but for its number.
-std::string inputs_of(const SequenceOptions& options, const Provenance& provenance,
-                      const std::string& renderer) {
+// All that a frame's picture follows from, but for its number and who drew it.
+std::string inputs_of(const SequenceOptions& options, const Provenance& provenance) {
     Hash hash;
-    hash.add(renderer);
     hash.add(fmt::format("{}", options.samples));
     for (const auto& [name, text] : provenance) hash.add(text);
     return hash.text();
@@ -270,6 +277,81 @@ void print_result(const SequenceOptions& options, const Preset& preset, const Ru
                ms / 1000.0, rate);
 }
 
+void print_joined(const SequenceOptions& options, const Preset& preset, std::size_t frames,
+                  double ms) {
+    const std::string output =
+        options.output.empty() ? options.from_pictures + ": all there" : options.output;
+    if (options.view.json) {
+        const Json json = {{"output", options.output},
+                           {"scene", preset.scene.files.front().string()},
+                           {"frames", frames},
+                           {"missing", Json::array()},
+                           {"ms", {{"total", ms}}}};
+        fmt::print("{}\n", json.dump(2));
+        return;
+    }
+    fmt::print(options.output == "-" ? stderr : stdout, "{}  {} frames  {:.1f} s\n", output, frames,
+               ms / 1000.0);
+}
+
+// The frames whose pictures are not there, not whole, or made from something else, no matter by
+// which renderer.
+std::vector<int> missing_frames(const NumberedName& pictures, const std::vector<int>& frames,
+                                const std::string& inputs) {
+    std::vector<char> is_there(frames.size());  // each written by one thread
+    Workers workers(static_cast<int>(std::thread::hardware_concurrency()));
+    Progress progress("checking", static_cast<long>(frames.size()));
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        workers.run([&, i] {
+            is_there[i] =
+                is_made_from(pictures.name(frames[i]), fmt::format("{}-{}-", inputs, frames[i]));
+        });
+        progress.update(static_cast<long>(i));
+    }
+    workers.finish();
+    std::vector<int> missing;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (!is_there[i]) missing.push_back(frames[i]);
+    }
+    return missing;
+}
+
+[[noreturn]] void stop_for_missing(const SequenceOptions& options, const std::vector<int>& missing,
+                                   std::size_t wanted) {
+    if (options.view.json) fmt::print("{}\n", Json({{"missing", missing}}).dump(2));
+    if (!options.view.json && options.output != "-") fmt::print("{}\n", fmt::join(missing, "\n"));
+    fmt::print(stderr, "error: {} of {} pictures are missing, not whole, or of another sequence.\n",
+               missing.size(), wanted);
+    throw Stop(ExitCode::check_failed);
+}
+
+// The pictures of this very sequence, which others have drawn, become the film that drawing them
+// here would have given. Only their sound is computed.
+void join_pictures(const SequenceOptions& options, Target target, const Preset& preset,
+                   const std::vector<int>& frames, const std::string& inputs) {
+    const Stopwatch clock;
+    const NumberedName pictures = *numbered_name(options.from_pictures);
+    const std::vector<int> missing = missing_frames(pictures, frames, inputs);
+    if (!missing.empty()) stop_for_missing(options, missing, frames.size());
+    std::unique_ptr<Context> context;
+    if (preset.scene.has_sound) context = make_egl_context(options.view.device);
+    std::optional<Film> film;
+    if (target == Target::film) {
+        film.emplace(options.output, preset.size, options.fps, sound_of(options, preset, frames));
+    }
+    Progress progress("frame", static_cast<long>(frames.size()));
+    for (std::size_t i = 0; i < frames.size() && !options.output.empty(); ++i) {
+        const Image image = read_image(pictures.name(frames[i]));
+        if (image.type != ChannelType::u8 || image.channels != 3) {
+            throw std::runtime_error("A film is joined from png pictures.");
+        }
+        film ? film->write(image) : write_all(STDOUT_FILENO, raw_frame(image));
+        progress.update(static_cast<long>(i) + 1);
+    }
+    if (film) film->finish();
+    print_joined(options, preset, frames.size(), clock.ms());
+}
+
 }  // namespace
 
 void run_sequence(const SequenceOptions& options) {
@@ -277,15 +359,22 @@ void run_sequence(const SequenceOptions& options) {
     const Target target = target_of(options);
     std::vector<int> frames = frames_of(options);
     const int last = frames.empty() ? 0 : frames.back();
-    if (target == Target::states) frames.clear();
+    if (target == Target::states && options.from_pictures.empty()) frames.clear();
     const std::size_t wanted = frames.size();
     const Preset preset = open_preset(options.view);
+    const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
+    const std::string inputs = inputs_of(options, provenance);
+    if (!options.from_pictures.empty()) {
+        return join_pictures(options, target, preset, frames, inputs);
+    }
     const auto context = make_egl_context(options.view.device);
     const std::string gpu = context->renderer();
-    const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
-    const std::string inputs = inputs_of(options, provenance, gpu);
+    Hash drawer;
+    drawer.add(gpu);
     const std::optional<NumberedName> pattern = numbered_name(options.output);
-    const auto made_from = [&](int frame) { return fmt::format("{}-{};", inputs, frame); };
+    const auto made_from = [&](int frame) {
+        return fmt::format("{}-{}-{};", inputs, frame, drawer.text());
+    };
     if (options.resume) {
         std::erase_if(frames, [&](int k) { return is_made_from(pattern->name(k), made_from(k)); });
     }

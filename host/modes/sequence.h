@@ -16,6 +16,9 @@ struct SequenceOptions {
     std::string shard;    // "K/N": only the K-th of N shares, K from 1; empty: all
     bool resume = false;  // leave pictures alone that are there and are what would be written
     StateOptions state;
+    // "frames/%06d.png": check that these are the pictures of this sequence, and make the film of
+    // them instead of drawing; without `output` only check
+    std::string from_pictures;
 };
 
 // Throws what main() turns into exit codes. Frame k is, bit for bit, the still of `--frame k`.

@@ -1,9 +1,6 @@
 // A picture that cannot be written: exit code 1, the cause, and everything stays as it was.
 #include "command.h"
 
-#include <sched.h>
-#include <sys/mount.h>
-
 namespace glint::cli {
 namespace {
 
@@ -15,13 +12,6 @@ constexpr std::string_view kNoise =
     "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
     "    c = vec4(vec3(v >> 8u) / 16777216.0, 1);\n"
     "}\n";
-
-// A file system of its own, too small for a picture; only this process and its children see it.
-bool mount_small_disk(const fs::path& where) {
-    return ::unshare(CLONE_NEWNS) == 0 &&
-           ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-           ::mount("tmpfs", where.c_str(), "tmpfs", 0, "size=64k") == 0;
-}
 
 class BrokenOutput : public InAFolder {
 protected:
@@ -63,7 +53,7 @@ TEST_F(BrokenOutput, TellsWhyThePlaceCannotBeWritten) {
 TEST_F(BrokenOutput, ADiskThatFillsUpKeepsTheOldPicture) {
     const fs::path disk = folder() / "disk";
     fs::create_directory(disk);
-    if (!mount_small_disk(disk)) GTEST_SKIP() << "mounting needs root";
+    if (!mount_small_disk(disk, "64k")) GTEST_SKIP() << "mounting needs root";
     for (const std::string name : {"out.png", "out.exr", "out.tif", "out.jpg", "out.hdr"}) {
         SCOPED_TRACE(name);
         write("disk/" + name, "precious");
@@ -74,7 +64,7 @@ TEST_F(BrokenOutput, ADiskThatFillsUpKeepsTheOldPicture) {
         fs::remove(disk / name);
         EXPECT_TRUE(fs::is_empty(disk));
     }
-    ::umount(disk.c_str());
+    unmount(disk);
 }
 
 TEST_F(BrokenOutput, AFileThatMayNotGrowKeepsTheOldPicture) {

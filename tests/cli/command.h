@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -145,6 +147,19 @@ inline Outcome run(const Command& command) {
 inline std::string bytes_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A file system of its own that is soon full ("64k"); only this process and its children see it.
+inline bool mount_small_disk(const fs::path& where, const std::string& size) {
+    return ::unshare(CLONE_NEWNS) == 0 &&
+           ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+           ::mount("tmpfs", where.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
+}
+inline bool grow_small_disk(const fs::path& where, const std::string& size) {
+    return ::mount("tmpfs", where.c_str(), "tmpfs", MS_REMOUNT, ("size=" + size).c_str()) == 0;
+}
+inline void unmount(const fs::path& where) {
+    ::umount(where.c_str());
 }
 
 // The smallest scene that shows something: red is x, green is y.

@@ -200,6 +200,98 @@ TEST_F(Sequence, AFilmHasEveryFrameInItsColours) {
     EXPECT_EQ(bytes("film.mp4"), before);
 }
 
+TEST_F(Sequence, PicturesOfOthersBecomeTheFilmThatDrawingGives) {
+    write("scene.frag", std::string(kMoving) +
+                            "vec2 mainSound(int s, float t) { return vec2(sin(t * 2000.0)); }\n");
+    const std::vector<std::string> all = {"scene.frag", "--frames", "3:22", "--fps", "20"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), all.begin(), all.end());
+        return more;
+    };
+    result(with({"-o", "drawn.mp4"}));
+    result(with({"-o", "p%02d.png", "--shard", "1/2"}));
+    const Outcome half = sequence(with({"--from-pictures", "p%02d.png", "-o", "joined.mp4"}));
+    EXPECT_EQ(half.code, 6);
+    EXPECT_TRUE(half.out.starts_with("4\n6\n8\n")) << half.out;
+    EXPECT_NE(half.err.find("10 of 20 pictures are missing"), std::string::npos) << half.err;
+    EXPECT_FALSE(fs::exists(folder() / "joined.mp4"));
+
+    result(with({"-o", "p%02d.png", "--shard", "2/2"}));
+    EXPECT_EQ(result(with({"--from-pictures", "p%02d.png"}))["missing"].size(), 0);
+    EXPECT_EQ(result(with({"--from-pictures", "p%02d.png", "-o", "joined.mp4"}))["frames"], 20);
+    EXPECT_EQ(bytes("joined.mp4"), bytes("drawn.mp4"));
+
+    const std::string fifth = bytes("p05.png");
+    const auto missing = [&](std::vector<std::string> more) {
+        more.insert(more.end(), {"--from-pictures", "p%02d.png", "--json"});
+        const Outcome outcome = sequence(with(more));
+        EXPECT_EQ(outcome.code, 6);
+        return Json::parse(outcome.out, nullptr, false)["missing"];
+    };
+    write("p05.png", fifth.substr(0, fifth.size() / 2));
+    EXPECT_EQ(missing({}), Json({5}));
+    write("p05.png", bytes("p06.png"));
+    EXPECT_EQ(missing({}), Json({5}));
+    write("p05.png", fifth);
+    EXPECT_EQ(missing({"--tweak", "level=0.1"}).size(), 20);
+}
+
+// A run has read its files when it begins; what happens to them then does not matter to it.
+TEST_F(Sequence, APresetThatVanishesMeanwhileIsMissedByTheNextRunOnly) {
+    write("scene.frag", kMoving);
+    write("scene.toml", "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.7\n");
+    const std::vector<std::string> words = {"sequence", "scene.toml", "-o",     "%02d.png",
+                                            "--frames", "0:59",       "--size", "320x180"};
+    Process process(command(words));
+    while (process.runs() && !fs::exists(folder() / "00.png")) std::this_thread::sleep_for(1ms);
+    fs::remove(folder() / "scene.toml");
+    fs::remove(folder() / "scene.frag");
+    EXPECT_EQ(process.wait().code, 0);
+    EXPECT_EQ(names().size(), 60u);
+    auto resumed = words;
+    resumed.push_back("--resume");
+    EXPECT_EQ(glint(resumed).code, 4);
+    EXPECT_EQ(names().size(), 60u) << "what was done is kept";
+}
+
+TEST_F(Sequence, AFullDiskInTheMiddleIsResumedToTheSameBytes) {
+    const fs::path disk = folder() / "disk";
+    fs::create_directory(disk);
+    if (!mount_small_disk(disk, "200k")) GTEST_SKIP() << "mounting needs root";
+    write("scene.frag", kMoving);
+    const auto words = [&](const std::string& to) {
+        return std::vector<std::string>{"sequence",       "scene.frag", "-o",
+                                        to + "/%02d.exr", "--frames",   "0:19",
+                                        "--size",         "80x60",      "--resume"};
+    };
+    EXPECT_EQ(glint(words(".")).code, 0);
+    const Outcome full = glint(words("disk"));
+    EXPECT_EQ(full.code, 1);
+    EXPECT_TRUE(full.err.starts_with("error: Cannot write disk/")) << full.err;
+    std::size_t kept = 0;
+    for (const auto& entry : fs::directory_iterator(disk)) {
+        EXPECT_EQ(bytes_of(entry.path()), bytes(entry.path().filename()));
+        ++kept;
+    }
+    EXPECT_GT(kept, 0u);
+    EXPECT_LT(kept, 20u);
+    EXPECT_TRUE(grow_small_disk(disk, "8m"));
+    EXPECT_EQ(glint(words("disk")).code, 0);
+    for (int k = 0; k < 20; ++k) {
+        const std::string name = fmt::format("{:02}.exr", k);
+        EXPECT_EQ(bytes("disk/" + name), bytes(name)) << k;
+    }
+    unmount(disk);
+}
+
+TEST_F(Sequence, AFolderThatNobodyMayWriteEndsItWithAWord) {
+    write("scene.frag", kMoving);
+    const std::string sealed = "/proc/sys/kernel/%d.png";  // also where root runs the tests
+    const Outcome outcome = sequence({"scene.frag", "-o", sealed, "--frames", "0:3"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_TRUE(outcome.err.starts_with("error: Cannot write /proc/sys/kernel/")) << outcome.err;
+}
+
 TEST_F(Sequence, RawFramesGoToStdoutTopRowFirst) {
     write("scene.frag", kGradient);
     Command piped =
