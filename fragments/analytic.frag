@@ -10,28 +10,30 @@
 // of the distance that 99 % stay below.
 //                                     textbook            robust
 //   sphere, 1e2 and 1e4 radii away    0.04, 46 %  4e-4    0, 0.008 %      2e-7
-//   ellipsoid                         0.06, 52 %  4e-4    0.001, 0.005 %  2e-7
-//   cylinder                          0.04, 43 %  5e-4    0, 0.008 %      1e-7
-//   cone                              0.08, 26 %  5e-4    0, 0.004 %      2e-7
-//   disc                              0.00, 0.01 %  2e-7  0, 0.005 %      1e-7
-//   torus                             52, 50 %    3e-2    0, 0.013 %      2e-7
+//   ellipsoid                         0.06, 52 %  4e-4    0, 0.010 %      2e-7
+//   cylinder                          0.04, 43 %  5e-4    0, 0.011 %      2e-7
+//   cone                              0.08, 26 %  5e-4    0, 0.004 %      1e-7
+//   disc                              0.00, 0.01 %  2e-7  0.002, 0.012 %  2e-7
+//   torus                             52, 50 %    3e-2    0, 0.013 %      1e-7
+//   sliver 1e-4 as high as long                   5e-3                    6e-7
 //   edges, corners of the crystal     35, 59 % leak       0 of 1e5, 0 of 1e5
 //   box: edge, ray in a face          12, 14 % missed     0, 0
 //   own surface again, eye at 1e6 m   13 %                0
 //
 // Method   Robust forms slide the ray's start to its point nearest the shape, so that what cancels
 //          does so once, in a subtraction that is nearly exact. Hits are moved back onto their
-//          surface and leave it by 8 ulp. Where the eye steps back a robust ray starts nearby. One
+//          surface, along the ray in twice the digits (normals to 3e-5 degrees with the eye at
+//          1 km), and leave it by 8 ulp. Where the eye steps back a robust ray starts nearby. One
 //          path a pixel: at glass the stronger way is followed, up to kPending weaker ones wait.
 //          Lights are discs; shadows are cones to `shadowSamples` sub-discs, each shape's share in
 //          closed form: smooth with one cone, exact in the limit of many. Biased: glass dims light,
 //          it does not focus it. The error view puts the hit in twice the digits and reads off how
 //          far from the surface it lies. Picked by specialisation, the other formulas cost nothing.
 // Sources  Haines, Guenther, Akenine-Moeller, Ray Tracing Gems ch. 7 (2019), eq. 5: sphere. Woop,
-//          Benthin, Wald, JCGT 2(1) (2013): triangles. Ize, JCGT 2(2) (2013): slabs. Yuksel, Proc.
-//          ACM CGIT 5(3) (2022): roots in brackets. Dekker, Numer. Math. 18 (1971): exact product.
-//          Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel, Math. Biosci. 44 (1979).
-//          Textbook: Shirley, Fundamentals of Computer Graphics (2002): Cramer. Ferrari's quartic.
+//          Benthin, Wald, JCGT 2(1) (2013): triangles. Ize, JCGT 2(2) (2013): slabs. Dekker, Numer.
+//          Math. 18 (1971): exact product. Born and Wolf, Principles of Optics, 1.5: Fresnel.
+//          Vogel, Math. Biosci. 44 (1979). Textbook: Shirley, Fundamentals of Computer Graphics
+//          (2002): Cramer. Ferrari's quartic.
 // Units    1 unit = 1 m, y up, linear sRGB colour until the display curve; lamps: radiance x m^2.
 // Passes   none but the image.
 // Bounds   llvmpipe ends the loops of a pixel after 65,535 turns together. Each quality knob alone
@@ -83,6 +85,7 @@ const float kGolden = 0.61803398874989;    // turns between neighbours of a phyl
 const float kFar = 1e30;                   // a miss
 const float kTiny = 1e-20;                 // below: a direction's component counts as zero
 const float kIorVarnish = 1.62;            // hard lacquer
+const float kWiden = 1.001;                // of bounds, so that no touch is lost to rounding
 const float kLeastThroughput = 0.012;      // a path that carries less is over
 const float kTextbookLift = 1e-3;          // the textbooks' start of a secondary ray, any unit
 const int   kPending = 4;                  // rays of a path that wait while another is followed
@@ -238,6 +241,17 @@ float textbookTorus(vec3 ro, vec3 rd, float large, float small) {   // axis y; F
 }
 
 // ---- Robust forms -------------------------------------------------------------------------------
+// What a * b loses by rounding, itself a float (Dekker's product).
+vec3 lostDigits(vec3 a, vec3 b) {
+    vec3 bigA = 4097.0 * a, highA = bigA - (bigA - a), lowA = a - highA;
+    vec3 bigB = 4097.0 * b, highB = bigB - (bigB - b), lowB = b - highB;
+    return ((highA * highB - a * b) + highA * lowB + lowA * highB) + lowA * lowB;
+}
+// ro + t rd as if in twice the digits (Knuth's sum), rounded once.
+vec3 alongExactly(vec3 ro, vec3 rd, float t) {
+    vec3 product = t * rd, sum = ro + product, part = sum - ro;
+    return sum + ((ro - (sum - part)) + (product - part) + lostDigits(vec3(t), rd));
+}
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
     vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
@@ -251,49 +265,39 @@ float slideNear(inout vec3 ro, vec3 rd) {
     ro += s * rd;
     return s;
 }
-float robustEllipsoid(vec3 ro, vec3 rd, vec3 axes) {
-    float s = slideNear(ro, rd);
+float robustEllipsoid(vec3 ro, vec3 rd, vec3 axes) {   // slid where it is a unit sphere
     vec3 u = ro / axes, v = rd / axes;
-    float a = dot(v, v), b = dot(u, v) / a;
-    vec3 l = u - b * v;
-    float d = 1.0 - dot(l, l);
+    float inverse = 1.0 / dot(v, v), s = -dot(u, v) * inverse;
+    u += s * v;
+    float d = 1.0 - dot(u, u);
     if (d < 0.0) return -1.0;
-    float h = sqrt(d / a);
-    return firstAhead(s - b - h, s - b + h);
+    float h = sqrt(d * inverse);
+    return firstAhead(s - h, s + h);
 }
 float robustCylinder(vec3 ro, vec3 rd, float r, float h) {   // |y| <= h, open ends
-    float s = slideNear(ro, rd), a = dot(rd.xz, rd.xz);
-    if (a < kTiny) return -1.0;
-    float b = dot(ro.xz, rd.xz) / a;
-    vec2 l = ro.xz - b * rd.xz;
-    float d = r * r - dot(l, l);
-    if (d < 0.0) return -1.0;
-    vec2 t = vec2(-1.0, 1.0) * sqrt(d / a) - b, y = abs(ro.y + t * rd.y);
-    return firstAhead(y.x <= h ? s + t.x : -1.0, y.y <= h ? s + t.y : -1.0);
+    float inverse = 1.0 / max(dot(rd.xz, rd.xz), kTiny), s = -dot(ro.xz, rd.xz) * inverse;
+    ro += s * rd;
+    float d = r * r - dot(ro.xz, ro.xz), away = sqrt(max(d, 0.0) * inverse), rise = away * rd.y;
+    float near = abs(ro.y - rise) <= h ? s - away : -1.0;
+    float far = abs(ro.y + rise) <= h ? s + away : -1.0;
+    return d < 0.0 ? -1.0 : firstAhead(near, far);
 }
-// Apex up, -h <= y <= 0, open end. The discriminant is a difference of squares of the ray's moments
-// about the apex: b b - a c without its cancellation.
+// Apex up, -h < y < 0, open end. Of the roots of a t^2 + 2 b t + c, q / a and c / q, neither
+// cancels, also along the side; where a or q is 0, that root is nowhere within the height.
 float robustCone(vec3 ro, vec3 rd, float slope, float h) {
-    float s = slideNear(ro, rd), m = slope * ro.y, n = slope * rd.y;
-    vec2 u = ro.xz, v = rd.xz;
-    float a = dot(v, v) - n * n, b = dot(u, v) - m * n, c = dot(u, u) - m * m;
-    vec2 along = n * u - m * v;
-    float d = dot(along, along) - square(u.x * v.y - u.y * v.x);
-    if (d < 0.0) return -1.0;
-    float q = -b - (b < 0.0 ? -sqrt(d) : sqrt(d));
-    vec2 t = vec2(q, c) / mix(vec2(a, q), vec2(kTiny), lessThan(abs(vec2(a, q)), vec2(kTiny)));
-    vec2 y = ro.y + t * rd.y;
-    t += s;
-    if (y.x < -h || y.x > 0.0) t.x = -1.0;
-    if (y.y < -h || y.y > 0.0) t.y = -1.0;
-    return firstAhead(min(t.x, t.y), max(t.x, t.y));
+    float s = slideNear(ro, rd), m = slope * slope * ro.y, n = slope * slope * rd.y;
+    float a = dot(rd.xz, rd.xz) - n * rd.y, b = dot(ro.xz, rd.xz) - n * ro.y;
+    float c = dot(ro.xz, ro.xz) - m * ro.y, d = b * b - a * c;
+    float root = sqrt(max(d, 0.0)), q = (b < 0.0 ? root : -root) - b;
+    vec2 t = vec2(q / a, c / q), y = abs(ro.y + 0.5 * h + t * rd.y);
+    t = mix(vec2(-1.0), s + t, lessThan(y, vec2(d < 0.0 ? 0.0 : 0.5 * h)));
+    float near = min(t.x, t.y);
+    return near > 0.0 ? near : max(t.x, t.y);
 }
-float robustDisc(vec3 ro, vec3 rd, vec3 nor, float r) {
-    float s = slideNear(ro, rd), speed = dot(rd, nor);
-    if (abs(speed) < kTiny) return -1.0;
-    float t = -dot(ro, nor) / speed;
-    ro += t * rd;
-    return dot(ro, ro) <= r * r ? s + t : -1.0;
+float robustDisc(vec3 ro, vec3 rd, vec3 nor, float r) {   // has little to cancel
+    float speed = dot(rd, nor), t = -dot(ro, nor) / (abs(speed) < kTiny ? kTiny : speed);
+    vec3 p = ro + t * rd;
+    return dot(p, p) <= r * r ? t : -1.0;
 }
 float robustBox(vec3 ro, vec3 rd, vec3 halfSize, out vec3 face) {   // as three slabs
     bvec3 level = lessThan(abs(rd), vec3(kTiny)), within = lessThanEqual(abs(ro), halfSize);
@@ -328,6 +332,15 @@ float robustTriangle(vec3 a, vec3 b, vec3 c) {
     float det = e.x + e.y + e.z;
     return det == 0.0 ? kFar : dot(e, vec3(a.z, b.z, c.z)) / det;
 }
+// The distance again, of the one triangle that is met, with what the edge functions' products lost:
+// in a sliver that is all there is.
+float exactDistance(vec3 a, vec3 b, vec3 c) {
+    vec3 x = vec3(c.x, a.x, b.x), y = vec3(b.y, c.y, a.y), u = vec3(b.x, c.x, a.x);
+    vec3 v = vec3(c.y, a.y, b.y), e = (x * y - u * v) + (lostDigits(x, y) - lostDigits(u, v));
+    float sense = sign(e.x + e.y + e.z);
+    e = max(e * sense, 0.0);   // within the triangle, whatever was rounded
+    return dot(e, vec3(a.z, b.z, c.z)) / max(e.x + e.y + e.z, 1e-37);
+}
 // Implicit form of the torus of large radius 1 along a ray, and its slope.
 vec2 torusAlong(vec3 ro, vec3 rd, float small, float t) {
     vec3 p = ro + t * rd;
@@ -335,50 +348,41 @@ vec2 torusAlong(vec3 ro, vec3 rd, float small, float t) {
     return vec2(out1 * out1 + p.y * p.y - small * small,
                 2.0 * (out1 * dot(p.xz, rd.xz) / rho + p.y * rd.y));
 }
-// Axis y. Scaled to large radius 1 and slid to the middle the quartic is t^4 + p t^2 + q t + w; the
-// roots of its derivative part the ray into pieces with one root at most, found there by Newton
-// steps that never leave their bracket (Yuksel 2022); two more on the form not multiplied out.
+// Axis y. Scaled to large radius 1 and slid to the middle the quartic is t^4 + p t^2 + q t + w,
+// convex but between -bend and bend: Newton's steps from there, or from where the ray comes near,
+// close in on a root from one side and need no bracket. Two falling flanks may hold the first root:
+// steps that leave the first have shown that it has none, and begin again on the second. From
+// within the ring both flanks rise. The last step is on the form not multiplied out.
 float robustTorus(vec3 ro, vec3 rd, float large, float small) {
     ro /= large; small /= large;
     float s = slideNear(ro, rd);
     s += slideNear(ro, rd);
-    float ff = dot(ro, ro), room2 = square(1.0 + small) - ff, room = sqrt(max(room2, 0.0));
-    float dy = abs(rd.y) < kTiny ? kTiny : rd.y, mid = -ro.y / dy, reach = abs(small / dy);
+    float ff = dot(ro, ro), room2 = square(1.0 + small) * kWiden - ff, room = sqrt(max(room2, 0.0));
+    float dy = abs(rd.y) < kTiny ? kTiny : rd.y, mid = -ro.y / dy, reach = abs(kWiden * small / dy);
     float lo = max(max(-room, mid - reach), -s), hi = min(room, mid + reach);   // sphere and slab
-    if (room2 <= 0.0 || lo >= hi) return -1.0;
     float k = ff + 1.0 - small * small, twice = 2.0 * length(ro.xz), b = dot(ro.xz, rd.xz);
     float p = 2.0 * k - 4.0 * dot(rd.xz, rd.xz), q = -8.0 * b, w = (k - twice) * (k + twice);
-    float third = -p / 6.0, disc = b * b - third * third * third;
-    vec3 split;   // roots of t^3 - 3 third t - 2 b
-    if (disc >= 0.0) {
-        float x = cubeRoot(b + (b < 0.0 ? -sqrt(disc) : sqrt(disc)));
-        split = vec3(abs(x) > 1e-9 ? x + third / x : 0.0);
-    } else {
-        float root = sqrt(third), c = cos(acos(clamp(b / (third * root), -1.0, 1.0)) / 3.0);
-        float other = sqrt(3.0 * max(1.0 - c * c, 0.0));
-        split = root * vec3(-c - other, -c + other, 2.0 * c);
-    }
-    vec4 ends = vec4(clamp(split, lo, hi), hi), f = ((ends * ends + p) * ends + q) * ends + w;
-    float sense = sign(torusAlong(ro, rd, small, lo).x);
-    f *= sense;
-    if (f.x > 0.0 && f.y > 0.0 && f.z > 0.0 && f.w > 0.0) return -1.0;
-    lo = f.x <= 0.0 ? lo : f.y <= 0.0 ? ends.x : f.z <= 0.0 ? ends.y : ends.z;
-    hi = f.x <= 0.0 ? ends.x : f.y <= 0.0 ? ends.y : f.z <= 0.0 ? ends.z : ends.w;
-    float from = lo, to = hi, t = 0.5 * (lo + hi);
-    for (int i = 0; i < 16; ++i) {
+    float bend = sqrt(max(-p / 6.0, 0.0));
+    bool within = torusAlong(ro, rd, small, lo).x < 0.0, again = !within && lo >= -bend;
+    float second = within ? hi : max(bend, lo), t = within ? -bend : again ? second : lo;
+    float limit = again ? hi : within ? bend : -bend, down = within ? -1.0 : 1.0;
+    bool open = room2 > 0.0 && lo < hi, met = false;
+    for (int i = 0; i < 32 && open; ++i) {
         float value = ((t * t + p) * t + q) * t + w, slope = (4.0 * t * t + 2.0 * p) * t + q;
-        if (value * sense > 0.0) lo = t; else hi = t;
-        float next = t - value / (abs(slope) < kTiny ? kTiny : slope);
-        next = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
-        bool done = abs(next - t) < 1e-6;
-        t = next;
-        if (done) break;
+        float next = t - value / slope;
+        if (slope * down < 0.0 && next >= lo && next <= limit) {
+            met = abs(next - t) < 1e-3;   // steps square their error
+            open = !met;
+            t = next;
+        } else {
+            open = !again;
+            again = true;
+            limit = hi;
+            t = second;
+        }
     }
-    for (int i = 0; i < 2; ++i) {
-        vec2 g = torusAlong(ro, rd, small, t);
-        t = clamp(t - g.x / (abs(g.y) < 1e-6 ? 1e-6 : g.y), from, to);
-    }
-    return (s + t) * large;
+    vec2 g = torusAlong(ro, rd, small, t);
+    return met ? (s + t - g.x / (abs(g.y) < 1e-6 ? 1e-6 : g.y)) * large : -1.0;
 }
 
 // ---- Scene --------------------------------------------------------------------------------------
@@ -415,11 +419,11 @@ bool meetsBox(vec3 ro, vec3 inv, vec3 lo, vec3 hi, float tMax) {
 void keepNearer(inout Hit h, float t, int id) {
     if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
 }
-void meetTriangle(vec3 ro, vec3 rd, mat3 corners, mat3 seen, float slid, inout Hit h) {
-    float t = robust ? slid + robustTriangle(seen[0], seen[1], seen[2])
+void meetTriangle(vec3 ro, vec3 rd, mat3 corners, mat3 seen, float slid, inout float t,
+                  inout mat3 met) {
+    float found = robust ? slid + robustTriangle(seen[0], seen[1], seen[2])
         : textbookTriangle(ro, rd, corners[0], corners[1], corners[2]);
-    if (t > 0.0 && t < h.t)
-        h = Hit(t, kGemId, cross(corners[1] - corners[0], corners[2] - corners[1]));
+    if (found > 0.0 && found < t) { t = found; met = corners; }
 }
 vec3 gemCorner(int k, float side) {   // of an icosahedron: two rings of five
     vec2 ring = 0.894427191 * kFive[(side > 0.0 ? k : k + 3) % 5];
@@ -433,15 +437,22 @@ void meetGem(vec3 ro, vec3 rd, inout Hit h) {
     vec3 pole = vec3(0.0, size, 0.0), a = gemCorner(0, 1.0), b = gemCorner(0, -1.0);
     vec3 poleS = sheared(pole - near, q), footS = sheared(-pole - near, q);
     vec3 aS = sheared(a - near, q), bS = sheared(b - near, q);
+    float t = h.t;
+    mat3 met = mat3(1.0);
     for (int k = 1; k <= 5; ++k) {
         vec3 c = gemCorner(k, 1.0), d = gemCorner(k, -1.0);
         vec3 cS = sheared(c - near, q), dS = sheared(d - near, q);
-        meetTriangle(ro, rd, mat3(pole, a, c), mat3(poleS, aS, cS), slid, h);
-        meetTriangle(ro, rd, mat3(a, b, c), mat3(aS, bS, cS), slid, h);
-        meetTriangle(ro, rd, mat3(b, d, c), mat3(bS, dS, cS), slid, h);
-        meetTriangle(ro, rd, mat3(-pole, d, b), mat3(footS, dS, bS), slid, h);
+        meetTriangle(ro, rd, mat3(pole, a, c), mat3(poleS, aS, cS), slid, t, met);
+        meetTriangle(ro, rd, mat3(a, b, c), mat3(aS, bS, cS), slid, t, met);
+        meetTriangle(ro, rd, mat3(b, d, c), mat3(bS, dS, cS), slid, t, met);
+        meetTriangle(ro, rd, mat3(-pole, d, b), mat3(footS, dS, bS), slid, t, met);
         a = c; b = d; aS = cS; bS = dS;
     }
+    if (t == h.t) return;
+    if (robust)
+        t = slid + exactDistance(sheared(met[0] - near, q), sheared(met[1] - near, q),
+                                 sheared(met[2] - near, q));
+    h = Hit(t, kGemId, cross(met[1] - met[0], met[2] - met[1]));
 }
 void meetSphere(vec3 ro, vec3 rd, vec4 ball, int id, inout Hit h) {
     ro -= toWorld(ball.xyz);
@@ -552,6 +563,20 @@ vec3 settle(Hit h, inout vec3 q) {
         v = clamp(inBox(q - centre, angle), -size, size);
         q = centre + inBox(mix(v, size * h.face, abs(h.face)), -angle);
         nor = inBox(h.face, -angle);
+    }
+    return nor;
+}
+
+// Where a ray arrives, m, and the normal there. Far off the distance is rounded, and so was the ray
+// in each shape's own frame: both are made good along the ray, near the surface.
+vec3 arrive(vec3 ro, vec3 rd, Hit h, out vec3 q) {
+    vec3 nor;
+    q = toStudio(alongExactly(ro, rd, h.t));
+    for (int k = h.t < 20.0 * worldScale ? 1 : 0; k < 2; ++k) {
+        vec3 onto = q;
+        nor = settle(h, onto);
+        float speed = dot(rd, nor);
+        q = k == 1 || abs(speed) < 0.1 ? onto : q + dot(onto - q, nor) / speed * rd;
     }
     return nor;
 }
@@ -756,8 +781,8 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
     int pending = 0;
     for (int ray = 0; ray < bounces; ++ray) {
         Hit h = meetScene(ro, rd);
-        vec3 p = ro + h.t * rd, q = toStudio(p), onto = q, nor = settle(h, onto);
-        if (robust) q = onto;
+        vec3 p = ro + h.t * rd, q = toStudio(p), onto = q;
+        vec3 nor = robust ? arrive(ro, rd, h, q) : settle(h, onto);
         float t = h.t / worldScale, w = width.x + width.y * t;
         bool glassy = h.id == kBallId || h.id == kCubeId || h.id == kGemId;
         bool inside = glassy ? within : h.id == kMirrorId && dot(rd, nor) > 0.0;
@@ -849,14 +874,6 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
 }
 
 // ---- Error of the hit distance ------------------------------------------------------------------
-// ro + t rd as if in twice the digits (Dekker's product, Knuth's sum), rounded once.
-vec3 alongExactly(vec3 ro, vec3 rd, float t) {
-    vec3 product = t * rd, big = 4097.0 * rd, high = big - (big - rd), low = rd - high;
-    float tHigh = 4097.0 * t - (4097.0 * t - t), tLow = t - tHigh;
-    vec3 lost = ((tHigh * high - product) + tHigh * low + tLow * high) + tLow * low;
-    vec3 sum = ro + product, part = sum - ro;
-    return sum + ((ro - (sum - part)) + (product - part) + lost);
-}
 vec3 heat(float x) {   // black, violet, red, orange, pale yellow; 0 to 1
     vec3 c = mix(vec3(0.0, 0.0, 0.02), vec3(0.10, 0.01, 0.25), smoothstep(0.0, 0.25, x));
     c = mix(c, vec3(0.55, 0.02, 0.16), smoothstep(0.2, 0.5, x));
