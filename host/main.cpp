@@ -11,6 +11,7 @@
 #include "modes/still.h"
 #include "modes/study.h"
 #include "modes/trial.h"
+#include "modes/voice.h"
 #include "scene/diagnostic.h"
 
 #include <CLI/CLI.hpp>
@@ -253,6 +254,8 @@ int run(int argc, char** argv) {
     std::string trial_device;
     CLI::App& trial_verb = *app.add_subcommand("trial")->group("");
     trial_verb.add_option("device", trial_device);
+    CLI::App& voice_verb = *app.add_subcommand("voice")->group("");
+    voice_verb.add_option("device", trial_device);
 
     // `glint FILE` is `glint open FILE`.
     std::vector<std::string> arguments(argv + 1, argv + argc);
@@ -287,6 +290,7 @@ int run(int argc, char** argv) {
     if (check_verb.parsed()) return guarded([&] { run_check(check); });
     if (study_verb.parsed()) return guarded([&] { run_study(study); });
     if (trial_verb.parsed()) return guarded([&] { run_trial(trial_device); });
+    if (voice_verb.parsed()) return guarded([&] { run_voice(trial_device); });
     return guarded([&] { run_bench(bench); });
 }
 

@@ -8,6 +8,7 @@
 #include "modes/browser.h"
 #include "modes/crash_mark.h"
 #include "modes/live_check.h"
+#include "modes/live_sound.h"
 #include "modes/live_study.h"
 #include "modes/picture_shelf.h"
 #include "modes/playground.h"
@@ -66,6 +67,7 @@ private:
     double wait_seconds() const;
     bool shows_clock() const;
     void draw_frame();
+    void follow_sound(double at);
     void show_picture();
     void show_wipe(const Buffer& left, const Buffer& right, const BufferView& view);
     Facts facts();
@@ -88,6 +90,7 @@ private:
     Browser browser_;
     LiveStudy study_;
     LiveCheck check_;
+    LiveSound sound_;
     PictureShelf pictures_;
     std::filesystem::path file_;
     std::vector<TweakValue> saved_values_;

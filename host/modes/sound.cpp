@@ -15,42 +15,54 @@
 namespace glint {
 namespace {
 
-constexpr long kBlock = long{kSoundBlockSide} * kSoundBlockSide;  // samples
-constexpr long kMostSamples = 0x7fffffff / 4;                     // as a WAV file can hold
+constexpr long kBlock = long{kSoundBlockWidth} * kSoundBlockRows;  // samples
+constexpr long kMostSamples = 0x7fffffff / 4;                      // as a WAV file can hold
 
 // What is not a number is silence.
-std::int16_t to_sample(float value) {
-    const float kept = value > -1.0f ? std::min(value, 1.0f) : value <= -1.0f ? -1.0f : 0.0f;
-    return static_cast<std::int16_t>(std::lround(kept * 32767.0f));
+float audible(float value) {
+    return value > -1.0f ? std::min(value, 1.0f) : value <= -1.0f ? -1.0f : 0.0f;
 }
 
 }  // namespace
 
+SoundRenderer::SoundRenderer(const Preset& preset, bool specialise)
+    : preset_(preset),
+      renderer_(
+          preset,
+          compile_or_stop(preset, {.root = kSoundPass, .program = {.specialise = specialise}}),
+          {.size = {kSoundBlockWidth, kSoundBlockRows}, .picture_format = PixelFormat::rgba32f}) {
+    load_inputs(preset, renderer_);
+}
+
+std::vector<float> SoundRenderer::block(long index) {
+    Frame frame;
+    frame.time = static_cast<double>(index * kBlock) / kSampleRate;
+    frame.frame = static_cast<int>(index);
+    frame.date = shadertoy_date(preset_.date, 0.0);
+    renderer_.redraw();
+    renderer_.draw(frame);
+    const std::vector<float> rgba = renderer_.read_floats();
+    std::vector<float> pairs;
+    pairs.reserve(2 * kBlock);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        pairs.push_back(audible(rgba[i]));
+        pairs.push_back(audible(rgba[i + 1]));
+    }
+    return pairs;
+}
+
 void render_sound(const Preset& preset, bool specialise, long first, long count,
                   const std::function<void(std::span<const std::int16_t>)>& take) {
-    CompiledScene compiled =
-        compile_or_stop(preset, {.root = kSoundPass, .program = {.specialise = specialise}});
-    Renderer renderer(
-        preset, std::move(compiled),
-        {.size = glm::ivec2(kSoundBlockSide), .picture_format = PixelFormat::rgba32f});
-    load_inputs(preset, renderer);
+    SoundRenderer renderer(preset, specialise);
     std::vector<std::int16_t> samples;
     for (long block = first / kBlock; block * kBlock < first + count; ++block) {
-        renderer.redraw();
-        Frame frame;
-        frame.time = static_cast<double>(block * kBlock) / kSampleRate;
-        frame.frame = static_cast<int>(block);
-        frame.date = shadertoy_date(preset.date, 0.0);
-        renderer.draw(frame);
-        const std::vector<float> rgba = renderer.read_floats();
+        const std::vector<float> pairs = renderer.block(block);
         const long begin = std::max(first - block * kBlock, 0L);
         const long end = std::min(first + count - block * kBlock, kBlock);
         samples.clear();
-        for (long i = begin; i < end; ++i) {
-            const auto at = static_cast<std::size_t>(i) * 4;
-            samples.push_back(to_sample(rgba[at]));
-            samples.push_back(to_sample(rgba[at + 1]));
-        }
+        for (auto i = static_cast<std::size_t>(2 * begin); i < static_cast<std::size_t>(2 * end);
+             ++i)
+            samples.push_back(static_cast<std::int16_t>(std::lround(pairs[i] * 32767.0f)));
         take(samples);
     }
 }

@@ -16,6 +16,20 @@ struct SoundOptions {
 // Throws what main() turns into exit codes.
 void run_sound(const SoundOptions& options);
 
+// Makes the sound of a scene, which has one, block by block. Needs a current context.
+class SoundRenderer {
+public:
+    // The preset must outlive this. Throws Stop when it does not compile.
+    SoundRenderer(const Preset& preset, bool specialise);
+
+    // The 8192 samples from `index` times that on: left and right in turn, from -1 to 1.
+    std::vector<float> block(long index);
+
+private:
+    const Preset& preset_;
+    Renderer renderer_;
+};
+
 // Stereo samples of a scene's sound, left and right in turn, 44.1 kHz, 16 bits, from `first` on;
 // `take` gets them block by block. The scene has one. Needs a current context. Throws Stop when it
 // does not compile.

@@ -1,10 +1,10 @@
 #include "modes/trial.h"
 
+#include "modes/socket_process.h"
 #include "modes/trial_message.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,34 +30,6 @@ constexpr int kMostFailedStarts = 3;
 template <class Duration>
 double seconds(Duration duration) {
     return std::chrono::duration<double>(duration).count();
-}
-
-// `program trial DEVICE` with a socket as its standard input and nothing else of ours: no other
-// descriptor, no blocked or ignored signal, and no terminal, so that Ctrl+C is not for it.
-int spawn_process(const TrialOptions& options, int socket, pid_t& process) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    std::string program = options.program.string(), verb = "trial", device = options.device;
-    const std::array<char*, 4> arguments = {program.data(), verb.data(),
-                                            device.empty() ? nullptr : device.data(), nullptr};
-    const int error =
-        posix_spawn(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    return error;
 }
 
 bool is_reaped(pid_t process) {
@@ -95,7 +67,8 @@ void Trial::spawn() {
         unavailable_ = fmt::format("There is no socket for it: {}.", std::strerror(errno));
         return;
     }
-    const int error = spawn_process(options_, pair[1], process_);
+    const int error =
+        spawn_on_socket(options_.program, "trial", options_.device, pair[1], process_);
     close(pair[1]);
     socket_ = pair[0];
     heard_ = std::make_unique<TrialAnswer>();

@@ -64,6 +64,11 @@ void members(auto& bytes, Is<TrialAnswer> auto& value) {
     bytes(number, stage, text, size, verdict);
 }
 
+void members(auto& bytes, Is<SoundOrder> auto& value) {
+    auto& [scene, state] = value;
+    bytes(scene, state);
+}
+
 template <class T>
 concept Plain = std::is_trivially_copyable_v<T>;
 
@@ -159,6 +164,12 @@ std::string pack(const TrialAnswer& answer) {
     return std::move(bytes).message();
 }
 
+std::string pack(const SoundOrder& order) {
+    Packer bytes;
+    bytes(order);
+    return std::move(bytes).message();
+}
+
 std::optional<std::string> take_message(std::string& arrived) {
     std::uint64_t length = 0;
     if (arrived.size() < sizeof length) return std::nullopt;
@@ -171,6 +182,13 @@ std::optional<std::string> take_message(std::string& arrived) {
 
 TrialOrder unpack_order(std::string_view message) {
     TrialOrder order;
+    Unpacker bytes(message);
+    bytes(order);
+    return order;
+}
+
+SoundOrder unpack_sound_order(std::string_view message) {
+    SoundOrder order;
     Unpacker bytes(message);
     bytes(order);
     return order;

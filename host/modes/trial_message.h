@@ -1,8 +1,9 @@
-// What the window and the process that tries candidates say to each other: plain data as bytes,
-// between two copies of one program.
+// What the window and the processes that try candidates and play sound say to each other: plain
+// data as bytes, between two copies of one program.
 #pragma once
 
 #include "modes/trial.h"
+#include "sound/feed.h"
 
 #include <cstdint>
 #include <string>
@@ -22,6 +23,12 @@ struct TrialOrder {
     std::vector<TrialImage> images;
 };
 
+// What the window tells the process that plays a scene's sound.
+struct SoundOrder {
+    std::vector<Preset> scene;  // one, when it is another than before; none otherwise
+    PlayState state;
+};
+
 enum class TrialStage { ready, compiling, drawing, done };
 
 struct TrialAnswer {
@@ -35,6 +42,7 @@ struct TrialAnswer {
 // Length and bytes, ready to be sent.
 std::string pack(std::uint64_t number, const Candidate& candidate, double slow_ms);
 std::string pack(const TrialAnswer& answer);
+std::string pack(const SoundOrder& order);
 
 // Takes the first whole message off what has arrived; nothing when it is not whole yet.
 std::optional<std::string> take_message(std::string& arrived);
@@ -42,5 +50,6 @@ std::optional<std::string> take_message(std::string& arrived);
 // Throws std::runtime_error for bytes that are no such message.
 TrialOrder unpack_order(std::string_view message);
 TrialAnswer unpack_answer(std::string_view message);
+SoundOrder unpack_sound_order(std::string_view message);
 
 }  // namespace glint

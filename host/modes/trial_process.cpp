@@ -1,13 +1,10 @@
 // The process that tries candidates: compiles one, draws it small, and says how far it has come.
 #include "gl/context.h"
+#include "modes/socket_process.h"
 #include "modes/trial_message.h"
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -308,23 +305,10 @@ std::string receive_order() {
     }
 }
 
-// Ends with the window even in the middle of a draw, and leaves no core file behind.
-void depend_on_parent() {
-    struct stat status {};
-    if (fstat(STDIN_FILENO, &status) != 0 || !S_ISSOCK(status.st_mode)) {
-        throw UsageError("`glint trial` is for the window to start, not for people.");
-    }
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    pollfd socket{.fd = STDIN_FILENO, .events = 0, .revents = 0};
-    if (poll(&socket, 1, 0) > 0 && (socket.revents & POLLHUP)) _exit(0);
-    const rlimit none{.rlim_cur = 0, .rlim_max = 0};
-    setrlimit(RLIMIT_CORE, &none);
-}
-
 }  // namespace
 
 void run_trial(const std::string& device) {
-    depend_on_parent();
+    depend_on_parent("trial");
     std::optional<Child> child;
     try {
         child.emplace(device);

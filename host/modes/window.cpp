@@ -61,7 +61,8 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       browser_(home_folder("XDG_CACHE_HOME", ".cache")),
       study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
              {.device = options.device, .specialise = options.specialise}),
-      check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}) {
+      check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
+      sound_(options.device) {
     pause_at_open_ = crash_mark_.take(options.file);
     if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
     open(options.file);
@@ -72,9 +73,11 @@ void PlaygroundWindow::run() {
         std::vector<int> descriptors = playground_.descriptors();
         descriptors.push_back(study_.process().descriptor());
         descriptors.push_back(check_.process().descriptor());
+        descriptors.push_back(sound_.descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
         dirty_ |= browser_.update();
+        dirty_ |= sound_.update();
         dirty_ |= follow_findings();
         print_reports();
         const double now = since_draw_.ms() / 1000.0;
@@ -141,7 +144,9 @@ void PlaygroundWindow::draw_frame() {
     const double elapsed = since_draw_.restart() / 1000.0;
     frame_due_ = 1.0 / window_.refresh_rate();
     dirty_ = false;
+    const double drawn_at = clock_seconds();
     playground_.draw(elapsed);
+    follow_sound(drawn_at);
     show_picture();
     const Wishes wishes =
         panels_.update(facts(), playground_.history, playground_.transport, settings_);
@@ -149,6 +154,20 @@ void PlaygroundWindow::draw_frame() {
     window_.swap();
     print_reports();
     grant(wishes);
+}
+
+// `at` is the clock when the frame was begun: its time is that instant's.
+void PlaygroundWindow::follow_sound(double at) {
+    const Transport& transport = playground_.transport;
+    const bool is_loud = playground_.is_open() && !settings_.muted;
+    // While a replay is under way, or frames have a fixed length, time does not run by the clock.
+    const bool runs =
+        transport.playing() && !transport.fixed_step() && playground_.replayed() >= 1.0;
+    sound_.follow(playground_.preset(), {.playing = runs,
+                                         .time = playground_.instant().time,
+                                         .rate = transport.rate(),
+                                         .at = at,
+                                         .volume = is_loud ? settings_.volume : 0.0f});
 }
 
 BufferView PlaygroundWindow::buffer_view() const {
@@ -244,6 +263,8 @@ Facts PlaygroundWindow::facts() {
     facts.grid = grid_;
     facts.browser = browser_entries_;
     facts.recording = playground_.recorder.recording();
+    facts.has_sound = sound_.has_sound();
+    facts.why_silent = sound_.why_silent();
     facts.notice = notice_;
     tell_findings(facts);
     const std::string title = fmt::format("{}{} - Glint", facts.title, facts.unsaved ? " *" : "");

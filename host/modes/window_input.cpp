@@ -114,6 +114,9 @@ void PlaygroundWindow::act(Action action) {
         case Action::reset:
             transport.reset();
             break;
+        case Action::mute:
+            settings_.muted = !settings_.muted;
+            break;
         case Action::tweaks:
             settings_.tweaks = !settings_.tweaks;
             break;

@@ -225,7 +225,7 @@ std::string sound_main(const Scene& scene) {
         "    int samp = (iFrame * {} + int(gl_FragCoord.y)) * {} + int(gl_FragCoord.x);\n"
         "    float time = float(samp) / {}.0;\n"
         "    glint_out0 = vec4(mainSound({}), 0.0, 1.0);\n}}\n",
-        old ? "float time" : "int samp, float time", kAssert, kSoundBlockSide, kSoundBlockSide,
+        old ? "float time" : "int samp, float time", kAssert, kSoundBlockRows, kSoundBlockWidth,
         kSampleRate, old ? "time" : "samp, time");
 }
 

@@ -18,8 +18,9 @@ inline bool fills_a_buffer(std::size_t pass) {
     return pass < kSoundPass;
 }
 
-// Sound comes in blocks of this many pixels square, a sample each, row by row; iFrame counts them.
-inline constexpr int kSoundBlockSide = 512;
+// Sound comes in blocks of so many pixels, a sample each, row by row; iFrame counts them. A block
+// is 0.19 s: short enough to be made just before it is heard.
+inline constexpr int kSoundBlockWidth = 512, kSoundBlockRows = 16;
 inline constexpr int kSampleRate = 44100;  // Hz
 
 // The name a person knows a pass by: "image", "sound", or that of the first sampler that it fills.

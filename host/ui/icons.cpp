@@ -112,6 +112,18 @@ void diagram(const Pen& pen) {
         pen.dot(at.x, at.y, 0.17f);
 }
 
+void speaker(const Pen& pen, bool sounds) {
+    pen.solid(-0.9f, -0.35f, -0.5f, 0.35f, 0.05f);
+    pen.triangle({-0.85f, 0.0f}, {0.0f, -0.8f}, {0.0f, 0.8f});
+    if (sounds) {
+        pen.arc(-0.1f, 0.0f, 0.5f, -0.3f * kPi, 0.3f * kPi);
+        pen.arc(-0.1f, 0.0f, 0.95f, -0.3f * kPi, 0.3f * kPi);
+    } else {
+        pen.line(0.3f, -0.35f, 0.95f, 0.35f);
+        pen.line(0.3f, 0.35f, 0.95f, -0.35f);
+    }
+}
+
 // A shield with a tick.
 void shield(const Pen& pen) {
     pen.path(
@@ -230,6 +242,10 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
             return question(pen);
         case Icon::loop:
             return loop(pen);
+        case Icon::sound:
+            return speaker(pen, true);
+        case Icon::muted:
+            return speaker(pen, false);
         case Icon::revert:
             return turn(pen);
         case Icon::save:

@@ -33,6 +33,8 @@ enum class Icon {
     full_screen,
     help,
     loop,
+    sound,
+    muted,
     revert,
     save,
 };

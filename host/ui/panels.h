@@ -97,6 +97,8 @@ struct Facts {
     std::span<const StudyFact> studies;
     std::span<const CaseFact> cases;  // worst first
     bool recording = false;
+    bool has_sound = false;
+    std::string why_silent;  // a cause; "" while the sound can be heard
     // A short message such as "christmas.png written". It fades by itself; a new text shows anew.
     std::string notice;
 };
@@ -126,7 +128,9 @@ struct PanelSettings {
     float resolution_scale = 1.0f;  // 0.25 to 2
     bool hold_frame_rate = false;   // lower the resolution to hold this rate
     float frame_rate = 30.0f;       // Hz
-    bool wipe = false;  // the tweak set that is shown left of a line, the other right of it
+    bool muted = false;
+    float volume = 1.0f;  // 0 to 1
+    bool wipe = false;    // the tweak set that is shown left of a line, the other right of it
     float wipe_position = 0.5f;            // fraction of the width; also of the wipe of a study
     Shown shown = Shown::scene;            // what stands in the view
     std::size_t shown_study = 0;           // of Facts::studies

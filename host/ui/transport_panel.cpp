@@ -79,6 +79,35 @@ void loop_button(Build& build, TransportState& state) {
     build.transport.set_loop(on ? std::nullopt : std::optional(state.loop));
 }
 
+constexpr float kVolumeWidth = 60;  // screen units
+
+// The button and the slider, with the gaps before them; a scene without sound has neither.
+float sound_width(const Build& build) {
+    if (!build.facts.has_sound) return 0.0f;
+    return ImGui::GetFrameHeight() + build.theme.px(kVolumeWidth + 10);
+}
+
+// In a line; what follows comes behind it.
+void sound_controls(Build& build) {
+    if (!build.facts.has_sound) return;
+    const Theme& theme = build.theme;
+    PanelSettings& settings = build.settings;
+    const std::string& cause = build.facts.why_silent;
+    const std::string tip_text = !cause.empty()   ? fmt::format("No sound: {}", cause)
+                                 : settings.muted ? "Sound on (Ctrl+M)"
+                                                  : "Sound off (Ctrl+M)";
+    const bool silent = settings.muted || !cause.empty();
+    if (icon_button(theme, "mute", silent ? Icon::muted : Icon::sound, tip_text.c_str(),
+                    {.enabled = cause.empty()}))
+        settings.muted = !settings.muted;
+    ImGui::SameLine(0, theme.px(2));
+    if (number_slider(theme, "##volume", theme.px(kVolumeWidth), settings.volume,
+                      {0.0, 1.0, 1.0, false}, fmt::format("{:.0f} %", settings.volume * 100.0f)))
+        settings.muted = false;
+    tip(theme, "Volume. Right-click: all of it.");
+    ImGui::SameLine();
+}
+
 void fixed_button(Build& build) {
     const bool fixed = build.transport.fixed_step();
     if (text_button(build.theme, "1/60", fixed,
@@ -241,6 +270,7 @@ void in_one_line(Build& build, TransportState& state, float side, float speed_wi
     ImGui::SameLine();
     fixed_button(build);
     ImGui::SameLine();
+    sound_controls(build);
     speed(build, speed_width);
 }
 
@@ -257,6 +287,7 @@ void in_two_lines(Build& build, TransportState& state, float speed_width) {
     ImGui::SameLine();
     fixed_button(build);
     ImGui::SameLine();
+    sound_controls(build);
     const float room = ImGui::GetContentRegionAvail().x;
     if (room >= speed_width)
         speed(build, speed_width);
@@ -276,7 +307,8 @@ void transport_panel(Build& build, TransportState& state) {
     const float line = ImGui::GetFrameHeight();
     const float speed_width = ImGui::CalcTextSize("frame 000000   000 fps   000.0 ms").x;
     // Loop, rate, fixed step and the gaps before each of them.
-    const float side = line + theme.px(80) + ImGui::CalcTextSize("1/60").x + theme.px(16 + 5 * 8);
+    const float side = line + theme.px(80) + ImGui::CalcTextSize("1/60").x + theme.px(16 + 5 * 8) +
+                       sound_width(build);
     const bool is_wide = width > side + speed_width + 3 * line + theme.px(96 + 240);
     const float lines = is_wide ? line : 2 * line + ImGui::GetStyle().ItemSpacing.y;
     ImGui::SetNextWindowSize({width, lines + theme.px(16)});

@@ -1,0 +1,122 @@
+// The sound of a scene while it runs: on a device of ALSA's that writes to a file, and where there
+// is none.
+#include "live.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace glint::window {
+namespace {
+
+// The picture is green; the sound counts: left is the sample's number modulo 4096, over 8192.
+const std::string kCounts =
+    "void mainImage(out vec4 c, vec2 p) { c = vec4(0, 1, 0, 1); }\n"
+    "vec2 mainSound(int samp, float time) { return vec2(float(samp % 4096) / 8192.0, 0.25); }\n";
+
+class LiveSoundTest : public Window {
+protected:
+    void SetUp() override {
+        Window::SetUp();
+        write(config(),
+              "pcm.null { type null }\n"
+              "pcm.!default { type file slave.pcm \"null\" format \"raw\" file \"" +
+                  heard_file().string() + "\" }\n");
+        ::setenv("ALSA_CONFIG_PATH", config().c_str(), 1);
+    }
+    void TearDown() override {
+        ::unsetenv("ALSA_CONFIG_PATH");
+        Window::TearDown();
+    }
+
+    fs::path config() const { return folder_->path() / "asound.conf"; }
+    fs::path heard_file() const { return folder_->path() / "heard.raw"; }
+
+    // Pairs of floats.
+    std::vector<float> heard() const {
+        const std::string bytes = read(heard_file());
+        std::vector<float> values(bytes.size() / sizeof(float));
+        std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+        return values;
+    }
+
+    bool hears(std::size_t pairs) const {
+        return eventually([&] { return heard().size() >= 2 * pairs; });
+    }
+};
+
+TEST_F(LiveSoundTest, ASceneIsHeardInOrderAndInStep) {
+    open(kCounts);
+    ASSERT_TRUE(hears(3 * 44100)) << glint_->errors();
+    const std::vector<float> pairs = heard();
+    // From where it has faded in on, sample follows sample; where the device's clock and ours are
+    // brought together, by up to 1 % more or less.
+    std::size_t in_order = 0, counted = 0;
+    for (std::size_t i = 44100; i + 1 < 3 * 44100; ++i) {
+        const float step = (pairs[2 * i + 2] - pairs[2 * i]) * 8192.0f;
+        ++counted;
+        if (std::abs(step - 1.0f) < 0.02f || step < -2000.0f) ++in_order;
+    }
+    EXPECT_GT(static_cast<double>(in_order), 0.98 * static_cast<double>(counted))
+        << "a busy machine may leave a hole";
+    EXPECT_EQ(glint_->errors().find("ALSA"), std::string::npos);
+    EXPECT_EQ(glint_->errors().find("jack"), std::string::npos);
+}
+
+TEST_F(LiveSoundTest, APauseIsSilentAndAsksTheDeviceForNothing) {
+    open(kCounts);
+    ASSERT_TRUE(hears(44100));
+    screen_->tap("Control_L+space");
+    ::sleep(1);
+    const std::size_t then = heard().size();
+    ::sleep(1);
+    EXPECT_EQ(heard().size(), then);
+    EXPECT_EQ(heard()[then - 2], 0.0f) << "it has faded";
+}
+
+TEST_F(LiveSoundTest, ASaveIsHeard) {
+    open(kCounts);
+    ASSERT_TRUE(hears(22050));
+    write(scene(),
+          "void mainImage(out vec4 c, vec2 p) { c = vec4(0, 0, 1, 1); }\n"
+          "vec2 mainSound(int samp, float time) { return vec2(-0.5, 0.25); }\n");
+    ASSERT_TRUE(shows({0, 0, 255}));
+    const std::size_t then = heard().size() / 2;
+    ASSERT_TRUE(hears(then + 2 * 44100));
+    EXPECT_NEAR(heard()[2 * (then + 2 * 44100) - 2], -0.5f, 1e-3f);
+}
+
+TEST_F(LiveSoundTest, WithoutADeviceThereIsNoErrorAndTheSceneRuns) {
+    ::setenv("ALSA_CONFIG_PATH", "/dev/null", 1);
+    open(kCounts);
+    EXPECT_TRUE(shows({0, 255, 0}));
+    ::sleep(1);
+    EXPECT_TRUE(glint_->runs());
+    EXPECT_EQ(glint_->errors().find("ALSA"), std::string::npos) << glint_->errors();
+    EXPECT_EQ(glint_->errors().find("error"), std::string::npos) << glint_->errors();
+}
+
+TEST_F(LiveSoundTest, ASceneWithoutSoundStartsNoProcessForOneAndLoadsNoLibraryOfIt) {
+    open(flat({0, 255, 0}));
+    settle();
+    const std::size_t without = glint_->children().size();
+    EXPECT_FALSE(fs::exists(heard_file()));
+    write(scene(), kCounts);
+    ASSERT_TRUE(hears(4410));
+    EXPECT_EQ(glint_->children().size(), without + 1);
+    const std::string maps = read("/proc/" + std::to_string(glint_->id()) + "/maps");
+    EXPECT_EQ(maps.find("portaudio"), std::string::npos) << "the window itself never loads it";
+    EXPECT_EQ(maps.find("sndfile"), std::string::npos);
+    write(scene(), flat({0, 0, 255}));
+    ASSERT_TRUE(shows({0, 0, 255}));
+    settle();
+    EXPECT_EQ(glint_->children().size(), without);
+}
+
+}  // namespace
+}  // namespace glint::window
