@@ -76,7 +76,7 @@ uniform int   integrator; //@ 2 {explicit, semi-implicit, exact} quality referen
 uniform int   substeps;        //@ 1 [1, 64] log quality reference=64 "of the float in 1/240 s"
 uniform int   seaSteps;        //@ 96 [8, 512] log quality reference=512 "of a ray to the sea"
 uniform int   boatSteps;       //@ 64 [16, 256] log quality reference=256 "of a ray to the boat"
-uniform int   shadows;         //@ 1 {off, cone, sampled} "sampled is the reference"
+uniform int   shadows;         //@ 1 {off, cone, sampled} quality reference=2 "kind of shadow"
 uniform int   sunSamples;      //@ 8 [1, 32] log quality reference=32 "rays of a sampled shadow"
 uniform int   antialias;       //@ 1 [1, 8] log quality reference=8 "rays through a pixel"
 

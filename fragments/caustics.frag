@@ -34,7 +34,7 @@ uniform vec3  waterTint;       //@ #6ecbe0 "what white light becomes over the di
 uniform float tintDistance;    //@ 6.0 [0.5, 50] log unit=m "that light goes to take on the tint"
 uniform float haze;            //@ 0.08 [0, 0.5] unit=1/m "light scattered out of its way"
 //@ group Light
-uniform int   method;  //@ 3 {vertical, snell, periodic, area, photons} "how light finds the floor"
+uniform int method; //@ 3 {vertical, snell, periodic, area, photons} quality reference=4 "of light"
 uniform int   folds;           //@ 0 {automatic, never, always} "area: 1/|J| where none, or a mesh"
 uniform float sunElevation;    //@ 55 [15, 90] unit=deg "above the horizon"
 uniform float sunAngle;        //@ 30 [-180, 180] unit=deg "round the axis; 0 is ahead"

@@ -47,7 +47,7 @@ uniform vec3  roseColour;      //@ #ff4a64 "lamp behind on the right"
 uniform vec3  coolColour;      //@ #4f8bff "lamp behind on the left"
 uniform float lampPower;       //@ 1.0 [0, 4] "brightness of the three lamps"
 uniform float fillLight;       //@ 1.0 [0, 4] "reaches the circling balls and nothing else"
-uniform int   shadows;         //@ 2 {off, hard, soft} "kind of shadow"
+uniform int   shadows;         //@ 2 {off, hard, soft} quality reference=2 "kind of shadow"
 uniform float lampRadius;      //@ 0.2 [0, 1] unit=m "size of the lamps; larger is softer"
 //@ group Camera
 uniform float cameraDistance;  //@ 5.6 [4.2, 8.5] unit=m "from the tree's axis"
@@ -58,7 +58,7 @@ uniform float targetShift;     //@ 0.0 [-2, 2] unit=m "of the point looked at, t
 uniform float focalLength;     //@ 28 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
-uniform int   acceleration;    //@ 2 {none, boxes, hierarchy} "how rays find ornaments"
+uniform int   acceleration; //@ 2 {none, boxes, hierarchy} quality reference=0 "to ornaments"
 uniform int   bounces;         //@ 6 [1, 8] quality reference=8 "rays along one path"
 uniform float mirrorBlur;  //@ 0.6 [0.1, 100] log unit=rad quality reference=100 "beyond: a blur"
 uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to each lamp"

@@ -59,7 +59,7 @@ uniform float fillLight;       //@ 1.0 [0, 4] "reaches what is golden and nothin
 uniform float haze;            //@ 0.0025 [0, 0.1] unit=1/m "scatters light: the glow of the lamps"
 uniform bool  shafts;          //@ off "things cast shadows in the haze; wants 8 glowSamples"
 uniform float hallLight;       //@ 1.0 [0, 4] "niches in the wall"
-uniform int   shadows;         //@ 2 {off, hard, soft} "kind of shadow"
+uniform int   shadows;         //@ 2 {off, hard, soft} quality reference=2 "kind of shadow"
 uniform bool  caustics;        //@ on "light that glass gathers"
 //@ group Camera
 uniform float cameraDistance;  //@ 9.5 [8, 20] unit=m "from the hall's axis"

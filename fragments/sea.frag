@@ -54,7 +54,7 @@ uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, t
 uniform float focalLength;     //@ 33 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Reflections
-uniform int   reflections;     //@ 2 {off, march, screen-space, traced} "how they find things"
+uniform int   reflections; //@ 2 {off, march, screen-space, traced} quality reference=3 "of things"
 uniform float stride;          //@ 3 [1, 16] unit=px quality reference=1 "of the line walk"
 uniform float jitter;          //@ 0.0 [0, 1] "start of the walk, in strides, by chance"
 uniform float thickness;       //@ 0.0 [0, 2] unit=m "of what a pixel shows; 0: as deep as it is"
@@ -63,7 +63,7 @@ uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over whic
 //@ group Quality
 uniform int   seaSteps;        //@ 96 [8, 512] log quality reference=512 "of a ray to the sea"
 uniform int   mirrorRays;      //@ 4 [1, 64] log quality reference=64 "where the mirror blurs"
-uniform int   shadows;         //@ 1 {off, cone, sampled} "kind of shadow; sampled is the reference"
+uniform int   shadows;         //@ 1 {off, cone, sampled} quality reference=2 "kind of shadow"
 uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of a sampled shadow"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves

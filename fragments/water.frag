@@ -26,7 +26,7 @@
 
 // ---- Tweaks -------------------------------------------------------------------------------------
 //@ group Water
-uniform int   water;           //@ 1 {planar, traced} "how reflection and refraction are found"
+uniform int   water; //@ 1 {planar, traced} quality reference=1 "of mirror images"
 uniform float waveHeight;      //@ 0.022 [0, 0.12] unit=m "highest crest that the wind can raise"
 uniform float longestWave;     //@ 1.7 [0.6, 6] log unit=m "wind waves, crest to crest"
 uniform float windAngle;       //@ 20 [-180, 180] unit=deg "where the waves run; 0: from the sea"
