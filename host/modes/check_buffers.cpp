@@ -96,11 +96,14 @@ void run_poison(std::size_t index, const Poison& kind, Check& check, CaseResult&
 void run_other(const SubjectOptions& options, Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     result.verdict = CaseVerdict::report;
-    if (!subject.show(subject.preset.time, kPlayed)) return;
-    const std::vector<float> usual = subject.picture();
     CheckSubject other(subject.view(), subject.opened(), subject.context(), options);
     other.after_frame = subject.after_frame;
-    const bool finite = other.show(other.preset.time, kPlayed);
+    // One of the two may have a state and play for a while only: both are seen at that time.
+    const bool any_state = subject.stateful() || other.stateful();
+    const double time = any_state ? std::min(subject.preset.time, kPlayed) : subject.preset.time;
+    if (!subject.show(time, kPlayed)) return;
+    const std::vector<float> usual = subject.picture();
+    const bool finite = other.show(time, kPlayed);
     const Difference found = difference(other.picture(), usual);
     result.note = fmt::format("{:.1f} dB, {:.2f} % of pixels off by more than 1/255{}", found.psnr,
                               100.0 * found.share_off,

@@ -205,8 +205,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     if (view.size.empty()) view.size = "640x360";
     const Preset preset = open_preset(view);
     const std::size_t pass = find_pass(preset.scene, options.pass);
-    const SceneFacts facts = scene_facts(
-        compile_or_stop(preset, {.root = pass, .program = {.specialise = false}}), preset);
+    const SceneFacts facts = scene_facts(preset, pass);
     const StudyPlan plan = plan_study(preset, facts, options);
     Lines lines(options.lines, plan, options.time_only);
     const Scenery scenery{

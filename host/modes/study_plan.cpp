@@ -120,6 +120,15 @@ void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
                             tweak.name, knob.reference.text));
         }
     }
+    // A method that accumulates, of a scene that otherwise does not, is the truth only after it
+    // has.
+    if (!is_number(tweak) && !facts_.accumulates(preset_.values) &&
+        facts_.accumulates(knob.reference.setting.values)) {
+        int& settle = knob.reference.setting.settle;
+        settle = std::max(settle, kSettleReference);
+        knob.notes.push_back(fmt::format("the reference, {}, accumulates {} more frames",
+                                         knob.reference.text, settle));
+    }
     if (!knob.reference.work) return;
     double least = knob.values.front().work.value_or(0.0), most = least;
     for (const KnobValue& v : knob.values) {
@@ -149,7 +158,7 @@ std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob
         return value(tweak, twice);
     }
     KnobValue result = knob.reference;
-    if (facts_.accumulates) {
+    if (facts_.accumulates(result.setting.values)) {
         result.setting.settle = 2 * result.setting.settle + 1;
         result.text += ", twice the frames";
         return result;
@@ -248,7 +257,7 @@ std::vector<TweakValue> values_of(const Tweak& tweak) {
 Knob named_knob(const Planner& planner, const Preset& preset, const SceneFacts& facts,
                 const std::string& name) {
     const Tweak* tweak = find_tweak(preset.scene, name);
-    if (!tweak && name == kSettle && facts.accumulates)
+    if (!tweak && name == kSettle && facts.accumulates(preset.values))
         return planner.settle_and_own(kSettleValues);
     const std::vector<TweakValue> values = tweak ? values_of(*tweak) : std::vector<TweakValue>();
     if (values.empty()) {
@@ -265,7 +274,7 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
     const std::vector<std::string> words = parse_list(vary.rest);
     const Tweak* tweak = find_tweak(preset.scene, vary.name);
     if (!tweak && vary.name == kSettle) {
-        if (!facts.accumulates) {
+        if (!facts.accumulates(preset.values)) {
             throw UsageError("--vary settle: no pass of this scene accumulates frames.");
         }
         std::vector<int> frames;
@@ -321,14 +330,28 @@ std::vector<std::string> parse_list(const std::string& text) {
     return list;
 }
 
-SceneFacts scene_facts(const CompiledScene& compiled, const Preset& preset) {
-    SceneFacts facts{.read = std::vector<bool>(preset.scene.tweaks.size(), false)};
-    for (const PassProgram& program : compiled.programs) {
+SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
+    SceneFacts facts{.read = std::vector<bool>(preset.scene.tweaks.size(), false),
+                     .accumulates = {}};
+    const CompiledScene fed =
+        compile_or_stop(preset, {.root = root_pass, .program = {.specialise = false}});
+    for (const PassProgram& program : fed.programs) {
         for (const TweakUniform& uniform : program.tweaks) facts.read[uniform.tweak] = true;
     }
-    for (const GraphPass& pass : compiled.graph.passes) {
-        facts.accumulates |= pass.feeds_state && pass.runs == Runs::every_frame;
-    }
+    const auto any_state = [](const CompiledScene& compiled) {
+        const auto& passes = compiled.graph.passes;
+        return std::any_of(passes.begin(), passes.end(), [](const GraphPass& pass) {
+            return pass.feeds_state && pass.runs == Runs::every_frame;
+        });
+    };
+    // Tweaks can only take a state away from what the uniform-fed form has.
+    facts.accumulates = [&preset, root_pass, any_state,
+                         possible = any_state(fed)](const std::vector<TweakValue>& values) {
+        if (!possible) return false;
+        Preset turned = preset;
+        turned.values = values;
+        return any_state(compile_or_stop(turned, {.root = root_pass, .program = {}}));
+    };
     return facts;
 }
 
@@ -354,7 +377,8 @@ StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyO
             plan.knobs.push_back(planner.knob_and_own(tweak, values));
         }
     }
-    if (facts.accumulates) plan.knobs.push_back(planner.settle_and_own(kSettleValues));
+    if (facts.accumulates(preset.values))
+        plan.knobs.push_back(planner.settle_and_own(kSettleValues));
     return plan;
 }
 

@@ -3,6 +3,7 @@
 
 #include "modes/study.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,12 +42,14 @@ struct StudyPlan {
     std::vector<std::string> left_out;  // what is not studied, and why
 };
 
-// What the compiled scene tells, uniform-fed.
+// What the compiled scene tells.
 struct SceneFacts {
-    std::vector<bool> read;    // by tweak: something reads it
-    bool accumulates = false;  // frames with time held bring something new
+    std::vector<bool> read;  // by tweak: something reads it, with some values of the others
+    // Whether frames with time held bring something new, with these values.
+    std::function<bool(const std::vector<TweakValue>&)> accumulates;
 };
-SceneFacts scene_facts(const CompiledScene& compiled, const Preset& preset);
+// Compiles the scene; throws Stop where that fails. The facts keep the preset by reference.
+SceneFacts scene_facts(const Preset& preset, std::size_t root_pass);
 
 // Throws UsageError for what the options name and the scene has not.
 StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options);

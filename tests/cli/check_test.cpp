@@ -92,6 +92,23 @@ TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
     }
 }
 
+TEST_F(Check, TheUniformFedFormIsSeenAtTheSameTimeThoughItAloneHasAState) {
+    write("scene.frag",
+          "uniform bool trail; //@ off\n"
+          "uniform sampler2D sums; //@ pass mainSums size=8x8\n"
+          "void mainSums(out vec4 c, in vec2 p) { c = texelFetch(sums, ivec2(p), 0) + 0.1; }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(iTime / 20.0);\n"
+          "    if (trail) c += texelFetch(sums, ivec2(0), 0);\n"
+          "}\n");
+    write("preset.toml", "scene = \"scene.frag\"\ntime = 12.0\n");
+    const Outcome outcome =
+        glint({"check", "preset.toml", "--json", "--random", "0", "--case", "tweaks as uniforms"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string note = case_of(Json::parse(outcome.out), "tweaks as uniforms")["note"];
+    EXPECT_TRUE(note.starts_with("inf dB")) << note;
+}
+
 TEST_F(Check, NanIsCountedPaintedMagentaAndReproduced) {
     // With height = 2 the root is of a negative number below y = 1: in all pixels.
     const Json report = check("planted_nan", {"--random", "8", "--size", "64x36"}, 6);

@@ -102,6 +102,32 @@ TEST_F(Study, MethodsAreComparedInOneTable) {
               json["rows"][0]["rmse"].get<double>() / 10.0);
 }
 
+TEST_F(Study, AMethodThatAccumulatesCountsAsTheTruthOnlyAfterItHas) {
+    write("scene.frag",
+          "uniform int method; //@ 0 {exact, wrong, noisy} quality reference=2\n"
+          "uniform sampler2D sums; //@ pass mainSums\n"
+          "void mainSums(out vec4 c, in vec2 p) {\n"
+          "    uint h = uint(p.x) * 7919u + uint(p.y) * 104729u + uint(iFrame) * 15485863u;\n"
+          "    h ^= h >> 16u; h *= 0x7feb352du; h ^= h >> 15u; h *= 0x846ca68bu; h ^= h >> 16u;\n"
+          "    c = texelFetch(sums, ivec2(p), 0) + vec4(float(h >> 8u) / 16777216.0, 0, 0, 1);\n"
+          "}\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(method == 0 ? 0.5 : 0.6);\n"
+          "    if (method == 2) { vec4 s = texelFetch(sums, ivec2(p), 0); c = vec4(s.x / s.a); }\n"
+          "}\n");
+    const Outcome outcome = glint({"study", "scene.frag", "--size", "64x36", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["studies"].size(), 1u) << "what is drawn accumulates nothing: no settle";
+    EXPECT_EQ(json["second_reference"], "noisy, twice the frames");
+    EXPECT_NE(json["notes"].dump().find("accumulates 256 more frames"), std::string::npos);
+    // The mean of 257 uniform numbers is off by 0.29 / sqrt(257) = 0.018 before the display curve
+    // is undone, which changes little at a half.
+    EXPECT_LT(json["rows"][0]["rmse"].get<double>(), 0.03);
+    EXPECT_GT(json["rows"][1]["rmse"].get<double>(), 0.06);
+    EXPECT_GT(json["rows"][2]["rmse"].get<double>(), 0.15) << "one frame of it";
+}
+
 TEST_F(Study, ABadMethodIsFound) {
     const Json json = study("planted_bad_method");
     EXPECT_LT(json["order"].get<double>(), -0.5);
