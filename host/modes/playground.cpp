@@ -335,12 +335,14 @@ void Playground::resize(glm::ivec2 size) {
 
 void Playground::mouse(glm::dvec2 fraction, bool down) {
     input_.mouse(fraction, down);
+    recent_.mouse(fraction, down);
     recorder.mouse(fraction, down);
     touched_ |= renderer_ && renderer_->reads_mouse();
 }
 
 void Playground::key(int code, bool down) {
     input_.key(code, down);
+    recent_.key(code, down);
     recorder.key(code, down);
     touched_ |= renderer_ && renderer_->reads_keyboard();
 }
@@ -367,12 +369,24 @@ Frame Playground::next_frame(double wall_seconds) {
     frame.frame_rate = instant_.frame_rate;
     frame.frame = instant_.frame;
     frame.date = shadertoy_date(local_now(), 0.0);
-    if (transport.playing() && !preset_->events.empty() && !instant_.jumped) {
-        replay_into(input_, preset_->events, before, frame.time);
-    }
+    if (transport.playing() && !instant_.jumped) replay_events(before, frame.time);
     frame.input = input_.next_frame(size_);
     frame.longest_catch_up = kLongestCatchUp;
+    recorder.frame(frame.time);
+    recent_.frame(frame.time);
+    if (!recent_.recording() || instant_.jumped) recent_.start(frame.time, input_);
+    recent_.forget_before(frame.time - 4.0 * kLongestCatchUp);
+    frame.events = recent_.events();
     return frame;
+}
+
+// The preset's events go on while time does, also when a person has taken over.
+void Playground::replay_events(double from, double to) {
+    for (const Event& event : events_between(preset_->events, from, to)) {
+        input_.apply(event);
+        recent_.replayed(event);
+        recorder.replayed(event);
+    }
 }
 
 double Playground::replayed() const {
@@ -431,7 +445,6 @@ bool Playground::draw(double wall_seconds) {
     context_.finish();
     drawn_input_ = frame.input;
     drawn_date_ = frame.date;
-    recorder.frame_drawn(frame.time);
     if (drawn) frame_ms_ = clock.ms();
     if (report_first_frame_) {
         report_.first_frame_ms = clock.ms();

@@ -138,6 +138,7 @@ private:
     void refuse(const std::string& why);
     void finish_report(bool shown);
     Frame next_frame(double wall_seconds);
+    void replay_events(double from, double to);
     Frame frame_again() const;
     PixelFormat picture_format() const {
         return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
@@ -172,6 +173,7 @@ private:
     std::size_t report_count_ = 0;
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;
+    Recorder recent_;  // for the steps of simulations
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;

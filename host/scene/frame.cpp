@@ -100,6 +100,14 @@ Input InputState::next_frame(glm::ivec2 size) {
     return input;
 }
 
+void InputState::apply(const Event& event) {
+    if (event.key >= 0) {
+        key(event.key, event.down);
+    } else {
+        mouse(event.mouse, event.down);
+    }
+}
+
 std::vector<Event> InputState::as_events(double time) const {
     std::vector<Event> events;
     for (int code = 0; code < kKeyCount; ++code) {
@@ -118,17 +126,11 @@ std::vector<Event> InputState::as_events(double time) const {
 
 Input replay(std::span<const Event> events, double from, double to, glm::ivec2 size) {
     InputState state;
-    const auto apply = [&state](const Event& event) {
-        if (event.key >= 0)
-            state.key(event.key, event.down);
-        else
-            state.mouse(event.mouse, event.down);
-    };
     auto event = events.begin();
     for (; event != events.end() && event->time <= from && event->time <= to; ++event)
-        apply(*event);
+        state.apply(*event);
     state.next_frame(size);
-    for (; event != events.end() && event->time <= to; ++event) apply(*event);
+    for (; event != events.end() && event->time <= to; ++event) state.apply(*event);
     return state.next_frame(size);
 }
 

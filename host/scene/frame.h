@@ -45,6 +45,7 @@ class InputState {
 public:
     void mouse(glm::dvec2 fraction, bool down);
     void key(int code, bool down);  // repeats of a held key do not count
+    void apply(const Event& event);
 
     // The input of the frame that is about to be drawn at this size in pixels; ends the frame: what
     // was pressed is no longer new afterwards.
@@ -84,9 +85,9 @@ struct Frame {
     int frame = 0;                 // since reset
     glm::vec4 date{0.0f};          // iDate
     Input input;
-    // Replayed events: step passes read the input of their own step's time from these, so that a
-    // simulation does not depend on the frame rate. Empty in a live window, where steps share the
-    // frame's input.
+    // What was done so far, from a preset or at the window: step passes read the input of their own
+    // step's time from these, so that a simulation does not depend on the frame rate. May begin
+    // with a state, as events of long ago.
     std::span<const Event> events;
     // How much simulated time may be caught up in one frame; the rest is dropped. Exports drop
     // nothing.

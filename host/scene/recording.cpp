@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace glint {
 
 namespace {
+
+constexpr double kNoTime = std::numeric_limits<double>::quiet_NaN();  // known with the frame
 
 // The shortest decimal in (after, time], so that a saved recording is readable.
 double short_time(double after, double time) {
@@ -36,13 +39,15 @@ void Recorder::start(double time, const InputState& state) {
     recording_ = true;
     last_time_ = time;
     events_ = state.as_events(std::max(time, 0.0));
-    for (const Event& event : events_) {
-        if (event.key >= 0) {
-            held_[static_cast<std::size_t>(event.key)] = event.down;
-        } else {
-            mouse_down_ = event.down;
-            position_ = event.mouse;
-        }
+    for (const Event& event : events_) follow(event);
+}
+
+void Recorder::follow(const Event& event) {
+    if (event.key >= 0) {
+        held_[static_cast<std::size_t>(event.key)] = event.down;
+    } else {
+        mouse_down_ = event.down;
+        position_ = event.mouse;
     }
 }
 
@@ -58,27 +63,49 @@ void Recorder::mouse(glm::dvec2 fraction, bool down) {
         return;
     }
     // Where the button is let go does not count.
-    pending_.push_back({.down = down, .mouse = position_});
+    pending_.push_back({.time = kNoTime, .down = down, .mouse = position_});
     last_move_ = moves ? std::optional(pending_.size() - 1) : std::nullopt;
 }
 
 void Recorder::key(int code, bool down) {
     if (!recording_ || code < 0 || code >= kKeyCount) return;
     bool& held = held_[static_cast<std::size_t>(code)];
-    if (std::exchange(held, down) != down) pending_.push_back({.key = code, .down = down});
+    if (std::exchange(held, down) != down) {
+        pending_.push_back({.time = kNoTime, .key = code, .down = down});
+    }
 }
 
-void Recorder::frame_drawn(double time) {
+void Recorder::replayed(const Event& event) {
+    if (!recording_) return;
+    follow(event);
+    pending_.push_back(event);
+    last_move_.reset();
+}
+
+void Recorder::frame(double time) {
     if (time < last_time_) recording_ = false;
     if (!recording_ || !(time > last_time_)) return;
     const double stamp = short_time(last_time_, time);
     for (Event& event : pending_) {
-        event.time = stamp;
-        events_.push_back(event);
+        if (std::isnan(event.time)) event.time = stamp;
     }
+    std::stable_sort(pending_.begin(), pending_.end(),
+                     [](const Event& a, const Event& b) { return a.time < b.time; });
+    events_.insert(events_.end(), pending_.begin(), pending_.end());
     pending_.clear();
     last_move_.reset();
     last_time_ = time;
+}
+
+void Recorder::forget_before(double time) {
+    constexpr double kLongAgo = std::numeric_limits<double>::lowest();
+    const auto is_old = [time](const Event& event) { return event.time < time; };
+    const auto kept = std::partition_point(events_.begin(), events_.end(), is_old);
+    InputState state;
+    for (auto event = events_.begin(); event != kept; ++event) state.apply(*event);
+    std::vector<Event> shorter = state.as_events(kLongAgo);
+    shorter.insert(shorter.end(), kept, events_.end());
+    events_ = std::move(shorter);
 }
 
 std::vector<Event> Recorder::stop() {
@@ -87,15 +114,11 @@ std::vector<Event> Recorder::stop() {
     return std::exchange(events_, {});
 }
 
-void replay_into(InputState& state, std::span<const Event> events, double from, double to) {
+std::span<const Event> events_between(std::span<const Event> events, double from, double to) {
     const auto later = [](double time, const Event& event) { return time < event.time; };
-    auto event = std::upper_bound(events.begin(), events.end(), from, later);
-    for (; event != events.end() && event->time <= to; ++event) {
-        if (event->key >= 0)
-            state.key(event->key, event->down);
-        else
-            state.mouse(event->mouse, event->down);
-    }
+    const auto begin = std::upper_bound(events.begin(), events.end(), from, later);
+    const auto end = std::upper_bound(begin, events.end(), to, later);
+    return {begin, end};
 }
 
 }  // namespace glint

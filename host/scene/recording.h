@@ -26,15 +26,22 @@ glm::dvec2 mouse_fraction(glm::dvec2 cursor, glm::ivec2 size);
 // that moves on.
 class Recorder {
 public:
-    // Right after the frame at `time` was drawn, or minus infinity before any was; replay starts
-    // from the state that it left.
+    // After the frame at `time`, or minus infinity before any; replay starts from the state that
+    // it left.
     void start(double time, const InputState& state);
 
     void mouse(glm::dvec2 fraction, bool down);
     void key(int code, bool down);
+    // What a preset's events did, at its own time since the last frame.
+    void replayed(const Event& event);
 
     // The frame at this time has seen all so far. Recording ends when time has gone back.
-    void frame_drawn(double time);
+    void frame(double time);
+
+    // What has been recorded, in order of time.
+    std::span<const Event> events() const { return events_; }
+    // What lies before this time is kept as the state that it led to, which is new to nobody.
+    void forget_before(double time);
 
     // Ends recording and hands out the events, in order of time. What no frame has seen is lost.
     std::vector<Event> stop();
@@ -42,6 +49,8 @@ public:
     bool recording() const { return recording_; }
 
 private:
+    void follow(const Event& event);
+
     std::vector<Event> events_, pending_;   // pending: of the frame to come
     std::optional<std::size_t> last_move_;  // in pending_, with nothing of the mouse after it
     std::array<bool, kKeyCount> held_{};
@@ -51,8 +60,7 @@ private:
     bool recording_ = false;
 };
 
-// Feeds the events in (from, to], ordered by time, to a live input; a person may take over at any
-// moment. After a jump: a new InputState, from minus infinity.
-void replay_into(InputState& state, std::span<const Event> events, double from, double to);
+// Those in (from, to]; events are in order of time.
+std::span<const Event> events_between(std::span<const Event> events, double from, double to);
 
 }  // namespace glint

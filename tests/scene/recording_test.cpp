@@ -29,7 +29,7 @@ struct Session {
         recorder.key(code, down);
     }
     Input draw(double time) {
-        recorder.frame_drawn(time);
+        recorder.frame(time);
         return input.next_frame(kSize);
     }
 };
@@ -91,12 +91,12 @@ TEST(Recorder, AReplayGivesTheSameInputsAtTheSameFrames) {
         }
         const std::vector<Event> events = session.recorder.stop();
         InputState again;
-        replay_into(again, events, kBefore, begin);
+        for (const Event& e : events_between(events, kBefore, begin)) again.apply(e);
         again.next_frame(kSize);
         double previous = begin;
         for (const auto& [at, input] : frames) {
             ASSERT_EQ(replay(events, previous, at, kSize), input) << seed << " at " << at;
-            replay_into(again, events, previous, at);
+            for (const Event& e : events_between(events, previous, at)) again.apply(e);
             ASSERT_EQ(again.next_frame(kSize), input) << seed << " at " << at;
             previous = at;
         }
@@ -140,6 +140,42 @@ TEST(Recorder, TimesAreShortAndBetweenTheFrames) {
         session.key(65, true);
         session.draw(c.time);
         EXPECT_EQ(session.recorder.stop().at(0).time, c.stamp) << c.time;
+    }
+}
+
+TEST(Recorder, WhatAPresetReplaysKeepsItsTimeAmongWhatAPersonDoes) {
+    Session session;
+    session.recorder.start(1.0, session.input);
+    session.key(65, true);
+    session.recorder.replayed({.time = 1.001, .key = 66, .down = true});
+    session.recorder.replayed({.time = 1.499, .key = 66, .down = false});
+    session.draw(1.25 + 0.249);
+    const std::vector<Event> events = session.recorder.stop();
+    ASSERT_EQ(events.size(), 3u);
+    EXPECT_EQ(events[0].time, 1.001);
+    EXPECT_EQ(events[1].key, 65) << "stamped 1.49";
+    EXPECT_EQ(events[2].time, 1.499);
+}
+
+TEST(Recorder, WhatIsForgottenIsStillTheStateOfLater) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        std::mt19937 random(seed);
+        Session session;
+        session.recorder.start(kBefore, session.input);
+        for (int k = 0; k < 100; ++k) {
+            for (auto n = random() % 4; n > 0; --n) do_something(session, random);
+            session.draw(0.04 * k);
+        }
+        const std::span<const Event> all = session.recorder.events();
+        const std::vector<Event> whole(all.begin(), all.end());
+        session.recorder.forget_before(3.0);
+        const std::span<const Event> rest = session.recorder.events();
+        EXPECT_LT(rest.size(), whole.size());
+        for (double from = 3.0; from < 4.0; from += 1.0 / 240) {
+            const double to = from + 1.0 / 240;
+            ASSERT_EQ(replay(rest, from, to, kSize), replay(whole, from, to, kSize))
+                << seed << " at " << from;
+        }
     }
 }
 
