@@ -118,6 +118,7 @@ TEST_F(Transport, AStepIsASixtiethOfASecondAndOneFrame) {
 
 TEST_F(Transport, ResetGoesToTheFirstFrameAndStaysPaused) {
     open(kClock);
+    EXPECT_TRUE(eventually([&] { return time() > 0; }));
     pause();
     ASSERT_GT(time(), 0);
     screen_->tap("Control_L+r");
