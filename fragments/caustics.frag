@@ -20,6 +20,9 @@
 // Passes   sand, waves: on change of a tweak. surface, landing to reach, caustics, slices: every
 //          frame. clock: photons. frame...: the loop of `periodic`, on change of a tweak.
 // Bounds   A texel visits at most 96 x 96 of the largest boxes, in all under 65,535 turns.
+// Defaults From `glint study presets/caustics.toml`, RMSE to 257 frames of photons: area 0.0016,
+//          one frame of photons 0.016 in nearly the same time; snell 0.064, periodic 0.075 and vertical
+//          0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8, for a twentieth more.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -58,7 +61,7 @@ uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display cur
 //@ group Quality
 uniform int   cells;           //@ 192 [64, 256] log quality reference=256 "of the mesh, a side"
 uniform int   rootSteps;       //@ 2 [0, 16] quality reference=16 "1/|J|: steps of the search"
-uniform int   shaftSamples;    //@ 6 [1, 256] log quality reference=256 "along one view ray"
+uniform int   shaftSamples;    //@ 16 [1, 256] log quality reference=256 "along one view ray"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D sand;          //@ pass mainSand size=512x512 wrap=repeat filter=mipmap

@@ -25,6 +25,8 @@
 // Passes   ground to grain, rig, garden: on change of a tweak only. swarm, surface, splat and
 //          splatShape, caustics: every frame, small.
 // Bounds   The loops of a pixel stay below 30,000 turns with every reference on.
+// Defaults From `glint study presets/deep_ocean.toml`: marchSteps 128 are 3e-5 (RMSE) from 1024 and
+//          cost no more than 16; 12 shaftSamples are 0.015 from 256 in half of their time.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -73,7 +75,7 @@ uniform float targetShift;     //@ 0.0 [-15, 15] unit=m "of the point looked at,
 uniform float focalLength;     //@ 17 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.3 [-4, 6] unit=stop "before the display curve"
 //@ group Quality
-uniform int   marchSteps;      //@ 256 [16, 1024] log quality reference=1024 "of a ray to the floor"
+uniform int   marchSteps;      //@ 128 [16, 1024] log quality reference=1024 "of a ray to the floor"
 uniform int   shaftSamples;    //@ 12 [1, 256] log quality reference=256 "along one view ray"
 uniform int   antialias;       //@ 1 [1, 16] quality reference=16 "samples of a pixel"
 uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and tears are cut out"
