@@ -21,8 +21,9 @@
 //          frame. clock: photons. frame...: the loop of `periodic`, on change of a tweak.
 // Bounds   A texel visits at most 96 x 96 of the largest boxes, in all under 65,535 turns.
 // Defaults From `glint study presets/caustics.toml`, RMSE to 257 frames of photons: area 0.0016,
-//          one frame of photons 0.016 in nearly the same time; snell 0.064, periodic 0.075 and vertical
-//          0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8, for a twentieth more.
+//          one frame of photons 0.016 in nearly the same time; snell 0.064, periodic 0.075 and
+//          vertical 0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8, for a twentieth
+//          more.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------

@@ -23,8 +23,8 @@
 //          the simulation; relief, bend, peaks, crest: its shape once a frame. mirror, below, dudv:
 //          `planar` only.
 // Defaults From `glint study presets/water.toml`: traced costs less than planar here, which is
-//          0.040 (RMSE) off; 6 rays are 0.004 from 24; marchSteps 64 draw what 1024 do; overstep 1.4 is
-//          0.002 from 1, in 7 % less time; 3 steps of refinement are 1e-5 from 8.
+//          0.040 (RMSE) off; 6 rays are 0.004 from 24; marchSteps 64 draw what 1024 do; overstep
+//          1.4 is 0.002 from 1, in 7 % less time; 3 steps of refinement are 1e-5 from 8.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
