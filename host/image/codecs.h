@@ -6,24 +6,35 @@
 
 namespace glint {
 
-// All writers take a picture that image.cpp has checked and put the content into `out` without
-// giving it its name. All readers return a checked picture. They throw std::runtime_error.
+// Puts a picture that image.cpp has checked into a file without giving it its name. Throws
+// std::runtime_error.
+class BandEncoder {
+public:
+    virtual ~BandEncoder() = default;
+    virtual void write(const Image& band) = 0;  // the rows below those written before
+    virtual void finish() = 0;                  // after the last
+};
 
-void write_png(TemporaryFile& out, const std::filesystem::path& file, const Image& image,
-               const Metadata& metadata);
-Image read_png(const std::filesystem::path& file);
+// The references must outlive the encoder, but for `shape`, `metadata` and `format`.
+std::unique_ptr<BandEncoder> encode_png(TemporaryFile& out, const std::filesystem::path& file,
+                                        const Image& shape, const Metadata& metadata);
 
-// Through OpenImageIO, loaded at the first call. `format` is its name for the kind of file.
+// Through OpenImageIO, loaded at the first call. `codec` is its name for the kind of file.
+std::unique_ptr<BandEncoder> encode_by_oiio(TemporaryFile& out, const std::filesystem::path& file,
+                                            const char* codec, const Image& shape,
+                                            const Metadata& metadata, const FileFormat& format);
 void prepare_oiio();
-void write_by_oiio(TemporaryFile& out, const std::filesystem::path& file, const char* format,
-                   const Image& image, const Metadata& metadata);
+
+// All readers return a checked picture. They throw std::runtime_error.
+Image read_png(const std::filesystem::path& file);
 Image read_by_oiio(const std::filesystem::path& file, const char* format);
 
-// An image of this size with room for its pixels. Throws when a side is not 1 to 16384.
+// An image of this size with room for its pixels. Throws when a side is not 1 to kMaxSide.
 Image make_image(const std::filesystem::path& file, glm::ivec2 size, int channels,
                  ChannelType type);
 
-constexpr int kMaxSide = 16384;
+constexpr int kMaxSide = 16384;             // of what is read: textures are no larger
+constexpr int kMaxWrittenSide = 1'000'000;  // libpng's own limit
 
 std::size_t bytes_per_row(const Image& image);
 

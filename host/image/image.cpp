@@ -81,22 +81,19 @@ std::size_t bytes_per_value(ChannelType type) {
     return type == ChannelType::f32 ? 4 : 1;
 }
 
-void check_size(const fs::path& file, glm::ivec2 size, bool writing) {
-    if (size.x >= 1 && size.y >= 1 && size.x <= kMaxSide && size.y <= kMaxSide) return;
-    const auto cause =
-        fmt::format("The picture is {} x {}, and a side may be 1 to {}", size.x, size.y, kMaxSide);
-    throw writing ? cannot_write(file, cause) : cannot_read(file, cause);
+// Empty where both sides are within the limit.
+std::string size_complaint(glm::ivec2 size, int limit) {
+    if (size.x >= 1 && size.y >= 1 && size.x <= limit && size.y <= limit) return "";
+    return fmt::format("The picture is {} x {}, and a side may be 1 to {}", size.x, size.y, limit);
 }
 
-void check_picture(const fs::path& file, const Image& image, Codec codec) {
-    check_size(file, image.size, true);
+void check_shape(const fs::path& file, const Image& image, Codec codec) {
+    const int limit = codec == Codec::jpeg ? 65500 : kMaxWrittenSide;  // libjpeg's own
+    if (const auto cause = size_complaint(image.size, limit); !cause.empty()) {
+        throw cannot_write(file, cause);
+    }
     if (image.channels < 1 || image.channels > 4) {
         throw cannot_write(file, fmt::format("The picture has {} channels", image.channels));
-    }
-    const std::size_t bytes = bytes_per_row(image) * static_cast<std::size_t>(image.size.y);
-    if (image.pixels.size() != bytes) {
-        throw cannot_write(file, fmt::format("The picture has {} bytes where its size needs {}",
-                                             image.pixels.size(), bytes));
     }
     if ((image.type == ChannelType::f32) != has_floats(codec)) {
         throw cannot_write(file, fmt::format("This kind of file holds {}, the picture does not",
@@ -123,25 +120,34 @@ Image with_channels(const Image& image, int channels) {
     return out;
 }
 
-void write_content(TemporaryFile& out, const fs::path& file, Codec codec, const Image& image,
-                   const Metadata& metadata) {
-    const auto through_oiio = [&](int channels) {
-        if (channels == image.channels) {
-            return write_by_oiio(out, file, oiio_name(codec), image, metadata);
-        }
-        write_by_oiio(out, file, oiio_name(codec), with_channels(image, channels), metadata);
-    };
+// As many as the picture has, where the kind of file takes them.
+int channels_in_file(Codec codec, int channels) {
     switch (codec) {
         case Codec::png:
-            return write_png(out, file, image, metadata);
-        case Codec::jpeg:
-            return through_oiio(image.channels < 3 ? 1 : 3);
         case Codec::exr:
         case Codec::tiff:
-            return through_oiio(image.channels);
+            return channels;
+        case Codec::jpeg:
+            return channels < 3 ? 1 : 3;
         case Codec::hdr:
-            return through_oiio(3);
+            return 3;
     }
+    return channels;
+}
+
+// OpenImageIO takes any other name in silence, and one of its own instead. Some take a level.
+bool is_compression(Codec codec, std::string_view name) {
+    constexpr std::string_view kForExr[] = {"none",  "rle", "zip",  "zips", "piz",
+                                            "pxr24", "b44", "b44a", "dwaa", "dwab"};
+    constexpr std::string_view kForTiff[] = {"none", "lzw", "zip", "packbits"};
+    const std::string_view level = name.substr(std::min(name.find(':'), name.size()));
+    name.remove_suffix(level.size());
+    const bool plain = level.empty();
+    const bool digits = level.size() > 1 && level.size() < 5 &&
+                        level.find_first_not_of("0123456789", 1) == level.npos;
+    if (codec == Codec::tiff) return plain && std::ranges::count(kForTiff, name) > 0;
+    if (codec != Codec::exr || std::ranges::count(kForExr, name) == 0) return false;
+    return plain || (digits && (name.starts_with("zip") || name.starts_with("dwa")));
 }
 
 Codec codec_by_content(const fs::path& file) {
@@ -182,7 +188,9 @@ std::size_t bytes_per_row(const Image& image) {
 }
 
 Image make_image(const fs::path& file, glm::ivec2 size, int channels, ChannelType type) {
-    check_size(file, size, false);
+    if (const auto cause = size_complaint(size, kMaxSide); !cause.empty()) {
+        throw cannot_read(file, cause);
+    }
     Image image{.size = size, .channels = channels, .type = type, .pixels = {}};
     image.pixels.resize(bytes_per_row(image) * static_cast<std::size_t>(size.y));
     return image;
@@ -203,15 +211,65 @@ bool holds_floats(const fs::path& file) {
     return extension && has_floats(extension->codec);
 }
 
-void write_image(const fs::path& file, const Image& image, const Metadata& metadata) {
+std::string refusal_of(const fs::path& file, const FileFormat& format) {
+    const Extension* extension = find_extension(file);
+    const Codec codec = extension ? extension->codec : Codec::png;
+    if (!format.values.empty() && codec != Codec::exr) {
+        return "--format chooses between the floats of an .exr file; others leave no choice.";
+    }
+    if (!format.values.empty() && format.values != "half" && format.values != "float") {
+        return fmt::format("--format {}: write half or float.", format.values);
+    }
+    if (format.quality != 0 && codec != Codec::jpeg) return "--quality is for .jpg files.";
+    if (format.compression.empty() || is_compression(codec, format.compression)) return "";
+    return fmt::format("--compression {}: {}.", format.compression,
+                       codec == Codec::exr
+                           ? "an .exr file takes none, rle, zip, zips, piz, pxr24, "
+                             "b44, b44a, dwaa or dwab; zip:1 or dwaa:45 say how much"
+                       : codec == Codec::tiff ? "a .tif file takes none, lzw, zip or packbits"
+                                              : "only .exr and .tif files leave a choice");
+}
+
+ImageWriter::ImageWriter(const fs::path& file, const Image& shape, const Metadata& metadata,
+                         const FileFormat& format)
+    : file_(file) {
     const Extension* extension = find_extension(file);
     if (!extension) {
         throw cannot_write(file, "Its name should end in .png, .exr, .jpg, .tif or .hdr");
     }
-    check_picture(file, image, extension->codec);
-    TemporaryFile out(file);
-    write_content(out, file, extension->codec, image, metadata);
-    out.commit();
+    const Codec codec = extension->codec;
+    check_shape(file, shape, codec);
+    channels_ = channels_in_file(codec, shape.channels);
+    const Image kept{.size = shape.size, .channels = channels_, .type = shape.type, .pixels = {}};
+    out_ = std::make_unique<TemporaryFile>(file);
+    encoder_ = codec == Codec::png
+                   ? encode_png(*out_, file, kept, metadata)
+                   : encode_by_oiio(*out_, file, oiio_name(codec), kept, metadata, format);
+}
+
+ImageWriter::~ImageWriter() = default;
+
+void ImageWriter::write(const Image& band) {
+    const std::size_t bytes = bytes_per_row(band) * static_cast<std::size_t>(band.size.y);
+    if (band.pixels.size() != bytes) {
+        throw cannot_write(file_, fmt::format("The picture has {} bytes where its size needs {}",
+                                              band.pixels.size(), bytes));
+    }
+    if (channels_ == band.channels) return encoder_->write(band);
+    encoder_->write(with_channels(band, channels_));
+}
+
+void ImageWriter::finish() {
+    encoder_->finish();
+    encoder_.reset();
+    out_->commit();
+}
+
+void write_image(const fs::path& file, const Image& image, const Metadata& metadata,
+                 const FileFormat& format) {
+    ImageWriter writer(file, image, metadata, format);
+    writer.write(image);
+    writer.finish();
 }
 
 Image read_image(const fs::path& file) {

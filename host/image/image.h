@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,6 +24,18 @@ struct Image {
     std::vector<std::byte> pixels;  // size.x * size.y * channels values, tightly packed
 };
 
+// How a file keeps a picture, where its kind leaves a choice; empty and 0: what suits most.
+struct FileFormat {
+    std::string values{};       // exr: "float", or "half" for 16-bit floats
+    std::string compression{};  // exr, tif: OpenImageIO's names, such as zips or dwaa:45
+    int quality = 0;            // jpg: 1 to 100
+    bool tiled = false;         // exr, tif: in squares of kFileTile pixels, for readers of parts
+};
+constexpr int kFileTile = 64;
+
+// Why a file of this name cannot be kept so, as a whole sentence; empty when it can.
+std::string refusal_of(const std::filesystem::path& file, const FileFormat& format);
+
 // Name and value, kept in the file where its format can (PNG text, EXR attributes).
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
@@ -37,12 +50,40 @@ bool can_write(const std::filesystem::path& file);
 // Whether files of this kind hold float values (exr, tif, hdr); the others hold bytes.
 bool holds_floats(const std::filesystem::path& file);
 
+class BandEncoder;
+class TemporaryFile;
+
+// Writes a picture band by band, the top one first, so that it need never be in memory as a whole.
+// Without finish() nothing stays behind. All throw as write_image does.
+class ImageWriter {
+public:
+    // `shape` says size, channels and type; its pixels do not matter.
+    ImageWriter(const std::filesystem::path& file, const Image& shape,
+                const Metadata& metadata = {}, const FileFormat& format = {});
+    ~ImageWriter();
+    ImageWriter(const ImageWriter&) = delete;
+    ImageWriter& operator=(const ImageWriter&) = delete;
+
+    // The rows below those that were written, as wide as the picture. Where the file is tiled, all
+    // bands but the last have a multiple of kFileTile rows.
+    void write(const Image& band);
+
+    // Gives the file its name once all rows are there.
+    void finish();
+
+private:
+    std::filesystem::path file_;
+    int channels_;  // of the file: some kinds have no alpha
+    std::unique_ptr<TemporaryFile> out_;
+    std::unique_ptr<BandEncoder> encoder_;
+};
+
 // Writes beside `file` and renames when whole: an interrupted call leaves what was there before. u8
-// images go to png, jpg; f32 images to exr (32-bit float, lossless), tif, hdr. Alpha is written as
-// it is, never multiplied in; jpg and hdr have none. Equal calls give equal files. Throws
-// std::runtime_error with a whole sentence that names the file.
+// images go to png, jpg; f32 images to exr (32-bit float, lossless, unless told otherwise), tif,
+// hdr. Alpha is written as it is, never multiplied in; jpg and hdr have none. Equal calls give
+// equal files. Throws std::runtime_error with a whole sentence that names the file.
 void write_image(const std::filesystem::path& file, const Image& image,
-                 const Metadata& metadata = {});
+                 const Metadata& metadata = {}, const FileFormat& format = {});
 
 // Reads png, jpg, exr, hdr, tif with 1 to 4 channels (more are dropped); 8-bit files give u8 with
 // no colour conversion, deeper ones f32. Throws std::runtime_error with a whole sentence when the

@@ -11,6 +11,7 @@
 #include <exception>
 #include <future>
 #include <string>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -18,13 +19,17 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Module {
+    GlintOiioBegin* begin = nullptr;
     GlintOiioWrite* write = nullptr;
+    GlintOiioEnd* end = nullptr;
     GlintOiioRead* read = nullptr;
 };
 
 Module load_module() {
     void* module = open_module("glint-oiio.so", "image");
-    return {.write = find_function<GlintOiioWrite>(module, "glint_oiio_write"),
+    return {.begin = find_function<GlintOiioBegin>(module, "glint_oiio_begin"),
+            .write = find_function<GlintOiioWrite>(module, "glint_oiio_write"),
+            .end = find_function<GlintOiioEnd>(module, "glint_oiio_end"),
             .read = find_function<GlintOiioRead>(module, "glint_oiio_read")};
 }
 
@@ -54,30 +59,76 @@ void* allocate(void* user, const GlintOiioPicture* picture) {
     }
 }
 
+GlintOiioPicture picture_of(const Image& image) {
+    return {.width = image.size.x,
+            .height = image.size.y,
+            .channels = image.channels,
+            .is_float = image.type == ChannelType::f32,
+            .pixels = const_cast<std::byte*>(image.pixels.data())};
+}
+
+class OiioEncoder final : public BandEncoder {
+public:
+    OiioEncoder(TemporaryFile& out, const fs::path& file, const char* codec, const Image& shape,
+                const Metadata& metadata, const FileFormat& format)
+        : out_(out), file_(file), module_(module_loading().get()) {
+        const GlintOiioFormat chosen{.codec = codec,
+                                     .compression = format.compression.c_str(),
+                                     .half = format.values == "half",
+                                     .quality = format.quality,
+                                     .tile = format.tiled ? kFileTile : 0};
+        const GlintOiioPicture picture = picture_of(shape);
+        std::vector<GlintOiioText> texts;
+        for (const auto& [name, value] : metadata) texts.push_back({name.c_str(), value.c_str()});
+        open_ = module_.begin(out.descriptor(), &chosen, &picture, texts.data(), texts.size(),
+                              &error_, cause_.data(), cause_.size());
+        if (!open_) refuse();
+    }
+    ~OiioEncoder() override {
+        if (open_) module_.end(open_, &error_, cause_.data(), cause_.size());
+    }
+    OiioEncoder(const OiioEncoder&) = delete;
+    OiioEncoder& operator=(const OiioEncoder&) = delete;
+
+    void write(const Image& band) override {
+        const GlintOiioPicture picture = picture_of(band);
+        if (!open_) return;
+        if (!module_.write(open_, &picture, &error_, cause_.data(), cause_.size())) refuse();
+    }
+    void finish() override {
+        if (!open_) return;
+        void* const open = std::exchange(open_, nullptr);
+        if (!module_.end(open, &error_, cause_.data(), cause_.size())) refuse();
+    }
+
+private:
+    // What the system refused is told by commit(), in its own words.
+    void refuse() {
+        if (error_ == 0) throw cannot_write(file_, cause_.data());
+        out_.fail(error_);
+        if (open_)
+            module_.end(std::exchange(open_, nullptr), &error_, cause_.data(), cause_.size());
+        out_.commit();
+    }
+
+    TemporaryFile& out_;
+    fs::path file_;
+    Module module_;
+    void* open_ = nullptr;
+    int error_ = 0;
+    std::array<char, 512> cause_{};
+};
+
 }  // namespace
 
 void prepare_oiio() {
     module_loading();
 }
 
-void write_by_oiio(TemporaryFile& out, const fs::path& file, const char* format, const Image& image,
-                   const Metadata& metadata) {
-    const GlintOiioPicture picture{.width = image.size.x,
-                                   .height = image.size.y,
-                                   .channels = image.channels,
-                                   .is_float = image.type == ChannelType::f32,
-                                   .pixels = const_cast<std::byte*>(image.pixels.data())};
-    std::vector<GlintOiioText> texts;
-    for (const auto& [name, value] : metadata) texts.push_back({name.c_str(), value.c_str()});
-
-    std::array<char, 512> cause{};
-    int error = 0;
-    if (module_loading().get().write(out.descriptor(), format, &picture, texts.data(), texts.size(),
-                                     &error, cause.data(), cause.size())) {
-        return;
-    }
-    if (error == 0) throw cannot_write(file, cause.data());
-    out.fail(error);
+std::unique_ptr<BandEncoder> encode_by_oiio(TemporaryFile& out, const fs::path& file,
+                                            const char* codec, const Image& shape,
+                                            const Metadata& metadata, const FileFormat& format) {
+    return std::make_unique<OiioEncoder>(out, file, codec, shape, metadata, format);
 }
 
 Image read_by_oiio(const fs::path& file, const char* format) {

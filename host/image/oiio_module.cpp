@@ -91,21 +91,27 @@ int give_up(std::string message, char* cause, size_t cause_size) {
     return 0;
 }
 
-OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const std::string& format,
+OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const GlintOiioFormat& format,
                         const GlintOiioText* texts, size_t text_count) {
-    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, type_of(picture));
+    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
+                         format.half ? OIIO::TypeDesc::HALF : type_of(picture));
     for (size_t i = 0; i < text_count; ++i) spec.attribute(texts[i].name, texts[i].value);
+    spec.tile_width = spec.tile_height = format.tile;
+    spec.tile_depth = 1;
 
     // Equal pictures shall be equal files: a fixed date keeps the library from asking the clock.
     spec.attribute("DateTime", "1970:01:01 00:00:00");
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (format == "jpeg") {
-        spec.attribute("CompressionQuality", 95);
+    const std::string codec = format.codec, compression = format.compression;
+    if (codec == "jpeg") {
+        spec.attribute("CompressionQuality", format.quality ? format.quality : 95);
         spec.attribute("jpeg:subsampling", "4:4:4");
     }
-    if (format == "openexr") spec.attribute("compression", "zips");  // lossless, a row at a time
-    if (format == "tiff") {
-        spec.attribute("compression", "zip");
+    if (codec == "openexr") {  // by default lossless, a row at a time
+        spec.attribute("compression", compression.empty() ? "zips" : compression);
+    }
+    if (codec == "tiff") {
+        spec.attribute("compression", compression.empty() ? "zip" : compression);
         spec.attribute("tiff:zipquality", 1);
         // A classic TIFF ends at 4 GiB, and noise does not shrink.
         if (spec.image_bytes() > (std::uint64_t{15} << 28)) spec.attribute("tiff:bigtiff", 1);
@@ -113,29 +119,62 @@ OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const std::string& form
     return spec;
 }
 
-}  // namespace
+struct OpenFile {
+    explicit OpenFile(int descriptor) : file(descriptor) {}
 
-int glint_oiio_write(int descriptor, const char* format, const GlintOiioPicture* picture,
-                     const GlintOiioText* texts, size_t text_count, int* error, char* cause,
-                     size_t cause_size) {
-    CheckedFile file(descriptor);
+    CheckedFile file;  // goes after the output that writes to it
+    std::unique_ptr<OIIO::ImageOutput> output;
+    int rows = 0;  // that are written
+};
+
+// Runs `step` and turns what it throws, or that it returns false, into a cause and an errno.
+template <class Step>
+int guarded(OpenFile& open, int* error, char* cause, size_t cause_size, Step step) {
     *error = 0;
     try {
-        auto output = OIIO::ImageOutput::create(format);
-        if (!output) return give_up(OIIO::geterror(), cause, cause_size);
-        auto spec = spec_of(*picture, format, texts, text_count);
-        output->set_ioproxy(&file);
-        const bool whole = output->open(format, spec) &&
-                           output->write_image(type_of(*picture), top_row(*picture),
-                                               OIIO::AutoStride, -row_bytes(*picture));
-        const bool closed = output->close();
-        *error = file.refused();
-        if (whole && closed && *error == 0) return 1;
-        return give_up(output->geterror(), cause, cause_size);
+        const bool done = step();
+        *error = open.file.refused();
+        if (done && *error == 0) return 1;
+        return give_up(open.output ? open.output->geterror() : OIIO::geterror(), cause, cause_size);
     } catch (const std::exception& exception) {
-        *error = file.refused();
+        *error = open.file.refused();
         return give_up(exception.what(), cause, cause_size);
     }
+}
+
+}  // namespace
+
+void* glint_oiio_begin(int descriptor, const GlintOiioFormat* format, const GlintOiioPicture* shape,
+                       const GlintOiioText* texts, size_t text_count, int* error, char* cause,
+                       size_t cause_size) {
+    auto open = std::make_unique<OpenFile>(descriptor);
+    const int begun = guarded(*open, error, cause, cause_size, [&] {
+        open->output = OIIO::ImageOutput::create(format->codec);
+        if (!open->output) return false;
+        open->output->set_ioproxy(&open->file);
+        return open->output->open(format->codec, spec_of(*shape, *format, texts, text_count));
+    });
+    return begun ? open.release() : nullptr;
+}
+
+int glint_oiio_write(void* file, const GlintOiioPicture* band, int* error, char* cause,
+                     size_t cause_size) {
+    auto& open = *static_cast<OpenFile*>(file);
+    return guarded(open, error, cause, cause_size, [&] {
+        const int first = open.rows, end = open.rows += band->height;
+        const auto type = type_of(*band);
+        if (open.output->spec().tile_width == 0) {
+            return open.output->write_scanlines(first, end, 0, type, top_row(*band),
+                                                OIIO::AutoStride, -row_bytes(*band));
+        }
+        return open.output->write_tiles(0, band->width, first, end, 0, 1, type, top_row(*band),
+                                        OIIO::AutoStride, -row_bytes(*band));
+    });
+}
+
+int glint_oiio_end(void* file, int* error, char* cause, size_t cause_size) {
+    const std::unique_ptr<OpenFile> open(static_cast<OpenFile*>(file));
+    return guarded(*open, error, cause, cause_size, [&] { return open->output->close(); });
 }
 
 int glint_oiio_read(const char* file, const char* format, GlintOiioPicture* picture,

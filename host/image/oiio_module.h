@@ -1,5 +1,5 @@
 // The C face of glint-oiio.so, the only binary that is linked with OpenImageIO. No exception and no
-// C++ type crosses it. Both functions return 1, or 0 with a cause (no sentence) in `cause`.
+// C++ type crosses it. What fails returns 0 or null, with a cause (no sentence) in `cause`.
 #pragma once
 
 #include <stddef.h>
@@ -17,11 +17,26 @@ struct GlintOiioText {
     const char* value;
 };
 
-// Writes to an empty file open for reading and writing. `error` gets the errno of what the system
-// refused, or 0.
-typedef int GlintOiioWrite(int descriptor, const char* format, const GlintOiioPicture* picture,
-                           const GlintOiioText* texts, size_t text_count, int* error, char* cause,
+struct GlintOiioFormat {
+    const char* codec;        // OpenImageIO's name for the kind of file
+    const char* compression;  // empty: what suits most
+    int half;                 // 16-bit floats
+    int quality;              // of a jpeg; 0: 95
+    int tile;                 // pixels; 0: by rows
+};
+
+// Begins a file that is empty and open for reading and writing; the pixels of `shape` do not
+// matter.
+typedef void* GlintOiioBegin(int descriptor, const GlintOiioFormat* format,
+                             const GlintOiioPicture* shape, const GlintOiioText* texts,
+                             size_t text_count, int* error, char* cause, size_t cause_size);
+
+// The rows below those that were written. `error` gets the errno of what the system refused, or 0.
+typedef int GlintOiioWrite(void* file, const GlintOiioPicture* band, int* error, char* cause,
                            size_t cause_size);
+
+// Ends the file, whole or not, and frees what it used.
+typedef int GlintOiioEnd(void* file, int* error, char* cause, size_t cause_size);
 
 // Fills `picture` but for its pixels, asks `allocate` for their room (null: give up), and fills
 // that.
@@ -29,6 +44,8 @@ typedef int GlintOiioRead(const char* file, const char* format, GlintOiioPicture
                           void* (*allocate)(void* user, const GlintOiioPicture*), void* user,
                           char* cause, size_t cause_size);
 
+GlintOiioBegin glint_oiio_begin;
 GlintOiioWrite glint_oiio_write;
+GlintOiioEnd glint_oiio_end;
 GlintOiioRead glint_oiio_read;
 }

@@ -68,11 +68,11 @@ void append_to_file(png_structp png, png_bytep data, png_size_t size) {
     if (!out.append({reinterpret_cast<const std::byte*>(data), size})) png_error(png, "write");
 }
 
-// False when libpng reported an error.
-bool encode(png_structp png, png_infop info, const Image& image, std::vector<png_bytep>& rows,
-            std::vector<png_text>& texts) {
+// These return false when libpng reported an error.
+bool encode_header(png_structp png, png_infop info, const Image& image,
+                   std::vector<png_text>& texts) {
     if (setjmp(png_jmpbuf(png))) return false;
-    png_set_user_limits(png, kMaxSide, kMaxSide);
+    png_set_user_limits(png, kMaxWrittenSide, kMaxWrittenSide);
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.size.x),
                  static_cast<png_uint_32>(image.size.y), 8, png_colour_type(image.channels),
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -85,8 +85,18 @@ bool encode(png_structp png, png_infop info, const Image& image, std::vector<png
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_buffer_size(png, 1 << 18);
     png_write_info(png, info);
-    png_write_image(png, rows.data());
-    png_write_end(png, info);
+    return true;
+}
+
+bool encode_rows(png_structp png, std::vector<png_bytep>& rows) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_write_rows(png, rows.data(), static_cast<png_uint_32>(rows.size()));
+    return true;
+}
+
+bool encode_end(png_structp png) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_write_end(png, nullptr);
     return true;
 }
 
@@ -141,23 +151,45 @@ struct Reader {
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
+class PngEncoder final : public BandEncoder {
+public:
+    PngEncoder(TemporaryFile& out, const std::filesystem::path& file, const Image& shape,
+               const Metadata& metadata)
+        : out_(out), file_(file) {
+        if (!writer_.info) throw std::bad_alloc();
+        png_set_write_fn(writer_.png, &out, append_to_file, nullptr);
+        Metadata storage;
+        auto texts = text_chunks(metadata, storage);
+        require(encode_header(writer_.png, writer_.info, shape, texts));
+    }
+
+    void write(const Image& band) override {
+        // libpng wants mutable rows and leaves them alone.
+        auto* pixels = const_cast<std::byte*>(band.pixels.data());
+        auto rows = rows_top_down(pixels, bytes_per_row(band), band.size.y);
+        require(encode_rows(writer_.png, rows));
+    }
+
+    void finish() override { require(encode_end(writer_.png)); }
+
+private:
+    // What the system refused is told by commit(), in its own words.
+    void require(bool done) {
+        if (done) return;
+        if (writer_.failure.message != "write") throw cannot_write(file_, writer_.failure.message);
+        out_.commit();
+    }
+
+    TemporaryFile& out_;
+    std::filesystem::path file_;
+    Writer writer_;
+};
+
 }  // namespace
 
-void write_png(TemporaryFile& out, const std::filesystem::path& file, const Image& image,
-               const Metadata& metadata) {
-    Writer writer;
-    if (!writer.info) throw std::bad_alloc();
-    png_set_write_fn(writer.png, &out, append_to_file, nullptr);
-
-    // libpng wants mutable rows and leaves them alone.
-    auto* pixels = const_cast<std::byte*>(image.pixels.data());
-    auto rows = rows_top_down(pixels, bytes_per_row(image), image.size.y);
-    Metadata storage;
-    auto texts = text_chunks(metadata, storage);
-    if (encode(writer.png, writer.info, image, rows, texts)) return;
-
-    // What the system refused is told by commit(), in its own words.
-    if (writer.failure.message != "write") throw cannot_write(file, writer.failure.message);
+std::unique_ptr<BandEncoder> encode_png(TemporaryFile& out, const std::filesystem::path& file,
+                                        const Image& shape, const Metadata& metadata) {
+    return std::make_unique<PngEncoder>(out, file, shape, metadata);
 }
 
 Image read_png(const std::filesystem::path& file) {

@@ -256,19 +256,94 @@ TEST_F(ImageFile, OnePixelFitsEveryKindOfFile) {
     }
 }
 
-TEST_F(ImageFile, TheLongestSideIs16384) {
+TEST_F(ImageFile, TheLongestSideThatIsReadIs16384AndLongerOnesAreWritten) {
     for (const char* name : kWritable) {
         write_image(in(name), noise_for(name, {16384, 1}));
         EXPECT_EQ(read_image(in(name)).size, glm::ivec2(16384, 1)) << name;
         write_image(in(name), noise_for(name, {1, 16384}));
         EXPECT_EQ(read_image(in(name)).size, glm::ivec2(1, 16384)) << name;
-        EXPECT_TRUE(contains(complaint([&] {
-                                 write_image(in(name), noise_for(name, {16385, 1}));
-                             }),
-                             "16384"));
+        write_image(in(name), noise_for(name, {16385, 1}));
+        EXPECT_TRUE(contains(complaint([&] { read_image(in(name)); }), "16384"));
     }
+    EXPECT_TRUE(contains(complaint([&] {
+                             write_image(in("a.jpg"), noise_for("a.jpg", {65501, 1}));
+                         }),
+                         "65500"));
     put_content(in("b.png"), make_png(16385, 1, 8, 0, std::string(16386, '\0')));
     EXPECT_TRUE(contains(complaint([&] { read_image(in("b.png")); }), "16384"));
+}
+
+// Rows from the bottom, as pictures have them.
+Image rows_of(const Image& image, int first, int count) {
+    const auto row = image.pixels.size() / static_cast<std::size_t>(image.size.y);
+    const auto begin = image.pixels.begin() + static_cast<std::ptrdiff_t>(row) * first;
+    return {.size = {image.size.x, count},
+            .channels = image.channels,
+            .type = image.type,
+            .pixels = {begin, begin + static_cast<std::ptrdiff_t>(row) * count}};
+}
+
+TEST_F(ImageFile, BandsFromTheTopMakeTheSameFileAsTheWhole) {
+    for (const char* name : kWritable) {
+        SCOPED_TRACE(name);
+        const Image image = noise_for(name, {70, 150});
+        write_image(in("whole") += fs::path(name).extension(), image);
+        const fs::path banded = in("bands") += fs::path(name).extension();
+        ImageWriter writer(banded, image);
+        for (const auto& [first, count] : {std::pair(149, 1), {86, 63}, {80, 6}, {0, 80}}) {
+            writer.write(rows_of(image, first, count));
+        }
+        EXPECT_FALSE(fs::exists(banded));
+        writer.finish();
+        EXPECT_EQ(content_of(banded), content_of(in("whole") += fs::path(name).extension()));
+    }
+    for (const char* name : {"tiled.exr", "tiled.tif"}) {
+        const Image image = noise_for(name, {70, 150});
+        ImageWriter writer(in(name), image, {}, {.tiled = true});
+        for (const auto& [first, count] : {std::pair(86, 64), {0, 86}}) {
+            writer.write(rows_of(image, first, count));
+        }
+        writer.finish();
+        EXPECT_EQ(floats_of(read_image(in(name))), floats_of(image)) << name;
+    }
+}
+
+TEST_F(ImageFile, AnExrKeepsHalvesAndIsPackedAsItIsTold) {
+    const Image image = noise_for("a.exr", {64, 64});
+    write_image(in("float.exr"), image, {}, {.compression = "none"});
+    for (const std::string name :
+         {"none", "rle", "zip", "zips", "piz", "pxr24", "b44", "b44a", "dwaa", "dwab", "zip:1"}) {
+        SCOPED_TRACE(name);
+        EXPECT_EQ(refusal_of("a.exr", {.values = "half", .compression = name}), "");
+        write_image(in("half.exr"), image, {}, {.values = "half", .compression = name});
+        EXPECT_LT(fs::file_size(in("half.exr")), fs::file_size(in("float.exr")) * 3 / 5);
+        if (name.starts_with("b44") || name.starts_with("dwa")) continue;  // lossy
+        const auto kept = floats_of(read_image(in("half.exr")));
+        const auto expected = floats_of(image);
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            ASSERT_NEAR(kept[i], expected[i], std::abs(expected[i]) / 1024 + 1e-7);  // 11 bits
+        }
+    }
+    for (const char* name : {"none", "lzw", "zip", "packbits"}) {
+        EXPECT_EQ(refusal_of("a.tif", {.compression = name}), "");
+        write_image(in("a.tif"), image, {}, {.compression = name});
+        EXPECT_EQ(floats_of(read_image(in("a.tif"))), floats_of(image)) << name;
+    }
+    EXPECT_TRUE(contains(refusal_of("a.exr", {.compression = "zipp"}), "dwaa"));
+    EXPECT_TRUE(contains(refusal_of("a.exr", {.compression = "piz:3"}), "dwaa"));
+    EXPECT_TRUE(contains(refusal_of("a.tif", {.compression = "piz"}), "lzw"));
+    EXPECT_TRUE(contains(refusal_of("a.png", {.compression = "zip"}), ".exr and .tif"));
+    EXPECT_TRUE(contains(refusal_of("a.tif", {.values = "half"}), "--format"));
+    EXPECT_TRUE(contains(refusal_of("a.png", {.quality = 80}), "--quality"));
+}
+
+TEST_F(ImageFile, QualityMakesASmallerJpeg) {
+    const Image image = noise_for("a.jpg", {64, 64});
+    write_image(in("usual.jpg"), image);
+    write_image(in("95.jpg"), image, {}, {.quality = 95});
+    write_image(in("20.jpg"), image, {}, {.quality = 20});
+    EXPECT_EQ(content_of(in("usual.jpg")), content_of(in("95.jpg")));
+    EXPECT_LT(fs::file_size(in("20.jpg")), fs::file_size(in("95.jpg")) / 2);
 }
 
 // ---- orientation
