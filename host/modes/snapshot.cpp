@@ -182,7 +182,11 @@ Snapshot read_snapshot(const fs::path& file) {
     }
     std::string json;
     std::getline(in, json);
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::string bytes;
+    if (const auto here = in.tellg(); in) {
+        bytes.resize(static_cast<std::size_t>(in.seekg(0, std::ios::end).tellg() - here));
+        in.seekg(here).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    }
     const std::string digest = bytes.substr(bytes.size() - std::min(bytes.size(), kDigestLength));
     bytes.resize(bytes.size() - digest.size());
     try {
