@@ -54,9 +54,17 @@ LiveSound::~LiveSound() {
     end();
 }
 
+LiveSound::Content LiveSound::content_of(const Preset& preset) {
+    Content content{.text = preset.scene.text, .values = preset.values, .files = {}};
+    std::error_code error;
+    for (const std::filesystem::path& file : sounds_of(preset))
+        content.files.emplace_back(file, std::filesystem::last_write_time(file, error));
+    return content;
+}
+
 void LiveSound::follow(const Preset* preset, const PlayState& state) {
     std::optional<Content> content;
-    if (preset) content = Content{preset->scene.text, preset->values, sounds_of(*preset)};
+    if (preset) content = content_of(*preset);
     if (content && content->files.empty() && !preset->scene.has_sound) content.reset();
     if (content != content_) {
         if (!content || !content_ || content->text != content_->text) why_silent_.clear();

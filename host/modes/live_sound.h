@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -46,9 +47,10 @@ private:
     struct Content {
         std::string text;
         std::vector<TweakValue> values;
-        std::vector<std::filesystem::path> files;
+        std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>> files;
         bool operator==(const Content&) const = default;
     };
+    static Content content_of(const Preset& preset);
 
     bool start();
     void end();

@@ -173,6 +173,54 @@ TEST_F(Reload, AnIncludeAnImageAndThePresetAreFollowedToo) {
     EXPECT_TRUE(shows({40, 120, 204}, kMargin)) << glint_->errors();
 }
 
+TEST_F(Reload, ACubeAVolumeAndASoundAreFollowedAndAnotherInputOfThePresetToo) {
+    const fs::path folder = folder_->path();
+    const auto make = [&](int blue, const char* loudness) {
+        write(folder / "make.frag",
+              flat({0, 0, blue}) + fmt::format("vec2 mainSound(int samp, float time) {{ return "
+                                               "vec2({}); }}\n",
+                                               loudness));
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"still", "make.frag", "-o", "sky.png", "--size", "8x4"},
+              {"sound", "make.frag", "-o", "song.wav", "--seconds", "3"}}) {
+            Glint process(screen_->name(), folder, words);
+            EXPECT_EQ(process.wait(60.0).code, 0) << process.errors();
+        }
+    };
+    const auto volume = [&](const char* name, char grey) {
+        write(folder / name, std::string("BIN\0\1\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0", 20) + grey);
+    };
+    const auto look = [&](const char* file) {
+        write(folder / "look.toml", fmt::format("scene = \"scene.frag\"\ntime = 1\n[channels]\n"
+                                                "iChannel0 = {{ volume = \"{}\" }}\n",
+                                                file));
+    };
+    make(100, "0.5");
+    volume("a.bin", 10);
+    volume("b.bin", 40);
+    look("a.bin");
+    write(folder / "scene.frag",
+          "uniform sampler3D iChannel0;\n"
+          "uniform samplerCube sky; //@ cube sky.png\n"
+          "uniform sampler2D song; //@ sound song.wav\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float loud = texelFetch(song, ivec2(0, 1), 0).r > 0.6 ? 0.8 : 0.6;\n"
+          "    c = vec4(texture(iChannel0, vec3(0.5)).r, loud, texture(sky, vec3(0, 0, 1)).b, 1);\n"
+          "}\n");
+    start({(folder / "look.toml").string()});
+    ASSERT_TRUE(shows({10, 204, 100}, kMargin)) << glint_->errors();
+    make(120, "-0.5");
+    EXPECT_TRUE(shows({10, 153, 120}, kMargin)) << glint_->errors();
+    volume("a.bin", 20);
+    EXPECT_TRUE(shows({20, 153, 120}, kMargin)) << glint_->errors();
+    look("b.bin");
+    EXPECT_TRUE(shows({40, 153, 120}, kMargin)) << glint_->errors();
+    write(folder / "a.bin", "broken");
+    write(folder / "b.bin", "broken");
+    EXPECT_TRUE(glint_->says("too short for a volume")) << glint_->errors();
+    EXPECT_TRUE(shows({40, 153, 120}, kMargin)) << "the last good one stays";
+}
+
 // Through a reload, with the constants written in once the tweaks rest, and back to uniforms while
 // the slider moves.
 TEST_F(Reload, NothingFlickersWhileProgramsAreExchanged) {
