@@ -38,6 +38,8 @@
 // Passes   none but the image.
 // Bounds   llvmpipe ends the loops of a pixel after 65,535 turns together. Each quality knob alone
 //          stays below at its reference; all at once (64 x 48 x 2 x 64) need a GPU.
+// Defaults From `glint study presets/analytic.toml`, all on its frontier: 10 bounces are 0.011
+//          (RMSE) from 48, one cone of shadow 0.005 from 64 samples in an eighth of their time.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------

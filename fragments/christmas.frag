@@ -22,6 +22,9 @@
 // Passes   wood, places, ranks, tree: on change of a tweak at most. moving: every frame, tiny.
 // Bounds   llvmpipe ends the loops of a pixel after 65,535 turns together. `none` takes kBatch
 //          spheres a turn: with 4096 and one shadow cone at most 8 rays x 4 walks x 512 turns.
+// Defaults From `glint study presets/christmas.toml`: the three accelerations draw the same bits,
+//          none an eighth slower; 5 bounces are 1e-5 (RMSE) from 8; hard shadows are 0.003 from
+//          soft ones, none 0.027, and one cone is 8e-4 from 16; mirrorBlur 0.6 is 0.007 from none.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------

@@ -29,6 +29,9 @@
 //          steps: bodies there stay a step apart times the cosine of the wave's slope, whatever
 //          their phase: 0.62 m, and need 0.56 m. Lamps stay beyond 5.5 m or above 7.9 m, all else
 //          below 7.0 m; cameras stay beyond 8 m.
+// Defaults From `glint study presets/magic.toml`, all on its frontier: 6 bounces are 0.003 (RMSE)
+//          from 24; hard shadows are 0.008 from soft ones, one cone is 0.004 from 64 samples; 2
+//          glowSamples are 2e-4 from 32.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------

@@ -25,6 +25,10 @@
 // Bounds   Biased: waves tilt the water and do not move it; light that leaves the water meets the
 //          sky, and land where reflections are traced, but never water again. The loops of a
 //          pixel stay below 30,000 turns with every reference on.
+// Defaults From `glint study presets/terrain.toml`: reflections in the picture are 0.011 (RMSE)
+//          from traced ones, none 0.034; each costs a twentieth to a tenth more than the one before.
+//          35 reflectionSteps keep a ray at 32 reads. The pyramid is 0.005 from the many-step march
+//          in less than half of its frame; 128 marchSteps are 7e-4 from 512.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
