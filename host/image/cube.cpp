@@ -118,15 +118,8 @@ glm::vec3 direction(int face, float x, float y) {
 }
 
 template <class T>
-glm::vec4 value_at(const Image& image, int x, int y) {
-    glm::vec4 value(0.0f);
-    const std::byte* from = pixel_of(image, x, y);
-    for (int c = 0; c < image.channels; ++c) {
-        T number;
-        std::memcpy(&number, from + static_cast<std::size_t>(c) * sizeof(T), sizeof(T));
-        value[c] = static_cast<float>(number);
-    }
-    return value;
+const T* values_of(const Image& image, int x, int y) {
+    return reinterpret_cast<const T*>(pixel_of(image, x, y));
 }
 
 // Between the four pixels round a point; the panorama goes on round its sides and stops at its
@@ -139,11 +132,17 @@ glm::vec4 between(const Image& image, float x, float y) {
     const int x0 = (static_cast<int>(left) + width) % width, x1 = (x0 + 1) % width;
     const int y0 = std::clamp(static_cast<int>(top), 0, last);
     const int y1 = std::clamp(static_cast<int>(top) + 1, 0, last);
-    const glm::vec4 upper =
-        glm::mix(value_at<T>(image, x0, y0), value_at<T>(image, x1, y0), right_part);
-    const glm::vec4 lower =
-        glm::mix(value_at<T>(image, x0, y1), value_at<T>(image, x1, y1), right_part);
-    return glm::mix(upper, lower, lower_part);
+    const T *upper_left = values_of<T>(image, x0, y0), *upper_right = values_of<T>(image, x1, y0);
+    const T *lower_left = values_of<T>(image, x0, y1), *lower_right = values_of<T>(image, x1, y1);
+    glm::vec4 value(0.0f);
+    for (int c = 0; c < image.channels; ++c) {
+        const float upper = glm::mix(static_cast<float>(upper_left[c]),
+                                     static_cast<float>(upper_right[c]), right_part);
+        const float lower = glm::mix(static_cast<float>(lower_left[c]),
+                                     static_cast<float>(lower_right[c]), right_part);
+        value[c] = glm::mix(upper, lower, lower_part);
+    }
+    return value;
 }
 
 template <class T>

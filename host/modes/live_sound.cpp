@@ -112,7 +112,13 @@ void LiveSound::end() {
     answered_ = true;
     if (process_ == 0) return;
     ::kill(process_, SIGKILL);
-    ::waitpid(std::exchange(process_, 0), nullptr, 0);
+    dying_.push_back(std::exchange(process_, 0));
+    reap();
+}
+
+// Does not wait: a process that is deep in a driver takes its time to end.
+void LiveSound::reap() {
+    std::erase_if(dying_, [](pid_t process) { return ::waitpid(process, nullptr, WNOHANG) != 0; });
 }
 
 void LiveSound::send(const std::string& message) {
@@ -126,6 +132,7 @@ void LiveSound::send(const std::string& message) {
 }
 
 bool LiveSound::update() {
+    reap();
     if (socket_ < 0) return false;
     if (!outgoing_.empty()) send({});
     std::array<char, 4096> buffer;

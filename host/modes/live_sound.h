@@ -54,10 +54,12 @@ private:
 
     bool start();
     void end();
+    void reap();
     void send(const std::string& message);
 
     std::string device_;
     pid_t process_ = 0;
+    std::vector<pid_t> dying_;  // killed, not yet reaped
     int socket_ = -1;
     std::string outgoing_, incoming_;
     std::optional<Content> content_, sent_;  // what there is; what the process has

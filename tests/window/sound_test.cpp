@@ -4,7 +4,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -99,6 +101,21 @@ TEST_F(LiveSoundTest, WithoutADeviceThereIsNoErrorAndTheSceneRuns) {
     EXPECT_TRUE(glint_->runs());
     EXPECT_EQ(glint_->errors().find("ALSA"), std::string::npos) << glint_->errors();
     EXPECT_EQ(glint_->errors().find("error"), std::string::npos) << glint_->errors();
+}
+
+TEST_F(LiveSoundTest, TheSceneRunsOnWhenItsPlayerIsKilledAndTheNextSaveIsHeardAgain) {
+    open(flat({0, 255, 0}));
+    settle();
+    const std::vector<pid_t> without = glint_->children();
+    write(scene(), kCounts);
+    ASSERT_TRUE(hears(4410));
+    for (const pid_t child : glint_->children())
+        if (std::find(without.begin(), without.end(), child) == without.end())
+            ::kill(child, SIGKILL);
+    EXPECT_TRUE(eventually([&] { return glint_->children().size() == without.size(); }));
+    const std::size_t then = heard().size() / 2;
+    write(scene(), kCounts + "// again\n");
+    EXPECT_TRUE(hears(then + 22050)) << glint_->errors();
 }
 
 TEST_F(LiveSoundTest, ASceneWithoutSoundStartsNoProcessForOneAndLoadsNoLibraryOfIt) {
