@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <utility>
 
 namespace glint {
@@ -31,6 +32,13 @@ const char* reset_reason(GLenum status) {
 }
 
 }  // namespace
+
+// An option of Mesa's, which the environment overrides, and which Mesa tells on stderr unless
+// silent.
+void Context::start_variables_at_zero() {
+    ::setenv("glsl_zero_init", "true", 0);
+    ::setenv("MESA_DEBUG", "silent", 0);
+}
 
 std::string Context::renderer() const {
     const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));

@@ -36,6 +36,11 @@ public:
     // call failed since the last time.
     void check();
 
+    // Before a driver is loaded: variables without a first value start at 0, as in every browser,
+    // where golfed shaders count on it. Mesa can be told, and then forgets arrays, structs and
+    // scalars that are assigned in one place alone; other drivers do what they do.
+    static void start_variables_at_zero();
+
 protected:
     // For implementations, once current: checks the version and hears the driver's complaints.
     void start();

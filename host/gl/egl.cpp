@@ -151,6 +151,7 @@ void require_libegl() {
 
 std::unique_ptr<Context> make_egl_context(std::string_view device) {
     require_libegl();
+    Context::start_variables_at_zero();
     std::vector<Candidate> order = candidates();
     std::stable_sort(order.begin(), order.end(), [](const Candidate& a, const Candidate& b) {
         return a.software < b.software;

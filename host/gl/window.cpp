@@ -36,6 +36,7 @@ int hear_lost_display(Display*) {
 
 void start_glfw() {
     if (open_windows++ > 0) return;
+    Context::start_variables_at_zero();
     if (!glfwInit()) {
         --open_windows;
         throw NoContext(fmt::format("There is no display: {}.", last_error()));

@@ -1,8 +1,11 @@
 #include "render/pass_text.h"
 
+#include "scene/raw_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <regex>
 #include <string_view>
@@ -112,9 +115,23 @@ precision highp samplerCube;
 precision highp sampler3D;
 )";
 
+// Functions that a text may define on the site, and that Mesa knows already from older GLSL.
+constexpr std::array<std::string_view, 6> kOlderFunctions = {
+    "texture2D", "texture3D", "textureCube", "texture2DProj", "texture2DLod", "textureCubeLod"};
+
+bool defines_function(const Scene& scene, std::string_view name) {
+    return contains_word(scene.text, name) &&
+           std::regex_search(
+               scene.text,
+               std::regex(fmt::format(R"(\b(float|int|uint|[iu]?vec[234])\s+{}\s*\()", name)));
+}
+
 // `packed` is an ordinary name on the site, and reserved in Mesa.
 std::string renamed_words(const Scene& scene) {
     std::string text;
+    for (const std::string_view name : kOlderFunctions) {
+        if (defines_function(scene, name)) text += fmt::format("#define {0} glint_{0}\n", name);
+    }
     for (const std::string_view word : {"mediump", "lowp"}) {
         if (contains_word(scene.text, word)) text += fmt::format("#define {} highp\n", word);
     }
@@ -142,18 +159,20 @@ Range find_out_parameters(std::string_view text, std::string_view function, std:
     return {};
 }
 
-// An `out` parameter is undefined on entry, and Mesa makes any value of it. The site's colour
-// starts at a known one, on which `color *= 0.0` relies; so the entry's parameters become `inout`.
-// Says whether there were any.
+// An `out` parameter is undefined on entry. Browsers make it 0, on which `color += light` relies,
+// whatever value the site hands in; drivers make anything of it. So the entry's parameters become
+// `inout`, and start at 0. Says whether there were any.
 bool make_colour_defined(PassText& pass, const std::string& entry) {
     std::string& text = pass.text;
+    std::string code = find_comments(text).code;
     bool found = false;
-    for (Range list = find_out_parameters(text, entry, 0); list.begin != text.npos;
-         list = find_out_parameters(text, entry, list.end)) {
+    for (Range list = find_out_parameters(code, entry, 0); list.begin != code.npos;
+         list = find_out_parameters(code, entry, list.end)) {
         found = true;
-        for (std::size_t at = list.begin; (at = text.find("out", at)) < list.end; at += 5) {
-            if (is_identifier(text[at - 1]) || is_identifier(text[at + 3])) continue;
+        for (std::size_t at = list.begin; (at = code.find("out", at)) < list.end; at += 5) {
+            if (is_identifier(code[at - 1]) || is_identifier(code[at + 3])) continue;
             text.insert(at, "in");
+            code.insert(at, "in");
             list.end += 2;
             const auto begin = text.begin(), here = begin + static_cast<std::ptrdiff_t>(at);
             const std::size_t line_begin = text.rfind('\n', at) + 1;
@@ -170,7 +189,7 @@ std::string image_main(const char* out, const ProgramOptions& options) {
     text += kAssert;
     if (options.average) (text += kJitter) += kDecode;
     text +=
-        "layout(location = 0) out vec4 glint_out0;\nvoid main() {\n    vec4 color = vec4(1e20);\n";
+        "layout(location = 0) out vec4 glint_out0;\nvoid main() {\n    vec4 color = vec4(0.0);\n";
     text += fmt::format("    mainImage(color, gl_FragCoord.xy{});\n",
                         options.average ? " + glint_jitter" : "");
     text += "    color = glint_asserted(color);\n";
@@ -204,7 +223,7 @@ std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions&
     for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
         parameters += fmt::format("{} vec4 color{}, ", out, i);
         outputs += fmt::format("layout(location = {0}) out vec4 glint_out{0};\n", i);
-        variables += fmt::format("    vec4 color{} = vec4(0, 0, 0, 1);\n", i);
+        variables += fmt::format("    vec4 color{} = vec4(0.0);\n", i);
         arguments += fmt::format("color{}, ", i);
         results += fmt::format("    glint_out{0} = color{0};\n", i);
     }
@@ -241,7 +260,7 @@ void main() {{
     vec3 ray = glint_face == 0 ? vec3(1, -p.y, -p.x) : glint_face == 1 ? vec3(-1, -p.y, p.x)
              : glint_face == 2 ? vec3(p.x, 1, p.y) : glint_face == 3 ? vec3(p.x, -1, -p.y)
              : glint_face == 4 ? vec3(p.x, -p.y, 1) : vec3(-p.x, -p.y, -1);
-    vec4 color = vec4(0, 0, 0, 1);
+    vec4 color = vec4(0.0);
     {0}(color, gl_FragCoord.xy, vec3(0), normalize(ray));
     glint_out0 = color;
 }}
