@@ -1,6 +1,7 @@
 #include "modes/export.h"
 
 #include "gl/context.h"
+#include "scene/raw_text.h"
 #include "scene/reachable.h"
 
 #include <fmt/format.h>
@@ -202,10 +203,12 @@ std::string Exporter::entry_text(const Tab& tab) const {
 std::string Exporter::unread_defines(
     const std::string& body, const std::array<std::optional<std::size_t>, 4>& channels) const {
     std::string defines;
+    const std::string code = find_comments(body).code;
     for (std::size_t i = 0; i < scene_.samplers.size(); ++i) {
         const Sampler& sampler = scene_.samplers[i];
         if (std::find(channels.begin(), channels.end(), i) != channels.end()) continue;
-        if (!std::regex_search(body, std::regex("\\b" + sampler.name + "\\b"))) continue;
+        if (sampler.name.starts_with("iChannel")) continue;  // the site has all four
+        if (!std::regex_search(code, std::regex("\\b" + sampler.name + "\\b"))) continue;
         // What is bound to nothing is a sampler2D on the site.
         for (std::size_t channel = 0; channel < channels.size(); ++channel) {
             const SamplerType type = channels[channel]
@@ -251,6 +254,19 @@ std::string Exporter::tab_text(const Tab& tab) {
 
 constexpr std::array kBufferIds = {257, 258, 259, 260};
 
+// What the site would name a file. Our noise has no file; import reads its words back.
+std::string media_name(const Sampler& sampler) {
+    if (sampler.source != Source::noise) return file_name(sampler);
+    constexpr std::array kChannels = {"r", "rg", "rgb", "rgba"};
+    const glm::ivec3 size = sampler.noise_size;
+    const std::string lengths = sampler.type == SamplerType::samplerCube ? fmt::format("{}", size.x)
+                                : sampler.type == SamplerType::sampler3D
+                                    ? fmt::format("{}x{}x{}", size.x, size.y, size.z)
+                                    : fmt::format("{}x{}", size.x, size.y);
+    return fmt::format("noise {} {}",
+                       kChannels[static_cast<std::size_t>(sampler.noise_channels - 1)], lengths);
+}
+
 int output_id(const std::string& tab) {
     if (tab == "image") return 37;
     if (tab == "sound") return 38;
@@ -271,7 +287,7 @@ Json Exporter::input_json(const Sampler& sampler, int channel) const {
     return {{"id", is_buffer                            ? output_id(tab)
                    : sampler.source == Source::keyboard ? 33
                                                         : 0},
-            {"src", file_name(sampler)},
+            {"src", media_name(sampler)},
             {"ctype", kind},
             {"channel", channel},
             {"sampler",

@@ -11,6 +11,7 @@ namespace glint {
 namespace {
 
 // Something that stands outside all braces, or a preprocessor line, with the comments before it.
+// What has a preprocessor line in its midst, outside braces, counts as one itself.
 struct Item {
     Span span;
     bool is_directive = false, is_uniform = false, kept = false;
@@ -52,13 +53,16 @@ std::vector<Item> find_items(std::string_view text, std::string_view code) {
     std::vector<Item> items;
     std::size_t begin = 0;
     int depth = 0;
-    bool has_parameters = false, is_blank = true;
+    bool has_parameters = false, is_blank = true, holds_directive = false;
     const auto add = [&](std::size_t end, bool is_directive) {
         // The rest of the line belongs to it: a comment behind it.
         const std::size_t line_end = std::min(text.find('\n', end), text.size() - 1) + 1;
         if (code.substr(end, line_end - end).find_first_not_of(" \t\n") == code.npos)
             end = line_end;
-        Item item{.span = {begin, end}, .is_directive = is_directive, .names = {}, .words = {}};
+        Item item{.span = {begin, end},
+                  .is_directive = is_directive || holds_directive,
+                  .names = {},
+                  .words = {}};
         const std::string_view own = code.substr(begin, end - begin);
         item.words = find_identifiers(own);
         item.is_uniform = item.words.contains("uniform");
@@ -67,18 +71,20 @@ std::vector<Item> find_items(std::string_view text, std::string_view code) {
         begin = end;
         has_parameters = false;
         is_blank = true;
+        holds_directive = false;
         return end;
     };
     for (std::size_t i = 0; i < code.size();) {
         const char c = code[i];
         const bool line_begins = i == 0 || code[i - 1] == '\n';
-        if (line_begins && depth == 0 && is_blank) {
+        if (line_begins && depth == 0) {
             const std::size_t first = code.find_first_not_of(" \t", i);
             if (first != code.npos && code[first] == '#') {
                 std::size_t end = std::min(code.find('\n', first), code.size());
                 while (end < code.size() && code[end - 1] == '\\')
                     end = std::min(code.find('\n', end + 1), code.size());
-                i = add(end, true);
+                holds_directive = true;
+                i = is_blank ? add(end, true) : end;
                 continue;
             }
         }

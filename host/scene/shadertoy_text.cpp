@@ -1,4 +1,5 @@
 // A shader of the site as a scene file.
+#include "scene/annotation.h"
 #include "scene/raw_text.h"
 #include "scene/scene.h"
 #include "scene/shadertoy.h"
@@ -180,15 +181,21 @@ std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& inp
                     [&](const ShadertoyTab& other) { return other.name == input.buffer; });
     if (!input.buffer.empty() && has_tab) return "buffer " + input.buffer;
     if (const std::string file = file_beside(input); !file.empty()) return file;
+    Sampler noise;
+    noise.type = input.kind == "cubemap"  ? SamplerType::samplerCube
+                 : input.kind == "volume" ? SamplerType::sampler3D
+                                          : SamplerType::sampler2D;
+    if (input.file.starts_with("noise ") && parse_noise(input.file.substr(6), noise).empty())
+        return input.file;  // written by our own export
     const Medium* medium = find_medium(input.file);
     const std::string what = !input.buffer.empty() ? input.buffer
                              : medium              ? std::string(medium->name)
                              : input.file.empty()  ? input.kind
                                                    : input.file;
-    const std::string noise = stand_in(input);
+    const std::string instead = stand_in(input);
     warn(fmt::format("{}, iChannel{}: {} is not in this file; {} stands in its place", tab.name,
-                     input.channel, in_quotes(what), noise));
-    return noise;
+                     input.channel, in_quotes(what), instead));
+    return instead;
 }
 
 // What reads this input from the files of its name beside the JSON, or under the site's own folders

@@ -67,6 +67,30 @@ TEST_F(Export, ATabHoldsOnlyWhatItsPassNeedsAndTweaksAreConstants) {
     EXPECT_NE(second.find("// of the picture"), std::string::npos) << second;
 }
 
+// A tab of its own, names of channels shared by tabs, code that is switched off in the midst of
+// text, noise of a size that the site has not.
+TEST_F(Export, ATabKeepsItsChannelsItsConditionsAndItsNoise) {
+    write("a.frag",
+          "uniform sampler2D bufferA; //@ pass mainBufferA\n"
+          "#ifdef PASS_bufferA\nuniform sampler2D iChannel1; //@ noise rg 16x8 "
+          "filter=nearest\n#endif\n"
+          "#ifdef PASS_image\nuniform sampler2D iChannel0; //@ buffer bufferA\n"
+          "uniform sampler2D iChannel1; //@ buffer bufferA filter=nearest wrap=repeat\n#endif\n"
+          "#if 0\nno code ' at all\n#endif\n"
+          "#ifndef HALF\n#define HALF 0.5\n#endif\n"
+          "#ifdef PASS_bufferA\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel1, p / 20.0); }\n"
+          "#endif  // bufferA\n"
+          "#ifdef PASS_image\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = texture(iChannel0, p / 40.0) * HALF + texture(iChannel1, p / 12.0) * HALF;\n}\n"
+          "#endif\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels) << bytes("back.frag");
+    EXPECT_EQ(bytes("out/bufferA.glsl").find("switched off"), std::string::npos)
+        << bytes("out/bufferA.glsl");
+}
+
 TEST_F(Export, MoreThanTheSiteHoldsIsRefusedAndNothingIsWritten) {
     std::string text, sum = "vec4(0)";
     for (const std::string name : {"a", "b", "c", "d", "e"}) {
