@@ -1,0 +1,1 @@
+const ivec2 kPlace = ivec2(0, 0), kShots = ivec2(1, 0);

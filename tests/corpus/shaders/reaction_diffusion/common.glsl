@@ -1,0 +1,1 @@
+const float kFeed = 0.037, kKill = 0.06;
