@@ -96,16 +96,21 @@ def tab_name(file):
     return next(tab for tab in TABS if tab.lower() == words)
 
 
-def several_tabs(glint, folder, dialect):
+def tabs_of(folder):
+    """The tabs in the order of TABS; without an inputs.json, iChannel0 to 3 are the buffers A to D."""
     codes = {tab_name(file): read_code(file) for file in folder.glob("*.glsl")}
     buffers = [tab for tab in codes if tab.startswith("buffer")]
     by_letter = [{"channel": ord(tab[-1]) - ord("A"), "ctype": "buffer", "id": tab, "filter": "linear",
                   "wrap": "clamp"} for tab in buffers]
     inputs_file = folder / "inputs.json"
     inputs = json.loads(inputs_file.read_text()) if inputs_file.exists() else dict.fromkeys(codes, by_letter)
-    tabs = [{"name": tab, "code": codes[tab], "inputs": inputs.get(tab, [])} for tab in TABS if tab in codes]
+    return [{"name": tab, "code": codes[tab], "inputs": inputs.get(tab, [])} for tab in TABS if tab in codes]
+
+
+def several_tabs(glint, folder, dialect):
+    tabs = tabs_of(folder)
     source = folder
-    if inputs_file.exists():
+    if (folder / "inputs.json").exists():
         source = folder.with_suffix(".json")
         source.write_text(json.dumps(site_json(folder.name, tabs, dialect)))
     scene = folder.with_suffix(".frag")
