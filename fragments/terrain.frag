@@ -10,9 +10,10 @@
 //          is solved as a quadratic, so no step can be too long and no edge leaks. Shadows and the
 //          open part of the sky are drawn once too. Waves are gradient noise whose third axis is
 //          time and closes after 64 cells. Their slopes and the products of these are averaged by
-//          mipmaps: what a pixel cannot show widens the sun's lobe and the cone in which clouds
-//          are mirrored, so neither glitters away nor swirls. Light in the water is followed
-//          through all of its faces, with absorption and scattering in closed form.
+//          mipmaps: what a pixel cannot show widens the cone in which clouds are mirrored, and what
+//          its parts cannot, the sun's lobe in each: glitter that is 0.1 to 0.37 of its mean off.
+//          Light in the water is followed through all of its faces, with absorption and scattering
+//          in closed form.
 // Sources  Perlin, SIGGRAPH (2002): noise. Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Tevs,
 //          Ihrke, Seidel, I3D (2008): maximum mipmaps. McGuire and Mara, JCGT 3(4) (2014): rays in
 //          the picture. Olano and Baker, I3D (2010): mean products of slopes. Ross, Dion, Potvin,
@@ -71,6 +72,7 @@ uniform int   march;           //@ 0 {pyramid, steps} quality reference=1 "of ra
 uniform int   marchSteps;      //@ 128 [8, 512] log quality reference=512 "most for one ray to land"
 uniform int   bends;           //@ 3 [1, 8] quality reference=8 "faces that light in water meets"
 uniform int   shadowSamples;   //@ 12 [1, 64] log quality reference=64 "rays to the sun's disc"
+uniform int   glitterSamples;  //@ 16 [1, 64] log quality reference=64 "of the waves in one pixel"
 uniform int   lensSamples;     //@ 32 [8, 256] log quality reference=256 "taps of a blur"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
@@ -468,6 +470,26 @@ float seaGlitter(vec3 rd, Sea s, float area) {
     float density = exp(-0.5 * min(q, 80.0)) / (2.0 * kPi * sqrt(det));
     return fresnel(clamp(-dot(h, rd), 0.0, 1.0), kIorWater) * density
         / (4.0 * square(square(h.y)) * area);
+}
+// What a pixel of width w shows of it. Waves larger than its parts bend within it, which no one
+// Gaussian describes: each part is looked at with its own. Half as wide as the parts lie apart, for
+// a Gaussian's tails are longer than those of waves.
+float lakeGlitter(vec2 p, vec3 rd, float w) {
+    float grown = w / max(-rd.y, 0.02), light = 0.0, shown = 0.0;
+    vec2 ahead = unit(vec3(rd.xz, 1e-6)).xy, aside = vec2(-ahead.y, ahead.x);
+    float part = 0.5 * sqrt(w * grown / float(glitterSamples));
+    float lod = log2(max(part * kPerCell, 1.0));
+    for (int k = 0; k < glitterSamples; ++k) {   // a lattice of the golden ratio
+        float u = (float(k) + 0.5) / float(glitterSamples), v = fract(kGolden * float(k) + 0.25);
+        vec2 at = p + (u - 0.5) * grown * ahead + (v - 0.5) * w * aside, slope;
+        vec4 mean = textureLod(waves, at / (2.0 * kHalf) + 0.5, lod);
+        vec2 lost = max(mean.zw - mean.xy * mean.xy, 0.0) + kCalmSpread;
+        Sea s = Sea(0.0, mean.xy, vec3(lost, 0.0));
+        float area = shownSlope(rd, s, slope);
+        light += area * seaGlitter(rd, s, area);
+        shown += area;
+    }
+    return light / shown;
 }
 
 // (1 - exp(-x)) / x for x >= 0
@@ -872,9 +894,9 @@ void mainLightMap(out vec4 colour, in vec2 pixel) {
     colour = vec4(seen / float(shadowSamples), open, 0.0);
 }
 
-// Slopes of the waves and their squares. Shallows are calm.
-void mainWaves(out vec4 colour, in vec2 pixel) {
-    vec2 p = (pixel / iResolution.xy - 0.5) * 2.0 * kHalf, slope = vec2(0.0);
+// Slope of the waves. Shallows are calm.
+vec2 waveSlope(vec2 p) {
+    vec2 slope = vec2(0.0);
     float depth = waterLevel - textureLod(land, landUv(p), 0.0).z;
     float steep = waveHeight * (0.6 + 0.4 * smoothstep(0.0, 3.0, depth)) / waveLength;
     float lattice = waveLength, hz = 0.9 * inversesqrt(waveLength);   // long waves are slower
@@ -888,6 +910,10 @@ void mainWaves(out vec4 colour, in vec2 pixel) {
         lattice *= 0.5;
         hz *= 1.41421356;
     }
+    return slope;
+}
+void mainWaves(out vec4 colour, in vec2 pixel) {   // slopes and their squares
+    vec2 slope = waveSlope((pixel / iResolution.xy - 0.5) * 2.0 * kHalf);
     colour = vec4(slope, slope * slope);
 }
 // Sunlight that waves gather on the bed: 1/|J| of the map from where light enters the water.
@@ -946,7 +972,7 @@ void mainPicture(out vec4 colour, in vec2 pixel) {
     if (onWater) p.y = waterLevel;
     Sea s = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb);
     vec2 slope;
-    float area = shownSlope(rd, s, slope);
+    shownSlope(rd, s, slope);
     if (onWater) {   // biased: light between waves is left out, so none goes down
         nor = normalize(vec3(-slope, 1.0).xzy);
         away = reflect(rd, nor);
@@ -967,7 +993,8 @@ void mainPicture(out vec4 colour, in vec2 pixel) {
     vec3 sum = renderPair(pair, width, angle, t, reflections == 2 && id >= kWater, !onWater);
     if (onWater) {
         sum += share * sure * texelFetch(colours, ivec2(found), 0).rgb;
-        sum += sunBeam() * (textureLod(lightMap, landUv(p.xz), 0.0).y * seaGlitter(rd, s, area));
+        float sunny = textureLod(lightMap, landUv(p.xz), 0.0).y;
+        sum += sunBeam() * (sunny * lakeGlitter(p.xz, rd, angle * t));
     }
     if (id != kSky && id < kWater) sum = stuff.rgb;
     colour = vec4(sum, id == kSky ? 0.0 : 1.0 / facing.w);

@@ -411,45 +411,60 @@ TEST_F(Terrain, LightInWaterIsIntegratedExactly) {
     }
 }
 
-// What a pixel of glitter should show, by many samples of the finest slopes, against one filtered
-// look. Bars: error over mean at most 0.4, the mean within 5 %.
+// What a pixel of glitter should show, by many samples of the waves themselves, against the
+// scene's. Bars: error over mean at most 0.4, the mean within 5 %, with the waves and the sun of
+// each preset. A pixel of 0.2 m is one 320 m off, of 720 rows; waves as steep as those of `glitter`
+// bend within a texel of 0.2 m, so for them it holds from two texels on.
 TEST_F(Terrain, GlitterIsFilteredFarOff) {
-    for (const double w : {0.4, 0.8, 1.6}) {
-        const std::string body = fmt::format(
-            "    vec2 at = vec2(10.0, 14.0) + (p - 24.0) * vec2(0.45, 0.45);\n"
-            "    vec3 sun = sunDirection();\n"
-            "    vec3 rd = normalize(vec3(-sun.x, -sun.y, -sun.z) * vec3(-1.0, 1.0, -1.0)\n"
-            "        + 0.08 * vec3(p.y / 24.0 - 1.0, 0.0, p.x / 24.0 - 1.0));\n"
-            "    float w = {};\n"
-            "    vec2 slope;\n"
-            "    Sea s = lakeAt(at, rd, w);\n"
-            "    float got = seaGlitter(rd, s, shownSlope(rd, s, slope)), light = 0.0, all = 0.0;\n"
-            "    vec2 along = normalize(rd.xz) * w / -rd.y, across = w * normalize(rd.zx) * "
-            "vec2(-1, 1);\n"
-            "    for (int j = 0; j < 24; ++j)\n"
-            "        for (int i = 0; i < 24; ++i) {{\n"
-            "            vec2 u = (vec2(i, j) + 0.5) / 24.0 - 0.5;\n"
-            "            vec2 q = at + u.x * across + u.y * along;\n"
-            "            vec2 fine = textureLod(waves, q / 100.0 + 0.5, 0.0).xy;\n"
-            "            Sea one = Sea(0.0, fine, vec3(kCalmSpread, kCalmSpread, 0.0));\n"
-            "            float area = shownSlope(rd, one, slope);\n"
-            "            light += area * seaGlitter(rd, one, area);\n"
-            "            all += area;\n"
-            "        }}\n"
-            "    c = vec4(got, light / all, 0.0, 1.0);\n",
-            w);
-        const auto pixels = drawn(with_picture(body), {.size = {48, 48}});
-        double sum = 0.0, sum_got = 0.0, squares = 0.0;
-        for (const glm::vec4& pixel : pixels) {
-            sum += pixel.y;
-            sum_got += pixel.x;
-            squares += std::pow(pixel.x - pixel.y, 2.0);
+    struct Look {
+        std::string name, tweaks;
+        std::vector<double> pixels;  // m
+    };
+    const std::array<Look, 4> looks = {
+        Look{"default", "", {0.2, 0.4, 1.6}},
+        Look{"waves of 0.3 m", "waveHeight = 0.3\n", {0.2, 0.4, 0.8, 1.6}},
+        Look{"evening",
+             "waveHeight = 0.3\nsunHeight = 6.5\nsunAngle = -78.0\nsunSize = 1.2\n",
+             {0.2, 0.4, 0.8, 1.6}},
+        Look{"glitter",
+             "waveHeight = 0.45\nwaveLength = 3.6\nsunHeight = 25.0\nsunAngle = 12.0\n"
+             "sunSize = 0.5\nglitterSamples = 32\n",
+             {0.4, 0.8, 1.6}}};
+    for (const Look& look : looks) {
+        for (const double w : look.pixels) {
+            const std::string body = fmt::format(
+                "    vec2 at = vec2(10.0, 14.0) + (p - 16.0) * 0.68;\n"
+                "    vec3 sun = sunDirection();\n"
+                "    vec3 rd = normalize(vec3(-sun.x, -sun.y, -sun.z) * vec3(-1.0, 1.0, -1.0)\n"
+                "        + 0.08 * vec3(p.y / 16.0 - 1.0, 0.0, p.x / 16.0 - 1.0));\n"
+                "    float w = {}, light = 0.0, all = 0.0, got = lakeGlitter(at, rd, w);\n"
+                "    vec2 slope, ahead = normalize(rd.xz), aside = vec2(-ahead.y, ahead.x);\n"
+                "    for (int j = 0; j < 16; ++j)\n"
+                "        for (int i = 0; i < 16; ++i) {{\n"
+                "            vec2 u = (vec2(i, j) + 0.5) / 16.0 - 0.5;\n"
+                "            vec2 q = at + w * (u.x * aside + u.y / -rd.y * ahead);\n"
+                "            Sea one = Sea(0.0, waveSlope(q), vec3(kCalmSpread, kCalmSpread, 0));\n"
+                "            float area = shownSlope(rd, one, slope);\n"
+                "            light += area * seaGlitter(rd, one, area);\n"
+                "            all += area;\n"
+                "        }}\n"
+                "    c = vec4(got, light / all, 0.0, 1.0);\n",
+                w);
+            const auto pixels =
+                drawn(with_picture(body), {.size = {32, 32}, .preset = "[tweaks]\n" + look.tweaks});
+            double sum = 0.0, sum_got = 0.0, squares = 0.0;
+            for (const glm::vec4& pixel : pixels) {
+                sum += pixel.y;
+                sum_got += pixel.x;
+                squares += std::pow(pixel.x - pixel.y, 2.0);
+            }
+            const double count = static_cast<double>(pixels.size()), mean = sum / count;
+            const double error = std::sqrt(squares / count) / mean;
+            fmt::print("{}, pixel of {:.1f} m: error/mean {:.3f}, mean {:+.1f} %\n", look.name, w,
+                       error, 100.0 * (sum_got / sum - 1.0));
+            EXPECT_LE(error, 0.4) << look.name << ", pixel of " << w << " m";
+            EXPECT_NEAR(sum_got / sum, 1.0, 0.05) << look.name << ", pixel of " << w << " m";
         }
-        const double count = static_cast<double>(pixels.size()), mean = sum / count;
-        fmt::print("pixel of {:.1f} m: error/mean {:.3f}, mean {:+.1f} %\n", w,
-                   std::sqrt(squares / count) / mean, 100.0 * (sum_got / sum - 1.0));
-        EXPECT_LE(std::sqrt(squares / count) / mean, 0.4);
-        EXPECT_NEAR(sum_got / sum, 1.0, 0.05);
     }
 }
 
@@ -535,6 +550,7 @@ TEST_F(Terrain, ScreenSpaceRaysFindWhatExactRaysMeet) {
 }
 
 // The whole picture in screen space, and without, against exact rays: linear light before the lens.
+// 0.021 was measured; the bar leaves a fifth for another driver's roundings, which move a few hits.
 TEST_F(Terrain, ScreenSpaceIsNearTraced) {
     const auto seen = [&](const char* how) {
         return drawn(
@@ -552,7 +568,7 @@ TEST_F(Terrain, ScreenSpaceIsNearTraced) {
     };
     const double screen = off(seen("screen-space")), none = off(seen("off"));
     fmt::print("RMSE against traced: screen-space {:.4f}, off {:.4f}\n", screen, none);
-    EXPECT_LE(screen, 0.03);
+    EXPECT_LE(screen, 0.025);
     EXPECT_LE(screen, 0.3 * none);
 }
 
