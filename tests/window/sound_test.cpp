@@ -52,7 +52,7 @@ protected:
     }
 };
 
-TEST_F(LiveSoundTest, ASceneIsHeardInOrderAndInStep) {
+TEST_F(LiveSoundTest, ASceneIsHeardInOrder) {
     open(kCounts);
     ASSERT_TRUE(hears(3 * 44100)) << glint_->errors();
     const std::vector<float> pairs = heard();
@@ -79,6 +79,32 @@ TEST_F(LiveSoundTest, APauseIsSilentAndAsksTheDeviceForNothing) {
     ::sleep(1);
     EXPECT_EQ(heard().size(), then);
     EXPECT_EQ(heard()[then - 2], 0.0f) << "it has faded";
+}
+
+// What was written when time stopped is what is heard at that time: a pause keeps the frame, whose
+// still tells its time.
+TEST_F(LiveSoundTest, SoundAndPictureAreInStep) {
+    open(
+        "void mainImage(out vec4 c, vec2 p) { c = vec4(0, fract(iTime), 0, 1); }\n"
+        "vec2 mainSound(int samp, float time) { return vec2(float(samp) / 4194304.0, 0.25); }\n");
+    ASSERT_TRUE(hears(2 * 44100));
+    screen_->tap("Control_L+space");
+    ::sleep(1);
+    screen_->tap("F12");
+    const fs::path picture = folder_->path() / "scene-0001.png";
+    ASSERT_TRUE(eventually([&] { return fs::exists(picture); })) << glint_->errors();
+    const std::string png = read(picture), key = "glint:time";
+    const std::size_t at = png.find(key);
+    ASSERT_NE(at, std::string::npos);
+    const double time = std::atof(png.c_str() + png.find_first_not_of('\0', at + key.size()));
+    const std::vector<float> pairs = heard();
+    std::size_t last = pairs.size() / 2;
+    while (last > 0 && pairs[2 * last - 1] != 0.25f) --last;  // before it fades
+    ASSERT_GT(last, 0u);
+    const double sounded = pairs[2 * last - 2] * 4194304.0 / 44100.0;
+    EXPECT_NEAR(sounded, time, 0.25)
+        << "s; a frame, the way of the pause, and the device's latency, by which it is written "
+           "ahead";
 }
 
 TEST_F(LiveSoundTest, ASaveIsHeard) {
