@@ -60,6 +60,21 @@ void add_state(CLI::App& verb, StateOptions& state) {
                     "keep the state that the last frame is drawn from in this file");
 }
 
+// How light is gathered over a frame, and how a file keeps it.
+void add_picture(CLI::App& verb, int& samples, double& shutter, FileFormat& format) {
+    verb.add_option("--samples", samples, "sub-pixel positions averaged in linear light")
+        ->check(from(1, 65536));
+    verb.add_option("--shutter", shutter,
+                    "degrees of a frame, 360 all of it, over which --samples are spread in time")
+        ->check(from(0.0, 360.0));
+    verb.add_option("--format", format.values, "of an .exr file: float, or half");
+    verb.add_option("--compression", format.compression,
+                    "of an .exr file: zips, or none, rle, zip, piz, pxr24, b44, b44a, dwaa, dwab; "
+                    "of a .tif file: zip, or none, lzw, packbits");
+    verb.add_option("--quality", format.quality, "of a .jpg file; 95 otherwise")
+        ->check(from(1, 100));
+}
+
 void add_still(CLI::App& verb, StillOptions& still) {
     add_view(verb, still.view);
     verb.add_option("-o,--output", still.output, "a .png, .exr, .jpg, .tif or .hdr file")
@@ -68,13 +83,13 @@ void add_still(CLI::App& verb, StillOptions& still) {
     verb.add_option("--frame", still.frame, "instead of --time")->check(from(0, 1 << 30));
     verb.add_option("--fps", still.fps, "Hz, the rate at which a simulation is played")
         ->check(from(0.01, 1e5));
-    verb.add_option("--samples", still.samples, "sub-pixel positions averaged in linear light")
-        ->check(from(1, 65536));
+    add_picture(verb, still.samples, still.shutter, still.format);
     verb.add_option("--settle", still.settle, "more frames with time held still")
         ->check(from(0, 1'000'000));
     verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
     add_state(verb, still.state);
-    verb.add_option("--tile", still.tile, "draw in squares of this many pixels")
+    verb.add_option("--tile", still.tile,
+                    "draw in squares of this many pixels; huge pictures do so by themselves")
         ->check(from(1, 16384));
 }
 
@@ -86,8 +101,7 @@ void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
     verb.add_option("--frames", sequence.frames,
                     "FIRST:LAST or FIRST:LAST:STEP; the first ten seconds otherwise");
     verb.add_option("--fps", sequence.fps, "Hz; frame k stands at k / fps")->check(from(0.01, 1e5));
-    verb.add_option("--samples", sequence.samples, "sub-pixel positions averaged in linear light")
-        ->check(from(1, 65536));
+    add_picture(verb, sequence.samples, sequence.shutter, sequence.format);
     verb.add_option("--shard", sequence.shard, "K/N: only the K-th of N shares of the pictures");
     verb.add_flag("--resume", sequence.resume,
                   "leave pictures alone that are there and are what would be written");

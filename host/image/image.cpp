@@ -211,6 +211,11 @@ bool holds_floats(const fs::path& file) {
     return extension && has_floats(extension->codec);
 }
 
+bool has_tiles(const fs::path& file) {
+    const Extension* extension = find_extension(file);
+    return extension && (extension->codec == Codec::exr || extension->codec == Codec::tiff);
+}
+
 std::string refusal_of(const fs::path& file, const FileFormat& format) {
     const Extension* extension = find_extension(file);
     const Codec codec = extension ? extension->codec : Codec::png;

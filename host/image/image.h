@@ -53,6 +53,9 @@ bool holds_floats(const std::filesystem::path& file);
 class BandEncoder;
 class TemporaryFile;
 
+// Whether files of this kind may be tiled (exr, tif).
+bool has_tiles(const std::filesystem::path& file);
+
 // Writes a picture band by band, the top one first, so that it need never be in memory as a whole.
 // Without finish() nothing stays behind. All throw as write_image does.
 class ImageWriter {

@@ -63,8 +63,8 @@ void apply_tweak(Preset& preset, const std::string& assignment) {
 
 }  // namespace
 
-Progress::Progress(std::string what, long total)
-    : what_(std::move(what)), total_(total), enabled_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::string what, long total, Unit unit)
+    : what_(std::move(what)), total_(total), unit_(unit), enabled_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (shown_) fmt::print(stderr, "\r\033[K");
@@ -79,8 +79,11 @@ void Progress::update(long done) {
     const double rate = static_cast<double>(done) / (since_start_.ms() / 1000.0);
     const auto left = static_cast<long>(
         rate > 0.0 ? std::min(static_cast<double>(total_ - done) / rate, 360000.0) : 360000.0);
-    fmt::print(stderr, "\r{} [{:<{}}] {}/{}  {:.1f}/s  {}:{:02} left\033[K", what_,
-               std::string(filled, '#'), kWidth, done, total_, rate, left / 60, left % 60);
+    const std::string state = unit_ == Unit::percent
+                                  ? fmt::format("{} %", 100 * done / std::max(total_, 1L))
+                                  : fmt::format("{}/{}  {:.1f}/s", done, total_, rate);
+    fmt::print(stderr, "\r{} [{:<{}}] {}  {}:{:02} left\033[K", what_, std::string(filled, '#'),
+               kWidth, state, left / 60, left % 60);
     std::fflush(stderr);
 }
 
@@ -165,9 +168,25 @@ Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size, Ch
 
 Image read_picture(Renderer& renderer, bool floats) {
     const glm::ivec2 size = renderer.root_size();
-    if (!floats) return picture_without_alpha(renderer.read_bytes(), size);
-    const std::vector<float> rgba = renderer.read_floats();
-    return picture_without_alpha(std::as_bytes(std::span(rgba)), size, ChannelType::f32);
+    std::vector<std::byte> rgba(static_cast<std::size_t>(size.x) *
+                                static_cast<std::size_t>(size.y) * (floats ? 16 : 4));
+    renderer.read_picture(floats, rgba.data());
+    return picture_without_alpha(rgba, size, floats ? ChannelType::f32 : ChannelType::u8);
+}
+
+double exposure_of(double shutter, double fps, int samples, const PassGraph& graph) {
+    if (shutter <= 0.0) return 0.0;
+    if (samples < 2) {
+        throw UsageError(
+            "--shutter spreads the samples over the time that it is open; add "
+            "--samples 16, or more.");
+    }
+    if (graph.stateful) {
+        throw UsageError(
+            "--shutter draws moments between two frames; this scene's picture follows "
+            "from the frames before it, and has none there.");
+    }
+    return shutter / 360.0 / fps;
 }
 
 int Playback::last_frame() const {

@@ -68,13 +68,16 @@ private:
 // longer than half a second.
 class Progress {
 public:
-    Progress(std::string what, long total);
+    // Whole pictures count; smaller pieces of one are told in percent.
+    enum class Unit { pictures, percent };
+    Progress(std::string what, long total, Unit unit = Unit::pictures);
     ~Progress();
     void update(long done);
 
 private:
     std::string what_;
     long total_;
+    Unit unit_;
     bool shown_ = false, enabled_;
     Stopwatch since_start_, since_last_;
 };
@@ -102,6 +105,10 @@ Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size,
 
 // The picture as it stands, RGB in bytes or floats.
 Image read_picture(Renderer& renderer, bool floats);
+
+// Seconds that a shutter of this many degrees stays open; 360 are a whole frame. Throws UsageError
+// where nothing can be drawn between two frames.
+double exposure_of(double shutter, double fps, int samples, const PassGraph& graph);
 
 // Frames of a preset that is played from 0 at a fixed rate to exactly `end`: frame k stands at k /
 // fps, the last one at `end`.

@@ -123,6 +123,14 @@ Target target_of(const SequenceOptions& options) {
                 "exr.");
         }
     }
+    const FileFormat& format = options.format;
+    const bool is_chosen =
+        !format.values.empty() || !format.compression.empty() || format.quality != 0;
+    if (is_chosen && target != Target::pictures) {
+        throw UsageError("--format, --compression and --quality are for pictures.");
+    }
+    const std::string refusal = is_chosen ? refusal_of(output, format) : "";
+    if (!refusal.empty()) throw UsageError(refusal);
     if (target == Target::raw && (options.view.json || isatty(STDOUT_FILENO))) {
         throw UsageError("-o - writes bytes to stdout: pipe them to a program, without --json.");
     }
@@ -132,7 +140,8 @@ Target target_of(const SequenceOptions& options) {
 // All that a frame's picture follows from, but for its number and who drew it.
 std::string inputs_of(const SequenceOptions& options, const Provenance& provenance) {
     Hash hash;
-    hash.add(fmt::format("{}", options.samples));
+    hash.add(fmt::format("{} {} {} {}", options.samples, options.shutter, options.format.values,
+                         options.format.compression));
     for (const auto& [name, text] : provenance) hash.add(text);
     return hash.text();
 }
@@ -161,7 +170,8 @@ struct Run {
     Playback playback;
     States& states;
     Workers& workers;
-    int next = 0;  // the frame to be played next
+    double exposure = 0.0;  // s, of each picture
+    int next = 0;           // the frame to be played next
     int simulated = 0, saved = 0;
     std::function<void()> write_what_is_drawn{};
 
@@ -207,6 +217,7 @@ void draw_frames(Run& run, const std::vector<int>& frames, bool floats, Write wr
         run.advance_to(k);
         run.keep_state();
         on_the_way.push_back(run.playback.frame(run.preset, run.next++));
+        on_the_way.back().exposure = run.exposure;
         run.renderer.draw(on_the_way.back());
         readback.send();
         if (readback.full()) write_first();
@@ -387,7 +398,8 @@ void run_sequence(const SequenceOptions& options) {
                                                            .clamp_to_bytes = !floats}}),
                       {.size = preset.size,
                        .picture_format = floats ? PixelFormat::rgba32f : PixelFormat::rgba8,
-                       .samples = options.samples});
+                       .samples = options.samples,
+                       .in_strips = true});
     load_inputs(preset, renderer);
 
     std::optional<Film> film;
@@ -406,17 +418,22 @@ void run_sequence(const SequenceOptions& options) {
             if (target == Target::raw) return write_all(STDOUT_FILENO, raw_frame(image));
             metadata.emplace_back("glint:samples", fmt::format("{}", options.samples));
             metadata.emplace_back("glint:inputs", made_from(k));
-            write_image(pattern->name(k), image, metadata);
+            if (options.shutter > 0.0) {
+                metadata.emplace_back("glint:shutter", fmt::format("{}", options.shutter));
+            }
+            write_image(pattern->name(k), image, metadata, options.format);
         });
     };
     const Playback playback{.end = last / options.fps, .fps = options.fps};
     States states(options.state, preset, renderer, playback, 0, provenance, gpu, options.resume);
-    Run run{.preset = preset,
-            .renderer = renderer,
-            .context = *context,
-            .playback = playback,
-            .states = states,
-            .workers = workers};
+    Run run{
+        .preset = preset,
+        .renderer = renderer,
+        .context = *context,
+        .playback = playback,
+        .states = states,
+        .workers = workers,
+        .exposure = exposure_of(options.shutter, options.fps, options.samples, renderer.graph())};
     run.next = states.start(frames.empty() ? last : frames.front());
     draw_frames(run, frames, floats, write);
     if (!options.state.save.empty()) walk_to(run, last);

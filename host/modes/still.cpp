@@ -3,12 +3,15 @@
 #include "gl/context.h"
 #include "image/image.h"
 #include "modes/input_files.h"
+#include "modes/workers.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace glint {
@@ -27,6 +30,8 @@ void check_options(const StillOptions& options) {
                                      options.output.string()));
     }
     if (options.time && options.frame) throw UsageError("Give either --time or --frame, not both.");
+    const std::string refusal = refusal_of(options.output, options.format);
+    if (!refusal.empty()) throw UsageError(refusal);
     if (options.samples > 1 && options.pass != "image") {
         throw UsageError("--samples averages the picture; a buffer is written as it is.");
     }
@@ -70,22 +75,88 @@ Image read_back(Renderer& renderer, const Preset& preset, std::size_t pass,
     return image;
 }
 
-void print_result(const StillOptions& options, const Preset& preset, const Image& image,
+// A picture beyond this many pixels is drawn and written in bands, so that memory does not grow
+// with it; one of 8K is not.
+constexpr std::int64_t kMostAtOnce = std::int64_t{1} << 25;
+constexpr int kBandPixels = 1 << 22;
+constexpr int kPartWidth = 8192;  // within every driver's limit
+
+// Buffers of the picture's size are drawn anew for each sample, and would be for each part.
+bool draws_buffers_for_samples(const StillOptions& options, const Scene& scene) {
+    return options.samples > 1 && std::ranges::any_of(scene.passes, [](const Pass& pass) {
+               return !pass.cube && !pass.size && pass.scale == 1.0;
+           });
+}
+
+// The parts in which the picture is drawn; 0: whole.
+glm::ivec2 part_size(const StillOptions& options, const Preset& preset) {
+    const glm::ivec2 size = preset.size;
+    if (options.pass != "image") return glm::ivec2(0);
+    if (options.tile > 0) return glm::min(glm::ivec2(options.tile + options.tile % 2), size);
+    const bool small = std::int64_t{size.x} * size.y <= kMostAtOnce;
+    if (small || draws_buffers_for_samples(options, preset.scene)) return glm::ivec2(0);
+    const int rows = std::max(kBandPixels / size.x / kFileTile, 1) * kFileTile;
+    return glm::min(glm::ivec2(kPartWidth, rows), size);
+}
+
+// Lays a part into its band, which is as high.
+void place(const Image& part, int x, Image& band) {
+    const std::size_t pixel = band.pixels.size() / static_cast<std::size_t>(band.size.x) /
+                              static_cast<std::size_t>(band.size.y);
+    const std::size_t row = pixel * static_cast<std::size_t>(part.size.x);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(part.size.y); ++y) {
+        std::byte* to = band.pixels.data() + pixel * (y * static_cast<std::size_t>(band.size.x) +
+                                                      static_cast<std::size_t>(x));
+        std::memcpy(to, part.pixels.data() + y * row, row);
+    }
+}
+
+// Draws the picture part by part, from the top, and hands band after band to `write`.
+template <class Write>
+void draw_bands(Renderer& renderer, Context& context, const Frame& frame, glm::ivec2 size,
+                glm::ivec2 most, bool floats, Split& ms, Write write) {
+    Stopwatch clock;
+    for (int top = size.y, bottom = 0; top > 0; top = bottom) {
+        bottom = std::max(top - most.y, 0);
+        Image band{.size = {size.x, top - bottom},
+                   .channels = 3,
+                   .type = floats ? ChannelType::f32 : ChannelType::u8,
+                   .pixels = {}};
+        band.pixels.resize(static_cast<std::size_t>(size.x) *
+                           static_cast<std::size_t>(top - bottom) * (floats ? 12 : 3));
+        for (int x = 0; x < size.x; x += most.x) {
+            renderer.set_part({x, bottom}, {std::min(most.x, size.x - x), top - bottom});
+            if (x == 0 && top == size.y)
+                renderer.draw(frame);
+            else
+                renderer.draw_root(frame);
+            context.finish();
+            ms.render += clock.restart();
+            place(read_picture(renderer, floats), x, band);
+            context.finish();
+            ms.read += clock.restart();
+        }
+        write(std::move(band));
+        ms.encode += clock.restart();
+    }
+}
+
+void print_result(const StillOptions& options, const Preset& preset, glm::ivec2 size,
                   const Frame& frame, int frames_rendered, const std::string& renderer,
                   const Split& ms) {
     if (!options.view.json) {
-        fmt::print("{}  {}x{}  {:.0f} ms\n", options.output.string(), image.size.x, image.size.y,
-                   ms.total);
+        fmt::print("{}  {}x{}  {:.0f} ms\n", options.output.string(), size.x, size.y, ms.total);
         return;
     }
     const Json json = {{"output", options.output.string()},
                        {"scene", preset.scene.files.front().string()},
-                       {"size", {image.size.x, image.size.y}},
+                       {"size", {size.x, size.y}},
                        {"frame", frame.frame},
                        {"time", frame.time},
                        {"renderer", renderer},
                        {"frames_rendered", frames_rendered},
                        {"samples", options.samples},
+                       {"shutter", options.shutter},
                        {"specialised", options.view.specialise},
                        {"ms",
                         {{"context", ms.context},
@@ -114,10 +185,12 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     ms.context = clock.restart();
 
     const bool floats = holds_floats(options.output);
+    const glm::ivec2 part = part_size(options, preset);
     CompiledScene compiled =
         compile_or_stop(preset, {.root = pass,
                                  .program = {.specialise = options.view.specialise,
                                              .average = options.samples > 1,
+                                             .parts = part != glm::ivec2(0),
                                              .clamp_to_bytes = !floats}});
     ms.compile = clock.restart();
 
@@ -125,7 +198,8 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
                       {.size = preset.size,
                        .picture_format = floats ? PixelFormat::rgba32f : PixelFormat::rgba8,
                        .samples = options.samples,
-                       .tile = options.tile});
+                       .part = part,
+                       .in_strips = true});
     load_inputs(preset, renderer);
     ms.load += clock.restart();
 
@@ -136,27 +210,51 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
                   provenance_of(preset, options.fps, options.view.specialise), gpu);
     int frames_rendered = 0;
     const int first = states.start(last);
-    const Frame frame = play(preset, renderer, playback, settle, frames_rendered, first);
+    const double exposure =
+        exposure_of(options.shutter, options.fps, options.samples, renderer.graph());
+    Frame frame = play(preset, renderer, playback, settle, frames_rendered, first);
     if (states.is_due(last)) states.save(last);
-    Progress progress("sampling", options.samples);
-    renderer.after_sample = [&](int done) {
+    frame.exposure = exposure;
+    const glm::ivec2 size = pass == kImagePass ? preset.size : renderer.root_size();
+    std::int64_t drawn = 0;
+    Progress progress("drawing", long{size.x} * size.y * options.samples, Progress::Unit::percent);
+    renderer.after_strip = [&](std::int64_t pixels) {
         context->finish();
-        progress.update(done);
+        progress.update(drawn += pixels);
     };
-    renderer.draw(frame);
-    context->finish();
-    ms.render = clock.restart();
-
-    const Image image = read_back(renderer, preset, pass, options);
-    context->finish();
-    ms.read = clock.restart();
     Metadata metadata = picture_metadata(preset, frame, gpu);
     metadata.emplace_back("glint:pass", options.pass);
     metadata.emplace_back("glint:samples", fmt::format("{}", options.samples));
-    write_image(options.output, image, metadata);
-    ms.encode = clock.restart();
+    if (options.shutter > 0.0) {
+        metadata.emplace_back("glint:shutter", fmt::format("{}", options.shutter));
+    }
+    if (part == glm::ivec2(0)) {
+        renderer.draw(frame);
+        context->finish();
+        ms.render = clock.restart();
+        const Image image = read_back(renderer, preset, pass, options);
+        context->finish();
+        ms.read = clock.restart();
+        write_image(options.output, image, metadata, options.format);
+    } else {
+        FileFormat format = options.format;
+        format.tiled = floats && options.tile == 0 && has_tiles(options.output);
+        const Image shape{.size = size,
+                          .channels = 3,
+                          .type = floats ? ChannelType::f32 : ChannelType::u8,
+                          .pixels = {}};
+        ImageWriter writer(options.output, shape, metadata, format);
+        Workers workers(1);
+        draw_bands(renderer, *context, frame, size, part, floats, ms, [&](Image band) {
+            workers.run([&, band = std::move(band)] { writer.write(band); });
+        });
+        clock.restart();
+        workers.finish();
+        writer.finish();
+    }
+    ms.encode += clock.restart();
     ms.total = since_start.ms();
-    print_result(options, preset, image, frame, frames_rendered, gpu, ms);
+    print_result(options, preset, size, frame, frames_rendered, gpu, ms);
 }
 
 }  // namespace glint

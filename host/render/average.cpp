@@ -1,6 +1,8 @@
 #include "render/average.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 
 namespace glint {
@@ -39,6 +41,18 @@ glm::vec2 sub_pixel_position(int i, int count) {
         rank_of_radical_inverse(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(count)));
     return {static_cast<float>((i + 0.5) / count - 0.5),
             static_cast<float>((rank + 0.5) / count - 0.5)};
+}
+
+double shutter_time(int i, int count, int frame) {
+    // Steps of about the golden section through the parts; a step without a common divisor with
+    // their number visits each once.
+    int step = std::max(static_cast<int>(count * 0.618033988749895), 1);
+    while (std::gcd(step, count) != 1) ++step;
+    const auto part = static_cast<double>(static_cast<std::int64_t>(i) * step % count);
+    // Weyl's sequence, whose places are spread evenly: 2^32 by the golden section.
+    const std::uint32_t place =
+        (static_cast<std::uint32_t>(frame) * 7919u + static_cast<std::uint32_t>(i)) * 2654435769u;
+    return (part + place / 4294967296.0) / count;
 }
 
 Average::Average(glm::ivec2 size) : sum_(BufferShape{.size = size}) {

@@ -13,6 +13,11 @@ namespace glint {
 // rows and columns has one position, so their mean is the centre.
 glm::vec2 sub_pixel_position(int i, int count);
 
+// When sample i of `count` is taken, as a fraction of the exposure: each of `count` equal parts of
+// it has one, at a place of its own in the part, in an order that follows neither row nor column.
+// Equal arguments give equal times.
+double shutter_time(int i, int count, int frame);
+
 class Average {
 public:
     explicit Average(glm::ivec2 size);

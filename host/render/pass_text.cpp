@@ -184,13 +184,21 @@ bool make_colour_defined(PassText& pass, const std::string& entry) {
     return found;
 }
 
+// gl_FragCoord counts from the corner of the part that is drawn. Where the scene's text uses it, a
+// name as long stands for the place in the picture, so that no column moves.
+constexpr std::string_view kParts =
+    "uniform vec2 glint_origin;\n"
+    "#define glFragCoord_ (gl_FragCoord + vec4(glint_origin, 0.0, 0.0))\n";
+
 std::string image_main(const char* out, const ProgramOptions& options) {
     std::string text = fmt::format("void mainImage({} vec4 color, in vec2 coord);\n", out);
+    if (options.parts) text += kParts;
     text += kAssert;
     if (options.average) (text += kJitter) += kDecode;
     text +=
         "layout(location = 0) out vec4 glint_out0;\nvoid main() {\n    vec4 color = vec4(0.0);\n";
-    text += fmt::format("    mainImage(color, gl_FragCoord.xy{});\n",
+    text += fmt::format("    mainImage(color, {}.xy{});\n",
+                        options.parts ? "glFragCoord_" : "gl_FragCoord",
                         options.average ? " + glint_jitter" : "");
     text += "    color = glint_asserted(color);\n";
     if (options.average) {
@@ -200,15 +208,20 @@ std::string image_main(const char* out, const ProgramOptions& options) {
     return text + "    glint_out0 = vec4(color.rgb, 1.0);\n}\n";
 }
 
+// Both are of the same length.
+void put_in_place_of(std::string_view theirs, std::string_view ours, std::string& text) {
+    for (std::size_t at = text.find(theirs); at != text.npos; at = text.find(theirs, at)) {
+        text.replace(at, ours.size(), ours);
+    }
+}
+
 // A text with a main() of its own, for GLSL of the web, is called from the site's mainImage. Names
 // of GLSL itself cannot be macros; others, as long, stand for them so that no column moves.
 void adapt_plain_main(std::string& text, std::string& prologue) {
-    for (const auto& [theirs, ours] :
-         {std::pair{"gl_FragColor", "glFragColor_"}, std::pair{"gl_FragCoord", "glFragCoord_"}}) {
-        for (std::size_t at = text.find(theirs); at != text.npos; at = text.find(theirs, at))
-            text.replace(at, std::string_view(ours).size(), ours);
-    }
+    put_in_place_of("gl_FragColor", "glFragColor_", text);
+    put_in_place_of("gl_FragCoord", "glFragCoord_", text);
     prologue +=
+        "#undef glFragCoord_\n"
         "vec4 glFragColor_ = vec4(0.0), glFragCoord_ = vec4(0.0);\n"
         "#define texture2D texture\n#define textureCube texture\n#define main glint_main\n";
     if (!text.ends_with('\n')) text += '\n';
@@ -359,6 +372,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
             : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
                                       : buffer_main(scene.passes[pass], out, options);
     if (plain_main) adapt_plain_main(result.text, text);
+    if (image && options.parts) put_in_place_of("gl_FragCoord", "glFragCoord_", result.text);
     result.prologue_lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
     for (PassText::Widened& widened : result.widened) widened.line += result.prologue_lines;
     result.text.insert(0, text);

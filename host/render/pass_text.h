@@ -36,6 +36,7 @@ std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
 struct ProgramOptions {
     bool specialise = true;  // write the tweaks in as constants
     bool average = false;    // the picture in linear light at a sub-pixel position, to be added up
+    bool parts = false;      // the picture is drawn in parts, each at an origin of its own
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
 };
 

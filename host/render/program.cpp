@@ -31,6 +31,7 @@ constexpr std::array kBuiltinNames = {
     BuiltinName{"iTick", Builtin::tick},
     BuiltinName{"glint_jitter", Builtin::jitter},
     BuiltinName{"glint_face", Builtin::face},
+    BuiltinName{"glint_origin", Builtin::origin},
 };
 
 // "iCh2.size" is a member of channel 2; "iChannelTime[0]" an array of four.

@@ -17,6 +17,8 @@ long steps_elapsed(double time, Step step) {
         time * static_cast<double>(step.denominator) / static_cast<double>(step.numerator) + 1e-6));
 }
 
+constexpr double kStripSeconds = 0.1;
+
 void require_drawable(glm::ivec2 size, const std::string& what) {
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
@@ -43,7 +45,7 @@ Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOption
         drawn_[i].tweaks.resize(program.tweaks.size());
         drawn_[i].versions.resize(program.samplers.size());
     }
-    if (options.samples > 1) average_ = std::make_unique<Average>(options.size);
+    if (options.samples > 1) average_ = std::make_unique<Average>(buffers_.back()->shape().size);
     glDisable(GL_DITHER);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // always on in GLSL ES
 }
@@ -56,7 +58,9 @@ Renderer::~Renderer() {
 
 BufferShape Renderer::wanted_shape(std::size_t index) const {
     const std::size_t wanted = scene_.programs[index].pass;
-    BufferShape shape{.size = options_.size, .format = options_.picture_format};
+    const bool whole = options_.part == glm::ivec2(0);
+    BufferShape shape{.size = whole ? options_.size : options_.part + 2,  // 2: see set_part()
+                      .format = options_.picture_format};
     if (fills_a_buffer(wanted)) {
         const Pass& pass = preset_.scene.passes[wanted];
         shape = {.size = buffer_size(pass, options_.size),
@@ -121,7 +125,24 @@ void Renderer::draw_root(const Frame& frame) {
     glBindVertexArray(vertex_array_.id());
     channels_.set_keyboard(frame.input);
     channels_.set_time(frame.time);
+    if (average_) return run_averaged(frame);
     run_pass(scene_.programs.size() - 1, {.frame = frame}, true);
+}
+
+void Renderer::set_part(glm::ivec2 origin, glm::ivec2 size) {
+    part_margin_ = origin % 2;
+    part_origin_ = origin - part_margin_;
+    part_size_ = size;
+    force_root_ = true;
+}
+
+bool Renderer::is_part(std::size_t index) const {
+    return options_.part != glm::ivec2(0) && !fills_a_buffer(scene_.programs[index].pass);
+}
+
+// Of the buffer, what is drawn.
+glm::ivec2 Renderer::drawn_size(std::size_t index) const {
+    return is_part(index) ? part_margin_ + part_size_ : buffers_[index]->shape().size;
 }
 
 void Renderer::reset() {
@@ -257,20 +278,26 @@ bool Renderer::is_jittered(std::size_t index) const {
            declared.scale == 1.0;
 }
 
+// Where the shutter stays open, each sample has a time of its own as well.
 void Renderer::run_averaged(const Frame& frame) {
     const std::size_t root = scene_.root;
     average_->clear();
     for (int sample = 0; sample < options_.samples; ++sample) {
-        const Inputs inputs{.frame = frame, .jitter = sub_pixel_position(sample, options_.samples)};
+        Frame moment = frame;
+        const double later = frame.exposure * shutter_time(sample, options_.samples, frame.frame);
+        moment.time += later;
+        moment.date.w += static_cast<float>(later);
+        const Inputs inputs{.frame = moment,
+                            .jitter = sub_pixel_position(sample, options_.samples)};
+        if (frame.exposure > 0.0) channels_.set_time(moment.time);
         for (std::size_t i = 0; i < root; ++i) {
-            if (is_jittered(i)) run_pass(i, inputs);
+            if (is_jittered(i) || frame.exposure > 0.0) run_pass(i, inputs);
         }
         run_pass(root, inputs, true);
-        if (after_sample) after_sample(sample + 1);
     }
-    const Buffer& picture = *buffers_[root];
-    glViewport(0, 0, picture.shape().size.x, picture.shape().size.y);
-    average_->resolve(picture.target(), options_.samples);
+    const glm::ivec2 size = drawn_size(root);
+    glViewport(0, 0, size.x, size.y);
+    average_->resolve(buffers_[root]->target(), options_.samples);
     buffers_[root]->finish_draw();
     root_drawn_ = true;
 }
@@ -293,14 +320,14 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     if (buffer.shape().cube) {
         for (int face = 0; face < 6; ++face) {
             update_uniforms(index, {.frame = inputs.frame, .face = face});
-            draw_calls(buffer.target(face), buffer.shape().size, false);
+            draw_calls(index, buffer.target(face));
         }
     } else {
         if (averaged) {
             glEnable(GL_BLEND);
             glBlendFunc(GL_ONE, GL_ONE);
         }
-        draw_calls(averaged ? average_->target() : buffer.target(), buffer.shape().size, root);
+        draw_calls(index, averaged ? average_->target() : buffer.target());
         if (averaged) glDisable(GL_BLEND);
     }
     if (!averaged) buffer.finish_draw();
@@ -309,23 +336,36 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     if (after_pass) after_pass(index);
 }
 
-void Renderer::draw_calls(GLuint target, glm::ivec2 size, bool tiled) {
+void Renderer::draw_calls(std::size_t index, GLuint target) {
+    const glm::ivec2 size = drawn_size(index);
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, size.x, size.y);
-    if (tiled && options_.tile > 0) {
-        // Each tile is waited for, so that no driver's watchdog sees one long draw.
-        glEnable(GL_SCISSOR_TEST);
-        for (int y = 0; y < size.y; y += options_.tile) {
-            for (int x = 0; x < size.x; x += options_.tile) {
-                glScissor(x, y, options_.tile, options_.tile);
-                draw_triangle();
-                glFinish();
-            }
-        }
-        glDisable(GL_SCISSOR_TEST);
-    } else {
+    if (options_.in_strips && !buffers_[index]->shape().cube) return draw_strips(index, size);
+    draw_triangle();
+}
+
+// Strips grow and shrink until each takes about kStripSeconds. Where one holds the whole pass,
+// nothing is waited for.
+void Renderer::draw_strips(std::size_t index, glm::ivec2 size) {
+    int& rows = drawn_[index].strip_rows;
+    if (rows >= size.y) {
         draw_triangle();
+        if (index == scene_.root && after_strip) after_strip(std::int64_t{size.x} * size.y);
+        return;
     }
+    glEnable(GL_SCISSOR_TEST);
+    for (int y = 0, drawn = 0; y < size.y; y += drawn) {
+        drawn = std::min(rows, size.y - y);
+        const auto start = std::chrono::steady_clock::now();
+        glScissor(0, y, size.x, drawn);
+        draw_triangle();
+        glFinish();
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        const double wanted = drawn * kStripSeconds / std::max(took.count(), 1e-6);
+        rows = static_cast<int>(std::clamp(wanted, 1.0, 8.0 * rows));
+        if (index == scene_.root && after_strip) after_strip(std::int64_t{size.x} * drawn);
+    }
+    glDisable(GL_SCISSOR_TEST);
 }
 
 // Sends what has changed since the pass was last drawn, and says whether anything had. The
@@ -353,6 +393,7 @@ bool Renderer::update_uniforms(std::size_t index, const Inputs& inputs) {
                 glProgramUniform1fv(program, location, 4, floats);
                 break;
             case Builtin::jitter:
+            case Builtin::origin:
             case Builtin::resolution_2d:
             case Builtin::mouse_2d:
                 glProgramUniform2fv(program, location, 1, floats);
@@ -478,7 +519,7 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
     switch (uniform.builtin) {
         case Builtin::resolution:
         case Builtin::resolution_2d: {
-            const glm::ivec2 size = buffers_[index]->shape().size;
+            const glm::ivec2 size = is_part(index) ? options_.size : buffers_[index]->shape().size;
             f[0] = static_cast<float>(size.x), f[1] = static_cast<float>(size.y), f[2] = 1.0f;
             break;
         }
@@ -532,6 +573,9 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
         case Builtin::face:
             value.ints[0] = inputs.face;
             break;
+        case Builtin::origin:
+            f[0] = static_cast<float>(part_origin_.x), f[1] = static_cast<float>(part_origin_.y);
+            break;
     }
     return value;
 }
@@ -539,6 +583,7 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
 // The faces of a cube come side by side, in GL's order: +X -X +Y -Y +Z -Z.
 glm::ivec2 Renderer::root_size() const {
     const BufferShape& shape = buffers_[scene_.root]->shape();
+    if (is_part(scene_.root)) return part_size_;
     return shape.cube ? glm::ivec2(shape.size.x * 6, shape.size.y) : shape.size;
 }
 
@@ -546,7 +591,8 @@ void Renderer::read_picture(bool floats, void* to) const {
     const glm::ivec2 size = root_size();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_[scene_.root]->front_framebuffer());
     glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE, to);
+    glReadPixels(part_margin_.x, part_margin_.y, size.x, size.y, GL_RGBA,
+                 floats ? GL_FLOAT : GL_UNSIGNED_BYTE, to);
 }
 
 std::vector<std::byte> Renderer::read_bytes() {

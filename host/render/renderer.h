@@ -17,7 +17,11 @@ struct RenderOptions {
     glm::ivec2 size{1280, 720};                       // pixels
     PixelFormat picture_format = PixelFormat::rgba8;  // of the picture; buffers have their own
     int samples = 1;  // sub-pixel positions; needs ProgramOptions::average
-    int tile = 0;     // draw the root in squares of this many pixels; 0: whole
+    // The picture is drawn in parts of at most this size; 0: whole. Needs ProgramOptions::parts.
+    glm::ivec2 part{0};
+    // Passes that take long are drawn in strips, each waited for, so that no driver's watchdog sees
+    // one long draw.
+    bool in_strips = false;
 };
 
 // What later frames depend on in one pass.
@@ -56,6 +60,9 @@ public:
 
     // Draws the root alone, from the buffers as they stand.
     void draw_root(const Frame& frame);
+
+    // Which rectangle of the picture the root is from now on, where it is drawn in parts.
+    void set_part(glm::ivec2 origin, glm::ivec2 size);
 
     // Buffers to 0 and simulations to their start; everything is drawn again.
     void reset();
@@ -105,8 +112,9 @@ public:
 
     // Called round each pass that is drawn, with its index in the graph. For measuring.
     std::function<void(std::size_t)> before_pass, after_pass;
-    // Called after each sub-pixel position. For progress.
-    std::function<void(int)> after_sample;
+    // Called with the number of pixels of the root that have been drawn, whenever some were waited
+    // for. For progress.
+    std::function<void(std::int64_t)> after_strip;
     // Seconds spent inside draw calls and on mipmaps, where a software renderer does part of the
     // drawing.
     double draw_call_seconds = 0.0;
@@ -130,6 +138,7 @@ private:
         std::vector<std::optional<Value>> builtins;
         std::vector<std::optional<TweakValue>> tweaks;
         std::vector<std::optional<std::size_t>> versions;
+        int strip_rows = 32;  // that take about kStripSeconds; the first are a guess
     };
 
     void run(const Frame& frame, bool state_only);
@@ -139,7 +148,10 @@ private:
     bool update_uniforms(std::size_t index, const Inputs& inputs);
     bool update_versions(std::size_t index);
     void bind_samplers(const PassProgram& program);
-    void draw_calls(GLuint target, glm::ivec2 size, bool tiled);
+    void draw_calls(std::size_t index, GLuint target);
+    void draw_strips(std::size_t index, glm::ivec2 size);
+    glm::ivec2 drawn_size(std::size_t index) const;
+    bool is_part(std::size_t index) const;
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
     glm::ivec3 channel_size(std::size_t pass, int channel) const;
     float channel_time(std::size_t pass, int channel, double time) const;
@@ -164,6 +176,9 @@ private:
     VertexArray vertex_array_;
     bool force_root_ = false;
     bool root_drawn_ = false;
+    // The part that is drawn, and where in it the one that was asked for begins: quads of four
+    // pixels, in which derivatives are taken, stand where they stand in the whole picture.
+    glm::ivec2 part_origin_{0}, part_size_{0}, part_margin_{0};
 };
 
 }  // namespace glint

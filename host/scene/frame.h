@@ -83,7 +83,8 @@ struct Frame {
     double time_delta = 1.0 / 60;  // s
     double frame_rate = 60.0;      // Hz
     int frame = 0;                 // since reset
-    glm::vec4 date{0.0f};          // iDate
+    double exposure = 0.0;  // s that the shutter stays open from `time` on; averaged pictures only
+    glm::vec4 date{0.0f};   // iDate
     Input input;
     // What was done so far, from a preset or at the window: step passes read the input of their own
     // step's time from these, so that a simulation does not depend on the frame rate. May begin

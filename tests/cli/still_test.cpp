@@ -41,6 +41,13 @@ double value(const Image& image, int x, int y, int channel) {
     return result;
 }
 
+constexpr std::string_view kCounter =
+    "uniform sampler2D count; //@ pass mainCount\n"
+    "void mainCount(out vec4 c, in vec2 p) { c = texelFetch(count, ivec2(p), 0) + vec4(1, "
+    "iTimeDelta, 0, 0); }\n"
+    "void mainImage(out vec4 c, in vec2 p) { c = vec4(texelFetch(count, ivec2(p), 0).xy, "
+    "float(iFrame), 1); }\n";
+
 TEST_F(Still, WritesEveryKindOfFileUprightAndOfTheRightColour) {
     write("scene.frag", kGradient);
     struct Kind {
@@ -214,13 +221,6 @@ TEST_F(Still, AStatelessSceneDrawsOneFrameWhateverItsTime) {
     EXPECT_GT(json["frame"].get<double>(), 1e9);
 }
 
-constexpr std::string_view kCounter =
-    "uniform sampler2D count; //@ pass mainCount\n"
-    "void mainCount(out vec4 c, in vec2 p) { c = texelFetch(count, ivec2(p), 0) + vec4(1, "
-    "iTimeDelta, 0, 0); }\n"
-    "void mainImage(out vec4 c, in vec2 p) { c = vec4(texelFetch(count, ivec2(p), 0).xy, "
-    "float(iFrame), 1); }\n";
-
 TEST_F(Still, ASimulationIsPlayedFromTheStart) {
     write("scene.frag", kCounter);
     const Json json = result({"scene.frag", "-o", "frame.exr", "--size", "4x2", "--frame", "60"});
@@ -266,6 +266,105 @@ TEST_F(Still, TilesGiveTheSameBytes) {
         still({"scene.frag", "-o", "tiled.png", "--tile", tile});
         EXPECT_EQ(bytes("tiled.png"), bytes("whole.png")) << tile;
     }
+}
+
+TEST_F(Still, PartsAgreeBitForBitDerivativesTooAndAlsoWhereTheTextAsksForItsPlace) {
+    // Odd sizes, so that the parts' own corners do not stand on even pixels.
+    write("scene.frag",
+          "uniform sampler2D small; //@ pass mainSmall size=4x4\n"
+          "void mainSmall(out vec4 c, in vec2 p) { c = vec4(p / 4.0, 0, 1); }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float a = sin(p.x * p.y * 0.01);\n"
+          "    c = vec4(fwidth(a), gl_FragCoord.x / iResolution.x,\n"
+          "             texture(small, p / iResolution.xy).y + dFdy(a), 1);\n}\n");
+    for (const std::string samples : {"1", "3"}) {
+        for (const std::string name : {"exr", "png"}) {
+            still({"scene.frag", "-o", "whole." + name, "--size", "75x51", "--samples", samples});
+            for (const std::string tile : {"1", "16", "31"}) {
+                still({"scene.frag", "-o", "parts." + name, "--size", "75x51", "--samples", samples,
+                       "--tile", tile});
+                EXPECT_EQ(bytes("parts." + name), bytes("whole." + name)) << tile << " " << name;
+            }
+        }
+    }
+}
+
+TEST_F(Still, APictureWiderThanAnyTextureIsDrawnInParts) {
+    write("scene.frag", kGradient);
+    // Beyond 16384 on a side, and beyond what is drawn at once.
+    for (const std::string name : {"huge.png", "huge.exr", "huge.tif"}) {
+        SCOPED_TRACE(name);
+        still({"scene.frag", "-o", name, "--size", "20000x1700", "--compression",
+               name == "huge.exr"   ? "rle"
+               : name == "huge.tif" ? "lzw"
+                                    : ""});
+        const std::string corner = "cd '" + folder().string() + "' && ffmpeg -nostdin -loglevel " +
+                                   "error -i " + name +
+                                   " -vf crop=2:1:19998:1699,format=rgb24 -f rawvideo -y raw";
+        if (name != "huge.png") continue;  // FFmpeg reads no large float pictures
+        ASSERT_EQ(std::system(corner.c_str()), 0);
+        const std::string raw = bytes("raw");
+        ASSERT_EQ(raw.size(), 6u);
+        EXPECT_EQ(static_cast<unsigned char>(raw[0]), 255);
+        EXPECT_EQ(static_cast<unsigned char>(raw[1]), 0);
+    }
+    const Outcome too_wide = glint({"still", "scene.frag", "-o", "a.jpg", "--size", "70000x600"});
+    EXPECT_EQ(too_wide.code, 1);
+    EXPECT_NE(too_wide.err.find("65500"), std::string::npos) << too_wide.err;
+    write("buffer.frag",
+          "uniform sampler2D a; //@ pass mainA\n"
+          "void mainA(out vec4 c, in vec2 p) { c = vec4(p, 0, 1); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(a, ivec2(p), 0); }\n");
+    const Outcome no_room = glint({"still", "buffer.frag", "-o", "a.png", "--size", "40000x1000"});
+    EXPECT_EQ(no_room.code, 1);
+    EXPECT_NE(no_room.err.find("a is 40000x1000 pixels; this driver draws up to"),
+              std::string::npos)
+        << no_room.err;
+}
+
+TEST_F(Still, TheShutterSpreadsSamplesOverTime) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(iTime < 2.005 ? 1.0 : 0.0, iTime, "
+          "float(iFrame), 1); }\n");
+    const std::vector<std::string> call = {
+        "scene.frag", "-o", "a.exr",  "--time", "2",         "--fps", "50",
+        "--samples",  "64", "--size", "4x2",    "--shutter", "180"};
+    still(call);
+    // Open for 10 ms; during half of it the red light is on. Encoded for a display, so the green
+    // mean of about 2.005 is decoded first. Each of 64 parts has a sample: the halves are exact.
+    const auto decoded = [](double v) { return std::pow((v + 0.055) / 1.055, 2.4); };
+    EXPECT_NEAR(decoded(value(picture("a.exr"), 0, 0, 0)), 0.5, 1e-4);
+    EXPECT_NEAR(value(picture("a.exr"), 0, 0, 1), 2.005, 1e-3);
+    EXPECT_NEAR(value(picture("a.exr"), 0, 0, 2), 100, 1e-3);
+    const std::string first = bytes("a.exr");
+    still(call);
+    EXPECT_EQ(bytes("a.exr"), first);
+    const auto refused = [&](std::vector<std::string> words, const std::string& why) {
+        words.insert(words.begin(), "still");
+        const Outcome outcome = glint(words);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    };
+    refused({"scene.frag", "-o", "b.png", "--shutter", "90"}, "--samples");
+    write("state.frag", kCounter);
+    refused({"state.frag", "-o", "b.png", "--shutter", "90", "--samples", "4"}, "frames before it");
+    EXPECT_FALSE(fs::exists(folder() / "b.png"));
+}
+
+TEST_F(Still, AFileIsKeptAsItIsTold) {
+    write("scene.frag", kGradient);
+    still({"scene.frag", "-o", "float.exr", "--size", "256x256", "--compression", "none"});
+    still({"scene.frag", "-o", "half.exr", "--size", "256x256", "--compression", "none", "--format",
+           "half"});
+    EXPECT_LT(fs::file_size(folder() / "half.exr"), fs::file_size(folder() / "float.exr") * 3 / 5);
+    EXPECT_NEAR(value(picture("half.exr"), 200, 30, 0), 200.5 / 256, 1.0 / 2048);  // 11 bits
+    for (const auto& [option, given] :
+         {std::pair("--format", "double"), {"--compression", "zipp"}, {"--quality", "50"}}) {
+        const Outcome outcome = glint({"still", "scene.frag", "-o", "b.exr", option, given});
+        EXPECT_EQ(outcome.code, 2) << option;
+        EXPECT_NE(outcome.err.find(option), std::string::npos) << outcome.err;
+    }
+    EXPECT_FALSE(fs::exists(folder() / "b.exr"));
 }
 
 TEST_F(Still, EverySizeIsDrawn) {

@@ -108,7 +108,7 @@ struct PlayerOptions {
     std::string pass = "image";
     bool specialise = true;
     int samples = 1;
-    int tile = 0;
+    bool in_strips = false;
     PixelFormat format = PixelFormat::rgba32f;  // of the picture
     double fps = 60.0;
 };
@@ -156,7 +156,7 @@ public:
                           RenderOptions{.size = options_.size,
                                         .picture_format = options_.format,
                                         .samples = options_.samples,
-                                        .tile = options_.tile});
+                                        .in_strips = options_.in_strips});
         load_inputs(preset, *renderer_);
     }
 
