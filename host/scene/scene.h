@@ -87,15 +87,15 @@ struct Sampler {
     Source source = Source::none;  // none reads 0
     Filter filter = Filter::linear;
     Wrap wrap = Wrap::clamp;
-    bool vflip = true;            // images: the first row of the file is the top of the picture;
-                                  // cubes: the world stands on its head
-    std::size_t pass = 0;         // buffer: index into Scene::passes
-    std::size_t output = 0;       // buffer: which `out` parameter of that pass
+    bool vflip = true;       // images: the first row of the file is the top of the picture;
+                             // cubes: the world stands on its head
+    std::size_t pass = 0;    // buffer: index into Scene::passes
+    std::size_t output = 0;  // buffer: which `out` parameter of that pass
     // What an image, a cube, a volume or a sound is read from, resolved against the file that names
     // it: one file, or the six faces +X -X +Y -Y +Z -Z of a cube.
     std::vector<std::filesystem::path> files;
-    int noise_channels = 4;       // noise: 1 to 4
-    glm::ivec3 noise_size{0};     // noise: pixels; z is 1 for sampler2D
+    int noise_channels = 4;    // noise: 1 to 4
+    glm::ivec3 noise_size{0};  // noise: pixels; z is 1 for sampler2D
     Place place;
 };
 
