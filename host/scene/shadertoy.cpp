@@ -35,11 +35,12 @@ std::string lower(std::string text) {
     return text;
 }
 
-// A member as text, whether it is written as a string, a number or a truth value.
+// A member as text, whether it is written as a string, a number or a truth value. Lists and objects
+// are none: they may be nested deeper than a stack holds.
 std::string word(const Json& object, std::string_view key) {
     if (!object.is_object()) return {};
     const auto found = object.find(key);
-    if (found == object.end() || found->is_null()) return {};
+    if (found == object.end() || found->is_null() || found->is_structured()) return {};
     return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
@@ -88,6 +89,7 @@ std::string tab_name(const Json& pass) {
         const Json& output = outputs.front();
         const std::string id = output.is_object()   ? word(output, "id")
                                : output.is_string() ? output.get<std::string>()
+                               : output.is_array()  ? ""
                                                     : output.dump();
         if (const std::string known = known_tab(id); !known.empty()) return known;
     }

@@ -204,7 +204,8 @@ TEST(Preset, WarningsFollowTheOrderOfTheLines) {
 
 TEST(Preset, ASyntaxErrorHasAPlace) {
     for (const char* text : {"scene = \n", "[tweaks\n", "a = 1\na = 2\n", "x = \"\xFF\"\n",
-                             "x = [[[[\n", "[#x]\n", "[[#x]]\n", "[a.#]\n", "x = 1979-99-99\n"}) {
+                             "x = [[[[\n", "[#x]\n", "[[#x]]\n", "[a.#]\n", "x = 1979-99-99\n",
+                             "\u00e9 = 3\n", "c\u0327 = 3\n", "x = \u00e9\n"}) {
         const ReadPreset result = read(kHead + text);
         EXPECT_FALSE(result.preset) << text;
         ASSERT_EQ(result.diagnostics.size(), 1u) << text;
