@@ -219,7 +219,10 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
     if (has_errors(diagnostics)) return {};
     Json json;
     try {
-        json = Json::parse(text);
+        // Copies and ends of what is nested deeper would overflow the stack.
+        constexpr int kDeepest = 100;
+        json = Json::parse(text,
+                           [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; });
     } catch (const Json::parse_error& error) {
         const std::string before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
         const auto line = std::count(before.begin(), before.end(), '\n') + 1;
