@@ -182,6 +182,11 @@ std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
                               in_quotes(word(passes[i], "name"))));
             continue;
         }
+        if (!member(passes[i], "code").is_string()) {
+            error(fmt::format("the tab {} has no \"code\" that is text; export the shader again",
+                              in_quotes(names[i])));
+            continue;
+        }
         ShadertoyTab tab{.name = names[i], .code = word(passes[i], "code"), .inputs = {}};
         const Json& inputs = member(passes[i], "inputs");
         if (inputs.is_array())
@@ -218,11 +223,14 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
     const std::string text = read_text(file, diagnostics);
     if (has_errors(diagnostics)) return {};
     Json json;
+    bool too_deep = false;
     try {
         // Copies and ends of what is nested deeper would overflow the stack.
         constexpr int kDeepest = 100;
-        json = Json::parse(text,
-                           [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; });
+        json = Json::parse(text, [&too_deep](int depth, Json::parse_event_t, Json&) {
+            too_deep |= depth > kDeepest;
+            return depth <= kDeepest;
+        });
     } catch (const Json::parse_error& error) {
         const std::string before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
         const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -231,6 +239,12 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
             {Severity::error,
              {file.string(), static_cast<int>(line), static_cast<int>(column)},
              "this is no JSON; export the shader again, or give a folder of its tabs"});
+        return {};
+    }
+    if (too_deep) {
+        diagnostics.push_back({Severity::error,
+                               {file.string()},
+                               "it is nested as no shader is; export the shader again"});
         return {};
     }
     JsonReader reader(file, diagnostics);

@@ -229,5 +229,85 @@ TEST_F(Import, WhatIsNoShaderIsSaidWithItsPlace) {
     EXPECT_FALSE(fs::exists(folder() / "a.frag"));
 }
 
+// A file that an export was cut off, or that somebody made by hand: never a crash, never a scene
+// that is not what the file says.
+TEST_F(Import, BadJsonOfEveryKindIsSaid) {
+    const Json good = {
+        {"ver", "0.1"}, {"info", {{"id", "x"}}}, {"renderpass", chain(257, 258, 37)}};
+    const std::string text = good.dump(1);
+    const auto with = [&](const auto& change) {
+        Json json = good;
+        change(json);
+        return json.dump();
+    };
+    const auto deep = [](char open, char close, std::size_t count) {
+        return std::string(count, open) + std::string(count, close);
+    };
+    struct Bad {
+        std::string name, text, said;
+    };
+    const std::vector<Bad> cases = {
+        {"nothing", "", "this is no JSON"},
+        {"cut in a string", text.substr(0, text.find("Strange") + 3), "this is no JSON"},
+        {"cut at the end", text.substr(0, text.size() - 2), "this is no JSON"},
+        {"not UTF-8", "{\"renderpass\": \"\xff\xfe\"}", "is missing"},
+        {"a number", "12", "\"renderpass\" is missing"},
+        {"an empty list", "[]", "there is no shader in it"},
+        {"renderpass is text", with([](Json& j) { j["renderpass"] = "x"; }), "is missing"},
+        {"code is a number", with([](Json& j) { j["renderpass"][0]["code"] = 7; }),
+         "the tab 'image' has no \"code\" that is text"},
+        {"code is missing", with([](Json& j) { j["renderpass"][1].erase("code"); }),
+         "the tab 'bufferB' has no \"code\""},
+        {"a pass is a number", with([](Json& j) { j["renderpass"][0] = 3; }), "error: "},
+        {"eight passes", with([](Json& j) {
+             for (int k = 0; k < 4; ++k) j["renderpass"].push_back(j["renderpass"][1]);
+         }),
+         "two tabs are 'bufferB'"},
+        {"a fifth buffer", with([](Json& j) {
+             for (const char* name : {"Buf C", "Buf D", "Buf E"}) {
+                 j["renderpass"].push_back(pass("buffer", name, name, "", Json::array()));
+             }
+         }),
+         "the tab 'Buf E' is none that the site has"},
+        {"deep lists", deep('[', ']', 200'000), "nested as no shader is"},
+        {"deep within a shader", "{\"renderpass\": " + deep('[', ']', 300) + "}",
+         "nested as no shader is"},
+        {"deep and cut", std::string(1'000'000, '['), "this is no JSON"},
+    };
+    for (const Bad& bad : cases) {
+        write("bad.json", bad.text);
+        const Outcome outcome = glint({"import", "bad.json", "-o", "bad.frag"});
+        EXPECT_EQ(outcome.code, 4) << bad.name << ": " << outcome.err;
+        EXPECT_NE(outcome.err.find(bad.said), std::string::npos) << bad.name << ": " << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("bad.json:")) << bad.name << ": " << outcome.err;
+        EXPECT_FALSE(fs::exists(folder() / "bad.frag")) << bad.name;
+    }
+}
+
+TEST_F(Import, WhatIsStrangeInAnInputLeavesTheRestAsItIs) {
+    Json json = {{"renderpass", chain(257, 258, 37)}};
+    Json& inputs = json["renderpass"][0]["inputs"];
+    inputs.push_back(input(7, 259, "buffer", "nearest"));  // no such channel
+    inputs.push_back("text");
+    inputs.push_back(nullptr);
+    inputs[0]["sampler"] = 3;
+    json["renderpass"][3]["inputs"] = 5;
+    write("odd.json", json.dump());
+    const Outcome outcome = glint({"import", "odd.json", "-o", "odd.frag"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    write("good.json", Json{{"renderpass", chain(257, 258, 37)}}.dump());
+    ASSERT_EQ(glint({"import", "good.json", "-o", "good.frag"}).code, 0);
+    EXPECT_EQ(draw("odd.frag", 3), draw("good.frag", 3));
+}
+
+TEST_F(Import, AFileOfAHundredMegabytesIsRefused) {
+    write("huge.json", "[]");
+    fs::resize_file(folder() / "huge.json", 100'000'000);  // zeros, which take no room
+    const Outcome outcome = glint({"import", "huge.json", "-o", "huge.frag"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("huge.json: error: cannot read it: it is larger"), std::string::npos)
+        << outcome.err;
+}
+
 }  // namespace
 }  // namespace glint::cli
