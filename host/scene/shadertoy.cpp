@@ -240,6 +240,11 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
              {file.string(), static_cast<int>(line), static_cast<int>(column)},
              "this is no JSON; export the shader again, or give a folder of its tabs"});
         return {};
+    } catch (const Json::out_of_range&) {
+        diagnostics.push_back({Severity::error,
+                               {file.string()},
+                               "a number in it is too large; export the shader again"});
+        return {};
     }
     if (too_deep) {
         diagnostics.push_back({Severity::error,

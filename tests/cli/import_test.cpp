@@ -251,6 +251,7 @@ TEST_F(Import, BadJsonOfEveryKindIsSaid) {
         {"cut in a string", text.substr(0, text.find("Strange") + 3), "this is no JSON"},
         {"cut at the end", text.substr(0, text.size() - 2), "this is no JSON"},
         {"not UTF-8", "{\"renderpass\": \"\xff\xfe\"}", "is missing"},
+        {"a number too large", "{\"ver\": 2e807}", "a number in it is too large"},
         {"a number", "12", "\"renderpass\" is missing"},
         {"an empty list", "[]", "there is no shader in it"},
         {"renderpass is text", with([](Json& j) { j["renderpass"] = "x"; }), "is missing"},
