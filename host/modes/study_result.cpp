@@ -15,6 +15,7 @@ constexpr double kFitFactor = 3.0;       // beyond, the order is off by at most 
 constexpr double kLeastRmse = 1e-7;      // below, a difference of two pictures is rounding
 constexpr double kTimerAgreement = 0.2;  // of the wall, by which a timer query may be off
 constexpr double kBusy = 1.25;           // by which rows may differ in how many processors worked
+constexpr double kShared = 2.0;          // ms; a shorter frame is mostly one processor's work
 constexpr double kGrowingOrder = -0.1;   // error that grows faster than work^0.1
 // Values that agree with each other so much better than with the reference do not converge to it:
 // a method of order 1 that doubles its work still has a distance to go as long as its last step.
@@ -42,7 +43,7 @@ bool timers_agree(const Study& study) {
 bool machine_is_busy(const Study& study) {
     double least = 1e9, most = 0.0;
     for (const StudyRow& row : study.rows) {
-        if (row.wall.median <= 0.0) continue;  // never drawn
+        if (row.wall.median < kShared) continue;
         least = std::min(least, row.processor.median / row.wall.median);
         most = std::max(most, row.processor.median / row.wall.median);
     }
