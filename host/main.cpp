@@ -53,62 +53,56 @@ void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true) {
     if (takes_json) verb.add_flag("--json", view.json, "one JSON object on stdout");
 }
 
-void add_state(CLI::App& verb, StateOptions& state) {
-    verb.add_option("--from-state", state.from,
+// How light is gathered over a frame, how a file keeps it, and from which state it goes on.
+void add_picture(CLI::App& verb, PictureOptions& picture) {
+    add_view(verb, picture.view);
+    verb.add_option("--fps", picture.fps,
+                    "Hz; frame k stands at k / fps, and simulations are played so")
+        ->check(from(0.01, 1e5));
+    verb.add_option("--samples", picture.samples, "sub-pixel positions averaged in linear light")
+        ->check(from(1, 65536));
+    verb.add_option("--shutter", picture.shutter,
+                    "degrees of a frame, 360 all of it, over which --samples are spread in time")
+        ->check(from(0.0, 360.0));
+    verb.add_option("--format", picture.format.values, "of an .exr file: float, or half");
+    verb.add_option("--compression", picture.format.compression,
+                    "of an .exr file: zips, or none, rle, zip, piz, pxr24, b44, b44a, dwaa, dwab; "
+                    "of a .tif file: zip, or none, lzw, packbits");
+    verb.add_option("--quality", picture.format.quality, "of a .jpg file; 95 otherwise")
+        ->check(from(1, 100));
+    verb.add_option("--from-state", picture.state.from,
                     "go on from this state of the simulation; with %06d: from the newest of use");
-    verb.add_option("--save-state", state.save,
+    verb.add_option("--save-state", picture.state.save,
                     "keep the state that the last frame is drawn from in this file");
 }
 
-// How light is gathered over a frame, and how a file keeps it.
-void add_picture(CLI::App& verb, int& samples, double& shutter, FileFormat& format) {
-    verb.add_option("--samples", samples, "sub-pixel positions averaged in linear light")
-        ->check(from(1, 65536));
-    verb.add_option("--shutter", shutter,
-                    "degrees of a frame, 360 all of it, over which --samples are spread in time")
-        ->check(from(0.0, 360.0));
-    verb.add_option("--format", format.values, "of an .exr file: float, or half");
-    verb.add_option("--compression", format.compression,
-                    "of an .exr file: zips, or none, rle, zip, piz, pxr24, b44, b44a, dwaa, dwab; "
-                    "of a .tif file: zip, or none, lzw, packbits");
-    verb.add_option("--quality", format.quality, "of a .jpg file; 95 otherwise")
-        ->check(from(1, 100));
-}
-
 void add_still(CLI::App& verb, StillOptions& still) {
-    add_view(verb, still.view);
+    add_picture(verb, still);
     verb.add_option("-o,--output", still.output, "a .png, .exr, .jpg, .tif or .hdr file")
         ->required();
     verb.add_option("--time", still.time, "s; the preset's otherwise")->check(from(0.0, 1e9));
     verb.add_option("--frame", still.frame, "instead of --time")->check(from(0, 1 << 30));
-    verb.add_option("--fps", still.fps, "Hz, the rate at which a simulation is played")
-        ->check(from(0.01, 1e5));
-    add_picture(verb, still.samples, still.shutter, still.format);
     verb.add_option("--settle", still.settle, "more frames with time held still")
         ->check(from(0, 1'000'000));
     verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
-    add_state(verb, still.state);
     verb.add_option("--tile", still.tile,
                     "draw in squares of this many pixels; huge pictures do so by themselves")
         ->check(from(1, 16384));
 }
 
 void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
-    add_view(verb, sequence.view);
+    add_picture(verb, sequence);
     verb.add_option("-o,--output", sequence.output,
                     "out.%04d.png (or exr, jpg, tif, hdr), out.mp4 (or webm, mov, gif), or -; "
                     "may be left out with --save-state or --from-pictures");
     verb.add_option("--frames", sequence.frames,
                     "FIRST:LAST or FIRST:LAST:STEP; the first ten seconds otherwise");
-    verb.add_option("--fps", sequence.fps, "Hz; frame k stands at k / fps")->check(from(0.01, 1e5));
-    add_picture(verb, sequence.samples, sequence.shutter, sequence.format);
     verb.add_option("--shard", sequence.shard, "K/N: only the K-th of N shares of the pictures");
     verb.add_flag("--resume", sequence.resume,
                   "leave pictures alone that are there and are what would be written");
     verb.add_option(
         "--from-pictures", sequence.from_pictures,
         "frames/%06d.png that others have drawn: check them, and make the film of them");
-    add_state(verb, sequence.state);
     verb.add_option("--save-state-every", sequence.state.save_every,
                     "keep the state before each frame that is a multiple of this")
         ->check(from(1, 1 << 30));

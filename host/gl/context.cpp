@@ -31,7 +31,17 @@ const char* reset_reason(GLenum status) {
     }
 }
 
+std::string renderer_name() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name ? name : "unknown";
+}
+
 }  // namespace
+
+bool draws_in_software() {
+    const std::string name = renderer_name();
+    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+}
 
 // An option of Mesa's, which the environment overrides, and which Mesa tells on stderr unless
 // silent.
@@ -41,13 +51,7 @@ void Context::start_variables_at_zero() {
 }
 
 std::string Context::renderer() const {
-    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return name ? name : "unknown";
-}
-
-bool Context::is_software() const {
-    const std::string name = renderer();
-    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
+    return renderer_name();
 }
 
 void Context::finish() {

@@ -18,6 +18,9 @@ struct ContextLost : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// Whether the current context draws on the processor, and so takes the system's memory.
+bool draws_in_software();
+
 class Context {
 public:
     virtual ~Context() = default;
@@ -27,7 +30,7 @@ public:
 
     // Draws on the processor: timer queries lie there, and loops end after 65,535 iterations a
     // pixel.
-    bool is_software() const;
+    bool is_software() const { return draws_in_software(); }
 
     // Waits until all drawing is done, and does what check() does.
     void finish();

@@ -13,6 +13,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -70,6 +71,21 @@ private:
     int error_ = 0;
 };
 
+// OpenImageIO keeps a whole JPEG in memory unless it goes to a stream of C's. libjpeg would end the
+// program where that refuses a write; so it is told that all went well, and the file remembers.
+std::FILE* stream_to(CheckedFile& file) {
+    cookie_io_functions_t functions{};
+    functions.write = [](void* to, const char* bytes, size_t size) {
+        static_cast<CheckedFile*>(to)->write(bytes, size);
+        return static_cast<ssize_t>(size);
+    };
+    return ::fopencookie(&file, "wb", functions);
+}
+
+struct Close {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+
 OIIO::TypeDesc type_of(const GlintOiioPicture& picture) {
     return picture.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
 }
@@ -122,7 +138,9 @@ OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const GlintOiioFormat& 
 struct OpenFile {
     explicit OpenFile(int descriptor) : file(descriptor) {}
 
-    CheckedFile file;  // goes after the output that writes to it
+    CheckedFile file;                                     // goes after all that write to it
+    std::unique_ptr<std::FILE, Close> stream;             // of a JPEG
+    std::unique_ptr<OIIO::Filesystem::IOFile> on_stream;  // and what OpenImageIO knows it as
     std::unique_ptr<OIIO::ImageOutput> output;
     int rows = 0;  // that are written
 };
@@ -151,7 +169,14 @@ void* glint_oiio_begin(int descriptor, const GlintOiioFormat* format, const Glin
     const int begun = guarded(*open, error, cause, cause_size, [&] {
         open->output = OIIO::ImageOutput::create(format->codec);
         if (!open->output) return false;
-        open->output->set_ioproxy(&open->file);
+        if (format->codec == std::string_view("jpeg")) {
+            open->stream.reset(stream_to(open->file));
+            open->on_stream = std::make_unique<OIIO::Filesystem::IOFile>(
+                open->stream.get(), OIIO::Filesystem::IOProxy::Write);
+            open->output->set_ioproxy(open->on_stream.get());
+        } else {
+            open->output->set_ioproxy(&open->file);
+        }
         return open->output->open(format->codec, spec_of(*shape, *format, texts, text_count));
     });
     return begun ? open.release() : nullptr;

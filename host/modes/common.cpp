@@ -174,21 +174,6 @@ Image read_picture(Renderer& renderer, bool floats) {
     return picture_without_alpha(rgba, size, floats ? ChannelType::f32 : ChannelType::u8);
 }
 
-double exposure_of(double shutter, double fps, int samples, const PassGraph& graph) {
-    if (shutter <= 0.0) return 0.0;
-    if (samples < 2) {
-        throw UsageError(
-            "--shutter spreads the samples over the time that it is open; add "
-            "--samples 16, or more.");
-    }
-    if (graph.stateful) {
-        throw UsageError(
-            "--shutter draws moments between two frames; this scene's picture follows "
-            "from the frames before it, and has none there.");
-    }
-    return shutter / 360.0 / fps;
-}
-
 int Playback::last_frame() const {
     // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame.
     return static_cast<int>(std::clamp(std::ceil(end * fps - 1e-6), 0.0, kMostFrames));

@@ -73,6 +73,8 @@ public:
     Progress(std::string what, long total, Unit unit = Unit::pictures);
     ~Progress();
     void update(long done);
+    // So many need not be done after all.
+    void leave_out(long count) { total_ -= count; }
 
 private:
     std::string what_;
@@ -105,10 +107,6 @@ Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size,
 
 // The picture as it stands, RGB in bytes or floats.
 Image read_picture(Renderer& renderer, bool floats);
-
-// Seconds that a shutter of this many degrees stays open; 360 are a whole frame. Throws UsageError
-// where nothing can be drawn between two frames.
-double exposure_of(double shutter, double fps, int samples, const PassGraph& graph);
 
 // Frames of a preset that is played from 0 at a fixed rate to exactly `end`: frame k stands at k /
 // fps, the last one at `end`.

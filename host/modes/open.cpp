@@ -29,7 +29,9 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
             fmt::print(stderr, "{}\n", error.what());
         }
     }
-    StillOptions still{.view = options, .output = options.file.stem().string() + ".png"};
+    StillOptions still;
+    still.view = options;
+    still.output = options.file.stem().string() + ".png";
     fmt::print(stderr, "There is no display; the picture goes to {}.\n", still.output.string());
     run_still(still, since_start);
 }

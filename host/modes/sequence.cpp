@@ -1,12 +1,11 @@
 #include "modes/sequence.h"
 
 #include "gl/context.h"
-#include "modes/film.h"
+#include "modes/frames.h"
 #include "modes/hash.h"
 #include "modes/input_files.h"
-#include "modes/numbered_name.h"
+#include "modes/sequence_output.h"
 #include "modes/sound.h"
-#include "modes/workers.h"
 #include "render/readback.h"
 #include "sound/sound.h"
 
@@ -18,15 +17,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <deque>
-#include <fstream>
 #include <functional>
-#include <iterator>
+#include <mutex>
 #include <optional>
 #include <system_error>
+#include <thread>
 
 namespace glint {
 namespace {
@@ -36,54 +34,6 @@ using Json = nlohmann::ordered_json;
 
 // What a GPU may draw while the first of them is still on its way to memory.
 constexpr int kPicturesAhead = 2;
-
-// The whole numbers of a text such as "10:20:2"; empty when it is not made of them.
-std::vector<int> numbers_in(const std::string& text, char separator) {
-    std::vector<int> numbers;
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (;;) {
-        const auto [rest, error] = std::from_chars(at, end, numbers.emplace_back());
-        if (error != std::errc()) return {};
-        if (rest == end) return numbers;
-        if (*rest != separator) return {};
-        at = rest + 1;
-    }
-}
-
-struct Share {
-    int number = 1, count = 1;
-};
-
-Share share_of(const std::string& text) {
-    if (text.empty()) return {};
-    const std::vector<int> numbers = numbers_in(text, '/');
-    if (numbers.size() != 2 || numbers[0] < 1 || numbers[0] > numbers[1]) {
-        throw UsageError(fmt::format("--shard {}: write K/N with K from 1 to N, as in 2/7.", text));
-    }
-    return {numbers[0], numbers[1]};
-}
-
-// The frames to be written, in order.
-std::vector<int> frames_of(const SequenceOptions& options) {
-    std::vector<int> range = {0, std::max(static_cast<int>(options.fps * 10.0) - 1, 0), 1};
-    if (!options.frames.empty()) {
-        range = numbers_in(options.frames, ':');
-        if (range.size() == 2) range.push_back(1);
-        if (range.size() != 3 || range[0] < 0 || range[1] < range[0] || range[2] < 1) {
-            throw UsageError(fmt::format(
-                "--frames {}: write FIRST:LAST or FIRST:LAST:STEP, as in 0:299.", options.frames));
-        }
-    }
-    const Share share = share_of(options.shard);
-    std::vector<int> frames;
-    for (std::int64_t k = range[0], i = 0; k <= range[1]; k += range[2], ++i) {
-        if (i % share.count == share.number - 1) frames.push_back(static_cast<int>(k));
-    }
-    return frames;
-}
-
-enum class Target { pictures, film, raw, states };
 
 Target target_of(const SequenceOptions& options) {
     const std::string& output = options.output;
@@ -146,22 +96,6 @@ std::string inputs_of(const SequenceOptions& options, const Provenance& provenan
     return hash.text();
 }
 
-// Whether the file is there, whole, and says that it was made from these inputs; pictures tell of
-// their making before their pixels.
-bool is_made_from(const fs::path& file, const std::string& inputs) {
-    std::ifstream in(file, std::ios::binary);
-    std::string head(64 * 1024, '\0');
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(in.gcount()));
-    if (head.find(inputs) == std::string::npos) return false;
-    try {
-        read_image(file);
-        return true;
-    } catch (const std::runtime_error&) {
-        return false;  // cut short by somebody else
-    }
-}
-
 // What a run plays: the frames whose pictures are wanted, and where it ends.
 struct Run {
     const Preset& preset;
@@ -169,10 +103,11 @@ struct Run {
     Context& context;
     Playback playback;
     States& states;
-    Workers& workers;
+    SequenceOutput& output;
     double exposure = 0.0;  // s, of each picture
     int next = 0;           // the frame to be played next
     int simulated = 0, saved = 0;
+    std::int64_t written = 0, skipped = 0;  // pictures
     std::function<void()> write_what_is_drawn{};
 
     // Whoever resumes relies on a state only where all pictures before it are there.
@@ -193,26 +128,41 @@ struct Run {
     }
 };
 
-// Draws the frames one after the other and hands their pictures, as RGBA, to `write`.
-template <class Write>
-void draw_frames(Run& run, const std::vector<int>& frames, bool floats, Write write) {
+// Leaves out those at the front that are there already; what a simulation starts from follows from
+// the first that is not.
+void skip_to_first_missing(Run& run, Frames& frames) {
+    Progress progress("checking", frames.count);
+    for (; frames.count > 0 && run.output.has(frames[0]); --frames.count) {
+        frames.first += frames.step;
+        progress.update(++run.skipped);
+    }
+}
+
+// Draws the frames one after the other, but for those that are there, and hands their pictures on.
+void draw_frames(Run& run, const Frames& frames) {
     const bool simulates = run.renderer.graph().stateful;
-    Progress progress("frame", static_cast<long>(frames.size()));
-    Readback readback(run.renderer, floats, run.context.is_software() ? 0 : kPicturesAhead);
+    Progress progress("frame", frames.count);
+    Readback readback(run.renderer, run.output.floats(),
+                      run.context.is_software() ? 0 : kPicturesAhead);
     std::deque<Frame> on_the_way;
-    long written = 0;
     const auto write_first = [&] {
         std::vector<std::byte> rgba = readback.take();
         run.context.check();
-        write(on_the_way.front(), std::move(rgba));
+        run.output.write(on_the_way.front(), std::move(rgba));
         on_the_way.pop_front();
-        progress.update(++written);
+        progress.update(++run.written);
     };
     run.write_what_is_drawn = [&] {
         while (!on_the_way.empty()) write_first();
-        run.workers.finish();
+        run.output.wait();
     };
-    for (const int k : frames) {
+    for (std::int64_t i = 0; i < frames.count; ++i) {
+        const int k = frames[i];
+        if (run.output.has(k)) {
+            progress.leave_out(1);
+            ++run.skipped;
+            continue;
+        }
         if (!simulates) run.next = k;
         run.advance_to(k);
         run.keep_state();
@@ -226,27 +176,29 @@ void draw_frames(Run& run, const std::vector<int>& frames, bool floats, Write wr
     run.write_what_is_drawn = nullptr;
 }
 
-// Walks on to where the last state is saved.
-void walk_to(Run& run, int last) {
-    if (run.next > last) return;
-    Progress progress("simulating", last - run.next);
-    for (const int first = run.next; run.next < last;) {
+// Brings a simulation to just before this frame.
+void simulate_to(Run& run, int frame) {
+    Progress progress("simulating", frame - run.next);
+    for (const int first = run.next; run.next < frame;) {
         run.advance_to(run.next + 1);
         progress.update(run.next - first);
     }
-    run.keep_state();
 }
 
 // The sound of a film as a WAV file without a name; -1 when the scene has none, or frames are left
 // out and time runs faster.
-int sound_of(const SequenceOptions& options, const Preset& preset, const std::vector<int>& frames) {
-    if (!preset.scene.has_sound || frames.empty()) return -1;
-    if (frames.back() - frames.front() + 1 != static_cast<int>(frames.size())) return -1;
+int sound_of(const SequenceOptions& options, const Preset& preset, const Frames& frames) {
+    if (!preset.scene.has_sound || frames.count == 0) return -1;
+    if (frames.step > 1 && frames.count > 1) return -1;
     const auto sample_of = [&](double frame) {
         return std::lround(frame / options.fps * kSampleRate);
     };
-    const long first = sample_of(frames.front());
-    const long count = sample_of(frames.back() + 1.0) - first;
+    const long first = sample_of(frames[0]);
+    const long count = sample_of(frames.last() + 1.0) - first;
+    if (count > kMostSoundSamples) {
+        throw UsageError(
+            "A film's sound ends before 3 hours 20: export the film in parts, with --frames.");
+    }
     const int file = ::memfd_create("sound", MFD_CLOEXEC);
     if (file < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
     SoundWriter writer(file, "sound.wav");
@@ -257,17 +209,16 @@ int sound_of(const SequenceOptions& options, const Preset& preset, const std::ve
     return file;
 }
 
-void print_result(const SequenceOptions& options, const Preset& preset, const Run& run,
-                  std::size_t written, std::size_t skipped, const std::string& renderer,
-                  double ms) {
-    const double rate = static_cast<double>(written) / (ms / 1000.0);
+void print_result(const SequenceOptions& options, const Run& run, double ms) {
+    const double rate = static_cast<double>(run.written) / (ms / 1000.0);
+    const glm::ivec2 size = run.preset.size;
     if (options.view.json) {
         const Json json = {{"output", options.output},
-                           {"scene", preset.scene.files.front().string()},
-                           {"size", {preset.size.x, preset.size.y}},
-                           {"renderer", renderer},
-                           {"frames", written},
-                           {"skipped", skipped},
+                           {"scene", run.preset.scene.files.front().string()},
+                           {"size", {size.x, size.y}},
+                           {"renderer", run.context.renderer()},
+                           {"frames", run.written},
+                           {"skipped", run.skipped},
                            {"simulated", run.simulated},
                            {"states_saved", run.saved},
                            {"specialised", options.view.specialise},
@@ -283,12 +234,12 @@ void print_result(const SequenceOptions& options, const Preset& preset, const Ru
     }
     // Raw frames have stdout for themselves.
     fmt::print(options.output == "-" ? stderr : stdout,
-               "{}  {} frames{}  {}x{}  {:.1f} s  {:.1f} frames/s\n", options.output, written,
-               skipped ? fmt::format(", {} were there", skipped) : "", preset.size.x, preset.size.y,
+               "{}  {} frames{}  {}x{}  {:.1f} s  {:.1f} frames/s\n", options.output, run.written,
+               run.skipped ? fmt::format(", {} were there", run.skipped) : "", size.x, size.y,
                ms / 1000.0, rate);
 }
 
-void print_joined(const SequenceOptions& options, const Preset& preset, std::size_t frames,
+void print_joined(const SequenceOptions& options, const Preset& preset, std::int64_t frames,
                   double ms) {
     const std::string output =
         options.output.empty() ? options.from_pictures + ": all there" : options.output;
@@ -307,28 +258,27 @@ void print_joined(const SequenceOptions& options, const Preset& preset, std::siz
 
 // The frames whose pictures are not there, not whole, or made from something else, no matter by
 // which renderer.
-std::vector<int> missing_frames(const NumberedName& pictures, const std::vector<int>& frames,
+std::vector<int> missing_frames(const NumberedName& pictures, const Frames& frames,
                                 const std::string& inputs) {
-    std::vector<char> is_there(frames.size());  // each written by one thread
+    std::vector<int> missing;
+    std::mutex mutex;
     Workers workers(static_cast<int>(std::thread::hardware_concurrency()));
-    Progress progress("checking", static_cast<long>(frames.size()));
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        workers.run([&, i] {
-            is_there[i] =
-                is_made_from(pictures.name(frames[i]), fmt::format("{}-{}-", inputs, frames[i]));
+    Progress progress("checking", frames.count);
+    for (std::int64_t i = 0; i < frames.count; ++i) {
+        workers.run([&, k = frames[i]] {
+            if (is_made_from(pictures.name(k), fmt::format("{}-{}-", inputs, k))) return;
+            const std::lock_guard lock(mutex);
+            missing.push_back(k);
         });
-        progress.update(static_cast<long>(i));
+        progress.update(i);
     }
     workers.finish();
-    std::vector<int> missing;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (!is_there[i]) missing.push_back(frames[i]);
-    }
+    std::ranges::sort(missing);
     return missing;
 }
 
 [[noreturn]] void stop_for_missing(const SequenceOptions& options, const std::vector<int>& missing,
-                                   std::size_t wanted) {
+                                   std::int64_t wanted) {
     if (options.view.json) fmt::print("{}\n", Json({{"missing", missing}}).dump(2));
     if (!options.view.json && options.output != "-") fmt::print("{}\n", fmt::join(missing, "\n"));
     fmt::print(stderr, "error: {} of {} pictures are missing, not whole, or of another sequence.\n",
@@ -339,28 +289,28 @@ std::vector<int> missing_frames(const NumberedName& pictures, const std::vector<
 // The pictures of this very sequence, which others have drawn, become the film that drawing them
 // here would have given. Only their sound is computed.
 void join_pictures(const SequenceOptions& options, Target target, const Preset& preset,
-                   const std::vector<int>& frames, const std::string& inputs) {
+                   const Frames& frames, const std::string& inputs) {
     const Stopwatch clock;
     const NumberedName pictures = *numbered_name(options.from_pictures);
     const std::vector<int> missing = missing_frames(pictures, frames, inputs);
-    if (!missing.empty()) stop_for_missing(options, missing, frames.size());
+    if (!missing.empty()) stop_for_missing(options, missing, frames.count);
     std::unique_ptr<Context> context;
     if (preset.scene.has_sound) context = make_egl_context(options.view.device);
     std::optional<Film> film;
     if (target == Target::film) {
         film.emplace(options.output, preset.size, options.fps, sound_of(options, preset, frames));
     }
-    Progress progress("frame", static_cast<long>(frames.size()));
-    for (std::size_t i = 0; i < frames.size() && !options.output.empty(); ++i) {
+    Progress progress("frame", frames.count);
+    for (std::int64_t i = 0; i < frames.count && !options.output.empty(); ++i) {
         const Image image = read_image(pictures.name(frames[i]));
         if (image.type != ChannelType::u8 || image.channels != 3) {
             throw std::runtime_error("A film is joined from png pictures.");
         }
-        film ? film->write(image) : write_all(STDOUT_FILENO, raw_frame(image));
-        progress.update(static_cast<long>(i) + 1);
+        film ? film->write(image) : write_to_stdout(image);
+        progress.update(i + 1);
     }
     if (film) film->finish();
-    print_joined(options, preset, frames.size(), clock.ms());
+    print_joined(options, preset, frames.count, clock.ms());
 }
 
 }  // namespace
@@ -368,78 +318,48 @@ void join_pictures(const SequenceOptions& options, Target target, const Preset& 
 void run_sequence(const SequenceOptions& options) {
     const Stopwatch clock;
     const Target target = target_of(options);
-    std::vector<int> frames = frames_of(options);
-    const int last = frames.empty() ? 0 : frames.back();
-    if (target == Target::states && options.from_pictures.empty()) frames.clear();
-    const std::size_t wanted = frames.size();
+    Frames frames = frames_of(options.frames, options.shard, options.fps);
+    const int last = frames.last();
     const Preset preset = open_preset(options.view);
     const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
     const std::string inputs = inputs_of(options, provenance);
     if (!options.from_pictures.empty()) {
         return join_pictures(options, target, preset, frames, inputs);
     }
+    if (target == Target::states) frames.count = 0;
+
     const auto context = make_egl_context(options.view.device);
     const std::string gpu = context->renderer();
     Hash drawer;
     drawer.add(gpu);
-    const std::optional<NumberedName> pattern = numbered_name(options.output);
-    const auto made_from = [&](int frame) {
-        return fmt::format("{}-{}-{};", inputs, frame, drawer.text());
-    };
-    if (options.resume) {
-        std::erase_if(frames, [&](int k) { return is_made_from(pattern->name(k), made_from(k)); });
-    }
-
     prepare_image_library(options.output);
-    const bool floats = target == Target::pictures && holds_floats(options.output);
-    Renderer renderer(preset,
-                      compile_or_stop(preset, {.program = {.specialise = options.view.specialise,
-                                                           .average = options.samples > 1,
-                                                           .clamp_to_bytes = !floats}}),
-                      {.size = preset.size,
-                       .picture_format = floats ? PixelFormat::rgba32f : PixelFormat::rgba8,
-                       .samples = options.samples,
-                       .in_strips = true});
+    SequenceOutput output(options, target, preset, gpu,
+                          {.inputs = inputs, .drawer = drawer.text()});
+    const PictureKind kind{.floats = output.floats()};
+    Renderer renderer(preset, compile_or_stop(preset, compile_options(options, kind)),
+                      render_options(options, kind, preset.size));
     load_inputs(preset, renderer);
+    if (target == Target::film) output.begin_film(sound_of(options, preset, frames));
 
-    std::optional<Film> film;
-    if (target == Target::film) {
-        film.emplace(options.output, preset.size, options.fps, sound_of(options, preset, frames));
-    }
-    // Pictures are files of their own and may overtake each other; a stream may not.
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    Workers workers(target == Target::pictures ? std::clamp(cores, 1, 16) : 1);
-    const auto write = [&](const Frame& frame, std::vector<std::byte> rgba) {
-        workers.run([&, k = frame.frame, metadata = picture_metadata(preset, frame, gpu),
-                     rgba = std::move(rgba)]() mutable {
-            const Image image = picture_without_alpha(rgba, preset.size,
-                                                      floats ? ChannelType::f32 : ChannelType::u8);
-            if (target == Target::film) return film->write(image);
-            if (target == Target::raw) return write_all(STDOUT_FILENO, raw_frame(image));
-            metadata.emplace_back("glint:samples", fmt::format("{}", options.samples));
-            metadata.emplace_back("glint:inputs", made_from(k));
-            if (options.shutter > 0.0) {
-                metadata.emplace_back("glint:shutter", fmt::format("{}", options.shutter));
-            }
-            write_image(pattern->name(k), image, metadata, options.format);
-        });
-    };
     const Playback playback{.end = last / options.fps, .fps = options.fps};
     States states(options.state, preset, renderer, playback, 0, provenance, gpu, options.resume);
-    Run run{
-        .preset = preset,
-        .renderer = renderer,
-        .context = *context,
-        .playback = playback,
-        .states = states,
-        .workers = workers,
-        .exposure = exposure_of(options.shutter, options.fps, options.samples, renderer.graph())};
-    run.next = states.start(frames.empty() ? last : frames.front());
-    draw_frames(run, frames, floats, write);
-    if (!options.state.save.empty()) walk_to(run, last);
-    workers.finish();
-    if (film) film->finish();
-    print_result(options, preset, run, frames.size(), wanted - frames.size(), gpu, clock.ms());
+    Run run{.preset = preset,
+            .renderer = renderer,
+            .context = *context,
+            .playback = playback,
+            .states = states,
+            .output = output,
+            .exposure = exposure_of(options, renderer.graph())};
+    skip_to_first_missing(run, frames);
+    run.next = states.start(frames.count > 0 ? frames[0] : last);
+    if (renderer.graph().stateful && frames.count > 0) simulate_to(run, frames[0]);
+    draw_frames(run, frames);
+    if (!options.state.save.empty() && run.next <= last) {
+        simulate_to(run, last);
+        run.keep_state();
+    }
+    output.finish();
+    print_result(options, run, clock.ms());
 }
 
 }  // namespace glint

@@ -16,7 +16,6 @@ namespace glint {
 namespace {
 
 constexpr long kBlock = long{kSoundBlockWidth} * kSoundBlockRows;  // samples
-constexpr long kMostSamples = 0x7fffffff / 4;                      // as a WAV file can hold
 
 // What is not a number is silence.
 float audible(float value) {
@@ -74,7 +73,8 @@ void run_sound(const SoundOptions& options) {
             fmt::format("-o {}: name a .wav, .flac or .ogg file.", options.output.string()));
     }
     const long count = std::lround(options.seconds * kSampleRate);
-    if (count > kMostSamples) throw UsageError("--seconds: a WAV file ends before 3 hours 20.");
+    if (count > kMostSoundSamples)
+        throw UsageError("--seconds: a WAV file ends before 3 hours 20.");
     const Preset preset = open_preset(options.view);
     if (!preset.scene.has_sound) {
         throw UsageError(fmt::format(

@@ -7,6 +7,8 @@
 
 namespace glint {
 
+constexpr long kMostSoundSamples = 0x7fffffff / 4;  // as a WAV file can hold
+
 struct SoundOptions {
     ViewOptions view;
     std::filesystem::path output;

@@ -24,6 +24,19 @@ struct Split {
     double load = 0, context = 0, compile = 0, render = 0, read = 0, encode = 0, total = 0;
 };
 
+// One still on its way to its file, and what all steps of that need.
+struct Still {
+    const StillOptions& options;
+    const Preset& preset;
+    PictureKind kind;
+    glm::ivec2 part;  // in which it is drawn; 0: whole
+    Context& context;
+    Renderer& renderer;
+    Split ms;
+    Frame frame{};
+    int frames_rendered = 0;
+};
+
 void check_options(const StillOptions& options) {
     if (!can_write(options.output)) {
         throw UsageError(fmt::format("-o {}: name a .png, .exr, .jpg, .tif or .hdr file.",
@@ -42,28 +55,46 @@ Playback playback_of(const StillOptions& options, const Preset& preset) {
     return {.end = options.time.value_or(preset.time), .fps = options.fps};
 }
 
+// Brings the scene to just before the frame that is wanted.
+void play_up_to_frame(Still& still) {
+    const StillOptions& options = still.options;
+    const double exposure = exposure_of(options, still.renderer.graph());
+    const Playback playback = playback_of(options, still.preset);
+    const int settle = options.settle.value_or(still.preset.settle);
+    const int last = playback.last_frame() + settle;
+    States states(options.state, still.preset, still.renderer, playback, settle,
+                  provenance_of(still.preset, options.fps, options.view.specialise),
+                  still.context.renderer());
+    const int first = states.start(last);
+    still.frame =
+        play(still.preset, still.renderer, playback, settle, still.frames_rendered, first);
+    if (states.is_due(last)) states.save(last);
+    still.frame.exposure = exposure;
+}
+
 // A byte that a display would show for a value: clamped, rounded; not-a-number is black.
 std::byte to_byte(float value) {
     return static_cast<std::byte>(value > 0.0f ? std::lround(std::min(value, 1.0f) * 255.0f) : 0);
 }
 
+Image empty_image(glm::ivec2 size, int channels, bool floats) {
+    return {.size = size,
+            .channels = channels,
+            .type = floats ? ChannelType::f32 : ChannelType::u8,
+            .pixels = {}};
+}
+
 // Float files of a buffer keep all four channels.
-Image read_back(Renderer& renderer, const Preset& preset, std::size_t pass,
-                const StillOptions& options) {
-    const bool floats = holds_floats(options.output);
-    if (pass == kImagePass) return read_picture(renderer, floats);
-    const int channels = floats ? 4 : 3;
-    Image image{.size = renderer.root_size(),
-                .channels = channels,
-                .type = floats ? ChannelType::f32 : ChannelType::u8,
-                .pixels = {}};
+Image read_buffer(const Still& still) {
+    const bool floats = still.kind.floats;
+    Image image = empty_image(still.renderer.root_size(), floats ? 4 : 3, floats);
     const std::size_t count =
         static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
-    const auto kept = static_cast<std::size_t>(channels);
-    const auto& names = preset.scene.passes[pass].outputs;
+    const auto kept = static_cast<std::size_t>(image.channels);
+    const auto& names = still.preset.scene.passes[still.kind.pass].outputs;
     const auto output = static_cast<std::size_t>(
-        std::find(names.begin(), names.end(), options.pass) - names.begin());
-    const std::vector<float> rgba = renderer.read_floats(output);
+        std::find(names.begin(), names.end(), still.options.pass) - names.begin());
+    const std::vector<float> rgba = still.renderer.read_floats(output);
     image.pixels.resize(count * kept * (floats ? sizeof(float) : 1));
     for (std::size_t i = 0; i < count * kept; ++i) {
         const float value = rgba[i / kept * 4 + i % kept];
@@ -75,26 +106,45 @@ Image read_back(Renderer& renderer, const Preset& preset, std::size_t pass,
     return image;
 }
 
+void write_whole(Still& still, const Metadata& metadata) {
+    Stopwatch clock;
+    still.renderer.draw(still.frame);
+    still.context.finish();
+    still.ms.render += clock.restart();
+    const bool is_picture = still.kind.pass == kImagePass;
+    const Image image =
+        is_picture ? read_picture(still.renderer, still.kind.floats) : read_buffer(still);
+    still.context.finish();
+    still.ms.read += clock.restart();
+    write_image(still.options.output, image, metadata, still.options.format);
+    still.ms.encode += clock.restart();
+}
+
 // A picture beyond this many pixels is drawn and written in bands, so that memory does not grow
 // with it; one of 8K is not.
 constexpr std::int64_t kMostAtOnce = std::int64_t{1} << 25;
 constexpr int kBandPixels = 1 << 22;
 constexpr int kPartWidth = 8192;  // within every driver's limit
 
+bool may_be_in_parts(const StillOptions& options, glm::ivec2 size) {
+    if (options.pass != "image") return false;
+    return options.tile > 0 || std::int64_t{size.x} * size.y > kMostAtOnce;
+}
+
 // Buffers of the picture's size are drawn anew for each sample, and would be for each part.
-bool draws_buffers_for_samples(const StillOptions& options, const Scene& scene) {
-    return options.samples > 1 && std::ranges::any_of(scene.passes, [](const Pass& pass) {
-               return !pass.cube && !pass.size && pass.scale == 1.0;
+bool draws_buffers_for_samples(const StillOptions& options, const Scene& scene,
+                               const PassGraph& graph) {
+    return options.samples > 1 && std::ranges::any_of(graph.passes, [&](const GraphPass& pass) {
+               return fills_a_buffer(pass.pass) && is_jittered(scene, pass);
            });
 }
 
 // The parts in which the picture is drawn; 0: whole.
-glm::ivec2 part_size(const StillOptions& options, const Preset& preset) {
+glm::ivec2 part_size(const StillOptions& options, const Preset& preset, const PassGraph& graph) {
     const glm::ivec2 size = preset.size;
-    if (options.pass != "image") return glm::ivec2(0);
+    if (!may_be_in_parts(options, size)) return glm::ivec2(0);
     if (options.tile > 0) return glm::min(glm::ivec2(options.tile + options.tile % 2), size);
-    const bool small = std::int64_t{size.x} * size.y <= kMostAtOnce;
-    if (small || draws_buffers_for_samples(options, preset.scene)) return glm::ivec2(0);
+    if (draws_buffers_for_samples(options, preset.scene, graph)) return glm::ivec2(0);
     const int rows = std::max(kBandPixels / size.x / kFileTile, 1) * kFileTile;
     return glm::min(glm::ivec2(kPartWidth, rows), size);
 }
@@ -111,50 +161,84 @@ void place(const Image& part, int x, Image& band) {
     }
 }
 
-// Draws the picture part by part, from the top, and hands band after band to `write`.
-template <class Write>
-void draw_bands(Renderer& renderer, Context& context, const Frame& frame, glm::ivec2 size,
-                glm::ivec2 most, bool floats, Split& ms, Write write) {
+// The rows from `bottom` up to `top`, drawn part by part.
+Image draw_band(Still& still, int bottom, int top) {
+    const glm::ivec2 size = still.preset.size;
+    Image band = empty_image({size.x, top - bottom}, 3, still.kind.floats);
+    band.pixels.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(top - bottom) *
+                       (still.kind.floats ? 12 : 3));
     Stopwatch clock;
-    for (int top = size.y, bottom = 0; top > 0; top = bottom) {
-        bottom = std::max(top - most.y, 0);
-        Image band{.size = {size.x, top - bottom},
-                   .channels = 3,
-                   .type = floats ? ChannelType::f32 : ChannelType::u8,
-                   .pixels = {}};
-        band.pixels.resize(static_cast<std::size_t>(size.x) *
-                           static_cast<std::size_t>(top - bottom) * (floats ? 12 : 3));
-        for (int x = 0; x < size.x; x += most.x) {
-            renderer.set_part({x, bottom}, {std::min(most.x, size.x - x), top - bottom});
-            if (x == 0 && top == size.y)
-                renderer.draw(frame);
-            else
-                renderer.draw_root(frame);
-            context.finish();
-            ms.render += clock.restart();
-            place(read_picture(renderer, floats), x, band);
-            context.finish();
-            ms.read += clock.restart();
-        }
-        write(std::move(band));
-        ms.encode += clock.restart();
+    for (int x = 0; x < size.x; x += still.part.x) {
+        still.renderer.set_part({x, bottom}, {std::min(still.part.x, size.x - x), top - bottom});
+        if (x == 0 && top == size.y)
+            still.renderer.draw(still.frame);  // the first part draws the buffers, too
+        else
+            still.renderer.draw_root(still.frame);
+        still.context.finish();
+        still.ms.render += clock.restart();
+        place(read_picture(still.renderer, still.kind.floats), x, band);
+        still.context.finish();
+        still.ms.read += clock.restart();
     }
+    return band;
 }
 
-void print_result(const StillOptions& options, const Preset& preset, glm::ivec2 size,
-                  const Frame& frame, int frames_rendered, const std::string& renderer,
-                  const Split& ms) {
+// From the top down; a band is written while the next is drawn.
+void write_in_bands(Still& still, const Metadata& metadata) {
+    const StillOptions& options = still.options;
+    const glm::ivec2 size = still.preset.size;
+    FileFormat format = options.format;
+    format.tiled = options.tile == 0 && has_tiles(options.output);
+    ImageWriter writer(options.output, empty_image(size, 3, still.kind.floats), metadata, format);
+    Workers workers(1);
+    Stopwatch clock;
+    for (int top = size.y, bottom = 0; top > 0; top = bottom) {
+        bottom = std::max(top - still.part.y, 0);
+        Image band = draw_band(still, bottom, top);
+        clock.restart();
+        workers.run([&writer, band = std::move(band)] { writer.write(band); });
+        still.ms.encode += clock.restart();
+    }
+    workers.finish();
+    writer.finish();
+    still.ms.encode += clock.restart();
+}
+
+void write_file(Still& still) {
+    const glm::ivec2 size = still.preset.size;
+    std::int64_t drawn = 0;
+    Progress progress("drawing", long{size.x} * size.y * still.options.samples,
+                      Progress::Unit::percent);
+    still.renderer.after_strip = [&](std::int64_t pixels) {
+        still.context.finish();
+        progress.update(drawn += pixels);
+    };
+    Metadata metadata =
+        metadata_of(still.options, still.preset, still.frame, still.context.renderer());
+    metadata.emplace_back("glint:pass", still.options.pass);
+    if (still.part == glm::ivec2(0))
+        write_whole(still, metadata);
+    else
+        write_in_bands(still, metadata);
+    still.renderer.after_strip = nullptr;
+}
+
+void print_result(const Still& still) {
+    const StillOptions& options = still.options;
+    const Split& ms = still.ms;
+    const bool is_picture = still.kind.pass == kImagePass;
+    const glm::ivec2 size = is_picture ? still.preset.size : still.renderer.root_size();
     if (!options.view.json) {
         fmt::print("{}  {}x{}  {:.0f} ms\n", options.output.string(), size.x, size.y, ms.total);
         return;
     }
     const Json json = {{"output", options.output.string()},
-                       {"scene", preset.scene.files.front().string()},
+                       {"scene", still.preset.scene.files.front().string()},
                        {"size", {size.x, size.y}},
-                       {"frame", frame.frame},
-                       {"time", frame.time},
-                       {"renderer", renderer},
-                       {"frames_rendered", frames_rendered},
+                       {"frame", still.frame.frame},
+                       {"time", still.frame.time},
+                       {"renderer", still.context.renderer()},
+                       {"frames_rendered", still.frames_rendered},
                        {"samples", options.samples},
                        {"shutter", options.shutter},
                        {"specialised", options.view.specialise},
@@ -176,85 +260,33 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     Split ms;
     Stopwatch clock;
     const Preset preset = open_preset(options.view);
-    const std::size_t pass = find_pass(preset.scene, options.pass);
+    const PictureKind kind{.pass = find_pass(preset.scene, options.pass),
+                           .floats = holds_floats(options.output),
+                           .parts = may_be_in_parts(options, preset.size)};
     ms.load = clock.restart();
-
     const auto context = make_egl_context(options.view.device);
-    const std::string gpu = context->renderer();
     prepare_image_library(options.output);
     ms.context = clock.restart();
-
-    const bool floats = holds_floats(options.output);
-    const glm::ivec2 part = part_size(options, preset);
-    CompiledScene compiled =
-        compile_or_stop(preset, {.root = pass,
-                                 .program = {.specialise = options.view.specialise,
-                                             .average = options.samples > 1,
-                                             .parts = part != glm::ivec2(0),
-                                             .clamp_to_bytes = !floats}});
+    CompiledScene compiled = compile_or_stop(preset, compile_options(options, kind));
     ms.compile = clock.restart();
-
-    Renderer renderer(preset, std::move(compiled),
-                      {.size = preset.size,
-                       .picture_format = floats ? PixelFormat::rgba32f : PixelFormat::rgba8,
-                       .samples = options.samples,
-                       .part = part,
-                       .in_strips = true});
+    RenderOptions render = render_options(options, kind, preset.size);
+    render.part = part_size(options, preset, compiled.graph);
+    Renderer renderer(preset, std::move(compiled), render);
     load_inputs(preset, renderer);
     ms.load += clock.restart();
 
-    const Playback playback = playback_of(options, preset);
-    const int settle = options.settle.value_or(preset.settle);
-    const int last = playback.last_frame() + settle;
-    States states(options.state, preset, renderer, playback, settle,
-                  provenance_of(preset, options.fps, options.view.specialise), gpu);
-    int frames_rendered = 0;
-    const int first = states.start(last);
-    const double exposure =
-        exposure_of(options.shutter, options.fps, options.samples, renderer.graph());
-    Frame frame = play(preset, renderer, playback, settle, frames_rendered, first);
-    if (states.is_due(last)) states.save(last);
-    frame.exposure = exposure;
-    const glm::ivec2 size = pass == kImagePass ? preset.size : renderer.root_size();
-    std::int64_t drawn = 0;
-    Progress progress("drawing", long{size.x} * size.y * options.samples, Progress::Unit::percent);
-    renderer.after_strip = [&](std::int64_t pixels) {
-        context->finish();
-        progress.update(drawn += pixels);
-    };
-    Metadata metadata = picture_metadata(preset, frame, gpu);
-    metadata.emplace_back("glint:pass", options.pass);
-    metadata.emplace_back("glint:samples", fmt::format("{}", options.samples));
-    if (options.shutter > 0.0) {
-        metadata.emplace_back("glint:shutter", fmt::format("{}", options.shutter));
-    }
-    if (part == glm::ivec2(0)) {
-        renderer.draw(frame);
-        context->finish();
-        ms.render = clock.restart();
-        const Image image = read_back(renderer, preset, pass, options);
-        context->finish();
-        ms.read = clock.restart();
-        write_image(options.output, image, metadata, options.format);
-    } else {
-        FileFormat format = options.format;
-        format.tiled = floats && options.tile == 0 && has_tiles(options.output);
-        const Image shape{.size = size,
-                          .channels = 3,
-                          .type = floats ? ChannelType::f32 : ChannelType::u8,
-                          .pixels = {}};
-        ImageWriter writer(options.output, shape, metadata, format);
-        Workers workers(1);
-        draw_bands(renderer, *context, frame, size, part, floats, ms, [&](Image band) {
-            workers.run([&, band = std::move(band)] { writer.write(band); });
-        });
-        clock.restart();
-        workers.finish();
-        writer.finish();
-    }
-    ms.encode += clock.restart();
-    ms.total = since_start.ms();
-    print_result(options, preset, size, frame, frames_rendered, gpu, ms);
+    Still still{.options = options,
+                .preset = preset,
+                .kind = kind,
+                .part = render.part,
+                .context = *context,
+                .renderer = renderer,
+                .ms = ms};
+    play_up_to_frame(still);
+    still.ms.render = clock.restart();
+    write_file(still);
+    still.ms.total = since_start.ms();
+    print_result(still);
 }
 
 }  // namespace glint

@@ -22,6 +22,8 @@ class Average {
 public:
     explicit Average(glm::ivec2 size);
 
+    const Buffer& sum() const { return sum_; }
+
     void clear();
 
     // Where to draw the next position, blending by addition.

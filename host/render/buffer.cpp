@@ -39,7 +39,25 @@ ChannelFormat channel_format(PixelFormat format) {
     return {GL_FLOAT, 4};
 }
 
+// One texture's.
+std::size_t texture_bytes(const BufferShape& shape) {
+    return static_cast<std::size_t>(shape.size.x) * static_cast<std::size_t>(shape.size.y) *
+           (shape.cube ? 6 : 1) * 4 * channel_format(shape.format).bytes;
+}
+
 }  // namespace
+
+std::size_t byte_count(const BufferShape& shape) {
+    return texture_bytes(shape) * static_cast<std::size_t>(shape.outputs) *
+           (shape.feedback ? 2 : 1);
+}
+
+bool Buffer::is_whole() const {
+    return std::ranges::all_of(sides_, [](const Side& side) {
+        return glCheckNamedFramebufferStatus(side.framebuffers.front().id(), GL_FRAMEBUFFER) ==
+               GL_FRAMEBUFFER_COMPLETE;
+    });
+}
 
 Buffer::Buffer(const BufferShape& shape) : shape_(shape) {
     for (int side = 0; side < (shape.feedback ? 2 : 1); ++side) sides_.push_back(make_side());
@@ -124,18 +142,9 @@ void Buffer::copy_from(const Buffer& other) {
     ++version_;
 }
 
-std::size_t Buffer::texture_bytes() const {
-    return static_cast<std::size_t>(shape_.size.x) * static_cast<std::size_t>(shape_.size.y) *
-           (shape_.cube ? 6 : 1) * 4 * channel_format(shape_.format).bytes;
-}
-
-std::size_t Buffer::byte_count() const {
-    return texture_bytes() * static_cast<std::size_t>(shape_.outputs) * sides_.size();
-}
-
 std::vector<std::byte> Buffer::bytes() const {
     std::vector<std::byte> all(byte_count());
-    const std::size_t one = texture_bytes();
+    const std::size_t one = texture_bytes(shape_);
     std::byte* to = all.data();
     for (const std::size_t side : {front_, back()}) {
         if (to == all.data() + all.size()) break;  // single: front and back are the same
@@ -162,7 +171,7 @@ void Buffer::set_bytes(std::span<const std::byte> bytes) {
                                     type, from);
             }
             if (shape_.mipmaps) glGenerateTextureMipmap(texture.id());
-            from += texture_bytes();
+            from += texture_bytes(shape_);
         }
     }
     ++version_;

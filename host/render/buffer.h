@@ -21,11 +21,16 @@ struct BufferShape {
     bool operator==(const BufferShape&) const = default;
 };
 
+// Of all textures, without their mipmaps.
+std::size_t byte_count(const BufferShape& shape);
+
 class Buffer {
 public:
+    // Where the driver has no room, it is there all the same but is_whole() is false.
     explicit Buffer(const BufferShape& shape);
 
     const BufferShape& shape() const { return shape_; }
+    bool is_whole() const;
 
     // The texture that readers see: the frame that was drawn last.
     GLuint texture(std::size_t output) const { return sides_[front_].textures[output].id(); }
@@ -52,7 +57,7 @@ public:
     // Every texel of every output in the buffer's own format, bit for bit, also of the side that is
     // drawn into next: where a shader discards, that one shows through. Mipmaps are left out.
     std::vector<std::byte> bytes() const;
-    std::size_t byte_count() const;
+    std::size_t byte_count() const { return glint::byte_count(shape_); }
 
     // Takes back what bytes() gave; as many as byte_count().
     void set_bytes(std::span<const std::byte> bytes);
@@ -68,7 +73,6 @@ private:
         std::vector<Framebuffer> framebuffers;  // one, or one a face
     };
     Side make_side() const;
-    std::size_t texture_bytes() const;
     std::size_t back() const { return sides_.size() - 1 - front_; }
 
     BufferShape shape_;

@@ -1,5 +1,7 @@
 #include "render/graph.h"
 
+#include "render/pass_text.h"
+
 #include <algorithm>
 
 namespace glint {
@@ -101,6 +103,13 @@ PassGraph build_graph(const std::vector<Pass>& passes, std::vector<PassReads> re
             return pass.previous || (pass.pass < passes.size() && passes[pass.pass].step);
         });
     return graph;
+}
+
+bool is_jittered(const Scene& scene, const GraphPass& pass) {
+    if (!fills_a_buffer(pass.pass)) return true;
+    const Pass& declared = scene.passes[pass.pass];
+    return !pass.feeds_state && !pass.previous && !declared.cube && !declared.size &&
+           declared.scale == 1.0;
 }
 
 }  // namespace glint

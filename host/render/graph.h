@@ -43,4 +43,8 @@ struct PassGraph {
 // frame; reading oneself or a later one gives the previous frame.
 PassGraph build_graph(const std::vector<Pass>& passes, std::vector<PassReads> reads);
 
+// Whether a pass is drawn anew at every sub-pixel position of an averaged picture: the picture, and
+// buffers of its own pixels that no later frame depends on. All others stay as they are.
+bool is_jittered(const Scene& scene, const GraphPass& pass);
+
 }  // namespace glint

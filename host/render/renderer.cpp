@@ -1,10 +1,13 @@
 #include "render/renderer.h"
 
+#include "render/room.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace glint {
@@ -19,15 +22,6 @@ long steps_elapsed(double time, Step step) {
 
 constexpr double kStripSeconds = 0.1;
 
-void require_drawable(glm::ivec2 size, const std::string& what) {
-    GLint limit = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-    if (size.x > limit || size.y > limit) {
-        throw std::runtime_error(fmt::format("{} is {}x{} pixels; this driver draws up to {}x{}.",
-                                             what, size.x, size.y, limit, limit));
-    }
-}
-
 }  // namespace
 
 Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options)
@@ -38,14 +32,25 @@ Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOption
       drawn_(scene_.programs.size()),
       steps_done_(scene_.programs.size(), 0),
       vertex_array_(make_vertex_array()) {
+    std::vector<WantedBuffer> wanted;
+    for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+        wanted.push_back({pass_name(preset.scene, scene_.programs[i].pass), wanted_shape(i)});
+    }
+    const WantedBuffer sum{"the sum of the samples", {.size = wanted[scene_.root].shape.size}};
+    if (options.samples > 1) wanted.push_back(sum);
+    require_memory(wanted);
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
         const PassProgram& program = scene_.programs[i];
-        buffers_.push_back(std::make_unique<Buffer>(wanted_shape(i)));
+        buffers_.push_back(std::make_unique<Buffer>(wanted[i].shape));
+        require_room(*buffers_.back(), wanted[i].name);
         drawn_[i].builtins.resize(program.builtins.size());
         drawn_[i].tweaks.resize(program.tweaks.size());
         drawn_[i].versions.resize(program.samplers.size());
     }
-    if (options.samples > 1) average_ = std::make_unique<Average>(buffers_.back()->shape().size);
+    if (options.samples > 1) {
+        average_ = std::make_unique<Average>(sum.shape.size);
+        require_room(average_->sum(), sum.name);
+    }
     glDisable(GL_DITHER);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // always on in GLSL ES
 }
@@ -76,7 +81,7 @@ BufferShape Renderer::wanted_shape(std::size_t index) const {
                              sampler.filter == Filter::mipmap;
         }
     }
-    require_drawable(shape.size, pass_name(preset_.scene, wanted));
+    require_drawable({pass_name(preset_.scene, wanted), shape});
     return shape;
 }
 
@@ -268,16 +273,6 @@ void Renderer::run_steps(const Frame& frame, Step step) {
     for (const std::size_t i : group) steps_done_[i] = done;
 }
 
-// A pass of the picture's own pixels, which no later frame depends on, can be drawn at any
-// sub-pixel position; all others stay as they are while the picture is averaged.
-bool Renderer::is_jittered(std::size_t index) const {
-    const GraphPass& pass = scene_.graph.passes[index];
-    if (!fills_a_buffer(pass.pass)) return true;
-    const Pass& declared = preset_.scene.passes[pass.pass];
-    return !pass.feeds_state && !pass.previous && !declared.cube && !declared.size &&
-           declared.scale == 1.0;
-}
-
 // Where the shutter stays open, each sample has a time of its own as well.
 void Renderer::run_averaged(const Frame& frame) {
     const std::size_t root = scene_.root;
@@ -291,7 +286,8 @@ void Renderer::run_averaged(const Frame& frame) {
                             .jitter = sub_pixel_position(sample, options_.samples)};
         if (frame.exposure > 0.0) channels_.set_time(moment.time);
         for (std::size_t i = 0; i < root; ++i) {
-            if (is_jittered(i) || frame.exposure > 0.0) run_pass(i, inputs);
+            const bool moves = is_jittered(preset_.scene, scene_.graph.passes[i]);
+            if (moves || frame.exposure > 0.0) run_pass(i, inputs);
         }
         run_pass(root, inputs, true);
     }
@@ -568,7 +564,8 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
             break;
         }
         case Builtin::jitter:
-            if (is_jittered(index)) f[0] = inputs.jitter.x, f[1] = inputs.jitter.y;
+            if (is_jittered(preset_.scene, scene_.graph.passes[index]))
+                f[0] = inputs.jitter.x, f[1] = inputs.jitter.y;
             break;
         case Builtin::face:
             value.ints[0] = inputs.face;

@@ -35,8 +35,8 @@ struct PassState {
 class Renderer {
 public:
     // Keeps references: preset must outlive the renderer. Its values may change between draws; they
-    // matter where the scene was not specialised. Throws std::runtime_error when a size is beyond
-    // the driver's limit.
+    // matter where the scene was not specialised. Throws std::runtime_error when the buffers
+    // do not fit (render/room.h).
     Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options);
     ~Renderer();
     Renderer(const Renderer&) = delete;
@@ -157,7 +157,6 @@ private:
     float channel_time(std::size_t pass, int channel, double time) const;
     std::size_t graph_index(std::size_t pass) const;
     BufferShape wanted_shape(std::size_t index) const;
-    bool is_jittered(std::size_t index) const;
 
     const Preset& preset_;
     CompiledScene scene_;

@@ -57,10 +57,14 @@ TEST_F(BrokenOutput, ADiskThatFillsUpKeepsTheOldPicture) {
     for (const std::string name : {"out.png", "out.exr", "out.tif", "out.jpg", "out.hdr"}) {
         SCOPED_TRACE(name);
         write("disk/" + name, "precious");
-        const Command full =
-            command({"still", "noise.frag", "-o", "disk/" + name, "--size", "512x512"});
-        expect_refused(full, "No space left on device");
-        EXPECT_EQ(bytes("disk/" + name), "precious");
+        // At once, and in bands.
+        for (const auto& way : std::vector<std::vector<std::string>>{{}, {"--tile", "64"}}) {
+            Command full =
+                command({"still", "noise.frag", "-o", "disk/" + name, "--size", "512x512"});
+            full.arguments.insert(full.arguments.end(), way.begin(), way.end());
+            expect_refused(full, "No space left on device");
+            EXPECT_EQ(bytes("disk/" + name), "precious");
+        }
         fs::remove(disk / name);
         EXPECT_TRUE(fs::is_empty(disk));
     }

@@ -25,15 +25,16 @@ protected:
     }
 };
 
-// Whether the process holds an open file in this folder: it has begun to write its picture.
-bool writes_into(pid_t process, const fs::path& folder) {
+// Whether the process holds an open file in this folder, of so many bytes at least: it has begun to
+// write its picture.
+bool writes_into(pid_t process, const fs::path& folder, std::uintmax_t bytes = 0) {
     std::error_code error;
     const fs::path open_files = "/proc/" + std::to_string(process) + "/fd";
     for (fs::directory_iterator entry(open_files, error), end; !error && entry != end;
          entry.increment(error)) {
         std::error_code gone;
         if (fs::read_symlink(entry->path(), gone).string().starts_with(folder.string())) {
-            return true;
+            return fs::file_size(entry->path(), gone) >= bytes && !gone;
         }
     }
     return false;
@@ -76,6 +77,49 @@ TEST_F(Interrupted, WhileItWritesItLeavesNoHalfPicture) {
             EXPECT_EQ(names(), before);
         }
     }
+}
+
+// A huge picture is written in bands while the next are drawn; tiles make a small one do the same.
+TEST_F(Interrupted, BetweenTheBandsOfAPictureItLeavesNoHalfPicture) {
+    for (const std::string name : {"out.png", "out.exr", "out.tif"}) {
+        for (const int signal : {SIGINT, SIGKILL}) {
+            SCOPED_TRACE(name);
+            write(name, "precious");
+            const auto before = names();
+            Process process(command({"still", "scene.frag", "-o", name, "--size", "512x16384",
+                                     "--tile", "64", "--samples", "64"}));
+            while (process.runs() && !writes_into(process.id(), folder(), 100'000)) {
+                std::this_thread::sleep_for(1ms);
+            }
+            process.signal(signal);
+            EXPECT_EQ(process.wait().signal, signal);
+            EXPECT_EQ(bytes(name), "precious");
+            EXPECT_EQ(names(), before);
+        }
+    }
+}
+
+TEST_F(Interrupted, AFolderThatVanishesMeanwhileIsAFailure) {
+    fs::create_directory(folder() / "gone");
+    const auto expect_failure = [&](std::vector<std::string> words) {
+        Process process(command(std::move(words)));
+        while (process.runs() && !writes_into(process.id(), folder() / "gone")) {
+            std::this_thread::sleep_for(1ms);
+        }
+        fs::remove_all(folder() / "gone");
+        const Outcome outcome = process.wait();
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_TRUE(outcome.err.starts_with("error: Cannot write gone/")) << outcome.err;
+        EXPECT_NE(outcome.err.find("No such file or directory"), std::string::npos) << outcome.err;
+        EXPECT_EQ(names(), std::set<std::string>{"scene.frag"});
+        fs::create_directory(folder() / "gone");
+    };
+    for (const std::string name : {"gone/out.png", "gone/out.exr"}) {
+        expect_failure({"still", "scene.frag", "-o", name, "--size", "512x4096", "--tile", "64",
+                        "--samples", "4"});
+    }
+    expect_failure(
+        {"sequence", "scene.frag", "-o", "gone/film.mp4", "--frames", "0:99", "--size", "256x144"});
 }
 
 TEST_F(Interrupted, CtrlCEndsALongSimulationAtOnce) {

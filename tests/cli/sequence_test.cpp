@@ -6,7 +6,12 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <thread>
+#include <tuple>
 
 namespace glint::cli {
 namespace {
@@ -71,6 +76,88 @@ TEST_F(Sequence, FrameKIsTheStillOfFrameK) {
         }
     }
     EXPECT_EQ(names().size(), 2u + 2 * 2 * 3 + 2);
+}
+
+TEST_F(Sequence, TheShutterSmearsWhatMovesAndAgreesWithTheStill) {
+    // A light of 4 pixels that moves by 16 a frame: during half a frame, by 8.
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float x = p.x - 8.0 - 400.0 * iTime;\n"
+          "    c = vec4(vec3(x >= 0.0 && x < 4.0), 1);\n}\n");
+    const std::vector<std::string> words = {"scene.frag", "--fps", "25",     "--samples", "64",
+                                            "--shutter",  "180",   "--size", "60x2"};
+    auto all = words;
+    all.insert(all.end(), {"-o", "%d.exr", "--frames", "0:2"});
+    ASSERT_EQ(sequence(all).code, 0);
+    for (int k = 0; k < 3; ++k) {
+        SCOPED_TRACE(k);
+        const Image image = read_image(folder() / fmt::format("{}.exr", k));
+        double sum = 0;
+        for (int x = 0; x < 60; ++x) {
+            float encoded = 0;
+            std::memcpy(&encoded, image.pixels.data() + x * 12, sizeof encoded);
+            const double light =
+                encoded < 0.04045F ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+            // Of the 8 places where the light begins, one after the other, how many reach x.
+            const double from_start = x + 0.5 - 8 - 16 * k;
+            const double share = std::clamp(std::min(from_start, 12 - from_start), 0.0, 4.0) / 8;
+            // Two samples of 64, and the corners of the ramps, which a pixel's width rounds off.
+            EXPECT_NEAR(light, share, 0.05) << x;
+            sum += light;
+        }
+        EXPECT_NEAR(sum, 4.0, 2 / 64.0) << "light is neither lost nor won";
+        auto one = words;
+        one.insert(one.end(), {"-o", "still.exr", "--frame", std::to_string(k)});
+        still(one);
+        EXPECT_EQ(pixels("still.exr"), pixels(fmt::format("{}.exr", k)));
+    }
+    all.push_back("--resume");
+    EXPECT_EQ(result(all)["skipped"], 3);
+    *std::ranges::find(all, "180") = "90";
+    EXPECT_EQ(result(all)["skipped"], 0) << "another shutter is another sequence";
+}
+
+TEST_F(Sequence, TheShutterNeedsSamplesAndASceneWithoutState) {
+    write("moving.frag", kMoving);
+    write("counting.frag", kCounting);
+    const std::vector<std::tuple<std::string, std::string, std::string>> cases = {
+        {"moving.frag", "1", "--samples"}, {"counting.frag", "4", "frames before it"}};
+    for (const auto& [scene, samples, why] : cases) {
+        for (const std::string output : {"%d.png", "film.mp4"}) {
+            const Outcome outcome = sequence(
+                {scene, "-o", output, "--frames", "0:3", "--shutter", "180", "--samples", samples});
+            EXPECT_EQ(outcome.code, 2) << scene;
+            EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+        }
+    }
+    EXPECT_EQ(names(), (std::set<std::string>{"counting.frag", "moving.frag"}));
+}
+
+// The most memory that a process has held, KiB.
+long peak_memory(pid_t process) {
+    std::ifstream in(fmt::format("/proc/{}/status", process));
+    long kib = 0;
+    for (std::string line; std::getline(in, line);) {
+        if (std::sscanf(line.c_str(), "VmHWM: %ld kB", &kib) == 1) break;
+    }
+    return kib;
+}
+
+TEST_F(Sequence, AMilliardFramesBeginAtOnce) {
+    write("scene.frag", kMoving);
+    for (const std::string shard : {"1/1", "2/3"}) {
+        Process process(command({"sequence", "scene.frag", "-o", "%d.png", "--frames",
+                                 "0:1000000000", "--size", "8x8", "--shard", shard, "--resume"}));
+        const std::string second = shard == "1/1" ? "1.png" : "4.png";
+        while (process.runs() && !fs::exists(folder() / second)) std::this_thread::sleep_for(1ms);
+        ASSERT_TRUE(process.runs()) << process.wait().err;
+        EXPECT_LT(peak_memory(process.id()), 500'000);  // a list of them would be 4 GB
+    }
+    // The last ones have numbers of their own.
+    EXPECT_EQ(result({"scene.frag", "-o", "%d.png", "--frames", "1073741822:1073741824"})["frames"],
+              3);
+    EXPECT_NE(bytes("1073741823.png"), bytes("1073741824.png"));
+    EXPECT_EQ(sequence({"scene.frag", "-o", "%d.png", "--frames", "0:1073741825"}).code, 2);
 }
 
 TEST_F(Sequence, SevenSharesGiveTheBytesOfOneProcess) {
@@ -307,6 +394,22 @@ TEST_F(Sequence, RawFramesGoToStdoutTopRowFirst) {
     ASSERT_EQ(raw.size(), 3u * 8 * 4 * 3);
     EXPECT_EQ(static_cast<unsigned char>(raw[1]), 223);  // green of the top row: 3.5 / 4
     EXPECT_EQ(static_cast<unsigned char>(raw[3 * 8 * 3 + 1]), 32);
+}
+
+TEST_F(Sequence, AReaderOfStdoutThatGoesAwayOrIsFullEndsIt) {
+    write("scene.frag", kMoving);
+    write("script", fmt::format("cd '{}' && '{}' sequence scene.frag -o - --size 320x180 2>err "
+                                "| head -c 1000 >head\nexit ${{PIPESTATUS[0]}}\n",
+                                folder().string(), GLINT_BINARY));
+    const int status = std::system(("bash '" + (folder() / "script").string() + "'").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 128 + SIGPIPE) << "as every program in a pipe";
+    EXPECT_EQ(bytes("head").size(), 1000u);
+    EXPECT_EQ(bytes("err"), "");
+    Command full = command({"sequence", "scene.frag", "-o", "-", "--frames", "0:3"});
+    full.out_to = "/dev/full";
+    const Outcome outcome = run(full);
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err, "error: Cannot write to stdout: No space left on device.\n");
 }
 
 TEST_F(Sequence, WhatMakesNoSenseIsSaidBeforeAnythingIsDrawn) {

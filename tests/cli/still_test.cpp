@@ -322,6 +322,30 @@ TEST_F(Still, APictureWiderThanAnyTextureIsDrawnInParts) {
         << no_room.err;
 }
 
+// Buffers that are as large as the picture cannot be drawn in parts.
+TEST_F(Still, ABufferForWhichThereIsNoRoomIsNamed) {
+    write("scene.frag",
+          "uniform sampler2D a; //@ pass mainA\n"
+          "uniform sampler2D b; //@ pass mainB scale=0.25\n"
+          "uniform bool useA; //@ on\n"
+          "void mainA(out vec4 c, in vec2 p) { c = vec4(p, 0, 1); }\n"
+          "void mainB(out vec4 c, in vec2 p) { c = vec4(0.5); }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = texelFetch(b, ivec2(p) / 4, 0);\n"
+          "    if (useA) c += texelFetch(a, ivec2(p), 0);\n}\n");
+    for (const std::string size : {"32768x18432", "16384x16384"}) {
+        const Outcome outcome =
+            glint({"still", "scene.frag", "-o", "a.png", "--size", size, "--samples", "4"});
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_NE(outcome.err.find("a is " + size + " pixels"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("scale="), std::string::npos) << "tells what to do";
+    }
+    EXPECT_EQ(names(), std::set<std::string>{"scene.frag"});
+    // Without that buffer it goes in parts, samples or not.
+    still({"scene.frag", "-o", "a.png", "--size", "20000x1700", "--samples", "2", "--tweak",
+           "useA=off"});
+}
+
 TEST_F(Still, TheShutterSpreadsSamplesOverTime) {
     write("scene.frag",
           "void mainImage(out vec4 c, in vec2 p) { c = vec4(iTime < 2.005 ? 1.0 : 0.0, iTime, "

@@ -1,0 +1,86 @@
+#include "modes/sequence_output.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+#include <thread>
+
+namespace glint {
+namespace {
+
+// Pictures are files of their own and may overtake each other; a stream may not.
+int threads_for(Target target) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return target == Target::pictures ? std::clamp(cores, 1, 16) : 1;
+}
+
+}  // namespace
+
+std::string Making::of(int frame) const {
+    return fmt::format("{}-{}-{};", inputs, frame, drawer);
+}
+
+// Pictures tell of their making before their pixels.
+bool is_made_from(const std::filesystem::path& file, const std::string& making) {
+    std::ifstream in(file, std::ios::binary);
+    std::string head(64 * 1024, '\0');
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    if (head.find(making) == std::string::npos) return false;
+    try {
+        read_image(file);
+        return true;
+    } catch (const std::runtime_error&) {
+        return false;  // cut short by somebody else
+    }
+}
+
+void write_to_stdout(const Image& image) {
+    try {
+        write_all(STDOUT_FILENO, raw_frame(image));
+    } catch (const std::system_error& error) {
+        throw std::runtime_error("Cannot write to stdout: " + error.code().message() + ".");
+    }
+}
+
+SequenceOutput::SequenceOutput(const SequenceOptions& options, Target target, const Preset& preset,
+                               std::string gpu, Making making)
+    : options_(options),
+      target_(target),
+      preset_(preset),
+      gpu_(std::move(gpu)),
+      making_(std::move(making)),
+      name_(numbered_name(options.output)),
+      workers_(threads_for(target)) {}
+
+void SequenceOutput::begin_film(int sound) {
+    film_.emplace(options_.output, preset_.size, options_.fps, sound);
+}
+
+bool SequenceOutput::has(int frame) const {
+    return options_.resume && name_ && is_made_from(name_->name(frame), making_.of(frame));
+}
+
+void SequenceOutput::write(const Frame& frame, std::vector<std::byte> rgba) {
+    workers_.run([this, frame, rgba = std::move(rgba)] { encode(frame, rgba); });
+}
+
+void SequenceOutput::finish() {
+    wait();
+    if (film_) film_->finish();
+}
+
+void SequenceOutput::encode(const Frame& frame, const std::vector<std::byte>& rgba) {
+    const Image image =
+        picture_without_alpha(rgba, preset_.size, floats() ? ChannelType::f32 : ChannelType::u8);
+    if (target_ == Target::film) return film_->write(image);
+    if (target_ == Target::raw) return write_to_stdout(image);
+    Metadata metadata = metadata_of(options_, preset_, frame, gpu_);
+    metadata.emplace_back("glint:inputs", making_.of(frame.frame));
+    write_image(name_->name(frame.frame), image, metadata, options_.format);
+}
+
+}  // namespace glint

@@ -1,0 +1,64 @@
+// Where the pictures of a sequence go: to files of their own, into a film, or to stdout.
+#pragma once
+
+#include "modes/film.h"
+#include "modes/numbered_name.h"
+#include "modes/sequence.h"
+#include "modes/workers.h"
+
+namespace glint {
+
+enum class Target { pictures, film, raw, states };
+
+// How pictures of this sequence can be told from others.
+struct Making {
+    std::string inputs;  // what they follow from
+    std::string drawer;  // and who draws them
+
+    std::string of(int frame) const;
+};
+
+// Whether the file is there, whole, and says that it was made so: a Making, or the beginning of
+// one.
+bool is_made_from(const std::filesystem::path& file, const std::string& making);
+
+// Top row first. Throws std::runtime_error.
+void write_to_stdout(const Image& image);
+
+// Encodes in threads of its own while the GPU draws.
+class SequenceOutput {
+public:
+    // Keeps references.
+    SequenceOutput(const SequenceOptions& options, Target target, const Preset& preset,
+                   std::string gpu, Making making);
+
+    // Where the target is a film. Its sound is the descriptor of a WAV file, or -1.
+    void begin_film(int sound);
+
+    bool floats() const { return target_ == Target::pictures && holds_floats(options_.output); }
+
+    // Whether an earlier run has left this frame's picture; always false without --resume.
+    bool has(int frame) const;
+
+    // Takes a picture as RGBA. Throws what went wrong with one before.
+    void write(const Frame& frame, std::vector<std::byte> rgba);
+
+    // Waits until all that was taken stands in its file.
+    void wait() { workers_.finish(); }
+
+    void finish();
+
+private:
+    void encode(const Frame& frame, const std::vector<std::byte>& rgba);
+
+    const SequenceOptions& options_;
+    Target target_;
+    const Preset& preset_;
+    std::string gpu_;
+    Making making_;
+    std::optional<NumberedName> name_;
+    std::optional<Film> film_;
+    Workers workers_;  // goes first: its threads use all of the above
+};
+
+}  // namespace glint
