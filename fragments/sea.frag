@@ -67,7 +67,7 @@ uniform float bias;            //@ 0.002 [0, 0.2] unit=m "depth that a ray must 
 uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over which reflections fade"
 //@ group Quality
 uniform int   seaSteps;        //@ 96 [8, 512] log quality reference=512 "of a ray to the sea"
-uniform int   mirrorRays;      //@ 4 [1, 64] log quality reference=64 "where the mirror blurs"
+uniform int   mirrorRays;      //@ 16 [1, 64] log quality reference=64 "where the mirror blurs"
 uniform int   shadows;         //@ 1 {off, cone, sampled} quality reference=2 "kind of shadow"
 uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of a sampled shadow"
 
@@ -602,8 +602,9 @@ vec3 airLight(vec3 rd, float width, bool disc) {
         sum *= 1.0 - 0.18 * cover * cover;
     }
     if (disc) {
-        float r2 = square(radians(sunSize)), edge = max(width, 1e-4) * 0.5 * sqrt(r2);
-        float seen = 1.0 - smoothstep(r2 - edge, r2 + edge, away2);
+        float sun2 = square(radians(sunSize)), r2 = sun2 + 0.5 * square(width);
+        float edge = max(width, 1e-4) * 0.5 * sqrt(r2);
+        float seen = sun2 / r2 * (1.0 - smoothstep(r2 - edge, r2 + edge, away2));
         seen *= smoothstep(-0.002, 0.002, rd.y);
         sum += sunBeam() * (seen * 30.0 + 0.0003 / (away2 + 0.0008)) + 12.0 * seen;
     }
@@ -887,6 +888,15 @@ Surface surfaceAt(Eye e, vec3 rd, ivec2 pixel) {
     }
     return u;
 }
+// One of the rays that a blurred glass gathers, even over a disc round the mirrored one; none goes
+// behind the glass.
+vec3 blurredRay(vec3 away, vec3 nor, float k, vec2 start) {
+    vec3 u = normalize(abs(away.y) < 0.9 ? vec3(away.z, 0.0, -away.x) : vec3(0.0, away.z, -away.y));
+    float a = 2.0 * kPi * (kGolden * k + start.x);
+    float r = mirrorBlur * sqrt((k + start.y) / float(mirrorRays));
+    away += r * (cos(a) * u + sin(a) * cross(u, away));
+    return normalize(away - min(2.0 * dot(away, nor), 0.0) * nor);
+}
 // The reference for screen-space rays: what a ray meets, exactly.
 Hit hitAll(vec3 ro, vec3 rd, float pixel, bool withSea, bool none) {
     float wet = hitSea(ro, rd, pixel, withSea ? kFar : 0.0);
@@ -972,14 +982,13 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec4 lit = texelFetch(lightBuffer, ivec2(fragCoord), 0);
     vec3 sum = vec3(0.0);
     // What water and glass mirror, and what is above the horizon.
-    int rays = mirrorBlur > 0.0 ? mirrorRays : 1;
+    bool blurred = onGlass && mirrorBlur > 0.0;
+    int rays = blurred ? mirrorRays : 1;
+    float cone = blurred ? 1.4 * mirrorBlur * inversesqrt(float(rays)) : 0.0;   // of one ray, rad
+    float spin = fract(dot(floor(fragCoord * 16.0), vec2(0.797172, 0.598115)));   // R2, by pixels
     for (int k = 0; k < rays; ++k) {
         vec3 away = u.away, from = u.pos + 0.002 * u.nor;
-        if (onGlass && mirrorBlur > 0.0) {
-            float a = 2.0 * kPi * (kGolden * float(k) + chance.y);
-            float r = mirrorBlur * sqrt((float(k) + chance.z) / float(rays));
-            away = normalize(away + r * (cos(a) * e.right + sin(a) * e.up));
-        }
+        if (blurred) away = blurredRay(away, u.nor, float(k), vec2(spin, chance.z));
         // The thing that is met, with how sure that is, over the open sea and the sky.
         float sure = 0.0, far = -u.pos.y / min(away.y, -1e-4);
         bool wet = onGlass && away.y < -1e-3 && u.pos.y > 0.0;
@@ -988,7 +997,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         if (reflections == 3) {
             Hit h = hitAll(from, away, angle, onGlass, u.id == kSky || u.id > kGlass);
             vec3 q = from + min(h.t, 1e4) * away;
-            vec4 stuff = paint(h.id, q, angle * (u.t + h.t));
+            vec4 stuff = paint(h.id, q, angle * u.t + (angle + cone) * h.t);
             thing = thingLight(h.id, q, h.nor, away, stuff, sunlight(q, h.nor, chance.y),
                                roomAround(q, h.nor), upWeight);
             thing += upWeight * ambientLight(h.nor) / kPi;
@@ -1001,7 +1010,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         }
         far = min(far, 1e5);
         vec3 q = u.pos + far * away;
-        Sea s = sea(q.xz, seaFootprint(away, angle * (u.t + far)));
+        Sea s = sea(q.xz, seaFootprint(away, angle * u.t + (angle + cone) * far));
         if (reflections < 3) {
             vec4 stuff = texelFetch(albedo, ivec2(found), 0);
             vec3 nor = texelFetch(normalDepth, ivec2(found), 0).xyz;
@@ -1028,7 +1037,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
             away = reflect(away, n);
         }
         if (glass != vec3(0.0)) away = reflect(away, glass);
-        light += upWeight * mirrorSky(away, onSea ? 0.1 : angle, u.id == kSky || onGlass && !wet);
+        bool disc = u.id == kSky || onGlass && !wet;
+        light += upWeight * mirrorSky(away, onSea ? 0.1 : angle + cone, disc);
         sum += u.mirrored / float(rays) * mix(light, thing, sure);
     }
     if (u.id > kGlass) sum = lit.rgb;
