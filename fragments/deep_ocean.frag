@@ -514,30 +514,46 @@ void meetRig(vec3 ro, vec3 rd, float pixel, float tMax) {
 float plantCover(float u, float v, float tall, float swing, float seed, float w) {
     float gapV = 0.34, rows = v / gapV, up = v / tall, sum;
     u -= swing * up * sqrt(max(up, 0.0)) + 0.12 * sin(2.1 * v + seed) * up;
-    sum = overlap(u, w, -0.022, 0.022);
+    sum = overlap(u, w, -0.022, 0.022) * step(v, tall);
     float keep = clamp(2.0 - w / gapV, 0.0, 1.0);   // far off blades become an even veil
     for (int k = 0; k < 4; ++k) {
         float blade = floor(rows) - float(k), y = (rows - blade) * gapV, size = 1.35 - 0.6 * up;
         float s = clamp(y / size, 0.0, 1.0), side = mod(blade, 2.0) * 2.0 - 1.0;
         float at = side * (0.55 * s * (1.35 - 0.5 * s)
             + 0.06 * s * sin(3.0 * s - 2.0 * kPi * (cycles(0.25) + 0.23 * blade) + seed));
-        float half1 = 0.085 * sin(kPi * s) * (1.0 + 0.15 * sin(19.0 * s)) * step(0.0, blade);
+        float half1 = 0.085 * sin(kPi * s) * (1.0 + 0.15 * sin(19.0 * s));
+        half1 *= step(0.0, blade) * step(blade * gapV, tall - 0.35);   // the last ends in its tip
         sum += overlap(u, w, at - half1, at + half1);
     }
     float veil = 0.42 * overlap(u, w, -0.5, 0.5);
     return min(mix(veil, sum, keep), 1.0) * step(0.0, v) * step(v, tall + 0.5);
 }
+// Whether a ray passes over a group of plants no higher than they grow.
+bool meetsGroup(int g, vec3 ro, vec3 rd, float level2) {
+    vec4 bound = texelFetch(garden, ivec2(g, 1), 0);
+    vec2 f = bound.xz - ro.xz;
+    float t = dot(f, rd.xz) / level2, slack = bound.w + 1.2, part = slack * inversesqrt(level2);
+    float low = ro.y + rd.y * (rd.y < 0.0 ? t + part : max(t - part, 0.0));
+    float aside = abs(dot(f, vec2(rd.z, -rd.x))) * inversesqrt(level2);
+    return aside < slack && t > -part && low < bound.y + 1.0;
+}
+// A plant: the pixel's share of it, where its strip is, its normal.
+Layer plantLayer(int k, vec3 ro, vec3 rd, float level2, float pixel) {
+    vec4 plant = texelFetch(garden, ivec2(k, 0), 0);
+    vec2 f = plant.xz - ro.xz, across = vec2(rd.z, -rd.x) * inversesqrt(level2);
+    float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y, seed = float(k) * 1.7;
+    float swing = 0.12 * plant.w * across.x
+        * (0.6 + sin(2.0 * kPi * (cycles(0.09375) + 0.013 * plant.x) - 0.35 * v));
+    float cover = plantCover(-dot(f, across), v, plant.w, swing, seed, pixel * t);
+    vec3 nor = unit(vec3(0.7 * sin(seed + 5.0 * v) * across, 0.5).xzy - 0.6 * rd);
+    return Layer(t, cover * smoothstep(0.5, 1.2, t), kWeed, nor);
+}
 void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
     float level2 = max(dot(rd.xz, rd.xz), 1e-4);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
     int groups = 0;
-    for (int g = 0; 5 * g < kelp; ++g) {
-        vec4 bound = texelFetch(garden, ivec2(g, 1), 0);
-        vec2 f = bound.xz - ro.xz;
-        float t = dot(f, rd.xz) / level2, slack = bound.w + 1.2;
-        float high = ro.y + rd.y * (t + (rd.y > 0.0 ? slack : -slack) * inversesqrt(level2));
-        if (abs(dot(f, across)) < slack && t > -slack && high < bound.y + 1.0) groups |= 1 << g;
-    }
+    for (int g = 0; 5 * g < kelp; ++g)
+        if (meetsGroup(g, ro, rd, level2)) groups |= 1 << g;
     for (; groups != 0; groups &= groups - 1) {
         int first = 5 * lowestBit(groups), marks = 0;
         for (int k = first; k < min(first + 5, kelp); ++k) {
@@ -547,17 +563,8 @@ void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
             bool met = abs(dot(f, across)) < 1.3 + 0.2 * plant.w && v > 0.0 && v < plant.w + 0.5;
             if (met && t > 0.3 && t < tMax) marks |= 1 << (k - first);
         }
-        for (; marks != 0; marks &= marks - 1) {
-            int k = first + lowestBit(marks);
-            vec4 plant = texelFetch(garden, ivec2(k, 0), 0);
-            vec2 f = plant.xz - ro.xz;
-            float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y, seed = float(k) * 1.7;
-            float swing = 0.12 * plant.w * across.x
-                * (0.6 + sin(2.0 * kPi * (cycles(0.09375) + 0.013 * plant.x) - 0.35 * v));
-            float cover = plantCover(-dot(f, across), v, plant.w, swing, seed, pixel * t);
-            vec3 nor = unit(vec3(0.7 * sin(seed + 5.0 * v) * across, 0.5).xzy - 0.6 * rd);
-            addLayer(Layer(t, cover * smoothstep(0.5, 1.2, t), kWeed, nor));
-        }
+        for (; marks != 0; marks &= marks - 1)
+            addLayer(plantLayer(first + lowestBit(marks), ro, rd, level2, pixel));
     }
 }
 

@@ -360,6 +360,40 @@ TEST_F(DeepOcean, TearsKeepTheirShareAtAnyDistance) {
     EXPECT_LT(truth, 0.98) << "torn";
 }
 
+// Groups of plants that a ray passes are left out: none of them may have been met, also from among
+// them and from above.
+TEST_F(DeepOcean, NoPlantIsLeftOutThatARayMeets) {
+    const std::string text = kScene +
+                             "vec2 plantsMet(vec3 ro, vec3 rd) {\n"
+                             "    float level2 = max(dot(rd.xz, rd.xz), 1e-4);\n"
+                             "    vec2 met = vec2(0.0);\n"
+                             "    for (int k = 0; k < kelp; ++k) {\n"
+                             "        Layer l = plantLayer(k, ro, rd, level2, 0.002);\n"
+                             "        if (l.t < 0.3 || l.cover < 0.004) continue;\n"
+                             "        met += vec2(1, meetsGroup(k / 5, ro, rd, level2) ? 0 : 1);\n"
+                             "    }\n"
+                             "    return met;\n"
+                             "}\n";
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    std::vector<ProbeCase> cases;
+    for (int i = 0; i < 16000; ++i) {
+        const float around = 6.2831853f * unit(random), away = 30.0f * unit(random);
+        const float y = 1.4f * unit(random) - 0.9f, level = std::sqrt(1.0f - y * y);
+        const float heading = 6.2831853f * unit(random);
+        cases.push_back({.a = {away * std::cos(around), 0.5f + 12.0f * unit(random),
+                               away * std::sin(around), 0.0f},
+                         .b = {level * std::cos(heading), y, level * std::sin(heading), 0.0f}});
+    }
+    double met = 0.0, lost = 0.0;
+    for (const glm::vec4& got : probe(text, "plantsMet(a.xyz, b.xyz)", cases)) {
+        met += got.x;
+        lost += got.y;
+    }
+    EXPECT_GT(met, 500.0) << "enough to tell";
+    EXPECT_EQ(lost, 0.0) << "of " << met;
+}
+
 TEST_F(DeepOcean, TheFloorIsDrawnOnce) {
     Player player(kScene, {.size = {32, 18}});
     std::map<std::string, int> counts;
