@@ -61,43 +61,21 @@ void LiveCheck::start(const Preset& preset) {
         words.insert(words.end(), {"--tweak", tweak});
     }
     if (!options_.device.empty()) words.insert(words.end(), {"--device", options_.device});
-    process_.start(std::move(words));
-    running_ = true;
-}
-
-void LiveCheck::cancel() {
-    process_.end();
-    running_ = false;
+    work_.start(std::move(words));
 }
 
 void LiveCheck::clear() {
-    cancel();
-    done_ = of_ = 0;
-    problem_.clear();
+    work_.clear();
     cases_.clear();
     pictures_.clear();
 }
 
 bool LiveCheck::update() {
-    if (!running_) return false;
-    const std::vector<std::string> lines = process_.lines();
-    for (const std::string& line : lines) {
-        const Json json = Json::parse(line, nullptr, false);
-        if (json.is_object()) hear(json);
-    }
-    if (process_.runs()) return !lines.empty();
-    running_ = false;
-    const auto code = static_cast<ExitCode>(process_.exit_code());
-    if (code == ExitCode::done || code == ExitCode::check_failed) return true;
-    problem_ = process_.complaint();
-    if (problem_.empty()) problem_ = "It was ended from outside.";
-    return true;
+    return work_.update([this](const Json& line) { hear(line); });
 }
 
 // A line holds one case.
 void LiveCheck::hear(const Json& json) {
-    done_ = json.at("done");
-    of_ = json.at("of");
     const Json& found = json.at("case");
     CaseFact fact{
         .name = found.at("case"),
@@ -112,10 +90,6 @@ void LiveCheck::hear(const Json& json) {
             return a.verdict != b.verdict ? a.verdict < b.verdict : a.not_finite > b.not_finite;
         });
     cases_.insert(worse, std::move(fact));
-}
-
-WorkFact LiveCheck::work() const {
-    return {.running = running_, .done = done_, .of = of_, .problem = problem_};
 }
 
 fs::path LiveCheck::picture(const std::string& name) const {

@@ -1,7 +1,7 @@
 // A check of the open scene beside its window: run by another process, followed here.
 #pragma once
 
-#include "modes/verb_process.h"
+#include "modes/verb_work.h"
 #include "scene/preset.h"
 #include "ui/findings.h"
 
@@ -25,14 +25,14 @@ public:
     // before is forgotten. Throws std::runtime_error.
     void start(const Preset& preset);
 
-    void cancel();  // what was found stays
-    void clear();   // and is forgotten
+    void cancel() { work_.cancel(); }  // what was found stays
+    void clear();                      // and is forgotten
 
     // Follows the process; does not wait. True when something is new.
     bool update();
 
-    const VerbProcess& process() const { return process_; }
-    WorkFact work() const;
+    const VerbProcess& process() const { return work_.process(); }
+    const WorkFact& work() const { return work_.fact(); }
     std::span<const CaseFact> cases() const { return cases_; }  // worst first
 
     // Of a case that failed; empty for any other.
@@ -47,10 +47,7 @@ private:
 
     std::filesystem::path folder_;
     VerbOptions options_;
-    VerbProcess process_;
-    bool running_ = false;
-    long done_ = 0, of_ = 0;
-    std::string problem_;
+    VerbWork work_;
     std::vector<CaseFact> cases_;
     std::vector<Picture> pictures_;
 };

@@ -82,46 +82,26 @@ void LiveStudy::start(const Preset& preset, const std::string& knob) {
     if (!knob.empty()) words.insert(words.end(), {"--vary", knob});
     if (!options_.device.empty()) words.insert(words.end(), {"--device", options_.device});
     if (!options_.specialise) words.push_back("--no-specialise");
-    process_.start(std::move(words));
-    running_ = true;
-}
-
-void LiveStudy::cancel() {
-    process_.end();
-    running_ = false;
+    work_.start(std::move(words));
 }
 
 void LiveStudy::clear() {
-    cancel();
+    work_.clear();
     std::error_code ignored;
     fs::remove_all(run_folder(), ignored);
-    done_ = of_ = 0;
-    problem_.clear();
     studies_.clear();
     pictures_.clear();
 }
 
 bool LiveStudy::update() {
-    if (!running_) return false;
-    const std::vector<std::string> lines = process_.lines();
-    for (const std::string& line : lines) {
-        const Json json = Json::parse(line, nullptr, false);
-        if (json.is_object()) hear(json);
-    }
-    if (process_.runs()) return !lines.empty();
-    running_ = false;
-    if (process_.exit_code() != 0) problem_ = process_.complaint();
-    if (problem_.empty() && process_.exit_code() != 0) problem_ = "It was ended from outside.";
-    if (problem_.empty() && studies_.empty()) {
-        problem_ = "The scene has no tweak of quality, and accumulates nothing.";
-    }
-    return true;
+    const bool news = work_.update([this](const Json& line) { hear(line); });
+    if (news && !work_.fact().running && studies_.empty())
+        work_.explain("The scene has no tweak of quality, and accumulates nothing.");
+    return news;
 }
 
 // A line holds one study as far as it has come.
 void LiveStudy::hear(const Json& json) {
-    done_ = json.at("done");
-    of_ = json.at("of");
     StudyFact study = study_from(json.at("study"));
     if (studies_.empty() || studies_.back().knob != study.knob) {
         studies_.emplace_back();
@@ -138,10 +118,6 @@ void LiveStudy::hear(const Json& json) {
                                     .map = named(row, "map"),
                                     .reference = named(json.at("study"), "reference_picture")});
     }
-}
-
-WorkFact LiveStudy::work() const {
-    return {.running = running_, .done = done_, .of = of_, .problem = problem_};
 }
 
 LiveStudy::Pictures LiveStudy::pictures(std::size_t study, std::size_t row) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "modes/scratch_folder.h"
-#include "modes/verb_process.h"
+#include "modes/verb_work.h"
 #include "scene/preset.h"
 #include "ui/findings.h"
 
@@ -25,14 +25,14 @@ public:
     // before is forgotten. Throws std::runtime_error.
     void start(const Preset& preset, const std::string& knob);
 
-    void cancel();  // what was found stays
-    void clear();   // and is forgotten
+    void cancel() { work_.cancel(); }  // what was found stays
+    void clear();                      // and is forgotten
 
     // Follows the process; does not wait. True when something is new.
     bool update();
 
-    const VerbProcess& process() const { return process_; }
-    WorkFact work() const;
+    const VerbProcess& process() const { return work_.process(); }
+    const WorkFact& work() const { return work_.fact(); }
     std::span<const StudyFact> studies() const { return studies_; }
 
     // Of a row: its picture, how far that is from the reference, and the reference. Empty where
@@ -49,11 +49,8 @@ private:
 
     ScratchFolder folder_;  // goes after the process, which may be writing
     VerbOptions options_;
-    VerbProcess process_;
-    bool running_ = false;
+    VerbWork work_;
     int runs_ = 0;
-    long done_ = 0, of_ = 0;
-    std::string problem_;
     std::vector<StudyFact> studies_;
     std::vector<std::vector<Pictures>> pictures_;  // by study and row
 };

@@ -1,5 +1,6 @@
 // Where in a person's text the blame for a slow or endless pass probably lies.
 #include "modes/trial.h"
+#include "scene/declaration.h"
 #include "scene/raw_text.h"
 #include "scene/value.h"
 
@@ -9,20 +10,6 @@
 
 namespace glint {
 namespace {
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-std::size_t find_word(std::string_view text, std::string_view word, std::size_t from) {
-    for (std::size_t at = text.find(word, from); at != text.npos; at = text.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) {
-            return at;
-        }
-    }
-    return text.npos;
-}
 
 std::size_t skip_space(std::string_view text, std::size_t at) {
     while (at < text.size() && std::isspace(static_cast<unsigned char>(text[at])) != 0) ++at;

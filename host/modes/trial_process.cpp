@@ -56,6 +56,7 @@ private:
     void find_overhead();
     void shrink(TrialOrder& order);
     bool compile(const TrialOrder& order, CompiledScene& scene);
+    void compile_sound(const TrialOrder& order);
     void set_images(const TrialOrder& order, Renderer& renderer);
     void draw(const TrialOrder& order, CompiledScene scene);
     void draw_once(const TrialOrder& order, Renderer& renderer, int frame);
@@ -94,7 +95,7 @@ void Child::send(const TrialAnswer& answer) {
 void Child::tell(TrialStage stage, std::size_t pass) {
     answer_.stage = stage;
     answer_.text = pass_name(*scene_, pass);
-    if (!sizes_.empty()) {
+    if (stage == TrialStage::drawing) {
         const glm::ivec2 small = sizes(pass).small;
         answer_.size = fmt::format("{}x{}", small.x, small.y);
     }
@@ -167,6 +168,16 @@ bool Child::compile(const TrialOrder& order, CompiledScene& scene) {
             {.name = pass_name(order.preset.scene, program.pass), .compile_ms = timed->second});
     }
     return true;
+}
+
+// What is wrong with the sound alone keeps no picture back, and is told with the rest. Constants
+// change nothing of that.
+void Child::compile_sound(const TrialOrder& order) {
+    if (!order.preset.scene.has_sound || order.compile.program.specialise) return;
+    const CompileResult sound =
+        compile_scene(order.preset, {.root = kSoundPass, .program = order.compile.program},
+                      [&](std::size_t pass) { tell(TrialStage::compiling, pass); });
+    append_once(answer_.verdict.diagnostics, sound.diagnostics);
 }
 
 // Grey ones of the right form.
@@ -274,7 +285,10 @@ void Child::answer(TrialOrder order) {
     try {
         shrink(order);
         CompiledScene scene;
-        if (compile(order, scene)) draw(order, std::move(scene));
+        if (compile(order, scene)) {
+            compile_sound(order);
+            draw(order, std::move(scene));
+        }
     } catch (const ContextLost& error) {
         answer_.verdict.state = TrialState::lost;
         answer_.verdict.diagnostics.push_back(

@@ -127,7 +127,7 @@ void Voice::take(Preset scene) {
         sources_ = std::make_unique<Sources>(std::move(scene), device_, context_);
         is_new_ = true;
     } catch (const Stop&) {
-        tell("silent mainSound does not compile");
+        tell("silent mainSound does not compile; see the errors");
     } catch (const std::exception& error) {
         tell(fmt::format("silent {}", error.what()));
     }

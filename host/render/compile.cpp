@@ -31,16 +31,6 @@ PassReads reads_of(const Preset& preset, const PassProgram& program) {
     return reads;
 }
 
-// All passes share one text, so most complaints come once for each of them.
-void append_once(Diagnostics& list, const Diagnostics& more) {
-    for (const Diagnostic& diagnostic : more) {
-        const std::string text = to_string(diagnostic);
-        const bool known = std::any_of(list.begin(), list.end(),
-                                       [&](const Diagnostic& d) { return to_string(d) == text; });
-        if (!known) list.push_back(diagnostic);
-    }
-}
-
 }  // namespace
 
 CompileResult compile_scene(const Preset& preset, const CompileOptions& options,

@@ -1,12 +1,12 @@
 #include "render/pass_text.h"
 
+#include "scene/declaration.h"
 #include "scene/raw_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <regex>
 #include <string_view>
 
@@ -42,19 +42,8 @@ constexpr std::string_view kDecode = R"(vec3 glint_decode(vec3 c) {
 }
 )";
 
-bool is_identifier(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 bool contains_word(std::string_view text, std::string_view word) {
-    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at == 0 || !is_identifier(text[at - 1])) &&
-            (end == text.size() || !is_identifier(text[end]))) {
-            return true;
-        }
-    }
-    return false;
+    return find_word(text, word) != text.npos;
 }
 
 std::string channel_declarations(const Preset& preset, std::size_t pass) {
@@ -149,7 +138,7 @@ struct Range {
 Range find_out_parameters(std::string_view text, std::string_view function, std::size_t at) {
     constexpr std::string_view kSpace = " \t\n";
     for (at = text.find(function, at); at != text.npos; at = text.find(function, at + 1)) {
-        if (at > 0 && is_identifier(text[at - 1])) continue;
+        if (at > 0 && is_word(text[at - 1])) continue;
         const std::size_t open = text.find_first_not_of(kSpace, at + function.size());
         if (open == text.npos || text[open] != '(') continue;
         const std::size_t close = text.find_first_of("()", open + 1);
@@ -170,7 +159,7 @@ bool make_colour_defined(PassText& pass, const std::string& entry) {
          list = find_out_parameters(code, entry, list.end)) {
         found = true;
         for (std::size_t at = list.begin; (at = code.find("out", at)) < list.end; at += 5) {
-            if (is_identifier(code[at - 1]) || is_identifier(code[at + 3])) continue;
+            if (is_word(code[at - 1]) || is_word(code[at + 3])) continue;
             text.insert(at, "in");
             code.insert(at, "in");
             list.end += 2;

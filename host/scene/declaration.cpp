@@ -4,7 +4,6 @@
 #include <algorithm>
 
 namespace glint {
-
 namespace {
 
 bool is_letter(char c) {
@@ -13,10 +12,6 @@ bool is_letter(char c) {
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
-bool is_word(char c) {
-    return is_letter(c) || is_digit(c);
-}
-
 std::size_t word_end(std::string_view code, std::size_t begin) {
     while (begin < code.size() && is_word(code[begin])) ++begin;
     return begin;
@@ -144,6 +139,20 @@ Declaration parse_uniform(Tokens& tokens, std::string_view code, std::size_t beg
 }
 
 }  // namespace
+
+bool is_word(char c) {
+    return is_letter(c) || is_digit(c);
+}
+
+std::size_t find_word(std::string_view text, std::string_view word, std::size_t from) {
+    for (std::size_t at = text.find(word, from); at != text.npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) {
+            return at;
+        }
+    }
+    return text.npos;
+}
 
 std::vector<Declaration> find_uniforms(std::string_view code) {
     std::vector<Declaration> declarations;

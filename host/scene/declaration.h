@@ -41,6 +41,12 @@ struct Tab {
 // In the order of their ends. What stands behind an #else or #elif is no tab.
 std::vector<Tab> find_tabs(std::string_view code);
 
+// Whether a character may stand in an identifier.
+bool is_word(char c);
+
+// Where an identifier stands for the first time from `from` on; npos where it does not.
+std::size_t find_word(std::string_view text, std::string_view word, std::size_t from = 0);
+
 // Every identifier, those of preprocessor lines too.
 std::unordered_set<std::string_view> find_identifiers(std::string_view code);
 

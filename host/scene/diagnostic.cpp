@@ -43,6 +43,15 @@ bool has_errors(std::span<const Diagnostic> diagnostics) {
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
+void append_once(Diagnostics& list, const Diagnostics& more) {
+    for (const Diagnostic& diagnostic : more) {
+        const std::string text = to_string(diagnostic);
+        const bool known = std::any_of(list.begin(), list.end(),
+                                       [&](const Diagnostic& d) { return to_string(d) == text; });
+        if (!known) list.push_back(diagnostic);
+    }
+}
+
 std::string in_quotes(std::string_view words) {
     constexpr std::size_t kLongest = 60;
     std::string text(words.substr(0, kLongest));

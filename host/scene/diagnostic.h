@@ -31,6 +31,9 @@ std::string to_string(const Diagnostic& diagnostic);
 
 bool has_errors(std::span<const Diagnostic> diagnostics);
 
+// All passes share one text, so most complaints come once for each of them.
+void append_once(Diagnostics& list, const Diagnostics& more);
+
 // What a person wrote, in quotes, fit for a message: cut when long, control characters blanked.
 std::string in_quotes(std::string_view words);
 

@@ -18,10 +18,6 @@ struct Item {
     std::unordered_set<std::string_view> names, words;  // what it declares, and all it speaks of
 };
 
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 // The name of a function or struct, or the names of variables: words outside brackets that an
 // operator, a bracket or the end follows.
 std::unordered_set<std::string_view> declared_names(std::string_view code) {

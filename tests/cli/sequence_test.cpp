@@ -1,10 +1,10 @@
 // `glint sequence`: its frames are the stills, shared out, resumed, filmed and piped.
-#include "command.h"
+#include "sequence.h"
+
 #include "image/image.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,21 +35,10 @@ constexpr std::string_view kCounting =
     "    c = vec4(texelFetch(frames, ivec2(0), 0).r, texelFetch(steps, ivec2(0), 0).r, iTime, 1);\n"
     "}\n";
 
-class Sequence : public InAFolder {
+class Sequence : public SequenceTest {
 protected:
-    Outcome sequence(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), "sequence");
-        if (std::find(arguments.begin(), arguments.end(), "--size") == arguments.end()) {
-            arguments.insert(arguments.end(), {"--size", "40x24"});
-        }
-        return glint(std::move(arguments));
-    }
-    Json result(std::vector<std::string> arguments) const {
-        arguments.push_back("--json");
-        const Outcome outcome = sequence(std::move(arguments));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return Json::parse(outcome.out, nullptr, false);
-    }
+    Sequence() : SequenceTest({"sequence"}, "40x24") {}
+
     std::string pixels(const std::string& name) const {
         const Image image = read_image(folder() / name);
         return {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size()};

@@ -1,8 +1,7 @@
 // `--save-state` and `--from-state`: a simulation that is cut in two gives the bytes of one run.
-#include "command.h"
+#include "sequence.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <thread>
 
@@ -67,21 +66,11 @@ constexpr std::string_view kPreset =
     "[[events]]\nt = 0.1\nkey = \"up\"\ndown = true\n"
     "[[events]]\nt = 0.3\nmouse = [0.3, 0.6]\ndown = true\n";
 
-class State : public InAFolder {
+class State : public SequenceTest {
 protected:
-    State() {
+    State() : SequenceTest({"sequence", "scene.toml"}, "32x16") {
         write("scene.frag", kEveryKind);
         write("scene.toml", kPreset);
-    }
-    Outcome sequence(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), {"sequence", "scene.toml"});
-        return glint(std::move(arguments));
-    }
-    Json result(std::vector<std::string> arguments) const {
-        arguments.push_back("--json");
-        const Outcome outcome = sequence(std::move(arguments));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return Json::parse(outcome.out, nullptr, false);
     }
     void expect_same_frames(std::string_view one, std::string_view other, int first, int last) {
         for (int k = first; k <= last; ++k) {

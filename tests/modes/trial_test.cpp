@@ -149,6 +149,20 @@ TEST(Trial, SaysWhereASceneDoesNotCompile) {
     EXPECT_EQ(try_text(trial, kTrivial).state, TrialState::passed);
 }
 
+TEST(Trial, SaysWhereASoundAloneDoesNotCompileAndPassesThePicture) {
+    Trial trial(options());
+    const Verdict result =
+        try_text(trial, R"(void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }
+#ifdef PASS_sound
+vec2 mainSound(int samp, float time) {
+    return nothing;
+}
+#endif
+)");
+    EXPECT_EQ(result.state, TrialState::passed);
+    EXPECT_EQ(line_of(result), 4) << words(result);
+}
+
 TEST(Trial, StopsOrWarnsOfALoopThatNeverEnds) {
     Trial trial(options(0.5));
     const Verdict result = try_text(trial, R"(void mainImage(out vec4 c, in vec2 p) {

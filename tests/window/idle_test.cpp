@@ -10,11 +10,12 @@
 namespace glint::window {
 namespace {
 
-constexpr double kWatched = 10.0;  // s
+// s; a hundredth of it is five ticks of the clock that counts.
+constexpr double kWatched = 5.0;
 
 class Idle : public Window {
 protected:
-    // Percent of one core, all processes of glint together, over ten seconds.
+    // Percent of one core, all processes of glint together, over kWatched.
     double percent(const char* when) const {
         const double before = glint_->cpu_seconds();
         std::this_thread::sleep_for(std::chrono::duration<double>(kWatched));
@@ -23,7 +24,7 @@ protected:
         return used;
     }
     // The tweaks have rested, the specialised program is there.
-    static void wait_for_rest() { std::this_thread::sleep_for(std::chrono::seconds(4)); }
+    static void wait_for_rest() { std::this_thread::sleep_for(std::chrono::seconds(2)); }
 };
 
 constexpr const char* kMoving =

@@ -119,6 +119,18 @@ TEST_F(LiveSoundTest, ASaveIsHeard) {
     EXPECT_NEAR(heard()[2 * (then + 2 * 44100) - 2], -0.5f, 1e-3f);
 }
 
+TEST_F(LiveSoundTest, AnErrorOfTheSoundAloneIsListedAndThePictureGoesOn) {
+    open(flat({0, 255, 0}));
+    write(scene(), flat({0, 0, 255}) +
+                       "#ifdef PASS_sound\n"
+                       "vec2 mainSound(int samp, float time) { return nothing; }\n"
+                       "#endif\n");
+    EXPECT_TRUE(shows({0, 0, 255}, {3, 300}));
+    EXPECT_TRUE(glint_->says("scene.frag:3:47: error: ")) << glint_->errors();
+    write(scene(), kCounts);
+    EXPECT_TRUE(hears(4410)) << "mended";
+}
+
 TEST_F(LiveSoundTest, WithoutADeviceThereIsNoErrorAndTheSceneRuns) {
     ::setenv("ALSA_CONFIG_PATH", "/dev/null", 1);
     open(kCounts);
