@@ -151,14 +151,16 @@ TEST(Trial, SaysWhereASceneDoesNotCompile) {
 
 TEST(Trial, SaysWhereASoundAloneDoesNotCompileAndPassesThePicture) {
     Trial trial(options());
-    const Verdict result =
-        try_text(trial, R"(void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }
+    const Preset preset = preset_of(R"(void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }
 #ifdef PASS_sound
 vec2 mainSound(int samp, float time) {
     return nothing;
 }
 #endif
 )");
+    trial.start({.preset = preset, .compile = {.program = {.specialise = false}}, .images = {}});
+    const Verdict result = verdict(trial);
+
     EXPECT_EQ(result.state, TrialState::passed);
     EXPECT_EQ(line_of(result), 4) << words(result);
 }
