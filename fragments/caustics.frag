@@ -849,7 +849,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float lens = focalLength / 24.0;
     vec3 rd = normalize(uv.x * right + uv.y * up + lens * forward);
     float falloff = square(dot(rd, forward));   // half of a simple lens's cos^4
-    float jitter = fract(dot(floor(fragCoord * 16.0), vec2(0.797172, 0.598115)));   // R2, by pixels
+    // R2 from pixel to pixel; evenly apart among the samples of one.
+    float jitter = fract(dot(floor(fragCoord), vec2(0.7548777, 0.5698403)) + fragCoord.x);
     vec3 light = render(ro, rd, 1.0 / (lens * iResolution.y), jitter);
     fragColor = vec4(display(exp2(exposure) * falloff * light), 1.0);
 }

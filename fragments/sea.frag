@@ -985,7 +985,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     bool blurred = onGlass && mirrorBlur > 0.0;
     int rays = blurred ? mirrorRays : 1;
     float cone = blurred ? 1.4 * mirrorBlur * inversesqrt(float(rays)) : 0.0;   // of one ray, rad
-    float spin = fract(dot(floor(fragCoord * 16.0), vec2(0.797172, 0.598115)));   // R2, by pixels
+    // R2 from pixel to pixel; evenly apart among the samples of one.
+    float spin = fract(dot(floor(fragCoord), vec2(0.7548777, 0.5698403)) + fragCoord.x);
     for (int k = 0; k < rays; ++k) {
         vec3 away = u.away, from = u.pos + 0.002 * u.nor;
         if (blurred) away = blurredRay(away, u.nor, float(k), vec2(spin, chance.z));
