@@ -63,8 +63,9 @@ std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 
                                       int sound) {
     const Kind& kind = *kind_of(file);
     const bool with_sound = sound >= 0 && !kind.sound_codec.empty();
+    // Without -xerror a webm that a full disk cut short counts as done.
     std::istringstream line(fmt::format(
-        "ffmpeg -hide_banner -loglevel error -nostdin "
+        "ffmpeg -hide_banner -loglevel error -nostdin -xerror "
         "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0 {} "
         "{} {} {} {} -fflags +bitexact -flags:a +bitexact -flags:v +bitexact -y /proc/{}/fd/{}",
         size.x, size.y, fps, with_sound ? fmt::format("-i /proc/{}/fd/{}", getpid(), sound) : "",

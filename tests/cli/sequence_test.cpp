@@ -231,7 +231,7 @@ TEST_F(Sequence, AFullDiskEndsItWithAWordAndWholeFiles) {
           "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;\n"
           "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
           "    c = iFrame < 3 ? vec4(0) : vec4(vec3(v >> 8u) / 16777216.0, 1);\n}\n");
-    for (const std::string name : {"%d.png", "film.mp4"}) {
+    for (const std::string name : {"%d.png", "film.mp4", "film.webm", "film.mov", "film.gif"}) {
         Command full =
             command({"sequence", "scene.frag", "-o", name, "--frames", "0:9", "--size", "256x256"});
         full.largest_file = 20'000;
