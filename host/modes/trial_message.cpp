@@ -148,6 +148,14 @@ private:
     std::string_view bytes_;
 };
 
+template <class Message>
+Message unpacked(std::string_view bytes) {
+    Unpacker unpack(bytes);
+    Message message;
+    unpack(message);
+    return message;
+}
+
 }  // namespace
 
 std::string pack(std::uint64_t number, const Candidate& candidate, double slow_ms) {
@@ -181,24 +189,15 @@ std::optional<std::string> take_message(std::string& arrived) {
 }
 
 TrialOrder unpack_order(std::string_view message) {
-    TrialOrder order;
-    Unpacker bytes(message);
-    bytes(order);
-    return order;
+    return unpacked<TrialOrder>(message);
 }
 
 SoundOrder unpack_sound_order(std::string_view message) {
-    SoundOrder order;
-    Unpacker bytes(message);
-    bytes(order);
-    return order;
+    return unpacked<SoundOrder>(message);
 }
 
 TrialAnswer unpack_answer(std::string_view message) {
-    TrialAnswer answer;
-    Unpacker bytes(message);
-    bytes(answer);
-    return answer;
+    return unpacked<TrialAnswer>(message);
 }
 
 }  // namespace glint

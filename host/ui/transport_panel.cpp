@@ -256,6 +256,16 @@ void speed(Build& build, float width) {
     tip(build.theme, build.facts.renderer);
 }
 
+void how_it_plays(Build& build, TransportState& state) {
+    loop_button(build, state);
+    ImGui::SameLine();
+    rate_slider(build, build.theme.px(80));
+    ImGui::SameLine();
+    fixed_button(build);
+    ImGui::SameLine();
+    sound_controls(build);
+}
+
 void in_one_line(Build& build, TransportState& state, float side, float speed_width) {
     const Theme& theme = build.theme;
     buttons(build);
@@ -264,13 +274,7 @@ void in_one_line(Build& build, TransportState& state, float side, float speed_wi
     ImGui::SameLine();
     scrub_bar(build, state, ImGui::GetContentRegionAvail().x - side - speed_width);
     ImGui::SameLine();
-    loop_button(build, state);
-    ImGui::SameLine();
-    rate_slider(build, theme.px(80));
-    ImGui::SameLine();
-    fixed_button(build);
-    ImGui::SameLine();
-    sound_controls(build);
+    how_it_plays(build, state);
     speed(build, speed_width);
 }
 
@@ -281,13 +285,7 @@ void in_two_lines(Build& build, TransportState& state, float speed_width) {
     ImGui::SameLine();
     time_field(build, theme.px(96));
     ImGui::SameLine();
-    loop_button(build, state);
-    ImGui::SameLine();
-    rate_slider(build, theme.px(80));
-    ImGui::SameLine();
-    fixed_button(build);
-    ImGui::SameLine();
-    sound_controls(build);
+    how_it_plays(build, state);
     const float room = ImGui::GetContentRegionAvail().x;
     if (room >= speed_width)
         speed(build, speed_width);
