@@ -391,6 +391,30 @@ void addLayer(Layer l) {
             l = farther;
         }
 }
+// How much of layer i lies before t, 0 to 1: what is nearer than a pixel's width to something else
+// crosses it within the pixel.
+float isBefore(int i, float t, float pixel) {
+    return clamp(0.5 + (t - layers[i].t) / (pixel * t), 0.0, 1.0);
+}
+// Turns each layer's cover into the share of the pixel in which it is seen.
+void coverToShare(float pixel) {
+    float share[kLayers], sum = 0.0, open = 1.0;
+    for (int i = 0; i < kLayers; ++i) {
+        share[i] = layers[i].cover;
+        open *= 1.0 - layers[i].cover;
+        for (int j = 0; j < kLayers; ++j)
+            if (j != i) share[i] *= 1.0 - isBefore(j, layers[i].t, pixel) * layers[j].cover;
+        sum += share[i];
+    }
+    for (int i = 0; i < kLayers; ++i)   // the sum is right already, but where three cross
+        layers[i].cover = share[i] * (1.0 - open) / max(sum, 1e-6);
+}
+// Share of the pixel that layers leave open as far as t, of their shares.
+float openTo(float t, float pixel) {
+    float open = 1.0;
+    for (int i = 0; i < kLayers; ++i) open -= isBefore(i, t, pixel) * layers[i].cover;
+    return max(open, 0.0);
+}
 
 // A tapering pole: the pixel's share of it, where its surface is, its normal; a round end.
 Layer spar(int k, vec3 ro, vec3 rd, float pixel) {
@@ -752,7 +776,7 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
 
 // Glow of the jellyfish along a ray: bells, arms and tentacles as far as they are seen, and round
 // each the light that the water scatters.
-vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, Medium m) {
+vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m) {
     vec3 glow = linearColour(jellyColour) * jellyGlow, sum = vec3(0.0);
     vec3 dim = m.absorption + jellyReach * haze;
     float level2 = max(dot(rd.xz, rd.xz), 1e-3);
@@ -763,7 +787,7 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, Medium m) {
         vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
         vec3 f = jelly.xyz - ro;
         float t = dot(f, rd), away = sqrt(max(dot(f, f) - t * t, 0.0) + square(0.6 * jelly.w));
-        vec2 ends = vec2(tMax - t, t) / away;   // their arcs, about
+        vec2 ends = vec2(mean - t, t) / away;   // their arcs, about
         ends *= inversesqrt(1.0 + ends * ends);
         halo += exp(-dim.g * (max(t, 0.0) + 2.0 * away)) * jelly.w * jelly.w
             * (ends.x + ends.y) / away;
@@ -816,7 +840,8 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, Medium m) {
         }
         if (t > 0.1 && t < tMax && s > 0.1) light += strands * smoothstep(0.1, 0.35, s)
             * vec3(0.9, 0.85, 1.1);
-        sum += glow * light * exp(-dim * max(t0, 0.0)) * (0.75 + 0.25 * squeeze);
+        sum += glow * light * exp(-dim * max(t0, 0.0)) * (0.75 + 0.25 * squeeze)
+            * openTo(max(t0, 1e-3), pixel);
     }
     return sum + 0.35 * haze * halo * glow;
 }
@@ -836,7 +861,8 @@ float specksAlong(vec3 ro, vec3 rd, float tMax, float pixel) {
         float size = mix(0.0012, 0.0045, square(fract(7.0 * r.x + 3.0 * r.y)));
         float seen2 = size * size + square(0.5 * pixel * m) + square(0.0035 * max(1.6 - m, 0.0));
         float there = smoothstep(0.25, 0.6, m) * clamp(1.5 - 1.5 * m / reach, 0.0, 1.0);
-        if (m < tMax) sum += there * exp(-away2 / seen2) * size * size / seen2;
+        if (m < tMax)
+            sum += there * exp(-away2 / seen2) * size * size / seen2 * openTo(max(m, 1e-3), pixel);
         vec3 leave = (vec3(cell) + far - start) * inverse;
         t = max(min(leave.x, min(leave.y, leave.z)), t + 1e-3);
     }
@@ -882,31 +908,32 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
             layers[i].nor = fromWreck(layers[i].nor);
     }
     meetKelp(ro, rd, pixel, solid.t);
-    // Front to back; `mean` is how far the eye sees, for the water in between.
-    float left = 1.0, mean = 0.0;
+    coverToShare(pixel);
+    float mean = openTo(kFar, pixel) * solid.t;   // how far the eye sees, for the water in between
+    for (int i = 0; i < kLayers; ++i) mean += layers[i].cover * layers[i].t;
+    float snow = specks > 0.0 ? specksAlong(ro, rd, solid.t, pixel) : 0.0;
     vec3 sum = vec3(0.0);
+    if (jellyfish > 0 && jellyGlow > 0.0) sum = jellyLight(ro, rd, pixel, solid.t, mean, m);
+    float left = 1.0;
     while (left > 0.004 && (solid.kind > 0 || layers[0].t < solid.t)) {
         Layer l = layers[0];
         for (int j = 0; j + 1 < kLayers; ++j) layers[j] = layers[j + 1];
         layers[kLayers - 1].t = kFar;
-        if (l.t >= solid.t) l = solid;
-        float share = left * l.cover;
-        sum += share * exp(-m.extinction * l.t) * layerLight(l, ro, rd, pixel, m);
-        mean += share * l.t;
-        left -= share;
+        if (l.t >= solid.t) {
+            l = solid;
+            l.cover = left;
+        }
+        sum += l.cover * exp(-m.extinction * l.t) * layerLight(l, ro, rd, pixel, m);
+        left -= l.cover;
     }
-    mean += left * solid.t;
     for (int k = 0; k < (rd.y > 0.0 && left > 0.004 ? 1 : 0); ++k)   // what is left is open water
         sum += left * exp(-m.extinction * solid.t)
             * surfaceLight(ro + up * rd, rd, pixel * min(up, 200.0), m);
     vec3 once, sea = veil(depth - ro.y, rd, mean, m, once);
     sea = max(sea + shaftsAlong(ro, rd, mean, once, jitter, m), 0.0);
     sum += sea;
-    if (jellyfish > 0 && jellyGlow > 0.0) sum += jellyLight(ro, rd, pixel, mean, m);
-    if (specks > 0.0)
-        sum += specks * specksAlong(ro, rd, mean, pixel) * (0.35 * fieldLight(m)
-            * exp(-m.diffuse * (depth - ro.y)) + 3.0 * once / max(haze, 0.02));
-    return sum;
+    return sum + specks * snow * (0.35 * fieldLight(m) * exp(-m.diffuse * (depth - ro.y))
+        + 3.0 * once / max(haze, 0.02));
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
