@@ -5,12 +5,17 @@
 #include "image/codecs.h"
 #include "image/module.h"
 #include "image/oiio_module.h"
+#include "image/parts.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <exception>
 #include <future>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace glint {
@@ -23,6 +28,8 @@ struct Module {
     GlintOiioWrite* write = nullptr;
     GlintOiioEnd* end = nullptr;
     GlintOiioRead* read = nullptr;
+    GlintExrWrite* write_parts = nullptr;
+    GlintExrRead* read_parts = nullptr;
 };
 
 Module load_module() {
@@ -30,7 +37,9 @@ Module load_module() {
     return {.begin = find_function<GlintOiioBegin>(module, "glint_oiio_begin"),
             .write = find_function<GlintOiioWrite>(module, "glint_oiio_write"),
             .end = find_function<GlintOiioEnd>(module, "glint_oiio_end"),
-            .read = find_function<GlintOiioRead>(module, "glint_oiio_read")};
+            .read = find_function<GlintOiioRead>(module, "glint_oiio_read"),
+            .write_parts = find_function<GlintExrWrite>(module, "glint_exr_write"),
+            .read_parts = find_function<GlintExrRead>(module, "glint_exr_read")};
 }
 
 // The dynamic linker loads a library once a process; so does this. At exit it is waited for.
@@ -67,6 +76,12 @@ GlintOiioPicture picture_of(const Image& image) {
             .pixels = const_cast<std::byte*>(image.pixels.data())};
 }
 
+std::vector<GlintOiioText> texts_of(const Metadata& metadata) {
+    std::vector<GlintOiioText> texts;
+    for (const auto& [name, value] : metadata) texts.push_back({name.c_str(), value.c_str()});
+    return texts;
+}
+
 class OiioEncoder final : public BandEncoder {
 public:
     OiioEncoder(TemporaryFile& out, const fs::path& file, const char* codec, const Image& shape,
@@ -78,8 +93,7 @@ public:
                                      .quality = format.quality,
                                      .tile = format.tiled ? kFileTile : 0};
         const GlintOiioPicture picture = picture_of(shape);
-        std::vector<GlintOiioText> texts;
-        for (const auto& [name, value] : metadata) texts.push_back({name.c_str(), value.c_str()});
+        const std::vector<GlintOiioText> texts = texts_of(metadata);
         open_ = module_.begin(out.descriptor(), &chosen, &picture, texts.data(), texts.size(),
                               &error_, cause_.data(), cause_.size());
         if (!open_) refuse();
@@ -119,6 +133,59 @@ private:
     std::array<char, 512> cause_{};
 };
 
+// A file without a disk.
+class Memory {
+public:
+    Memory() : descriptor_(::memfd_create("parts", MFD_CLOEXEC)) {
+        if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "memory");
+    }
+    ~Memory() { ::close(descriptor_); }
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+
+    std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+    void copy_to(TemporaryFile& out) const {
+        std::vector<std::byte> bytes(std::size_t{1} << 20);
+        ::lseek(descriptor_, 0, SEEK_SET);
+        for (ssize_t got; (got = ::read(descriptor_, bytes.data(), bytes.size())) > 0;) {
+            out.append(std::span(bytes).first(static_cast<std::size_t>(got)));
+        }
+    }
+
+private:
+    int descriptor_;
+};
+
+// Many rooms, and what went wrong in one of them.
+struct Rooms {
+    const fs::path& file;
+    PartsFile content;
+    std::exception_ptr refusal;
+};
+
+void keep_text(void* user, const GlintOiioText* text) {
+    static_cast<Rooms*>(user)->content.texts.emplace_back(text->name, text->value);
+}
+
+void* allocate_part(void* user, const GlintExrPart* asked) {
+    Rooms& rooms = *static_cast<Rooms*>(user);
+    try {
+        Part part{.name = asked->name,
+                  .size = {asked->width, asked->height},
+                  .half = asked->half != 0,
+                  .pixels = {}};
+        if (part.size.x > kMaxSide || part.size.y > kMaxSide * 6)
+            throw cannot_read(rooms.file, "A part is larger than any texture");
+        part.pixels.resize(static_cast<std::size_t>(part.size.x) *
+                           static_cast<std::size_t>(part.size.y) * (part.half ? 8 : 16));
+        return rooms.content.parts.emplace_back(std::move(part)).pixels.data();
+    } catch (...) {
+        rooms.refusal = std::current_exception();
+        return nullptr;
+    }
+}
+
 }  // namespace
 
 void prepare_oiio() {
@@ -141,6 +208,39 @@ Image read_by_oiio(const fs::path& file, const char* format) {
     }
     if (room.refusal) std::rethrow_exception(room.refusal);
     throw cannot_read(file, cause[0] ? cause.data() : "The picture is damaged");
+}
+
+void write_parts(const fs::path& file, const PartsFile& content) {
+    TemporaryFile out(file);
+    const Memory memory;
+    const std::vector<GlintOiioText> texts = texts_of(content.texts);
+    std::vector<GlintExrPart> parts;
+    for (const Part& part : content.parts) {
+        parts.push_back({.name = part.name.c_str(),
+                         .width = part.size.x,
+                         .height = part.size.y,
+                         .half = part.half,
+                         .pixels = const_cast<std::byte*>(part.pixels.data())});
+    }
+    std::array<char, 512> cause{};
+    if (!module_loading().get().write_parts(memory.name().c_str(), parts.data(), parts.size(),
+                                            texts.data(), texts.size(), cause.data(),
+                                            cause.size())) {
+        throw cannot_write(file, cause.data());
+    }
+    memory.copy_to(out);
+    out.commit();
+}
+
+PartsFile read_parts(const fs::path& file) {
+    Rooms rooms{.file = file, .content = {}, .refusal = {}};
+    std::array<char, 512> cause{};
+    if (module_loading().get().read_parts(file.c_str(), keep_text, allocate_part, &rooms,
+                                          cause.data(), cause.size())) {
+        return std::move(rooms.content);
+    }
+    if (rooms.refusal) std::rethrow_exception(rooms.refusal);
+    throw cannot_read(file, cause[0] ? cause.data() : "It is damaged");
 }
 
 }  // namespace glint

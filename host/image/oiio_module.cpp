@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -135,6 +136,54 @@ OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const GlintOiioFormat& 
     return spec;
 }
 
+constexpr int kPartChannels = 4;
+
+OIIO::TypeDesc type_of(const GlintExrPart& part) {
+    return part.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+}
+
+OIIO::stride_t row_bytes(const GlintExrPart& part) {
+    return static_cast<OIIO::stride_t>(part.width) * kPartChannels *
+           static_cast<OIIO::stride_t>(type_of(part).size());
+}
+
+char* top_row(const GlintExrPart& part) {
+    return static_cast<char*>(part.pixels) + (part.height - 1) * row_bytes(part);
+}
+
+// All parts of a file share a window.
+std::vector<OIIO::ImageSpec> specs_of(const GlintExrPart* parts, size_t count) {
+    std::vector<OIIO::ImageSpec> specs;
+    int width = 0, height = 0;
+    for (const GlintExrPart* part = parts; part != parts + count; ++part) {
+        OIIO::ImageSpec& spec =
+            specs.emplace_back(part->width, part->height, kPartChannels, type_of(*part));
+        spec.attribute("oiio:subimagename", part->name);
+        spec.attribute("compression", "none");
+        spec.attribute("DateTime", "1970:01:01 00:00:00");
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+        width = std::max(width, part->width);
+        height = std::max(height, part->height);
+    }
+    for (OIIO::ImageSpec& spec : specs) {
+        spec.full_width = width;
+        spec.full_height = height;
+    }
+    return specs;
+}
+
+bool write_parts(OIIO::ImageOutput& output, const char* file, const GlintExrPart* parts,
+                 const std::vector<OIIO::ImageSpec>& specs) {
+    if (!output.open(file, static_cast<int>(specs.size()), specs.data())) return false;
+    for (size_t i = 0; i < specs.size(); ++i) {
+        if (i > 0 && !output.open(file, specs[i], OIIO::ImageOutput::AppendSubimage)) return false;
+        if (!output.write_image(type_of(parts[i]), top_row(parts[i]), OIIO::AutoStride,
+                                -row_bytes(parts[i])))
+            return false;
+    }
+    return output.close();
+}
+
 struct OpenFile {
     explicit OpenFile(int descriptor) : file(descriptor) {}
 
@@ -228,6 +277,55 @@ int glint_oiio_read(const char* file, const char* format, GlintOiioPicture* pict
             input->read_image(0, 0, 0, picture->channels, type_of(*picture), top_row(*picture),
                               OIIO::AutoStride, -row_bytes(*picture));
         if (!whole || input->has_error()) return give_up(input->geterror(), cause, cause_size);
+        return 1;
+    } catch (const std::exception& exception) {
+        return give_up(exception.what(), cause, cause_size);
+    }
+}
+
+int glint_exr_write(const char* memory, const GlintExrPart* parts, size_t part_count,
+                    const GlintOiioText* texts, size_t text_count, char* cause, size_t cause_size) {
+    try {
+        std::vector<OIIO::ImageSpec> specs = specs_of(parts, part_count);
+        for (size_t i = 0; i < text_count; ++i) specs[0].attribute(texts[i].name, texts[i].value);
+        const auto output = OIIO::ImageOutput::create("openexr");
+        if (output && write_parts(*output, memory, parts, specs)) return 1;
+        return give_up(output ? output->geterror() : OIIO::geterror(), cause, cause_size);
+    } catch (const std::exception& exception) {
+        return give_up(exception.what(), cause, cause_size);
+    }
+}
+
+int glint_exr_read(const char* file, void (*tell)(void* user, const GlintOiioText*),
+                   void* (*allocate)(void* user, const GlintExrPart*), void* user, char* cause,
+                   size_t cause_size) {
+    try {
+        const auto input = OIIO::ImageInput::create("openexr");
+        OIIO::ImageSpec spec;
+        if (!input || !input->open(file, spec))
+            return give_up(input ? input->geterror() : OIIO::geterror(), cause, cause_size);
+        for (const OIIO::ParamValue& text : spec.extra_attribs) {
+            if (text.type() != OIIO::TypeString) continue;
+            const std::string name = text.name().string(), value = text.get_string(0);
+            const GlintOiioText told{name.c_str(), value.c_str()};
+            tell(user, &told);
+        }
+        for (int i = 0; input->seek_subimage(i, 0); ++i) {
+            spec = input->spec(i);
+            const std::string name(spec.get_string_attribute("oiio:subimagename"));
+            if (spec.nchannels != kPartChannels || spec.deep)
+                return give_up("A part is no RGBA picture", cause, cause_size);
+            GlintExrPart part{.name = name.c_str(),
+                              .width = spec.width,
+                              .height = spec.height,
+                              .half = spec.format == OIIO::TypeDesc::HALF,
+                              .pixels = nullptr};
+            part.pixels = allocate(user, &part);
+            if (!part.pixels) return 0;
+            const bool whole = input->read_image(i, 0, 0, kPartChannels, type_of(part),
+                                                 top_row(part), OIIO::AutoStride, -row_bytes(part));
+            if (!whole || input->has_error()) return give_up(input->geterror(), cause, cause_size);
+        }
         return 1;
     } catch (const std::exception& exception) {
         return give_up(exception.what(), cause, cause_size);

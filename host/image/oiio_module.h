@@ -25,6 +25,13 @@ struct GlintOiioFormat {
     int tile;                 // pixels; 0: by rows
 };
 
+struct GlintExrPart {
+    const char* name;
+    int width, height;
+    int half;      // 16-bit floats, else 32-bit
+    void* pixels;  // RGBA, rows bottom up, tightly packed
+};
+
 // Begins a file that is empty and open for reading and writing; the pixels of `shape` do not
 // matter.
 typedef void* GlintOiioBegin(int descriptor, const GlintOiioFormat* format,
@@ -44,8 +51,21 @@ typedef int GlintOiioRead(const char* file, const char* format, GlintOiioPicture
                           void* (*allocate)(void* user, const GlintOiioPicture*), void* user,
                           char* cause, size_t cause_size);
 
+// An EXR of many parts. The texts are the first part's. OpenImageIO opens these files itself and
+// forgets what the system refuses at the end; so `memory` names a file in memory.
+typedef int GlintExrWrite(const char* memory, const GlintExrPart* parts, size_t part_count,
+                          const GlintOiioText* texts, size_t text_count, char* cause,
+                          size_t cause_size);
+
+// Tells of the first part's texts, then asks for each part's room as GlintOiioRead does.
+typedef int GlintExrRead(const char* file, void (*tell)(void* user, const GlintOiioText*),
+                         void* (*allocate)(void* user, const GlintExrPart*), void* user,
+                         char* cause, size_t cause_size);
+
 GlintOiioBegin glint_oiio_begin;
 GlintOiioWrite glint_oiio_write;
 GlintOiioEnd glint_oiio_end;
 GlintOiioRead glint_oiio_read;
+GlintExrWrite glint_exr_write;
+GlintExrRead glint_exr_read;
 }

@@ -333,6 +333,7 @@ void run_sequence(const SequenceOptions& options) {
     Hash drawer;
     drawer.add(gpu);
     prepare_image_library(options.output);
+    prepare_states(options.state);
     SequenceOutput output(options, target, preset, gpu,
                           {.inputs = inputs, .drawer = drawer.text()});
     const PictureKind kind{.floats = output.floats()};

@@ -1,17 +1,21 @@
 #include "modes/snapshot.h"
 
-#include "image/temporary_file.h"
+#include "image/parts.h"
 #include "modes/hash.h"
 #include "modes/numbered_name.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <system_error>
 
 namespace glint {
@@ -20,9 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// A line that says what the file is, a line of JSON, the buffers' bytes, and a digest of all that.
-constexpr std::string_view kFirstLine = "glint state 1\n";
-constexpr std::size_t kDigestLength = 16;
+// The names of the file's texts: a line of JSON, and a digest of it and of all buffers.
+constexpr const char* kStateText = "glint:state";
+constexpr const char* kDigestText = "glint:digest";
 
 constexpr std::array<std::pair<PixelFormat, std::string_view>, 3> kFormats = {
     {{PixelFormat::rgba8, "rgba8"},
@@ -52,14 +56,90 @@ Json to_json(const Snapshot& snapshot) {
                                   {"outputs", pass.shape.outputs},
                                   {"cube", pass.shape.cube},
                                   {"feedback", pass.shape.feedback},
-                                  {"steps_done", pass.steps_done},
-                                  {"bytes", pass.bytes.size()}});
+                                  {"steps_done", pass.steps_done}});
     }
     return json;
 }
 
-// Throws Json::exception or std::out_of_range for what is not there or of another kind.
-Snapshot from_json(const Json& json, std::string_view bytes) {
+// EXR knows no bytes: k / 255 is kept as a 16-bit float, which tells all of them apart.
+std::vector<std::byte> halves_of(std::span<const std::byte> bytes) {
+    std::vector<std::byte> halves(bytes.size() * 2);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const glm::uint16 half =
+            glm::packHalf1x16(static_cast<float>(std::to_integer<int>(bytes[i])) / 255.0f);
+        std::memcpy(halves.data() + 2 * i, &half, sizeof half);
+    }
+    return halves;
+}
+
+std::vector<std::byte> bytes_of(std::span<const std::byte> halves) {
+    std::vector<std::byte> bytes(halves.size() / 2);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        glm::uint16 half = 0;
+        std::memcpy(&half, halves.data() + 2 * i, sizeof half);
+        const float value = glm::unpackHalf1x16(half);
+        bytes[i] = static_cast<std::byte>(value > 0.0f ? std::lround(value * 255.0f) & 255 : 0);
+    }
+    return bytes;
+}
+
+// The textures of a pass in the order of its bytes, without pixels; the faces of a cube stand one
+// above the other.
+std::vector<Part> parts_of(const PassState& pass) {
+    std::vector<Part> parts;
+    for (int side = 0; side < (pass.shape.feedback ? 2 : 1); ++side) {
+        for (int output = 0; output < pass.shape.outputs; ++output) {
+            const std::string number = output > 0 ? fmt::format(" {}", output + 1) : "";
+            parts.push_back({.name = pass.pass + number + (side > 0 ? " before" : ""),
+                             .size = pass.shape.size * glm::ivec2(1, pass.shape.cube ? 6 : 1),
+                             .half = pass.shape.format != PixelFormat::rgba32f,
+                             .pixels = {}});
+        }
+    }
+    return parts;
+}
+
+std::vector<Part> parts_with_pixels(const Snapshot& snapshot) {
+    std::vector<Part> all;
+    for (const PassState& pass : snapshot.passes) {
+        std::vector<Part> parts = parts_of(pass);
+        std::span<const std::byte> bytes = pass.bytes;
+        const std::size_t one = bytes.size() / parts.size();
+        for (Part& part : parts) {
+            const auto pixels = bytes.first(one);
+            if (pass.shape.format == PixelFormat::rgba8)
+                part.pixels = halves_of(pixels);
+            else
+                part.pixels.assign(pixels.begin(), pixels.end());
+            bytes = bytes.subspan(one);
+            all.push_back(std::move(part));
+        }
+    }
+    // A file has at least one, a scene without memory has none.
+    if (all.empty()) all.push_back({.name = "nothing", .size = {1, 1}, .half = true, .pixels = {}});
+    all.back().pixels.resize(std::max<std::size_t>(all.back().pixels.size(), 8));
+    return all;
+}
+
+// What reading a state throws where the file is not what parts_with_pixels() and to_json() made.
+struct Damaged {};
+
+// Moves the parts of one pass into its bytes.
+void take_pixels(PassState& pass, std::span<Part>& parts) {
+    for (const Part& wanted : parts_of(pass)) {
+        if (parts.empty()) throw Damaged();
+        const Part& part = parts.front();
+        if (part.name != wanted.name || part.size != wanted.size || part.half != wanted.half)
+            throw Damaged();
+        const std::vector<std::byte> bytes =
+            pass.shape.format == PixelFormat::rgba8 ? bytes_of(part.pixels) : part.pixels;
+        pass.bytes.insert(pass.bytes.end(), bytes.begin(), bytes.end());
+        parts = parts.subspan(1);
+    }
+}
+
+// Throws Json::exception or Damaged.
+Snapshot from_json(const Json& json, std::span<Part> parts) {
     Snapshot snapshot{.frame = json.at("frame"),
                       .time = json.at("time"),
                       .renderer = json.at("renderer"),
@@ -68,10 +148,7 @@ Snapshot from_json(const Json& json, std::string_view bytes) {
     for (const Json& pass : json.at("passes")) {
         const auto format = std::ranges::find(kFormats, pass.at("format").get<std::string>(),
                                               &decltype(kFormats)::value_type::second);
-        if (format == kFormats.end()) throw std::out_of_range("format");
-        const std::size_t count = pass.at("bytes");
-        if (count > bytes.size()) throw std::out_of_range("bytes");
-        const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+        if (format == kFormats.end()) throw Damaged();
         snapshot.passes.push_back({.pass = pass.at("name"),
                                    .shape = {.size = {pass.at("size").at(0), pass.at("size").at(1)},
                                              .format = format->first,
@@ -79,11 +156,26 @@ Snapshot from_json(const Json& json, std::string_view bytes) {
                                              .cube = pass.at("cube"),
                                              .feedback = pass.at("feedback")},
                                    .steps_done = pass.at("steps_done"),
-                                   .bytes = {first, first + count}});
-        bytes.remove_prefix(count);
+                                   .bytes = {}});
+        take_pixels(snapshot.passes.back(), parts);
     }
-    if (!bytes.empty() || snapshot.frame < 0) throw std::out_of_range("bytes");
+    if (snapshot.frame < 0) throw Damaged();
     return snapshot;
+}
+
+// Of a state's JSON and buffers.
+std::string digest_of(const std::string& json, const Snapshot& snapshot) {
+    Hash hash;
+    hash.add(json);
+    for (const PassState& pass : snapshot.passes) {
+        hash.add({reinterpret_cast<const char*>(pass.bytes.data()), pass.bytes.size()});
+    }
+    return hash.text();
+}
+
+std::string text_of(const PartsFile& content, std::string_view name) {
+    const auto found = std::ranges::find(content.texts, name, &Metadata::value_type::first);
+    return found == content.texts.end() ? "" : found->second;
 }
 
 std::string tweak_texts(const Preset& preset) {
@@ -151,57 +243,34 @@ Provenance provenance_of(const Preset& preset, double fps, bool specialise) {
             {"specialisation", specialise ? "on" : "off"}};
 }
 
+void prepare_states(const StateOptions& options) {
+    if (!options.from.empty() || !options.save.empty()) prepare_image_library("state.exr");
+}
+
 void write_snapshot(const fs::path& file, const Snapshot& snapshot) {
-    TemporaryFile out(file);
-    Hash hash;
-    const auto append = [&](std::string_view bytes) {
-        hash.add(bytes);
-        out.append(std::as_bytes(std::span(bytes)));
-    };
-    append(kFirstLine);
-    append(to_json(snapshot).dump() + "\n");
-    for (const PassState& pass : snapshot.passes) {
-        append({reinterpret_cast<const char*>(pass.bytes.data()), pass.bytes.size()});
-    }
-    const std::string digest = hash.text();
-    out.append(std::as_bytes(std::span(digest)));
-    out.commit();
+    const std::string json = to_json(snapshot).dump();
+    write_parts(file, {.texts = {{kStateText, json}, {kDigestText, digest_of(json, snapshot)}},
+                       .parts = parts_with_pixels(snapshot)});
 }
 
 Snapshot read_snapshot(const fs::path& file) {
     std::error_code error;
-    std::ifstream in(file, std::ios::binary);
+    const std::ifstream in(file, std::ios::binary);
     if (!in || fs::is_directory(file, error)) {
         const std::string cause = std::generic_category().message(error || in ? EISDIR : errno);
         throw StateRefused(ExitCode::missing_file, fmt::format("Cannot read it: {}.", cause));
     }
-    std::string first_line(kFirstLine.size(), '\0');
-    in.read(first_line.data(), static_cast<std::streamsize>(first_line.size()));
-    if (first_line != kFirstLine) {
-        throw StateRefused(ExitCode::missing_file, "It is not a state that --save-state wrote.");
-    }
-    std::string json;
-    std::getline(in, json);
-    std::string bytes;
-    if (const auto here = in.tellg(); in) {
-        bytes.resize(static_cast<std::size_t>(in.seekg(0, std::ios::end).tellg() - here));
-        in.seekg(here).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    }
-    const std::string digest = bytes.substr(bytes.size() - std::min(bytes.size(), kDigestLength));
-    bytes.resize(bytes.size() - digest.size());
     try {
-        Snapshot snapshot = from_json(Json::parse(json), bytes);
-        Hash hash;
-        hash.add(kFirstLine);
-        hash.add(json + "\n");
-        for (const PassState& pass : snapshot.passes) {
-            hash.add({reinterpret_cast<const char*>(pass.bytes.data()), pass.bytes.size()});
-        }
-        if (hash.text() == digest) return snapshot;
+        PartsFile content = read_parts(file);
+        const std::string json = text_of(content, kStateText);
+        Snapshot snapshot = from_json(Json::parse(json), content.parts);
+        if (digest_of(json, snapshot) == text_of(content, kDigestText)) return snapshot;
     } catch (const Json::exception&) {
-    } catch (const std::out_of_range&) {
+    } catch (const Damaged&) {
+    } catch (const std::runtime_error&) {
     }
-    throw StateRefused(ExitCode::missing_file, "It is cut short or damaged; save it anew.");
+    throw StateRefused(ExitCode::missing_file,
+                       "It is cut short or damaged, or no state that --save-state wrote.");
 }
 
 States::States(const StateOptions& options, const Preset& preset, Renderer& renderer,

@@ -1,7 +1,9 @@
 // The state of a simulation between two frames, in a file: from there it goes on to the last bit.
 //
 // Time, mouse, keys and date of a frame follow from its number and the preset's events, so that a
-// state is the number of the next frame, the buffers, and the clocks of the passes with a step.
+// state is the number of the next frame, the buffers, and the clocks of the passes with a step. The
+// file is an EXR with a part for each texture, 32-bit and 16-bit floats bit for bit, so that other
+// programs can show it.
 #pragma once
 
 #include "modes/common.h"
@@ -41,6 +43,10 @@ struct StateOptions {
     std::string save;
     int save_every = 0;  // frames; 0: once, before the last
 };
+
+// Starts loading what reads and writes states, where they are asked for, as
+// prepare_image_library() does.
+void prepare_states(const StateOptions& options);
 
 // The states of one run: which it starts from and which it leaves behind.
 class States {

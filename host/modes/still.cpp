@@ -266,6 +266,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     ms.load = clock.restart();
     const auto context = make_egl_context(options.view.device);
     prepare_image_library(options.output);
+    prepare_states(options.state);
     ms.context = clock.restart();
     CompiledScene compiled = compile_or_stop(preset, compile_options(options, kind));
     ms.compile = clock.restart();

@@ -1,4 +1,5 @@
 // `--save-state` and `--from-state`: a simulation that is cut in two gives the bytes of one run.
+#include "image/image.h"
 #include "sequence.h"
 
 #include <fmt/format.h>
@@ -84,23 +85,31 @@ protected:
 TEST_F(State, TwoHalvesAreTheBytesOfTheWhole) {
     result({"-o", "one%d.png", "--frames", "0:39"});
     EXPECT_NE(bytes("one20.png"), bytes("one21.png"));
-    result({"-o", "two%d.png", "--frames", "0:20", "--save-state", "middle.state"});
+    result({"-o", "two%d.png", "--frames", "0:20", "--save-state", "middle.exr"});
     fs::remove(folder() / "two20.png");
     const Json half =
-        result({"-o", "two%d.png", "--frames", "20:39", "--from-state", "middle.state"});
+        result({"-o", "two%d.png", "--frames", "20:39", "--from-state", "middle.exr"});
     EXPECT_EQ(half["simulated"], 0) << "the state is the one that frame 20 is drawn from";
     expect_same_frames("one", "two", 0, 39);
 }
 
 TEST_F(State, EveryBufferOfAStillHasItsBits) {
-    result({"--frames", "0:20", "--save-state", "middle.state"});
+    result({"--frames", "0:20", "--save-state", "middle.exr"});
     for (const std::string pass : {"a", "b", "h", "e", "sky", "steps"}) {
         SCOPED_TRACE(pass);
         still({"scene.toml", "--size", "32x16", "--frame", "31", "--pass", pass, "-o", "one.exr"});
         still({"scene.toml", "--size", "32x16", "--frame", "31", "--pass", pass, "-o", "two.exr",
-               "--from-state", "middle.state"});
+               "--from-state", "middle.exr"});
         EXPECT_EQ(bytes("one.exr"), bytes("two.exr"));
     }
+}
+
+TEST_F(State, OtherProgramsCanShowWhatIsInIt) {
+    result({"--frames", "0:20", "--save-state", "middle.exr"});
+    const Image first = read_image(folder() / "middle.exr");
+    EXPECT_EQ(first.size, glm::ivec2(33, 17)) << "buffer a";
+    EXPECT_EQ(first.channels, 4);
+    EXPECT_EQ(first.type, ChannelType::f32);
 }
 
 TEST_F(State, SettlingGoesOnWhereItStood) {
@@ -110,11 +119,11 @@ TEST_F(State, SettlingGoesOnWhereItStood) {
         still(more);
     };
     with({"--settle", "20", "-o", "one.png"});
-    with({"--settle", "9", "-o", "early.png", "--save-state", "settled.state"});
-    with({"--settle", "20", "-o", "two.png", "--from-state", "settled.state"});
+    with({"--settle", "9", "-o", "early.png", "--save-state", "settled.exr"});
+    with({"--settle", "20", "-o", "two.png", "--from-state", "settled.exr"});
     EXPECT_EQ(bytes("one.png"), bytes("two.png"));
     const Outcome other = glint(
-        {"still", "scene.toml", "--frame", "40", "-o", "two.png", "--from-state", "settled.state"});
+        {"still", "scene.toml", "--frame", "40", "-o", "two.png", "--from-state", "settled.exr"});
     EXPECT_EQ(other.code, 2) << "frame 33 of that run stood still, of this one it moves";
     EXPECT_NE(other.err.find("0.405"), std::string::npos) << other.err;
 }
@@ -122,12 +131,12 @@ TEST_F(State, SettlingGoesOnWhereItStood) {
 TEST_F(State, AWalkLeavesStatesForOthersAndDrawsNothing) {
     result({"-o", "one%d.png", "--frames", "0:34"});
     const Json walk =
-        result({"--frames", "0:30", "--save-state", "s%04d.state", "--save-state-every", "10"});
+        result({"--frames", "0:30", "--save-state", "s%04d.exr", "--save-state-every", "10"});
     EXPECT_EQ(walk["states_saved"], 3);
     EXPECT_EQ(walk["frames"], 0);
     for (const std::string share : {"20:29", "30:34", "0:9", "13:19"}) {
         const Json drawn =
-            result({"-o", "two%d.png", "--frames", share, "--from-state", "s%04d.state"});
+            result({"-o", "two%d.png", "--frames", share, "--from-state", "s%04d.exr"});
         EXPECT_EQ(drawn["simulated"], share == "13:19" ? 3 : 0);
     }
     fs::copy_file(folder() / "one12.png", folder() / "two12.png");
@@ -136,9 +145,9 @@ TEST_F(State, AWalkLeavesStatesForOthersAndDrawsNothing) {
 
 TEST_F(State, KilledARunGoesOnFromItsNewestState) {
     result({"-o", "one%02d.png", "--frames", "0:99"});
-    const std::vector<std::string> words = {"-o",        "two%02d.png",        "--frames",
-                                            "0:99",      "--resume",           "--save-state",
-                                            "now.state", "--save-state-every", "8"};
+    const std::vector<std::string> words = {"-o",      "two%02d.png",        "--frames",
+                                            "0:99",    "--resume",           "--save-state",
+                                            "now.exr", "--save-state-every", "8"};
     auto killed = words;
     killed.insert(killed.begin(), {"sequence", "scene.toml"});
     Process process(command(killed));
@@ -157,9 +166,9 @@ TEST_F(State, KilledARunGoesOnFromItsNewestState) {
     }
     // With states under names of their own, the newest before the gap is found.
     auto many = words;
-    many[6] = "now%d.state";
+    many[6] = "now%d.exr";
     result(many);
-    result({"--frames", "0:99", "--save-state", "now%d.state", "--save-state-every", "8"});
+    result({"--frames", "0:99", "--save-state", "now%d.exr", "--save-state-every", "8"});
     fs::remove(folder() / "two75.png");
     const Json gap = result(many);
     EXPECT_EQ(gap["frames"], 1);
@@ -168,7 +177,7 @@ TEST_F(State, KilledARunGoesOnFromItsNewestState) {
 }
 
 TEST_F(State, WhatBelongsToAnotherRunIsRefusedWithItsName) {
-    result({"--frames", "0:20", "--save-state", "good.state"});
+    result({"--frames", "0:20", "--save-state", "good.exr"});
     const std::pair<std::vector<std::string>, std::string_view> cases[] = {
         {{"--size", "33x16"}, "--size 32x16, and this run has 33x16"},
         {{"--fps", "30"}, "--fps 60, and this run has 30"},
@@ -177,16 +186,16 @@ TEST_F(State, WhatBelongsToAnotherRunIsRefusedWithItsName) {
         {{"--frames", "10:30"}, "stands before frame 20, and frame 10 is asked for"},
     };
     for (const auto& [options, text] : cases) {
-        std::vector<std::string> words = {"-o", "out%d.png", "--from-state", "good.state"};
+        std::vector<std::string> words = {"-o", "out%d.png", "--from-state", "good.exr"};
         words.insert(words.end(), options.begin(), options.end());
         if (options[0] != "--frames") words.insert(words.end(), {"--frames", "20:30"});
         const Outcome outcome = sequence(words);
         EXPECT_EQ(outcome.code, 2) << outcome.err;
-        EXPECT_TRUE(outcome.err.starts_with("good.state: error: ")) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("good.exr: error: ")) << outcome.err;
         EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
     }
     const std::vector<std::string> words = {"-o",    "out%d.png",    "--frames",
-                                            "20:21", "--from-state", "good.state"};
+                                            "20:21", "--from-state", "good.exr"};
     write("scene.frag", std::string(kEveryKind) + "// changed\n");
     EXPECT_NE(sequence(words).err.find("scene text"), std::string::npos);
     write("scene.frag", kEveryKind);
@@ -196,19 +205,19 @@ TEST_F(State, WhatBelongsToAnotherRunIsRefusedWithItsName) {
 }
 
 TEST_F(State, WhatIsNoWholeStateIsRefused) {
-    result({"--frames", "0:20", "--save-state", "good.state"});
-    const std::string good = bytes("good.state");
+    result({"--frames", "0:20", "--save-state", "good.exr"});
+    const std::string good = bytes("good.exr");
     const auto refused = [&](const std::string& content) {
-        write("bad.state", content);
+        write("bad.exr", content);
         const Outcome outcome =
-            sequence({"-o", "out%d.png", "--frames", "20:21", "--from-state", "bad.state"});
+            sequence({"-o", "out%d.png", "--frames", "20:21", "--from-state", "bad.exr"});
         EXPECT_EQ(outcome.code, 4) << outcome.err;
-        EXPECT_TRUE(outcome.err.starts_with("bad.state: error: ")) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("bad.exr: error: ")) << outcome.err;
     };
     for (const std::size_t length : {0, 5, 13, 14, 40, 1000, 5000}) refused(good.substr(0, length));
     refused(good.substr(0, good.size() - 1));
-    refused(good + "x");
-    for (const std::size_t at : {std::size_t{20}, good.size() / 2, good.size() - 3}) {
+    const std::size_t number = good.find("\"frame\":20") + 9;
+    for (const std::size_t at : {number, good.size() / 2, good.size() - 3}) {
         std::string flipped = good;
         flipped[at] ^= 1;
         refused(flipped);
@@ -232,18 +241,18 @@ TEST_F(State, OfManyOnlyWholeOnesAreTaken) {
 }
 
 TEST_F(State, ADiskThatFillsUpKeepsTheOldStateAndThePicturesBefore) {
-    result({"--frames", "0:8", "--save-state", "now.state"});
-    const std::string before = bytes("now.state");
+    result({"--frames", "0:8", "--save-state", "now.exr"});
+    const std::string before = bytes("now.exr");
     Command full = command({"sequence", "scene.toml", "-o", "out%d.png", "--frames", "0:20",
-                            "--save-state", "now.state", "--save-state-every", "10"});
+                            "--save-state", "now.exr", "--save-state-every", "10"});
     full.largest_file = 20'000;
     const Outcome outcome = run(full);
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_TRUE(outcome.err.starts_with("error: Cannot write now.state: ")) << outcome.err;
-    EXPECT_EQ(bytes("now.state"), before);
+    EXPECT_TRUE(outcome.err.starts_with("error: Cannot write now.exr: ")) << outcome.err;
+    EXPECT_EQ(bytes("now.exr"), before);
     for (int k = 0; k < 10; ++k) EXPECT_TRUE(fs::exists(folder() / fmt::format("out{}.png", k)));
     EXPECT_EQ(names().size(), 3u + 10) << "nothing else lies about";
-    EXPECT_EQ(sequence({"--frames", "0:8", "--save-state", "nowhere/now.state"}).code, 1);
+    EXPECT_EQ(sequence({"--frames", "0:8", "--save-state", "nowhere/now.exr"}).code, 1);
 }
 
 }  // namespace
