@@ -806,12 +806,13 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m)
         float t0 = -dot(f, d) / dot(d, d), reach2 = dot(d, d);
         vec3 closest = f + t0 * d;
         float depth2 = 1.0 - dot(closest, closest);
-        float w = pixel * max(t0, 0.0);
+        float w = pixel * max(t0, 0.0), part = w / jelly.w;   // of the bell in a pixel
         for (int j = -1; j < 2; j += 2) {   // the bell's near and far side
             float t = t0 + float(j) * sqrt(max(depth2, 0.0) / reach2);
             vec3 q = f + t * d;
-            float rim = smoothstep(-0.32, -0.26, q.y + 0.05 * cos(16.0 * atan(q.x, q.z + 1e-6)));
-            float skin = 0.14 / max(abs(dot(unit(q / size.xyx), rd)), 0.10);
+            float rim = smoothstep(-0.03 - part, 0.03 + part,
+                                   q.y + 0.29 + 0.05 * cos(16.0 * atan(q.x, q.z + 1e-6)));
+            float skin = 0.14 / max(abs(dot(unit(q / size.xyx), rd)), max(0.1, sqrt(0.5 * part)));
             float a = atan(q.x, q.z + 1e-6), r = length(q.xz);
             float fine = clamp(1.5 - w / (0.2 * jelly.w), 0.0, 1.0);
             float ribs = 1.0 + fine * 0.5 * cos(16.0 * a) * smoothstep(0.15, 0.7, r);
@@ -1142,7 +1143,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         vec2 uv = (at - 0.5 * iResolution.xy) / iResolution.y;
         vec3 rd = normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
         vec3 chance = random3(ivec3(ivec2(at * 16.0), 5));
-        float jitter = fract(dot(floor(at * 16.0), vec2(0.797172, 0.598115)));   // R2, by pixels
+        // R2 from pixel to pixel; evenly apart among the samples of one.
+        float jitter = fract(dot(floor(at), vec2(0.7548777, 0.5698403)) + at.x);
         float falloff = square(dot(rd, e.forward));   // half of a simple lens's cos^4
         vec3 light = render(e.pos, rd, 1.0 / (e.lens * iResolution.y), jitter);
         sum += falloff * light / float(antialias);
