@@ -43,6 +43,10 @@ bool draws_in_software() {
     return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
 }
 
+std::string take_complaint() {
+    return std::exchange(first_complaint, {});
+}
+
 // An option of Mesa's, which the environment overrides, and which Mesa tells on stderr unless
 // silent.
 void Context::start_variables_at_zero() {
@@ -66,8 +70,7 @@ void Context::check() {
                         "--size, or --tile.",
                         reset_reason(status)));
     }
-    if (!first_complaint.empty()) {
-        const std::string text = std::exchange(first_complaint, {});
+    if (const std::string text = take_complaint(); !text.empty()) {
         throw std::runtime_error(
             text.starts_with("GL_OUT_OF_MEMORY")
                 ? "There is not enough video memory: use smaller buffers or a smaller picture."

@@ -61,6 +61,7 @@ void require_memory(std::span<const WantedBuffer> wanted) {
 
 void require_room(const Buffer& made, const std::string& name) {
     if (made.is_whole()) return;
+    take_complaint();  // it is told here
     const BufferShape& shape = made.shape();
     throw std::runtime_error(
         fmt::format("{} is {}x{} pixels and takes {:.1f} GiB, for which this driver has no room. "

@@ -185,7 +185,7 @@ TEST_F(Input, HeldKeysComeUpWhenTheWindowLosesTheKeyboard) {
     screen_->focus(true);
     screen_->tap("a");
     EXPECT_TRUE(becomes(kKeyPresses, 2));
-    EXPECT_EQ(number(kHeld), 0);
+    EXPECT_TRUE(becomes(kHeld, 0)) << "the release of the tap may be a frame later";
 }
 
 TEST_F(Input, ShortcutsDoNotReachTheScene) {
