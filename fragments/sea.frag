@@ -23,7 +23,7 @@
 //          turns with every reference on.
 // Defaults From `glint study presets/sea.toml`: seaSteps 64 would draw what 512 do, but at 1.5
 //          degrees 1.2 % of the rays then miss; 96 leave 0.5. A cone of shadow is 4e-4 (RMSE) from
-//          64 sampled rays in a third of the frame. Traced reflections cost a twelfth more than
+//          64 sampled rays in a third of the frame. Traced reflections cost a sixth more than
 //          those in the picture, which are 0.022 off: the looking glass shows what the picture does
 //          not hold, so the presets that have one trace.
 // Licence  MIT
