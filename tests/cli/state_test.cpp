@@ -158,7 +158,8 @@ TEST_F(State, KilledARunGoesOnFromItsNewestState) {
     fs::remove(folder() / "two51.png");
     // The state that was saved last may stand behind the gap; then it is of no use.
     const Json resumed = result(words);
-    EXPECT_GE(resumed["skipped"], 50);
+    // Pictures overtake each other: each worker may have had an earlier one in hand.
+    EXPECT_GE(resumed["skipped"], 50 - static_cast<int>(std::thread::hardware_concurrency()));
     EXPECT_LE(resumed["simulated"], 100);
     for (int k = 0; k < 100; ++k) {
         const std::string frame = fmt::format("{:02}.png", k);
