@@ -116,8 +116,10 @@ std::vector<Part> parts_with_pixels(const Snapshot& snapshot) {
         }
     }
     // A file has at least one, a scene without memory has none.
-    if (all.empty()) all.push_back({.name = "nothing", .size = {1, 1}, .half = true, .pixels = {}});
-    all.back().pixels.resize(std::max<std::size_t>(all.back().pixels.size(), 8));
+    if (all.empty()) {
+        all.push_back(
+            {.name = "nothing", .size = {1, 1}, .half = true, .pixels = std::vector<std::byte>(8)});
+    }
     return all;
 }
 
