@@ -82,6 +82,18 @@ std::string read(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::string text_in(const fs::path& png, std::string_view key) {
+    const std::string bytes = read(png);
+    const std::string head = "tEXt" + std::string(key) + '\0';
+    const std::size_t at = bytes.find(head);
+    if (at == std::string::npos || at < 4) return {};
+    // The length of key and text stands before the chunk's name; a checksum follows the text, and
+    // its bytes may look like more of a number.
+    std::size_t length = 0;
+    for (std::size_t i = at - 4; i < at; ++i) length = length << 8 | std::uint8_t(bytes[i]);
+    return bytes.substr(at + head.size(), length - key.size() - 1);
+}
+
 std::string flat(const Colour& colour) {
     return fmt::format(
         "void mainImage(out vec4 c, in vec2 p) {{ c = vec4({}, {}, {}, 255) / 255.0; }}\n",

@@ -31,6 +31,8 @@ private:
 
 void write(const fs::path& file, std::string_view text);
 std::string read(const fs::path& file);
+// What a PNG says of itself under `key`, "glint:time" for one; empty where it says nothing.
+std::string text_in(const fs::path& png, std::string_view key);
 
 // A scene in one colour, 0 to 255.
 std::string flat(const Colour& colour);

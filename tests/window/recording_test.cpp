@@ -14,15 +14,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A number that a PNG of glint says of itself.
-std::string number_in(const fs::path& png, const std::string& key) {
-    const std::string bytes = read(png);
-    const std::size_t at = bytes.find(key + '\0');
-    if (at == std::string::npos) return {};
-    const std::size_t begin = at + key.size() + 1;
-    return bytes.substr(begin, bytes.find_first_not_of("0123456789.e+-", begin) - begin);
-}
-
 class Recording : public Window {
 protected:
     // The still that F12 writes, of the window as it stands: all that was done before has arrived.
@@ -58,7 +49,7 @@ TEST_F(Recording, ABoatThatIsDrivenByKeysIsReplayedToTheSamePicture) {
     screen_->tap("Control_L+space");
     screen_->tap("Control_L+r");
     // A still is of what the window shows: not yet of the first frame, where that is to come.
-    ASSERT_TRUE(eventually([&] { return number_in(take_still(), "glint:time") == "0"; }));
+    ASSERT_TRUE(eventually([&] { return text_in(take_still(), "glint:time") == "0"; }));
     screen_->tap("F9");
     take_still();
     screen_->key("Up", true);
@@ -75,7 +66,7 @@ TEST_F(Recording, ABoatThatIsDrivenByKeysIsReplayedToTheSamePicture) {
     ASSERT_TRUE(eventually([&] { return read(preset).find("left") != std::string::npos; }))
         << read(preset);
 
-    const std::string time = number_in(taken, "glint:time");
+    const std::string time = text_in(taken, "glint:time");
     const Image seen = read_image(taken);
     ASSERT_EQ(seen.size, glm::ivec2(192, 108));
     const Image replayed = still_of(preset, time);

@@ -67,15 +67,6 @@ protected:
         EXPECT_TRUE(eventually([&] { return fs::exists(file); })) << glint_->errors();
         return file;
     }
-    // What the file says of itself.
-    static std::string text_in(const fs::path& png, const std::string& key) {
-        const std::string bytes = read(png);
-        const std::size_t at = bytes.find(key + '\0');
-        if (at == std::string::npos) return {};
-        const std::size_t begin = at + key.size() + 1;
-        const std::size_t end = bytes.find_first_not_of("0123456789.e+-", begin);
-        return bytes.substr(begin, end - begin);
-    }
     void expect_same(const fs::path& taken, const std::vector<std::string>& more = {}) {
         std::vector<std::string> arguments = {"--size", "1280x720", "--time",
                                               text_in(taken, "glint:time")};
