@@ -102,6 +102,7 @@ const float kFar = 1e9;                    // m, a miss
 const float kIorWater = 1.34;              // visible light
 const float kTile = 256.0;                 // m, after which the floor repeats, far beyond sight
 const int   kGround = 1024;                // texels of the floor, a side
+const float kClearance = 3.0;              // m, of water over the highest floor
 const float kCell = 2.0, kPatch = 8.0;     // m, of the cells of `tops` and of `summits`
 const float kNet = 8.0;                    // m, tile of the waves
 const int   kNetTexels = 128, kWaves = 10, kReach = 8;   // kReach: texels that light moves aside
@@ -212,7 +213,7 @@ vec2 floorShape(vec2 p) {
     float sand = 0.8 * floorNoise(p, 32.0, 20) + 0.22 * floorNoise(p, 8.0, 21);
     sand = sand * (1.0 - 0.7 * clear) + 2.6 * smoothstep(-24.0, 2.0, beyond);   // scree
     float share = smoothstep(-0.2, 0.5, rock - sand), height = smoothMax(rock, sand, 0.7);
-    return vec2(-smoothMax(-height, 3.0 - depth, 3.0), share);
+    return vec2(-smoothMax(-height, kClearance - depth, 3.0), share);
 }
 float groundHeight(vec2 p) { return textureLod(ground, p / kTile, 0.0).x; }
 
@@ -226,7 +227,7 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     float level = length(rd.xz), t = 0.0, least = 6.0 / float(marchSteps);   // m
     vec2 inverse = safeInverse(vec3(rd.xz, 1.0)).xy, far = step(0.0, rd.xz);
     vec2 nudge = 1e-3 * sign(rd.xz), above = vec2(0.0), below = vec2(-1.0, 0.0);
-    if (rd.y > 0.0) tMax = min(tMax, (depth - ro.y) / rd.y);
+    if (rd.y > 0.0) tMax = min(tMax, (depth - kClearance - ro.y) / rd.y);
     for (int k = 0; k < marchSteps && below.x < 0.0 && t < tMax; ++k) {
         vec3 p = ro + t * rd;
         vec2 large = floor((p.xz + nudge) / kPatch), cell = floor((p.xz + nudge) / kCell);
@@ -236,17 +237,18 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         float tCell = max(min(leave.x, leave.y), t);
         float topLarge = texelFetch(summits, ivec2(large) & 31, 0).x;
         vec2 top = texelFetch(tops, ivec2(cell) & 127, 0).xy;
-        float f = p.y - groundHeight(p.xz), safe = f / max(top.y * level - rd.y, 1e-3);
-        ++seabedEvaluations;
-        if (f <= 0.0) {
-            below = vec2(t, f);
-        } else {
-            above = vec2(t, f);
-            float next = min(t + safe, tCell);
-            if (min(p.y, ro.y + tCell * rd.y) > top.x) next = tCell;
-            if (min(p.y, ro.y + tLarge * rd.y) > topLarge) next = tLarge;
-            t = max(next, t + least + 0.3 * pixel * t);
+        bool overLarge = min(p.y, ro.y + tLarge * rd.y) > topLarge;
+        bool over = overLarge || min(p.y, ro.y + tCell * rd.y) > top.x;
+        float next = overLarge ? tLarge : tCell;
+        if (over) above = vec2(t, p.y - top.x);   // or higher
+        for (int j = 0; j < (over ? 0 : 1); ++j) {   // the height is read only where it counts
+            float f = p.y - groundHeight(p.xz);
+            next = min(t + f / max(top.y * level - rd.y, 1e-3), tCell);
+            if (f <= 0.0) below = vec2(t, f);
+            else above = vec2(t, f);
         }
+        ++seabedEvaluations;
+        t = max(next, t + least + 0.3 * pixel * t);
     }
     if (below.x < 0.0) return -1.0;
     for (int k = 0; k < 4; ++k) {
@@ -1113,12 +1115,14 @@ void mainSurface(out vec4 slopes, out vec4 landing, out vec4 shape, in vec2 pixe
 void mainCaustics(out vec4 colour, in vec2 pixel) {
     ivec2 here = ivec2(pixel);
     float sum = 0.0;
-    for (int k = 0; k < (2 * kReach + 1) * (2 * kReach + 1); ++k) {
-        ivec2 away = ivec2(k % (2 * kReach + 1), k / (2 * kReach + 1)) - kReach;
-        ivec2 from = (here + away) & (kNetTexels - 1);
-        vec2 d = vec2(away) + texelFetch(splat, from, 0).xy;
-        vec4 s = texelFetch(splatShape, from, 0);
-        sum += s.w * exp(-0.5 * (s.x * d.x * d.x + 2.0 * s.y * d.x * d.y + s.z * d.y * d.y));
+    for (int z = -kReach; z <= kReach; ++z) {   // a disc: corners are out of reach
+        int wide = int(sqrt(square(float(kReach) + 1.0) - float(z * z) - 0.5));
+        for (int x = -wide; x <= wide; ++x) {
+            ivec2 from = (here + ivec2(x, z)) & (kNetTexels - 1);
+            vec2 d = vec2(x, z) + texelFetch(splat, from, 0).xy;
+            vec4 s = texelFetch(splatShape, from, 0);
+            sum += s.w * exp(-0.5 * (s.x * d.x * d.x + 2.0 * s.y * d.x * d.y + s.z * d.y * d.y));
+        }
     }
     colour = vec4(sum, 0.0, 0.0, 1.0);
 }
