@@ -57,9 +57,9 @@ uniform float sunSize;         //@ 0.8 [0.1, 3] log unit=deg "radius of the sun'
 uniform float haze;           //@ 0.35 [0.1, 6] log "dust and moisture in the air"
 uniform float clouds;          //@ 0.5 [0, 1] "share of the sky that they cover"
 //@ group Camera
-uniform float cameraDistance;  //@ 250 [20, 600] log unit=m "from the point looked at"
+uniform float cameraDistance;  //@ 250 [20, 600] log unit=m "from the target, outside of the block"
 uniform float cameraAngle;     //@ 33 [-180, 180] unit=deg "round it"
-uniform float cameraRise;      //@ 24 [-88, 88] unit=deg "over it"
+uniform float cameraRise;      //@ 24 [-88, 88] unit=deg "over it; close by it jumps past the block"
 uniform vec3  target;          //@ 0, -3, 0 [-50, 50] unit=m "the point looked at"
 uniform float focalLength;     //@ 50 [12, 200] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float tiltShift;       //@ 0.0 [0, 0.05] "blur of what is far off, in picture heights"
