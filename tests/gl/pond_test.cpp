@@ -1,0 +1,264 @@
+// The pool's simulation against a kernel and a closed form of its own, at every rate and for long.
+#include "water.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+
+namespace glint {
+namespace {
+
+// pcg3d, Jarzynski and Olano 2020, as the scene has it.
+glm::vec3 random3(std::int32_t x, std::int32_t y, std::int32_t z) {
+    std::array<std::uint32_t, 3> v = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                                      static_cast<std::uint32_t>(z)};
+    for (std::uint32_t& c : v) c = c * 1664525u + 1013904223u;
+    const auto mix = [&] {
+        v[0] += v[1] * v[2];
+        v[1] += v[2] * v[0];
+        v[2] += v[0] * v[1];
+    };
+    mix();
+    for (std::uint32_t& c : v) c ^= c >> 16u;
+    mix();
+    return glm::vec3(v[0] >> 8u, v[1] >> 8u, v[2] >> 8u) / 16777216.0f;
+}
+
+// The wave equation in double: heights, their speeds half a step earlier, squared wave speeds.
+struct Pond {
+    int width = 0, length = 0;
+    double dt = 0.0, damping = 0.0;
+    std::vector<double> h{}, v{}, c2{}, old_c2{};
+
+    std::size_t at(int x, int z) const {
+        return static_cast<std::size_t>(std::clamp(z, 0, length - 1) * width +
+                                        std::clamp(x, 0, width - 1));
+    }
+    template <class Kick>
+    void step(Kick kick) {
+        const double cell = 2 * kHalfWidth / width, kept = std::exp(-damping * dt);
+        const std::vector<double> now = h;
+        for (int z = 0; z < length; ++z) {
+            for (int x = 0; x < width; ++x) {
+                const std::size_t i = at(x, z);
+                const std::array<std::size_t, 4> round = {at(x - 1, z), at(x + 1, z), at(x, z - 1),
+                                                          at(x, z + 1)};
+                double flux = 0.0, mean = 0.0;
+                for (const std::size_t j : round) {
+                    const double sum = old_c2[i] + old_c2[j];
+                    if (sum > 0.0) flux += 2 * old_c2[i] * old_c2[j] / sum * (now[j] - now[i]);
+                    mean += 0.25 * now[j];
+                }
+                const double px = ((x + 0.5) / width - 0.5) * 2 * kHalfWidth;
+                const double pz = ((z + 0.5) / length - 0.5) * 2 * kHalfLength;
+                v[i] = kept * v[i] + dt * 0.5 * (1 + kept) * flux / (cell * cell) + kick(px, pz);
+                h[i] = now[i] + dt * v[i];
+                if (c2[i] <= 0.0) h[i] = mean, v[i] = 0.0;
+            }
+        }
+        old_c2 = c2;
+    }
+};
+
+// The real pass in the real scene, with columns, ball, steps and rain, against the kernel above.
+TEST_F(Water, TheSimulationIsTheWaveEquationOfTheKernel) {
+    const std::string preset = "[tweaks]\nrain = 30\ndamping = 0.6\nwaveSpeed = 2.5\n";
+    constexpr int kWidth = 256, kLength = 384, kSteps = 240;
+    Player bed(water_text(), {.preset = preset, .pass = "bed"});
+    bed.still(0.0);
+    const std::vector<float> grounds = bed.floats();
+    Pond pond{.width = kWidth, .length = kLength, .dt = 1.0 / 240, .damping = 0.6};
+    pond.h.assign(kWidth * kLength, 0.0);
+    pond.v = pond.old_c2 = pond.h;
+    for (std::size_t i = 0; i < pond.h.size(); ++i) pond.c2.push_back(grounds[4 * i]);
+    int drops = 0, solid = 0;
+    for (const double c2 : pond.c2) solid += c2 <= 0.0;
+    EXPECT_GT(solid, 2000) << "six columns, a ball and a step";
+    for (int k = 1; k <= kSteps; ++k) {
+        const auto at_tick = static_cast<std::int32_t>(tick(k / 240.0));
+        const glm::vec3 r = random3(at_tick, 17, 5), s = random3(at_tick, 29, 7);
+        const bool falls = r.z < 30.0f / 240.0f;
+        drops += falls;
+        pond.step([&](double x, double z) {
+            if (!falls) return 0.0;
+            const double size = 0.13 * (0.8 + 0.5 * s.x);
+            const double dx = x - (2.0 * r.x - 1.0) * kHalfWidth;
+            const double dz = z - (2.0 * r.y - 1.0) * kHalfLength;
+            const double q = std::min((dx * dx + dz * dz) / (size * size), 50.0);
+            return -0.9 * (0.3 + 0.9 * s.y) * (1 - q) * std::exp(-q);
+        });
+    }
+    Player player(water_text(), {.preset = preset, .pass = "pond"});
+    player.still(1.0);
+    const std::vector<float> texels = player.floats();
+    double error = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < pond.h.size(); ++i) {
+        error += std::pow(texels[4 * i] - pond.h[i], 2.0);
+        size += std::pow(pond.h[i], 2.0);
+    }
+    EXPECT_GT(drops, 15);
+    fmt::print("{} drops, {:.2e} of {:.2e} m\n", drops, std::sqrt(error / kWidth / kLength),
+               std::sqrt(size / kWidth / kLength));
+    EXPECT_LE(std::sqrt(error / size), 1e-4) << "240 steps in float";
+}
+
+// A press of the mouse in an empty pool, whose waves have a closed form as a sum of cosines.
+struct Press {
+    static constexpr double kSize = 0.5, kForce = 1.0, kSpeed = 2.0, kDamping = 0.35, kStart = 0.1;
+    glm::dvec2 place{0.0};
+
+    // Heights on every `stride`-th cell of a grid, at a time.
+    std::vector<double> heights(int width, int length, int stride, double time) const {
+        constexpr int kModes = 80;
+        std::vector<double> sum(static_cast<std::size_t>((width / stride) * (length / stride)),
+                                0.0);
+        const double w = 2 * kHalfWidth, l = 2 * kHalfLength, age = time - kStart;
+        for (int n = 0; n < kModes * 3 / 2; ++n) {
+            for (int m = 0; m < kModes; ++m) {
+                const double kx = m * kPi / w, kz = n * kPi / l, k2 = kx * kx + kz * kz;
+                const double u = 0.25 * k2 * kSize * kSize;
+                const double weight = -kForce * kPi * kSize * kSize * u * std::exp(-u);
+                const double norm = (m == 0 ? 1 : 2) * (n == 0 ? 1 : 2) / (w * l);
+                const std::complex<double> root = std::sqrt(
+                    std::complex<double>(kSpeed * kSpeed * k2 - 0.25 * kDamping * kDamping));
+                const std::complex<double> swing =
+                    std::abs(root) < 1e-9 ? age : std::sin(root * age) / root;
+                const double amplitude = weight * norm * std::cos(kx * (place.x + kHalfWidth)) *
+                                         std::cos(kz * (place.y + kHalfLength)) * swing.real() *
+                                         std::exp(-0.5 * kDamping * age);
+                if (std::abs(amplitude) < 1e-12) continue;
+                std::size_t i = 0;
+                for (int z = stride / 2; z < length; z += stride) {
+                    const double cz = std::cos(kz * (z + 0.5) / length * l);
+                    for (int x = stride / 2; x < width; x += stride, ++i)
+                        sum[i] += amplitude * cz * std::cos(kx * (x + 0.5) / width * w);
+                }
+            }
+        }
+        return sum;
+    }
+};
+
+// `scale` times fewer cells and steps.
+std::string coarser(int scale) {
+    const std::string text = with_defaults(water_text(), {{"columns", "off"},
+                                                          {"mirrorBall", "off"},
+                                                          {"steps", "off"},
+                                                          {"rain", "0"},
+                                                          {"depth", "4"},
+                                                          {"waveSpeed", "2"},
+                                                          {"dropSize", "0.5"},
+                                                          {"dropForce", "1"}});
+    return replaced(replaced(text, "step=1/240", fmt::format("step=1/{}", 240 / scale)),
+                    "size=256x384", fmt::format("size={}x{}", 256 / scale, 384 / scale));
+}
+const std::string kPressOnce =
+    "[[events]]\nt = 0.1005\nmouse = [0.45, 0.3]\ndown = true\n"
+    "[[events]]\nt = 0.2\nmouse = [0.45, 0.3]\ndown = false\n";
+constexpr glm::ivec2 kPressSize(160, 80);
+
+glm::dvec2 place_of_press() {
+    Player player(coarser(1), {.size = kPressSize, .preset = kPressOnce, .pass = "pointer"});
+    player.still(25.0 / 240.0);
+    const glm::vec4 texel = player.pixel(0, 0);
+    return {texel.x, texel.y};
+}
+
+TEST_F(Water, TheSimulationIsOfSecondOrder) {
+    const Press press{.place = place_of_press()};
+    ASSERT_LT(std::abs(press.place.x), 3.0);
+    ASSERT_LT(std::abs(press.place.y), 5.0);
+    constexpr double kTime = 1.6;  // s: the rings have met a wall
+    std::vector<double> errors;
+    for (const int scale : {4, 2, 1}) {
+        Player player(coarser(scale), {.size = kPressSize, .preset = kPressOnce, .pass = "pond"});
+        player.still(kTime);
+        const std::vector<float> texels = player.floats();
+        const int width = 256 / scale, length = 384 / scale, stride = 8 / scale;
+        const std::vector<double> exact = press.heights(width, length, stride, kTime);
+        double error = 0.0, size = 0.0;
+        std::size_t i = 0;
+        for (int z = stride / 2; z < length; z += stride) {
+            for (int x = stride / 2; x < width; x += stride, ++i) {
+                error +=
+                    std::pow(texels[static_cast<std::size_t>(4 * (z * width + x))] - exact[i], 2);
+                size += exact[i] * exact[i];
+            }
+        }
+        errors.push_back(std::sqrt(error / size));
+    }
+    for (std::size_t i = 1; i < errors.size(); ++i) {
+        const double order = std::log2(errors[i - 1] / errors[i]);
+        fmt::print("relative error {:.3e}, then {:.3e}: order {:.2f}\n", errors[i - 1], errors[i],
+                   order);
+        EXPECT_NEAR(order, 2.0, 0.2);
+    }
+}
+
+TEST_F(Water, TheSimulationIsTheSameAtEveryFrameRate) {
+    const std::string text = coarser(2);
+    std::vector<float> first;
+    for (const double fps : {30.0, 60.0, 240.0}) {
+        Player player(text, {.size = kPressSize, .preset = kPressOnce, .pass = "pond", .fps = fps});
+        player.still(1.0);
+        if (first.empty()) first = player.floats();
+        EXPECT_EQ(player.floats(), first) << fps;
+    }
+}
+
+// A hundred thousand steps at the greatest Courant number, 0.5, and the least damping: the water
+// never rises above what the press left.
+TEST_F(Water, AHundredThousandStepsStayBounded) {
+    const std::string text =
+        replaced(replaced(with_defaults(coarser(1), {{"waveSpeed", "3.75"}, {"damping", "0.05"}}),
+                          "step=1/240", "step=1/30"),
+                 "size=256x384", "size=32x48");
+    Player player(text, {.size = kPressSize, .preset = kPressOnce, .pass = "pond", .fps = 2});
+    const auto highest = [&](double time) {
+        player.still(time);
+        float most = 0.0f;
+        for (const float value : player.floats()) {
+            EXPECT_TRUE(std::isfinite(value));
+            most = std::max(most, std::abs(value));
+        }
+        return most;
+    };
+    double most = 0.0;
+    for (const double time : {0.2, 0.3, 0.5, 1.0}) {
+        player.renderer().reset();
+        player.still(time);
+        const std::vector<float> texels = player.floats();
+        for (std::size_t i = 0; i < texels.size(); i += 4)
+            most = std::max(most, std::abs(static_cast<double>(texels[i])));
+    }
+    EXPECT_GT(most, 0.01);
+    EXPECT_LT(most, 0.3) << "the ceiling is not what holds it";
+    player.renderer().reset();
+    EXPECT_LE(highest(1e5 / 30.0), 14.1f) << "the squared wave speed, which is in there, too";
+    const std::vector<float> texels = player.floats();
+    for (std::size_t i = 0; i < texels.size(); i += 4) EXPECT_LE(std::abs(texels[i]), most);
+}
+
+// A texel that went bad, by whatever mishap, does not spread.
+TEST_F(Water, ANotANumberInThePondIsGoneAtOnce) {
+    for (const char* bad :
+         {"uintBitsToFloat(0x7fc00000u)", "uintBitsToFloat(0x7f800000u)", "1e30"}) {
+        SCOPED_TRACE(bad);
+        const std::string text = replaced(
+            coarser(4), "    colour = vec4(height, clamp(speed",
+            fmt::format(
+                "    if (iFrame == 20 && c == ivec2(30, 40)) {{ colour = vec4({}); return; }}\n"
+                "    colour = vec4(height, clamp(speed",
+                bad));
+        Player player(text, {.size = kPressSize, .preset = kPressOnce, .pass = "pond"});
+        player.still(21.0 / 60.0);
+        EXPECT_FALSE(std::abs(player.pixel(30, 40).x) < 1e9f) << "it is there";
+        player.still(23.0 / 60.0);
+        for (const float value : player.floats()) ASSERT_LT(std::abs(value), 10.0f);
+    }
+}
+
+}  // namespace
+}  // namespace glint
