@@ -211,6 +211,11 @@ bool holds_floats(const fs::path& file) {
     return extension && has_floats(extension->codec);
 }
 
+bool begins_with_metadata(const fs::path& file) {
+    const Extension* extension = find_extension(file);
+    return extension && (extension->codec == Codec::png || extension->codec == Codec::exr);
+}
+
 bool has_tiles(const fs::path& file) {
     const Extension* extension = find_extension(file);
     return extension && (extension->codec == Codec::exr || extension->codec == Codec::tiff);

@@ -50,6 +50,9 @@ bool can_write(const std::filesystem::path& file);
 // Whether files of this kind hold float values (exr, tif, hdr); the others hold bytes.
 bool holds_floats(const std::filesystem::path& file);
 
+// Whether files of this kind keep metadata, and before the pixels (png, exr).
+bool begins_with_metadata(const std::filesystem::path& file);
+
 class BandEncoder;
 class TemporaryFile;
 

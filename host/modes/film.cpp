@@ -33,6 +33,12 @@ constexpr std::string_view kToVideo =
     "scale=in_range=full:out_range=limited:out_color_matrix=bt709,"
     "setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709";
 
+// A palette for each frame: one for all would keep all in memory until the last. Players take 1/50
+// s as the shortest, and show what is shorter for 1/10 s.
+constexpr std::string_view kToPalettes =
+    "-vf fps=min(source_fps\\,50),split[a][b];[a]palettegen=stats_mode=single[p];"
+    "[b][p]paletteuse=new=1:dither=sierra2_4a";
+
 // How FFmpeg is to filter and encode, by the film's extension.
 struct Kind {
     std::string_view extension, filter, codec, sound_codec, format;
@@ -46,8 +52,7 @@ constexpr Kind kKinds[] = {
      "-c:a libopus -b:a 192k", "-f webm"},
     {".mov", kToVideo, "-c:v prores_ks -profile:v 3 -pix_fmt yuv422p10le", "-c:a pcm_s16le",
      "-f mov"},
-    {".gif", "-vf split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", "", "",
-     "-f gif"},
+    {".gif", kToPalettes, "", "", "-f gif"},
 };
 
 const Kind* kind_of(const fs::path& file) {
@@ -60,16 +65,16 @@ const Kind* kind_of(const fs::path& file) {
 
 // The output has no name yet; FFmpeg opens it, to seek in and read back, through ours.
 std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 size, double fps,
-                                      int sound) {
+                                      const TemporaryFile* sound) {
     const Kind& kind = *kind_of(file);
-    const bool with_sound = sound >= 0 && !kind.sound_codec.empty();
     // Without -xerror a webm that a full disk cut short counts as done.
     std::istringstream line(fmt::format(
         "ffmpeg -hide_banner -loglevel error -nostdin -xerror "
         "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0 {} "
         "{} {} {} {} -fflags +bitexact -flags:a +bitexact -flags:v +bitexact -y /proc/{}/fd/{}",
-        size.x, size.y, fps, with_sound ? fmt::format("-i /proc/{}/fd/{}", getpid(), sound) : "",
-        kind.filter, kind.codec, with_sound ? kind.sound_codec : "", kind.format, getpid(), out));
+        size.x, size.y, fps,
+        sound ? fmt::format("-i /proc/{}/fd/{}", getpid(), sound->descriptor()) : "", kind.filter,
+        kind.codec, sound ? kind.sound_codec : "", kind.format, getpid(), out));
     return {std::istream_iterator<std::string>(line), {}};
 }
 
@@ -77,6 +82,11 @@ std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 
 
 bool is_film(const fs::path& file) {
     return kind_of(file) != nullptr;
+}
+
+bool has_sound(const fs::path& file) {
+    const Kind* kind = kind_of(file);
+    return kind && !kind->sound_codec.empty();
 }
 
 std::vector<std::byte> raw_frame(const Image& image) {
@@ -98,14 +108,15 @@ void write_all(int descriptor, std::span<const std::byte> bytes) {
     }
 }
 
-Film::Film(const fs::path& file, glm::ivec2 size, double fps, int sound) : file_(file), out_(file) {
+Film::Film(const fs::path& file, glm::ivec2 size, double fps, std::unique_ptr<TemporaryFile> sound)
+    : file_(file), sound_(std::move(sound)), out_(file) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
         throw std::system_error(errno, std::generic_category(), "pipe");
     }
     ::fcntl(pipe[1], F_SETPIPE_SZ, 1 << 20);
     errors_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
-    std::vector<std::string> words = command_line(file, out_.descriptor(), size, fps, sound);
+    std::vector<std::string> words = command_line(file, out_.descriptor(), size, fps, sound_.get());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);

@@ -7,12 +7,16 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 
 namespace glint {
 
 // Whether the extension is one of mp4 webm gif mov.
 bool is_film(const std::filesystem::path& file);
+
+// Whether it has a sound track: all but gif.
+bool has_sound(const std::filesystem::path& file);
 
 // Pictures as bytes, top row first, RGB: what FFmpeg calls rawvideo in rgb24.
 std::vector<std::byte> raw_frame(const Image& image);
@@ -23,9 +27,10 @@ void write_all(int descriptor, std::span<const std::byte> bytes);
 class Film {
 public:
     // The codec follows from the extension: H.264 (mp4), VP9 (webm), ProRes 422 HQ (mov), a palette
-    // for all frames (gif). `sound` is the descriptor of a WAV file that stays open, or -1. Throws
+    // a frame and at most 50 frames a second (gif). `sound` is a WAV file, or null. Throws
     // std::runtime_error when there is no ffmpeg, or the folder cannot be written.
-    Film(const std::filesystem::path& file, glm::ivec2 size, double fps, int sound = -1);
+    Film(const std::filesystem::path& file, glm::ivec2 size, double fps,
+         std::unique_ptr<TemporaryFile> sound);
     ~Film();  // without finish() nothing stays behind
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;
@@ -41,6 +46,7 @@ private:
     std::runtime_error failure(int code) const;
 
     std::filesystem::path file_;
+    std::unique_ptr<TemporaryFile> sound_;
     TemporaryFile out_;
     pid_t process_ = 0;
     int input_ = -1;   // where frames go

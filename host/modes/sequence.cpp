@@ -12,11 +12,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <deque>
@@ -54,7 +52,9 @@ Target target_of(const SequenceOptions& options) {
                                      options.from_pictures));
     }
     if (!options.from_pictures.empty() && target == Target::pictures) {
-        throw UsageError("--from-pictures joins pictures that are there to a film.");
+        throw UsageError(
+            "--from-pictures joins pictures to a film; name it .mp4, .webm, .mov or .gif, or - for "
+            "raw frames on stdout.");
     }
     if (target == Target::pictures && (!is_numbered || !can_write(output))) {
         throw UsageError(
@@ -66,8 +66,7 @@ Target target_of(const SequenceOptions& options) {
         throw UsageError("--shard shares pictures out; a film is made of all of them.");
     }
     if (options.resume && target != Target::states) {
-        const std::string extension = fs::path(output).extension().string();
-        if (target != Target::pictures || (extension != ".png" && extension != ".exr")) {
+        if (target != Target::pictures || !begins_with_metadata(output)) {
             throw UsageError(
                 "--resume needs pictures that tell what they were made from: png or "
                 "exr.");
@@ -185,11 +184,12 @@ void simulate_to(Run& run, int frame) {
     }
 }
 
-// The sound of a film as a WAV file without a name; -1 when the scene has none, or frames are left
-// out and time runs faster.
-int sound_of(const SequenceOptions& options, const Preset& preset, const Frames& frames) {
-    if (!preset.scene.has_sound || frames.count == 0) return -1;
-    if (frames.step > 1 && frames.count > 1) return -1;
+// The sound of a film as a WAV file beside it, since that of an hour is 635 MB; null when the scene
+// or the film has none, or frames are left out and time runs faster.
+std::unique_ptr<TemporaryFile> sound_of(const SequenceOptions& options, const Preset& preset,
+                                        const Frames& frames) {
+    if (!preset.scene.has_sound || !has_sound(options.output) || frames.count == 0) return nullptr;
+    if (frames.step > 1 && frames.count > 1) return nullptr;
     const auto sample_of = [&](double frame) {
         return std::lround(frame / options.fps * kSampleRate);
     };
@@ -199,13 +199,17 @@ int sound_of(const SequenceOptions& options, const Preset& preset, const Frames&
         throw UsageError(
             "A film's sound ends before 3 hours 20: export the film in parts, with --frames.");
     }
-    const int file = ::memfd_create("sound", MFD_CLOEXEC);
-    if (file < 0) throw std::system_error(errno, std::generic_category(), "memfd_create");
-    SoundWriter writer(file, "sound.wav");
-    render_sound(preset, options.view.specialise, first, count,
-                 [&](auto samples) { writer.append(samples); });
-    if (const int error = writer.finish())
-        throw std::system_error(error, std::generic_category(), "the film's sound");
+    auto file = std::make_unique<TemporaryFile>(options.output);
+    SoundWriter writer(file->descriptor(), "sound.wav");
+    Progress progress("sound", count);
+    long done = 0;
+    render_sound(preset, options.view.specialise, first, count, [&](auto samples) {
+        writer.append(samples);
+        progress.update(done += static_cast<long>(samples.size() / 2));
+    });
+    if (const int error = writer.finish()) {
+        throw cannot_write(options.output, std::generic_category().message(error));
+    }
     return file;
 }
 

@@ -56,8 +56,8 @@ SequenceOutput::SequenceOutput(const SequenceOptions& options, Target target, co
       name_(numbered_name(options.output)),
       workers_(threads_for(target)) {}
 
-void SequenceOutput::begin_film(int sound) {
-    film_.emplace(options_.output, preset_.size, options_.fps, sound);
+void SequenceOutput::begin_film(std::unique_ptr<TemporaryFile> sound) {
+    film_.emplace(options_.output, preset_.size, options_.fps, std::move(sound));
 }
 
 bool SequenceOutput::has(int frame) const {

@@ -32,8 +32,8 @@ public:
     SequenceOutput(const SequenceOptions& options, Target target, const Preset& preset,
                    std::string gpu, Making making);
 
-    // Where the target is a film. Its sound is the descriptor of a WAV file, or -1.
-    void begin_film(int sound);
+    // Where the target is a film. Its sound is a WAV file, or null.
+    void begin_film(std::unique_ptr<TemporaryFile> sound);
 
     bool floats() const { return target_ == Target::pictures && holds_floats(options_.output); }
 

@@ -279,6 +279,29 @@ TEST_F(Sequence, AFilmHasEveryFrameInItsColours) {
     EXPECT_EQ(bytes("film.mp4"), before);
 }
 
+// Players show what is to stand for less than 1/50 s for 1/10 s, as FFmpeg's reader does.
+TEST_F(Sequence, AGifLastsAsLongAsItsFramesAtEveryRate) {
+    write("scene.frag", kMoving);
+    for (const int rate : {25, 60, 150}) {
+        result({"scene.frag", "-o", "film.gif", "--frames", fmt::format("0:{}", rate - 1), "--fps",
+                fmt::format("{}", rate), "--size", "16x16"});
+        const std::string probe = fmt::format(
+            "cd '{}' && ffprobe -v error -show_entries format=duration -of csv=p=0 film.gif "
+            ">seconds",
+            folder().string());
+        ASSERT_EQ(std::system(probe.c_str()), 0);
+        EXPECT_NEAR(std::stod(bytes("seconds")), 1.0, 0.021) << rate << " Hz";  // a frame
+    }
+}
+
+TEST_F(Sequence, ResumeKnowsAnExtensionHoweverItIsWritten) {
+    write("scene.frag", kMoving);
+    const std::vector<std::string> words = {"scene.frag", "-o",  "%d.PNG",
+                                            "--frames",   "0:2", "--resume"};
+    EXPECT_EQ(result(words)["frames"], 3);
+    EXPECT_EQ(result(words)["skipped"], 3);
+}
+
 TEST_F(Sequence, PicturesOfOthersBecomeTheFilmThatDrawingGives) {
     write("scene.frag", std::string(kMoving) +
                             "vec2 mainSound(int s, float t) { return vec2(sin(t * 2000.0)); }\n");
