@@ -1,13 +1,10 @@
 #include "render/room.h"
 
 #include "gl/context.h"
+#include "render/memory.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdio>
-#include <fstream>
-#include <limits>
 #include <stdexcept>
 
 namespace glint {
@@ -18,16 +15,6 @@ constexpr const char* kMakeSmaller =
 
 double gibibytes(std::size_t bytes) {
     return static_cast<double>(bytes) / (1 << 30);
-}
-
-// What the system can still give; no limit where it does not tell.
-std::size_t available_memory() {
-    std::ifstream in("/proc/meminfo");
-    for (std::string line; std::getline(in, line);) {
-        std::size_t kib = 0;
-        if (std::sscanf(line.c_str(), "MemAvailable: %zu kB", &kib) == 1) return kib * 1024;
-    }
-    return std::numeric_limits<std::size_t>::max();
 }
 
 }  // namespace
