@@ -36,6 +36,12 @@ std::runtime_error cannot_write(const fs::path& file, std::string_view cause) {
     return std::runtime_error(fmt::format("Cannot write {}: {}.", file.string(), cause));
 }
 
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw cannot_write(folder, cause_of(error.value()));
+}
+
 std::runtime_error cannot_read(const fs::path& file, std::string_view cause) {
     return std::runtime_error(fmt::format("Cannot read {}: {}.", file.string(), cause));
 }

@@ -13,6 +13,9 @@ namespace glint {
 // "Cannot write NAME: CAUSE."
 std::runtime_error cannot_write(const std::filesystem::path& file, std::string_view cause);
 
+// With all folders above it. Throws cannot_write().
+void make_folder(const std::filesystem::path& folder);
+
 // "Cannot read NAME: CAUSE."
 std::runtime_error cannot_read(const std::filesystem::path& file, std::string_view cause);
 

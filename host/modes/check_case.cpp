@@ -1,5 +1,6 @@
 #include "modes/check_case.h"
 
+#include "image/temporary_file.h"
 #include "scene/preset_writer.h"
 #include "scene/value.h"
 
@@ -42,10 +43,19 @@ std::string file_stem(const Preset& preset, const std::string& name) {
     return stem.substr(0, 120);
 }
 
+std::string tweak_words(const ViewOptions& view) {
+    std::string words;
+    for (const std::string& tweak : view.tweaks) words += " --tweak " + quoted(tweak);
+    return words;
+}
+
+std::string device_words(const ViewOptions& view) {
+    return view.device.empty() ? "" : " --device " + quoted(view.device);
+}
+
 // What the command line said about tweaks, then what the case changed.
 std::string tweak_words(const CheckSubject& subject) {
-    std::string words;
-    for (const std::string& tweak : subject.view().tweaks) words += " --tweak " + quoted(tweak);
+    std::string words = tweak_words(subject.view());
     for (std::size_t i = 0; i < subject.preset.values.size(); ++i) {
         if (subject.preset.values[i] == subject.opened().values[i]) continue;
         const Tweak& tweak = subject.scene().tweaks[i];
@@ -76,16 +86,7 @@ bool same_events(const std::vector<Event>& a, const std::vector<Event>& b) {
 std::string command_for(const CheckSubject& subject, const CaseResult& result,
                         const fs::path& folder) {
     const glm::ivec2 size = subject.preset.size;
-    const std::string device =
-        subject.view().device.empty() ? "" : " --device " + quoted(subject.view().device);
-    if (!subject.still) {
-        std::string tweaks;
-        for (const std::string& tweak : subject.view().tweaks)
-            tweaks += " --tweak " + quoted(tweak);
-        return fmt::format("glint check {} --size {}x{}{}{} --case {}",
-                           quoted(subject.opened().file.string()), subject.opened().size.x,
-                           subject.opened().size.y, tweaks, device, quoted(result.name));
-    }
+    if (!subject.still) return command_for_case(subject.view(), result.name);
     const std::string stem = file_stem(subject.opened(), result.name);
     const bool own_events = !same_events(subject.preset.events, subject.opened().events);
     const fs::path file =
@@ -96,7 +97,7 @@ std::string command_for(const CheckSubject& subject, const CaseResult& result,
         "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", quoted(file.string()), size.x,
         size.y, format_number(subject.still->time),
         subject.still->fps == 60.0 ? "" : " --fps " + format_number(subject.still->fps),
-        own_events ? "" : tweak_words(subject), device,
+        own_events ? "" : tweak_words(subject), device_words(subject.view()),
         subject.specialised() ? "" : " --no-specialise",
         output == "image" ? "" : " --pass " + output, quoted((folder / (stem + ".exr")).string()));
 }
@@ -131,7 +132,7 @@ void write_picture(const CheckSubject& subject, const fs::path& file) {
         push(shown ? values[i + 1] : 0.0f);
         push(shown ? values[i + 2] : 1.0f);
     }
-    fs::create_directories(file.parent_path());
+    make_folder(file.parent_path());
     write_image(file, image);
 }
 
@@ -141,6 +142,12 @@ const char* to_string(CaseVerdict verdict) {
     for (const auto& [value, name] : kCaseVerdicts)
         if (value == verdict) return name;
     return "";
+}
+
+std::string command_for_case(const ViewOptions& view, const std::string& name) {
+    const std::string size = view.size.empty() ? "" : " --size " + view.size;
+    return fmt::format("glint check {}{}{}{} --case {}", quoted(view.file.string()), size,
+                       tweak_words(view), device_words(view), quoted(name));
 }
 
 void CaseResult::fail(std::string why) {
@@ -212,10 +219,15 @@ CaseResult run_case(Check& check, const Case& wanted, const fs::path& folder) {
         result.fail(describe(seen) + (result.note.empty() ? "" : "; " + result.note));
     }
     if (result.verdict != CaseVerdict::fail) return result;
-    const fs::path picture = folder / (file_stem(subject.opened(), result.name) + ".png");
-    write_picture(subject, picture);
-    result.picture = picture.string();
-    result.reproduce = command_for(subject, result, folder);
+    result.reproduce = command_for_case(subject.view(), result.name);
+    try {
+        const fs::path picture = folder / (file_stem(subject.opened(), result.name) + ".png");
+        write_picture(subject, picture);
+        result.picture = picture.string();
+        result.reproduce = command_for(subject, result, folder);
+    } catch (const std::runtime_error& error) {  // the case has failed all the same
+        result.note += fmt::format("; no picture: {}", error.what());
+    }
     return result;
 }
 

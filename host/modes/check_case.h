@@ -84,6 +84,9 @@ void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, cons
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
 
+// Calls for this one case of a file again.
+std::string command_for_case(const ViewOptions& view, const std::string& name);
+
 // Runs one case on a subject that is as it was opened, and leaves its traces: the numbers, and for
 // a failure a picture in `folder` and the command that shows it again.
 CaseResult run_case(Check& check, const Case& wanted, const std::filesystem::path& folder);

@@ -254,7 +254,7 @@ CheckedFile check_file(const FileCheck& wanted,
         }
         CaseResult result{.name = running.empty() ? "start" : running};
         result.fail(last_words(child, code, wanted.hang_seconds));
-        result.reproduce = fmt::format("glint check {} --case '{}'", file.scene, result.name);
+        result.reproduce = command_for_case(wanted.view, result.name);
         file.cases.push_back(std::move(result));
         progress(file, total);
         if (running.empty()) break;

@@ -1,6 +1,7 @@
 #include "modes/export.h"
 
 #include "gl/context.h"
+#include "image/temporary_file.h"
 #include "scene/raw_text.h"
 #include "scene/reachable.h"
 
@@ -326,7 +327,7 @@ void Exporter::write(const fs::path& folder) {
     }
     const Json info = {{"id", ""}, {"name", preset_.title}, {"username", ""}, {"description", ""}};
     const Json shader = {{"Shader", {{"ver", "0.1"}, {"info", info}, {"renderpass", passes}}}};
-    fs::create_directories(folder);
+    make_folder(folder);
     for (std::size_t i = 0; i < tabs_.size(); ++i) {
         const fs::path file = folder / (tabs_[i].name + ".glsl");
         write_whole_file(file, std::as_bytes(std::span(texts[i])));

@@ -127,15 +127,16 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
 
 void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* reference,
                   Study& study) {
-    // An error depends on the reference, a time on how many frames were timed, and how far a row is
-    // from the one before on that one.
+    // An error depends on the reference, a time on the machine and on how many frames were timed,
+    // and how far a row is from the one before on that one.
     std::string before;
     std::vector<float> previous;
     Progress progress(fmt::format("{} {}", scenery.name, knob.name),
                       static_cast<long>(knob.values.size()));
     for (const KnobValue& value : knob.values) {
-        const std::string kind = fmt::format("row of {} frames{}\n{}", scenery.options.frames,
-                                             before, reference ? reference->key.text : "");
+        const std::string kind =
+            fmt::format("row of {} frames on {}{}\n{}", scenery.options.frames, machine_name(),
+                        before, reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
         if (auto kept = scenery.store.row(key)) {
             if (!value.is_between) {
@@ -253,8 +254,13 @@ void run_study(const StudyOptions& options) {
     const auto context = make_egl_context(options.view.device);
     const StudyStore store(options.output);
     std::vector<Study> studies;
+    ExitCode code = ExitCode::done;
     for (const std::filesystem::path& file : options.files) {
-        study_file(file, options, *context, store, studies);
+        try {
+            study_file(file, options, *context, store, studies);
+        } catch (const Stop& stop) {  // what is wrong with one file costs no other its report
+            if (code == ExitCode::done) code = stop.code;
+        }
     }
     std::string csv = csv_header();
     for (const Study& study : studies) csv += to_csv(study);
@@ -266,6 +272,7 @@ void run_study(const StudyOptions& options) {
     }
     if (options.csv) fmt::print("{}", csv);
     if (options.view.json) fmt::print("{}\n", to_json(studies, context->renderer()).dump(2));
+    if (code != ExitCode::done) throw Stop(code);
 }
 
 }  // namespace glint

@@ -17,10 +17,12 @@ constexpr const char* kHead = R"(<!doctype html>
 <title>Glint: error against run time</title>
 <style>
 body { font: 15px/1.5 system-ui, sans-serif; color: #222; background: #fff; margin: 2em auto; max-width: 76em; padding: 0 1em; }
-h1, h2 { font-weight: 600; } h2 { margin-top: 2.5em; border-top: 1px solid #ddd; padding-top: 1em; }
-table { border-collapse: collapse; margin: 1em 0; font-variant-numeric: tabular-nums; }
+h1, h2 { font-weight: 600; overflow-wrap: anywhere; } h2 { margin-top: 2.5em; border-top: 1px solid #ddd; padding-top: 1em; }
+.table { overflow-x: auto; margin: 1em 0; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .15em .8em; text-align: right; border-bottom: 1px solid #eee; } th { color: #666; font-weight: 500; }
-td.text, th.text { text-align: left; } tr.pareto td { background: #fff6e0; } tr.failed td { color: #a02020; }
+td, th { white-space: nowrap; } td.words { white-space: normal; min-width: 16em; }
+td.text, th.text, td.words { text-align: left; } tr.pareto td, .pareto { background: #fff6e0; } tr.failed td { color: #a02020; }
 .finding { color: #a02020; font-weight: 600; } .note, .facts { color: #666; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 1em; }
 figure { margin: 0; } figure img { width: 100%; display: block; image-rendering: auto; } figcaption { color: #444; }
@@ -71,26 +73,31 @@ std::string row_text(const Study& study, const StudyRow& row) {
                     escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median,
                     ms.min, ms.max, row.all_passes_ms);
     if (!row.failed.empty()) {
-        return text + fmt::format("<td class=text colspan=6>{}\n", escaped(row.failed));
+        return text + fmt::format("<td class=words colspan=6>{}\n", escaped(row.failed));
     }
     if (!row.error) return text + "\n";
     const Difference& e = *row.error;
-    return text + fmt::format(
-                      "<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n", three_digits(e.rmse),
-                      three_digits(e.max), std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
-                      percent(e.share_off), three_digits(e.relative_mse),
-                      row.near_reference ? "within ten times of the reference's error" : "");
+    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n",
+                              three_digits(e.rmse), three_digits(e.max),
+                              std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
+                              percent(e.share_off), three_digits(e.relative_mse),
+                              row.near_reference ? "~" : "");
 }
 
 std::string table(const Study& study) {
     std::string text = fmt::format(
-        "<table><tr><th class=text>{}<th>ms<th>min – max<th>ms, all passes", escaped(study.knob));
+        "<div class=table><table><tr><th class=text>{}<th>ms<th>min – max<th>ms, all passes",
+        escaped(study.knob));
     if (!study.time_only) {
         text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>";
     }
     text += "\n";
     for (const StudyRow& row : study.rows) text += row_text(study, row);
-    return text + "</table>\n";
+    text += "</table></div>\n";
+    if (study.time_only) return text;
+    return text +
+           "<p class=facts><span class=pareto>Shaded</span>: no other value is both faster and "
+           "nearer. ~: within ten times of the reference's own error.</p>\n";
 }
 
 std::string figure(const std::string& file, const std::string& caption) {
@@ -160,18 +167,19 @@ std::string section(const Study& study, std::size_t number) {
 
 std::string index(std::span<const Study> studies) {
     std::string text =
-        "<table><tr><th class=text>scene<th class=text>knob<th>rows<th>order<th>cost exponent"
+        "<div class=table><table><tr><th class=text>scene<th "
+        "class=text>knob<th>rows<th>order<th>cost exponent"
         "<th class=text>findings\n";
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const Study& study = studies[i];
         text += fmt::format(
             "<tr><td class=text>{}<td class=text><a href=\"#s{}\">{}</a><td>{}<td>{}<td>{}"
-            "<td class=\"text finding\">{}\n",
+            "<td class=\"words finding\">{}\n",
             escaped(study.scene), i, escaped(study.knob), study.rows.size(),
             optional_number(study.order), optional_number(study.cost_exponent),
             study.findings.empty() ? "" : escaped(study.findings.front()));
     }
-    return text + "</table>\n";
+    return text + "</table></div>\n";
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ private:
     }
     void choose_reference(const Tweak& tweak, Knob& knob) const;
     std::optional<KnobValue> second_seed(const Knob& knob) const;
+    std::vector<bool> own_quality(const Tweak& tweak, const Knob& knob) const;
     std::optional<KnobValue> more_work(const Tweak& tweak, const Knob& knob) const;
 
     const Preset& preset_;
@@ -147,7 +148,26 @@ std::optional<KnobValue> Planner::second_seed(const Knob& knob) const {
     return result;
 }
 
-// Twice the work of a number; of a method, twice the frames, or twice of all other quality tweaks.
+// By tweak: quality that the reference's method reads and no other of the menu does. What they all
+// read, such as rays through a pixel, changes the picture and not how far the method is from it.
+std::vector<bool> Planner::own_quality(const Tweak& tweak, const Knob& knob) const {
+    const TweakValue& method = knob.reference.setting.values[index(tweak)];
+    std::vector<bool> own = facts_.read_with(index(tweak), method);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const Tweak& other = preset_.scene.tweaks[i];
+        own[i] = own[i] && other.quality && is_number(other);
+    }
+    for (const KnobValue& value : knob.values) {
+        const TweakValue& other = value.setting.values[index(tweak)];
+        if (other == method) continue;
+        const std::vector<bool> read = facts_.read_with(index(tweak), other);
+        for (std::size_t i = 0; i < own.size(); ++i) own[i] = own[i] && !read[i];
+    }
+    return own;
+}
+
+// Twice the work of a number; of a method, twice the frames, or twice its own quality, or, where it
+// has none, of all other quality tweaks.
 std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob) const {
     if (is_number(tweak)) {
         TweakValue twice = knob.reference.setting.values[index(tweak)];
@@ -163,13 +183,16 @@ std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob
         result.text += ", twice the frames";
         return result;
     }
+    std::vector<bool> doubled = own_quality(tweak, knob);
+    const bool any_own = std::find(doubled.begin(), doubled.end(), true) != doubled.end();
     bool any = false;
     for (const Tweak& other : preset_.scene.tweaks) {
-        if (!other.quality || !is_number(other) || &other == &tweak) continue;
+        const bool is_wanted = any_own ? doubled[index(other)] : other.quality && is_number(other);
+        if (!is_wanted || &other == &tweak) continue;
         result.setting.values[index(other)][0] *= 2.0;
         any = true;
     }
-    result.text += ", all other quality doubled";
+    result.text += any_own ? ", its own quality doubled" : ", all other quality doubled";
     return any ? std::optional(result) : std::nullopt;
 }
 
@@ -189,7 +212,6 @@ Knob Planner::knob(const Tweak& tweak, const std::vector<TweakValue>& values) co
 
 Knob Planner::settle_knob(const std::vector<int>& values) const {
     Knob result{.name = kSettle};
-    result.is_settle = true;
     for (const int frames : values) result.values.push_back(settle(frames));
     const auto reference = said(options_.reference, kSettle, "--reference");
     const auto second = said(options_.second, kSettle, "--second");
@@ -331,13 +353,23 @@ std::vector<std::string> parse_list(const std::string& text) {
 }
 
 SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
-    SceneFacts facts{.read = std::vector<bool>(preset.scene.tweaks.size(), false),
-                     .accumulates = {}};
+    const auto read_by = [](const Preset& view, const CompiledScene& compiled) {
+        std::vector<bool> read(view.scene.tweaks.size(), false);
+        for (const PassProgram& program : compiled.programs) {
+            for (const TweakUniform& uniform : program.tweaks) read[uniform.tweak] = true;
+        }
+        return read;
+    };
     const CompiledScene fed =
         compile_or_stop(preset, {.root = root_pass, .program = {.specialise = false}});
-    for (const PassProgram& program : fed.programs) {
-        for (const TweakUniform& uniform : program.tweaks) facts.read[uniform.tweak] = true;
-    }
+    SceneFacts facts{.read = read_by(preset, fed), .read_with = {}, .accumulates = {}};
+    facts.read_with = [&preset, root_pass, read_by](std::size_t tweak, const TweakValue& value) {
+        Preset turned = preset;
+        turned.values[tweak] = value;
+        return read_by(
+            turned, compile_or_stop(turned, {.root = root_pass,
+                                             .program = {.specialise = false, .constant = tweak}}));
+    };
     const auto any_state = [](const CompiledScene& compiled) {
         const auto& passes = compiled.graph.passes;
         return std::any_of(passes.begin(), passes.end(), [](const GraphPass& pass) {

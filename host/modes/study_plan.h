@@ -33,7 +33,6 @@ struct Knob {
     std::optional<KnobValue> second{};
     // Whether a larger number is nearer to the reference.
     bool more_is_better = true;
-    bool is_settle = false;
     std::vector<std::string> notes{};  // what had to be assumed
 };
 
@@ -45,6 +44,8 @@ struct StudyPlan {
 // What the compiled scene tells.
 struct SceneFacts {
     std::vector<bool> read;  // by tweak: something reads it, with some values of the others
+    // The same while one tweak has this value.
+    std::function<std::vector<bool>(std::size_t tweak, const TweakValue&)> read_with;
     // Whether frames with time held bring something new, with these values.
     std::function<bool(const std::vector<TweakValue>&)> accumulates;
 };

@@ -1,40 +1,16 @@
 #include "modes/study_plot.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace glint {
 namespace {
-
-namespace fs = std::filesystem;
-
-// A folder that goes with its owner.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "glint-plot-XXXXXX").string();
-        if (::mkdtemp(name.data())) path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
 
 // A word in gnuplot's single quotes.
 std::string quoted(const std::string& word) {
@@ -153,11 +129,13 @@ const char* clock_words(const Study& study) {
     return "";
 }
 
-std::string script(const Study& study, const fs::path& output, const std::string& name) {
+std::string script(const Study& study) {
+    // Names of its parts, so that several diagrams can stand in one page.
+    const std::string name =
+        fmt::format("{}_{}", std::filesystem::path(study.scene).stem().string(), study.knob);
     std::string text = fmt::format(
-        "set terminal svg size 760,440 dynamic font 'sans-serif,13' name {} background '#ffffff'\n"
-        "set output {}\n",
-        quoted(name), quoted(output.string()));
+        "set terminal svg size 760,440 dynamic font 'sans-serif,13' name {} background '#ffffff'\n",
+        quoted(name));
     text += kStyle + data_block(study, "rows", false);
     if (study.time_only) {
         text += axis("x", span_of(study, false), 1.3) + axis("y", span_of(study, true), 1.3);
@@ -184,9 +162,21 @@ std::string script(const Study& study, const fs::path& output, const std::string
            "notitle\n";
 }
 
-std::string read_svg(const fs::path& file) {
-    std::ifstream in(file);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+// What gnuplot writes; "" where there is none.
+std::string drawn(const std::string& commands) {
+    std::FILE* file = std::tmpfile();
+    if (!file) return {};
+    std::fputs(commands.c_str(), file);
+    std::fflush(file);
+    const std::string call = fmt::format("gnuplot /dev/fd/{} 2>/dev/null", ::fileno(file));
+    std::string text;
+    if (std::FILE* output = ::popen(call.c_str(), "r")) {
+        std::array<char, 4096> chunk;
+        while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), output))
+            text.append(chunk.data(), count);
+        ::pclose(output);
+    }
+    std::fclose(file);
     const std::size_t begin = text.find("<svg"), end = text.rfind("</svg>");
     if (begin == std::string::npos || end == std::string::npos) return {};
     return text.substr(begin, end + 6 - begin);
@@ -197,17 +187,7 @@ std::string read_svg(const fs::path& file) {
 std::string svg_plot(const Study& study) {
     const auto shown = std::count_if(study.rows.begin(), study.rows.end(),
                                      [&](const StudyRow& r) { return can_be_shown(study, r); });
-    const ScratchFolder scratch;
-    if (shown < 2 || scratch.path().empty()) return {};
-    const fs::path file = scratch.path() / "plot.svg", commands = scratch.path() / "plot.gp";
-    // Names of its parts, so that several diagrams can stand in one page.
-    const std::string name =
-        fmt::format("{}_{}", fs::path(study.scene).stem().string(), study.knob);
-    std::ofstream(commands) << script(study, file, name);
-    const std::string command =
-        fmt::format("gnuplot '{}' >/dev/null 2>&1 </dev/null", commands.string());
-    if (std::system(command.c_str()) != 0) return {};
-    return read_svg(file);
+    return shown < 2 ? "" : drawn(script(study));
 }
 
 }  // namespace glint

@@ -1,5 +1,7 @@
 #include "modes/study_store.h"
 
+#include "image/temporary_file.h"
+#include "modes/hash.h"
 #include "scene/value.h"
 
 #include <fmt/format.h>
@@ -8,7 +10,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -19,13 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// FNV-1a (Fowler, Noll, Vo 1991). The whole key stands in the row's file, so that a clash is seen.
-std::uint64_t hash(std::string_view text) {
-    std::uint64_t value = 14695981039346656037u;
-    for (const char c : text) {
-        value = (value ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    }
-    return value;
+// The whole key stands in the row's file, so that a clash is seen.
+std::string digest(std::string_view text) {
+    Hash hash;
+    hash.add(text);
+    return hash.text();
 }
 
 Json to_json(const Timing& timing) {
@@ -87,9 +86,10 @@ std::string key_of_setting(const Preset& preset, const Setting& setting) {
 
 std::string key_of_preset(const Preset& preset, const std::string& renderer,
                           const std::string& pass, bool specialise) {
-    std::string text = fmt::format("glint {}\n{}\nscene {:016x}\nsize {}x{}\ntime {}\n{} {}\n",
-                                   GLINT_VERSION, renderer, hash(preset.scene.text), preset.size.x,
-                                   preset.size.y, format_number(preset.time), pass, specialise);
+    std::string text =
+        fmt::format("glint {}\n{}\nscene {}\nsize {}x{}\ntime {}\n{} {}\n", GLINT_VERSION, renderer,
+                    digest(preset.scene.text), preset.size.x, preset.size.y,
+                    format_number(preset.time), pass, specialise);
     text += fmt::format("date {} {} {} {}\n", preset.date.year, preset.date.month, preset.date.day,
                         format_number(preset.date.seconds));
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
@@ -108,8 +108,8 @@ std::string key_of_preset(const Preset& preset, const std::string& renderer,
 
 StudyStore::StudyStore(fs::path folder) : folder_(std::move(folder)) {
     if (folder_.empty()) return;
-    fs::create_directories(folder_ / "data");
-    fs::create_directories(folder_ / "pictures");
+    make_folder(folder_ / "data");
+    make_folder(folder_ / "pictures");
 }
 
 fs::path StudyStore::file(const char* kind, const StudyKey& key, const char* end) const {
@@ -118,7 +118,7 @@ fs::path StudyStore::file(const char* kind, const StudyKey& key, const char* end
         const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_';
         if (plain || name.empty() || name.back() != '-') name += plain ? c : '-';
     }
-    return folder_ / kind / fmt::format("{}-{:016x}{}", name.substr(0, 80), hash(key.text), end);
+    return folder_ / kind / fmt::format("{}-{}{}", name.substr(0, 80), digest(key.text), end);
 }
 
 std::optional<StudyRow> StudyStore::row(const StudyKey& key) const {

@@ -321,11 +321,12 @@ std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
     return std::nullopt;
 }
 
-std::string specialised_text(const Preset& preset) {
+std::string specialised_text(const Preset& preset, std::optional<std::size_t> only) {
     const std::string& text = preset.scene.text;
     std::string result;
     std::size_t done = 0;
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        if (only && *only != i) continue;
         const Tweak& tweak = preset.scene.tweaks[i];
         result.append(text, done, tweak.declaration_begin - done);
         result += constant(tweak, preset.values[i]);
@@ -340,7 +341,9 @@ std::string specialised_text(const Preset& preset) {
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
-    PassText result{.text = options.specialise ? specialised_text(preset) : scene.text};
+    PassText result{.text = options.specialise || options.constant
+                                ? specialised_text(preset, options.constant)
+                                : scene.text};
     const bool defined =
         !sound && make_colour_defined(result, image ? scene.image_entry : scene.passes[pass].entry);
     const bool plain_main = image && scene.image_entry == "main";

@@ -34,15 +34,16 @@ std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
                                         std::string_view name);
 
 struct ProgramOptions {
-    bool specialise = true;  // write the tweaks in as constants
-    bool average = false;    // the picture in linear light at a sub-pixel position, to be added up
-    bool parts = false;      // the picture is drawn in parts, each at an origin of its own
+    bool specialise = true;                 // write the tweaks in as constants
+    std::optional<std::size_t> constant{};  // without `specialise`: this one alone
+    bool average = false;  // the picture in linear light at a sub-pixel position, to be added up
+    bool parts = false;    // the picture is drawn in parts, each at an origin of its own
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
 };
 
-// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
-// its line ends are kept.
-std::string specialised_text(const Preset& preset);
+// The scene's text with every tweak, or one alone, as a constant, on the same lines. A declaration
+// may span lines; its line ends are kept.
+std::string specialised_text(const Preset& preset, std::optional<std::size_t> only = {});
 
 // The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {

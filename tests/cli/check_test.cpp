@@ -92,6 +92,20 @@ TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
     }
 }
 
+TEST_F(Check, AFailureWhosePictureCannotBeKeptIsTheSameFailure) {
+    write("file", "");
+    const Json report = check(
+        "planted_nan", {"--case", "tweak height=2", "--size", "64x36", "--output", "file"}, 6);
+    const Json failure = case_of(report, "tweak height=2");
+    EXPECT_EQ(failure["nan"], 64 * 36);
+    EXPECT_NE(failure["note"].get<std::string>().find("; no picture: Cannot write file"),
+              std::string::npos)
+        << failure;
+    const std::string again = failure["reproduce"];
+    EXPECT_NE(again.find("--size 64x36 --case 'tweak height=2'"), std::string::npos) << again;
+    EXPECT_EQ(report["cases"].size(), 1u);
+}
+
 TEST_F(Check, TheUniformFedFormIsSeenAtTheSameTimeThoughItAloneHasAState) {
     write("scene.frag",
           "uniform bool trail; //@ off\n"

@@ -128,6 +128,41 @@ TEST_F(Study, AMethodThatAccumulatesCountsAsTheTruthOnlyAfterItHas) {
     EXPECT_GT(json["rows"][2]["rmse"].get<double>(), 0.15) << "one frame of it";
 }
 
+// Twice the grain would change both pictures alike: it is no doubt of the reference.
+TEST_F(Study, AMethodsReferenceIsJudgedByQualityThatIsItsAlone) {
+    write("scene.frag",
+          "uniform int shadows; //@ 0 {hard, soft} quality reference=1\n"
+          "uniform int rays; //@ 16 [1, 64] quality\n"
+          "uniform int grain; //@ 1 [1, 4] quality\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float light = shadows == 1 ? 0.5 + 0.01 / float(rays) : 0.6;\n"
+          "    c = vec4(vec3(light / float(grain)), 1);\n"
+          "}\n");
+    const Outcome outcome =
+        glint({"study", "scene.frag", "--size", "8x8", "--vary", "shadows", "--json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["second_reference"], "soft, its own quality doubled");
+    EXPECT_LT(json["reference_error"]["rmse"].get<double>(), 0.001);
+    EXPECT_FALSE(json["rows"][0]["near_reference"]);
+}
+
+TEST_F(Study, AFileThatCannotBeStudiedCostsTheOthersNoReport) {
+    const Outcome outcome = glint({"study", "gone.frag", scene("quadrature").string(), "--size",
+                                   "64x36", "-o", "report", "--vary", "steps=1,2"});
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("gone.frag: error:"), std::string::npos) << outcome.err;
+    EXPECT_NE(bytes("report/index.html").find("quadrature.frag"), std::string::npos);
+    EXPECT_EQ(Json::parse(bytes("report/study.json"))["studies"].size(), 1u);
+}
+
+TEST_F(Study, AFolderThatCannotBeMadeIsNamed) {
+    write("file", "");
+    const Outcome outcome = glint({"study", scene("quadrature").string(), "-o", "file"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err, "error: Cannot write file/data: Not a directory.\n");
+}
+
 TEST_F(Study, ABadMethodIsFound) {
     const Json json = study("planted_bad_method");
     EXPECT_LT(json["order"].get<double>(), -0.5);
