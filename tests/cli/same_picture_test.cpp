@@ -46,7 +46,7 @@ double share_that_differs(const Image& a, const Image& b) {
     return static_cast<double>(different * channels) / static_cast<double>(a.pixels.size());
 }
 
-// A silhouette may flip by a rounding; design.md, section 4.
+// A silhouette may flip by a rounding.
 constexpr double kShare = 0.0005;
 
 TEST_F(SamePicture, RunsThreadsAndCachesGiveTheSameBytes) {

@@ -99,10 +99,10 @@ TEST_F(Findings, AStudyRunsToItsEndAndAClickOnAPointAppliesItsValue) {
     EXPECT_EQ(value(), 64) << "the lowest point has the least error";
     screen_->move({700, 400});
     screen_->tap("Control_L+z");
-    EXPECT_TRUE(eventually([&] { return value() == 1; }, 5.0)) << value();
+    EXPECT_TRUE(eventually([&] { return value() == 1; })) << value();
     std::this_thread::sleep_for(50ms);  // two taps in a moment are the keyboard's own repetition
     screen_->tap("Control_L+z");
-    EXPECT_TRUE(eventually([&] { return value() == 8; }, 5.0)) << value();
+    EXPECT_TRUE(eventually([&] { return value() == 8; })) << value();
     EXPECT_TRUE(fs::exists(cache() / "study" / std::to_string(glint_->id())));
     screen_->tap("Control_L+q");
     EXPECT_EQ(glint_->wait().code, 0);
