@@ -358,6 +358,11 @@ void Playground::measure_passes(bool on) {
 
 Frame Playground::next_frame(double wall_seconds) {
     const double before = instant_.time;
+    // What is recorded is replayed by exports, which drop no simulated time: a frame that is too
+    // slow holds time up then. Below the limit, for the part of a step that was left over.
+    if (recorder.recording()) {
+        wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport.rate());
+    }
     instant_ = transport.advance(wall_seconds);
     if (instant_.frame == 0) frame_offset_ = 0;
     const bool stands = instant_.frame > 0 && instant_.time == before && !instant_.jumped;

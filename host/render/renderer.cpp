@@ -250,7 +250,7 @@ void Renderer::run_steps(const Frame& frame, Step step) {
     };
     const long due = steps_elapsed(frame.time, step);
     long done = steps_done_[group.front()];
-    const double caught_up = std::min(frame.longest_catch_up / step.seconds(), 1e15);
+    const double caught_up = std::clamp(frame.longest_catch_up / step.seconds(), 1.0, 1e15);
     done = std::min(std::max(done, due - static_cast<long>(caught_up)), due);
     for (; done < due; ++done) {
         Frame inner = frame;

@@ -90,8 +90,8 @@ struct Frame {
     // step's time from these, so that a simulation does not depend on the frame rate. May begin
     // with a state, as events of long ago.
     std::span<const Event> events;
-    // How much simulated time may be caught up in one frame; the rest is dropped. Exports drop
-    // nothing.
+    // s; how much simulated time may be caught up in one frame, at least one step; the rest is
+    // dropped. Exports drop nothing.
     double longest_catch_up = std::numeric_limits<double>::infinity();
 };
 

@@ -109,6 +109,20 @@ TEST_F(Steps, ALiveFrameCatchesUpAQuarterSecondAtMost) {
     }
 }
 
+TEST_F(Steps, AStepThatIsLongerThanWhatIsCaughtUpRunsLiveAsWell) {
+    Player player(
+        "uniform sampler2D n; //@ pass mainN size=1x1 step=1/3\n"
+        "void mainN(out vec4 c, vec2 p) { c = texelFetch(n, ivec2(0), 0) + 1.0; }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(n, ivec2(0), 0); }\n");
+    for (int k = 0; k <= 120; ++k) {
+        Frame frame;
+        frame.time = k / 60.0;
+        frame.longest_catch_up = 0.25;
+        player.draw(frame);
+        EXPECT_EQ(player.colour().x, static_cast<float>(k / 20)) << k;
+    }
+}
+
 TEST_F(Steps, AnExportCatchesUpEverything) {
     Player player(kPendulum, {.pass = "state"});
     Frame frame;

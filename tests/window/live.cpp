@@ -79,7 +79,9 @@ void write(const fs::path& file, std::string_view text) {
 
 std::string read(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    std::ostringstream text;
+    text << stream.rdbuf();  // ends where a process that is read of in /proc has gone
+    return text.str();
 }
 
 std::string text_in(const fs::path& png, std::string_view key) {
