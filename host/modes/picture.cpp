@@ -8,7 +8,7 @@ CompileOptions compile_options(const PictureOptions& options, const PictureKind&
     return {.root = kind.pass,
             .program = {.specialise = options.view.specialise,
                         .average = options.samples > 1,
-                        .parts = kind.parts,
+                        .tiles = kind.tiles,
                         .clamp_to_bytes = !kind.floats}};
 }
 

@@ -18,7 +18,7 @@ struct PictureOptions {
 struct PictureKind {
     std::size_t pass = kImagePass;
     bool floats = false;  // kept as floats, or as bytes
-    bool parts = false;   // may be drawn in parts
+    bool tiles = false;   // may be drawn in tiles
 };
 
 CompileOptions compile_options(const PictureOptions& options, const PictureKind& kind);

@@ -29,7 +29,7 @@ struct Still {
     const StillOptions& options;
     const Preset& preset;
     PictureKind kind;
-    glm::ivec2 part;  // in which it is drawn; 0: whole
+    glm::ivec2 tile;  // in which it is drawn; 0: whole
     Context& context;
     Renderer& renderer;
     Split ms;
@@ -124,14 +124,14 @@ void write_whole(Still& still, const Metadata& metadata) {
 // with it; one of 8K is not.
 constexpr std::int64_t kMostAtOnce = std::int64_t{1} << 25;
 constexpr int kBandPixels = 1 << 22;
-constexpr int kPartWidth = 8192;  // within every driver's limit
+constexpr int kTileWidth = 8192;  // within every driver's limit
 
-bool may_be_in_parts(const StillOptions& options, glm::ivec2 size) {
+bool may_be_in_tiles(const StillOptions& options, glm::ivec2 size) {
     if (options.pass != "image") return false;
     return options.tile > 0 || std::int64_t{size.x} * size.y > kMostAtOnce;
 }
 
-// Buffers of the picture's size are drawn anew for each sample, and would be for each part.
+// Buffers of the picture's size are drawn anew for each sample, and would be for each tile.
 bool draws_buffers_for_samples(const StillOptions& options, const Scene& scene,
                                const PassGraph& graph) {
     return options.samples > 1 && std::ranges::any_of(graph.passes, [&](const GraphPass& pass) {
@@ -139,39 +139,39 @@ bool draws_buffers_for_samples(const StillOptions& options, const Scene& scene,
            });
 }
 
-// The parts in which the picture is drawn; 0: whole.
-glm::ivec2 part_size(const StillOptions& options, const Preset& preset, const PassGraph& graph) {
+// The tiles in which the picture is drawn; 0: whole.
+glm::ivec2 tile_size(const StillOptions& options, const Preset& preset, const PassGraph& graph) {
     const glm::ivec2 size = preset.size;
-    if (!may_be_in_parts(options, size)) return glm::ivec2(0);
+    if (!may_be_in_tiles(options, size)) return glm::ivec2(0);
     if (options.tile > 0) return glm::min(glm::ivec2(options.tile + options.tile % 2), size);
     if (draws_buffers_for_samples(options, preset.scene, graph)) return glm::ivec2(0);
     const int rows = std::max(kBandPixels / size.x / kFileTile, 1) * kFileTile;
-    return glm::min(glm::ivec2(kPartWidth, rows), size);
+    return glm::min(glm::ivec2(kTileWidth, rows), size);
 }
 
-// Lays a part into its band, which is as high.
-void place(const Image& part, int x, Image& band) {
+// Lays a tile into its band, which is as high.
+void place(const Image& tile, int x, Image& band) {
     const std::size_t pixel = band.pixels.size() / static_cast<std::size_t>(band.size.x) /
                               static_cast<std::size_t>(band.size.y);
-    const std::size_t row = pixel * static_cast<std::size_t>(part.size.x);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(part.size.y); ++y) {
+    const std::size_t row = pixel * static_cast<std::size_t>(tile.size.x);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(tile.size.y); ++y) {
         std::byte* to = band.pixels.data() + pixel * (y * static_cast<std::size_t>(band.size.x) +
                                                       static_cast<std::size_t>(x));
-        std::memcpy(to, part.pixels.data() + y * row, row);
+        std::memcpy(to, tile.pixels.data() + y * row, row);
     }
 }
 
-// The rows from `bottom` up to `top`, drawn part by part.
+// The rows from `bottom` up to `top`, drawn tile by tile.
 Image draw_band(Still& still, int bottom, int top) {
     const glm::ivec2 size = still.preset.size;
     Image band = empty_image({size.x, top - bottom}, 3, still.kind.floats);
     band.pixels.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(top - bottom) *
                        (still.kind.floats ? 12 : 3));
     Stopwatch clock;
-    for (int x = 0; x < size.x; x += still.part.x) {
-        still.renderer.set_part({x, bottom}, {std::min(still.part.x, size.x - x), top - bottom});
+    for (int x = 0; x < size.x; x += still.tile.x) {
+        still.renderer.set_tile({x, bottom}, {std::min(still.tile.x, size.x - x), top - bottom});
         if (x == 0 && top == size.y)
-            still.renderer.draw(still.frame);  // the first part draws the buffers, too
+            still.renderer.draw(still.frame);  // the first tile draws the buffers, too
         else
             still.renderer.draw_root(still.frame);
         still.context.finish();
@@ -193,7 +193,7 @@ void write_in_bands(Still& still, const Metadata& metadata) {
     Workers workers(1);
     Stopwatch clock;
     for (int top = size.y, bottom = 0; top > 0; top = bottom) {
-        bottom = std::max(top - still.part.y, 0);
+        bottom = std::max(top - still.tile.y, 0);
         Image band = draw_band(still, bottom, top);
         clock.restart();
         workers.run([&writer, band = std::move(band)] { writer.write(band); });
@@ -216,7 +216,7 @@ void write_file(Still& still) {
     Metadata metadata =
         metadata_of(still.options, still.preset, still.frame, still.context.renderer());
     metadata.emplace_back("glint:pass", still.options.pass);
-    if (still.part == glm::ivec2(0))
+    if (still.tile == glm::ivec2(0))
         write_whole(still, metadata);
     else
         write_in_bands(still, metadata);
@@ -262,7 +262,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     const Preset preset = open_preset(options.view);
     const PictureKind kind{.pass = find_pass(preset.scene, options.pass),
                            .floats = holds_floats(options.output),
-                           .parts = may_be_in_parts(options, preset.size)};
+                           .tiles = may_be_in_tiles(options, preset.size)};
     ms.load = clock.restart();
     const auto context = make_egl_context(options.view.device);
     prepare_image_library(options.output);
@@ -271,7 +271,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     CompiledScene compiled = compile_or_stop(preset, compile_options(options, kind));
     ms.compile = clock.restart();
     RenderOptions render = render_options(options, kind, preset.size);
-    render.part = part_size(options, preset, compiled.graph);
+    render.tile = tile_size(options, preset, compiled.graph);
     Renderer renderer(preset, std::move(compiled), render);
     load_inputs(preset, renderer);
     ms.load += clock.restart();
@@ -279,7 +279,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     Still still{.options = options,
                 .preset = preset,
                 .kind = kind,
-                .part = render.part,
+                .tile = render.tile,
                 .context = *context,
                 .renderer = renderer,
                 .ms = ms};

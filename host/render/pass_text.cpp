@@ -173,21 +173,21 @@ bool make_colour_defined(PassText& pass, const std::string& entry) {
     return found;
 }
 
-// gl_FragCoord counts from the corner of the part that is drawn. Where the scene's text uses it, a
+// gl_FragCoord counts from the corner of the tile that is drawn. Where the scene's text uses it, a
 // name as long stands for the place in the picture, so that no column moves.
-constexpr std::string_view kParts =
+constexpr std::string_view kTiles =
     "uniform vec2 glint_origin;\n"
     "#define glFragCoord_ (gl_FragCoord + vec4(glint_origin, 0.0, 0.0))\n";
 
 std::string image_main(const char* out, const ProgramOptions& options) {
     std::string text = fmt::format("void mainImage({} vec4 color, in vec2 coord);\n", out);
-    if (options.parts) text += kParts;
+    if (options.tiles) text += kTiles;
     text += kAssert;
     if (options.average) (text += kJitter) += kDecode;
     text +=
         "layout(location = 0) out vec4 glint_out0;\nvoid main() {\n    vec4 color = vec4(0.0);\n";
     text += fmt::format("    mainImage(color, {}.xy{});\n",
-                        options.parts ? "glFragCoord_" : "gl_FragCoord",
+                        options.tiles ? "glFragCoord_" : "gl_FragCoord",
                         options.average ? " + glint_jitter" : "");
     text += "    color = glint_asserted(color);\n";
     if (options.average) {
@@ -364,7 +364,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
             : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
                                       : buffer_main(scene.passes[pass], out, options);
     if (plain_main) adapt_plain_main(result.text, text);
-    if (image && options.parts) put_in_place_of("gl_FragCoord", "glFragCoord_", result.text);
+    if (image && options.tiles) put_in_place_of("gl_FragCoord", "glFragCoord_", result.text);
     result.prologue_lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
     for (PassText::Widened& widened : result.widened) widened.line += result.prologue_lines;
     result.text.insert(0, text);

@@ -37,7 +37,7 @@ struct ProgramOptions {
     bool specialise = true;                 // write the tweaks in as constants
     std::optional<std::size_t> constant{};  // without `specialise`: this one alone
     bool average = false;  // the picture in linear light at a sub-pixel position, to be added up
-    bool parts = false;    // the picture is drawn in parts, each at an origin of its own
+    bool tiles = false;    // the picture is drawn in tiles, each at an origin of its own
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
 };
 

@@ -28,7 +28,7 @@ enum class Builtin {
     mouse_2d,
     jitter,  // sub-pixel position, averaged pictures only
     face,    // of a cubemap pass
-    origin,  // of a part of the picture
+    origin,  // of a tile of the picture
 };
 
 // An active uniform: where it is, and which value belongs there.

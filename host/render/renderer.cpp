@@ -63,8 +63,8 @@ Renderer::~Renderer() {
 
 BufferShape Renderer::wanted_shape(std::size_t index) const {
     const std::size_t wanted = scene_.programs[index].pass;
-    const bool whole = options_.part == glm::ivec2(0);
-    BufferShape shape{.size = whole ? options_.size : options_.part + 2,  // 2: see set_part()
+    const bool whole = options_.tile == glm::ivec2(0);
+    BufferShape shape{.size = whole ? options_.size : options_.tile + 2,  // 2: see set_tile()
                       .format = options_.picture_format};
     if (fills_a_buffer(wanted)) {
         const Pass& pass = preset_.scene.passes[wanted];
@@ -134,20 +134,20 @@ void Renderer::draw_root(const Frame& frame) {
     run_pass(scene_.programs.size() - 1, {.frame = frame}, true);
 }
 
-void Renderer::set_part(glm::ivec2 origin, glm::ivec2 size) {
-    part_margin_ = origin % 2;
-    part_origin_ = origin - part_margin_;
-    part_size_ = size;
+void Renderer::set_tile(glm::ivec2 origin, glm::ivec2 size) {
+    tile_margin_ = origin % 2;
+    tile_origin_ = origin - tile_margin_;
+    tile_size_ = size;
     force_root_ = true;
 }
 
-bool Renderer::is_part(std::size_t index) const {
-    return options_.part != glm::ivec2(0) && !fills_a_buffer(scene_.programs[index].pass);
+bool Renderer::is_tile(std::size_t index) const {
+    return options_.tile != glm::ivec2(0) && !fills_a_buffer(scene_.programs[index].pass);
 }
 
 // Of the buffer, what is drawn.
 glm::ivec2 Renderer::drawn_size(std::size_t index) const {
-    return is_part(index) ? part_margin_ + part_size_ : buffers_[index]->shape().size;
+    return is_tile(index) ? tile_margin_ + tile_size_ : buffers_[index]->shape().size;
 }
 
 void Renderer::reset() {
@@ -209,7 +209,7 @@ void Renderer::resize(glm::ivec2 size) {
         const glm::ivec2 wanted = wanted_shape(i).size;
         if (wanted == buffers_[i]->shape().size) continue;
         buffers_[i]->resize(wanted);
-        drawn_[i].ever = false;  // the new part is empty, whatever the pass reads
+        drawn_[i].ever = false;  // the new tile is empty, whatever the pass reads
     }
     if (average_) average_ = std::make_unique<Average>(size);
 }
@@ -515,7 +515,7 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
     switch (uniform.builtin) {
         case Builtin::resolution:
         case Builtin::resolution_2d: {
-            const glm::ivec2 size = is_part(index) ? options_.size : buffers_[index]->shape().size;
+            const glm::ivec2 size = is_tile(index) ? options_.size : buffers_[index]->shape().size;
             f[0] = static_cast<float>(size.x), f[1] = static_cast<float>(size.y), f[2] = 1.0f;
             break;
         }
@@ -571,7 +571,7 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
             value.ints[0] = inputs.face;
             break;
         case Builtin::origin:
-            f[0] = static_cast<float>(part_origin_.x), f[1] = static_cast<float>(part_origin_.y);
+            f[0] = static_cast<float>(tile_origin_.x), f[1] = static_cast<float>(tile_origin_.y);
             break;
     }
     return value;
@@ -580,7 +580,7 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
 // The faces of a cube come side by side, in GL's order: +X -X +Y -Y +Z -Z.
 glm::ivec2 Renderer::root_size() const {
     const BufferShape& shape = buffers_[scene_.root]->shape();
-    if (is_part(scene_.root)) return part_size_;
+    if (is_tile(scene_.root)) return tile_size_;
     return shape.cube ? glm::ivec2(shape.size.x * 6, shape.size.y) : shape.size;
 }
 
@@ -588,7 +588,7 @@ void Renderer::read_picture(bool floats, void* to) const {
     const glm::ivec2 size = root_size();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, buffers_[scene_.root]->front_framebuffer());
     glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(part_margin_.x, part_margin_.y, size.x, size.y, GL_RGBA,
+    glReadPixels(tile_margin_.x, tile_margin_.y, size.x, size.y, GL_RGBA,
                  floats ? GL_FLOAT : GL_UNSIGNED_BYTE, to);
 }
 

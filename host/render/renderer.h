@@ -17,8 +17,8 @@ struct RenderOptions {
     glm::ivec2 size{1280, 720};                       // pixels
     PixelFormat picture_format = PixelFormat::rgba8;  // of the picture; buffers have their own
     int samples = 1;  // sub-pixel positions; needs ProgramOptions::average
-    // The picture is drawn in parts of at most this size; 0: whole. Needs ProgramOptions::parts.
-    glm::ivec2 part{0};
+    // The picture is drawn in tiles of at most this size; 0: whole. Needs ProgramOptions::tiles.
+    glm::ivec2 tile{0};
     // Passes that take long are drawn in strips, each waited for, so that no driver's watchdog sees
     // one long draw.
     bool in_strips = false;
@@ -61,8 +61,8 @@ public:
     // Draws the root alone, from the buffers as they stand.
     void draw_root(const Frame& frame);
 
-    // Which rectangle of the picture the root is from now on, where it is drawn in parts.
-    void set_part(glm::ivec2 origin, glm::ivec2 size);
+    // Which rectangle of the picture the root is from now on, where it is drawn in tiles.
+    void set_tile(glm::ivec2 origin, glm::ivec2 size);
 
     // Buffers to 0 and simulations to their start; everything is drawn again.
     void reset();
@@ -151,7 +151,7 @@ private:
     void draw_calls(std::size_t index, GLuint target);
     void draw_strips(std::size_t index, glm::ivec2 size);
     glm::ivec2 drawn_size(std::size_t index) const;
-    bool is_part(std::size_t index) const;
+    bool is_tile(std::size_t index) const;
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
     glm::ivec3 channel_size(std::size_t pass, int channel) const;
     float channel_time(std::size_t pass, int channel, double time) const;
@@ -175,9 +175,9 @@ private:
     VertexArray vertex_array_;
     bool force_root_ = false;
     bool root_drawn_ = false;
-    // The part that is drawn, and where in it the one that was asked for begins: quads of four
+    // The tile that is drawn, and where in it the one that was asked for begins: quads of four
     // pixels, in which derivatives are taken, stand where they stand in the whole picture.
-    glm::ivec2 part_origin_{0}, part_size_{0}, part_margin_{0};
+    glm::ivec2 tile_origin_{0}, tile_size_{0}, tile_margin_{0};
 };
 
 }  // namespace glint

@@ -268,8 +268,8 @@ TEST_F(Still, TilesGiveTheSameBytes) {
     }
 }
 
-TEST_F(Still, PartsAgreeBitForBitDerivativesTooAndAlsoWhereTheTextAsksForItsPlace) {
-    // Odd sizes, so that the parts' own corners do not stand on even pixels.
+TEST_F(Still, TilesAgreeBitForBitDerivativesTooAndAlsoWhereTheTextAsksForItsPlace) {
+    // Odd sizes, so that the tiles' own corners do not stand on even pixels.
     write("scene.frag",
           "uniform sampler2D small; //@ pass mainSmall size=4x4\n"
           "void mainSmall(out vec4 c, in vec2 p) { c = vec4(p / 4.0, 0, 1); }\n"
@@ -281,15 +281,15 @@ TEST_F(Still, PartsAgreeBitForBitDerivativesTooAndAlsoWhereTheTextAsksForItsPlac
         for (const std::string name : {"exr", "png"}) {
             still({"scene.frag", "-o", "whole." + name, "--size", "75x51", "--samples", samples});
             for (const std::string tile : {"1", "16", "31"}) {
-                still({"scene.frag", "-o", "parts." + name, "--size", "75x51", "--samples", samples,
+                still({"scene.frag", "-o", "tiles." + name, "--size", "75x51", "--samples", samples,
                        "--tile", tile});
-                EXPECT_EQ(bytes("parts." + name), bytes("whole." + name)) << tile << " " << name;
+                EXPECT_EQ(bytes("tiles." + name), bytes("whole." + name)) << tile << " " << name;
             }
         }
     }
 }
 
-TEST_F(Still, APictureWiderThanAnyTextureIsDrawnInParts) {
+TEST_F(Still, APictureWiderThanAnyTextureIsDrawnInTiles) {
     write("scene.frag", kGradient);
     // Beyond 16384 on a side, and beyond what is drawn at once.
     for (const std::string name : {"huge.png", "huge.exr", "huge.tif"}) {
@@ -322,7 +322,7 @@ TEST_F(Still, APictureWiderThanAnyTextureIsDrawnInParts) {
         << no_room.err;
 }
 
-// Buffers that are as large as the picture cannot be drawn in parts.
+// Buffers that are as large as the picture cannot be drawn in tiles.
 TEST_F(Still, ABufferForWhichThereIsNoRoomIsNamed) {
     write("scene.frag",
           "uniform sampler2D a; //@ pass mainA\n"
@@ -341,7 +341,7 @@ TEST_F(Still, ABufferForWhichThereIsNoRoomIsNamed) {
         EXPECT_NE(outcome.err.find("scale="), std::string::npos) << "tells what to do";
     }
     EXPECT_EQ(names(), std::set<std::string>{"scene.frag"});
-    // Without that buffer it goes in parts, samples or not.
+    // Without that buffer it goes in tiles, samples or not.
     still({"scene.frag", "-o", "a.png", "--size", "20000x1700", "--samples", "2", "--tweak",
            "useA=off"});
 }
