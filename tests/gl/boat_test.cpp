@@ -453,6 +453,19 @@ TEST_F(BoatScene, OnlyTheExactFloatStaysWithTheSeaWhenItIsStiff) {
     EXPECT_GT(std::abs(lost[0] - lost[1]), 0.5f) << "explicit steps leave the sea";
 }
 
+// The foam in her wake is churned up by her hull, which a fast boat draws over a cell more quickly.
+TEST_F(BoatScene, AFasterBoatLeavesNoThinnerFoam) {
+    const auto whitest = [](double top_speed) {
+        const std::string preset =
+            fmt::format("[tweaks]\ntopSpeed = {:.1f}\n", top_speed) + event(0.0, "up", true);
+        float most = 0.0f;
+        for (const glm::vec4& cell : texels(scene_text(), preset, 6.0, {8, 8}, "wake"))
+            most = std::max(most, cell.z);
+        return most;
+    };
+    EXPECT_GE(whitest(7.0), 0.9f * whitest(3.5));
+}
+
 // Full speed in circles. The scene's ceiling is 0.4 m: by default it is not what holds the wake,
 // and the wildest wake dies down once she stops.
 TEST_F(BoatScene, TheWakeStaysBounded) {
