@@ -15,7 +15,8 @@ constexpr long kBlock = 735;  // 1/60 s
 Sound tone(double hz, double amplitude, double seconds) {
     Sound sound;
     for (long i = 0; i < std::lround(seconds * kSoundRate); ++i) {
-        const double value = amplitude * std::sin(2 * std::numbers::pi * hz * i / kSoundRate);
+        const double value =
+            amplitude * std::sin(2 * std::numbers::pi * hz * static_cast<double>(i) / kSoundRate);
         const auto sample = static_cast<std::int16_t>(std::lround(value * 32767));
         sound.samples.insert(sound.samples.end(), {sample, sample});
     }
