@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -172,7 +173,10 @@ void Film::write(const Image& image) {
 }
 
 void Film::finish() {
-    if (const int code = end(); code != 0) throw failure(code);
+    const int code = end();
+    struct stat facts {};
+    const bool is_empty = ::fstat(out_.descriptor(), &facts) != 0 || facts.st_size == 0;
+    if (code != 0 || is_empty) throw failure(code);
     out_.commit();
 }
 

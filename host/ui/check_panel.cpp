@@ -28,7 +28,7 @@ const char* word_of(CaseFact::Verdict verdict) {
         case CaseFact::Verdict::fail:
             return "fail";
         case CaseFact::Verdict::report:
-            return "see";
+            return "report";
         case CaseFact::Verdict::pass:
             return "pass";
         case CaseFact::Verdict::skip:

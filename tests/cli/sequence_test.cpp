@@ -394,6 +394,19 @@ TEST_F(Sequence, AFolderThatNobodyMayWriteEndsItWithAWord) {
     EXPECT_TRUE(outcome.err.starts_with("error: Cannot write /proc/sys/kernel/")) << outcome.err;
 }
 
+TEST_F(Sequence, AnEncoderThatWritesNothingLeavesNoFilm) {
+    write("scene.frag", kMoving);
+    write("bin/ffmpeg", "#!/bin/sh\ncat >/dev/null\n");
+    fs::permissions(folder() / "bin/ffmpeg", fs::perms::owner_all);
+    Command asked = command({"sequence", "scene.frag", "-o", "film.mp4", "--frames", "0:3"});
+    asked.environment.emplace_back(
+        "PATH", (folder() / "bin").string() + ":" + std::string(std::getenv("PATH")));
+    const Outcome outcome = run(asked);
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_TRUE(outcome.err.ends_with("Cannot write film.mp4: FFmpeg gave up.\n")) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder() / "film.mp4"));
+}
+
 TEST_F(Sequence, RawFramesGoToStdoutTopRowFirst) {
     write("scene.frag", kGradient);
     Command piped =

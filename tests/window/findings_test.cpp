@@ -91,15 +91,14 @@ TEST_F(Findings, AStudyRunsToItsEndAndAClickOnAPointAppliesItsValue) {
     settle();
     const auto points = discs(kAccent);
     ASSERT_GE(points.size(), 2u) << "the frontier";
-    for (const glm::ivec2& point : {points.front(), points.back()}) {
-        const int before = value();
-        screen_->click(point);
-        EXPECT_TRUE(eventually([&] { return value() != before || before == 64; }));
-    }
-    EXPECT_EQ(value(), 64) << "the lowest point has the least error";
+    screen_->click(points.front());
+    EXPECT_TRUE(eventually([&] { return value() != 8; })) << "the value that it opened with";
+    const int fastest = value();  // 1, or where times are uneven 2
+    screen_->click(points.back());
+    EXPECT_TRUE(eventually([&] { return value() == 64; })) << "the lowest has the least error";
     screen_->move({700, 400});
     screen_->tap("Control_L+z");
-    EXPECT_TRUE(eventually([&] { return value() == 1; })) << value();
+    EXPECT_TRUE(eventually([&] { return value() == fastest; })) << value();
     std::this_thread::sleep_for(50ms);  // two taps in a moment are the keyboard's own repetition
     screen_->tap("Control_L+z");
     EXPECT_TRUE(eventually([&] { return value() == 8; })) << value();
