@@ -1086,7 +1086,7 @@ void mainWake(out vec4 colour, in vec2 pixel) {
     float churn = 2.2 * exp(-min(square(along + 2.2) / 0.15 + side / 0.07, 40.0))
         + 1.5 * exp(-min(square(along - 1.2) / 0.4 + square(abs(across) - 0.62) / 0.012, 40.0));
     float white = mix(here.z, 0.25 * sum.z, 0.012) * exp(-dt * (0.22 + 20.0 * rim));
-    // A fast boat churns no cell for long.
+    // Above 3.4 m/s power grows no more, but she is over a cell for less and less time.
     white += dt * churn * min(wakeStrength, 1.5) * power * max(abs(speed) / 3.4, 1.0);
     colour = vec4(height, clamp(rise, -8.0, 8.0), clamp(white, 0.0, 1.0), 0.0);
 }

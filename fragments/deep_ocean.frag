@@ -241,7 +241,7 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         bool over = overLarge || min(p.y, ro.y + tCell * rd.y) > top.x;
         float next = overLarge ? tLarge : tCell;
         if (over) above = vec2(t, p.y - top.x);   // or higher
-        for (int j = 0; j < (over ? 0 : 1); ++j) {   // the height is read only where it counts
+        for (int j = 0; j < (over ? 0 : 1); ++j) {   // no if, of which both sides are run
             float f = p.y - groundHeight(p.xz);
             next = min(t + f / max(top.y * level - rd.y, 1e-3), tCell);
             if (f <= 0.0) below = vec2(t, f);
