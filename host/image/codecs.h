@@ -1,6 +1,7 @@
 // How each kind of file is written and read; image.cpp chooses among these.
 #pragma once
 
+#include "base/readable_file.h"
 #include "image/image.h"
 #include "image/temporary_file.h"
 
@@ -25,9 +26,9 @@ std::unique_ptr<BandEncoder> encode_by_oiio(TemporaryFile& out, const std::files
                                             const Metadata& metadata, const FileFormat& format);
 void prepare_oiio();
 
-// All readers return a checked picture. They throw std::runtime_error.
-Image read_png(const std::filesystem::path& file);
-Image read_by_oiio(const std::filesystem::path& file, const char* format);
+// All readers return a checked picture. They throw std::runtime_error, with the name `file`.
+Image read_png(const std::filesystem::path& file, const ReadableFile& in);
+Image read_by_oiio(const std::filesystem::path& file, const ReadableFile& in, const char* format);
 
 // An image of this size with room for its pixels. Throws when a side is not 1 to kMaxSide.
 Image make_image(const std::filesystem::path& file, glm::ivec2 size, int channels,

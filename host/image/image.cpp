@@ -1,6 +1,7 @@
 // Chooses how a file is written by its name and how it is read by its first bytes.
 #include "image/image.h"
 
+#include "base/readable_file.h"
 #include "image/codecs.h"
 
 #include <fmt/format.h>
@@ -8,9 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -150,16 +149,9 @@ bool is_compression(Codec codec, std::string_view name) {
     return plain || (digits && (name.starts_with("zip") || name.starts_with("dwa")));
 }
 
-Codec codec_by_content(const fs::path& file) {
-    std::error_code error;
-    if (fs::is_directory(file, error)) {
-        throw cannot_read(file, std::generic_category().message(EISDIR));
-    }
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw cannot_read(file, std::generic_category().message(errno));
+Codec codec_by_content(const fs::path& file, const ReadableFile& in) {
     std::array<char, 16> buffer{};
-    in.read(buffer.data(), buffer.size());
-    const std::string_view head(buffer.data(), static_cast<std::size_t>(in.gcount()));
+    const std::string_view head(buffer.data(), in.read(buffer, 0));
     if (head.empty()) throw cannot_read(file, "The file is empty");
     for (const auto& [bytes, codec] : kSignatures) {
         if (head.substr(0, bytes.size()) == bytes) return codec;
@@ -169,15 +161,23 @@ Codec codec_by_content(const fs::path& file) {
 
 // libjpeg fills what a cut file lacks with grey and says nothing. A whole file has its end marker
 // after the first scan; within a scan the marker's bytes cannot occur.
-bool jpeg_has_end(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+bool jpeg_has_end(const ReadableFile& in) {
+    std::array<unsigned char, 4> head{};
+    const auto read = [&](std::size_t at) {
+        return in.read({reinterpret_cast<char*>(head.data()), head.size()}, at) == head.size();
+    };
     std::size_t place = 2;  // behind the start marker
-    while (place + 4 <= bytes.size() && byte(place) == 0xFF && byte(place + 1) != 0xDA) {
-        place += byte(place + 1) == 0xFF ? 1U : 2U + byte(place + 2) * 256U + byte(place + 3);
+    while (read(place) && head[0] == 0xFF && head[1] != 0xDA)
+        place += head[1] == 0xFF ? 1U : 2U + head[2] * 256U + head[3];
+    std::vector<char> chunk(1 << 20);
+    char last = 0;
+    for (std::size_t got; (got = in.read(chunk, place)) > 0; place += got) {
+        const std::string_view bytes(chunk.data(), got);
+        if (last == '\xff' && bytes.front() == '\xd9') return true;
+        if (bytes.find("\xff\xd9") != bytes.npos) return true;
+        last = bytes.back();
     }
-    return place < bytes.size() && bytes.find("\xff\xd9", place) != std::string::npos;
+    return false;
 }
 
 }  // namespace
@@ -283,9 +283,10 @@ void write_image(const fs::path& file, const Image& image, const Metadata& metad
 }
 
 Image read_image(const fs::path& file) {
-    const Codec codec = codec_by_content(file);
-    if (codec == Codec::jpeg && !jpeg_has_end(file)) throw cannot_read(file, "It is cut short");
-    return codec == Codec::png ? read_png(file) : read_by_oiio(file, oiio_name(codec));
+    const ReadableFile in(file);
+    const Codec codec = codec_by_content(file, in);
+    if (codec == Codec::jpeg && !jpeg_has_end(in)) throw cannot_read(file, "It is cut short");
+    return codec == Codec::png ? read_png(file, in) : read_by_oiio(file, in, oiio_name(codec));
 }
 
 void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {

@@ -157,6 +157,13 @@ private:
     int descriptor_;
 };
 
+// What the library says of the name that it was given, said of the file's own.
+std::string told_of(const fs::path& file, const ReadableFile& in, std::string cause) {
+    const std::size_t at = cause.find(in.name());
+    if (at != cause.npos) cause.replace(at, in.name().size(), file.string());
+    return cause;
+}
+
 // Many rooms, and what went wrong in one of them.
 struct Rooms {
     const fs::path& file;
@@ -198,16 +205,16 @@ std::unique_ptr<BandEncoder> encode_by_oiio(TemporaryFile& out, const fs::path& 
     return std::make_unique<OiioEncoder>(out, file, codec, shape, metadata, format);
 }
 
-Image read_by_oiio(const fs::path& file, const char* format) {
+Image read_by_oiio(const fs::path& file, const ReadableFile& in, const char* format) {
     Room room{.file = file, .image = {}, .refusal = {}};
     GlintOiioPicture picture{};
     std::array<char, 512> cause{};
-    if (module_loading().get().read(file.c_str(), format, &picture, allocate, &room, cause.data(),
-                                    cause.size())) {
+    if (module_loading().get().read(in.name().c_str(), format, &picture, allocate, &room,
+                                    cause.data(), cause.size())) {
         return std::move(room.image);
     }
     if (room.refusal) std::rethrow_exception(room.refusal);
-    throw cannot_read(file, cause[0] ? cause.data() : "The picture is damaged");
+    throw cannot_read(file, cause[0] ? told_of(file, in, cause.data()) : "The picture is damaged");
 }
 
 void write_parts(const fs::path& file, const PartsFile& content) {
@@ -233,14 +240,15 @@ void write_parts(const fs::path& file, const PartsFile& content) {
 }
 
 PartsFile read_parts(const fs::path& file) {
+    const ReadableFile in(file);
     Rooms rooms{.file = file, .content = {}, .refusal = {}};
     std::array<char, 512> cause{};
-    if (module_loading().get().read_parts(file.c_str(), keep_text, allocate_part, &rooms,
+    if (module_loading().get().read_parts(in.name().c_str(), keep_text, allocate_part, &rooms,
                                           cause.data(), cause.size())) {
         return std::move(rooms.content);
     }
     if (rooms.refusal) std::rethrow_exception(rooms.refusal);
-    throw cannot_read(file, cause[0] ? cause.data() : "It is damaged");
+    throw cannot_read(file, cause[0] ? told_of(file, in, cause.data()) : "It is damaged");
 }
 
 }  // namespace glint

@@ -6,11 +6,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <csetjmp>
-#include <cstdio>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace glint {
@@ -107,9 +106,30 @@ struct Header {
     int bits = 0;
 };
 
-bool decode_header(png_structp png, png_infop info, std::FILE* in, Header& header) {
+struct ReadFrom {
+    const ReadableFile& file;
+    std::size_t at;
+};
+
+// No exception may cross libpng, which jumps.
+bool read_next(ReadFrom& from, std::span<char> to) {
+    try {
+        const std::size_t got = from.file.read(to, from.at);
+        from.at += got;
+        return got == to.size();
+    } catch (const Unreadable&) {
+        return false;
+    }
+}
+
+void read_from_file(png_structp png, png_bytep data, png_size_t size) {
+    auto& from = *static_cast<ReadFrom*>(png_get_io_ptr(png));
+    if (!read_next(from, {reinterpret_cast<char*>(data), size})) png_error(png, "Read Error");
+}
+
+bool decode_header(png_structp png, png_infop info, ReadFrom& from, Header& header) {
     if (setjmp(png_jmpbuf(png))) return false;
-    png_init_io(png, in);
+    png_set_read_fn(png, &from, read_from_file);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // make_image() has ours
     png_read_info(png, info);
     png_set_expand(png);  // palettes, 1 to 4 bits, and a transparent colour
@@ -192,15 +212,12 @@ std::unique_ptr<BandEncoder> encode_png(TemporaryFile& out, const std::filesyste
     return std::make_unique<PngEncoder>(out, file, shape, metadata);
 }
 
-Image read_png(const std::filesystem::path& file) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
-                                                             std::fclose);
-    if (!in) throw cannot_read(file, std::generic_category().message(errno));
-
+Image read_png(const std::filesystem::path& file, const ReadableFile& in) {
+    ReadFrom from{.file = in, .at = 0};
     Reader reader;
     if (!reader.info) throw std::bad_alloc();
     Header header;
-    if (!decode_header(reader.png, reader.info, in.get(), header)) {
+    if (!decode_header(reader.png, reader.info, from, header)) {
         throw cannot_read(file, reader.failure.message);
     }
     const auto type = header.bits == 16 ? ChannelType::f32 : ChannelType::u8;

@@ -1,9 +1,10 @@
 #include "modes/crash_mark.h"
 
+#include "scene/raw_text.h"
+
 #include <unistd.h>
 
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -26,9 +27,8 @@ bool CrashMark::take(const fs::path& scene) {
     for (const auto& entry : fs::directory_iterator(folder_, error)) {
         // A process that still runs has not crashed.
         if (fs::exists(fs::path("/proc") / entry.path().filename(), error)) continue;
-        std::ifstream stream(entry.path(), std::ios::binary);
-        const std::string kept{std::istreambuf_iterator<char>(stream), {}};
-        found |= kept == wanted;
+        std::string why_not;
+        found |= read_bytes(entry.path(), why_not) == wanted;
         fs::remove(entry.path(), error);
     }
     return found;

@@ -13,9 +13,13 @@ namespace glint {
 class Hash {
 public:
     void add(std::string_view text) {
+        add_part(text);
+        value_ = (value_ ^ 0xffu) * 1099511628211u;  // "ab", "c" is not "a", "bc"
+    }
+    // The front of what the next add() ends.
+    void add_part(std::string_view text) {
         for (const char c : text)
             value_ = (value_ ^ static_cast<unsigned char>(c)) * 1099511628211u;
-        value_ = (value_ ^ 0xffu) * 1099511628211u;  // "ab", "c" is not "a", "bc"
     }
     std::string text() const { return fmt::format("{:016x}", value_); }
 

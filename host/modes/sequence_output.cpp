@@ -1,10 +1,11 @@
 #include "modes/sequence_output.h"
 
+#include "base/readable_file.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 #include <thread>
 
@@ -25,16 +26,14 @@ std::string Making::of(int frame) const {
 
 // Pictures tell of their making before their pixels.
 bool is_made_from(const std::filesystem::path& file, const std::string& making) {
-    std::ifstream in(file, std::ios::binary);
-    std::string head(64 * 1024, '\0');
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(in.gcount()));
-    if (head.find(making) == std::string::npos) return false;
     try {
+        std::string head(64 * 1024, '\0');
+        head.resize(ReadableFile(file).read(head, 0));
+        if (head.find(making) == std::string::npos) return false;
         read_image(file);
         return true;
     } catch (const std::runtime_error&) {
-        return false;  // cut short by somebody else
+        return false;  // not there, no picture, or cut short by somebody else
     }
 }
 

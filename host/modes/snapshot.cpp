@@ -1,5 +1,6 @@
 #include "modes/snapshot.h"
 
+#include "base/readable_file.h"
 #include "image/parts.h"
 #include "modes/hash.h"
 #include "modes/numbered_name.h"
@@ -10,13 +11,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <span>
-#include <system_error>
 
 namespace glint {
 namespace {
@@ -38,9 +35,16 @@ std::string name_of(PixelFormat format) {
         std::ranges::find(kFormats, format, &decltype(kFormats)::value_type::first)->second);
 }
 
-std::string content_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+// Of a file of any size, a piece at a time. What cannot be read is told where it is needed.
+void add_content(Hash& hash, const fs::path& file) try {
+    const ReadableFile in(file);
+    std::vector<char> piece(1 << 20);
+    std::size_t at = 0;
+    for (std::size_t got; (got = in.read(piece, at)) > 0; at += got)
+        hash.add_part({piece.data(), got});
+    hash.add({});
+} catch (const Unreadable&) {
+    hash.add({});
 }
 
 Json to_json(const Snapshot& snapshot) {
@@ -203,7 +207,7 @@ std::string image_digest(const Preset& preset) {
     Hash hash;
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);
-        for (const std::filesystem::path& file : sampler.files) hash.add(content_of(file));
+        for (const std::filesystem::path& file : sampler.files) add_content(hash, file);
     }
     return hash.text();
 }
@@ -256,11 +260,11 @@ void write_snapshot(const fs::path& file, const Snapshot& snapshot) {
 }
 
 Snapshot read_snapshot(const fs::path& file) {
-    std::error_code error;
-    const std::ifstream in(file, std::ios::binary);
-    if (!in || fs::is_directory(file, error)) {
-        const std::string cause = std::generic_category().message(error || in ? EISDIR : errno);
-        throw StateRefused(ExitCode::missing_file, fmt::format("Cannot read it: {}.", cause));
+    try {
+        require_readable(file);
+    } catch (const Unreadable& unreadable) {
+        throw StateRefused(ExitCode::missing_file,
+                           fmt::format("Cannot read it: {}.", unreadable.cause));
     }
     try {
         PartsFile content = read_parts(file);

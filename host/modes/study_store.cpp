@@ -2,6 +2,7 @@
 
 #include "image/temporary_file.h"
 #include "modes/hash.h"
+#include "scene/raw_text.h"
 #include "scene/value.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 
 namespace glint {
@@ -123,8 +123,9 @@ fs::path StudyStore::file(const char* kind, const StudyKey& key, const char* end
 
 std::optional<StudyRow> StudyStore::row(const StudyKey& key) const {
     if (folder_.empty()) return std::nullopt;
-    std::ifstream in(file("data", key, ".json"));
-    const Json json = in ? Json::parse(in, nullptr, false) : Json();
+    std::string why_not;
+    const auto text = read_bytes(file("data", key, ".json"), why_not);
+    const Json json = text ? Json::parse(*text, nullptr, false) : Json();
     if (!json.is_object() || json.value("key", "") != key.text) return std::nullopt;
     StudyRow row{.value = json.at("value")};
     if (!json.at("work").is_null()) row.work = json.at("work");

@@ -1,5 +1,7 @@
 #include "modes/watcher.h"
 
+#include "base/readable_file.h"
+
 #include <climits>
 #include <fcntl.h>
 #include <linux/magic.h>
@@ -13,9 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <fstream>
 #include <iterator>
-#include <string_view>
 #include <system_error>
 
 namespace glint {
@@ -97,12 +97,13 @@ std::vector<std::string> names_from_the_end(const std::string& path) {
     return names;
 }
 
-std::uint64_t hash_of(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::string text(kLargestCompared, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    return std::hash<std::string_view>{}(
-        std::string_view(text).substr(0, static_cast<std::size_t>(stream.gcount())));
+std::uint64_t hash_of(const std::filesystem::path& path) try {
+    const ReadableFile file(path);
+    std::string text(std::min(file.size(), kLargestCompared), '\0');
+    text.resize(file.read(text, 0));
+    return std::hash<std::string>{}(text);
+} catch (const Unreadable&) {
+    return 0;
 }
 
 int required(int descriptor, const char* what) {

@@ -1,11 +1,9 @@
 // Odd bytes, odd line ends, and comments.
 #include "scene/raw_text.h"
 
+#include "base/readable_file.h"
+
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <fstream>
-#include <system_error>
 
 namespace glint {
 
@@ -42,24 +40,12 @@ std::size_t line_comment_end(std::string_view text, std::size_t begin) {
 }  // namespace
 
 std::optional<std::string> read_bytes(const fs::path& file, std::string& why_not) {
-    std::error_code error;
-    if (fs::is_directory(file, error)) {
-        why_not = "it is a folder";
+    try {
+        return read_whole_file(file, kLargestFile);
+    } catch (const Unreadable& unreadable) {
+        why_not = unreadable.cause;
         return std::nullopt;
     }
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes;
-    std::array<char, 1 << 16> chunk;
-    while (stream && bytes.size() <= kLargestFile) {
-        stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-        bytes.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
-    }
-    if (stream.eof()) return bytes;
-    why_not = bytes.size() > kLargestFile ? "it is larger than 64 MiB"
-              : errno != 0                ? std::generic_category().message(errno)
-                                          : "reading failed";
-    return std::nullopt;
 }
 
 CleanText clean_text(std::string_view raw) {

@@ -1,16 +1,13 @@
 #include "sound/sound.h"
 
+#include "base/readable_file.h"
 #include "image/module.h"
 #include "image/temporary_file.h"
 #include "sound/sound_module.h"
 #include "sound/spectrum.h"
 
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace glint {
@@ -51,12 +48,10 @@ int take(void* user, const std::int16_t* pairs, std::size_t count) {
 }  // namespace
 
 Sound read_sound(const fs::path& file) {
-    if (::access(file.c_str(), R_OK) != 0)
-        throw cannot_read(file, std::generic_category().message(errno));
-    if (fs::is_directory(file)) throw cannot_read(file, std::generic_category().message(EISDIR));
+    const ReadableFile in(file);
     Sound sound;
     std::array<char, 512> cause{};
-    if (!module().read(file.c_str(), take, &sound, cause.data(), cause.size()))
+    if (!module().read(in.descriptor(), take, &sound, cause.data(), cause.size()))
         throw cannot_read(file, cause.data());
     if (sound.samples.empty()) throw cannot_read(file, "It holds no sound");
     return sound;

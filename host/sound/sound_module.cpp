@@ -138,10 +138,11 @@ sf_count_t place_of(void* user) {
 
 }  // namespace
 
-int glint_sound_read(const char* name, int (*take)(void*, const int16_t*, size_t), void* user,
+int glint_sound_read(int descriptor, int (*take)(void*, const int16_t*, size_t), void* user,
                      char* cause, size_t cause_size) {
     SF_INFO info{};
-    const std::unique_ptr<SNDFILE, CloseFile> file(sf_open(name, SFM_READ, &info));
+    const std::unique_ptr<SNDFILE, CloseFile> file(
+        sf_open_fd(descriptor, SFM_READ, &info, SF_FALSE));
     if (!file) return give_up(sf_strerror(nullptr), cause, cause_size);
     if (static_cast<double>(info.frames) > kLongest * info.samplerate)
         return give_up("It is longer than an hour", cause, cause_size);

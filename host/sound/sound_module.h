@@ -8,8 +8,9 @@
 
 extern "C" {
 
-// Hands pairs of left and right at 44.1 kHz to `take`, block by block; it returns 0 to give up.
-typedef int GlintSoundRead(const char* file,
+// Hands pairs of left and right at 44.1 kHz of an open file to `take`, block by block; it returns 0
+// to give up.
+typedef int GlintSoundRead(int descriptor,
                            int (*take)(void* user, const int16_t* pairs, size_t count), void* user,
                            char* cause, size_t cause_size);
 

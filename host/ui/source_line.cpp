@@ -1,7 +1,9 @@
 #include "ui/source_line.h"
 
+#include "scene/raw_text.h"
+
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <vector>
 
 namespace glint {
@@ -46,10 +48,12 @@ SourceLine shown_line(std::string_view line, int column, int width) {
 
 std::string read_source_line(const Place& place) {
     if (place.line <= 0) return {};
-    std::ifstream file(place.file, std::ios::binary);
+    std::string why_not;
+    const auto text = read_bytes(place.file, why_not);
+    std::istringstream lines(text.value_or(""));
     std::string line;
     for (int i = 0; i < place.line; ++i)
-        if (!std::getline(file, line)) return {};
+        if (!std::getline(lines, line)) return {};
     if (!line.empty() && line.back() == '\r') line.pop_back();
     return line;
 }

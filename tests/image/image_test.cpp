@@ -497,7 +497,7 @@ TEST_F(ImageFile, WhatIsNoPictureIsToldByName) {
         const char* cause;
     } cases[] = {{"empty.png", "is empty"},
                  {"text.png", "not a png, jpg, exr, hdr or tif"},
-                 {"folder.png", "Is a directory"},
+                 {"folder.png", "it is a folder"},
                  {"missing.png", "No such file"}};
     for (const auto& [name, cause] : cases) {
         const auto text = complaint([&] { read_image(in(name)); });
