@@ -239,6 +239,8 @@ int run(int argc, char** argv) {
     CLI::App& import_verb = *app.add_subcommand("import", "a shader of Shadertoy to a scene file");
     import_verb.add_option("input", import.input, "a .json file, or a folder of tabs")->required();
     import_verb.add_option("-o,--output", import.output, "a .frag file")->required();
+    import_verb.add_flag("--anywhere", import.anywhere,
+                         "let it name files outside its folder, such as ../wood.png");
     ExportOptions export_options;
     CLI::App& export_verb = *app.add_subcommand("export", "a scene to the tabs of a Shadertoy");
     add_view(export_verb, export_options.view, false);

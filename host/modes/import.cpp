@@ -1,6 +1,7 @@
 #include "modes/import.h"
 
 #include "image/temporary_file.h"
+#include "scene/preset.h"
 #include "scene/shadertoy.h"
 
 #include <fmt/format.h>
@@ -10,10 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Shadertoy> read(const fs::path& input, Diagnostics& diagnostics) {
+bool is_folder(const fs::path& input) {
     std::error_code error;
-    if (!fs::is_directory(input, error)) return read_shadertoys(input, diagnostics);
-    auto shader = read_shadertoy_folder(input, diagnostics);
+    return fs::is_directory(input, error);
+}
+
+std::vector<Shadertoy> read(const ImportOptions& options, Diagnostics& diagnostics) {
+    if (!is_folder(options.input)) return read_shadertoys(options.input, diagnostics);
+    auto shader = read_shadertoy_folder(options.input, diagnostics, options.anywhere);
     return shader ? std::vector{std::move(*shader)} : std::vector<Shadertoy>();
 }
 
@@ -24,6 +29,39 @@ fs::path numbered(const fs::path& output, std::size_t index) {
            fmt::format("{}-{}{}", output.stem().string(), index + 1, output.extension().string());
 }
 
+// The code may name files too, in words that only Glint knows: what a scene reads in the end
+// counts.
+std::vector<fs::path> files_outside(const fs::path& scene, const fs::path& folder) {
+    const ReadPreset read = read_preset(scene);
+    std::vector<fs::path> files = read.files;
+    for (std::size_t i = 0; read.preset && i < sampler_count(*read.preset); ++i) {
+        const Sampler& sampler = sampler_at(*read.preset, i);
+        files.insert(files.end(), sampler.files.begin(), sampler.files.end());
+    }
+    std::erase_if(files, [&](const fs::path& f) { return f == scene || is_within(f, folder); });
+    return files;
+}
+
+// Takes back what has been written where it names anything outside the folder.
+void confine(std::vector<fs::path>& scenes, const ImportOptions& options,
+             Diagnostics& diagnostics) {
+    const fs::path folder = is_folder(options.input) ? options.input : options.input.parent_path();
+    std::vector<fs::path> outside;
+    for (const fs::path& scene : scenes) {
+        const std::vector<fs::path> files = files_outside(scene, folder);
+        outside.insert(outside.end(), files.begin(), files.end());
+    }
+    if (outside.empty()) return;
+    diagnostics.push_back(
+        {Severity::error,
+         {options.input.string()},
+         fmt::format("its code names {}, which is outside its folder; --anywhere imports it",
+                     in_quotes(outside.front().string()))});
+    std::error_code error;
+    for (const fs::path& scene : scenes) fs::remove(scene, error);
+    scenes.clear();
+}
+
 }  // namespace
 
 std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostics& diagnostics) {
@@ -31,13 +69,13 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostic
         throw UsageError(fmt::format("A scene file ends with .frag; name one behind -o, such as {}",
                                      fs::path(options.output).replace_extension(".frag").string()));
     }
-    const std::vector<Shadertoy> shaders = read(options.input, diagnostics);
+    const std::vector<Shadertoy> shaders = read(options, diagnostics);
     std::vector<fs::path> names;
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < shaders.size(); ++i) {
         names.push_back(numbered(options.output, i));
-        texts.push_back(
-            scene_text(shaders[i], options.input, options.output.parent_path(), diagnostics));
+        texts.push_back(scene_text(shaders[i], options.input, options.output.parent_path(),
+                                   diagnostics, options.anywhere));
     }
     if (has_errors(diagnostics)) return {};
     std::error_code error;
@@ -49,6 +87,7 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostic
     }
     for (std::size_t i = 0; i < names.size(); ++i)
         write_whole_file(names[i], std::as_bytes(std::span(texts[i])));
+    if (!options.anywhere) confine(names, options, diagnostics);
     return names;
 }
 

@@ -8,6 +8,7 @@ namespace glint {
 struct ImportOptions {
     std::filesystem::path input;   // a .json file of the site, or a folder of tabs
     std::filesystem::path output;  // a .frag file; of several shaders, the first one's
+    bool anywhere = false;         // the shader may name files outside its folder
 };
 
 // Writes a scene file for every shader of the input (out.frag, out-2.frag, …) and returns their

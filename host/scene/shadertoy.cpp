@@ -264,7 +264,18 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
     return shaders;
 }
 
-std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnostics& diagnostics) {
+bool is_within(const fs::path& file, const fs::path& folder) {
+    std::error_code error;
+    const auto place_of = [&](const fs::path& path) {
+        return fs::weakly_canonical(fs::absolute(path.empty() ? "." : path, error), error);
+    };
+    const fs::path inner = place_of(file), outer = place_of(folder);
+    const fs::path way = inner.lexically_relative(outer);
+    return !inner.empty() && !outer.empty() && !way.empty() && *way.begin() != "..";
+}
+
+std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnostics& diagnostics,
+                                               bool anywhere) {
     Shadertoy shader;
     shader.title = fs::absolute(folder / "").parent_path().filename().string();
     std::error_code error;
@@ -278,6 +289,13 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
             continue;
         const std::string name = tab_of_name(file.stem().string());
         if (name.empty()) continue;
+        if (!anywhere && !is_within(file, folder)) {
+            diagnostics.push_back({Severity::warning,
+                                   {file.string()},
+                                   "it leads out of this folder and is left out; --anywhere takes "
+                                   "it"});
+            continue;
+        }
         const auto same = std::find_if(shader.tabs.begin(), shader.tabs.end(),
                                        [&](const ShadertoyTab& tab) { return tab.name == name; });
         if (same == shader.tabs.end())

@@ -35,15 +35,20 @@ struct Shadertoy {
 // Every shader of a file. What is wrong goes to diagnostics; with errors there, the list is empty.
 std::vector<Shadertoy> read_shadertoys(const std::filesystem::path& json, Diagnostics& diagnostics);
 
+// Whether a file stands below a folder, and no link on the way leads out of it. Neither need exist.
+bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 // One shader from `common.glsl bufferA.glsl … image.glsl`, in any spelling of these names. A folder
-// does not say what a tab reads: iChannel0 to 3 become the buffers A to D that are there.
+// does not say what a tab reads: iChannel0 to 3 become the buffers A to D that are there. Links
+// that lead out of the folder are left out with a warning each, unless they may lead `anywhere`.
 std::optional<Shadertoy> read_shadertoy_folder(const std::filesystem::path& folder,
-                                               Diagnostics& diagnostics);
+                                               Diagnostics& diagnostics, bool anywhere = false);
 
 // The text of a scene file that draws the same. Media that the site does not ship are replaced by
-// noise of the same size, with a warning each; a file of that name beside `from` is used instead.
-// `folder` is where the scene will stand.
+// noise of the same size, with a warning each; a file of that name beside `from`, or elsewhere in
+// its folder (`anywhere`: or outside it) is used instead. `folder` is where the scene will stand.
 std::string scene_text(const Shadertoy& shader, const std::filesystem::path& from,
-                       const std::filesystem::path& folder, Diagnostics& diagnostics);
+                       const std::filesystem::path& folder, Diagnostics& diagnostics,
+                       bool anywhere = false);
 
 }  // namespace glint

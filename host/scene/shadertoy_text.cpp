@@ -86,8 +86,12 @@ std::string comment_line(std::string text) {
 class Writer {
 public:
     Writer(const Shadertoy& shader, const fs::path& from, const fs::path& folder,
-           Diagnostics& diagnostics)
-        : shader_(shader), from_(from), folder_(folder), diagnostics_(diagnostics) {}
+           Diagnostics& diagnostics, bool anywhere)
+        : shader_(shader),
+          from_(from),
+          folder_(folder),
+          diagnostics_(diagnostics),
+          anywhere_(anywhere) {}
 
     std::string text();
 
@@ -98,7 +102,8 @@ private:
     void write_input(const ShadertoyTab& tab, const ShadertoyInput& input);
     void write_tab(const ShadertoyTab& tab);
     std::string source_of(const ShadertoyTab& tab, const ShadertoyInput& input);
-    std::string file_beside(const ShadertoyInput& input) const;
+    std::string file_beside(const ShadertoyInput& input);
+    bool may_read(const fs::path& file);
     std::string options_of(const ShadertoyInput& input) const;
     bool is_alone(const ShadertoyTab& tab) const;
     void warn(const std::string& text) {
@@ -109,6 +114,8 @@ private:
     const fs::path& from_;
     const fs::path& folder_;
     Diagnostics& diagnostics_;
+    bool anywhere_;
+    bool leaves_ = false;  // a file of the input that was looked for last is there, but outside
     std::string text_;
 };
 
@@ -193,14 +200,25 @@ std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& inp
                              : input.file.empty()  ? input.kind
                                                    : input.file;
     const std::string instead = stand_in(input);
-    warn(fmt::format("{}, iChannel{}: {} is not in this file; {} stands in its place", tab.name,
-                     input.channel, in_quotes(what), instead));
+    warn(fmt::format("{}, iChannel{}: {} is {}; {} stands in its place{}", tab.name, input.channel,
+                     in_quotes(what), leaves_ ? "outside this file's folder" : "not in this file",
+                     instead, leaves_ ? ", and --anywhere takes it" : ""));
     return instead;
+}
+
+// A stranger's file names only what came with it.
+bool Writer::may_read(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return false;
+    const bool may = anywhere_ || is_within(file, from_.parent_path());
+    leaves_ |= !may;
+    return may;
 }
 
 // What reads this input from the files of its name beside the JSON, or under the site's own folders
 // there; empty when there are none.
-std::string Writer::file_beside(const ShadertoyInput& input) const {
+std::string Writer::file_beside(const ShadertoyInput& input) {
+    leaves_ = false;
     const char* source = input.kind == "texture"           ? "image"
                          : input.kind == "cubemap"         ? "cube"
                          : input.kind == "volume"          ? "volume"
@@ -214,7 +232,7 @@ std::string Writer::file_beside(const ShadertoyInput& input) const {
     };
     for (const fs::path& local :
          {from_.parent_path() / file, from_.parent_path() / file.filename()}) {
-        if (!fs::is_regular_file(local, error)) continue;
+        if (!may_read(local)) continue;
         std::string text = source + quoted(local);
         // The site's cubes are six files: NAME.png, and NAME_1.png to NAME_5.png.
         std::string others;
@@ -222,7 +240,7 @@ std::string Writer::file_beside(const ShadertoyInput& input) const {
             const fs::path other =
                 local.parent_path() /
                 fmt::format("{}_{}{}", local.stem().string(), face, local.extension().string());
-            if (!fs::is_regular_file(other, error)) break;
+            if (!may_read(other)) break;
             others += quoted(other);
             if (face == 5) text += others;
         }
@@ -266,8 +284,8 @@ void Writer::write_tab(const ShadertoyTab& tab) {
 }  // namespace
 
 std::string scene_text(const Shadertoy& shader, const fs::path& from, const fs::path& folder,
-                       Diagnostics& diagnostics) {
-    return Writer(shader, from, folder, diagnostics).text();
+                       Diagnostics& diagnostics, bool anywhere) {
+    return Writer(shader, from, folder, diagnostics, anywhere).text();
 }
 
 }  // namespace glint

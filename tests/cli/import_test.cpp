@@ -310,5 +310,95 @@ TEST_F(Import, AFileOfAHundredMegabytesIsRefused) {
         << outcome.err;
 }
 
+// A picture of one colour outside the folder `in`, and a shader within that names it.
+class ImportOfAStranger : public Import {
+protected:
+    ImportOfAStranger() {
+        const Image red{.size = {1, 1},
+                        .channels = 3,
+                        .type = ChannelType::u8,
+                        .pixels = {std::byte{255}, std::byte{0}, std::byte{0}}};
+        write("secret.glsl", "float secret() { return 1.0; }\n");
+        fs::create_directory(folder() / "in");
+        write_image(folder() / "outside.png", red);
+        write_image(folder() / "in/inside.png", red);
+        fs::create_symlink("../outside.png", folder() / "in/link.png");
+        fs::create_symlink("inside.png", folder() / "in/inner_link.png");
+        fs::create_symlink("..", folder() / "in/folder");
+    }
+
+    Outcome import_one(const std::string& file, const std::string& code,
+                       std::vector<std::string> options = {}) const {
+        Json inputs = Json::array({input(0, 30, "texture", "mipmap")});
+        inputs[0]["src"] = file;
+        const Json image = pass("image", "Image", 37, code, inputs);
+        write("in/one.json", Json{{"renderpass", Json::array({image})}}.dump());
+        fs::remove(folder() / "in/one.frag");
+        options.insert(options.begin(), {"import", "in/one.json", "-o", "in/one.frag"});
+        return glint(std::move(options));
+    }
+};
+
+constexpr const char* kShowsIt =
+    "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n";
+
+TEST_F(ImportOfAStranger, WhatItNamesStaysWithinItsFolderUnlessAPersonSaysOtherwise) {
+    for (const std::string name : {"../outside.png", "link.png", "folder/outside.png",
+                                   "/../outside.png", "folder/in/../outside.png"}) {
+        SCOPED_TRACE(name);
+        const Outcome refused = import_one(name, kShowsIt);
+        EXPECT_EQ(refused.code, 0) << refused.err;
+        EXPECT_NE(refused.err.find("in/one.json: warning: image, iChannel0: '" + name +
+                                   "' is outside this file's folder; noise rgba 512 stands in its "
+                                   "place, and --anywhere takes it\n"),
+                  std::string::npos)
+            << refused.err;
+        EXPECT_NE(bytes("in/one.frag").find("//@ noise rgba 512\n"), std::string::npos);
+
+        const Outcome taken = import_one(name, kShowsIt, {"--anywhere"});
+        EXPECT_EQ(taken.code, 0) << taken.err;
+        EXPECT_EQ(taken.err, "");
+        EXPECT_EQ(draw("in/one.frag", 0), (std::array{255, 0, 0}));
+    }
+    for (const std::string name : {"inside.png", "inner_link.png", "/media/a/inside.png",
+                                   "../inside.png", "folder/in/inside.png"}) {
+        const Outcome taken = import_one(name, kShowsIt);
+        EXPECT_EQ(taken.err, "") << name;
+        EXPECT_EQ(draw("in/one.frag", 0), (std::array{255, 0, 0})) << name;
+    }
+}
+
+TEST_F(ImportOfAStranger, ItsCodeNamesNothingElseEither) {
+    const std::string codes[] = {
+        "#include \"../secret.glsl\"\n" + std::string(kGradient),
+        "uniform sampler2D s; //@ image ../outside.png\n" + std::string(kGradient),
+        "uniform sampler2D s; //@ im\\\nage link.png\n" + std::string(kGradient),
+        "#iChannel1 \"file://../outside.png\"\n" + std::string(kGradient)};
+    for (const std::string& code : codes) {
+        SCOPED_TRACE(code);
+        const Outcome refused = import_one("", code);
+        EXPECT_EQ(refused.code, 4) << refused.err;
+        EXPECT_NE(refused.err.find("in/one.json: error: its code names '"), std::string::npos)
+            << refused.err;
+        EXPECT_NE(refused.err.find("; --anywhere imports it"), std::string::npos) << refused.err;
+        EXPECT_FALSE(fs::exists(folder() / "in/one.frag"));
+        EXPECT_EQ(import_one("", code, {"--anywhere"}).code, 0);
+        EXPECT_TRUE(fs::exists(folder() / "in/one.frag"));
+    }
+}
+
+TEST_F(ImportOfAStranger, ATabThatLeadsOutOfItsFolderIsLeftOut) {
+    write("in/tabs/image.glsl", kGradient);
+    fs::create_symlink("../../secret.glsl", folder() / "in/tabs/Common.GLSL");
+    const Outcome made = glint({"import", "in/tabs", "-o", "tabs.frag"});
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.err,
+              "in/tabs/Common.GLSL: warning: it leads out of this folder and is left out; "
+              "--anywhere takes it\n");
+    EXPECT_EQ(bytes("tabs.frag").find("secret"), std::string::npos);
+    EXPECT_EQ(glint({"import", "in/tabs", "-o", "all.frag", "--anywhere"}).err, "");
+    EXPECT_NE(bytes("all.frag").find("secret"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace glint::cli
