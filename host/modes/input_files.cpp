@@ -1,15 +1,23 @@
 #include "modes/input_files.h"
 
+#include "base/readable_file.h"
 #include "image/cube.h"
 #include "image/image.h"
+#include "image/temporary_file.h"
 #include "image/volume.h"
 #include "modes/common.h"
+#include "render/memory.h"
 #include "sound/analyser.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <new>
 
 namespace glint {
 namespace {
+
+namespace fs = std::filesystem;
 
 // The first row of the file becomes the bottom of the picture.
 void turn_over(Image& image) {
@@ -22,39 +30,49 @@ void turn_over(Image& image) {
     }
 }
 
-void load_image(const Sampler& sampler, Renderer& renderer, std::size_t index) {
+InputContent read_picture_input(const Sampler& sampler) {
     Image image = read_image(sampler.files.front());
     if (!sampler.vflip) turn_over(image);
-    renderer.set_image(index, {.size = image.size,
-                               .channels = image.channels,
-                               .floats = image.type == ChannelType::f32,
-                               .data = image.pixels});
+    return {.size = image.size,
+            .channels = image.channels,
+            .floats = image.type == ChannelType::f32,
+            .bytes = std::move(image.pixels),
+            .sound = nullptr};
 }
 
-void load_cube(const Sampler& sampler, Renderer& renderer, std::size_t index) {
+InputContent read_cube_input(const Sampler& sampler) {
     std::vector<Image> pictures;
-    for (const std::filesystem::path& file : sampler.files) pictures.push_back(read_image(file));
+    for (const fs::path& file : sampler.files) pictures.push_back(read_image(file));
     Cube cube = make_cube(pictures);
     if (sampler.vflip) turn_over(cube);
-    renderer.set_image(index, {.size = glm::ivec2(cube.side),
-                               .slices = static_cast<int>(kCubeFaces),
-                               .channels = cube.channels,
-                               .floats = cube.type == ChannelType::f32,
-                               .data = cube.pixels});
+    return {.size = glm::ivec2(cube.side),
+            .slices = static_cast<int>(kCubeFaces),
+            .channels = cube.channels,
+            .floats = cube.type == ChannelType::f32,
+            .bytes = std::move(cube.pixels),
+            .sound = nullptr};
 }
 
-void load_volume(const Sampler& sampler, Renderer& renderer, std::size_t index) {
-    const Volume volume = read_volume(sampler.files.front());
-    renderer.set_image(index, {.size = glm::ivec2(volume.size),
-                               .slices = volume.size.z,
-                               .channels = volume.channels,
-                               .floats = volume.type == ChannelType::f32,
-                               .data = volume.voxels});
+// A volume stands in memory byte for byte as in its file.
+InputContent read_volume_input(const Sampler& sampler) {
+    const fs::path& file = sampler.files.front();
+    const std::size_t wanted = ReadableFile(file).size(), free = available_memory();
+    if (wanted > free) {
+        throw cannot_read(file, fmt::format("It takes {} MB of memory, and {} MB are free",
+                                            wanted / 1'000'000, free / 1'000'000));
+    }
+    Volume volume = read_volume(file);
+    return {.size = glm::ivec2(volume.size),
+            .slices = volume.size.z,
+            .channels = volume.channels,
+            .floats = volume.type == ChannelType::f32,
+            .bytes = std::move(volume.voxels),
+            .sound = nullptr};
 }
 
 class AnalysedSound : public SoundTexture {
 public:
-    explicit AnalysedSound(const std::filesystem::path& file) : analyser_(read_sound(file)) {}
+    explicit AnalysedSound(const fs::path& file) : analyser_(read_sound(file)) {}
     std::span<const std::byte> rows_at(double time) override { return analyser_.rows_at(time); }
     double seconds() const override { return analyser_.seconds(); }
 
@@ -62,36 +80,52 @@ private:
     Analyser analyser_;
 };
 
-void load_sound(const Sampler& sampler, Renderer& renderer, std::size_t index) {
-    renderer.set_sound(index, std::make_unique<AnalysedSound>(sampler.files.front()));
-}
-
-}  // namespace
-
-void load_input(const Preset& preset, Renderer& renderer, std::size_t index) {
-    const Sampler& sampler = sampler_at(preset, index);
+InputContent read_input(const Sampler& sampler) {
     switch (sampler.source) {
         case Source::image:
-            return load_image(sampler, renderer, index);
+            return read_picture_input(sampler);
         case Source::cube:
-            return load_cube(sampler, renderer, index);
+            return read_cube_input(sampler);
         case Source::volume:
-            return load_volume(sampler, renderer, index);
-        case Source::sound:
-            return load_sound(sampler, renderer, index);
+            return read_volume_input(sampler);
+        case Source::sound: {
+            InputContent input;
+            input.sound = std::make_unique<AnalysedSound>(sampler.files.front());
+            return input;
+        }
         case Source::none:
         case Source::buffer:
         case Source::noise:
         case Source::keyboard:
-            return;  // no files
+            break;  // no files
     }
+    return {};
+}
+
+}  // namespace
+
+InputContent decode_input(const Sampler& sampler) try {
+    return read_input(sampler);
+} catch (const std::bad_alloc&) {
+    throw cannot_read(sampler.files.front(), "There is not enough memory for it");
+} catch (const std::length_error&) {
+    throw cannot_read(sampler.files.front(), "There is not enough memory for it");
+}
+
+void give_input(InputContent input, Renderer& renderer, std::size_t sampler) {
+    if (input.sound) return renderer.set_sound(sampler, std::move(input.sound));
+    renderer.set_image(sampler, {.size = input.size,
+                                 .slices = input.slices,
+                                 .channels = input.channels,
+                                 .floats = input.floats,
+                                 .data = input.bytes});
 }
 
 void load_inputs(const Preset& preset, Renderer& renderer) {
     Diagnostics diagnostics;
     for (const std::size_t sampler : renderer.inputs_needed()) {
         try {
-            load_input(preset, renderer, sampler);
+            give_input(decode_input(sampler_at(preset, sampler)), renderer, sampler);
         } catch (const std::runtime_error& error) {
             const Place& place = sampler_at(preset, sampler).place;
             diagnostics.push_back({Severity::error, place, error.what(), true});

@@ -4,10 +4,27 @@
 #include "render/renderer.h"
 #include "scene/preset.h"
 
+#include <cstddef>
+#include <memory>
+#include <vector>
+
 namespace glint {
 
-// Reads what one sampler (as in sampler_at) names into the renderer. Throws std::runtime_error.
-void load_input(const Preset& preset, Renderer& renderer, std::size_t sampler);
+// What a sampler reads, as a renderer takes it: pixels, or a sound.
+struct InputContent {
+    glm::ivec2 size{0};
+    int slices = 1, channels = 0;
+    bool floats = false;
+    std::vector<std::byte> bytes;
+    std::unique_ptr<SoundTexture> sound;  // null for pixels
+};
+
+// Reads and decodes what a sampler names; on any thread. Throws std::runtime_error that names the
+// file, also where there is no memory for it.
+InputContent decode_input(const Sampler& sampler);
+
+// Hands it to the renderer; on its thread. `sampler` is as in sampler_at.
+void give_input(InputContent input, Renderer& renderer, std::size_t sampler);
 
 // Reads the files that the renderer needs. Throws Stop with exit code 4, at the place that names
 // the file.

@@ -1,7 +1,7 @@
 #include "modes/playground.h"
 
+#include "base/readable_file.h"
 #include "image/image.h"
-#include "modes/input_files.h"
 
 #include <fmt/format.h>
 
@@ -78,7 +78,7 @@ void Playground::open(const std::filesystem::path& file) {
 }
 
 std::vector<int> Playground::descriptors() const {
-    return {watcher_.descriptor(), trial_.descriptor()};
+    return {watcher_.descriptor(), trial_.descriptor(), inputs_.descriptor()};
 }
 
 bool Playground::update() {
@@ -86,6 +86,7 @@ bool Playground::update() {
     const bool was_loading = is_loading();
     notice_saves();
     follow_trial();
+    follow_inputs();
     specialise_at_rest();
     return reports != report_count_ || was_loading != is_loading() || touched_;
 }
@@ -117,26 +118,6 @@ void Playground::read_again(const std::filesystem::path& changed) {
     }
     candidate_ = std::make_unique<Preset>(std::move(*read.preset));
     start_trial(Purpose::reload);
-}
-
-void Playground::reload_inputs(const std::vector<std::filesystem::path>& changed) {
-    if (!renderer_) return;
-    for (std::size_t i = 0; i < sampler_count(*preset_); ++i) {
-        const Sampler& sampler = sampler_at(*preset_, i);
-        const auto file = std::find_first_of(changed.begin(), changed.end(), sampler.files.begin(),
-                                             sampler.files.end());
-        if (file == changed.end()) continue;
-        report_ = {.file = *file, .text = {}};
-        since_notice_.restart();
-        try {
-            load_input(*preset_, *renderer_, i);
-            std::erase_if(diagnostics_, [](const Diagnostic& d) { return d.missing_file; });
-            touched_ = report_first_frame_ = true;
-        } catch (const std::runtime_error& error) {
-            diagnostics_.push_back({Severity::error, sampler.place, error.what(), true});
-            finish_report(false);
-        }
-    }
 }
 
 void Playground::start_trial(Purpose purpose) {
@@ -228,9 +209,9 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
         if (!renderer) return refuse("");
         const bool same_file = preset_ && written_;
         if (renderer_ && (same_file || !saved)) renderer->adopt(*renderer_);
-        for (const std::size_t sampler : renderer->inputs_needed()) {
-            load_input(*preset, *renderer, sampler);
-        }
+        // What cannot be opened keeps the scene before; what cannot be decoded is told later.
+        for (const std::size_t sampler : renderer->inputs_needed())
+            for (const auto& file : sampler_at(*preset, sampler).files) require_readable(file);
         context_.finish();  // now the driver says whether there was memory for all buffers
     } catch (const ContextLost&) {
         throw;
@@ -249,11 +230,13 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
     since_tweak_.restart();
     report_.compile_ms = clock.ms();
     report_first_frame_ = touched_ = true;
+    opens_with_inputs_ |= opened;
     if (opened) {
         transport = Transport(preset_->time);
         input_ = {};
         extra_frames_ = frame_offset_ = 0;
     }
+    load_missing_inputs();
 }
 
 void Playground::tweaks_changed() {
@@ -428,9 +411,10 @@ bool Playground::draw(double wall_seconds) {
     const Stopwatch clock;
     // While a replay is under way, time stands.
     Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
-    if (instant_.jumped) {
+    const bool plays_again = std::exchange(plays_again_, false);
+    if (instant_.jumped || plays_again) {
         renderer_->reset();
-        const bool again = renderer_->graph().stateful && instant_.time > 0.0;
+        const bool again = renderer_->graph().stateful && (instant_.time > 0.0 || plays_again);
         replay_at_ = again ? 0 : -1;
         replay_until_ = Playback{.end = instant_.time}.last_frame();
     }

@@ -5,6 +5,7 @@
 #include "gl/context.h"
 #include "image/image.h"
 #include "modes/common.h"
+#include "modes/input_loader.h"
 #include "modes/trial.h"
 #include "modes/watcher.h"
 #include "scene/history.h"
@@ -91,7 +92,9 @@ public:
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
-    bool is_loading() const { return candidate_ != nullptr; }
+    bool is_loading() const { return candidate_ != nullptr || inputs_.is_loading(); }
+    // Whether another thread still reads an input, wanted or not. It ends with the process.
+    bool is_reading_inputs() const { return inputs_.is_reading(); }
     bool is_specialised() const { return specialised_; }
     // Nothing is left to be done in the background.
     bool is_at_rest() const {
@@ -129,6 +132,9 @@ private:
     void notice_saves();
     void read_again(const std::filesystem::path& changed);
     void reload_inputs(const std::vector<std::filesystem::path>& changed);
+    void load_missing_inputs();
+    void follow_inputs();
+    void take_input(InputLoader::Loaded loaded);
     void watch(const std::vector<std::filesystem::path>& files);
     void start_trial(Purpose purpose);
     void follow_trial();
@@ -153,6 +159,9 @@ private:
     std::filesystem::path file_;
     Watcher watcher_;
     Trial trial_;
+    InputLoader inputs_;
+    bool opens_with_inputs_ = false;  // those of a file that was opened are not all there yet
+    bool plays_again_ = false;        // from the start, with what was missing
     std::vector<std::filesystem::path> watched_;
 
     std::unique_ptr<Preset> preset_;  // what is drawn

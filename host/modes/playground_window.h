@@ -27,6 +27,7 @@ class PlaygroundWindow {
 public:
     explicit PlaygroundWindow(const ViewOptions& options);
     void run();
+    bool is_reading_inputs() const { return playground_.is_reading_inputs(); }
 
 private:
     // Input

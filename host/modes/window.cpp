@@ -6,15 +6,16 @@
 #include "modes/inspect.h"
 #include "modes/playground_window.h"
 #include "scene/preset_writer.h"
+#include "scene/raw_text.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 namespace glint {
 namespace {
@@ -36,8 +37,8 @@ fs::path home_folder(const char* variable, const char* fallback) {
 }
 
 std::string read_text(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    std::string why_not;
+    return read_bytes(file, why_not).value_or("");
 }
 
 // NAME-0001.png, or the first such name that is free.
@@ -404,7 +405,17 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
 }
 
 void run_window(const ViewOptions& options) {
-    PlaygroundWindow(options).run();
+    bool reads = false;
+    {
+        PlaygroundWindow window(options);
+        window.run();
+        reads = window.is_reading_inputs();
+    }
+    if (!reads) return;
+    // A file that is large, or on a disk that hangs, keeps nobody waiting; and what other exits
+    // take down, the thread that reads it still uses.
+    std::fflush(nullptr);
+    ::_exit(static_cast<int>(ExitCode::done));
 }
 
 }  // namespace glint
