@@ -159,6 +159,9 @@ Codec codec_by_content(const fs::path& file, const ReadableFile& in) {
     throw cannot_read(file, "It is not a png, jpg, exr, hdr or tif picture");
 }
 
+// Noise of the largest size takes half of this; nobody searches a hole of 20 GB for its end.
+constexpr std::size_t kLargestJpeg = std::size_t{2} << 30;
+
 // libjpeg fills what a cut file lacks with grey and says nothing. A whole file has its end marker
 // after the first scan; within a scan the marker's bytes cannot occur.
 bool jpeg_has_end(const ReadableFile& in) {
@@ -285,6 +288,8 @@ void write_image(const fs::path& file, const Image& image, const Metadata& metad
 Image read_image(const fs::path& file) {
     const ReadableFile in(file);
     const Codec codec = codec_by_content(file, in);
+    if (codec == Codec::jpeg && in.size() > kLargestJpeg)
+        throw cannot_read(file, fmt::format("It is larger than any jpg of {0} x {0}", kMaxSide));
     if (codec == Codec::jpeg && !jpeg_has_end(in)) throw cannot_read(file, "It is cut short");
     return codec == Codec::png ? read_png(file, in) : read_by_oiio(file, in, oiio_name(codec));
 }

@@ -30,7 +30,7 @@ T number_at(const std::array<char, kHeadBytes>& bytes, std::size_t at) {
 
 }  // namespace
 
-Volume read_volume(const std::filesystem::path& file) {
+Volume read_volume(const std::filesystem::path& file, std::size_t memory) {
     const ReadableFile in(file);
     std::array<char, kHeadBytes> head{};
     if (in.read(head, 0) < kHeadBytes) throw cannot_read(file, "It is too short for a volume");
@@ -54,6 +54,10 @@ Volume read_volume(const std::filesystem::path& file) {
         throw cannot_read(file,
                           fmt::format("It holds {} bytes of voxels where its head tells of {}",
                                       in.size() - kHeadBytes, wanted));
+    }
+    if (wanted > memory) {
+        throw cannot_read(file, fmt::format("It takes {} MB of memory, and {} MB are free",
+                                            wanted / 1'000'000, memory / 1'000'000));
     }
     std::vector<std::byte> voxels(wanted);
     const std::span room(reinterpret_cast<char*>(voxels.data()), voxels.size());

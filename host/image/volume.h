@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
+
 namespace glint {
 
 // Interleaved voxels, x fastest, then y, then z, as in GL.
@@ -15,7 +17,8 @@ struct Volume {
     std::vector<std::byte> voxels;
 };
 
-// Throws std::runtime_error with a whole sentence when the file is missing, cut short or no volume.
-Volume read_volume(const std::filesystem::path& file);
+// Throws std::runtime_error with a whole sentence when the file is missing, cut short or no volume,
+// or when its voxels take more than `memory` bytes.
+Volume read_volume(const std::filesystem::path& file, std::size_t memory = SIZE_MAX);
 
 }  // namespace glint

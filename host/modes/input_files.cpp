@@ -1,6 +1,5 @@
 #include "modes/input_files.h"
 
-#include "base/readable_file.h"
 #include "image/cube.h"
 #include "image/image.h"
 #include "image/temporary_file.h"
@@ -8,8 +7,6 @@
 #include "modes/common.h"
 #include "render/memory.h"
 #include "sound/analyser.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <new>
@@ -53,15 +50,8 @@ InputContent read_cube_input(const Sampler& sampler) {
             .sound = nullptr};
 }
 
-// A volume stands in memory byte for byte as in its file.
 InputContent read_volume_input(const Sampler& sampler) {
-    const fs::path& file = sampler.files.front();
-    const std::size_t wanted = ReadableFile(file).size(), free = available_memory();
-    if (wanted > free) {
-        throw cannot_read(file, fmt::format("It takes {} MB of memory, and {} MB are free",
-                                            wanted / 1'000'000, free / 1'000'000));
-    }
-    Volume volume = read_volume(file);
+    Volume volume = read_volume(sampler.files.front(), available_memory());
     return {.size = glm::ivec2(volume.size),
             .slices = volume.size.z,
             .channels = volume.channels,

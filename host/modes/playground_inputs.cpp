@@ -22,15 +22,15 @@ void Playground::load_missing_inputs() {
     for (const std::size_t sampler : renderer_->inputs_needed())
         inputs_.load(sampler_at(*preset_, sampler));
     inputs_.glance();
-    follow_inputs();
+    for (InputLoader::Loaded& loaded : inputs_.take()) take_input(std::move(loaded));
+    opens_with_inputs_ &= inputs_.is_loading();
 }
 
 void Playground::follow_inputs() {
     for (InputLoader::Loaded& loaded : inputs_.take()) take_input(std::move(loaded));
     if (!opens_with_inputs_ || inputs_.is_loading()) return;
-    // Simulations began without them.
     opens_with_inputs_ = false;
-    plays_again_ = !report_first_frame_ && renderer_->graph().stateful;
+    plays_again_ = renderer_->graph().stateful;  // a simulation began without them
     touched_ |= plays_again_;
 }
 
