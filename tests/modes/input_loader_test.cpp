@@ -31,14 +31,15 @@ protected:
         Sampler sampler;
         sampler.name = name;
         sampler.source = Source::image;
-        sampler.files = {folder_ / name};
+        sampler.files = {file(name)};
         return sampler;
     }
+    fs::path file(const std::string& name) const { return folder_ / (name + ".png"); }
     void write(const std::string& name, int grey) const {
-        write_image(folder_ / name, {.size = {1, 1},
-                                     .channels = 1,
-                                     .type = ChannelType::u8,
-                                     .pixels = {static_cast<std::byte>(grey)}});
+        write_image(file(name), {.size = {1, 1},
+                                 .channels = 1,
+                                 .type = ChannelType::u8,
+                                 .pixels = {static_cast<std::byte>(grey)}});
     }
 
     // What comes until nothing more is to come, by the sampler's name: a grey, or -1.
@@ -96,24 +97,23 @@ TEST_F(InputLoaders, ManyAtOnceComeEachWithItsOwnContent) {
 TEST_F(InputLoaders, WhatCannotBeReadSaysWhyAndTheOthersCome) {
     InputLoader loader;
     Sampler gone = picture("gone", 1);
-    fs::remove(folder_ / "gone");
+    fs::remove(file("gone"));
     loader.load(gone);
     loader.load(picture("here", 2));
     EXPECT_EQ(all_of(loader), (Greys{{"gone", -1}, {"here", 2}}));
-    EXPECT_EQ(errors_,
-              "Cannot read " + (folder_ / "gone").string() + ": No such file or directory.");
+    EXPECT_EQ(errors_, "Cannot read " + file("gone").string() + ": No such file or directory.");
 }
 
 TEST_F(InputLoaders, AFileThatChangesWhileItIsReadIsReadOnceMore) {
     InputLoader loader;
     const Sampler sampler = picture("a", 10);
-    Slow slow(folder_ / "a");
+    Slow slow(file("a"));
     if (!slow.works()) GTEST_SKIP() << "no leases on the file system of " << folder_;
     loader.load(sampler);
     loader.load(sampler);  // the same reading
     write("b", 20);
     slow.end();
-    fs::rename(folder_ / "b", folder_ / "a");
+    fs::rename(file("b"), file("a"));
     loader.load_again(sampler);
     const Greys list = all_of(loader);
     ASSERT_FALSE(list.empty());
@@ -123,7 +123,7 @@ TEST_F(InputLoaders, AFileThatChangesWhileItIsReadIsReadOnceMore) {
 
 TEST_F(InputLoaders, WhatNobodyWantsAnyMoreIsNotHandedOver) {
     const Sampler sampler = picture("a", 10);
-    Slow slow(folder_ / "a");
+    Slow slow(file("a"));
     if (!slow.works()) GTEST_SKIP() << "no leases on the file system of " << folder_;
     InputLoader loader;
     loader.load(sampler);
@@ -137,7 +137,7 @@ TEST_F(InputLoaders, WhatNobodyWantsAnyMoreIsNotHandedOver) {
 
 TEST_F(InputLoaders, ItGoesWhileAFileIsStillRead) {
     const Sampler sampler = picture("a", 10);
-    Slow slow(folder_ / "a");
+    Slow slow(file("a"));
     if (!slow.works()) GTEST_SKIP() << "no leases on the file system of " << folder_;
     std::optional<InputLoader> loader(std::in_place);
     loader->load(sampler);
