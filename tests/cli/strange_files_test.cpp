@@ -124,7 +124,8 @@ TEST_F(StrangeFiles, AHoleOf20GigabytesIsRefusedByItsName) {
     write_reader("sampler2D", "image zeros");
     expect_still_refused("reader.frag", "Cannot read zeros: It is not a png");
     write_reader("sampler2D", "image hole.jpg");
-    expect_still_refused("reader.frag", "Cannot read hole.jpg: It is larger than any jpg of 16384 x 16384");
+    expect_still_refused("reader.frag",
+                         "Cannot read hole.jpg: It is larger than any jpg of 16384 x 16384");
     write_reader("sampler2D", "sound hole.wav");
     expect_still_refused("reader.frag", "Cannot read hole.wav: ");
     write_reader("sampler3D", "volume zeros");
