@@ -4,6 +4,7 @@
 #include "image/parts.h"
 #include "modes/hash.h"
 #include "modes/numbered_name.h"
+#include "render/memory.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <span>
 
 namespace glint {
@@ -260,11 +262,18 @@ void write_snapshot(const fs::path& file, const Snapshot& snapshot) {
 }
 
 Snapshot read_snapshot(const fs::path& file) {
+    const auto cannot_read_it = [](const std::string& cause) {
+        return StateRefused(ExitCode::missing_file, fmt::format("Cannot read it: {}.", cause));
+    };
     try {
-        require_readable(file);
+        // Its buffers stand in memory as in the file.
+        const std::size_t wanted = ReadableFile(file).size(), free = available_memory();
+        if (wanted > free) {
+            throw cannot_read_it(fmt::format("it takes {} MB of memory, and {} MB are free",
+                                             wanted / 1'000'000, free / 1'000'000));
+        }
     } catch (const Unreadable& unreadable) {
-        throw StateRefused(ExitCode::missing_file,
-                           fmt::format("Cannot read it: {}.", unreadable.cause));
+        throw cannot_read_it(unreadable.cause);
     }
     try {
         PartsFile content = read_parts(file);
@@ -274,6 +283,8 @@ Snapshot read_snapshot(const fs::path& file) {
     } catch (const Json::exception&) {
     } catch (const Damaged&) {
     } catch (const std::runtime_error&) {
+    } catch (const std::bad_alloc&) {
+        throw cannot_read_it("there is not enough memory for it");
     }
     throw StateRefused(ExitCode::missing_file,
                        "It is cut short or damaged, or no state that --save-state wrote.");
