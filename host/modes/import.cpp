@@ -1,6 +1,7 @@
 #include "modes/import.h"
 
 #include "image/temporary_file.h"
+#include "say.h"
 #include "scene/shadertoy.h"
 
 #include <fmt/format.h>
@@ -68,8 +69,7 @@ ImportedBeside import_beside(const fs::path& input) {
     } catch (const std::exception& problem) {
         return {{}, problem.what()};
     }
-    for (const Diagnostic& diagnostic : diagnostics)
-        fmt::print(stderr, "{}\n", to_string(diagnostic));
+    for (const Diagnostic& diagnostic : diagnostics) say("{}\n", to_string(diagnostic));
     if (has_errors(diagnostics)) return {{}, diagnostics.front().text};
     if (diagnostics.empty()) return {scene, fmt::format("{} written", name)};
     return {scene, fmt::format("{}: {}", name, diagnostics.front().text)};
@@ -79,7 +79,7 @@ void run_import(const ImportOptions& options) {
     Diagnostics diagnostics;
     const auto names = import_shadertoys(options, diagnostics);
     report(diagnostics);
-    for (const fs::path& name : names) fmt::print("{}\n", name.string());
+    for (const fs::path& name : names) say_result("{}\n", name.string());
 }
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 #include "image/parts.h"
 #include "modes/hash.h"
 #include "modes/numbered_name.h"
+#include "say.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
@@ -225,7 +226,7 @@ void tell(Severity severity, const fs::path& file, const std::string& text) {
     diagnostic.severity = severity;
     diagnostic.place.file = file.string();
     diagnostic.text = text;
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
+    say("{}\n", to_string(diagnostic));
 }
 
 }  // namespace
