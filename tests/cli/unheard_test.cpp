@@ -116,22 +116,23 @@ TEST_F(Unheard, AFileThatMayNotGrowIsTheReasonThatIsGiven) {
         {"sound n.frag --seconds 1 -o out.wav", "out.wav"},
         {"study n.frag --size 128x128 --vary a=0,1 --reference a=0.5 -o report", "report/"},
     };
-    write("n.frag",
-          "uniform float a; //@ 0.5 [0, 1]\n"
-          "uniform sampler2D b; //@ pass mainB\n"
-          "vec3 noise(vec2 p) {\n"
-          "    uvec3 v = uvec3(p, 1) * 1664525u + 1013904223u;\n"
-          "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;\n"
-          "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
-          "    return vec3(v >> 8u) / 16777216.0;\n"
-          "}\n"
-          "vec2 mainSound(int samp, float time) { return noise(vec2(samp, 0)).xy; }\n"
-          "void mainB(out vec4 c, in vec2 p) {\n"
-          "    c = texelFetch(b, ivec2(p), 0) + vec4(noise(p), 0);\n"
-          "}\n"
-          "void mainImage(out vec4 c, in vec2 p) {\n"
-          "    c = vec4(noise(p + 10.0 * iTime), 1) + 0.0 * texelFetch(b, ivec2(p), 0) + 0.0 * a;\n"
-          "}\n");
+    write(
+        "n.frag",
+        "uniform float a; //@ 0.5 [0, 1]\n"
+        "uniform sampler2D b; //@ pass mainB\n"
+        "vec3 noise(vec2 p) {\n"
+        "    uvec3 v = uvec3(p, 1) * 1664525u + 1013904223u;\n"
+        "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;\n"
+        "    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;\n"
+        "    return vec3(v >> 8u) / 16777216.0;\n"
+        "}\n"
+        "vec2 mainSound(int samp, float time) { return noise(vec2(samp, 0)).xy; }\n"
+        "void mainB(out vec4 c, in vec2 p) {\n"
+        "    c = texelFetch(b, ivec2(p), 0) + vec4(noise(p), 0);\n"
+        "}\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(noise(p + 10.0 * iTime), 1) + 1e-6 * texelFetch(b, ivec2(p), 0) + 0.0 * a;\n"
+        "}\n");
     for (const auto& [words, file] : cases) {
         SCOPED_TRACE(words);
         // 16 blocks of 1024 bytes; the signal is not ignored, as where a person calls.
