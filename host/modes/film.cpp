@@ -166,10 +166,6 @@ std::runtime_error Film::failure(int code) const {
     std::array<char, 1000> text{};
     const ssize_t length = ::pread(errors_, text.data(), text.size(), 0);
     std::string words(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
-    for (const int error : {EFBIG, ENOSPC, EDQUOT}) {
-        const std::string cause = std::generic_category().message(error);
-        if (words.find(cause) != std::string::npos) return cannot_write(file_, cause);
-    }
     words.resize(std::min(words.find('\n'), words.size()));
     return cannot_write(file_, words.empty() ? "FFmpeg gave up" : "FFmpeg says: " + words);
 }

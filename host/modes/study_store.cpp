@@ -69,21 +69,24 @@ void push_heat(Image& image, double difference) {
 }
 
 // What is read from a file. Nothing where it is not there, and nothing with a word where it is not
-// what was written: whoever calls makes it anew, and what no file can replace is out of the way.
+// what was written: whoever calls makes it anew.
 template <class Read>
 auto kept(const fs::path& name, Read read) -> decltype(read()) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(name, error))) return {};
-    if (fs::is_regular_file(name, error)) {
-        try {
-            return read();
-        } catch (const std::exception&) {
-        }
-    } else {
-        fs::remove(name, error);
+    try {
+        if (fs::is_regular_file(name, error)) return read();
+    } catch (const std::exception&) {
     }
     say("{}: warning: it is damaged, and is made anew\n", name.string());
     return {};
+}
+
+// The same name, where something may stand that no file can replace, such as a FIFO; then it goes.
+const fs::path& cleared(const fs::path& name) {
+    std::error_code error;
+    if (!fs::is_regular_file(name, error)) fs::remove(name, error);
+    return name;
 }
 
 // Nothing where it is another's, whose digest is the same. Throws where it is not what keep()
@@ -206,7 +209,7 @@ void StudyStore::keep(const StudyKey& key, const StudyRow& row) const {
                        {"picture", row.picture},
                        {"map", row.map}};
     const std::string text = json.dump(1) + "\n";
-    write_whole_file(file("data", key, ".json"), std::as_bytes(std::span(text)));
+    write_whole_file(cleared(file("data", key, ".json")), std::as_bytes(std::span(text)));
 }
 
 std::optional<std::vector<float>> StudyStore::picture(const StudyKey& key, glm::ivec2 size) const {
@@ -234,8 +237,8 @@ std::string StudyStore::keep_picture(const StudyKey& key, std::span<const float>
         std::memcpy(exact.pixels.data() + i * 3 * sizeof(float), &rgba[i * 4], 3 * sizeof(float));
         for (std::size_t c = 0; c < 3; ++c) push_byte(shown, rgba[i * 4 + c]);
     }
-    write_image(folder_ / shown_file(key), shown);
-    write_image(file("data", key, ".exr"), exact);
+    write_image(cleared(folder_ / shown_file(key)), shown);
+    write_image(cleared(file("data", key, ".exr")), exact);
     return shown_file(key);
 }
 
@@ -259,7 +262,7 @@ std::string StudyStore::keep_map(const StudyKey& key, std::span<const float> pic
             for (const double c : {1.0, 0.0, 1.0}) push_byte(map, c);
         }
     }
-    write_image(folder_ / map_file(key), map);
+    write_image(cleared(folder_ / map_file(key)), map);
     return map_file(key);
 }
 

@@ -319,8 +319,7 @@ TEST_F(Import, EveryVerbTakesTheFileOfTheSiteAndDrawsWhatTheImportDraws) {
              {"sequence", "toy.json", "--size", "64x36", "--frames", "7:7", "-o", "p%d.png"},
              {"info", "toy.json"},
              {"bench", "toy.json", "--size", "16x9", "--frames", "2"},
-             {"check", "toy.json", "--size", "16x9", "--random", "0", "--frames", "2", "--seconds",
-              "2", "-o", "failures"},
+             {"check", "toy.json", "--size", "16x9", "--case", "size", "-o", "failures"},
              {"export", "toy.json", "-o", "tabs"}}) {
         SCOPED_TRACE(words[0]);
         const Outcome outcome = glint(words);
