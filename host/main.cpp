@@ -12,16 +12,20 @@
 #include "modes/study.h"
 #include "modes/trial.h"
 #include "modes/voice.h"
+#include "say.h"
 #include "scene/diagnostic.h"
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <csignal>
 #include <filesystem>
 #include <map>
+#include <sstream>
 #include <system_error>
 #include <type_traits>
 
@@ -42,7 +46,8 @@ CLI::Validator from(Number least, Number most) {
 }
 
 void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true) {
-    verb.add_option("file", view.file, "a preset (.toml) or a scene (.frag)")->required();
+    verb.add_option("file", view.file, "a preset (.toml), a scene (.frag), or a Shadertoy (.json)")
+        ->required();
     verb.add_option("--size", view.size, "pixels, such as 1280x720; the preset's otherwise");
     verb.add_option("--tweak", view.tweaks, "name=value, as often as needed")
         ->allow_extra_args(false);
@@ -109,7 +114,8 @@ void add_sequence(CLI::App& verb, SequenceOptions& sequence) {
 }
 
 void add_check(CLI::App& verb, CheckOptions& check) {
-    verb.add_option("files", check.files, "presets (.toml) or scenes (.frag)")->required();
+    verb.add_option("files", check.files, "presets (.toml), scenes (.frag), or Shadertoys (.json)")
+        ->required();
     verb.add_option("--size", check.view.size, "pixels of most cases; 96x54 otherwise");
     verb.add_option("--tweak", check.view.tweaks, "name=value, as often as needed")
         ->allow_extra_args(false);
@@ -133,7 +139,8 @@ void add_check(CLI::App& verb, CheckOptions& check) {
 }
 
 void add_study(CLI::App& verb, StudyOptions& study) {
-    verb.add_option("files", study.files, "presets (.toml) or scenes (.frag)")->required();
+    verb.add_option("files", study.files, "presets (.toml), scenes (.frag), or Shadertoys (.json)")
+        ->required();
     verb.add_option("--size", study.view.size, "pixels; 640x360 otherwise");
     verb.add_option("--tweak", study.view.tweaks, "name=value, as often as needed")
         ->allow_extra_args(false);
@@ -166,17 +173,27 @@ int code(ExitCode exit_code) {
 }
 
 int fail(ExitCode exit_code, const std::string& text) {
-    fmt::print(stderr, "error: {}\n", text);
+    say("error: {}\n", text);
     return code(exit_code);
 }
 
-// What stdout refused, because a disk is full, is a result that nobody has.
-void flush_results() {
-    errno = 0;
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-        throw std::runtime_error(
-            fmt::format("Cannot write to stdout: {}.", std::generic_category().message(errno)));
+// A file that is opened while stdin, stdout or stderr is closed would get its number, and messages
+// would land in a picture. What stands there instead refuses them, as what is closed does.
+void open_what_is_closed() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+        // The lowest number that is free: this one.
+        (void)::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
+}
+
+using SignalHandler = void (*)(int);
+
+// A write that fails says so, to whoever can still keep the picture; a signal would end all at
+// once. Returns what a pipe without a reader did before.
+SignalHandler ignore_signals_of_writes() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    return std::signal(SIGPIPE, SIG_IGN);
 }
 
 // CLI11's complaints in the words of all others.
@@ -187,30 +204,55 @@ std::string usage_text(const CLI::ParseError& error) {
     return text + "; --help tells what there is.";
 }
 
-// Runs a verb and turns what it throws into an exit code; the sentence goes to stderr.
+// How a verb ended, and why; without a sentence where all has been said.
+struct Ending {
+    ExitCode code = ExitCode::done;
+    std::string sentence{};
+};
+
 template <class Run>
-int guarded(Run run) {
+Ending ending_of(Run run) {
     try {
         run();
-        flush_results();
-        return code(ExitCode::done);
+        return {};
     } catch (const Stop& stop) {
-        return code(stop.code);
+        return {stop.code};
     } catch (const UsageError& error) {
-        return fail(ExitCode::usage, error.what());
+        return {ExitCode::usage, error.what()};
     } catch (const NoContext& error) {
-        return fail(ExitCode::no_context, error.what());
+        return {ExitCode::no_context, error.what()};
     } catch (const ContextLost& error) {
-        return fail(ExitCode::context_lost, error.what());
+        return {ExitCode::context_lost, error.what()};
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::failure, "Out of memory; try a smaller --size.");
+        return {ExitCode::failure, "Out of memory; try a smaller --size."};
     } catch (const std::exception& error) {
-        return fail(ExitCode::failure, error.what());
+        return {ExitCode::failure, error.what()};
     }
+}
+
+// Runs a verb and turns what it throws into an exit code; the sentence goes to stderr. A result
+// that stdout refused, because a disk is full, is one that nobody has. Where its reader went away,
+// which is what pipes are for, the program ends as all do, once its files are written.
+template <class Run>
+int guarded(SignalHandler pipe_without_reader, Run run) {
+    const Ending ending = ending_of(run);
+    flush_results();
+    if (result_error() == EPIPE && pipe_without_reader == SIG_DFL) {
+        std::signal(SIGPIPE, SIG_DFL);
+        std::raise(SIGPIPE);
+    }
+    if (!ending.sentence.empty()) return fail(ending.code, ending.sentence);
+    if (result_error() == 0) return code(ending.code);
+    return fail(ending.code == ExitCode::done ? ExitCode::failure : ending.code,
+                fmt::format("Cannot write to stdout: {}.",
+                            std::generic_category().message(result_error())));
 }
 
 int run(int argc, char** argv) {
     const Stopwatch since_start;
+    open_what_is_closed();
+    const SignalHandler pipe_without_reader = ignore_signals_of_writes();
+    const auto guarded = [&](auto verb) { return glint::guarded(pipe_without_reader, verb); };
     CLI::App app("glint: a shader playground. `glint FILE` opens a scene or a preset.", "glint");
     app.set_version_flag("--version", "glint " GLINT_VERSION);
     app.require_subcommand(1);
@@ -288,7 +330,9 @@ int run(int argc, char** argv) {
         app.parse(std::move(arguments));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) return fail(ExitCode::usage, usage_text(error));
-        return guarded([&] { app.exit(error); });  // --help, --version
+        std::ostringstream text;  // of --help, --version
+        app.exit(error, text, text);
+        return guarded([&] { say_result("{}", text.str()); });
     }
     if (open_verb.parsed()) return guarded([&] { run_open(open, since_start); });
     if (still_verb.parsed()) return guarded([&] { run_still(still, since_start); });

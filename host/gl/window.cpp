@@ -1,5 +1,7 @@
 #include "gl/window.h"
 
+#include "say.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <X11/Xlib.h>
@@ -30,7 +32,7 @@ std::string last_error() {
 
 // Xlib ends the process when this returns; nothing can be drawn any more.
 int hear_lost_display(Display*) {
-    fmt::print(stderr, "The display is gone; Glint ends.\n");
+    say("The display is gone; Glint ends.\n");
     std::_Exit(1);
 }
 

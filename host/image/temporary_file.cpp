@@ -33,6 +33,10 @@ fs::path name_beside(const fs::path& target) {
 }  // namespace
 
 std::runtime_error cannot_write(const fs::path& file, std::string_view cause) {
+    for (const int error : {EFBIG, ENOSPC, EDQUOT}) {
+        const std::string reason = cause_of(error);
+        if (cause != reason && cause.find(reason) != cause.npos) return cannot_write(file, reason);
+    }
     return std::runtime_error(fmt::format("Cannot write {}: {}.", file.string(), cause));
 }
 

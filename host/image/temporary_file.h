@@ -10,7 +10,8 @@
 
 namespace glint {
 
-// "Cannot write NAME: CAUSE."
+// "Cannot write NAME: CAUSE." Of a library's sentence about a full disk, a quota or a limit only
+// the system's own words are left.
 std::runtime_error cannot_write(const std::filesystem::path& file, std::string_view cause);
 
 // With all folders above it. Throws cannot_write().

@@ -2,6 +2,7 @@
 
 #include "gl/context.h"
 #include "modes/input_files.h"
+#include "say.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -105,20 +106,20 @@ Json passes_json(const Preset& preset, Subject& subject, int frames) {
 }
 
 void print_table(const Json& json) {
-    fmt::print("{}, {}x{}, {} frames, {}\n", json["renderer"].get<std::string>(),
+    say_result("{}, {}x{}, {} frames, {}\n", json["renderer"].get<std::string>(),
                json["size"][0].get<int>(), json["size"][1].get<int>(), json["frames"].get<int>(),
                json["specialised"] ? "specialised" : "uniform-fed");
     const Json& ms = json["ms"];
-    fmt::print("frame  median {:.3f} ms  p95 {:.3f} ms  min {:.3f} ms   host {:.3f} ms\n",
+    say_result("frame  median {:.3f} ms  p95 {:.3f} ms  min {:.3f} ms   host {:.3f} ms\n",
                ms["median"].get<double>(), ms["p95"].get<double>(), ms["min"].get<double>(),
                json["host_ms"].get<double>());
     for (const Json& pass : json["passes"]) {
-        fmt::print("  {:<20} {:>9.3f} ms  {}{}\n", pass["name"].get<std::string>(),
+        say_result("  {:<20} {:>9.3f} ms  {}{}\n", pass["name"].get<std::string>(),
                    pass["ms"].get<double>(), pass["runs"].get<std::string>(),
                    pass["drawn"] == 0 ? ", not in these frames" : "");
     }
     if (json.contains("uniform_ms")) {
-        fmt::print("uniform-fed  median {:.3f} ms: {:.2f} times the specialised frame\n",
+        say_result("uniform-fed  median {:.3f} ms: {:.2f} times the specialised frame\n",
                    json["uniform_ms"]["median"].get<double>(), json["ratio"].get<double>());
     }
 }
@@ -155,7 +156,7 @@ void run_bench(const BenchOptions& options) {
         json["ratio"] = quantile(uniform_fed->frame_ms, 0.5) / quantile(subject.frame_ms, 0.5);
     }
     if (options.view.json)
-        fmt::print("{}\n", json.dump(2));
+        say_result("{}\n", json.dump(2));
     else
         print_table(json);
 }

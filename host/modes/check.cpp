@@ -1,6 +1,7 @@
 #include "modes/check.h"
 
 #include "modes/check_process.h"
+#include "say.h"
 
 #include <fmt/format.h>
 
@@ -30,13 +31,13 @@ void print_table(const CheckedFile& file) {
     std::size_t widest = 0;
     for (const CaseResult& result : file.cases) widest = std::max(widest, result.name.size());
     for (const CaseResult& result : file.cases) {
-        fmt::print("{:<6}  {:<{}}  {}\n", to_string(result.verdict), result.name,
+        say_result("{:<6}  {:<{}}  {}\n", to_string(result.verdict), result.name,
                    std::min<std::size_t>(widest, 40), result.note);
-        if (!result.picture.empty()) fmt::print("        picture: {}\n", result.picture);
-        if (!result.reproduce.empty()) fmt::print("        again: {}\n", result.reproduce);
+        if (!result.picture.empty()) say_result("        picture: {}\n", result.picture);
+        if (!result.reproduce.empty()) say_result("        again: {}\n", result.reproduce);
     }
     const std::size_t skipped = count(file, CaseVerdict::skip);
-    fmt::print("{}: {} of {} cases failed{}, {:.0f} s, {}\n", file.scene,
+    say_result("{}: {} of {} cases failed{}, {:.0f} s, {}\n", file.scene,
                count(file, CaseVerdict::fail), file.cases.size(),
                skipped > 0 ? fmt::format(", {} left out", skipped) : "", file.seconds,
                file.renderer);
@@ -55,9 +56,9 @@ void print_lines(const CheckedFile& file, long total, std::size_t& told) {
                            {"of", total},
                            {"renderer", file.renderer},
                            {"case", to_json(file, file.cases[told])}};
-        fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        say_result("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
     }
-    std::fflush(stdout);
+    flush_results();
 }
 
 Json to_json(const std::vector<CheckedFile>& files) {
@@ -131,7 +132,7 @@ void run_check(const CheckOptions& options) {
         if (table && files.back().code == ExitCode::done) print_table(files.back());
     }
     if (!options.only.empty()) require_cases(files, options.only);
-    if (options.view.json) fmt::print("{}\n", to_json(files).dump(2));
+    if (options.view.json) say_result("{}\n", to_json(files).dump(2));
     const ExitCode code = exit_code(files);
     if (code != ExitCode::done) throw Stop(code);
 }

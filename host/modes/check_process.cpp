@@ -1,5 +1,7 @@
 #include "modes/check_process.h"
 
+#include "say.h"
+
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -141,15 +143,15 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
     } catch (const Stop& stop) {
         leave(stop.code);
     } catch (const UsageError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        say("error: {}\n", error.what());
         leave(ExitCode::usage);
     } catch (const NoContext& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        say("error: {}\n", error.what());
         leave(ExitCode::no_context);
     } catch (const ContextLost&) {
         leave(ExitCode::context_lost);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        say("error: {}\n", error.what());
     }
     leave(ExitCode::failure);
     std::abort();

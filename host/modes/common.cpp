@@ -1,6 +1,7 @@
 #include "modes/common.h"
 
 #include "image/image.h"
+#include "say.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -56,8 +57,8 @@ void apply_tweak(Preset& preset, const std::string& assignment) {
     TweakValue& kept = preset.values[static_cast<std::size_t>(found - tweaks.begin())];
     kept = clamp_to_range(*found, *value);
     if (kept != *value) {
-        fmt::print(stderr, "warning: --tweak {}: outside its range, taken as {}\n", assignment,
-                   format_value(*found, kept));
+        say("warning: --tweak {}: outside its range, taken as {}\n", assignment,
+            format_value(*found, kept));
     }
 }
 
@@ -67,7 +68,7 @@ Progress::Progress(std::string what, long total, Unit unit)
     : what_(std::move(what)), total_(total), unit_(unit), enabled_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) say("\r\033[K");
 }
 
 void Progress::update(long done) {
@@ -82,19 +83,16 @@ void Progress::update(long done) {
     const std::string state = unit_ == Unit::percent
                                   ? fmt::format("{} %", 100 * done / std::max(total_, 1L))
                                   : fmt::format("{}/{}  {:.1f}/s", done, total_, rate);
-    fmt::print(stderr, "\r{} [{:<{}}] {}  {}:{:02} left\033[K", what_, std::string(filled, '#'),
-               kWidth, state, left / 60, left % 60);
-    std::fflush(stderr);
+    say("\r{} [{:<{}}] {}  {}:{:02} left\033[K", what_, std::string(filled, '#'), kWidth, state,
+        left / 60, left % 60);
 }
 
 void report(const Diagnostics& diagnostics) {
     bool missing = false;
     for (const Diagnostic& diagnostic : diagnostics) {
-        fmt::print(stderr, "{}\n", to_string(diagnostic));
+        say("{}\n", to_string(diagnostic));
         // No shader is at fault where a preset cannot be read.
-        const bool unreadable = diagnostic.missing_file ||
-                                diagnostic.place.file.ends_with(".toml") ||
-                                diagnostic.place.file.ends_with(".json");
+        const bool unreadable = diagnostic.missing_file || diagnostic.place.file.ends_with(".toml");
         missing |= diagnostic.severity == Severity::error && unreadable;
     }
     if (has_errors(diagnostics)) throw Stop(missing ? ExitCode::missing_file : ExitCode::shader);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -76,9 +77,16 @@ std::string open_editor(const Place& place) {
     std::vector<char*> arguments;
     for (std::string& word : command) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    posix_spawnattr_t attributes;  // signals that we ignore are not to be ignored by others
+    posix_spawnattr_init(&attributes);
+    sigset_t all;
+    sigfillset(&all);
+    posix_spawnattr_setsigdefault(&attributes, &all);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     pid_t process = 0;
     const int error =
-        posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ);
+        posix_spawnp(&process, arguments[0], nullptr, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     if (error != 0) {
         return fmt::format("cannot start {}: {}; set $EDITOR", command.front(),
                            std::strerror(error));

@@ -2,6 +2,8 @@
 
 #include "gl/context.h"
 #include "image/temporary_file.h"
+#include "modes/named_files.h"
+#include "say.h"
 #include "scene/raw_text.h"
 #include "scene/reachable.h"
 
@@ -51,7 +53,7 @@ private:
     Json tab_json(const Tab& tab, const std::string& text) const;
     const Tab& tab_of(const Sampler& sampler) const;
     void warn(const std::string& text) {
-        fmt::print(stderr, "{}: warning: {}\n", scene_.files.front().string(), text);
+        say("{}: warning: {}\n", scene_.files.front().string(), text);
     }
 
     const Preset& preset_;
@@ -327,15 +329,19 @@ void Exporter::write(const fs::path& folder) {
     }
     const Json info = {{"id", ""}, {"name", preset_.title}, {"username", ""}, {"description", ""}};
     const Json shader = {{"Shader", {{"ver", "0.1"}, {"info", info}, {"renderpass", passes}}}};
+    std::vector<NamedFile> outputs = {{"-o", (folder / "shadertoy.json").string()}};
+    for (const Tab& tab : tabs_)
+        outputs.push_back({"-o", (folder / (tab.name + ".glsl")).string()});
+    require_apart(outputs, files_read_for(preset_));
     make_folder(folder);
     for (std::size_t i = 0; i < tabs_.size(); ++i) {
         const fs::path file = folder / (tabs_[i].name + ".glsl");
         write_whole_file(file, std::as_bytes(std::span(texts[i])));
-        fmt::print("{}\n", file.string());
+        say_result("{}\n", file.string());
     }
     const std::string json = shader.dump(2) + "\n";
     write_whole_file(folder / "shadertoy.json", std::as_bytes(std::span(json)));
-    fmt::print("{}\n", (folder / "shadertoy.json").string());
+    say_result("{}\n", (folder / "shadertoy.json").string());
 }
 
 }  // namespace

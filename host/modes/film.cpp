@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -34,16 +36,18 @@ constexpr std::string_view kToVideo =
     "scale=in_range=full:out_range=limited:out_color_matrix=bt709,"
     "setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709";
 
-// A palette for each frame: one for all would keep all in memory until the last. Players take 1/50
-// s as the shortest, and show what is shorter for 1/10 s.
+// A palette for each frame: one for all would keep all in memory until the last.
 constexpr std::string_view kToPalettes =
-    "-vf fps=min(source_fps\\,50),split[a][b];[a]palettegen=stats_mode=single[p];"
+    "-vf split[a][b];[a]palettegen=stats_mode=single[p];"
     "[b][p]paletteuse=new=1:dither=sierra2_4a";
 
 // How FFmpeg is to filter and encode, by the film's extension.
 struct Kind {
     std::string_view extension, filter, codec, sound_codec, format;
+    double most_fps = std::numeric_limits<double>::infinity();  // that players show
 };
+
+constexpr double kMostGifFps = 50.0;  // what is shorter is shown for 1/10 s
 
 constexpr Kind kKinds[] = {
     {".mp4", kToVideo, "-c:v libx264 -preset medium -crf 16 -pix_fmt yuv420p -movflags +faststart",
@@ -53,7 +57,7 @@ constexpr Kind kKinds[] = {
      "-c:a libopus -b:a 192k", "-f webm"},
     {".mov", kToVideo, "-c:v prores_ks -profile:v 3 -pix_fmt yuv422p10le", "-c:a pcm_s16le",
      "-f mov"},
-    {".gif", kToPalettes, "", "", "-f gif"},
+    {".gif", kToPalettes, "", "", "-f gif", kMostGifFps},
 };
 
 const Kind* kind_of(const fs::path& file) {
@@ -73,7 +77,7 @@ std::vector<std::string> command_line(const fs::path& file, int out, glm::ivec2 
         "ffmpeg -hide_banner -loglevel error -nostdin -xerror "
         "-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0 {} "
         "{} {} {} {} -fflags +bitexact -flags:a +bitexact -flags:v +bitexact -y /proc/{}/fd/{}",
-        size.x, size.y, fps,
+        size.x, size.y, std::min(fps, kind.most_fps),
         sound ? fmt::format("-i /proc/{}/fd/{}", getpid(), sound->descriptor()) : "", kind.filter,
         kind.codec, sound ? kind.sound_codec : "", kind.format, getpid(), out));
     return {std::istream_iterator<std::string>(line), {}};
@@ -110,7 +114,10 @@ void write_all(int descriptor, std::span<const std::byte> bytes) {
 }
 
 Film::Film(const fs::path& file, glm::ivec2 size, double fps, std::unique_ptr<TemporaryFile> sound)
-    : file_(file), sound_(std::move(sound)), out_(file) {
+    : file_(file),
+      frames_shown_(std::min(kind_of(file)->most_fps / fps, 1.0)),
+      sound_(std::move(sound)),
+      out_(file) {
     std::array<int, 2> pipe{};
     if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
         throw std::system_error(errno, std::generic_category(), "pipe");
@@ -121,7 +128,6 @@ Film::Film(const fs::path& file, glm::ivec2 size, double fps, std::unique_ptr<Te
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    ::signal(SIGPIPE, SIG_IGN);  // an FFmpeg that has given up is told by write()
     process_ = ::fork();
     if (process_ == 0) {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -165,6 +171,11 @@ std::runtime_error Film::failure(int code) const {
 }
 
 void Film::write(const Image& image) {
+    const auto shown_before = [this](std::int64_t frame) {
+        return std::ceil(static_cast<double>(frame) * frames_shown_);
+    };
+    const std::int64_t frame = frames_++;
+    if (shown_before(frame + 1) == shown_before(frame)) return;
     try {
         write_all(input_, raw_frame(image));
     } catch (const std::system_error&) {

@@ -6,6 +6,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -27,8 +28,8 @@ void write_all(int descriptor, std::span<const std::byte> bytes);
 class Film {
 public:
     // The codec follows from the extension: H.264 (mp4), VP9 (webm), ProRes 422 HQ (mov), a palette
-    // a frame and at most 50 frames a second (gif). `sound` is a WAV file, or null. Throws
-    // std::runtime_error when there is no ffmpeg, or the folder cannot be written.
+    // a frame and at most 50 frames a second, the others left out (gif). `sound` is a WAV file, or
+    // null. Throws std::runtime_error when there is no ffmpeg, or the folder cannot be written.
     Film(const std::filesystem::path& file, glm::ivec2 size, double fps,
          std::unique_ptr<TemporaryFile> sound);
     ~Film();  // without finish() nothing stays behind
@@ -46,6 +47,8 @@ private:
     std::runtime_error failure(int code) const;
 
     std::filesystem::path file_;
+    double frames_shown_;      // of those that are written, as a share
+    std::int64_t frames_ = 0;  // that were written
     std::unique_ptr<TemporaryFile> sound_;
     TemporaryFile out_;
     pid_t process_ = 0;

@@ -1,6 +1,7 @@
 #include "modes/import.h"
 
 #include "image/temporary_file.h"
+#include "say.h"
 #include "scene/preset.h"
 #include "scene/shadertoy.h"
 
@@ -29,27 +30,17 @@ fs::path numbered(const fs::path& output, std::size_t index) {
            fmt::format("{}-{}{}", output.stem().string(), index + 1, output.extension().string());
 }
 
-// The code may name files too, in words that only Glint knows: what a scene reads in the end
-// counts.
-std::vector<fs::path> files_outside(const fs::path& scene, const fs::path& folder) {
-    const ReadPreset read = read_preset(scene);
-    std::vector<fs::path> files = read.files;
-    for (std::size_t i = 0; read.preset && i < sampler_count(*read.preset); ++i) {
-        const Sampler& sampler = sampler_at(*read.preset, i);
-        files.insert(files.end(), sampler.files.begin(), sampler.files.end());
-    }
-    std::erase_if(files, [&](const fs::path& f) { return f == scene || is_within(f, folder); });
-    return files;
-}
-
 // Takes back what has been written where it names anything outside the folder.
 void confine(std::vector<fs::path>& scenes, const ImportOptions& options,
              Diagnostics& diagnostics) {
     const fs::path folder = is_folder(options.input) ? options.input : options.input.parent_path();
     std::vector<fs::path> outside;
     for (const fs::path& scene : scenes) {
-        const std::vector<fs::path> files = files_outside(scene, folder);
-        outside.insert(outside.end(), files.begin(), files.end());
+        // What a scene reads in the end counts: the code may name files, too.
+        const ReadPreset read = read_preset(scene);
+        if (!read.preset) continue;
+        for (const fs::path& file : files_outside(read.preset->scene, folder))
+            if (file != scene) outside.push_back(file);
     }
     if (outside.empty()) return;
     diagnostics.push_back(
@@ -107,8 +98,7 @@ ImportedBeside import_beside(const fs::path& input) {
     } catch (const std::exception& problem) {
         return {{}, problem.what()};
     }
-    for (const Diagnostic& diagnostic : diagnostics)
-        fmt::print(stderr, "{}\n", to_string(diagnostic));
+    for (const Diagnostic& diagnostic : diagnostics) say("{}\n", to_string(diagnostic));
     if (has_errors(diagnostics)) return {{}, diagnostics.front().text};
     if (diagnostics.empty()) return {scene, fmt::format("{} written", name)};
     return {scene, fmt::format("{}: {}", name, diagnostics.front().text)};
@@ -118,7 +108,7 @@ void run_import(const ImportOptions& options) {
     Diagnostics diagnostics;
     const auto names = import_shadertoys(options, diagnostics);
     report(diagnostics);
-    for (const fs::path& name : names) fmt::print("{}\n", name.string());
+    for (const fs::path& name : names) say_result("{}\n", name.string());
 }
 
 }  // namespace glint

@@ -1,6 +1,7 @@
 #include "modes/info.h"
 
 #include "gl/context.h"
+#include "say.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -172,26 +173,26 @@ std::string joined(const Json& list) {
 }
 
 void print_tables(const Inspection& seen, const Json& json) {
-    fmt::print("scene {}\n\npasses\n", json["scene"].get<std::string>());
+    say_result("scene {}\n\npasses\n", json["scene"].get<std::string>());
     for (const Json& pass : json["passes"]) {
-        fmt::print("  {:<16} {:<16} {:>5}x{:<5} {:<8} {}{}, reads {}\n",
+        say_result("  {:<16} {:<16} {:>5}x{:<5} {:<8} {}{}, reads {}\n",
                    pass["name"].get<std::string>(), pass["entry"].get<std::string>(),
                    pass["size"][0].get<int>(), pass["size"][1].get<int>(),
                    pass["format"].get<std::string>(), pass["runs"].get<std::string>(),
                    pass["feedback"] ? ", feedback" : "", joined(pass["reads"]));
     }
-    fmt::print("\ntweaks\n");
+    say_result("\ntweaks\n");
     for (std::size_t i = 0; i < seen.preset.scene.tweaks.size(); ++i) {
         const Tweak& tweak = seen.preset.scene.tweaks[i];
-        fmt::print(
+        say_result(
             "  {:<20} {:<6} {:<14} {:<18} {}\n", tweak.name, glsl_name(tweak.type),
             format_value(tweak, seen.preset.values[i]),
             tweak.min ? fmt::format("[{}, {}] {}", *tweak.min, *tweak.max, tweak.unit) : tweak.unit,
             tweak.description);
     }
-    fmt::print("\nleft out\n");
+    say_result("\nleft out\n");
     for (const Json& item : json["left_out"]) {
-        fmt::print("  {:<32} {}\n", item["what"].get<std::string>(),
+        say_result("  {:<32} {}\n", item["what"].get<std::string>(),
                    item["why"].get<std::string>());
     }
 }
@@ -203,7 +204,7 @@ void run_info(const InfoOptions& options) {
     if (!options.source.empty()) {
         const bool sound = options.source == "sound" && preset.scene.has_sound;
         const std::size_t pass = sound ? kSoundPass : find_pass(preset.scene, options.source);
-        fmt::print("{}", pass_text(preset, pass, {.specialise = options.view.specialise}).text);
+        say_result("{}", pass_text(preset, pass, {.specialise = options.view.specialise}).text);
         return;
     }
     const auto context = make_egl_context(options.view.device);
@@ -215,7 +216,7 @@ void run_info(const InfoOptions& options) {
     Json json = inspect(seen);
     json["renderer"] = context->renderer();
     if (options.view.json)
-        fmt::print("{}\n", json.dump(2));
+        say_result("{}\n", json.dump(2));
     else
         print_tables(seen, json);
 }

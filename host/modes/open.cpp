@@ -1,8 +1,10 @@
 #include "modes/open.h"
 
 #include "gl/context.h"
+#include "modes/import.h"
 #include "modes/still.h"
 #include "modes/window.h"
+#include "say.h"
 
 #include <fmt/format.h>
 
@@ -19,20 +21,31 @@ bool has_display() {
     return false;
 }
 
+// A shader of the site is imported, as where it is dropped on the window: a person wants to work on
+// it. Where that fails the window shows why.
+ViewOptions shown_in_window(const ViewOptions& options) {
+    if (!is_shadertoy(options.file)) return options;
+    const ImportedBeside imported = import_beside(options.file);
+    if (!imported.notice.empty()) say("{}\n", imported.notice);
+    ViewOptions shown = options;
+    if (!imported.scene.empty()) shown.file = imported.scene;
+    return shown;
+}
+
 }  // namespace
 
 void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     if (has_display()) {
         try {
-            return run_window(options);
+            return run_window(shown_in_window(options));
         } catch (const NoContext& error) {
-            fmt::print(stderr, "{}\n", error.what());
+            say("{}\n", error.what());
         }
     }
     StillOptions still;
     still.view = options;
     still.output = options.file.stem().string() + ".png";
-    fmt::print(stderr, "There is no display; the picture goes to {}.\n", still.output.string());
+    say("There is no display; the picture goes to {}.\n", still.output.string());
     run_still(still, since_start);
 }
 

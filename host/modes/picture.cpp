@@ -1,5 +1,7 @@
 #include "modes/picture.h"
 
+#include "modes/numbered_name.h"
+
 #include <fmt/format.h>
 
 namespace glint {
@@ -18,6 +20,18 @@ RenderOptions render_options(const PictureOptions& options, const PictureKind& k
             .picture_format = kind.floats ? PixelFormat::rgba32f : PixelFormat::rgba8,
             .samples = options.samples,
             .in_strips = true};
+}
+
+void require_files_apart(const PictureOptions& options, const NamedFile& output,
+                         const NamedFile& pictures, const Preset& preset) {
+    const NamedFile from{"--from-state", options.state.from};
+    const NamedFile saved{"--save-state", options.state.save};
+    std::vector<NamedFile> inputs = files_read_for(preset);
+    inputs.push_back(pictures);
+    require_apart({output, saved}, inputs);
+    require_apart({output}, {from});
+    // What goes on from one of numbered states writes that one again, the same to the last bit.
+    if (!numbered_name(from.name) && !numbered_name(saved.name)) require_apart({saved}, {from});
 }
 
 double exposure_of(const PictureOptions& options, const PassGraph& graph) {

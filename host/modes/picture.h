@@ -1,6 +1,7 @@
 // What a still and the pictures of a sequence have in common: how they are asked for and made.
 #pragma once
 
+#include "modes/named_files.h"
 #include "modes/snapshot.h"
 
 namespace glint {
@@ -24,6 +25,11 @@ struct PictureKind {
 CompileOptions compile_options(const PictureOptions& options, const PictureKind& kind);
 RenderOptions render_options(const PictureOptions& options, const PictureKind& kind,
                              glm::ivec2 size);
+
+// Throws UsageError where two of the files that a call writes are one, or one of them is read: the
+// picture, and the state that is saved. `pictures` are read, too.
+void require_files_apart(const PictureOptions& options, const NamedFile& output,
+                         const NamedFile& pictures, const Preset& preset);
 
 // Seconds that the shutter stays open. Throws UsageError where nothing can be drawn between two
 // frames.

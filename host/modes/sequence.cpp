@@ -7,6 +7,7 @@
 #include "modes/sequence_output.h"
 #include "modes/sound.h"
 #include "render/readback.h"
+#include "say.h"
 #include "sound/sound.h"
 
 #include <fmt/format.h>
@@ -184,12 +185,16 @@ void simulate_to(Run& run, int frame) {
     }
 }
 
-// The sound of a film as a WAV file beside it, since that of an hour is 635 MB; null when the scene
-// or the film has none, or frames are left out and time runs faster.
-std::unique_ptr<TemporaryFile> sound_of(const SequenceOptions& options, const Preset& preset,
-                                        const Frames& frames) {
-    if (!preset.scene.has_sound || !has_sound(options.output) || frames.count == 0) return nullptr;
-    if (frames.step > 1 && frames.count > 1) return nullptr;
+// The samples that are heard while a film's frames are shown.
+struct Heard {
+    long first = 0, count = 0;
+};
+
+// None when the scene or the film has no sound, or frames are left out and time runs faster. Throws
+// UsageError where it is longer than its file can be.
+Heard heard_in(const SequenceOptions& options, const Preset& preset, const Frames& frames) {
+    if (!preset.scene.has_sound || !has_sound(options.output) || frames.count == 0) return {};
+    if (frames.step > 1 && frames.count > 1) return {};
     const auto sample_of = [&](double frame) {
         return std::lround(frame / options.fps * kSampleRate);
     };
@@ -199,6 +204,15 @@ std::unique_ptr<TemporaryFile> sound_of(const SequenceOptions& options, const Pr
         throw UsageError(
             "A film's sound ends before 3 hours 20: export the film in parts, with --frames.");
     }
+    return {first, count};
+}
+
+// The sound of a film as a WAV file beside it, since that of an hour is 635 MB; null when there is
+// none.
+std::unique_ptr<TemporaryFile> sound_of(const SequenceOptions& options, const Preset& preset,
+                                        const Frames& frames) {
+    const auto [first, count] = heard_in(options, preset, frames);
+    if (count == 0) return nullptr;
     auto file = std::make_unique<TemporaryFile>(options.output);
     SoundWriter writer(file->descriptor(), "sound.wav");
     Progress progress("sound", count);
@@ -211,6 +225,14 @@ std::unique_ptr<TemporaryFile> sound_of(const SequenceOptions& options, const Pr
         throw cannot_write(options.output, std::generic_category().message(error));
     }
     return file;
+}
+
+// Raw frames have stdout for themselves.
+void say_line(const SequenceOptions& options, const std::string& line) {
+    if (options.output == "-")
+        say("{}\n", line);
+    else
+        say_result("{}\n", line);
 }
 
 void print_result(const SequenceOptions& options, const Run& run, double ms) {
@@ -228,19 +250,18 @@ void print_result(const SequenceOptions& options, const Run& run, double ms) {
                            {"specialised", options.view.specialise},
                            {"frames_per_second", rate},
                            {"ms", {{"total", ms}}}};
-        fmt::print("{}\n", json.dump(2));
+        say_result("{}\n", json.dump(2));
         return;
     }
     if (options.output.empty()) {
-        fmt::print("{}  {} states  {} frames simulated  {:.1f} s\n", options.state.save, run.saved,
+        say_result("{}  {} states  {} frames simulated  {:.1f} s\n", options.state.save, run.saved,
                    run.simulated, ms / 1000.0);
         return;
     }
-    // Raw frames have stdout for themselves.
-    fmt::print(options.output == "-" ? stderr : stdout,
-               "{}  {} frames{}  {}x{}  {:.1f} s  {:.1f} frames/s\n", options.output, run.written,
-               run.skipped ? fmt::format(", {} were there", run.skipped) : "", size.x, size.y,
-               ms / 1000.0, rate);
+    say_line(options, fmt::format("{}  {} frames{}  {}x{}  {:.1f} s  {:.1f} frames/s",
+                                  options.output, run.written,
+                                  run.skipped ? fmt::format(", {} were there", run.skipped) : "",
+                                  size.x, size.y, ms / 1000.0, rate));
 }
 
 void print_joined(const SequenceOptions& options, const Preset& preset, std::int64_t frames,
@@ -253,11 +274,10 @@ void print_joined(const SequenceOptions& options, const Preset& preset, std::int
                            {"frames", frames},
                            {"missing", Json::array()},
                            {"ms", {{"total", ms}}}};
-        fmt::print("{}\n", json.dump(2));
+        say_result("{}\n", json.dump(2));
         return;
     }
-    fmt::print(options.output == "-" ? stderr : stdout, "{}  {} frames  {:.1f} s\n", output, frames,
-               ms / 1000.0);
+    say_line(options, fmt::format("{}  {} frames  {:.1f} s", output, frames, ms / 1000.0));
 }
 
 // The frames whose pictures are not there, not whole, or made from something else, no matter by
@@ -281,12 +301,23 @@ std::vector<int> missing_frames(const NumberedName& pictures, const Frames& fram
     return missing;
 }
 
+// Without the folder that they would be in, nobody has begun, and there is no list to go through.
+void require_folder(const SequenceOptions& options, const NumberedName& pictures,
+                    const Frames& frames) {
+    const fs::path folder = pictures.name(frames[0]).parent_path();
+    std::error_code error;
+    if (options.view.json || folder.empty() || fs::is_directory(folder, error)) return;
+    say("error: all {} pictures are missing: there is no folder {}.\n", frames.count,
+        folder.string());
+    throw Stop(ExitCode::check_failed);
+}
+
 [[noreturn]] void stop_for_missing(const SequenceOptions& options, const std::vector<int>& missing,
                                    std::int64_t wanted) {
-    if (options.view.json) fmt::print("{}\n", Json({{"missing", missing}}).dump(2));
-    if (!options.view.json && options.output != "-") fmt::print("{}\n", fmt::join(missing, "\n"));
-    fmt::print(stderr, "error: {} of {} pictures are missing, not whole, or of another sequence.\n",
-               missing.size(), wanted);
+    if (options.view.json) say_result("{}\n", Json({{"missing", missing}}).dump(2));
+    if (!options.view.json && options.output != "-") say_result("{}\n", fmt::join(missing, "\n"));
+    say("error: {} of {} pictures are missing, not whole, or of another sequence.\n",
+        missing.size(), wanted);
     throw Stop(ExitCode::check_failed);
 }
 
@@ -296,6 +327,7 @@ void join_pictures(const SequenceOptions& options, Target target, const Preset& 
                    const Frames& frames, const std::string& inputs) {
     const Stopwatch clock;
     const NumberedName pictures = *numbered_name(options.from_pictures);
+    require_folder(options, pictures, frames);
     const std::vector<int> missing = missing_frames(pictures, frames, inputs);
     if (!missing.empty()) stop_for_missing(options, missing, frames.count);
     std::unique_ptr<Context> context;
@@ -325,6 +357,10 @@ void run_sequence(const SequenceOptions& options) {
     Frames frames = frames_of(options.frames, options.shard, options.fps);
     const int last = frames.last();
     const Preset preset = open_preset(options.view);
+    const int first = frames[0];
+    require_files_apart(options, {"-o", options.output == "-" ? "" : options.output, first, last},
+                        {"--from-pictures", options.from_pictures, first, last}, preset);
+    if (target == Target::film) heard_in(options, preset, frames);  // says what is too long
     const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
     const std::string inputs = inputs_of(options, provenance);
     if (!options.from_pictures.empty()) {

@@ -1,6 +1,7 @@
 #include "modes/sequence_output.h"
 
 #include "base/readable_file.h"
+#include "say.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -41,6 +42,7 @@ void write_to_stdout(const Image& image) {
     try {
         write_all(STDOUT_FILENO, raw_frame(image));
     } catch (const std::system_error& error) {
+        result_error() = error.code().value();
         throw std::runtime_error("Cannot write to stdout: " + error.code().message() + ".");
     }
 }

@@ -5,6 +5,7 @@
 #include "modes/hash.h"
 #include "modes/numbered_name.h"
 #include "render/memory.h"
+#include "say.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
@@ -231,7 +232,7 @@ void tell(Severity severity, const fs::path& file, const std::string& text) {
     diagnostic.severity = severity;
     diagnostic.place.file = file.string();
     diagnostic.text = text;
-    fmt::print(stderr, "{}\n", to_string(diagnostic));
+    say("{}\n", to_string(diagnostic));
 }
 
 }  // namespace

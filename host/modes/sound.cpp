@@ -3,6 +3,8 @@
 #include "gl/context.h"
 #include "image/temporary_file.h"
 #include "modes/input_files.h"
+#include "modes/named_files.h"
+#include "say.h"
 #include "sound/sound.h"
 
 #include <fmt/format.h>
@@ -81,6 +83,7 @@ void run_sound(const SoundOptions& options) {
             "{} has no sound; it would be vec2 mainSound(int samp, float time) {{ ... }}.",
             preset.scene.files.front().string()));
     }
+    require_apart({{"-o", options.output.string()}}, files_read_for(preset));
     const auto context = make_egl_context(options.view.device);
     TemporaryFile out(options.output);
     SoundWriter writer(out.descriptor(), options.output);
@@ -100,9 +103,9 @@ void run_sound(const SoundOptions& options) {
                                              {"channels", 2},
                                              {"renderer", context->renderer()},
                                              {"ms", {{"total", clock.ms()}}}};
-        fmt::print("{}\n", json.dump(2));
+        say_result("{}\n", json.dump(2));
     } else {
-        fmt::print("{}  {:.1f} s of sound  {:.0f} ms\n", options.output.string(), options.seconds,
+        say_result("{}  {:.1f} s of sound  {:.0f} ms\n", options.output.string(), options.seconds,
                    clock.ms());
     }
 }

@@ -4,6 +4,7 @@
 #include "image/image.h"
 #include "modes/input_files.h"
 #include "modes/workers.h"
+#include "say.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -229,7 +230,7 @@ void print_result(const Still& still) {
     const bool is_picture = still.kind.pass == kImagePass;
     const glm::ivec2 size = is_picture ? still.preset.size : still.renderer.root_size();
     if (!options.view.json) {
-        fmt::print("{}  {}x{}  {:.0f} ms\n", options.output.string(), size.x, size.y, ms.total);
+        say_result("{}  {}x{}  {:.0f} ms\n", options.output.string(), size.x, size.y, ms.total);
         return;
     }
     const Json json = {{"output", options.output.string()},
@@ -250,7 +251,7 @@ void print_result(const Still& still) {
                          {"read", ms.read},
                          {"encode", ms.encode},
                          {"total", ms.total}}}};
-    fmt::print("{}\n", json.dump(2));
+    say_result("{}\n", json.dump(2));
 }
 
 }  // namespace
@@ -260,6 +261,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     Split ms;
     Stopwatch clock;
     const Preset preset = open_preset(options.view);
+    require_files_apart(options, {"-o", options.output.string()}, {}, preset);
     const PictureKind kind{.pass = find_pass(preset.scene, options.pass),
                            .floats = holds_floats(options.output),
                            .tiles = may_be_in_tiles(options, preset.size)};

@@ -1,8 +1,10 @@
 #include "modes/study.h"
 
+#include "modes/named_files.h"
 #include "modes/study_measure.h"
 #include "modes/study_page.h"
 #include "modes/study_store.h"
+#include "say.h"
 
 #include <fmt/format.h>
 
@@ -29,8 +31,8 @@ public:
         if (!wanted_) return;
         judge(study, more_is_better, on_software);
         const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
-        fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
-        std::fflush(stdout);
+        say_result("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        flush_results();
     }
 
 private:
@@ -138,7 +140,7 @@ void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* ref
             fmt::format("row of {} frames on {}{}\n{}", scenery.options.frames, machine_name(),
                         before, reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
-        if (auto kept = scenery.store.row(key)) {
+        if (auto kept = scenery.store.row(key, scenery.size)) {
             if (!value.is_between) {
                 previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
             }
@@ -222,10 +224,9 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
         .key = key_of_preset(preset, context.renderer(), options.pass, view.specialise),
         .lines = lines};
     if (plan.knobs.empty()) {
-        fmt::print(stderr,
-                   "warning: {} has no quality tweaks and accumulates nothing; name a tweak with "
-                   "--vary\n",
-                   file.string());
+        say("warning: {} has no quality tweaks and accumulates nothing; name a tweak with "
+            "--vary\n",
+            file.string());
     }
     for (const Knob& knob : plan.knobs) {
         studies.push_back(study_knob(scenery, knob));
@@ -234,8 +235,8 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             study.notes.push_back("left out: " + left_out);
         }
         const bool table = !options.view.json && !options.csv && !options.lines;
-        if (table) fmt::print("{}\n", to_table(study));
-        std::fflush(stdout);
+        if (table) say_result("{}\n", to_table(study));
+        flush_results();
     }
 }
 
@@ -248,9 +249,20 @@ Json to_json(const std::vector<Study>& studies, const std::string& renderer) {
     return json;
 }
 
+void require_report_apart(const StudyOptions& options) {
+    std::vector<NamedFile> outputs;
+    for (const char* name : {"study.csv", "study.json", "index.html"})
+        outputs.push_back({"-o", (options.output / name).string()});
+    for (const std::filesystem::path& file : options.files) {
+        const ReadPreset read = read_preset(file);
+        if (read.preset) require_apart(outputs, files_read_for(*read.preset));
+    }
+}
+
 }  // namespace
 
 void run_study(const StudyOptions& options) {
+    if (!options.output.empty()) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
     const StudyStore store(options.output);
     std::vector<Study> studies;
@@ -270,8 +282,8 @@ void run_study(const StudyOptions& options) {
         write_whole_file(options.output / "study.json", std::as_bytes(std::span(json)));
         write_page(options.output, studies);
     }
-    if (options.csv) fmt::print("{}", csv);
-    if (options.view.json) fmt::print("{}\n", to_json(studies, context->renderer()).dump(2));
+    if (options.csv) say_result("{}", csv);
+    if (options.view.json) say_result("{}\n", to_json(studies, context->renderer()).dump(2));
     if (code != ExitCode::done) throw Stop(code);
 }
 

@@ -2,6 +2,7 @@
 
 #include "image/temporary_file.h"
 #include "modes/hash.h"
+#include "say.h"
 #include "scene/raw_text.h"
 #include "scene/value.h"
 
@@ -67,6 +68,65 @@ void push_heat(Image& image, double difference) {
     }
 }
 
+// What is read from a file. Nothing where it is not there, and nothing with a word where it is not
+// what was written: whoever calls makes it anew.
+template <class Read>
+auto kept(const fs::path& name, Read read) -> decltype(read()) {
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(name, error))) return {};
+    try {
+        if (fs::is_regular_file(name, error)) return read();
+    } catch (const std::exception&) {
+    }
+    say("{}: warning: it is damaged, and is made anew\n", name.string());
+    return {};
+}
+
+// The same name, where something may stand that no file can replace, such as a FIFO; then it goes.
+const fs::path& cleared(const fs::path& name) {
+    std::error_code error;
+    if (!fs::is_regular_file(name, error)) fs::remove(name, error);
+    return name;
+}
+
+// Nothing where it is another's, whose digest is the same. Throws where it is not what keep()
+// wrote.
+std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {
+    std::string why_not;
+    const Json json = Json::parse(read_bytes(name, why_not).value_or(""));
+    if (json.at("key") != key.text) return std::nullopt;
+    StudyRow row{.value = json.at("value")};
+    if (!json.at("work").is_null()) row.work = json.at("work");
+    row.wall = timing_from(json.at("wall"));
+    row.gpu = timing_from(json.at("gpu"));
+    row.processor = timing_from(json.at("processor"));
+    row.all_passes_ms = json.at("all_passes_ms");
+    if (!json.at("error").is_null()) row.error = difference_from(json.at("error"));
+    if (!json.at("to_previous").is_null()) row.rmse_to_previous = json.at("to_previous");
+    row.failed = json.at("failed");
+    row.is_reference = json.at("is_reference");
+    row.picture = json.at("picture");
+    row.map = json.at("map");
+    row.resumed = true;
+    return row;
+}
+
+std::vector<float> rgba_in(const fs::path& name, glm::ivec2 size) {
+    const Image image = read_image(name);
+    if (image.size != size || image.type != ChannelType::f32 || image.channels != 3) {
+        throw std::runtime_error("It is another picture");
+    }
+    std::vector<float> rgba(image.pixels.size() / sizeof(float) / 3 * 4, 1.0f);
+    for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
+        std::memcpy(&rgba[i * 4], image.pixels.data() + i * 3 * sizeof(float), 3 * sizeof(float));
+    }
+    return rgba;
+}
+
+bool has_bytes(const fs::path& name) {
+    return kept(name, [&] { return !read_image(name).pixels.empty(); });
+}
+
 std::string file_facts(const fs::path& file) {
     std::error_code unknown;
     return fmt::format("{} {} {}", file.string(), fs::file_size(file, unknown),
@@ -121,25 +181,14 @@ fs::path StudyStore::file(const char* kind, const StudyKey& key, const char* end
     return folder_ / kind / fmt::format("{}-{}{}", name.substr(0, 80), digest(key.text), end);
 }
 
-std::optional<StudyRow> StudyStore::row(const StudyKey& key) const {
+std::optional<StudyRow> StudyStore::row(const StudyKey& key, glm::ivec2 size) const {
     if (folder_.empty()) return std::nullopt;
-    std::string why_not;
-    const auto text = read_bytes(file("data", key, ".json"), why_not);
-    const Json json = text ? Json::parse(*text, nullptr, false) : Json();
-    if (!json.is_object() || json.value("key", "") != key.text) return std::nullopt;
-    StudyRow row{.value = json.at("value")};
-    if (!json.at("work").is_null()) row.work = json.at("work");
-    row.wall = timing_from(json.at("wall"));
-    row.gpu = timing_from(json.at("gpu"));
-    row.processor = timing_from(json.at("processor"));
-    row.all_passes_ms = json.at("all_passes_ms");
-    if (!json.at("error").is_null()) row.error = difference_from(json.at("error"));
-    if (!json.at("to_previous").is_null()) row.rmse_to_previous = json.at("to_previous");
-    row.failed = json.at("failed");
-    row.is_reference = json.at("is_reference");
-    row.picture = json.at("picture");
-    row.map = json.at("map");
-    row.resumed = true;
+    const fs::path name = file("data", key, ".json");
+    auto row = kept(name, [&] { return row_in(name, key); });
+    if (!row || row->picture.empty()) return row;
+    row->picture = shown_file(key);
+    row->map = map_file(key);
+    if (!picture(key, size) || !has_bytes(folder_ / row->map)) return std::nullopt;
     return row;
 }
 
@@ -160,26 +209,22 @@ void StudyStore::keep(const StudyKey& key, const StudyRow& row) const {
                        {"picture", row.picture},
                        {"map", row.map}};
     const std::string text = json.dump(1) + "\n";
-    write_whole_file(file("data", key, ".json"), std::as_bytes(std::span(text)));
+    write_whole_file(cleared(file("data", key, ".json")), std::as_bytes(std::span(text)));
 }
 
 std::optional<std::vector<float>> StudyStore::picture(const StudyKey& key, glm::ivec2 size) const {
+    if (folder_.empty()) return std::nullopt;
     const fs::path name = file("data", key, ".exr");
-    std::error_code unknown;
-    if (folder_.empty() || !fs::exists(name, unknown)) return std::nullopt;
-    const Image image = read_image(name);
-    if (image.size != size || image.type != ChannelType::f32 || image.channels != 3) {
-        return std::nullopt;
-    }
-    std::vector<float> rgba(image.pixels.size() / sizeof(float) / 3 * 4, 1.0f);
-    for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
-        std::memcpy(&rgba[i * 4], image.pixels.data() + i * 3 * sizeof(float), 3 * sizeof(float));
-    }
-    return rgba;
+    auto rgba = kept(name, [&] { return std::optional(rgba_in(name, size)); });
+    return has_bytes(folder_ / shown_file(key)) ? rgba : std::nullopt;
 }
 
 std::string StudyStore::shown_file(const StudyKey& key) const {
     return file("pictures", key, ".png").lexically_relative(folder_).string();
+}
+
+std::string StudyStore::map_file(const StudyKey& key) const {
+    return file("pictures", key, "-map.png").lexically_relative(folder_).string();
 }
 
 std::string StudyStore::keep_picture(const StudyKey& key, std::span<const float> rgba,
@@ -192,8 +237,8 @@ std::string StudyStore::keep_picture(const StudyKey& key, std::span<const float>
         std::memcpy(exact.pixels.data() + i * 3 * sizeof(float), &rgba[i * 4], 3 * sizeof(float));
         for (std::size_t c = 0; c < 3; ++c) push_byte(shown, rgba[i * 4 + c]);
     }
-    write_image(folder_ / shown_file(key), shown);
-    write_image(file("data", key, ".exr"), exact);
+    write_image(cleared(folder_ / shown_file(key)), shown);
+    write_image(cleared(file("data", key, ".exr")), exact);
     return shown_file(key);
 }
 
@@ -217,9 +262,8 @@ std::string StudyStore::keep_map(const StudyKey& key, std::span<const float> pic
             for (const double c : {1.0, 0.0, 1.0}) push_byte(map, c);
         }
     }
-    const fs::path png = file("pictures", key, "-map.png");
-    write_image(png, map);
-    return png.lexically_relative(folder_).string();
+    write_image(cleared(folder_ / map_file(key)), map);
+    return map_file(key);
 }
 
 }  // namespace glint

@@ -26,12 +26,13 @@ public:
     // Without a folder nothing is kept and nothing is found.
     explicit StudyStore(std::filesystem::path folder);
 
-    // A row that an earlier call has finished.
-    std::optional<StudyRow> row(const StudyKey& key) const;
+    // A row that an earlier call has finished, if all of it is whole, its pictures of this size,
+    // too. What is damaged is told on stderr, and is to be made anew.
+    std::optional<StudyRow> row(const StudyKey& key, glm::ivec2 size) const;
     void keep(const StudyKey& key, const StudyRow& row) const;
 
-    // RGBA, exact but for alpha. Beside it lies a PNG to look at, whose name, seen from the folder,
-    // is that of shown_file().
+    // RGBA, exact but for alpha. Beside it lies a PNG to look at, whole as well, whose name, seen
+    // from the folder, is that of shown_file().
     std::optional<std::vector<float>> picture(const StudyKey& key, glm::ivec2 size) const;
     std::string shown_file(const StudyKey& key) const;
     std::string keep_picture(const StudyKey& key, std::span<const float> rgba,
@@ -45,6 +46,7 @@ public:
     const std::filesystem::path& folder() const { return folder_; }
 
 private:
+    std::string map_file(const StudyKey& key) const;
     std::filesystem::path file(const char* kind, const StudyKey& key, const char* end) const;
 
     std::filesystem::path folder_;

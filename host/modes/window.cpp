@@ -5,6 +5,7 @@
 #include "modes/import.h"
 #include "modes/inspect.h"
 #include "modes/playground_window.h"
+#include "say.h"
 #include "scene/preset_writer.h"
 #include "scene/raw_text.h"
 
@@ -279,9 +280,9 @@ void PlaygroundWindow::print_reports() {
     const std::size_t unprinted = std::min(total - printed_reports_, reports.size());
     for (std::size_t i = reports.size() - unprinted; i < reports.size(); ++i) {
         last_reload_ = reports[i].text;
-        fmt::print(stderr, "{}\n", last_reload_);
+        say("{}\n", last_reload_);
         for (const Diagnostic& diagnostic : playground_.diagnostics()) {
-            fmt::print(stderr, "{}\n", to_string(diagnostic));
+            say("{}\n", to_string(diagnostic));
         }
         if (reports[i].shown && !values_known_) {
             saved_values_ = playground_.history.values();

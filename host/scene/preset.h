@@ -38,7 +38,8 @@ struct ReadPreset {
     std::vector<std::filesystem::path> files;
 };
 
-// Reads a preset with its scene (".toml"), or a scene with its defaults (any other name). Never
+// Reads a preset with its scene (".toml"), or a scene with its defaults (any other name; ".json": a
+// shader of the site). Never
 // throws for what the files say.
 ReadPreset read_preset(const std::filesystem::path& file);
 

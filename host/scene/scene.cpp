@@ -4,6 +4,7 @@
 #include "scene/annotation.h"
 #include "scene/builtin.h"
 #include "scene/declaration.h"
+#include "scene/shadertoy.h"
 #include "scene/source_text.h"
 #include "scene/value.h"
 
@@ -426,6 +427,19 @@ void Builder::blank_builtins(const Declaration& declaration) {
     if (!keeps_any) blank(declaration.span.begin, declaration.span.end);
 }
 
+// A stranger's shader may name files in words that only Glint knows.
+void refuse_outside(const Scene& scene, const std::filesystem::path& json,
+                    Diagnostics& diagnostics) {
+    const auto outside = files_outside(scene, json.parent_path());
+    if (outside.empty()) return;
+    diagnostics.push_back(
+        {Severity::error,
+         {json.string()},
+         fmt::format("its code names {}, which is outside its folder; `glint import --anywhere` "
+                     "makes a scene of it",
+                     in_quotes(outside.front().string()))});
+}
+
 }  // namespace
 
 Place Scene::place(int line, int column) const {
@@ -440,8 +454,18 @@ ReadScene read_scene(const std::filesystem::path& file) {
     SourceText source = read_source(file, result.diagnostics);
     result.files = source.files;
     Scene scene = Builder(std::move(source), result.diagnostics).build();
+    if (file.extension() == ".json") refuse_outside(scene, file, result.diagnostics);
     if (!has_errors(result.diagnostics)) result.scene = std::move(scene);
     return result;
+}
+
+std::vector<std::filesystem::path> files_outside(const Scene& scene,
+                                                 const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files = scene.files;
+    for (const Sampler& sampler : scene.samplers)
+        files.insert(files.end(), sampler.files.begin(), sampler.files.end());
+    std::erase_if(files, [&](const auto& file) { return is_within(file, folder); });
+    return files;
 }
 
 }  // namespace glint

@@ -159,7 +159,12 @@ struct ReadScene {
     std::vector<std::filesystem::path> files;
 };
 
-// Reads a scene file and its includes. Never throws for what the file says.
+// Reads a scene file and its includes, or a .json that holds a shader of the site. Never throws for
+// what the file says.
 ReadScene read_scene(const std::filesystem::path& file);
+
+// The files that a scene is made of or reads, which stand outside this folder or lead out of it.
+std::vector<std::filesystem::path> files_outside(const Scene& scene,
+                                                 const std::filesystem::path& folder);
 
 }  // namespace glint

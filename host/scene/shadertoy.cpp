@@ -130,7 +130,7 @@ public:
 private:
     std::vector<std::string> tab_names(const Json& passes);
     void error(const std::string& text) {
-        diagnostics_.push_back({Severity::error, {file_.string()}, text});
+        diagnostics_.push_back({Severity::error, {file_.string()}, text, true});
     }
 
     const fs::path& file_;
@@ -238,18 +238,21 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
         diagnostics.push_back(
             {Severity::error,
              {file.string(), static_cast<int>(line), static_cast<int>(column)},
-             "this is no JSON; export the shader again, or give a folder of its tabs"});
+             "this is no JSON; export the shader again, or give a folder of its tabs",
+             true});
         return {};
     } catch (const Json::out_of_range&) {
         diagnostics.push_back({Severity::error,
                                {file.string()},
-                               "a number in it is too large; export the shader again"});
+                               "a number in it is too large; export the shader again",
+                               true});
         return {};
     }
     if (too_deep) {
         diagnostics.push_back({Severity::error,
                                {file.string()},
-                               "it is nested as no shader is; export the shader again"});
+                               "it is nested as no shader is; export the shader again",
+                               true});
         return {};
     }
     JsonReader reader(file, diagnostics);
@@ -258,7 +261,7 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
     for (const Json& outer : one)
         if (auto shader = reader.shader(outer)) shaders.push_back(std::move(*shader));
     if (one.empty())
-        diagnostics.push_back({Severity::error, {file.string()}, "there is no shader in it"});
+        diagnostics.push_back({Severity::error, {file.string()}, "there is no shader in it", true});
     if (has_errors(diagnostics)) return {};
     for (Shadertoy& shader : shaders) sort_tabs(shader);
     return shaders;

@@ -2,6 +2,7 @@
 #include "scene/source_text.h"
 
 #include "scene/foreign_text.h"
+#include "scene/shadertoy.h"
 #include "scene/value.h"
 
 #include <fmt/format.h>
@@ -93,6 +94,10 @@ class Reader {
 public:
     explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
+    // Appends the text of a scene that is kept as a shader of the site. Its places are those of the
+    // scene file that `glint import` would write.
+    void import(const fs::path& json);
+
     // Appends a file's text. `named_at` is the place of the #include, or nothing for the scene.
     void read(const fs::path& path, const std::optional<Place>& named_at);
 
@@ -110,6 +115,8 @@ private:
     };
 
     std::optional<File> open(const fs::path& path, const std::optional<Place>& named_at);
+    File file_of(const fs::path& path, std::string_view raw);
+    void append(File file, const Place& named_at);
     void append_lines(File& file);
     void include(File& file, Span line, int number, const Directive& directive);
     void emit(File& file, Span line, int number, Span blanked);
@@ -127,13 +134,8 @@ private:
 
 std::optional<Reader::File> Reader::open(const fs::path& path,
                                          const std::optional<Place>& named_at) {
-    File file;
-    auto& files = source_.files;
-    const auto known = std::find(files.begin(), files.end(), path);
-    file.index = static_cast<std::size_t>(known - files.begin());
-    if (known == files.end()) files.push_back(path);
-    file.identity = identity(path);
-
+    if (std::ranges::find(source_.files, path) == source_.files.end())
+        source_.files.push_back(path);
     std::string why_not;
     const auto raw = read_bytes(path, why_not);
     if (!raw) {
@@ -142,7 +144,16 @@ std::optional<Reader::File> Reader::open(const fs::path& path,
              fmt::format("cannot read {}: {}", in_quotes(path.string()), why_not), true});
         return std::nullopt;
     }
-    CleanText cleaned = clean_text(*raw);
+    return file_of(path, *raw);
+}
+
+// Of a file that stands in source_.files.
+Reader::File Reader::file_of(const fs::path& path, std::string_view raw) {
+    File file;
+    const auto known = std::ranges::find(source_.files, path);
+    file.index = static_cast<std::size_t>(known - source_.files.begin());
+    file.identity = identity(path);
+    CleanText cleaned = clean_text(raw);
     if (cleaned.nul_line > 0) {
         error({path.string(), cleaned.nul_line, cleaned.nul_column},
               "a NUL byte stands here: this is no text, or not UTF-8; save it as UTF-8");
@@ -158,16 +169,33 @@ std::optional<Reader::File> Reader::open(const fs::path& path,
 }
 
 void Reader::read(const fs::path& path, const std::optional<Place>& named_at) {
-    auto file = open(path, named_at);
-    if (!file) return;
-    if (file->text.size() + source_.text.size() > kLargestText) {
-        error(named_at.value_or(Place{path.string()}),
-              "the text with its includes is larger than 64 MiB; include less");
-        return;
-    }
-    chain_.emplace_back(file->identity, path.string());
-    append_lines(*file);
+    if (auto file = open(path, named_at))
+        append(std::move(*file), named_at.value_or(Place{path.string()}));
+}
+
+void Reader::append(File file, const Place& named_at) {
+    if (file.text.size() + source_.text.size() > kLargestText)
+        return error(named_at, "the text with its includes is larger than 64 MiB; include less");
+    chain_.emplace_back(file.identity, source_.files[file.index].string());
+    append_lines(file);
     chain_.pop_back();
+}
+
+void Reader::import(const fs::path& json) {
+    const fs::path scene = fs::path(json).replace_extension(".frag");
+    source_.files = {json, scene};
+    const std::vector<Shadertoy> shaders = read_shadertoys(json, diagnostics_);
+    if (shaders.empty()) return;
+    if (shaders.size() > 1) {
+        diagnostics_.push_back(
+            {Severity::warning,
+             {json.string()},
+             fmt::format("it holds {} shaders, and this is the first; `glint import` writes a "
+                         "scene file for each",
+                         shaders.size())});
+    }
+    const std::string text = scene_text(shaders.front(), json, scene.parent_path(), diagnostics_);
+    append(file_of(scene, text), {scene.string()});
 }
 
 void Reader::append_lines(File& file) {
@@ -299,7 +327,10 @@ Place SourceText::place(std::size_t offset) const {
 
 SourceText read_source(const fs::path& file, Diagnostics& diagnostics) {
     Reader reader(diagnostics);
-    reader.read(file, std::nullopt);
+    if (file.extension() == ".json")
+        reader.import(file);
+    else
+        reader.read(file, std::nullopt);
     return reader.take();
 }
 

@@ -29,8 +29,9 @@ struct SourceText {
     std::size_t line_index(std::size_t offset) const;  // into origins
 };
 
-// Reads a file with its includes. What is wrong goes to diagnostics; the text is whole all the
-// same.
+// Reads a file with its includes; of a .json, a shader of the site, the scene that `glint import`
+// makes of it, which stands second in `files`, though there may be no such file. What is wrong goes
+// to diagnostics; the text is whole all the same.
 SourceText read_source(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 }  // namespace glint

@@ -383,6 +383,9 @@ TEST_F(ImportOfAStranger, ItsCodeNamesNothingElseEither) {
             << refused.err;
         EXPECT_NE(refused.err.find("; --anywhere imports it"), std::string::npos) << refused.err;
         EXPECT_FALSE(fs::exists(folder() / "in/one.frag"));
+        const Outcome drawn = glint({"still", "in/one.json", "-o", "o.png", "--size", "8x8"});
+        EXPECT_EQ(drawn.code, 4) << drawn.err;
+        EXPECT_NE(drawn.err.find("`glint import --anywhere`"), std::string::npos) << drawn.err;
         EXPECT_EQ(import_one("", code, {"--anywhere"}).code, 0);
         EXPECT_TRUE(fs::exists(folder() / "in/one.frag"));
     }
@@ -399,6 +402,47 @@ TEST_F(ImportOfAStranger, ATabThatLeadsOutOfItsFolderIsLeftOut) {
     EXPECT_EQ(bytes("tabs.frag").find("secret"), std::string::npos);
     EXPECT_EQ(glint({"import", "in/tabs", "-o", "all.frag", "--anywhere"}).err, "");
     EXPECT_NE(bytes("all.frag").find("secret"), std::string::npos);
+}
+
+TEST_F(Import, EveryVerbTakesTheFileOfTheSiteAndDrawsWhatTheImportDraws) {
+    write("toy.json",
+          Json{{"Shader", {{"info", Json::object()}, {"renderpass", chain(257, 258, 37)}}}}.dump());
+    const auto before = draw("toy.json", 7);
+    EXPECT_EQ(before, (std::array{64, 102, 64}));
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"sequence", "toy.json", "--size", "64x36", "--frames", "7:7", "-o", "p%d.png"},
+             {"info", "toy.json"},
+             {"bench", "toy.json", "--size", "16x9", "--frames", "2"},
+             {"check", "toy.json", "--size", "16x9", "--case", "size", "-o", "failures"},
+             {"export", "toy.json", "-o", "tabs"}}) {
+        SCOPED_TRACE(words[0]);
+        const Outcome outcome = glint(words);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+    }
+    EXPECT_EQ(read_image(folder() / "p7.png").pixels, read_image(folder() / "out.png").pixels);
+    // No scene is left behind; a preset may name the file, too.
+    EXPECT_FALSE(fs::exists(folder() / "toy.frag"));
+    write("look.toml", "scene = \"toy.json\"\n");
+    EXPECT_EQ(draw("look.toml", 7), before);
+    ASSERT_EQ(glint({"import", "toy.json", "-o", "toy.frag"}).code, 0);
+    EXPECT_EQ(draw("toy.frag", 7), before);
+}
+
+TEST_F(Import, MistakesOfAFileOfTheSiteHaveThePlacesThatItsSceneWouldHave) {
+    const auto toy = [&](const std::string& code) {
+        write("toy.json",
+              Json{{"renderpass", Json::array({pass("image", "Image", 37, code)})}}.dump());
+        return glint({"still", "toy.json", "-o", "out.png", "--size", "8x8"});
+    };
+    const Outcome wrong = toy("void mainImage(out vec4 c, in vec2 p) { c = wrong; }");
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_TRUE(wrong.err.starts_with("toy.frag:")) << wrong.err;
+    ASSERT_EQ(glint({"import", "toy.json", "-o", "toy.frag"}).code, 0);
+    EXPECT_EQ(glint({"still", "toy.frag", "-o", "out.png", "--size", "8x8"}).err, wrong.err);
+    write("toy.json", "{");
+    EXPECT_EQ(glint({"still", "toy.json", "-o", "out.png"}).code, 4);
+    EXPECT_EQ(glint({"still", "gone.json", "-o", "out.png"}).code, 4);
+    EXPECT_FALSE(fs::exists(folder() / "out.png"));
 }
 
 }  // namespace

@@ -437,6 +437,26 @@ TEST_F(Sequence, AReaderOfStdoutThatGoesAwayOrIsFullEndsIt) {
     EXPECT_EQ(outcome.err, "error: Cannot write to stdout: No space left on device.\n");
 }
 
+TEST_F(Sequence, AGifTakesEveryRateHoweverShort) {
+    write("scene.frag", kMoving);
+    const std::pair<std::vector<std::string>, int> cases[] = {
+        {{"--fps", "120", "--frames", "0:0"}, 1},
+        {{"--fps", "100000", "--frames", "0:8"}, 1},
+        {{"--fps", "120", "--frames", "0:11"}, 5},
+        {{"--fps", "30", "--frames", "0:2"}, 3},
+    };
+    for (auto [words, shown] : cases) {
+        SCOPED_TRACE(words[1]);
+        words.insert(words.end(), {"scene.frag", "-o", "film.gif"});
+        result(words);
+        const std::string film = bytes("film.gif");
+        int pictures = 0;  // each has a block that tells how long it is shown
+        for (std::size_t at = 0; (at = film.find("\x21\xF9\x04", at)) != std::string::npos; ++at)
+            ++pictures;
+        EXPECT_EQ(pictures, shown);
+    }
+}
+
 TEST_F(Sequence, WhatMakesNoSenseIsSaidBeforeAnythingIsDrawn) {
     write("scene.frag", kGradient);
     const std::vector<std::vector<std::string>> wrong = {

@@ -2,9 +2,11 @@
 #include "command.h"
 
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <thread>
@@ -324,6 +326,56 @@ TEST_F(Study, AfterAKillItGoesOnFromWhatIsDone) {
     other.insert(other.end(), {"--tweak", "rule=left"});
     const Json left = Json::parse(glint(other).out);
     for (const Json& row : left["rows"]) EXPECT_EQ(row["resumed"], false);
+}
+
+TEST_F(Study, WhatIsDamagedIsMadeAnewAndTheRestStays) {
+    write("s.frag",
+          "uniform float a; //@ 0.5 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(a * p.x / iResolution.x); }\n");
+    const std::vector<std::string> arguments = {"study",       "s.frag",    "--size", "16x9",
+                                                "--vary",      "a=0.2,0.4", "-o",     "report",
+                                                "--reference", "a=1",       "--json"};
+    const Outcome first = glint(arguments);
+    ASSERT_EQ(first.code, 0) << first.err;
+    const Json rows = Json::parse(first.out)["rows"];
+    std::vector<fs::path> files;
+    for (const char* kind : {"data", "pictures"})
+        for (const auto& entry : fs::directory_iterator(folder() / "report" / kind))
+            files.push_back(entry.path());
+    ASSERT_GE(files.size(), 10u);  // two of each reference, four of each row
+
+    const std::function<void(const fs::path&)> damages[] = {
+        [](const fs::path& file) { fs::resize_file(file, 0); },
+        [](const fs::path& file) { fs::resize_file(file, fs::file_size(file) * 2 / 3); },
+        [](const fs::path& file) {
+            fs::remove(file);
+            ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+        },
+        [this](const fs::path& file) {  // whole, and something else
+            fs::copy_file(folder() / "s.frag", file, fs::copy_options::overwrite_existing);
+        },
+    };
+    for (const auto& damage : damages) {
+        for (const fs::path& file : files) damage(file);
+        const Outcome again = glint(arguments);
+        EXPECT_EQ(again.code, 0) << again.err;
+        EXPECT_NE(again.err.find("it is damaged, and is made anew"), std::string::npos);
+        const Json anew = Json::parse(again.out, nullptr, false)["rows"];
+        ASSERT_EQ(anew.size(), rows.size()) << again.out;
+        for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(anew[i]["rmse"], rows[i]["rmse"]);
+    }
+    // One alone costs no other.
+    for (const fs::path& file : files) fs::last_write_time(file, fs::file_time_type());
+    const auto exr = std::ranges::find_if(
+        files, [](const fs::path& file) { return file.extension() == ".exr"; });
+    fs::resize_file(*exr, 100);
+    EXPECT_EQ(glint(arguments).code, 0);
+    EXPECT_LE(std::ranges::count_if(files,
+                                    [](const fs::path& file) {
+                                        return fs::last_write_time(file) != fs::file_time_type();
+                                    }),
+              4);
+    EXPECT_EQ(glint(arguments).err, "");
 }
 
 TEST_F(Study, MistakesHaveTheSameCodesAsAStill) {
