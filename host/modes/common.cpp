@@ -124,11 +124,10 @@ std::size_t find_pass(const Scene& scene, const std::string& name) {
 
 Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why) {
     const std::string name = pass_name(preset.scene, pass);
-    return {
-        Severity::error, entry_place(preset.scene, name),
-        fmt::format("pass {}: the driver {}; take large arrays, macros that grow and loops that "
-                    "are unrolled apart, or make them smaller",
-                    name, why)};
+    return {Severity::error, entry_place(preset.scene, name),
+            fmt::format("pass {}: the driver {}; is there a huge array, a macro that grows, or an "
+                        "expression or a chain of calls nested too deep?",
+                        name, why)};
 }
 
 namespace {

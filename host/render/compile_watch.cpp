@@ -10,11 +10,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <mutex>
+#include <optional>
 
 namespace glint {
 namespace {
@@ -51,14 +55,62 @@ clockid_t compiling_clock() {
     return clock;
 }
 
+std::optional<double> wanted_by(const char* variable) {
+    const char* text = std::getenv(variable);
+    const double number = text ? std::strtod(text, nullptr) : 0.0;
+    return number > 0.0 && number < 1e6 ? std::optional(number) : std::nullopt;
+}
+
+// What a handler of signals can know.
+std::atomic<pid_t> trapped_thread = 0;
+std::atomic<int> crash_signal = 0;
+alignas(16) std::array<std::byte, 64 * 1024> handler_stack;  // a compiler overflows its own
+
+void default_action(int signal) {
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);  // heard when the handler returns
+}
+
+// The other thread says what there is to say, and ends the process; or it is stuck as well.
+void hear_crash(int signal) {
+    if (::gettid() != trapped_thread) return default_action(signal);
+    crash_signal = signal;
+    ::sleep(5);
+    default_action(signal);
+}
+
 }  // namespace
+
+CrashTrap::CrashTrap() {
+    crash_signal = 0;
+    trapped_thread = ::gettid();
+    stack_t stack{};
+    stack.ss_sp = handler_stack.data();
+    stack.ss_size = handler_stack.size();
+    ::sigaltstack(&stack, &stack_before_);
+    struct sigaction action {};
+    action.sa_handler = hear_crash;
+    action.sa_flags = SA_ONSTACK;
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+        ::sigaction(kSignals[i], &action, &before_[i]);
+}
+
+CrashTrap::~CrashTrap() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+        ::sigaction(kSignals[i], &before_[i], nullptr);
+    ::sigaltstack(&stack_before_, nullptr);
+    trapped_thread = 0;
+}
+
+int CrashTrap::crashed() {
+    return crash_signal;
+}
 
 CompileLimits compile_limits() {
     CompileLimits limits;
-    if (const char* seconds = std::getenv("GLINT_COMPILE_SECONDS")) {
-        const double wanted = std::strtod(seconds, nullptr);
-        if (wanted > 0.0) limits.seconds = wanted;
-    }
+    if (const auto seconds = wanted_by("GLINT_COMPILE_SECONDS")) limits.seconds = *seconds;
+    if (const auto gib = wanted_by("GLINT_COMPILE_GIB"))
+        limits.bytes = static_cast<std::size_t>(*gib * (1 << 30));
     limits.bytes = std::min(limits.bytes, available_memory() / 4 * 3);
     return limits;
 }
@@ -74,6 +126,8 @@ CompileWatch::CompileWatch(const GiveUp& give_up, const Preset& preset, std::siz
         std::unique_lock lock(mutex);
         std::condition_variable_any none;
         while (!none.wait_for(lock, stop, kBetweenLooks, [&] { return stop.stop_requested(); })) {
+            if (const int signal = CrashTrap::crashed())
+                give_up(preset, pass, fmt::format("crashed ({})", ::strsignal(signal)));
             if (seconds_on(clock) - start > limits.seconds)
                 give_up(preset, pass,
                         fmt::format("took more than {:g} s to compile", limits.seconds));

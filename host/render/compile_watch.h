@@ -1,8 +1,10 @@
 // Bounds what a driver may take to compile one pass: no driver can be stopped in the midst, and
 // some texts would have it unroll, inline or expand for hours, or until the system kills whom it
-// likes.
+// likes. Others, nested too deep, make it crash.
 #pragma once
 
+#include <array>
+#include <csignal>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -23,9 +25,27 @@ struct CompileLimits {
     std::size_t bytes = std::size_t{2} << 30;
 };
 
-// The usual limits, less where less memory is free. GLINT_COMPILE_SECONDS in the environment is for
-// machines that need another time.
+// The usual limits, with less memory where less is free. GLINT_COMPILE_SECONDS and
+// GLINT_COMPILE_GIB in the environment are for machines that need others.
 CompileLimits compile_limits();
+
+// While it lasts, a crash of the thread that made it waits to be told of by another one. One at a
+// time.
+class CrashTrap {
+public:
+    CrashTrap();
+    ~CrashTrap();
+    CrashTrap(const CrashTrap&) = delete;
+    CrashTrap& operator=(const CrashTrap&) = delete;
+
+    // The signal; 0: none.
+    static int crashed();
+
+private:
+    static constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
+    std::array<struct sigaction, kSignals.size()> before_{};
+    stack_t stack_before_{};
+};
 
 // Watches what the thread that makes it lets a driver do, until it goes.
 class CompileWatch {
@@ -35,6 +55,7 @@ public:
                  std::size_t more_bytes = 0);
 
 private:
+    CrashTrap trap_;
     std::jthread thread_;
 };
 
