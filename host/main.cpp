@@ -127,10 +127,11 @@ void add_check(CLI::App& verb, CheckOptions& check) {
     verb.add_option("--random", check.effort.random, "sets of random tweaks")
         ->check(from(0, 1'000'000));
     verb.add_option("--seconds", check.effort.seconds,
-                    "that one file may take, 110 otherwise; 0: no limit")
+                    "that one file's cases may take, 110 otherwise; 0: no limit")
         ->check(from(0.0, 1e6));
     verb.add_option("--case", check.only, "only cases whose name begins so");
-    verb.add_option("--hang", check.hang_seconds, "s that one frame may take")
+    verb.add_option("--hang", check.hang_seconds,
+                    "s that one frame may take; less where --seconds are nearly over")
         ->check(from(1.0, 1e5));
     verb.add_option("-o,--output", check.output, "a folder for the pictures of failures");
     CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");

@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <X11/Xlib.h>
+#include <dlfcn.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -14,9 +15,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <utility>
-
-// As glfw3native.h declares it, which wants the headers of X11's extensions, too.
-extern "C" Display* glfwGetX11Display();
 
 namespace glint {
 namespace {
@@ -34,6 +32,36 @@ std::string last_error() {
 int hear_lost_display(Display*) {
     say("The display is gone; Glint ends.\n");
     std::_Exit(1);
+}
+
+// A function of a library that may be another one, or lack it, where this program runs.
+template <class Function>
+Function find_function(const char* name, void* library = RTLD_DEFAULT) {
+    return reinterpret_cast<Function>(::dlsym(library, name));
+}
+
+// GLFW 3.3 is built for X11 or for Wayland, under one file name; 3.4 knows both, and gives null for
+// the one that it does not run on.
+template <class Connection>
+Connection* find_display(const char* function) {
+    const auto get = find_function<Connection* (*)()>(function);
+    Connection* display = get ? get() : nullptr;
+    if (!display) glfwGetError(nullptr);  // that it is the other one is no error of ours
+    return display;
+}
+
+int x11_descriptor() {
+    auto* display = find_display<Display>("glfwGetX11Display");
+    return display ? XConnectionNumber(display) : -1;
+}
+
+int wayland_descriptor() {
+    auto* display = find_display<struct wl_display>("glfwGetWaylandDisplay");
+    void* library = display ? ::dlopen("libwayland-client.so.0", RTLD_LAZY | RTLD_NOLOAD) : nullptr;
+    if (!library) return -1;
+    const auto get = find_function<int (*)(struct wl_display*)>("wl_display_get_fd", library);
+    ::dlclose(library);  // GLFW keeps it
+    return get ? get(display) : -1;
 }
 
 void start_glfw() {
@@ -85,6 +113,9 @@ Window::Window(glm::ivec2 size, const std::string& title) {
         stop_glfw();
         throw;
     }
+    display_ = x11_descriptor();
+    is_wayland_ = display_ < 0;
+    if (display_ < 0) display_ = wayland_descriptor();
     listen();
 }
 
@@ -131,6 +162,11 @@ bool Window::is_full_screen() const {
 
 void Window::set_full_screen(bool full_screen) {
     if (full_screen == is_full_screen()) return;
+    // GLFW before 3.4 counts the frame that it draws under Wayland as part of a full screen, for
+    // which compositors end the program. Their own ways to fill the screen are left.
+    int major = 0, minor = 0;
+    glfwGetVersion(&major, &minor, nullptr);
+    if (is_wayland_ && major == 3 && minor < 4) return;
     if (!full_screen) {
         glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w,
                              GLFW_DONT_CARE);
@@ -151,8 +187,11 @@ void Window::set_full_screen(bool full_screen) {
 std::vector<WindowEvent> Window::events(double wait_seconds, std::span<const int> descriptors) {
     glfwPollEvents();
     if (events_.empty() && wait_seconds > 0.0) {
-        std::vector<pollfd> polled = {
-            {.fd = XConnectionNumber(glfwGetX11Display()), .events = POLLIN, .revents = 0}};
+        // Under Wayland a key that is held repeats by a clock of GLFW's own, which wakes nobody.
+        constexpr double kFrame = 1.0 / 60.0;
+        if (display_ < 0 || (is_wayland_ && held_keys_ > 0))
+            wait_seconds = std::min(wait_seconds, kFrame);
+        std::vector<pollfd> polled = {{.fd = display_, .events = POLLIN, .revents = 0}};
         for (const int fd : descriptors)
             polled.push_back({.fd = fd, .events = POLLIN, .revents = 0});
         const auto seconds = static_cast<std::time_t>(wait_seconds);
@@ -182,6 +221,7 @@ void Window::listen() {
     glfwGetCursorPos(window_, &cursor.x, &cursor.y);
     cursor_ = to_pixels(cursor.x, cursor.y);
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+        if (action != GLFW_REPEAT) self(w).count_key(action == GLFW_PRESS);
         self(w).push({.kind = WindowEvent::Kind::key,
                       .code = key,
                       .modifiers = modifiers,

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -61,10 +62,14 @@ private:
     std::vector<WindowEvent> events_;
     // Where the mouse was at the event in hand; GLFW tells only where it has come to since.
     glm::dvec2 cursor_{0.0};
+    int display_ = -1;  // readable when the display has something to say; -1: nobody can tell
+    bool is_wayland_ = false;
+    int held_keys_ = 0;
     glm::ivec4 windowed_{0};  // position and size to return to from full screen
 
     void listen();
     void push(WindowEvent event) { events_.push_back(std::move(event)); }
+    void count_key(bool down) { held_keys_ = std::max(0, held_keys_ + (down ? 1 : -1)); }
     glm::dvec2 to_pixels(double x, double y) const;
 };
 

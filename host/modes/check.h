@@ -15,8 +15,9 @@ namespace glint {
 struct Effort {
     std::optional<int> frames, random;  // kFrames and kRandom, as far as the seconds allow
     int inject = 3;                     // texels that are poisoned at once; 0: no such cases
-    // What one file may take. Then the rest is left out, and says so. A group of cases may take 0.3
-    // of what is left when it begins. 0: no limit.
+    // What the cases of one file may take. Then the rest is left out, and says so; a frame that is
+    // being drawn then is waited for 10 s. A group of cases may take 0.3 of what is left when it
+    // begins. 0: no limit.
     double seconds = 110.0;
     static constexpr int kFrames = 2000, kRandom = 64;
 

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -97,10 +98,14 @@ double pace_of(CheckSubject& subject, const Effort& effort) {
     return std::clamp(kQuick / std::max(clock.ms() / 2.0, kQuick), kLeast, 1.0);
 }
 
-void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
+// `wanted.effort.seconds` are those that are left; of `all_seconds` people have heard.
+void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, int pipe) {
     const Preset preset = open_preset(small(wanted.view));
     const auto context = make_egl_context(wanted.view.device);
+    // Compiling has limits of its own, and is no hang.
+    tell(pipe, {{"compiling", true}});
     CheckSubject subject(wanted.view, preset, *context);
+    tell(pipe, {{"compiling", false}});
     std::optional<CheckSubject> fed;  // with uniforms, for cases that change tweaks
     std::vector<Case> cases = all_cases(subject, wanted.effort);
     std::erase_if(cases, [&](const Case& c) { return !c.name.starts_with(wanted.only); });
@@ -116,12 +121,14 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
         if (wanted.scene_is_known && next.tweaks >= Case::Tweaks::all) {
             result.note = "the same as with the preset before";
         } else if (budget.is_over(next)) {
-            result.note = fmt::format("left out: --seconds {} were over", wanted.effort.seconds);
+            result.note = fmt::format("left out: --seconds {} were over", all_seconds);
         } else if (next.tweaks == Case::Tweaks::none) {
             result = run_case(check, next, wanted.folder);
         } else {
+            tell(pipe, {{"compiling", true}});
             if (!fed)
                 fed.emplace(wanted.view, preset, *context, SubjectOptions{.specialise = false});
+            tell(pipe, {{"compiling", false}});
             fed->after_frame = subject.after_frame;
             Check with_uniforms{.subject = *fed, .effort = wanted.effort, .pace = check.pace};
             result = run_case(with_uniforms, next, wanted.folder);
@@ -131,14 +138,15 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
     tell(pipe, {{"end", true}});
 }
 
-[[noreturn]] void be_the_child(const FileCheck& wanted, std::size_t first, int pipe) {
+[[noreturn]] void be_the_child(const FileCheck& wanted, double all_seconds, std::size_t first,
+                               int pipe) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const auto leave = [](ExitCode code) {
         std::fflush(nullptr);
         _exit(static_cast<int>(code));
     };
     try {
-        run_cases(wanted, first, pipe);
+        run_cases(wanted, all_seconds, first, pipe);
         leave(ExitCode::done);
     } catch (const Stop& stop) {
         leave(stop.code);
@@ -162,7 +170,7 @@ void run_cases(const FileCheck& wanted, std::size_t first, int pipe) {
 // A child and what it tells, until it ends or is silent for too long.
 class Child {
 public:
-    Child(const FileCheck& wanted, std::size_t first) {
+    Child(const FileCheck& wanted, double all_seconds, std::size_t first) {
         std::array<int, 2> ends{};
         if (::pipe(ends.data()) != 0) throw std::runtime_error("There is no pipe to be had.");
         std::fflush(nullptr);
@@ -170,7 +178,7 @@ public:
         if (pid_ < 0) throw std::runtime_error("There is no process to be had.");
         if (pid_ == 0) {
             ::close(ends[0]);
-            be_the_child(wanted, first, ends[1]);
+            be_the_child(wanted, all_seconds, first, ends[1]);
         }
         ::close(ends[1]);
         pipe_ = ends[0];
@@ -194,9 +202,11 @@ public:
                 return line;
             }
             pollfd readable{pipe_, POLLIN, 0};
+            const double worked = processor_seconds();
             const int ready = ::poll(&readable, 1, static_cast<int>(seconds * 1000.0));
             if (ready < 0 && errno == EINTR) continue;
             hung_ = ready == 0;
+            if (hung_) worked_ = processor_seconds() - worked;
             if (hung_) ::kill(pid_, SIGKILL);
             std::array<char, 4096> chunk;
             const ssize_t count = hung_ ? 0 : ::read(pipe_, chunk.data(), chunk.size());
@@ -206,6 +216,8 @@ public:
     }
 
     bool hung() const { return hung_; }
+    // Processor time that it took while it was silent, when that ended it.
+    double worked() const { return worked_; }
 
     // Its exit code, or minus the signal that ended it.
     int wait() {
@@ -217,13 +229,57 @@ public:
 private:
     pid_t pid_ = -1;
     int pipe_ = -1;
+    double processor_seconds() const {
+        clockid_t clock{};
+        timespec spent{};
+        if (::clock_getcpuclockid(pid_, &clock) != 0 || ::clock_gettime(clock, &spent) != 0)
+            return 0.0;
+        return static_cast<double>(spent.tv_sec) + static_cast<double>(spent.tv_nsec) * 1e-9;
+    }
+
     std::string text_;
     bool hung_ = false;
+    double worked_ = 0.0;
 };
 
+// What is left of --seconds, from the first case on.
+class SecondsLeft {
+public:
+    explicit SecondsLeft(const Effort& effort) : all_(effort.seconds) {}
+    void start() {
+        if (!started_) since_.restart();
+        started_ = true;
+    }
+    // None left is little, since 0 has no limit.
+    double left() const {
+        constexpr double kLittle = 1e-3;
+        if (all_ == 0.0 || !started_) return all_;
+        return std::max(all_ - since_.ms() / 1000.0, kLittle);
+    }
+
+private:
+    double all_;
+    bool started_ = false;
+    Stopwatch since_;
+};
+
+// A frame that never comes is a hang. One that has not come because --seconds were short is one as
+// well where it was worked on for half the time; otherwise the machine may have been busy.
+CaseResult silent_case(const std::string& name, const Child& child, double waited,
+                       const FileCheck& wanted) {
+    CaseResult result{.name = name};
+    if (waited >= wanted.hang_seconds || child.worked() > waited / 2) {
+        result.fail(fmt::format("hangs: no frame within {:g} s", waited));
+    } else {
+        result.verdict = CaseVerdict::skip;
+        result.note = fmt::format("left out: no frame within {:g} s, and --seconds {} were over",
+                                  waited, wanted.effort.seconds);
+    }
+    return result;
+}
+
 // What a case is told that ended its process.
-std::string last_words(const Child& child, int code, double hang_seconds) {
-    if (child.hung()) return fmt::format("hangs: no frame within {} s", hang_seconds);
+std::string last_words(int code) {
     if (code == static_cast<int>(ExitCode::context_lost)) return "the GPU was lost";
     if (code < 0) return fmt::format("the driver crashed: {}", ::strsignal(-code));
     return fmt::format("could not be drawn (exit code {})", code);
@@ -231,19 +287,40 @@ std::string last_words(const Child& child, int code, double hang_seconds) {
 
 }  // namespace
 
+double frame_wait_seconds(double hang_seconds, double all_seconds, double left_seconds) {
+    constexpr double kLeast = 10.0;  // the largest pictures of the slowest scenes here take 2 s
+    if (all_seconds == 0.0) return hang_seconds;
+    return std::min(hang_seconds, std::max(left_seconds, kLeast));
+}
+
 CheckedFile check_file(const FileCheck& wanted,
                        const std::function<void(const CheckedFile& so_far, long total)>& progress) {
     CheckedFile file{.scene = wanted.view.file.string()};
     const Stopwatch clock;
+    SecondsLeft seconds(wanted.effort);
+    FileCheck rest = wanted;
     long total = 0;
     for (int start = 0; start <= kMostRestarts; ++start) {
-        Child child(wanted, file.cases.size());
+        rest.effort.seconds = seconds.left();
+        Child child(rest, wanted.effort.seconds, file.cases.size());
         std::string running;
-        bool ended = false;
-        while (const auto line = child.next(wanted.hang_seconds)) {
+        bool ended = false, compiling = false;
+        double wait = 0.0;
+        const auto next_line = [&] {
+            constexpr double kCompiling = 600.0;  // for drivers that sleep meanwhile
+            wait = compiling ? kCompiling
+                             : frame_wait_seconds(wanted.hang_seconds, wanted.effort.seconds,
+                                                  seconds.left());
+            return child.next(wait);
+        };
+        while (const auto line = next_line()) {
+            compiling = line->value("compiling", compiling);
             if (line->contains("renderer")) file.renderer = line->at("renderer");
             if (line->contains("cases")) total = line->at("cases");
-            if (line->contains("begin")) running = line->at("begin");
+            if (line->contains("begin")) {
+                running = line->at("begin");
+                seconds.start();
+            }
             if (line->contains("result")) file.cases.push_back(case_from_json(line->at("result")));
             ended |= line->contains("end");
             progress(file, total);
@@ -255,11 +332,16 @@ CheckedFile check_file(const FileCheck& wanted,
             break;
         }
         CaseResult result{.name = running.empty() ? "start" : running};
-        result.fail(last_words(child, code, wanted.hang_seconds));
+        if (child.hung())
+            result = silent_case(result.name, child, wait, wanted);
+        else
+            result.fail(last_words(code));
         result.reproduce = command_for_case(wanted.view, result.name);
         file.cases.push_back(std::move(result));
         progress(file, total);
-        if (running.empty()) break;
+        const bool is_given_up = code == static_cast<int>(ExitCode::shader);
+        if (is_given_up) file.code = ExitCode::shader;  // the driver would do the same again
+        if (running.empty() || is_given_up) break;
     }
     file.seconds = clock.ms() / 1000.0;
     return file;

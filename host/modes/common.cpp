@@ -1,6 +1,7 @@
 #include "modes/common.h"
 
 #include "image/image.h"
+#include "modes/trial.h"
 #include "say.h"
 
 #include <fmt/format.h>
@@ -119,8 +120,31 @@ std::size_t find_pass(const Scene& scene, const std::string& name) {
     throw UsageError(fmt::format("The scene has no pass '{}'; it has {}.", name, names));
 }
 
+Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why) {
+    const std::string name = pass_name(preset.scene, pass);
+    return {Severity::error, entry_place(preset.scene, name),
+            fmt::format("pass {}: the driver {}; is there a huge array, a macro that grows, or an "
+                        "expression or a chain of calls nested too deep?",
+                        name, why)};
+}
+
+namespace {
+
+// The driver works on, so that nothing is taken down in order: the process ends. What is written
+// has its name only when it is whole.
+void end_compiling(const Preset& preset, std::size_t pass, const std::string& why) {
+    const std::string line = to_string(given_up(preset, pass, why)) + "\n";
+    std::fflush(stdout);
+    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) {
+        // Nobody listens; the exit code tells.
+    }
+    ::_exit(static_cast<int>(ExitCode::shader));
+}
+
+}  // namespace
+
 CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options) {
-    CompileResult result = compile_scene(preset, options);
+    CompileResult result = compile_scene(preset, options, nullptr, end_compiling);
     report(result.diagnostics);
     if (!result.scene) throw Stop(ExitCode::shader);
     return std::move(*result.scene);

@@ -94,7 +94,11 @@ Preset open_preset(const ViewOptions& options);
 // The pass of this name, or kImagePass for "image". Throws UsageError that lists the names.
 std::size_t find_pass(const Scene& scene, const std::string& name);
 
-// Links what `options` asks for. Throws Stop with exit code 3.
+// What is said of a pass that the driver would never finish compiling; see GiveUp.
+Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why);
+
+// Links what `options` asks for. Throws Stop with exit code 3. Ends the process with it where the
+// driver would never finish, be it at the first draw.
 CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options);
 
 // What a picture's file tells of where it comes from. File names only: the same scene gives the

@@ -63,6 +63,7 @@ private:
     void estimate(PassTrial& trial, std::size_t pass, double draw_ms);
     void tell(TrialStage stage, std::size_t pass);
     void warn_of_slowness(const TrialOrder& order);
+    void give_up(const Preset& preset, std::size_t pass, const std::string& why);
 
     struct Sizes {
         std::size_t pass;
@@ -80,6 +81,9 @@ private:
     std::vector<Sizes> sizes_;
     std::vector<std::pair<std::size_t, double>> compile_ms_;  // by pass
     const Scene* scene_ = nullptr;
+    const GiveUp give_up_ = [this](const Preset& preset, std::size_t pass, const std::string& why) {
+        give_up(preset, pass, why);
+    };
 };
 
 void Child::send(const TrialAnswer& answer) {
@@ -148,12 +152,15 @@ void Child::shrink(TrialOrder& order) {
 bool Child::compile(const TrialOrder& order, CompiledScene& scene) {
     compile_ms_.clear();
     Stopwatch clock;
-    CompileResult result = compile_scene(order.preset, order.compile, [&](std::size_t pass) {
-        if (!compile_ms_.empty()) compile_ms_.back().second = clock.ms();
-        compile_ms_.push_back({pass, 0.0});
-        tell(TrialStage::compiling, pass);
-        clock.restart();
-    });
+    CompileResult result = compile_scene(
+        order.preset, order.compile,
+        [&](std::size_t pass) {
+            if (!compile_ms_.empty()) compile_ms_.back().second = clock.ms();
+            compile_ms_.push_back({pass, 0.0});
+            tell(TrialStage::compiling, pass);
+            clock.restart();
+        },
+        give_up_);
     compile_ms_.back().second = clock.ms();
     answer_.verdict.diagnostics = std::move(result.diagnostics);
     if (!result.scene) {
@@ -174,9 +181,9 @@ bool Child::compile(const TrialOrder& order, CompiledScene& scene) {
 // change nothing of that.
 void Child::compile_sound(const TrialOrder& order) {
     if (!order.preset.scene.has_sound || order.compile.program.specialise) return;
-    const CompileResult sound =
-        compile_scene(order.preset, {.root = kSoundPass, .program = order.compile.program},
-                      [&](std::size_t pass) { tell(TrialStage::compiling, pass); });
+    const CompileResult sound = compile_scene(
+        order.preset, {.root = kSoundPass, .program = order.compile.program},
+        [&](std::size_t pass) { tell(TrialStage::compiling, pass); }, give_up_);
     append_once(answer_.verdict.diagnostics, sound.diagnostics);
 }
 
@@ -275,6 +282,15 @@ void Child::warn_of_slowness(const TrialOrder& order) {
          fmt::format("pass {}: about {:.1f} s a frame at {}x{}{}", worst.name,
                      worst.expected_ms / 1000.0, order.size.x, order.size.y,
                      loop ? "; does this loop ever end?" : "")});
+}
+
+// On the watch's thread, while the driver has the other one. The window starts a new process.
+void Child::give_up(const Preset& preset, std::size_t pass, const std::string& why) {
+    answer_.verdict.state = TrialState::rejected;
+    answer_.verdict.diagnostics = {given_up(preset, pass, why)};
+    answer_.stage = TrialStage::done;
+    send(answer_);
+    _exit(0);
 }
 
 void Child::answer(TrialOrder order) {

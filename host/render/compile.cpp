@@ -34,14 +34,18 @@ PassReads reads_of(const Preset& preset, const PassProgram& program) {
 }  // namespace
 
 CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
-                            const std::function<void(std::size_t pass)>& before_pass) {
+                            const std::function<void(std::size_t pass)>& before_pass,
+                            const GiveUp& give_up) {
     CompileResult result;
     std::vector<PassProgram> programs;
     std::vector<PassReads> reads;
     std::vector<std::size_t> wanted = {options.root};
     for (std::size_t next = 0; next < wanted.size(); ++next) {
         if (before_pass) before_pass(wanted[next]);
+        std::optional<CompileWatch> watch;
+        if (give_up) watch.emplace(give_up, preset, wanted[next]);
         CompiledPass compiled = compile_pass(preset, wanted[next], options.program);
+        watch.reset();
         append_once(result.diagnostics, compiled.diagnostics);
         if (!compiled.program) return result;
         reads.push_back(reads_of(preset, *compiled.program));
@@ -62,6 +66,7 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
         std::find_if(scene.programs.begin(), scene.programs.end(),
                      [&](const PassProgram& program) { return program.pass == options.root; }) -
         scene.programs.begin());
+    scene.give_up = give_up;
     scene.graph = build_graph(preset.scene.passes, std::move(reads));
     return result;
 }

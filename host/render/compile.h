@@ -1,6 +1,7 @@
 // A scene as linked programs: only those passes that the wanted one needs, and what each must do.
 #pragma once
 
+#include "render/compile_watch.h"
 #include "render/graph.h"
 #include "render/program.h"
 
@@ -19,6 +20,7 @@ struct CompiledScene {
     std::vector<PassProgram> programs;
     PassGraph graph;
     std::size_t root = 0;  // where the wanted pass stands; later ones are those that it reads back
+    GiveUp give_up;        // ends what is still compiling at the first draw; empty: nothing does
 };
 
 struct CompileResult {
@@ -27,8 +29,10 @@ struct CompileResult {
 };
 
 // Links the root, asks it which buffers it reads, links their passes, and so on. `before_pass`
-// hears of each pass before it is compiled.
+// hears of each pass before it is compiled, `give_up` (where there is one) of the pass that the
+// driver would never finish.
 CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
-                            const std::function<void(std::size_t pass)>& before_pass = nullptr);
+                            const std::function<void(std::size_t pass)>& before_pass = nullptr,
+                            const GiveUp& give_up = nullptr);
 
 }  // namespace glint

@@ -337,6 +337,19 @@ void Renderer::draw_calls(std::size_t index, GLuint target) {
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, size.x, size.y);
     if (options_.in_strips && !buffers_[index]->shape().cube) return draw_strips(index, size);
+    draw_once(index);
+}
+
+// Drivers finish compiling inside the first draw call. What was drawn before is handed over first,
+// so that it is not counted; buffers take their memory when they are drawn.
+void Renderer::draw_once(std::size_t index) {
+    if (drawn_[index].compiled || !scene_.give_up) return draw_triangle();
+    drawn_[index].compiled = true;
+    std::size_t pixels = 0;
+    for (const auto& buffer : buffers_) pixels += byte_count(buffer->shape());
+    if (average_) pixels += byte_count(average_->sum().shape());
+    glFlush();
+    const CompileWatch watch(scene_.give_up, preset_, scene_.programs[index].pass, pixels);
     draw_triangle();
 }
 
@@ -345,7 +358,7 @@ void Renderer::draw_calls(std::size_t index, GLuint target) {
 void Renderer::draw_strips(std::size_t index, glm::ivec2 size) {
     int& rows = drawn_[index].strip_rows;
     if (rows >= size.y) {
-        draw_triangle();
+        draw_once(index);
         if (index == scene_.root && after_strip) after_strip(std::int64_t{size.x} * size.y);
         return;
     }
@@ -354,7 +367,7 @@ void Renderer::draw_strips(std::size_t index, glm::ivec2 size) {
         drawn = std::min(rows, size.y - y);
         const auto start = std::chrono::steady_clock::now();
         glScissor(0, y, size.x, drawn);
-        draw_triangle();
+        draw_once(index);
         glFinish();
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         const double wanted = drawn * kStripSeconds / std::max(took.count(), 1e-6);

@@ -135,6 +135,7 @@ private:
     // What a pass was last drawn with. Programs keep their uniforms, so equal values are not sent.
     struct Drawn {
         bool ever = false;
+        bool compiled = false;  // to the last: its first draw has been called
         std::vector<std::optional<Value>> builtins;
         std::vector<std::optional<TweakValue>> tweaks;
         std::vector<std::optional<std::size_t>> versions;
@@ -150,6 +151,7 @@ private:
     void bind_samplers(const PassProgram& program);
     void draw_calls(std::size_t index, GLuint target);
     void draw_strips(std::size_t index, glm::ivec2 size);
+    void draw_once(std::size_t index);
     glm::ivec2 drawn_size(std::size_t index) const;
     bool is_tile(std::size_t index) const;
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;

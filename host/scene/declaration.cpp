@@ -209,6 +209,25 @@ std::vector<Tab> find_tabs(std::string_view code) {
     return tabs;
 }
 
+std::vector<std::string> find_pass_functions(std::string_view code) {
+    std::vector<std::string> names;
+    for (Tokens tokens(code); !tokens.done();) {
+        const bool is_void = tokens.word() == "void";
+        tokens.next();
+        if (!is_void || !tokens.is_name()) continue;
+        const std::string name(tokens.word());
+        tokens.next();
+        if (!tokens.is('(')) continue;
+        tokens.next();
+        if (tokens.word() != "out" && tokens.word() != "inout") continue;
+        tokens.next();
+        while (is_precision(tokens.word())) tokens.next();
+        if (tokens.word() != "vec4") continue;
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+
 std::unordered_set<std::string_view> find_identifiers(std::string_view code) {
     std::unordered_set<std::string_view> words;
     for (std::size_t i = 0; i < code.size();) {

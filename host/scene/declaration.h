@@ -41,6 +41,9 @@ struct Tab {
 // In the order of their ends. What stands behind an #else or #elif is no tab.
 std::vector<Tab> find_tabs(std::string_view code);
 
+// The functions that fill a buffer or are the picture, `void NAME(out vec4 …`, each once, in order.
+std::vector<std::string> find_pass_functions(std::string_view code);
+
 // Whether a character may stand in an identifier.
 bool is_word(char c);
 

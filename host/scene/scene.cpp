@@ -46,8 +46,7 @@ private:
     void add_tweak(const Declaration& declaration, TweakType type, Span note);
     void add_sampler(const Declaration& declaration, SamplerType type, Span note);
     void add_pass_output(const SamplerAnnotation& annotation, Span note);
-    std::string entry_of(const std::string& target, bool cube) const;
-    void add_pass(const SamplerAnnotation& annotation);
+    void add_pass(const SamplerAnnotation& annotation, Span note);
     void check_pass_options(const SamplerAnnotation& annotation, const Pass& pass, Span note);
     void check_builtin(const Declaration& declaration, const Declarator& declarator);
     void blank_builtins(const Declaration& declaration);
@@ -56,6 +55,10 @@ private:
     void warn_unannotated(const Declaration& declaration);
     void use_note(Span note);
     void resolve_readers();
+    bool stands_in_tab(const Pass& pass) const;
+    void find_entries();
+    std::string no_function(const Pass& pass) const;
+    bool misses_a_file() const;
     void check_image();
 
     std::optional<Span> note_of(const Declaration& declaration, std::size_t next_begin);
@@ -86,6 +89,7 @@ private:
     std::unordered_map<std::string, std::size_t> declared_;
     std::unordered_map<std::string, std::size_t> pass_of_;  // function to index of pass
     std::vector<Reader> readers_;
+    std::vector<std::size_t> entries_;  // by pass: where its function is named
 };
 
 Scene Builder::build() {
@@ -100,6 +104,7 @@ Scene Builder::build() {
     }
     while (next_note_ < source_.notes.size()) use_note(source_.notes[next_note_++]);
     resolve_readers();
+    find_entries();
     scene_.has_sound = identifiers_.contains("mainSound");
     check_image();
     scene_.text = std::move(source_.text);
@@ -107,14 +112,17 @@ Scene Builder::build() {
     return std::move(scene_);
 }
 
+// Then what is not here may stand in what could not be read.
+bool Builder::misses_a_file() const {
+    return std::any_of(diagnostics_.begin(), diagnostics_.end(),
+                       [](const Diagnostic& d) { return d.missing_file; });
+}
+
 void Builder::check_image() {
     if (!identifiers_.contains("mainImage") && identifiers_.contains("gl_FragColor"))
         scene_.image_entry = "main";  // plain GLSL of the web, as in the Book of Shaders
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
-    // It may stand in what could not be read.
-    if (std::any_of(diagnostics_.begin(), diagnostics_.end(),
-                    [](const Diagnostic& d) { return d.missing_file; }))
-        return;
+    if (misses_a_file()) return;
     const bool is_empty = trimmed(source_.code).empty();
     diagnostics_.push_back(
         {Severity::error, Place{source_.files.front().string()},
@@ -286,17 +294,51 @@ void Builder::add_sampler(const Declaration& declaration, SamplerType type, Span
     scene_.samplers.push_back(std::move(annotation.sampler));
 }
 
-// The named function, or the site's own name for it where a tab of pasted text defines that.
-std::string Builder::entry_of(const std::string& target, bool cube) const {
-    if (identifiers_.contains(target)) return target;
-    return cube && identifiers_.contains("mainCubemap") ? "mainCubemap" : "mainImage";
+// Text that is compiled for this pass alone, or for all but the picture (behind an #else).
+bool Builder::stands_in_tab(const Pass& pass) const {
+    const auto is_told_apart = [&](const std::string& name) {
+        return identifiers_.contains("PASS_" + name);
+    };
+    return is_told_apart("image") ||
+           std::any_of(pass.outputs.begin(), pass.outputs.end(), is_told_apart);
+}
+
+// A function's name stands somewhere in the text, be it as a macro's argument: GLSL ES puts no
+// names together. (Where a text tries to, the driver has the word.) What is a uniform is no
+// function.
+void Builder::find_entries() {
+    for (std::size_t i = 0; i < scene_.passes.size(); ++i) {
+        Pass& pass = scene_.passes[i];
+        if (identifiers_.contains(pass.entry) && !declared_.contains(pass.entry)) continue;
+        if (stands_in_tab(pass))
+            pass.entry =
+                pass.cube && identifiers_.contains("mainCubemap") ? "mainCubemap" : "mainImage";
+        else if (!misses_a_file() && source_.code.find("##") == std::string::npos)
+            error(entries_[i], no_function(pass));
+    }
+}
+
+std::string Builder::no_function(const Pass& pass) const {
+    constexpr std::size_t kMostNames = 12;
+    const std::vector<std::string> functions = find_pass_functions(source_.code);
+    const std::size_t named = std::min(functions.size(), kMostNames);
+    std::string names;
+    for (std::size_t i = 0; i < named; ++i) names += (i > 0 ? ", " : "") + functions[i];
+    const std::string here =
+        functions.empty()
+            ? fmt::format("; write void {}(out vec4 color, in vec2 coord{}) {{ … }}", pass.entry,
+                          pass.cube ? ", in vec3 rayOri, in vec3 rayDir" : "")
+            : fmt::format(" among {}{}{}", names, functions.size() > named ? ", …" : "",
+                          did_you_mean(pass.entry, functions));
+    return fmt::format("there is no function {}{} (a tab, within #ifdef PASS_{}, has mainImage)",
+                       in_quotes(pass.entry), here, pass.name);
 }
 
 // Samplers that name the same function are its `out` parameters, in order.
 void Builder::add_pass_output(const SamplerAnnotation& annotation, Span note) {
     const auto [entry, is_new] = pass_of_.emplace(annotation.target, scene_.passes.size());
     if (is_new)
-        add_pass(annotation);
+        add_pass(annotation, note);
     else
         check_pass_options(annotation, scene_.passes[entry->second], note);
     Pass& pass = scene_.passes[entry->second];
@@ -313,12 +355,12 @@ void Builder::add_pass_output(const SamplerAnnotation& annotation, Span note) {
     scene_.samplers.push_back(std::move(sampler));
 }
 
-void Builder::add_pass(const SamplerAnnotation& annotation) {
+void Builder::add_pass(const SamplerAnnotation& annotation, Span note) {
     const Sampler& sampler = annotation.sampler;
     Pass pass;
     pass.name = sampler.name;
     pass.cube = sampler.type == SamplerType::samplerCube;
-    pass.entry = entry_of(annotation.target, pass.cube);
+    pass.entry = annotation.target;
     pass.place = sampler.place;
     if (pass.cube) {
         pass.size = glm::ivec2(1024);
@@ -329,6 +371,7 @@ void Builder::add_pass(const SamplerAnnotation& annotation) {
     if (annotation.step) pass.step = annotation.step->value;
     if (annotation.format) pass.format = annotation.format->value;
     scene_.passes.push_back(std::move(pass));
+    entries_.push_back(note.begin + annotation.target_at);
 }
 
 // The outputs of one pass are drawn at once: what the first one says holds for all.

@@ -114,7 +114,7 @@ struct Step {
 // these.
 struct Pass {
     std::string name;  // of the first sampler that reads it
-    // mainWaves, or mainImage where the file has no such function (a cube pass: mainCubemap).
+    // mainWaves; of a tab, which has no function of that name, mainImage (a cube: mainCubemap).
     std::string entry;
     std::vector<std::string>
         outputs;                     // sampler names, in the order of the entry's `out` parameters

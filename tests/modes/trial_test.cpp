@@ -195,6 +195,23 @@ TEST(Trial, StopsAVerySlowScene) {
     EXPECT_EQ(trial.process(), process);  // the new one is there before it is needed
 }
 
+TEST(Trial, RefusesWhatWouldTakeTheDriverGigabytes) {
+    ::setenv("GLINT_COMPILE_GIB", "0.2", 1);
+    Trial trial(options());
+    ::unsetenv("GLINT_COMPILE_GIB");
+    const Verdict result = try_text(trial, R"(void mainImage(out vec4 c, in vec2 p) {
+    float a[100000000];
+    for (int i = 0; i < 100000000; ++i) a[i] = float(i) * p.x;
+    c = vec4(a[int(p.y) * 7]);
+}
+)");
+    EXPECT_EQ(result.state, TrialState::rejected) << words(result);
+    EXPECT_NE(words(result).find(":1:6: error: pass image: the driver took more than 0.2 GiB"),
+              std::string::npos)
+        << words(result);
+    EXPECT_EQ(try_text(trial, kTrivial).state, TrialState::passed);
+}
+
 TEST(Trial, TellsOfAProcessThatIsKilledInTheMiddle) {
     Trial trial(options());
     wait_until_ready(trial);

@@ -21,6 +21,8 @@ uniform vec2 wind; //@ 1, 2 [-5, 5]
 uniform sampler2D waves; //@ pass mainWaves
 uniform samplerCube sky; //@ pass mainSky
 uniform sampler2D iChannel3; //@ noise 8
+void mainWaves(out vec4 c, in vec2 f) { c = vec4(1); }
+void mainSky(out vec4 c, in vec2 f, in vec3 ro, in vec3 rd) { c = vec4(1); }
 void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }
 )";
 

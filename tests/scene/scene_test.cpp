@@ -96,7 +96,10 @@ void mainImage(out vec4 c, in vec2 f) {}
 }
 
 TEST(Scene, ACubeIsAThousandPixelsWideUnlessWritten) {
-    const Scene scene = good("uniform samplerCube s; //@ pass mainCubemap\n" + kImage);
+    const Scene scene = good(
+        "uniform samplerCube s; //@ pass mainCubemap\n"
+        "void mainCubemap(out vec4 c, in vec2 f, in vec3 ro, in vec3 rd) { c = vec4(1); }\n" +
+        kImage);
     EXPECT_EQ(scene.passes.at(0).size, glm::ivec2(1024));
 }
 
@@ -168,20 +171,86 @@ TEST(Scene, AChannelWithAnAnnotationIsAnOrdinarySampler) {
     EXPECT_EQ(scene.text.find("iChannel1"), std::string::npos);
 }
 
-TEST(Scene, APassWithoutItsFunctionIsATab) {
+TEST(Scene, ATabsEntryIsMainImage) {
     const Scene scene = good(
         "uniform sampler2D bufferA; //@ pass mainA\nuniform sampler2D bufferB; //@ pass mainB\n"
-        "// mainA is not here\nvoid mainB(out vec4 c, in vec2 f) {}\n" +
-        kImage);
+        "uniform sampler2D bufferC; //@ pass bufferC\n"
+        "// mainA is not here\nvoid mainB(out vec4 c, in vec2 f) {}\n#ifdef PASS_bufferA\n" +
+        kImage + "#elif defined(PASS_bufferC)\n" + kImage + "#else\n" + kImage + "#endif\n");
     EXPECT_EQ(scene.passes.at(0).entry, "mainImage");
     EXPECT_EQ(scene.passes.at(1).entry, "mainB");
+    EXPECT_EQ(scene.passes.at(2).entry, "mainImage");
+}
+
+TEST(Scene, OneOutputsTabIsTheTabOfItsPass) {
+    const Scene scene = good(
+        "uniform sampler2D a; //@ pass mainAB\nuniform sampler2D b; //@ pass mainAB\n#ifdef "
+        "PASS_b\n"
+        "void mainImage(out vec4 c, out vec4 d, in vec2 f) {}\n#endif\n#ifdef PASS_image\n" +
+        kImage + "#endif\n");
+    EXPECT_EQ(scene.passes.at(0).entry, "mainImage");
+}
+
+TEST(Scene, ATabForAllButThePictureMayStandBehindAnElse) {
+    const Scene scene = good("uniform sampler2D a; //@ pass mainA\n#ifdef PASS_image\n" + kImage +
+                             "#else\n" + kImage + "#endif\n");
+    EXPECT_EQ(scene.passes.at(0).entry, "mainImage");
+}
+
+TEST(Scene, APassWithoutItsFunctionIsAnErrorThatNamesTheNearestAndAllThereAre) {
+    const ReadScene result = read(
+        "uniform sampler2D waves; //@ pass mainWawes\n"
+        "void helper(vec2 p, out float d) { d = p.x; }\n"
+        "void mainWaves(out vec4 c, in vec2 f) { c = vec4(1); }\n" +
+        kImage);
+    EXPECT_FALSE(result.scene);
+    const std::string text = all(result.diagnostics);
+    EXPECT_NE(text.find("a.frag:1:35: error: there is no function 'mainWawes' among mainWaves, "
+                        "mainImage; did you mean 'mainWaves'?"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("helper"), std::string::npos);
+}
+
+TEST(Scene, APassNobodyReadsOrACubeWithoutItsFunctionIsAnErrorToo) {
+    for (const char* line :
+         {"uniform samplerCube sky; //@ pass mainSkyy\n", "uniform sampler2D a; //@ pass a\n",
+          "uniform sampler2D a; //@ pass mainA\nuniform sampler2D b; //@ pass mainA\n"}) {
+        const ReadScene result = read(line + kImage);
+        EXPECT_FALSE(result.scene) << line;
+        EXPECT_NE(all(result.diagnostics).find("there is no function"), std::string::npos) << line;
+    }
+}
+
+TEST(Scene, AFunctionThatAMacroMakesIsLeftToTheDriver) {
+    for (const char* text :
+         {"#define ENTRY(name) void name(out vec4 c, in vec2 f)\nENTRY(mainA) { c = vec4(1); }\n",
+          "#define other mainA\nvoid other(out vec4 c, in vec2 f) { c = vec4(1); }\n",
+          "#define ENTRY(x) void main##x(out vec4 c, in vec2 f)\nENTRY(A) { c = vec4(1); }\n",
+          "#if 1\nvoid mainA(out vec4 c, in vec2 f) { c = vec4(1); }\n#endif\n"}) {
+        const Scene scene = good("uniform sampler2D a; //@ pass mainA\n" + (text + kImage));
+        ASSERT_EQ(scene.passes.size(), 1u) << text;
+        EXPECT_EQ(scene.passes[0].entry, "mainA") << text;
+    }
+}
+
+TEST(Scene, AFunctionMayStandInAnIncludedFile) {
+    const TemporaryFolder folder;
+    folder.write("waves.glsl", "void mainWaves(out vec4 c, in vec2 f) { c = vec4(1); }\n");
+    const char* text = "#include \"waves.glsl\"\nuniform sampler2D waves; //@ pass mainWaves\n";
+    const ReadScene read = read_scene(folder.write("a.frag", text + kImage));
+    EXPECT_EQ(all(read.diagnostics), "");
+    const ReadScene missing = read_scene(folder.write(
+        "b.frag",
+        "#include \"none.glsl\"\nuniform sampler2D waves; //@ pass mainWaves\n" + kImage));
+    EXPECT_EQ(missing.diagnostics.size(), 1u) << all(missing.diagnostics);
 }
 
 TEST(Scene, AnotherReaderSharesTheBufferButNotTheFilter) {
     const Scene scene = good(
         "uniform sampler2D sharp; //@ buffer b filter=nearest\n"
         "uniform sampler2D a; //@ pass mainAB\nuniform sampler2D b; //@ pass mainAB "
-        "filter=mipmap\n" +
+        "filter=mipmap\nvoid mainAB(out vec4 c, out vec4 d, in vec2 f) { c = d = vec4(1); }\n" +
         kImage);
     EXPECT_EQ(scene.passes.size(), 1u);
     EXPECT_EQ(scene.samplers.at(0).output, 1u);
@@ -191,11 +260,13 @@ TEST(Scene, AnotherReaderSharesTheBufferButNotTheFilter) {
 
 TEST(Scene, LaterOutputsRepeatOrOmitWhatTheFirstSays) {
     const std::string first = "uniform sampler2D a; //@ pass p size=64 format=rgba8\n";
+    const std::string rest =
+        "void p(out vec4 c, out vec4 d, in vec2 f) { c = d = vec4(1); }\n" + kImage;
     for (const char* same : {"", " size=64x64", " format=rgba8 size=64"})
-        good(first + "uniform sampler2D b; //@ pass p" + same + "\n" + kImage);
+        good(first + "uniform sampler2D b; //@ pass p" + same + "\n" + rest);
     for (const char* other : {" size=32", " scale=0.5", " format=rgba32f", " step=1/60"}) {
         const ReadScene result =
-            read(first + "uniform sampler2D b; //@ pass p" + other + "\n" + kImage);
+            read(first + "uniform sampler2D b; //@ pass p" + other + "\n" + rest);
         EXPECT_FALSE(result.scene) << other;
         EXPECT_NE(all(result.diagnostics).find("a.frag:2:"), std::string::npos);
     }

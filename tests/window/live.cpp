@@ -34,7 +34,7 @@ double cpu_seconds_of(const std::string& process) {
 }
 
 [[noreturn]] void become(const std::string& display, const fs::path& folder, const fs::path& errors,
-                         std::vector<std::string> words) {
+                         std::vector<std::string> words, const Environment& environment) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves nothing behind
     const std::string home = (folder / "home").string();
     ::setenv("DISPLAY", display.c_str(), 1);
@@ -44,6 +44,8 @@ double cpu_seconds_of(const std::string& process) {
                              "WAYLAND_DISPLAY", "EDITOR", "VISUAL"}) {
         ::unsetenv(name);
     }
+    if (display.empty()) ::unsetenv("DISPLAY");
+    for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
     const int err = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
     const int in = ::open("/dev/null", O_RDWR);
     if (::chdir(folder.c_str()) != 0 || ::dup2(in, 0) < 0 || ::dup2(in, 1) < 0 ||
@@ -102,12 +104,13 @@ std::string flat(const Colour& colour) {
         colour.r, colour.g, colour.b);
 }
 
-Glint::Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments)
+Glint::Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments,
+             const Environment& environment)
     : errors_(folder / "stderr.txt") {
     arguments.insert(arguments.begin(), GLINT_BINARY);
     process_ = ::fork();
     if (process_ < 0) throw std::runtime_error("no process");
-    if (process_ == 0) become(display, folder, errors_, std::move(arguments));
+    if (process_ == 0) become(display, folder, errors_, std::move(arguments), environment);
 }
 
 Glint::~Glint() {

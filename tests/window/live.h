@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glint::window {
@@ -37,11 +38,15 @@ std::string text_in(const fs::path& png, std::string_view key);
 // A scene in one colour, 0 to 255.
 std::string flat(const Colour& colour);
 
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
 // A process of glint; what it says goes to a file.
 class Glint {
 public:
-    // Runs in `folder`, whose `home` is its home.
-    Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments);
+    // Runs in `folder`, whose `home` is its home, on this X11 display ("": none), with this added
+    // to the environment.
+    Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments,
+          const Environment& environment = {});
     ~Glint();
     Glint(const Glint&) = delete;
     Glint& operator=(const Glint&) = delete;
