@@ -14,7 +14,7 @@
 
 namespace glint {
 
-// As documented in README.md; scripts rely on them.
+// As documented in docs/exporting.md; scripts rely on them.
 enum class ExitCode {
     done = 0,
     failure = 1,
