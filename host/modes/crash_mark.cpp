@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -15,6 +16,7 @@ CrashMark::CrashMark(fs::path folder)
     : folder_(std::move(folder)), file_(folder_ / std::to_string(::getpid())) {}
 
 CrashMark::~CrashMark() {
+    if (std::uncaught_exceptions() > 0) return;
     std::error_code error;
     fs::remove(file_, error);
 }

@@ -40,7 +40,7 @@ std::string flat(const Colour& colour);
 // A process of glint; what it says goes to a file.
 class Glint {
 public:
-    // Runs in `folder`, whose `home` is its home.
+    // Runs in `folder`, whose `home` is its home and whose `bin` is the first to look for programs.
     Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments);
     ~Glint();
     Glint(const Glint&) = delete;
