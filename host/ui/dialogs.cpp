@@ -67,9 +67,12 @@ void ask_path(Build& build, SavingState& state) {
     ImGui::EndPopup();
 }
 
-// A button that Enter or Esc presses too.
+// A button that Enter or Esc presses too; that of Enter is lit.
 bool choice(const char* text, ImGuiKey key = ImGuiKey_COUNT) {
+    const ImU32 rest = ImGui::GetColorU32(ImGuiCol_Button);
+    ImGui::PushStyleColor(ImGuiCol_Button, key == ImGuiKey_Enter ? colours::kAccentFill : rest);
     const bool chosen = ImGui::Button(text) || (key != ImGuiKey_COUNT && pressed(key));
+    ImGui::PopStyleColor();
     ImGui::SameLine();
     return chosen;
 }

@@ -76,6 +76,8 @@ TEST_F(Dialogs, WorkOfTheLastRunIsRestoredOrDiscarded) {
     EXPECT_FALSE(answer());
     press("Restore");
     EXPECT_EQ(answer(), Answer::restore);
+    ask(Question::none);
+    ask(Question::restore);
     press("Discard");
     EXPECT_EQ(answer(), Answer::discard);
 }
