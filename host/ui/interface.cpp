@@ -98,7 +98,9 @@ void notice(Build& build, float alpha) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(std::max(screen.x - theme.px(32), theme.px(60)));
     text_in(colours::kText, build.facts.notice);
+    ImGui::PopTextWrapPos();
     ImGui::End();
     ImGui::PopStyleVar();
 }

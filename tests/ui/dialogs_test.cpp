@@ -118,6 +118,19 @@ TEST(Hidden, AnErrorIsOneLineWhereThePanelsAreHidden) {
     EXPECT_FALSE(drawn()) << "the panels tell it themselves";
 }
 
+TEST(Notice, IsReadWholeInANarrowWindow) {
+    Screen screen({}, {320, 180});
+    std::string words;
+    for (int i = 0; i < 20; ++i) words += "some word ";
+    screen.facts.notice = words;
+    for (int i = 0; i < 4; ++i) screen.frame();
+    const ImGuiWindow* notice = Screen::window("notice");
+    ASSERT_TRUE(notice);
+    EXPECT_GE(notice->Pos.x, 0.0f);
+    EXPECT_LE(notice->Rect().Max.x, 320.0f);
+    EXPECT_GT(notice->Size.y, 3.0f * ImGui::GetTextLineHeight());
+}
+
 TEST(Bar, TellsOnHoveringTheTitleThatItIsNotSaved) {
     Screen screen({});
     screen.facts.title = "A look";
