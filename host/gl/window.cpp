@@ -8,6 +8,7 @@
 #include <dlfcn.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <poll.h>
 
 #include <algorithm>
@@ -78,6 +79,21 @@ void stop_glfw() {
     if (--open_windows == 0) glfwTerminate();
 }
 
+// GLFW makes the window larger by the scale of the monitor.
+glm::ivec2 fitted_to_screen(glm::ivec2 size) {
+    constexpr glm::ivec2 kLeast{320, 180};  // less would leave no room for a panel
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return glm::max(size, kLeast);
+    glm::ivec2 corner{0}, room{0};
+    glm::vec2 scale{1.0f};
+    glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &room.x, &room.y);
+    glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+    const glm::dvec2 ratio = glm::dvec2(room) / (glm::dvec2(size) * glm::dvec2(scale));
+    const double fit = std::min(ratio.x, ratio.y);
+    if (fit >= 1.0 || fit <= 0.0) return glm::max(size, kLeast);
+    return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * fit)), kLeast);
+}
+
 Window& self(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
@@ -86,6 +102,7 @@ Window& self(GLFWwindow* window) {
 
 Window::Window(glm::ivec2 size, const std::string& title) {
     start_glfw();
+    size = fitted_to_screen(size);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -152,6 +169,9 @@ bool Window::should_close() const {
 }
 void Window::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+void Window::show() {
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) glfwRestoreWindow(window_);
 }
 void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
@@ -255,6 +275,10 @@ void Window::listen() {
     });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) {
         self(w).push({.kind = WindowEvent::Kind::resize, .files = {}});
+    });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);
+        self(w).push({.kind = WindowEvent::Kind::close, .files = {}});
     });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
         self(w).push({.kind = WindowEvent::Kind::focus, .down = focused != 0, .files = {}});

@@ -19,7 +19,7 @@ namespace glint {
 
 // Something that a person did to the window, in the order in which it happened.
 struct WindowEvent {
-    enum class Kind { key, mouse_button, mouse_move, scroll, drop, resize, focus };
+    enum class Kind { key, mouse_button, mouse_move, scroll, drop, resize, focus, close };
     Kind kind = Kind::resize;
     int code = 0;                              // key: GLFW's key; mouse_button: 0 is the left one
     int modifiers = 0;                         // GLFW_MOD_…
@@ -31,7 +31,8 @@ struct WindowEvent {
 
 class Window final : public Context {
 public:
-    // `size` is in pixels of a screen of scale 1; on a HiDPI screen the window has more.
+    // `size` is in pixels of a screen of scale 1; on a HiDPI screen the window has more. Where the
+    // screen is too small for it, the window is smaller and keeps the aspect. The least is 320x180.
     // Throws NoContext when there is no display or no driver.
     Window(glm::ivec2 size, const std::string& title);
     ~Window() override;
@@ -43,7 +44,8 @@ public:
     double refresh_rate() const;  // Hz; 60 when the monitor does not tell
     bool is_visible() const;      // false while minimised
     bool should_close() const;
-    void close();
+    void close();  // at once; what a person closes arrives as an event
+    void show();   // where it was minimised
     void set_title(const std::string& title);
     void set_full_screen(bool full_screen);
     bool is_full_screen() const;

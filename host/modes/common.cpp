@@ -99,12 +99,21 @@ void report(const Diagnostics& diagnostics) {
     if (has_errors(diagnostics)) throw Stop(missing ? ExitCode::missing_file : ExitCode::shader);
 }
 
+glm::ivec2 size_of(const ViewOptions& options, glm::ivec2 otherwise) {
+    return options.size.empty() ? otherwise : parse_size(options.size);
+}
+
+void lay_over(Preset& preset, const ViewOptions& options) {
+    preset.size = size_of(options, preset.size);
+    preset.has_size |= !options.size.empty();
+    for (const std::string& tweak : options.tweaks) apply_tweak(preset, tweak);
+}
+
 Preset open_preset(const ViewOptions& options) {
     ReadPreset read = read_preset(options.file);
     report(read.diagnostics);
     if (!read.preset) throw Stop(ExitCode::failure);
-    if (!options.size.empty()) read.preset->size = parse_size(options.size);
-    for (const std::string& tweak : options.tweaks) apply_tweak(*read.preset, tweak);
+    lay_over(*read.preset, options);
     return std::move(*read.preset);
 }
 

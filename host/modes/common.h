@@ -87,6 +87,12 @@ private:
 // Prints diagnostics to stderr; throws Stop with exit code 3 or 4 when there are errors.
 void report(const Diagnostics& diagnostics);
 
+// Lays the options' size and tweaks over a preset. Throws UsageError.
+void lay_over(Preset& preset, const ViewOptions& options);
+
+// The --size of the options; the preset's where there is none. Throws UsageError.
+glm::ivec2 size_of(const ViewOptions& options, glm::ivec2 otherwise);
+
 // Reads the preset or scene, prints what is wrong with it, and lays the options' size and tweaks
 // over it. Throws Stop or UsageError.
 Preset open_preset(const ViewOptions& options);

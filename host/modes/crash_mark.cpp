@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <exception>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -16,6 +17,7 @@ CrashMark::CrashMark(fs::path folder)
     : folder_(std::move(folder)), file_(folder_ / std::to_string(::getpid())) {}
 
 CrashMark::~CrashMark() {
+    if (std::uncaught_exceptions() > 0) return;
     std::error_code error;
     fs::remove(file_, error);
 }

@@ -8,7 +8,7 @@ namespace glint {
 class CrashMark {
 public:
     // Kept in a file of this folder, one a process, which is removed when the program ends as it
-    // should.
+    // should: not where an exception, such as that of a lost GPU, ends it.
     explicit CrashMark(std::filesystem::path folder);
     ~CrashMark();
     CrashMark(const CrashMark&) = delete;

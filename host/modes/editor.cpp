@@ -1,7 +1,9 @@
 #include "modes/editor.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,10 +14,13 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace glint {
 namespace {
+
+constexpr const char* kDesktopsChoice = "xdg-open";
 
 bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
     return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
@@ -35,7 +40,19 @@ std::string chosen_editor() {
         const char* value = std::getenv(variable);
         if (value && *value) return value;
     }
-    return "xdg-open";
+    return kDesktopsChoice;
+}
+
+// As a shell looks for it.
+bool is_found(const std::string& program) {
+    const auto runs = [](const std::string& file) { return ::access(file.c_str(), X_OK) == 0; };
+    if (program.find('/') != std::string::npos) return runs(program);
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "/bin:/usr/bin");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (runs((folder.empty() ? "." : folder) + "/" + program)) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -44,7 +61,7 @@ std::vector<std::string> editor_command(const std::string& editor, const Place& 
     std::istringstream words(editor);
     std::vector<std::string> command;
     for (std::string word; words >> word;) command.push_back(word);
-    if (command.empty()) command.push_back("xdg-open");
+    if (command.empty()) command.push_back(kDesktopsChoice);
     const std::string name = program_name(command);
     const int line = std::max(place.line, 1), column = std::max(place.column, 1);
     const std::string at = fmt::format("{}:{}:{}", place.file, line, column);
@@ -63,16 +80,31 @@ std::vector<std::string> editor_command(const std::string& editor, const Place& 
         command.insert(command.end(), {"-l", std::to_string(line), "-c", std::to_string(column)});
         command.push_back(place.file);
     } else {
-        if (name != "xdg-open") command.push_back(fmt::format("+{}", line));
+        if (name != kDesktopsChoice) command.push_back(fmt::format("+{}", line));
         command.push_back(place.file);
     }
     return command;
 }
 
-std::string open_editor(const Place& place) {
+Editor::Editor() {
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, sockets_) != 0)
+        throw std::runtime_error("There is no socket.");
+}
+
+Editor::~Editor() {
+    for (const int socket : sockets_) ::close(socket);
+}
+
+std::string Editor::open(const Place& place) {
     std::vector<std::string> command = editor_command(chosen_editor(), place);
-    if (needs_terminal(program_name(command))) {
+    const std::string name = program_name(command);
+    if (!is_found(command.front()))
+        return fmt::format("No editor is found: there is no {}; set $EDITOR.", command.front());
+    if (needs_terminal(name)) {
         command.insert(command.begin(), {"x-terminal-emulator", "-e"});
+        if (!is_found(command.front()))
+            return fmt::format("No terminal is found for {}: there is no {}; set $EDITOR.", name,
+                               command.front());
     }
     std::vector<char*> arguments;
     for (std::string& word : command) arguments.push_back(word.data());
@@ -91,9 +123,23 @@ std::string open_editor(const Place& place) {
         return fmt::format("cannot start {}: {}; set $EDITOR", command.front(),
                            std::strerror(error));
     }
-    // Nobody waits for the editor, but it must not stay behind as a zombie.
-    std::thread([process] { waitpid(process, nullptr, 0); }).detach();
+    // Nobody waits for the editor, but it must not stay behind as a zombie. What editors end with
+    // is their own affair; the desktop's choice tells so that there is none.
+    const int told = ::fcntl(sockets_[1], F_DUPFD_CLOEXEC, 0);
+    std::thread([process, told, chooses = name == kDesktopsChoice] {
+        int status = 0;
+        waitpid(process, &status, 0);
+        if (chooses && status != 0) ::send(told, "", 1, MSG_NOSIGNAL);
+        ::close(told);
+    }).detach();
     return "";
+}
+
+std::string Editor::problem() {
+    char byte = 0;
+    if (::recv(sockets_[0], &byte, 1, 0) != 1) return "";
+    return fmt::format("No editor is found: {} knows none for this file; set $EDITOR.",
+                       kDesktopsChoice);
 }
 
 }  // namespace glint

@@ -104,6 +104,10 @@ public:
     double replayed() const;
 
     const Preset* preset() const { return preset_.get(); }
+    // What is shown as its file has it, without what was changed here; null until it is shown.
+    const Preset* as_written() const { return written_.get(); }
+    // The file has just been given this.
+    void note_saved(const Preset& preset) { *written_ = preset; }
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return diagnostics_; }
     // The last reloads, and how many there were in all.

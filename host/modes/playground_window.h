@@ -1,17 +1,20 @@
 // The window of an open scene: what it holds together, and who does what.
 //
 // window.cpp draws and grants wishes, window_input.cpp hears keys and mouse, window_findings.cpp
-// runs studies and checks beside it.
+// runs studies and checks beside it, window_work.cpp sees to it that no work is lost.
 #pragma once
 
 #include "gl/window.h"
 #include "modes/browser.h"
 #include "modes/crash_mark.h"
+#include "modes/editor.h"
+#include "modes/end_signals.h"
 #include "modes/live_check.h"
 #include "modes/live_sound.h"
 #include "modes/live_study.h"
 #include "modes/picture_shelf.h"
 #include "modes/playground.h"
+#include "modes/unsaved_work.h"
 #include "render/viewer.h"
 #include "ui/panels.h"
 #include "ui/shortcuts.h"
@@ -26,7 +29,8 @@ namespace glint {
 class PlaygroundWindow {
 public:
     explicit PlaygroundWindow(const ViewOptions& options);
-    void run();
+    // Until it is closed, or a signal asks the program to end: that one, or 0.
+    int run();
     bool is_reading_inputs() const { return playground_.is_reading_inputs(); }
 
 private:
@@ -44,14 +48,37 @@ private:
 
     // What panels and shortcuts ask for
     void grant(const Wishes& wishes);
-    void open(const std::filesystem::path& file);
-    void save(const std::filesystem::path& file);
-    void revert();
     void take_still();
-    void toggle_recording();
     void edit(const Diagnostic& diagnostic);
-    void drop(const std::filesystem::path& file);
+    void close_one();
+    void toggle_free_aspect();
     void notice(std::string text);
+
+    // What a person has done to the file, and what would take it away
+    struct Leaving {
+        enum class For { quit, open, revert, record } what = For::quit;
+        std::filesystem::path file;  // to be opened
+    };
+    void leave(const Leaving& leaving);
+    void go(Leaving leaving);
+    void take_answer(Answer answer);
+    void open(const std::filesystem::path& file);
+    void import_or_open(const std::filesystem::path& file);
+    void save_as(const std::filesystem::path& file);
+    bool save(const std::filesystem::path& file);
+    void revert();
+    void toggle_recording();
+    void stop_recording();
+    bool is_unsaved() const;
+    std::span<const Event> unsaved_events() const;
+    Preset preset_to_save() const;
+    void lay_options_over();
+    void keep_unsaved();
+    void keep_now();
+    void keep_at_end();
+    bool is_keeping_due() const;
+    void find_unsaved();
+    void restore();
 
     // Studies and checks
     bool follow_findings();
@@ -75,15 +102,20 @@ private:
     void gather_pixels();
     BufferView buffer_view() const;
     void adapt_resolution();
+    std::optional<glm::ivec2> frame_size() const;
+    ScreenArea picture_area() const;
+    ScreenArea view_area() const;
     glm::ivec2 picture_size() const;
     glm::ivec2 viewed_size() const;
     glm::dvec2 on_picture(glm::dvec2 position) const;
+    bool is_on_picture(glm::dvec2 position) const;
     void print_reports();
-    bool is_unsaved() const;
 
-    ViewOptions options_;
+    EndSignals end_signals_;
+    ViewOptions options_;  // size and tweaks are those of the file that was opened first
     Window window_;
     CrashMark crash_mark_;
+    UnsavedWork unsaved_work_;
     Playground playground_;
     Viewer viewer_;
     PanelSettings settings_;
@@ -92,11 +124,22 @@ private:
     LiveStudy study_;
     LiveCheck check_;
     LiveSound sound_;
+    Editor editor_;
     PictureShelf pictures_;
     std::filesystem::path file_;
-    std::vector<TweakValue> saved_values_;
-    bool values_known_ = false;
+    bool values_known_ = false;  // the file has been shown
     std::vector<Event> recorded_;
+    std::optional<Leaving> leaving_;  // once a person has said what becomes of the unsaved
+    std::optional<Preset> offer_;     // the unsaved work of the last run
+    // What the state folder holds, and since when.
+    struct Kept {
+        std::vector<TweakValue> values;
+        std::size_t events = 0;
+        bool operator==(const Kept&) const = default;
+    };
+    std::optional<Kept> kept_;
+    Stopwatch since_kept_;
+    static constexpr double kKeepPeriod = 0.5;  // s; a hand that moves does not write all the time
     // What a study or a check is about: the values it began with, and whether they are still those
     // of the same text.
     struct Subject {

@@ -44,8 +44,9 @@ void members(auto& bytes, Is<Scene> auto& value) {
     bytes(files, text, origins, tweaks, samplers, passes, channel_types, image_entry, has_sound);
 }
 void members(auto& bytes, Is<Preset> auto& value) {
-    auto& [file, scene, title, time, size, settle, date, values, channels, events] = value;
-    bytes(file, scene, title, time, size, settle, date, values, channels, events);
+    auto& [file, scene, title, time, size, has_size, settle, date, values, channels, events] =
+        value;
+    bytes(file, scene, title, time, size, has_size, settle, date, values, channels, events);
 }
 void members(auto& bytes, Is<PassTrial> auto& value) {
     auto& [name, compile_ms, first_ms, second_ms, expected_ms] = value;

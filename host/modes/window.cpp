@@ -1,13 +1,9 @@
 #include "modes/window.h"
 
 #include "image/image.h"
-#include "modes/editor.h"
-#include "modes/import.h"
 #include "modes/inspect.h"
 #include "modes/playground_window.h"
 #include "say.h"
-#include "scene/preset_writer.h"
-#include "scene/raw_text.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -37,11 +33,6 @@ fs::path home_folder(const char* variable, const char* fallback) {
     return fs::path(home && *home ? home : "/tmp") / fallback / "glint";
 }
 
-std::string read_text(const fs::path& file) {
-    std::string why_not;
-    return read_bytes(file, why_not).value_or("");
-}
-
 // NAME-0001.png, or the first such name that is free.
 fs::path free_picture_name(const fs::path& file) {
     for (int number = 1;; ++number) {
@@ -50,12 +41,22 @@ fs::path free_picture_name(const fs::path& file) {
     }
 }
 
+// What the preset or the options say. What is wrong with the file is told once it is open; what is
+// wrong with the options throws UsageError.
+glm::ivec2 size_at_start(const ViewOptions& options) {
+    ReadPreset read = read_preset(options.file);
+    if (!read.preset) return size_of(options, Preset{}.size);
+    lay_over(*read.preset, options);
+    return read.preset->size;
+}
+
 }  // namespace
 
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
-      window_({1280, 720}, "Glint"),
+      window_(size_at_start(options), "Glint"),
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
+      unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
       playground_(window_, window_.size(),
                   {.device = options.device, .specialise = options.specialise}),
       panels_(window_.handle(), window_.content_scale(),
@@ -70,18 +71,22 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     open(options.file);
 }
 
-void PlaygroundWindow::run() {
-    while (!window_.should_close()) {
+int PlaygroundWindow::run() {
+    while (!window_.should_close() && end_signals_.arrived() == 0) {
         std::vector<int> descriptors = playground_.descriptors();
         descriptors.push_back(study_.process().descriptor());
         descriptors.push_back(check_.process().descriptor());
         descriptors.push_back(sound_.descriptor());
+        descriptors.push_back(end_signals_.descriptor());
+        descriptors.push_back(editor_.descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
         dirty_ |= browser_.update();
         dirty_ |= sound_.update();
         dirty_ |= follow_findings();
+        if (const std::string problem = editor_.problem(); !problem.empty()) notice(problem);
         print_reports();
+        keep_unsaved();
         const double now = since_draw_.ms() / 1000.0;
         if (!window_.is_visible() || window_.size().x == 0 || window_.size().y == 0) continue;
         if (playground_.has_unseen_text()) frame_due_ = 0.0;
@@ -89,6 +94,8 @@ void PlaygroundWindow::run() {
         const bool wanted = dirty_ || playground_.wants_frame() || panels_.is_settling();
         if ((wanted && now >= frame_due_) || (shows_clock() && now >= kClockTick)) draw_frame();
     }
+    if (end_signals_.arrived() != 0) keep_at_end();
+    return end_signals_.arrived();
 }
 
 bool PlaygroundWindow::shows_clock() const {
@@ -99,6 +106,7 @@ bool PlaygroundWindow::shows_clock() const {
 // Nothing to do: wait for events. Something to draw: only until the next frame of the screen is
 // due.
 double PlaygroundWindow::wait_seconds() const {
+    if (is_keeping_due()) return kKeepPeriod / 4.0;
     if (!window_.is_visible()) return kLongestWait;
     const double now = since_draw_.ms() / 1000.0;
     if (dirty_ || playground_.wants_frame() || panels_.is_settling()) {
@@ -111,9 +119,35 @@ double PlaygroundWindow::wait_seconds() const {
     return pending ? 0.1 : kLongestWait;
 }
 
+// Whose aspect the picture keeps.
+std::optional<glm::ivec2> PlaygroundWindow::frame_size() const {
+    if (!options_.size.empty()) return size_of(options_, {});
+    const Preset* preset = playground_.preset();
+    if (!preset || !preset->has_size) return std::nullopt;
+    return preset->size;
+}
+
+// Where the picture stands in the window, pixels: between bars where the aspects differ.
+ScreenArea PlaygroundWindow::picture_area() const {
+    const glm::ivec2 room = window_.size();
+    const std::optional<glm::ivec2> frame = frame_size();
+    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = room};
+    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(*frame);
+    const glm::dvec2 fitted = glm::dvec2(*frame) * std::min(ratio.x, ratio.y);
+    const glm::ivec2 size =
+        glm::clamp(glm::ivec2(glm::round(fitted)), glm::min(glm::ivec2(1), room), room);
+    return {.origin = (room - size) / 2, .size = size};
+}
+
+// Where the view stands: buffers, magnified pixels and the pictures of studies have all the window.
+ScreenArea PlaygroundWindow::view_area() const {
+    if (is_over_scene()) return picture_area();
+    return {.origin = {0, 0}, .size = window_.size()};
+}
+
 glm::ivec2 PlaygroundWindow::picture_size() const {
     const double scale = settings_.resolution_scale * automatic_scale_;
-    const glm::dvec2 size = glm::dvec2(window_.size()) * scale;
+    const glm::dvec2 size = glm::dvec2(picture_area().size) * scale;
     return {std::max(1, static_cast<int>(std::lround(size.x))),
             std::max(1, static_cast<int>(std::lround(size.y)))};
 }
@@ -191,9 +225,8 @@ void PlaygroundWindow::show_picture() {
     const Output viewed = find_output(playground_, settings_.view.sampler);
     view.output = viewed.output;
     const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
-    const ScreenArea all{.origin = {0, 0}, .size = window_.size()};
     if (!settings_.wipe || !settings_.view.sampler.empty()) {
-        viewer_.show(*buffer, view, all);
+        viewer_.show(*buffer, view, view_area());
         return;
     }
     const auto other =
@@ -206,24 +239,19 @@ void PlaygroundWindow::show_picture() {
 void PlaygroundWindow::show_wipe(const Buffer& left, const Buffer& right, const BufferView& view) {
     const ScreenArea all{.origin = {0, 0}, .size = window_.size()};
     const auto line = static_cast<int>(settings_.wipe_position * static_cast<float>(all.size.x));
-    viewer_.show(left, view, all);
+    viewer_.show(left, view, view_area());
     glEnable(GL_SCISSOR_TEST);
     glScissor(line, 0, all.size.x - line, all.size.y);
-    viewer_.show(right, view, all);
+    viewer_.show(right, view, view_area());
     glScissor(line, 0, 2, all.size.y);
     glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
 }
 
-bool PlaygroundWindow::is_unsaved() const {
-    return playground_.is_open() && values_known_ &&
-           (playground_.history.values() != saved_values_ || !recorded_.empty());
-}
-
 // What the passes panel and the magnified picture tell of the buffer in view.
 void PlaygroundWindow::gather_pixels() {
-    const ScreenArea area{.origin = {0, 0}, .size = window_.size()};
+    const ScreenArea area = view_area();
     const Output viewed = find_output(playground_, settings_.view.sampler);
     const glm::ivec2 size = playground_.renderer()->buffer(viewed.graph_index).shape().size;
     grid_ = pixel_grid(playground_, viewed, buffer_view(), area);
@@ -259,6 +287,8 @@ Facts PlaygroundWindow::facts() {
     facts.frame_ms = playground_.frame_ms();
     facts.renderer = window_.renderer();
     facts.picture_size = playground_.size();
+    facts.frame_size = frame_size().value_or(glm::ivec2(0));
+    facts.question = leaving_ ? Question::leave : offer_ ? Question::restore : Question::none;
     facts.passes = passes_;
     facts.pixel_facts = pixel_facts_;
     facts.pixel_values = pixel_values_;
@@ -285,10 +315,11 @@ void PlaygroundWindow::print_reports() {
             say("{}\n", to_string(diagnostic));
         }
         if (reports[i].shown && !values_known_) {
-            saved_values_ = playground_.history.values();
             values_known_ = true;
             if (pause_at_open_) playground_.transport.pause();
             pause_at_open_ = false;
+            lay_options_over();
+            find_unsaved();
         } else if (reports[i].shown && reports[i].file.extension() != ".toml") {
             stop_findings();  // they are about another text
         }
@@ -297,67 +328,8 @@ void PlaygroundWindow::print_reports() {
     printed_reports_ = total;
 }
 
-void PlaygroundWindow::open(const fs::path& file) {
-    file_ = file;
-    values_known_ = false;
-    recorded_.clear();
-    study_.clear();
-    check_.clear();
-    settings_.shown = Shown::scene;
-    crash_mark_.set(file);
-    playground_.open(file);
-    browser_.list(file);
-    dirty_ = true;
-}
-
-void PlaygroundWindow::drop(const fs::path& file) {
-    if (!is_shadertoy(file)) return open(file);
-    const ImportedBeside imported = import_beside(file);
-    notice(imported.notice);
-    if (!imported.scene.empty()) open(imported.scene);
-}
-
 void PlaygroundWindow::notice(std::string text) {
     notice_ = std::move(text);
-    dirty_ = true;
-}
-
-void PlaygroundWindow::save(const fs::path& file) {
-    if (!playground_.is_open()) return;
-    // What is on the screen is another scene's, or an older text's.
-    if (file == file_ && (!values_known_ || has_errors(playground_.diagnostics()))) {
-        notice(fmt::format("{} is not saved while it has errors.", file.filename().string()));
-        return;
-    }
-    Preset preset = playground_.current_preset();
-    if (!recorded_.empty()) preset.events = recorded_;
-    const PresetText text = write_preset(preset, file,
-                                         read_text(fs::exists(file)               ? file
-                                                   : file_.extension() == ".toml" ? file_
-                                                                                  : fs::path()));
-    if (!text.text) {
-        notice(text.diagnostics.empty() ? "The preset cannot be saved."
-                                        : to_string(text.diagnostics.front()));
-        return;
-    }
-    try {
-        write_whole_file(file, std::as_bytes(std::span(*text.text)));
-        saved_values_ = playground_.history.values();
-        recorded_.clear();
-        notice(fmt::format("{} saved", file.filename().string()));
-        if (file != file_) open(file);
-    } catch (const std::runtime_error& error) {
-        notice(error.what());
-    }
-}
-
-void PlaygroundWindow::revert() {
-    if (!playground_.is_open() || !values_known_) return;
-    if (saved_values_.size() == playground_.history.values().size()) {
-        playground_.history.set_all(saved_values_);
-        playground_.tweaks_changed();
-    }
-    recorded_.clear();
     dirty_ = true;
 }
 
@@ -374,44 +346,38 @@ void PlaygroundWindow::take_still() {
     }
 }
 
-void PlaygroundWindow::toggle_recording() {
-    if (playground_.recorder.recording()) {
-        recorded_ = playground_.recorder.stop();
-        notice(fmt::format("{} events recorded; save the preset to keep them", recorded_.size()));
-    } else {
-        playground_.start_recording();
-        notice("Recording mouse and keys");
-    }
-}
-
 void PlaygroundWindow::edit(const Diagnostic& diagnostic) {
     Place place = diagnostic.place;
-    if (place.file.empty()) place.file = file_.string();
-    const std::string problem = open_editor(place);
+    const Preset* preset = playground_.preset();
+    if (place.file.empty()) place.file = (preset ? preset->scene.files.front() : file_).string();
+    const std::string problem = editor_.open(place);
     if (!problem.empty()) notice(problem);
 }
 
 void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.tweaks_changed) playground_.tweaks_changed();
-    if (wishes.open) open(*wishes.open);
+    if (wishes.open) leave({Leaving::For::open, *wishes.open});
     if (wishes.save && file_.extension() == ".toml") save(file_);
-    if (wishes.save_as) save(*wishes.save_as);
-    if (wishes.revert) revert();
+    if (wishes.save_as) save_as(*wishes.save_as);
+    if (wishes.revert) leave({Leaving::For::revert, {}});
     if (wishes.still) take_still();
     if (wishes.toggle_recording) toggle_recording();
+    if (wishes.answer) take_answer(*wishes.answer);
     if (wishes.toggle_full_screen) window_.set_full_screen(!window_.is_full_screen());
     if (wishes.edit) edit(*wishes.edit);
     grant_findings(wishes);
-    if (wishes.quit) window_.close();
+    if (wishes.quit) leave({Leaving::For::quit, {}});
 }
 
 void run_window(const ViewOptions& options) {
+    int signal = 0;
     bool reads = false;
     {
         PlaygroundWindow window(options);
-        window.run();
+        signal = window.run();
         reads = window.is_reading_inputs();
     }
+    if (signal != 0) end_by(signal);
     if (!reads) return;
     // A file that is large, or on a disk that hangs, keeps nobody waiting; and what other exits
     // take down, the thread that reads it still uses.

@@ -5,7 +5,8 @@
 
 namespace glint {
 
-// Runs until the window is closed. Throws NoContext when there is no display.
+// Runs until the window is closed. SIGINT, SIGTERM and SIGHUP end the process in order, by the same
+// signal. Throws NoContext when there is no display, and UsageError.
 void run_window(const ViewOptions& options);
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 #include "modes/keys.h"
 #include "modes/playground_window.h"
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -11,10 +12,18 @@ namespace glint {
 
 // The fraction of the picture, as recordings keep it, of a place in the window (pixels, y up).
 glm::dvec2 PlaygroundWindow::on_picture(glm::dvec2 position) const {
-    const glm::dvec2 window(glm::max(window_.size(), glm::ivec2(1)));
+    const ScreenArea area = picture_area();
+    const glm::dvec2 room(glm::max(area.size, glm::ivec2(1)));
+    const glm::dvec2 at = position - glm::dvec2(area.origin);
     const glm::ivec2 size = playground_.size();
-    return mouse_fraction(glm::dvec2(position.x, window.y - position.y) / window * glm::dvec2(size),
-                          size);
+    return mouse_fraction(glm::dvec2(at.x, room.y - at.y) / room * glm::dvec2(size), size);
+}
+
+// Not on the bars beside it.
+bool PlaygroundWindow::is_on_picture(glm::dvec2 position) const {
+    const ScreenArea area = picture_area();
+    const glm::dvec2 at = position - glm::dvec2(area.origin);
+    return at.x >= 0.0 && at.y >= 0.0 && at.x < area.size.x && at.y < area.size.y;
 }
 
 void PlaygroundWindow::handle(const WindowEvent& event) {
@@ -29,12 +38,15 @@ void PlaygroundWindow::handle(const WindowEvent& event) {
             handle_mouse(event);
             break;
         case WindowEvent::Kind::drop:
-            if (!event.files.empty()) drop(event.files.front());
+            if (!event.files.empty()) leave({Leaving::For::open, event.files.front()});
             break;
         case WindowEvent::Kind::resize:
             break;
         case WindowEvent::Kind::focus:
             if (!event.down) release_keys();
+            break;
+        case WindowEvent::Kind::close:
+            leave({Leaving::For::quit, {}});
             break;
     }
 }
@@ -80,7 +92,7 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
     if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
         const bool starts = event.down && !panels_.takes_mouse_at(event.position);
         panning_ = starts && !is_over_scene();
-        if (starts && is_over_scene()) dragging_scene_ = true;
+        if (starts && is_over_scene() && is_on_picture(event.position)) dragging_scene_ = true;
         if (dragging_scene_) playground_.mouse(on_picture(event.position), event.down);
         if (!event.down) dragging_scene_ = false;
         return;
@@ -93,12 +105,31 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
 bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
     const std::optional<Action> action = action_of(key, modifiers);
     if (!action) return false;
+    if (leaving_ || offer_) return true;  // a question waits
     // What a person types into a field, and undoes there, is not meant for the window.
     const bool plain = modifiers == 0 || modifiers == GLFW_MOD_SHIFT;
     const bool undoes = *action == Action::undo || *action == Action::redo;
     if ((plain && panels_.takes_keyboard()) || (undoes && panels_.takes_text())) return false;
     act(*action);
     return true;
+}
+
+// Esc: what stands over the scene, or else the full screen.
+void PlaygroundWindow::close_one() {
+    const bool any = (settings_.visible && (settings_.help || settings_.browser)) ||
+                     settings_.shown != Shown::scene;
+    if (!any) return window_.set_full_screen(false);
+    settings_.help = settings_.browser = false;
+    settings_.shown = Shown::scene;
+}
+
+void PlaygroundWindow::toggle_free_aspect() {
+    const std::optional<glm::ivec2> frame = frame_size();
+    if (!frame) return notice("No size is given that the picture could keep to; it is free.");
+    settings_.free_aspect = !settings_.free_aspect;
+    notice(settings_.free_aspect
+               ? "Free aspect: the picture fills the window, and is saved so."
+               : fmt::format("The picture keeps to {} \u00d7 {}.", frame->x, frame->y));
 }
 
 void PlaygroundWindow::act(Action action) {
@@ -137,10 +168,10 @@ void PlaygroundWindow::act(Action action) {
             break;
         case Action::hide_panels:
             settings_.visible = !settings_.visible;
+            notice(settings_.visible ? "" : "Panels are hidden; Tab shows them again");
             break;
         case Action::close_panels:
-            settings_.help = settings_.browser = false;
-            settings_.shown = Shown::scene;
+            close_one();
             break;
         case Action::undo:
             if (history.undo()) playground_.tweaks_changed();
@@ -156,10 +187,10 @@ void PlaygroundWindow::act(Action action) {
             if (file_.extension() == ".toml")
                 save(file_);
             else
-                settings_.save_as = settings_.visible = true;
+                settings_.save_as = true;
             break;
         case Action::save_as:
-            settings_.save_as = settings_.visible = true;
+            settings_.save_as = true;
             break;
         case Action::still:
             take_still();
@@ -174,11 +205,14 @@ void PlaygroundWindow::act(Action action) {
         case Action::full_screen:
             window_.set_full_screen(!window_.is_full_screen());
             break;
+        case Action::free_aspect:
+            toggle_free_aspect();
+            break;
         case Action::help:
             settings_.help = !settings_.help;
             break;
         case Action::quit:
-            window_.close();
+            leave({Leaving::For::quit, {}});
             break;
     }
 }

@@ -198,6 +198,7 @@ void Reader::read_size(const toml::node& node) {
                                 kLargestSize, clamped));
         preset_.size[i] = static_cast<int>(clamped);
     }
+    preset_.has_size = true;
 }
 
 void Reader::read_date(const toml::node& node) {

@@ -23,6 +23,7 @@ struct Preset {
     std::string title;
     double time = 0.0;               // s; where a still is taken and where the window starts
     glm::ivec2 size{1280, 720};      // pixels
+    bool has_size = false;           // whether the file says so
     int settle = 0;                  // frames drawn with time held, for scenes that accumulate
     Date date;                       // when time is 0
     std::vector<TweakValue> values;  // one for each of scene.tweaks, within its range

@@ -3,7 +3,6 @@
 #include "ui/widgets.h"
 
 #include <fmt/format.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -27,72 +26,6 @@ fs::path scene_of(const BrowserEntry& entry, std::span<const BrowserEntry> all) 
     return {};
 }
 
-// Where a new preset would go: beside an open preset, else into the folder of presets.
-fs::path proposed_path(const fs::path& file) {
-    if (is_preset(file)) return file.parent_path() / (file.stem().string() + "-2.toml");
-    const fs::path beside = file.parent_path().parent_path() / "presets";
-    std::error_code error;
-    const fs::path folder = fs::is_directory(beside, error) ? beside : file.parent_path();
-    return folder / (file.stem().string() + ".toml");
-}
-
-void ask_path(Build& build, BrowserState& state) {
-    const Theme& theme = build.theme;
-    const bool begins = build.settings.save_as;
-    if (begins) state.path = proposed_path(build.facts.file).string();
-    build.settings.save_as = false;
-    if (begins) ImGui::OpenPopup("Save as");
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * screen.x, 0.4f * screen.y}, 0, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal("Save as", nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
-        return;
-    text_in(colours::kText, "Save as a preset", theme.bold);
-    ImGui::SetNextItemWidth(std::min(theme.px(480), screen.x - theme.px(60)));
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    const bool entered =
-        ImGui::InputText("##path", &state.path, ImGuiInputTextFlags_EnterReturnsTrue);
-    fs::path path(state.path);
-    if (!path.empty() && !is_preset(path)) path += ".toml";
-    std::error_code error;
-    const bool exists = fs::exists(path, error);
-    text_in(exists ? colours::kWarning : colours::kDim,
-            exists ? "This file is there already and will be replaced." : "A new file.");
-    const bool save = ImGui::Button(exists ? "Replace" : "Save") || entered;
-    ImGui::SameLine();
-    const bool cancel =
-        ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if (save && !path.empty()) build.wishes.save_as = path;
-    if (save || cancel) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-}
-
-// What is not saved is not left without a question.
-void ask_leaving(Build& build, BrowserState& state) {
-    if (!state.leaving_for) return;
-    if (!ImGui::IsPopupOpen("Not saved")) ImGui::OpenPopup("Not saved");
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * screen.x, 0.4f * screen.y}, 0, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal("Not saved", nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
-        return;
-    text_in(colours::kText, "The tweaks of this preset are not saved.", build.theme.bold);
-    const bool save = ImGui::Button("Save and open");
-    ImGui::SameLine();
-    const bool discard = ImGui::Button("Open without saving");
-    ImGui::SameLine();
-    const bool stay = ImGui::Button("Stay");
-    if (save) build.wishes.save = true;
-    if (save || discard) build.wishes.open = *state.leaving_for;
-    if (save || discard || stay) {
-        state.leaving_for.reset();
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-}
-
 void saving(Build& build) {
     const Theme& theme = build.theme;
     const bool has_scene = build.facts.scene != nullptr;
@@ -106,13 +39,6 @@ void saving(Build& build) {
     if (text_button(theme, "Revert", false, "Back to what the file says; undo takes it back"))
         build.wishes.revert = true;
     ImGui::EndDisabled();
-}
-
-void choose(Build& build, BrowserState& state, const BrowserEntry& entry) {
-    if (build.facts.unsaved)
-        state.leaving_for = entry.file;
-    else
-        build.wishes.open = entry.file;
 }
 
 void draw_card(Build& build, const BrowserEntry& entry, ImVec2 corner, float width, float picture) {
@@ -138,17 +64,17 @@ void draw_card(Build& build, const BrowserEntry& entry, ImVec2 corner, float wid
                 title);
 }
 
-void card(Build& build, BrowserState& state, const BrowserEntry& entry, float width) {
+void card(Build& build, const BrowserEntry& entry, float width) {
     const float picture = std::round(width * 9.0f / 16.0f);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = picture + ImGui::GetTextLineHeight() + build.theme.px(6);
     if (ImGui::InvisibleButton("card", {std::max(width, 1.0f), height}))
-        choose(build, state, entry);
+        build.wishes.open = entry.file;
     draw_card(build, entry, corner, width, picture);
     tip(build.theme, entry.title + "\n" + entry.file.string());
 }
 
-void cards(Build& build, BrowserState& state, const std::vector<std::size_t>& entries) {
+void cards(Build& build, const std::vector<std::size_t>& entries) {
     const Theme& theme = build.theme;
     const float whole = ImGui::GetContentRegionAvail().x, gap = theme.px(8);
     const int columns = std::max(1, static_cast<int>((whole + gap) / (theme.px(130) + gap)));
@@ -157,12 +83,12 @@ void cards(Build& build, BrowserState& state, const std::vector<std::size_t>& en
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine(0, gap);
         ImGui::PushID(static_cast<int>(entries[i]));
-        card(build, state, build.facts.browser[entries[i]], width);
+        card(build, build.facts.browser[entries[i]], width);
         ImGui::PopID();
     }
 }
 
-void shelves(Build& build, BrowserState& state) {
+void shelves(Build& build) {
     std::vector<std::pair<fs::path, std::vector<std::size_t>>> groups;
     for (std::size_t i = 0; i < build.facts.browser.size(); ++i) {
         const fs::path scene = scene_of(build.facts.browser[i], build.facts.browser);
@@ -174,21 +100,18 @@ void shelves(Build& build, BrowserState& state) {
     for (const auto& [scene, entries] : groups) {
         text_in(colours::kText, scene.empty() ? "Presets" : scene.stem().string(),
                 build.theme.bold);
-        cards(build, state, entries);
+        cards(build, entries);
         ImGui::Dummy({0, build.theme.px(4)});
     }
 }
 
 }  // namespace
 
-void browser_panel(Build& build, BrowserState& state) {
-    ask_path(build, state);
-    ask_leaving(build, state);
-    if (!build.settings.browser) return;
+void browser_panel(Build& build) {
     begin_panel(build, PanelId::browser, "Browser", build.settings.browser);
     saving(build);
     begin_body();
-    shelves(build, state);
+    shelves(build);
     if (build.facts.browser.empty()) {
         ImGui::PushTextWrapPos(0.0f);
         text_in(colours::kDim, "Nothing is here yet. Drop a .frag file or a preset on the window.");

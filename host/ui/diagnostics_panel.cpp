@@ -163,6 +163,27 @@ void diagnostics_button(Build& build, DiagnosticsState& state) {
     tip(build.theme, state.open ? "Hide the list" : "Show the list");
 }
 
+void error_line(Build& build) {
+    const auto error =
+        std::ranges::find(build.facts.diagnostics, Severity::error, &Diagnostic::severity);
+    if (error == build.facts.diagnostics.end()) return;
+    const Theme& theme = build.theme;
+    const std::string text =
+        place_text(error->place) + "  " + error->text.substr(0, error->text.find('\n'));
+    const char* hint = "Tab shows all";
+    const float margin = theme.px(8), width = ImGui::GetIO().DisplaySize.x - 2 * margin;
+    const float hint_width = ImGui::CalcTextSize(hint).x;
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const float bottom = margin + ImGui::GetTextLineHeight() + theme.px(8);
+    list.AddRectFilled({margin, margin}, {margin + width, bottom}, colours::kPanel, theme.px(4));
+    list.AddRectFilled({margin, margin}, {margin + theme.px(3), bottom}, colours::kError);
+    const ImVec2 at{margin + theme.px(12), margin + theme.px(4)};
+    const float room = width - hint_width - theme.px(36);
+    text_within(list, at, room, colours::kError, text);
+    if (room > theme.px(120))
+        list.AddText({margin + width - hint_width - theme.px(12), at.y}, colours::kDim, hint);
+}
+
 void diagnostics_panel(Build& build, DiagnosticsState& state) {
     follow(build.facts, state);
     if (state.shown.empty() || !state.open) return;

@@ -12,6 +12,17 @@ namespace {
 
 constexpr float kNoticeStays = 4.0f, kNoticeFades = 0.6f;  // s
 
+// ImGui does so only where the keyboard moves through all items. What must be answered, and a field
+// that is typed into, see to the key themselves.
+void close_popup_by_key() {
+    const auto& popups = GImGui->OpenPopupStack;
+    if (popups.empty() || ImGui::GetIO().WantTextInput) return;
+    const ImGuiWindow* top = popups.back().Window;
+    if (top && (top->Flags & ImGuiWindowFlags_Modal)) return;
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+        ImGui::ClosePopupToLevel(popups.Size - 1, true);
+}
+
 }  // namespace
 
 Wishes Interface::build(const Facts& facts, History& history, Transport& transport,
@@ -21,6 +32,7 @@ Wishes Interface::build(const Facts& facts, History& history, Transport& transpo
     Build build{facts, history, transport, settings, wishes, theme_, layout_};
     layout_before_ = layout_;
     follow_notice(facts);
+    close_popup_by_key();
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
         pixel_grid(build);
         shown_labels(build);
@@ -34,12 +46,14 @@ Wishes Interface::build(const Facts& facts, History& history, Transport& transpo
         if (!facts.scene) empty_hint(build);
         if (settings.tweaks) tweaks_panel(build, tweaks_);
         if (settings.passes) passes_panel(build);
-        browser_panel(build, browser_);
+        if (settings.browser) browser_panel(build);
         if (settings.study) study_panel(build, study_);
         if (settings.check) check_panel(build);
         diagnostics_panel(build, diagnostics_);
         if (settings.help) help_panel(build);
     }
+    if (screen.x >= 1.0f && !settings.visible) error_line(build);
+    dialogs(build, saving_);
     if (screen.x >= 1.0f && notice_age_ < kNoticeStays)
         notice(build, std::clamp((kNoticeStays - notice_age_) / kNoticeFades, 0.0f, 1.0f));
     tweaks_.edits.follow(history);
@@ -69,7 +83,8 @@ bool Interface::is_behind() {
 
 bool Interface::is_moving() const {
     const bool tip_is_due = GImGui->HoveredId != 0 && GImGui->HoveredIdTimer < 0.4f;
-    return notice_age_ < kNoticeStays || tip_is_due;
+    const bool dims = GImGui->DimBgRatio > 0.0f && GImGui->DimBgRatio < 1.0f;
+    return notice_age_ < kNoticeStays || tip_is_due || dims;
 }
 
 void notice(Build& build, float alpha) {
@@ -83,7 +98,9 @@ void notice(Build& build, float alpha) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(std::max(screen.x - theme.px(32), theme.px(60)));
     text_in(colours::kText, build.facts.notice);
+    ImGui::PopTextWrapPos();
     ImGui::End();
     ImGui::PopStyleVar();
 }

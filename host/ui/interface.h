@@ -57,10 +57,8 @@ struct DiagnosticsState {
     bool open = true;
 };
 
-struct BrowserState {
+struct SavingState {
     std::string path;  // of save as
-    bool asks_path = false;
-    std::optional<std::filesystem::path> leaving_for;  // opened once the unsaved is dealt with
 };
 
 struct StudyState {
@@ -73,12 +71,14 @@ void top_bar(Build& build, DiagnosticsState& diagnostics);
 void tweaks_panel(Build& build, TweaksState& state);
 void transport_panel(Build& build, TransportState& state);
 void passes_panel(Build& build);
-void browser_panel(Build& build, BrowserState& state);
+void browser_panel(Build& build);
 void study_panel(Build& build, StudyState& state);
 void check_panel(Build& build);
 void diagnostics_panel(Build& build, DiagnosticsState& state);
 void diagnostics_button(Build& build, DiagnosticsState& state);  // in the bar: how many
 void help_panel(Build& build);
+void dialogs(Build& build, SavingState& saving);
+void error_line(Build& build);  // where the panels are hidden
 void empty_hint(Build& build);
 void wipe_handle(Build& build);
 void shown_labels(Build& build);
@@ -122,7 +122,7 @@ private:
     TweaksState tweaks_;
     TransportState transport_;
     DiagnosticsState diagnostics_;
-    BrowserState browser_;
+    SavingState saving_;
     StudyState study_;
     std::string notice_;
     float notice_age_ = 1e9f;  // s

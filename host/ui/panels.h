@@ -75,6 +75,13 @@ struct PassView {
     bool inspect = false;    // counts, histogram and the pixel inspector are wanted
 };
 
+// What has to be answered before anything else is done.
+enum class Question {
+    none,
+    leave,    // what is not saved would be lost: save, discard, or cancel
+    restore,  // the last run left work that it had not saved: restore, or discard
+};
+
 // What the panels need to know for one frame.
 struct Facts {
     const Scene* scene = nullptr;  // null while nothing is open
@@ -88,6 +95,7 @@ struct Facts {
     double frame_ms = 0.0;
     std::string renderer;
     glm::ivec2 picture_size{0};
+    glm::ivec2 frame_size{0};  // whose aspect the picture keeps; 0x0 fills the window
     std::span<const PassFact> passes;
     std::optional<PixelFacts> pixel_facts;
     std::span<const PixelValue> pixel_values;
@@ -99,9 +107,12 @@ struct Facts {
     bool recording = false;
     bool has_sound = false;
     std::string why_silent;  // a cause; "" while the sound can be heard
+    Question question = Question::none;
     // A short message such as "christmas.png written". It fades by itself; a new text shows anew.
     std::string notice;
 };
+
+enum class Answer { save, discard, cancel, restore };
 
 // What a person asked for in one frame.
 struct Wishes {
@@ -113,6 +124,7 @@ struct Wishes {
     bool tweaks_changed = false;
     std::optional<Diagnostic> edit;    // open the editor at this place
     std::optional<std::string> study;  // run one of this knob; "" for all
+    std::optional<Answer> answer;      // to Facts::question
     bool cancel_study = false;
     bool check = false, cancel_check = false;
     bool quit = false;
@@ -125,6 +137,7 @@ struct PanelSettings {
     bool study = false, check = false;
     bool save_as = false;  // ask for the path; the panels answer with Wishes::save_as
     PassView view;
+    bool free_aspect = false;       // the picture fills the window, whatever Facts::frame_size
     float resolution_scale = 1.0f;  // 0.25 to 2
     bool hold_frame_rate = false;   // lower the resolution to hold this rate
     float frame_rate = 30.0f;       // Hz

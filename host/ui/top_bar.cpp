@@ -38,6 +38,10 @@ void toggle(Build& build, const char* name, Icon icon, Action action, bool& open
     ImGui::SameLine(0, build.theme.px(2));
 }
 
+std::string pixels_text(glm::ivec2 size) {
+    return fmt::format("{} \u00d7 {}", size.x, size.y);
+}
+
 void picture_popup(Build& build) {
     const Theme& theme = build.theme;
     const ImVec2 below{ImGui::GetItemRectMin().x, build.layout.bar.bottom() + theme.px(8)};
@@ -57,9 +61,16 @@ void picture_popup(Build& build) {
     if (settings.hold_frame_rate)
         number_slider(theme, "##rate", width, settings.frame_rate, {5.0, 120.0, 30.0},
                       fmt::format("{:.0f} frames/s", settings.frame_rate));
+    const glm::ivec2 frame = build.facts.frame_size;
+    ImGui::BeginDisabled(frame.x == 0);
+    bool is_free = frame.x == 0 || settings.free_aspect;
+    if (ImGui::Checkbox("free aspect", &is_free)) settings.free_aspect = is_free;
+    ImGui::EndDisabled();
+    tip(theme, frame.x == 0 ? "No size is given that the picture could keep to"
+                            : fmt::format("Fills the window instead of keeping to {} ({})",
+                                          pixels_text(frame), keys_of(Action::free_aspect)));
     ImGui::Separator();
-    text_in(colours::kDim, fmt::format("{} \u00d7 {} pixels", build.facts.picture_size.x,
-                                       build.facts.picture_size.y));
+    text_in(colours::kDim, pixels_text(build.facts.picture_size) + " pixels");
     ImGui::PushTextWrapPos(theme.px(360));
     if (!build.facts.renderer.empty()) text_in(colours::kDim, build.facts.renderer);
     text_in(colours::kDim,
@@ -67,6 +78,19 @@ void picture_popup(Build& build) {
     if (!build.facts.last_reload.empty()) text_in(colours::kDim, build.facts.last_reload);
     ImGui::PopTextWrapPos();
     ImGui::EndPopup();
+}
+
+// What is seen is not the frame that the preset draws: the bar says so.
+void free_aspect(Build& build) {
+    const glm::ivec2 frame = build.facts.frame_size;
+    if (frame.x == 0 || !build.settings.free_aspect) return;
+    ImGui::SameLine();
+    const std::string text = fmt::format(
+        "The picture fills the window, and is saved so. Click: the preset's {} again "
+        "({})",
+        pixels_text(frame), keys_of(Action::free_aspect));
+    if (text_button(build.theme, "free aspect", true, text.c_str()))
+        build.settings.free_aspect = false;
 }
 
 void actions(Build& build) {
@@ -115,6 +139,7 @@ void top_bar(Build& build, DiagnosticsState& diagnostics) {
     toggle(build, "Check", Icon::check, Action::check, settings.check);
     ImGui::SameLine(0, theme.px(8));
     actions(build);
+    free_aspect(build);
     if (build.facts.loading) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();

@@ -130,6 +130,11 @@ bool text_within(ImDrawList& list, ImVec2 position, float width, ImU32 colour,
 
 void tip(const Theme& theme, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    // ImGui counts how long the mouse rests on what has an id; texts and drawings have none.
+    const ImGuiLastItemData item = GImGui->LastItemData;
+    if (item.ID == 0)
+        ImGui::ItemHoverable(
+            item.Rect, ImHashData(&item.Rect, sizeof item.Rect, ImGui::GetCurrentWindowRead()->ID));
     if (GImGui->HoveredIdTimer < 0.35f) return;  // s; not at every passing of the mouse
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
     ImGui::BeginTooltip();

@@ -272,24 +272,6 @@ TEST(Errors, AClickOpensTheEditorThere) {
     EXPECT_EQ(screen.wishes.edit->place.line, 9);
 }
 
-TEST(Browser, WhatIsNotSavedIsNotLeftWithoutAQuestion) {
-    Screen screen(two_numbers());
-    const std::vector<BrowserEntry> entries{{"one.frag", "One", 0, {}}};
-    screen.facts.browser = entries;
-    screen.settings.browser = true;
-    for (const bool unsaved : {false, true}) {
-        screen.wishes = {};
-        screen.facts.unsaved = unsaved;
-        for (int i = 0; i < 4; ++i) screen.frame();
-        const ImGuiWindow* body = screen.window("Browser/body");
-        ASSERT_TRUE(body);
-        screen.click({body->Pos.x + 40, body->Pos.y + 50});
-        EXPECT_EQ(screen.wishes.open.has_value(), !unsaved);
-    }
-    screen.frame();
-    EXPECT_TRUE(screen.window("Not saved"));
-}
-
 // All panels open, over what a person may meet.
 void open_all(Screen& screen) {
     PanelSettings& settings = screen.settings;

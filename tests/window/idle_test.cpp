@@ -48,6 +48,7 @@ TEST_F(Idle, ASceneThatDependsOnNothingUsesAtMostAHundredthOfACoreWhileItPlays) 
     open(flat({10, 20, 30}));
     screen_->tap("Tab");
     wait_for_rest();
+    EXPECT_TRUE(shows({10, 20, 30}, {640, 690}));  // the word on how they come back has gone
     EXPECT_TRUE(uses_at_most(1.0, "playing, nothing moves, panels hidden"));
     // The clock in the transport bar moves, and is drawn for that.
     screen_->tap("Tab");

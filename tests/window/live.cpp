@@ -39,6 +39,8 @@ double cpu_seconds_of(const std::string& process) {
     const std::string home = (folder / "home").string();
     ::setenv("DISPLAY", display.c_str(), 1);
     ::setenv("HOME", home.c_str(), 1);
+    const char* path = std::getenv("PATH");
+    ::setenv("PATH", ((folder / "bin").string() + ":" + (path ? path : "")).c_str(), 1);
     ::setenv("MESA_SHADER_CACHE_DIR", home.c_str(), 1);  // Mesa does not ask $HOME
     for (const char* name : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME",
                              "WAYLAND_DISPLAY", "EDITOR", "VISUAL"}) {

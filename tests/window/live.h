@@ -43,8 +43,8 @@ using Environment = std::vector<std::pair<std::string, std::string>>;
 // A process of glint; what it says goes to a file.
 class Glint {
 public:
-    // Runs in `folder`, whose `home` is its home, on this X11 display ("": none), with this added
-    // to the environment.
+    // Runs in `folder`, whose `home` is its home and whose `bin` is the first to look for programs,
+    // on this X11 display ("": none), with this added to the environment.
     Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments,
           const Environment& environment = {});
     ~Glint();

@@ -252,6 +252,18 @@ void Screen::minimise(bool minimised) {
     XSync(display_, False);
 }
 
+void Screen::close_window() {
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = window();
+    event.xclient.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
+    event.xclient.data.l[1] = CurrentTime;
+    XSendEvent(display_, window(), False, NoEventMask, &event);
+    XSync(display_, False);
+}
+
 bool Screen::drop(const std::string& path) {
     const auto atom = [&](const char* name) { return XInternAtom(display_, name, False); };
     const auto word = [&](const char* name) { return static_cast<long>(atom(name)); };

@@ -57,6 +57,7 @@ public:
     void resize_window(glm::ivec2 size);
     void minimise(bool minimised);
     void focus(bool focused);
+    void close_window();  // as its frame's button does: the window is asked
     // A file is dragged from elsewhere and let go over the window. Whether the window took it.
     bool drop(const std::string& path);
     // As desktops tell programs that start from now on; 2 on a HiDPI screen.

@@ -1,0 +1,58 @@
+// What a person has not saved, kept in the state folder from the moment it changes: a crash, or the
+// power, takes nothing of it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// A folder that this process alone holds: another can take it once this one has ended, however.
+class HeldFolder {
+public:
+    HeldFolder() = default;
+    // Takes it; holds nothing where another process does.
+    explicit HeldFolder(const std::filesystem::path& path);
+    ~HeldFolder();
+    HeldFolder(HeldFolder&& other) noexcept;
+    HeldFolder& operator=(HeldFolder&& other) noexcept;
+
+    explicit operator bool() const { return descriptor_ >= 0; }
+    const std::filesystem::path& path() const { return path_; }
+    void remove();  // with all that lies in it
+
+private:
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+};
+
+// The unsaved work of one window on one file. Every window has a folder of its own inside that of
+// all, so that two on the same file keep both.
+class UnsavedWork {
+public:
+    // `folder` holds the work of all windows; it is made when there is something to keep.
+    explicit UnsavedWork(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    // Keeps this text, a preset as it would be saved, as the work on `file`. What was kept before
+    // is replaced in one step. Throws std::runtime_error where it cannot be written.
+    void keep(const std::filesystem::path& file, const std::string& text);
+
+    // It is saved, or not wanted.
+    void forget() { own_.remove(); }
+
+    // The newest work on `file` of windows that have ended. It is this window's to offer until
+    // discard_found(); where the window ends before, the next one finds it again.
+    std::optional<std::string> find(const std::filesystem::path& file);
+    void discard_found() { found_.remove(); }
+
+    // Lets go of what was found for another file, unharmed.
+    void leave_found() { found_ = {}; }
+
+private:
+    std::filesystem::path folder_;
+    HeldFolder own_, found_;
+};
+
+}  // namespace glint

@@ -1,0 +1,234 @@
+// Work that is not saved is lost by no way out: by none without a question, and by no crash.
+#include "live.h"
+
+#include <csignal>
+#include <functional>
+#include <tuple>
+
+namespace glint::window {
+namespace {
+
+constexpr glm::ivec2 kMargin{3, 300};
+
+class Work : public Window {
+protected:
+    // A preset whose tweak is the picture's red.
+    void open_look(const std::vector<std::string>& more = {}) {
+        write(scene(),
+              "uniform float level; //@ 0 [0, 1]\n"
+              "void mainImage(out vec4 c, in vec2 p) {\n"
+              "    c = vec4(level, 0.2, fract(iTime * 0.7), 1);\n}\n");
+        if (!fs::exists(look())) write(look(), "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.2\n");
+        fs::remove(folder_->path() / "stderr.txt");
+        std::vector<std::string> all = {look().string()};
+        all.insert(all.end(), more.begin(), more.end());
+        start(all);
+        ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    }
+    fs::path look() const { return folder_->path() / "look.toml"; }
+    int red() const { return screen_->pixel(kMargin).r; }
+    bool becomes_unsaved(bool unsaved) const {
+        return eventually([&] { return screen_->title().ends_with(" * - Glint") == unsaved; });
+    }
+    // Moves the tweak; returns what red it has then.
+    int change() {
+        EXPECT_TRUE(eventually([&] { return red() == 51; })) << red();
+        screen_->tap("Control_L+g");
+        EXPECT_TRUE(eventually([&] { return red() != 51; }));
+        EXPECT_TRUE(becomes_unsaved(true));
+        return red();
+    }
+    // The dialogs dim the picture.
+    bool asks() const {
+        return eventually([&] { return screen_->pixel(kMargin).g < 45; });
+    }
+    bool asks_no_more() const {
+        return eventually([&] { return screen_->pixel(kMargin).g == 51; });
+    }
+    std::string kept() const {
+        std::string all;
+        const fs::path state = folder_->path() / "home/.local/state/glint/unsaved";
+        std::error_code error;
+        for (const auto& entry : fs::recursive_directory_iterator(state, error)) {
+            if (entry.path().filename() == "work.toml") all += read(entry.path());
+        }
+        return all;
+    }
+};
+
+TEST_F(Work, EveryWayOutAsksFirst) {
+    open_look();
+    change();
+    const fs::path other = folder_->path() / "other.frag";
+    write(other, flat({90, 80, 70}));
+    screen_->tap("Tab");  // the question stands there with and without panels
+    const std::function<void()> kWays[] = {[&] { screen_->tap("Control_L+q"); },
+                                           [&] { screen_->close_window(); },
+                                           [&] { EXPECT_TRUE(screen_->drop(other)); }};
+    for (const auto& way : kWays) {
+        way();
+        EXPECT_TRUE(asks());
+        screen_->tap("Escape");
+        EXPECT_TRUE(asks_no_more());
+        EXPECT_TRUE(glint_->runs());
+    }
+    const std::string before = read(look());
+    screen_->close_window();
+    EXPECT_TRUE(asks());
+    screen_->tap("Return");
+    EXPECT_EQ(glint_->wait().code, 0);
+    EXPECT_NE(read(look()), before) << "Enter saves";
+    EXPECT_EQ(kept(), "");
+}
+
+TEST_F(Work, WhatACrashInterruptsIsOfferedAtTheNextStart) {
+    open_look();
+    const int changed = change();
+    ASSERT_TRUE(eventually([&] { return !kept().empty(); }));
+    glint_->signal(SIGKILL);
+    glint_->wait();
+    open_look();
+    EXPECT_TRUE(asks());
+    screen_->tap("Return");
+    EXPECT_TRUE(asks_no_more());
+    EXPECT_TRUE(eventually([&] { return red() == changed; })) << red();
+    EXPECT_TRUE(becomes_unsaved(true));
+    EXPECT_NE(kept(), "");
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_TRUE(eventually([&] { return kept().empty(); })) << kept();
+}
+
+TEST_F(Work, ASignalToEndIsNoCrashAndLosesNothing) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        SCOPED_TRACE(signal);
+        open_look();
+        change();
+        glint_->signal(signal);
+        EXPECT_EQ(glint_->wait().signal, signal);
+        EXPECT_NE(kept(), "");
+        EXPECT_EQ(glint_->count("error"), 0) << glint_->errors();
+        const fs::path marks = folder_->path() / "home/.local/state/glint/open";
+        EXPECT_TRUE(fs::is_empty(marks)) << "the next start is not paused";
+        fs::remove_all(folder_->path() / "home/.local/state/glint/unsaved");
+    }
+}
+
+TEST_F(Work, IsSavedWhereTheFileSaysTheSameByAnotherHand) {
+    open_look();
+    screen_->tap("Control_L+space");
+    change();
+    screen_->tap("Control_L+s");
+    ASSERT_TRUE(becomes_unsaved(false));
+    const std::string saved = read(look());
+    ASSERT_TRUE(glint_->says(": shown", 2));
+    write(look(), "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.2\n");
+    ASSERT_TRUE(eventually([&] { return red() == 51; }));
+    EXPECT_TRUE(becomes_unsaved(false)) << "the file has moved the tweak";
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(becomes_unsaved(true));
+    write(look(), saved);
+    EXPECT_TRUE(becomes_unsaved(false)) << "the file has come to the same";
+}
+
+TEST_F(Work, TweaksOfTheCommandLineAreUnsavedAndOutliveReloads) {
+    open_look({"--tweak", "level=0.6"});
+    EXPECT_TRUE(eventually([&] { return red() == 153; })) << red();
+    EXPECT_TRUE(becomes_unsaved(true));
+    write(scene(), read(scene()) + "// saved again\n");
+    ASSERT_TRUE(glint_->says(": shown", 2));
+    EXPECT_TRUE(eventually([&] { return red() == 153; }));
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(eventually([&] { return red() == 51; }));
+}
+
+TEST_F(Work, TheEditorOpensTheSceneWhereThereIsNoError) {
+    const fs::path told = folder_->path() / "told";
+    fs::create_directory(folder_->path() / "bin");
+    write(folder_->path() / "bin/xdg-open", "#!/bin/sh\necho \"$1\" > '" + told.string() + "'\n");
+    fs::permissions(folder_->path() / "bin/xdg-open", fs::perms::owner_all);
+    open_look();
+    screen_->tap("Control_L+e");
+    EXPECT_TRUE(eventually([&] { return read(told) == scene().string() + "\n"; })) << read(told);
+}
+
+TEST_F(Work, WrongOptionsAreNoWindow) {
+    write(scene(), flat({1, 2, 3}));
+    for (const auto& [option, value, words] :
+         {std::tuple{"--tweak", "none=1", "no tweak 'none'"}, {"--size", "12", "--size 12"}}) {
+        start({"open", scene().string(), option, value});
+        EXPECT_EQ(glint_->wait().code, 2);
+        EXPECT_TRUE(glint_->says(words)) << glint_->errors();
+    }
+}
+
+// The picture keeps a preset's aspect, and what is saved is what was seen.
+class Aspect : public Work {
+protected:
+    static constexpr Colour kBar{18, 18, 20};
+    // Red tells where the mouse is, green how wide the picture is, in sixteenths of 1280 pixels.
+    void open_square(const std::vector<std::string>& more = {}) {
+        write(scene(),
+              "void mainImage(out vec4 c, in vec2 p) {\n"
+              "    c = vec4(iMouse.x / iResolution.x, iResolution.x / 1280.0,\n"
+              "             iMouse.y / iResolution.y, 1);\n}\n");
+        write(look(), "scene = \"scene.frag\"\nsize = [640, 640]\n");
+        std::vector<std::string> all = {look().string()};
+        all.insert(all.end(), more.begin(), more.end());
+        start(all);
+        ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    }
+};
+
+TEST_F(Aspect, OfAPresetIsTheWindowsAndBarsKeepIt) {
+    open_square();
+    screen_->tap("Tab");
+    EXPECT_EQ(screen_->window_size(), glm::ivec2(640, 640));
+    EXPECT_TRUE(shows({0, 128, 0}, {3, 3}));
+    screen_->resize_window({1280, 640});
+    EXPECT_TRUE(shows(kBar, {317, 300}));
+    EXPECT_TRUE(shows({0, 128, 0}, {323, 300}));
+    EXPECT_TRUE(shows({0, 128, 0}, {957, 300}));
+    EXPECT_TRUE(shows(kBar, {963, 300}));
+    screen_->click({100, 320});  // on a bar: not the scene's
+    screen_->click({480, 480});
+    EXPECT_TRUE(eventually([&] {
+        return screen_->pixel({323, 300}) == Colour{64, 128, 63};  // at the middles of pixels
+    })) << screen_->pixel({323, 300});
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(eventually([&] { return read(look()).find("time") != std::string::npos; }));
+    EXPECT_NE(read(look()).find("size = [640, 640]"), std::string::npos) << read(look());
+    screen_->tap("Control_L+f");
+    EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 300}).g == 255; }));
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(eventually([&] {
+        return read(look()).find("size = [1280, 640]") != std::string::npos;
+    })) << read(look());
+}
+
+TEST_F(Aspect, OfTheCommandLineWinsAndASceneWithoutOneIsFree) {
+    open_square({"--size", "600x300"});
+    EXPECT_EQ(screen_->window_size(), glm::ivec2(600, 300));
+    EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 297}).g == 120; }));
+    glint_.reset();
+    write(look(), "scene = \"scene.frag\"\n");
+    start({look().string()});
+    screen_->resize_window({640, 640});
+    EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 637}).g == 128; }));
+}
+
+TEST_F(Aspect, AWindowIsNoLargerThanTheScreenAndEscLeavesFullScreen) {
+    write(scene(), flat({20, 30, 40}));
+    write(look(), "scene = \"scene.frag\"\nsize = [4000, 4000]\n");
+    start({look().string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    EXPECT_EQ(screen_->window_size(), glm::ivec2(720, 720));
+    screen_->tap("F11");
+    EXPECT_TRUE(eventually([&] { return screen_->window_size() == screen_size_; }));
+    EXPECT_TRUE(shows(kBar, {3, 600}));
+    screen_->tap("Escape");
+    EXPECT_TRUE(eventually([&] { return screen_->window_size() == glm::ivec2(720, 720); }));
+}
+
+}  // namespace
+}  // namespace glint::window
