@@ -87,11 +87,13 @@ std::string size_complaint(glm::ivec2 size, int limit) {
     return fmt::format("The picture is {} x {}, and a side may be 1 to {}", size.x, size.y, limit);
 }
 
+int largest_side_of(Codec codec) {
+    return codec == Codec::jpeg ? 65500 : kMaxWrittenSide;  // libjpeg's own
+}
+
 void check_shape(const fs::path& file, const Image& image, Codec codec) {
-    const int limit = codec == Codec::jpeg ? 65500 : kMaxWrittenSide;  // libjpeg's own
-    if (const auto cause = size_complaint(image.size, limit); !cause.empty()) {
-        throw cannot_write(file, cause);
-    }
+    const auto cause = size_complaint(image.size, largest_side_of(codec));
+    if (!cause.empty()) throw cannot_write(file, cause);
     if (image.channels < 1 || image.channels > 4) {
         throw cannot_write(file, fmt::format("The picture has {} channels", image.channels));
     }
@@ -167,17 +169,53 @@ Codec codec_by_content(const fs::path& file) {
     throw cannot_read(file, "It is not a png, jpg, exr, hdr or tif picture");
 }
 
+// What follows the segments of a JPEG's head: its scans, or nothing. Of the segments `see` hears
+// the marker.
+template <class See>
+std::ifstream scans_of(const fs::path& file, See see) {
+    std::ifstream in(file, std::ios::binary);
+    in.seekg(2);  // behind the start marker
+    std::array<unsigned char, 4> head{};
+    const auto read_head = [&] { return in.read(reinterpret_cast<char*>(head.data()), 4).good(); };
+    while (read_head() && head[0] == 0xFF && head[1] != 0xDA) {
+        see(head[1]);
+        const int length = head[1] == 0xFF ? 1 : 2 + head[2] * 256 + head[3];
+        in.seekg(length - 4, std::ios::cur);
+    }
+    if (in) in.seekg(-4, std::ios::cur);
+    return in;
+}
+
 // libjpeg fills what a cut file lacks with grey and says nothing. A whole file has its end marker
 // after the first scan; within a scan the marker's bytes cannot occur.
 bool jpeg_has_end(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    std::size_t place = 2;  // behind the start marker
-    while (place + 4 <= bytes.size() && byte(place) == 0xFF && byte(place + 1) != 0xDA) {
-        place += byte(place + 1) == 0xFF ? 1U : 2U + byte(place + 2) * 256U + byte(place + 3);
+    std::ifstream in = scans_of(file, [](int) {});
+    std::vector<char> bytes(1 << 16);
+    for (bool after_ff = false; in;) {
+        in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        for (std::streamsize i = 0; i < in.gcount(); ++i) {
+            const auto byte = static_cast<unsigned char>(bytes[static_cast<std::size_t>(i)]);
+            if (after_ff && byte == 0xD9) return true;
+            after_ff = byte == 0xFF;
+        }
     }
-    return place < bytes.size() && bytes.find("\xff\xd9", place) != std::string::npos;
+    return false;
+}
+
+bool is_progressive_jpeg(const fs::path& file) {
+    bool progressive = false;
+    scans_of(file, [&](int marker) { progressive |= marker == 0xC2; });
+    return progressive;
+}
+
+constexpr int kDecodedRows = 256;  // at once by OpenImageIO
+
+// libjpeg keeps 16 bits for each value of a picture that comes in many passes.
+std::size_t decoder_bytes(const fs::path& file, Codec codec, const Image& shape) {
+    if (codec == Codec::png) return bytes_per_row(shape);
+    if (codec == Codec::jpeg && is_progressive_jpeg(file)) return 2 * bytes_of_pixels(shape);
+    return 2 * bytes_per_row(shape) *
+           static_cast<std::size_t>(std::min(kDecodedRows, shape.size.y));
 }
 
 }  // namespace
@@ -187,13 +225,26 @@ std::size_t bytes_per_row(const Image& image) {
            bytes_per_value(image.type);
 }
 
-Image make_image(const fs::path& file, glm::ivec2 size, int channels, ChannelType type) {
+// Enough for the threads of an encoder, and full rows of tiles.
+int rows_at_once(const Image& shape) {
+    constexpr std::size_t kBytesAtOnce = 1 << 24;
+    const std::size_t row_of_tiles = bytes_per_row(shape) * kFileTile;
+    return static_cast<int>(std::max<std::size_t>(kBytesAtOnce / row_of_tiles, 1)) * kFileTile;
+}
+
+std::size_t bytes_of_pixels(const Image& shape) {
+    return bytes_per_row(shape) * static_cast<std::size_t>(shape.size.y);
+}
+
+Image make_shape(const fs::path& file, glm::ivec2 size, int channels, ChannelType type) {
     if (const auto cause = size_complaint(size, kMaxSide); !cause.empty()) {
         throw cannot_read(file, cause);
     }
-    Image image{.size = size, .channels = channels, .type = type, .pixels = {}};
-    image.pixels.resize(bytes_per_row(image) * static_cast<std::size_t>(size.y));
-    return image;
+    return {.size = size, .channels = channels, .type = type, .pixels = {}};
+}
+
+void make_room(Image& shape) {
+    shape.pixels.resize(bytes_of_pixels(shape));
 }
 
 void prepare_image_library(const fs::path& file) {
@@ -240,6 +291,21 @@ std::string refusal_of(const fs::path& file, const FileFormat& format) {
                                               : "only .exr and .tif files leave a choice");
 }
 
+std::string size_refusal(const fs::path& file, glm::ivec2 size) {
+    const Extension* extension = find_extension(file);
+    if (!extension) return "";
+    const std::string cause = size_complaint(size, largest_side_of(extension->codec));
+    return cause.empty() ? "" : cannot_write(file, cause).what();
+}
+
+// OpenImageIO gets so many rows at a time and makes two copies of them.
+std::size_t encoder_bytes(const fs::path& file, const Image& shape) {
+    const Extension* extension = find_extension(file);
+    if (!extension || extension->codec == Codec::png) return bytes_per_row(shape) * 2;
+    const auto rows = static_cast<std::size_t>(std::min(rows_at_once(shape), shape.size.y));
+    return bytes_per_row(shape) * rows * 2;
+}
+
 ImageWriter::ImageWriter(const fs::path& file, const Image& shape, const Metadata& metadata,
                          const FileFormat& format)
     : file_(file) {
@@ -260,7 +326,7 @@ ImageWriter::ImageWriter(const fs::path& file, const Image& shape, const Metadat
 ImageWriter::~ImageWriter() = default;
 
 void ImageWriter::write(const Image& band) {
-    const std::size_t bytes = bytes_per_row(band) * static_cast<std::size_t>(band.size.y);
+    const std::size_t bytes = bytes_of_pixels(band);
     if (band.pixels.size() != bytes) {
         throw cannot_write(file_, fmt::format("The picture has {} bytes where its size needs {}",
                                               band.pixels.size(), bytes));
@@ -280,6 +346,17 @@ void write_image(const fs::path& file, const Image& image, const Metadata& metad
     ImageWriter writer(file, image, metadata, format);
     writer.write(image);
     writer.finish();
+}
+
+ImageFacts read_image_facts(const fs::path& file) {
+    const Codec codec = codec_by_content(file);
+    const Image shape =
+        codec == Codec::png ? read_png_shape(file) : read_shape_by_oiio(file, oiio_name(codec));
+    return {.size = shape.size,
+            .channels = shape.channels,
+            .type = shape.type,
+            .pixel_bytes = bytes_of_pixels(shape),
+            .decoder_bytes = decoder_bytes(file, codec, shape)};
 }
 
 Image read_image(const fs::path& file) {

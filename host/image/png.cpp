@@ -5,6 +5,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <csetjmp>
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace glint {
 namespace {
@@ -105,13 +107,15 @@ struct Header {
     png_uint_32 width = 0, height = 0;
     int channels = 0;
     int bits = 0;
+    std::uint64_t packed_bytes = 0;  // of all rows as they stand in the file, unpacked
 };
 
 bool decode_header(png_structp png, png_infop info, std::FILE* in, Header& header) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_init_io(png, in);
-    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // make_image() has ours
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // make_shape() has ours
     png_read_info(png, info);
+    const std::uint64_t packed_row = png_get_rowbytes(png, info);
     png_set_expand(png);  // palettes, 1 to 4 bits, and a transparent colour
     if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
     png_set_interlace_handling(png);
@@ -119,7 +123,8 @@ bool decode_header(png_structp png, png_infop info, std::FILE* in, Header& heade
     header = {.width = png_get_image_width(png, info),
               .height = png_get_image_height(png, info),
               .channels = png_get_channels(png, info),
-              .bits = png_get_bit_depth(png, info)};
+              .bits = png_get_bit_depth(png, info),
+              .packed_bytes = packed_row * png_get_image_height(png, info)};
     return true;
 }
 
@@ -149,6 +154,52 @@ struct Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+// The bytes of packed pixels that the chunks of a PNG hold, or 0 where they do not go on to the
+// end. Without reading them: a file is known to be cut short before room is made for its picture.
+std::uint64_t whole_data(std::FILE* in) {
+    std::uint64_t bytes = 0;
+    std::array<unsigned char, 8> head{};
+    std::fseek(in, 8, SEEK_SET);  // behind the signature
+    while (std::fread(head.data(), 1, head.size(), in) == head.size()) {
+        const std::uint32_t length = std::uint32_t{head[0]} << 24 | std::uint32_t{head[1]} << 16 |
+                                     std::uint32_t{head[2]} << 8 | head[3];
+        const std::string_view name(reinterpret_cast<const char*>(head.data()) + 4, 4);
+        if (name == "IEND") return bytes;
+        if (name == "IDAT") bytes += length;
+        if (std::fseek(in, long{length} + 4, SEEK_CUR) != 0) return 0;  // 4: its checksum
+    }
+    return 0;
+}
+
+// A PNG whose head has been read.
+struct OpenPng {
+    explicit OpenPng(const std::filesystem::path& file)
+        : in(std::fopen(file.c_str(), "rb"), std::fclose) {
+        if (!in) throw cannot_read(file, std::generic_category().message(errno));
+        if (!reader.info) throw std::bad_alloc();
+        if (!decode_header(reader.png, reader.info, in.get(), header))
+            throw cannot_read(file, reader.failure.message);
+    }
+
+    // No code of deflate stands for more than 258 bytes, and none is shorter than 2 bits.
+    void require_whole(const std::filesystem::path& file) const {
+        constexpr std::uint64_t kMostUnpacked = 1032;
+        const long place = std::ftell(in.get());
+        const std::uint64_t data = whole_data(in.get());
+        std::fseek(in.get(), place, SEEK_SET);
+        if (data * kMostUnpacked < header.packed_bytes) throw cannot_read(file, "It is cut short");
+    }
+
+    Image shape(const std::filesystem::path& file) const {
+        return make_shape(file, {static_cast<int>(header.width), static_cast<int>(header.height)},
+                          header.channels, header.bits == 16 ? ChannelType::f32 : ChannelType::u8);
+    }
+
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> in;
+    Reader reader;
+    Header header;
 };
 
 class PngEncoder final : public BandEncoder {
@@ -193,27 +244,19 @@ std::unique_ptr<BandEncoder> encode_png(TemporaryFile& out, const std::filesyste
 }
 
 Image read_png(const std::filesystem::path& file) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
-                                                             std::fclose);
-    if (!in) throw cannot_read(file, std::generic_category().message(errno));
-
-    Reader reader;
-    if (!reader.info) throw std::bad_alloc();
-    Header header;
-    if (!decode_header(reader.png, reader.info, in.get(), header)) {
-        throw cannot_read(file, reader.failure.message);
-    }
-    const auto type = header.bits == 16 ? ChannelType::f32 : ChannelType::u8;
-    const glm::ivec2 size(static_cast<int>(header.width), static_cast<int>(header.height));
-    Image image = make_image(file, size, header.channels, type);
+    const OpenPng open(file);
+    Image image = open.shape(file);
+    open.require_whole(file);
+    make_room(image);
 
     // 16-bit values stand in the last half of the floats' room, and widen in place from the front.
-    const std::size_t values = image.pixels.size() / (type == ChannelType::f32 ? 4 : 1);
-    std::byte* narrow = image.pixels.data() + (type == ChannelType::f32 ? values * 2 : 0);
-    const std::size_t row_bytes = bytes_per_row(image) / (type == ChannelType::f32 ? 2 : 1);
-    auto rows = rows_top_down(narrow, row_bytes, size.y);
-    if (!decode_rows(reader.png, rows)) throw cannot_read(file, reader.failure.message);
-    if (type == ChannelType::f32) {
+    const bool is_deep = image.type == ChannelType::f32;
+    const std::size_t values = image.pixels.size() / (is_deep ? 4 : 1);
+    std::byte* narrow = image.pixels.data() + (is_deep ? values * 2 : 0);
+    const std::size_t row_bytes = bytes_per_row(image) / (is_deep ? 2 : 1);
+    auto rows = rows_top_down(narrow, row_bytes, image.size.y);
+    if (!decode_rows(open.reader.png, rows)) throw cannot_read(file, open.reader.failure.message);
+    if (is_deep) {
         for (std::size_t i = 0; i < values; ++i) {
             std::uint16_t deep = 0;
             std::memcpy(&deep, narrow + i * 2, 2);
@@ -222,6 +265,12 @@ Image read_png(const std::filesystem::path& file) {
         }
     }
     return image;
+}
+
+Image read_png_shape(const std::filesystem::path& file) {
+    const OpenPng open(file);
+    open.require_whole(file);
+    return open.shape(file);
 }
 
 }  // namespace glint

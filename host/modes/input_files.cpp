@@ -4,6 +4,8 @@
 #include "image/image.h"
 #include "image/volume.h"
 #include "modes/common.h"
+#include "modes/input_room.h"
+#include "render/room.h"
 #include "sound/analyser.h"
 
 #include <algorithm>
@@ -70,6 +72,7 @@ void load_sound(const Sampler& sampler, Renderer& renderer, std::size_t index) {
 
 void load_input(const Preset& preset, Renderer& renderer, std::size_t index) {
     const Sampler& sampler = sampler_at(preset, index);
+    require_room_for_files(sampler);
     switch (sampler.source) {
         case Source::image:
             return load_image(sampler, renderer, index);
@@ -92,6 +95,8 @@ void load_inputs(const Preset& preset, Renderer& renderer) {
     for (const std::size_t sampler : renderer.inputs_needed()) {
         try {
             load_input(preset, renderer, sampler);
+        } catch (const NoRoom&) {
+            throw;  // nothing is wrong with the file
         } catch (const std::runtime_error& error) {
             const Place& place = sampler_at(preset, sampler).place;
             diagnostics.push_back({Severity::error, place, error.what(), true});
