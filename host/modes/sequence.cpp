@@ -6,8 +6,8 @@
 #include "modes/input_files.h"
 #include "modes/sequence_output.h"
 #include "modes/sound.h"
-#include "render/memory.h"
 #include "render/readback.h"
+#include "render/room.h"
 #include "sound/sound.h"
 
 #include <fmt/format.h>
@@ -280,7 +280,7 @@ std::vector<int> missing_frames(const NumberedName& pictures, const Frames& fram
     std::vector<int> missing;
     std::mutex mutex;
     Workers workers(static_cast<int>(std::thread::hardware_concurrency()));
-    workers.limit(available_memory() / 2 / (std::size_t{3} * size.x * size.y + 1));
+    workers.limit(free_memory() / 2 / (std::size_t{3} * size.x * size.y + 1));
     Progress progress("checking", frames.count);
     for (std::int64_t i = 0; i < frames.count; ++i) {
         workers.run([&, k = frames[i]] {

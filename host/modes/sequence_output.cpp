@@ -1,6 +1,5 @@
 #include "modes/sequence_output.h"
 
-#include "render/memory.h"
 #include "render/room.h"
 
 #include <fmt/format.h>
@@ -83,8 +82,8 @@ std::size_t SequenceOutput::pictures_in_memory() const {
         wanted.push_back({"FFmpeg", once});
     }
     require_memory(wanted, "Make the pictures smaller with --size.");
-    const std::size_t available = available_memory();
-    return std::max<std::size_t>((available - std::min(available, once)) / one, 1);
+    const std::size_t free = free_memory();
+    return std::max<std::size_t>((free - std::min(free, once)) / one, 1);
 }
 
 bool SequenceOutput::has(int frame) const {

@@ -4,7 +4,6 @@
 #include "image/image.h"
 #include "modes/input_files.h"
 #include "modes/workers.h"
-#include "render/memory.h"
 #include "render/room.h"
 
 #include <fmt/format.h>
@@ -151,7 +150,7 @@ bool may_be_in_tiles(const StillOptions& options, glm::ivec2 size) {
     if (options.pass != "image") return false;
     return options.tile > 0 || pixels_of(size) > kMostAtOnce ||
            std::max(size.x, size.y) > largest_side() ||
-           bytes_of_whole(options, size) > available_memory() / 2;
+           bytes_of_whole(options, size) > free_memory() / 2;
 }
 
 // Buffers of the picture's size are drawn anew for each sample, and would be for each tile.

@@ -29,6 +29,12 @@ int largest_side() {
     return limit;
 }
 
+std::size_t free_memory() {
+    constexpr std::size_t kForTheProgram = std::size_t{64} << 20;
+    const std::size_t available = available_memory();
+    return available - std::min(available / 4, kForTheProgram);
+}
+
 void require_drawable(const WantedBuffer& wanted) {
     const glm::ivec2 size = wanted.shape.size;
     const int limit = largest_side();
@@ -53,13 +59,13 @@ void require_memory(std::span<const WantedMemory> wanted, const std::string& adv
     if (wanted.empty()) return;
     std::size_t all = 0;
     for (const WantedMemory& one : wanted) all += one.bytes;
-    const std::size_t available = available_memory();
-    if (all <= available) return;
+    const std::size_t free = free_memory();
+    if (all <= free) return;
     const WantedMemory& largest = *std::ranges::max_element(wanted, {}, &WantedMemory::bytes);
     const std::string part =
         wanted.size() > 1 ? fmt::format(", {} of it", amount(largest.bytes)) : "";
     throw NoRoom(fmt::format("{} of memory is needed{} for {}, and {} is free. {}", amount(all),
-                             part, largest.name, amount(available), advice));
+                             part, largest.name, amount(free), advice));
 }
 
 void require_room(const Buffer& made, const std::string& name) {

@@ -28,6 +28,10 @@ struct WantedMemory {
 // Pixels on a side of the largest texture.
 int largest_side();
 
+// Bytes that may still be taken for pictures and buffers: of what is available, the program itself
+// needs some more, for libraries and shaders that are not there yet.
+std::size_t free_memory();
+
 // Beyond the driver's limit on a side.
 void require_drawable(const WantedBuffer& wanted);
 

@@ -51,7 +51,7 @@ TEST_F(Size, PicturesWiderOrHigherThanATextureAreDrawn) {
 
 TEST_F(Size, EveryKindOfFileHoldsThem) {
     for (const std::string name : {"a.exr", "a.tif", "a.hdr"}) {
-        for (const auto& [width, height] : {std::pair(20000, 8), {8, 20000}, {300'000, 1}}) {
+        for (const auto& [width, height] : {std::pair(20000, 8), {8, 20000}}) {
             SCOPED_TRACE(name);
             still({"scene.frag", "-o", name, "--size",
                    std::to_string(width) + "x" + std::to_string(height)});
