@@ -86,8 +86,10 @@ std::size_t SequenceOutput::pictures_in_memory() const {
     return std::max<std::size_t>((free - std::min(free, once)) / one, 1);
 }
 
-bool SequenceOutput::has(int frame) const {
-    return options_.resume && name_ && is_made_from(name_->name(frame), making_.of(frame));
+bool SequenceOutput::has(int frame) {
+    if (!options_.resume || !name_) return false;
+    wait_for_room();
+    return is_made_from(name_->name(frame), making_.of(frame));
 }
 
 void SequenceOutput::write(const Frame& frame, std::vector<std::byte> rgba) {

@@ -49,7 +49,8 @@ public:
     void wait_for_room() { workers_.wait_for_room(); }
 
     // Whether an earlier run has left this frame's picture; always false without --resume.
-    bool has(int frame) const;
+    // To look, it takes the room of one picture. Throws as wait_for_room() does.
+    bool has(int frame);
 
     // Takes a picture as RGBA. Throws what went wrong with one before.
     void write(const Frame& frame, std::vector<std::byte> rgba);
