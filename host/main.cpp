@@ -90,8 +90,9 @@ void add_still(CLI::App& verb, StillOptions& still) {
     verb.add_option("--settle", still.settle, "more frames with time held still")
         ->check(from(0, 1'000'000));
     verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
-    verb.add_option("--tile", still.tile,
-                    "draw in squares of this many pixels; huge pictures do so by themselves")
+    verb.add_option(
+            "--tile", still.tile,
+            "draw in tiles of at most so many pixels a side; huge pictures do so by themselves")
         ->check(from(1, 16384));
 }
 

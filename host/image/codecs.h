@@ -30,13 +30,23 @@ void prepare_oiio();
 Image read_png(const std::filesystem::path& file, const ReadableFile& in);
 Image read_by_oiio(const std::filesystem::path& file, const ReadableFile& in, const char* format);
 
-// An image of this size with room for its pixels. Throws when a side is not 1 to kMaxSide.
-Image make_image(const std::filesystem::path& file, glm::ivec2 size, int channels,
+// The same without its pixels.
+Image read_png_shape(const std::filesystem::path& file, const ReadableFile& in);
+Image read_shape_by_oiio(const std::filesystem::path& file, const ReadableFile& in,
+                         const char* format);
+
+// An image of this size, without room for its pixels. Throws when a side is not 1 to kMaxSide.
+Image make_shape(const std::filesystem::path& file, glm::ivec2 size, int channels,
                  ChannelType type);
+void make_room(Image& shape);
 
 constexpr int kMaxSide = 16384;             // of what is read: textures are no larger
 constexpr int kMaxWrittenSide = 1'000'000;  // libpng's own limit
 
 std::size_t bytes_per_row(const Image& image);
+std::size_t bytes_of_pixels(const Image& shape);
+
+// How many rows of a picture go to OpenImageIO at once, which copies them: a multiple of kFileTile.
+int rows_at_once(const Image& shape);
 
 }  // namespace glint

@@ -86,11 +86,13 @@ std::string size_complaint(glm::ivec2 size, int limit) {
     return fmt::format("The picture is {} x {}, and a side may be 1 to {}", size.x, size.y, limit);
 }
 
+int largest_side_of(Codec codec) {
+    return codec == Codec::jpeg ? 65500 : kMaxWrittenSide;  // libjpeg's own
+}
+
 void check_shape(const fs::path& file, const Image& image, Codec codec) {
-    const int limit = codec == Codec::jpeg ? 65500 : kMaxWrittenSide;  // libjpeg's own
-    if (const auto cause = size_complaint(image.size, limit); !cause.empty()) {
-        throw cannot_write(file, cause);
-    }
+    const auto cause = size_complaint(image.size, largest_side_of(codec));
+    if (!cause.empty()) throw cannot_write(file, cause);
     if (image.channels < 1 || image.channels > 4) {
         throw cannot_write(file, fmt::format("The picture has {} channels", image.channels));
     }
@@ -162,16 +164,26 @@ Codec codec_by_content(const fs::path& file, const ReadableFile& in) {
 // Noise of the largest size takes half of this; nobody searches a hole of 20 GB for its end.
 constexpr std::size_t kLargestJpeg = std::size_t{2} << 30;
 
-// libjpeg fills what a cut file lacks with grey and says nothing. A whole file has its end marker
-// after the first scan; within a scan the marker's bytes cannot occur.
-bool jpeg_has_end(const ReadableFile& in) {
+// Where the scans of a JPEG begin, behind the segments of its head. Of these `see` hears the
+// marker.
+template <class See>
+std::size_t scans_of(const ReadableFile& in, See see) {
     std::array<unsigned char, 4> head{};
     const auto read = [&](std::size_t at) {
         return in.read({reinterpret_cast<char*>(head.data()), head.size()}, at) == head.size();
     };
     std::size_t place = 2;  // behind the start marker
-    while (read(place) && head[0] == 0xFF && head[1] != 0xDA)
+    while (read(place) && head[0] == 0xFF && head[1] != 0xDA) {
+        see(head[1]);
         place += head[1] == 0xFF ? 1U : 2U + head[2] * 256U + head[3];
+    }
+    return place;
+}
+
+// libjpeg fills what a cut file lacks with grey and says nothing. A whole file has its end marker
+// after the first scan; within a scan the marker's bytes cannot occur.
+bool jpeg_has_end(const ReadableFile& in) {
+    std::size_t place = scans_of(in, [](int) {});
     std::vector<char> chunk(1 << 20);
     char last = 0;
     for (std::size_t got; (got = in.read(chunk, place)) > 0; place += got) {
@@ -183,6 +195,22 @@ bool jpeg_has_end(const ReadableFile& in) {
     return false;
 }
 
+bool is_progressive_jpeg(const ReadableFile& in) {
+    bool progressive = false;
+    scans_of(in, [&](int marker) { progressive |= marker == 0xC2; });
+    return progressive;
+}
+
+constexpr int kDecodedRows = 256;  // at once by OpenImageIO
+
+// libjpeg keeps 16 bits for each value of a picture that comes in many passes.
+std::size_t decoder_bytes(const ReadableFile& in, Codec codec, const Image& shape) {
+    if (codec == Codec::png) return bytes_per_row(shape);
+    if (codec == Codec::jpeg && is_progressive_jpeg(in)) return 2 * bytes_of_pixels(shape);
+    return 2 * bytes_per_row(shape) *
+           static_cast<std::size_t>(std::min(kDecodedRows, shape.size.y));
+}
+
 }  // namespace
 
 std::size_t bytes_per_row(const Image& image) {
@@ -190,13 +218,26 @@ std::size_t bytes_per_row(const Image& image) {
            bytes_per_value(image.type);
 }
 
-Image make_image(const fs::path& file, glm::ivec2 size, int channels, ChannelType type) {
+// Enough for the threads of an encoder, and full rows of tiles.
+int rows_at_once(const Image& shape) {
+    constexpr std::size_t kBytesAtOnce = 1 << 24;
+    const std::size_t row_of_tiles = bytes_per_row(shape) * kFileTile;
+    return static_cast<int>(std::max<std::size_t>(kBytesAtOnce / row_of_tiles, 1)) * kFileTile;
+}
+
+std::size_t bytes_of_pixels(const Image& shape) {
+    return bytes_per_row(shape) * static_cast<std::size_t>(shape.size.y);
+}
+
+Image make_shape(const fs::path& file, glm::ivec2 size, int channels, ChannelType type) {
     if (const auto cause = size_complaint(size, kMaxSide); !cause.empty()) {
         throw cannot_read(file, cause);
     }
-    Image image{.size = size, .channels = channels, .type = type, .pixels = {}};
-    image.pixels.resize(bytes_per_row(image) * static_cast<std::size_t>(size.y));
-    return image;
+    return {.size = size, .channels = channels, .type = type, .pixels = {}};
+}
+
+void make_room(Image& shape) {
+    shape.pixels.resize(bytes_of_pixels(shape));
 }
 
 void prepare_image_library(const fs::path& file) {
@@ -243,6 +284,21 @@ std::string refusal_of(const fs::path& file, const FileFormat& format) {
                                               : "only .exr and .tif files leave a choice");
 }
 
+std::string size_refusal(const fs::path& file, glm::ivec2 size) {
+    const Extension* extension = find_extension(file);
+    if (!extension) return "";
+    const std::string cause = size_complaint(size, largest_side_of(extension->codec));
+    return cause.empty() ? "" : cannot_write(file, cause).what();
+}
+
+// OpenImageIO gets so many rows at a time and makes two copies of them.
+std::size_t encoder_bytes(const fs::path& file, const Image& shape) {
+    const Extension* extension = find_extension(file);
+    if (!extension || extension->codec == Codec::png) return bytes_per_row(shape) * 2;
+    const auto rows = static_cast<std::size_t>(std::min(rows_at_once(shape), shape.size.y));
+    return bytes_per_row(shape) * rows * 2;
+}
+
 ImageWriter::ImageWriter(const fs::path& file, const Image& shape, const Metadata& metadata,
                          const FileFormat& format)
     : file_(file) {
@@ -263,7 +319,7 @@ ImageWriter::ImageWriter(const fs::path& file, const Image& shape, const Metadat
 ImageWriter::~ImageWriter() = default;
 
 void ImageWriter::write(const Image& band) {
-    const std::size_t bytes = bytes_per_row(band) * static_cast<std::size_t>(band.size.y);
+    const std::size_t bytes = bytes_of_pixels(band);
     if (band.pixels.size() != bytes) {
         throw cannot_write(file_, fmt::format("The picture has {} bytes where its size needs {}",
                                               band.pixels.size(), bytes));
@@ -283,6 +339,18 @@ void write_image(const fs::path& file, const Image& image, const Metadata& metad
     ImageWriter writer(file, image, metadata, format);
     writer.write(image);
     writer.finish();
+}
+
+ImageFacts read_image_facts(const fs::path& file) {
+    const ReadableFile in(file);
+    const Codec codec = codec_by_content(file, in);
+    const Image shape = codec == Codec::png ? read_png_shape(file, in)
+                                            : read_shape_by_oiio(file, in, oiio_name(codec));
+    return {.size = shape.size,
+            .channels = shape.channels,
+            .type = shape.type,
+            .pixel_bytes = bytes_of_pixels(shape),
+            .decoder_bytes = decoder_bytes(in, codec, shape)};
 }
 
 Image read_image(const fs::path& file) {

@@ -39,6 +39,14 @@ std::string refusal_of(const std::filesystem::path& file, const FileFormat& form
 // Name and value, kept in the file where its format can (PNG text, EXR attributes).
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
+// Why a picture of this size cannot be kept in a file of this name, as a whole sentence; empty when
+// it can.
+std::string size_refusal(const std::filesystem::path& file, glm::ivec2 size);
+
+// Bytes of memory that writing a picture takes beside its pixels, at the most. `shape` is as for
+// ImageWriter.
+std::size_t encoder_bytes(const std::filesystem::path& file, const Image& shape);
+
 // Starts loading the image library on another thread where writing `file` needs it (jpg, tif and
 // hdr do, and reading anything but PNG), so that the GPU need not wait. Safe to call at any time,
 // and never required. Call it once the context stands: the driver is loaded through the same lock.
@@ -90,6 +98,18 @@ private:
 // equal files. Throws std::runtime_error with a whole sentence that names the file.
 void write_image(const std::filesystem::path& file, const Image& image,
                  const Metadata& metadata = {}, const FileFormat& format = {});
+
+// What a picture file says of itself before its pixels, and what reading it takes.
+struct ImageFacts {
+    glm::ivec2 size{0};
+    int channels = 0;  // 1 to 4
+    ChannelType type = ChannelType::u8;
+    std::size_t pixel_bytes = 0;    // of memory, for the Image
+    std::size_t decoder_bytes = 0;  // and beside it, while it is read
+};
+
+// Throws as read_image does, but for what only the pixels show.
+ImageFacts read_image_facts(const std::filesystem::path& file);
 
 // Reads png, jpg, exr, hdr, tif with 1 to 4 channels (more are dropped); 8-bit files give u8 with
 // no colour conversion, deeper ones f32. Throws std::runtime_error with a whole sentence when the

@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <exception>
@@ -52,6 +53,7 @@ std::shared_future<Module> module_loading() {
 // What the module asks for room, and what went wrong while it did.
 struct Room {
     const fs::path& file;
+    bool shape_only;
     Image image;
     std::exception_ptr refusal;
 };
@@ -59,8 +61,10 @@ struct Room {
 void* allocate(void* user, const GlintOiioPicture* picture) {
     Room& room = *static_cast<Room*>(user);
     try {
-        room.image = make_image(room.file, {picture->width, picture->height}, picture->channels,
+        room.image = make_shape(room.file, {picture->width, picture->height}, picture->channels,
                                 picture->is_float ? ChannelType::f32 : ChannelType::u8);
+        if (room.shape_only) return nullptr;
+        make_room(room.image);
         return room.image.pixels.data();
     } catch (...) {
         room.refusal = std::current_exception();
@@ -105,9 +109,15 @@ public:
     OiioEncoder& operator=(const OiioEncoder&) = delete;
 
     void write(const Image& band) override {
-        const GlintOiioPicture picture = picture_of(band);
-        if (!open_) return;
-        if (!module_.write(open_, &picture, &error_, cause_.data(), cause_.size())) refuse();
+        const int step = rows_at_once(band);
+        for (int top = band.size.y; top > 0 && open_; top -= step) {
+            const int bottom = std::max(top - step, 0);
+            GlintOiioPicture rows = picture_of(band);
+            rows.height = top - bottom;
+            rows.pixels = const_cast<std::byte*>(band.pixels.data()) +
+                          bytes_per_row(band) * static_cast<std::size_t>(bottom);
+            if (!module_.write(open_, &rows, &error_, cause_.data(), cause_.size())) refuse();
+        }
     }
     void finish() override {
         if (!open_) return;
@@ -193,6 +203,20 @@ void* allocate_part(void* user, const GlintExrPart* asked) {
     }
 }
 
+void read_into(Room& room, const ReadableFile& in, const char* format) {
+    GlintOiioPicture picture{};
+    std::array<char, 512> cause{};
+    if (module_loading().get().read(in.name().c_str(), format, &picture, allocate, &room,
+                                    cause.data(), cause.size())) {
+        return;
+    }
+    if (room.refusal) std::rethrow_exception(room.refusal);
+    const bool has_shape = room.shape_only && room.image.channels > 0;
+    if (has_shape) return;
+    throw cannot_read(room.file,
+                      cause[0] ? told_of(room.file, in, cause.data()) : "The picture is damaged");
+}
+
 }  // namespace
 
 void prepare_oiio() {
@@ -206,15 +230,15 @@ std::unique_ptr<BandEncoder> encode_by_oiio(TemporaryFile& out, const fs::path& 
 }
 
 Image read_by_oiio(const fs::path& file, const ReadableFile& in, const char* format) {
-    Room room{.file = file, .image = {}, .refusal = {}};
-    GlintOiioPicture picture{};
-    std::array<char, 512> cause{};
-    if (module_loading().get().read(in.name().c_str(), format, &picture, allocate, &room,
-                                    cause.data(), cause.size())) {
-        return std::move(room.image);
-    }
-    if (room.refusal) std::rethrow_exception(room.refusal);
-    throw cannot_read(file, cause[0] ? told_of(file, in, cause.data()) : "The picture is damaged");
+    Room room{.file = file, .shape_only = false, .image = {}, .refusal = {}};
+    read_into(room, in, format);
+    return std::move(room.image);
+}
+
+Image read_shape_by_oiio(const fs::path& file, const ReadableFile& in, const char* format) {
+    Room room{.file = file, .shape_only = true, .image = {}, .refusal = {}};
+    read_into(room, in, format);
+    return std::move(room.image);
 }
 
 void write_parts(const fs::path& file, const PartsFile& content) {

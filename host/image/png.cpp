@@ -5,12 +5,14 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <csetjmp>
 #include <cstring>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace glint {
 namespace {
@@ -104,6 +106,7 @@ struct Header {
     png_uint_32 width = 0, height = 0;
     int channels = 0;
     int bits = 0;
+    std::uint64_t packed_bytes = 0;  // of all rows as they stand in the file, unpacked
 };
 
 struct ReadFrom {
@@ -130,8 +133,9 @@ void read_from_file(png_structp png, png_bytep data, png_size_t size) {
 bool decode_header(png_structp png, png_infop info, ReadFrom& from, Header& header) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, &from, read_from_file);
-    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // make_image() has ours
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // make_shape() has ours
     png_read_info(png, info);
+    const std::uint64_t packed_row = png_get_rowbytes(png, info);
     png_set_expand(png);  // palettes, 1 to 4 bits, and a transparent colour
     if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
     png_set_interlace_handling(png);
@@ -139,7 +143,8 @@ bool decode_header(png_structp png, png_infop info, ReadFrom& from, Header& head
     header = {.width = png_get_image_width(png, info),
               .height = png_get_image_height(png, info),
               .channels = png_get_channels(png, info),
-              .bits = png_get_bit_depth(png, info)};
+              .bits = png_get_bit_depth(png, info),
+              .packed_bytes = packed_row * png_get_image_height(png, info)};
     return true;
 }
 
@@ -169,6 +174,51 @@ struct Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+// The bytes of packed pixels that the chunks of a PNG hold, or 0 where they do not go on to the
+// end. Without reading them: a file is known to be cut short before room is made for its picture.
+std::uint64_t whole_data(const ReadableFile& in) {
+    std::uint64_t bytes = 0;
+    std::array<char, 8> head{};
+    std::size_t place = 8;  // behind the signature
+    while (in.read(head, place) == head.size()) {
+        const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(head[i]); };
+        const std::uint32_t length = std::uint32_t{byte(0)} << 24 | std::uint32_t{byte(1)} << 16 |
+                                     std::uint32_t{byte(2)} << 8 | byte(3);
+        const std::string_view name(head.data() + 4, 4);
+        if (name == "IEND") return bytes;
+        if (name == "IDAT") bytes += length;
+        place += head.size() + length + 4;  // 4: its checksum
+    }
+    return 0;
+}
+
+// A PNG whose head has been read.
+struct OpenPng {
+    OpenPng(const std::filesystem::path& file, const ReadableFile& in) : from{.file = in, .at = 0} {
+        if (!reader.info) throw std::bad_alloc();
+        if (!decode_header(reader.png, reader.info, from, header))
+            throw cannot_read(file, reader.failure.message);
+    }
+    OpenPng(const OpenPng&) = delete;  // libpng reads through `from`
+    OpenPng& operator=(const OpenPng&) = delete;
+
+    // No code of deflate stands for more than 258 bytes, and none is shorter than 2 bits.
+    void require_whole(const std::filesystem::path& file) const {
+        constexpr std::uint64_t kMostUnpacked = 1032;
+        if (whole_data(from.file) * kMostUnpacked < header.packed_bytes)
+            throw cannot_read(file, "It is cut short");
+    }
+
+    Image shape(const std::filesystem::path& file) const {
+        return make_shape(file, {static_cast<int>(header.width), static_cast<int>(header.height)},
+                          header.channels, header.bits == 16 ? ChannelType::f32 : ChannelType::u8);
+    }
+
+    ReadFrom from;
+    Reader reader;
+    Header header;
 };
 
 class PngEncoder final : public BandEncoder {
@@ -213,24 +263,19 @@ std::unique_ptr<BandEncoder> encode_png(TemporaryFile& out, const std::filesyste
 }
 
 Image read_png(const std::filesystem::path& file, const ReadableFile& in) {
-    ReadFrom from{.file = in, .at = 0};
-    Reader reader;
-    if (!reader.info) throw std::bad_alloc();
-    Header header;
-    if (!decode_header(reader.png, reader.info, from, header)) {
-        throw cannot_read(file, reader.failure.message);
-    }
-    const auto type = header.bits == 16 ? ChannelType::f32 : ChannelType::u8;
-    const glm::ivec2 size(static_cast<int>(header.width), static_cast<int>(header.height));
-    Image image = make_image(file, size, header.channels, type);
+    const OpenPng open(file, in);
+    Image image = open.shape(file);
+    open.require_whole(file);
+    make_room(image);
 
     // 16-bit values stand in the last half of the floats' room, and widen in place from the front.
-    const std::size_t values = image.pixels.size() / (type == ChannelType::f32 ? 4 : 1);
-    std::byte* narrow = image.pixels.data() + (type == ChannelType::f32 ? values * 2 : 0);
-    const std::size_t row_bytes = bytes_per_row(image) / (type == ChannelType::f32 ? 2 : 1);
-    auto rows = rows_top_down(narrow, row_bytes, size.y);
-    if (!decode_rows(reader.png, rows)) throw cannot_read(file, reader.failure.message);
-    if (type == ChannelType::f32) {
+    const bool is_deep = image.type == ChannelType::f32;
+    const std::size_t values = image.pixels.size() / (is_deep ? 4 : 1);
+    std::byte* narrow = image.pixels.data() + (is_deep ? values * 2 : 0);
+    const std::size_t row_bytes = bytes_per_row(image) / (is_deep ? 2 : 1);
+    auto rows = rows_top_down(narrow, row_bytes, image.size.y);
+    if (!decode_rows(open.reader.png, rows)) throw cannot_read(file, open.reader.failure.message);
+    if (is_deep) {
         for (std::size_t i = 0; i < values; ++i) {
             std::uint16_t deep = 0;
             std::memcpy(&deep, narrow + i * 2, 2);
@@ -239,6 +284,12 @@ Image read_png(const std::filesystem::path& file, const ReadableFile& in) {
         }
     }
     return image;
+}
+
+Image read_png_shape(const std::filesystem::path& file, const ReadableFile& in) {
+    const OpenPng open(file, in);
+    open.require_whole(file);
+    return open.shape(file);
 }
 
 }  // namespace glint

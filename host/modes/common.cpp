@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -177,24 +178,26 @@ Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::s
 
 namespace {
 
+// Each pixel moves to the front, or stays.
 template <class Value>
-void copy_without_alpha(const std::byte* from, std::byte* to, std::size_t count) {
+void leave_out_alpha(std::byte* pixels, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        std::memcpy(to + i * 3 * sizeof(Value), from + i * 4 * sizeof(Value), 3 * sizeof(Value));
+        std::array<std::byte, 3 * sizeof(Value)> rgb;
+        std::memcpy(rgb.data(), pixels + i * 4 * sizeof(Value), rgb.size());
+        std::memcpy(pixels + i * 3 * sizeof(Value), rgb.data(), rgb.size());
     }
 }
 
 }  // namespace
 
-Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size, ChannelType type) {
-    Image image{.size = size, .channels = 3, .type = type, .pixels = {}};
-    image.pixels.resize(rgba.size() / 4 * 3);
+Image picture_without_alpha(std::vector<std::byte> rgba, glm::ivec2 size, ChannelType type) {
     const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     if (type == ChannelType::f32)
-        copy_without_alpha<float>(rgba.data(), image.pixels.data(), count);
+        leave_out_alpha<float>(rgba.data(), count);
     else
-        copy_without_alpha<std::byte>(rgba.data(), image.pixels.data(), count);
-    return image;
+        leave_out_alpha<std::byte>(rgba.data(), count);
+    rgba.resize(rgba.size() / 4 * 3);
+    return {.size = size, .channels = 3, .type = type, .pixels = std::move(rgba)};
 }
 
 Image read_picture(Renderer& renderer, bool floats) {
@@ -202,7 +205,8 @@ Image read_picture(Renderer& renderer, bool floats) {
     std::vector<std::byte> rgba(static_cast<std::size_t>(size.x) *
                                 static_cast<std::size_t>(size.y) * (floats ? 16 : 4));
     renderer.read_picture(floats, rgba.data());
-    return picture_without_alpha(rgba, size, floats ? ChannelType::f32 : ChannelType::u8);
+    return picture_without_alpha(std::move(rgba), size,
+                                 floats ? ChannelType::f32 : ChannelType::u8);
 }
 
 int Playback::last_frame() const {

@@ -111,8 +111,8 @@ CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& option
 // same bytes in every folder.
 Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::string& renderer);
 
-// RGBA values as an RGB image: a picture's alpha means nothing.
-Image picture_without_alpha(std::span<const std::byte> rgba, glm::ivec2 size,
+// RGBA values as an RGB image, in the room that they had: a picture's alpha means nothing.
+Image picture_without_alpha(std::vector<std::byte> rgba, glm::ivec2 size,
                             ChannelType type = ChannelType::u8);
 
 // The picture as it stands, RGB in bytes or floats.

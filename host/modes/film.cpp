@@ -44,6 +44,8 @@ constexpr std::string_view kToPalettes =
 // How FFmpeg is to filter and encode, by the film's extension.
 struct Kind {
     std::string_view extension, filter, codec, sound_codec, format;
+    int largest_side;             // pixels
+    std::size_t bytes_per_pixel;  // of FFmpeg's memory: measured at 0.9 and 67 megapixels
     double most_fps = std::numeric_limits<double>::infinity();  // that players show
 };
 
@@ -51,13 +53,13 @@ constexpr double kMostGifFps = 50.0;  // what is shorter is shown for 1/10 s
 
 constexpr Kind kKinds[] = {
     {".mp4", kToVideo, "-c:v libx264 -preset medium -crf 16 -pix_fmt yuv420p -movflags +faststart",
-     "-c:a aac -b:a 256k", "-f mp4"},
+     "-c:a aac -b:a 256k", "-f mp4", 16384, 170},
     {".webm", kToVideo,
      "-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -deadline good -cpu-used 4 -pix_fmt yuv420p",
-     "-c:a libopus -b:a 192k", "-f webm"},
+     "-c:a libopus -b:a 192k", "-f webm", 16384, 170},
     {".mov", kToVideo, "-c:v prores_ks -profile:v 3 -pix_fmt yuv422p10le", "-c:a pcm_s16le",
-     "-f mov"},
-    {".gif", kToPalettes, "", "", "-f gif", kMostGifFps},
+     "-f mov", 65535, 20},
+    {".gif", kToPalettes, "", "", "-f gif", 65535, 65, kMostGifFps},
 };
 
 const Kind* kind_of(const fs::path& file) {
@@ -92,6 +94,23 @@ bool is_film(const fs::path& file) {
 bool has_sound(const fs::path& file) {
     const Kind* kind = kind_of(file);
     return kind && !kind->sound_codec.empty();
+}
+
+std::string size_refusal_of_film(const fs::path& file, glm::ivec2 size) {
+    const Kind& kind = *kind_of(file);
+    constexpr double kMostPixels = 268'435'455.0;  // FFmpeg's own, with 128 more on each side
+    const double pixels = (size.x + 128.0) * (size.y + 128.0);
+    if (std::max(size.x, size.y) <= kind.largest_side && pixels < kMostPixels) return "";
+    return fmt::format(
+        "{}: A {} film of {}x{} pixels cannot be: a side has at most {}, and all together 268 "
+        "million. Make the picture smaller with --size.",
+        file.string(), kind.extension, size.x, size.y, kind.largest_side);
+}
+
+std::size_t film_encoder_bytes(const fs::path& file, glm::ivec2 size) {
+    constexpr std::size_t kProgram = std::size_t{64} << 20;
+    return kProgram + static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                          kind_of(file)->bytes_per_pixel;
 }
 
 std::vector<std::byte> raw_frame(const Image& image) {

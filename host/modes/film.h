@@ -16,6 +16,12 @@ namespace glint {
 // Whether the extension is one of mp4 webm gif mov.
 bool is_film(const std::filesystem::path& file);
 
+// Why no film of this kind has pictures of this size, as a whole sentence; empty when it may.
+std::string size_refusal_of_film(const std::filesystem::path& file, glm::ivec2 size);
+
+// Bytes of memory that FFmpeg takes for such a film.
+std::size_t film_encoder_bytes(const std::filesystem::path& file, glm::ivec2 size);
+
 // Whether it has a sound track: all but gif.
 bool has_sound(const std::filesystem::path& file);
 

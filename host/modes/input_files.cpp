@@ -5,7 +5,8 @@
 #include "image/temporary_file.h"
 #include "image/volume.h"
 #include "modes/common.h"
-#include "render/memory.h"
+#include "modes/input_room.h"
+#include "render/room.h"
 #include "sound/analyser.h"
 
 #include <algorithm>
@@ -70,7 +71,8 @@ private:
     Analyser analyser_;
 };
 
-InputContent read_input(const Sampler& sampler) {
+InputContent read_input(const Sampler& sampler, const TextureLimits& limits) {
+    require_room_for_files(sampler, limits);
     switch (sampler.source) {
         case Source::image:
             return read_picture_input(sampler);
@@ -94,8 +96,8 @@ InputContent read_input(const Sampler& sampler) {
 
 }  // namespace
 
-InputContent decode_input(const Sampler& sampler) try {
-    return read_input(sampler);
+InputContent decode_input(const Sampler& sampler, const TextureLimits& limits) try {
+    return read_input(sampler, limits);
 } catch (const std::bad_alloc&) {
     throw cannot_read(sampler.files.front(), "There is not enough memory for it");
 } catch (const std::length_error&) {
@@ -112,10 +114,13 @@ void give_input(InputContent input, Renderer& renderer, std::size_t sampler) {
 }
 
 void load_inputs(const Preset& preset, Renderer& renderer) {
+    const TextureLimits limits = texture_limits();
     Diagnostics diagnostics;
     for (const std::size_t sampler : renderer.inputs_needed()) {
         try {
-            give_input(decode_input(sampler_at(preset, sampler)), renderer, sampler);
+            give_input(decode_input(sampler_at(preset, sampler), limits), renderer, sampler);
+        } catch (const NoRoom&) {
+            throw;  // nothing is wrong with the file
         } catch (const std::runtime_error& error) {
             const Place& place = sampler_at(preset, sampler).place;
             diagnostics.push_back({Severity::error, place, error.what(), true});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/renderer.h"
+#include "render/room.h"
 #include "scene/preset.h"
 
 #include <cstddef>
@@ -21,7 +22,7 @@ struct InputContent {
 
 // Reads and decodes what a sampler names; on any thread. Throws std::runtime_error that names the
 // file, also where there is no memory for it.
-InputContent decode_input(const Sampler& sampler);
+InputContent decode_input(const Sampler& sampler, const TextureLimits& limits);
 
 // Hands it to the renderer; on its thread. `sampler` is as in sampler_at.
 void give_input(InputContent input, Renderer& renderer, std::size_t sampler);

@@ -27,8 +27,10 @@ bool is_ready(const std::future<InputContent>& content) {
 }
 
 // The thread owns all that it uses, so that nobody has to wait for its end.
-std::future<InputContent> read_beside(const Sampler& sampler, int wake) {
-    std::packaged_task<InputContent()> task([sampler] { return decode_input(sampler); });
+std::future<InputContent> read_beside(const Sampler& sampler, const TextureLimits& limits,
+                                      int wake) {
+    std::packaged_task<InputContent()> task(
+        [sampler, limits] { return decode_input(sampler, limits); });
     std::future<InputContent> content = task.get_future();
     const int own_wake = ::fcntl(wake, F_DUPFD_CLOEXEC, 0);
     std::thread([task = std::move(task), own_wake]() mutable {
@@ -48,7 +50,8 @@ bool same_input(const Sampler& a, const Sampler& b) {
            a.vflip == b.vflip;
 }
 
-InputLoader::InputLoader() : wake_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+InputLoader::InputLoader(const TextureLimits& limits)
+    : limits_(limits), wake_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
     if (wake_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
 }
 
@@ -94,7 +97,7 @@ void InputLoader::start_waiting() {
     for (Load& load : loads_) {
         if (reading >= kMostAtOnce) return;
         if (load.content.valid()) continue;
-        load.content = read_beside(load.sampler, wake_);
+        load.content = read_beside(load.sampler, limits_, wake_);
         ++reading;
     }
 }

@@ -16,7 +16,7 @@ namespace glint {
 class InputLoader {
 public:
     // Throws std::system_error when the process has no descriptor left.
-    InputLoader();
+    explicit InputLoader(const TextureLimits& limits);
     // Does not wait: what is still read is left to itself.
     ~InputLoader();
     InputLoader(const InputLoader&) = delete;
@@ -59,6 +59,7 @@ private:
     Load* find(const Sampler& sampler);
     void start_waiting();
 
+    TextureLimits limits_;
     int wake_ = -1;
     std::vector<Load> loads_;
 };

@@ -66,7 +66,8 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       context_(context),
       options_(options),
       size_(size),
-      trial_({.device = options.device}) {}
+      trial_({.device = options.device}),
+      inputs_(texture_limits()) {}
 
 Playground::~Playground() = default;
 

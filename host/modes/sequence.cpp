@@ -7,6 +7,7 @@
 #include "modes/sequence_output.h"
 #include "modes/sound.h"
 #include "render/readback.h"
+#include "render/room.h"
 #include "say.h"
 #include "sound/sound.h"
 
@@ -32,7 +33,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 // What a GPU may draw while the first of them is still on its way to memory.
-constexpr int kPicturesAhead = 2;
+constexpr std::size_t kPicturesAhead = 2;
 
 Target target_of(const SequenceOptions& options) {
     const std::string& output = options.output;
@@ -87,6 +88,14 @@ Target target_of(const SequenceOptions& options) {
     return target;
 }
 
+// Before anything is drawn.
+void require_size(const std::string& output, Target target, glm::ivec2 size) {
+    const std::string refusal = target == Target::film       ? size_refusal_of_film(output, size)
+                                : target == Target::pictures ? size_refusal(output, size)
+                                                             : "";
+    if (!refusal.empty()) throw std::runtime_error(refusal);
+}
+
 // All that a frame's picture follows from, but for its number and who drew it.
 std::string inputs_of(const SequenceOptions& options, const Provenance& provenance) {
     Hash hash;
@@ -105,6 +114,7 @@ struct Run {
     States& states;
     SequenceOutput& output;
     double exposure = 0.0;  // s, of each picture
+    std::size_t room = 1;   // for pictures on their way to their files, at once
     int next = 0;           // the frame to be played next
     int simulated = 0, saved = 0;
     std::int64_t written = 0, skipped = 0;  // pictures
@@ -142,8 +152,10 @@ void skip_to_first_missing(Run& run, Frames& frames) {
 void draw_frames(Run& run, const Frames& frames) {
     const bool simulates = run.renderer.graph().stateful;
     Progress progress("frame", frames.count);
-    Readback readback(run.renderer, run.output.floats(),
-                      run.context.is_software() ? 0 : kPicturesAhead);
+    const std::size_t ahead =
+        run.context.is_software() ? 0 : std::min(kPicturesAhead, (run.room - 1) / 2);
+    run.output.limit(run.room - ahead);
+    Readback readback(run.renderer, run.output.floats(), static_cast<int>(ahead));
     std::deque<Frame> on_the_way;
     const auto write_first = [&] {
         std::vector<std::byte> rgba = readback.take();
@@ -169,6 +181,7 @@ void draw_frames(Run& run, const Frames& frames) {
         on_the_way.push_back(run.playback.frame(run.preset, run.next++));
         on_the_way.back().exposure = run.exposure;
         run.renderer.draw(on_the_way.back());
+        run.output.wait_for_room();
         readback.send();
         if (readback.full()) write_first();
     }
@@ -283,10 +296,11 @@ void print_joined(const SequenceOptions& options, const Preset& preset, std::int
 // The frames whose pictures are not there, not whole, or made from something else, no matter by
 // which renderer.
 std::vector<int> missing_frames(const NumberedName& pictures, const Frames& frames,
-                                const std::string& inputs) {
+                                const std::string& inputs, glm::uvec2 size) {
     std::vector<int> missing;
     std::mutex mutex;
     Workers workers(static_cast<int>(std::thread::hardware_concurrency()));
+    workers.limit(free_memory() / 2 / (std::size_t{3} * size.x * size.y + 1));
     Progress progress("checking", frames.count);
     for (std::int64_t i = 0; i < frames.count; ++i) {
         workers.run([&, k = frames[i]] {
@@ -328,7 +342,8 @@ void join_pictures(const SequenceOptions& options, Target target, const Preset& 
     const Stopwatch clock;
     const NumberedName pictures = *numbered_name(options.from_pictures);
     require_folder(options, pictures, frames);
-    const std::vector<int> missing = missing_frames(pictures, frames, inputs);
+    const std::vector<int> missing =
+        missing_frames(pictures, frames, inputs, glm::uvec2(preset.size));
     if (!missing.empty()) stop_for_missing(options, missing, frames.count);
     std::unique_ptr<Context> context;
     if (preset.scene.has_sound) context = make_egl_context(options.view.device);
@@ -357,6 +372,7 @@ void run_sequence(const SequenceOptions& options) {
     Frames frames = frames_of(options.frames, options.shard, options.fps);
     const int last = frames.last();
     const Preset preset = open_preset(options.view);
+    require_size(options.output, target, preset.size);
     const int first = frames[0];
     require_files_apart(options, {"-o", options.output == "-" ? "" : options.output, first, last},
                         {"--from-pictures", options.from_pictures, first, last}, preset);
@@ -391,6 +407,8 @@ void run_sequence(const SequenceOptions& options) {
             .states = states,
             .output = output,
             .exposure = exposure_of(options, renderer.graph())};
+    context->finish();  // the buffers count as taken only once they are cleared
+    if (frames.count > 0) run.room = output.pictures_in_memory();
     skip_to_first_missing(run, frames);
     run.next = states.start(frames.count > 0 ? frames[0] : last);
     if (renderer.graph().stateful && frames.count > 0) simulate_to(run, frames[0]);

@@ -1,6 +1,7 @@
 #include "modes/sequence_output.h"
 
 #include "base/readable_file.h"
+#include "render/room.h"
 #include "say.h"
 
 #include <fmt/format.h>
@@ -61,12 +62,39 @@ void SequenceOutput::begin_film(std::unique_ptr<TemporaryFile> sound) {
     film_.emplace(options_.output, preset_.size, options_.fps, std::move(sound));
 }
 
-bool SequenceOutput::has(int frame) const {
-    return options_.resume && name_ && is_made_from(name_->name(frame), making_.of(frame));
+std::size_t SequenceOutput::pictures_in_memory() const {
+    const auto pixels =
+        static_cast<std::size_t>(preset_.size.x) * static_cast<std::size_t>(preset_.size.y);
+    const Image shape{.size = preset_.size,
+                      .channels = 3,
+                      .type = floats() ? ChannelType::f32 : ChannelType::u8,
+                      .pixels = {}};
+    std::vector<WantedMemory> wanted = {
+        {"a picture on its way to its file", pixels * (floats() ? 16 : 4)}};
+    std::size_t once = 0;
+    if (target_ == Target::pictures)
+        wanted.push_back({"its encoder", encoder_bytes(options_.output, shape)});
+    else
+        wanted.push_back({"its copy for the film", pixels * 3});
+    const std::size_t one = wanted[0].bytes + wanted[1].bytes;
+    if (target_ == Target::film) {
+        once = film_encoder_bytes(options_.output, preset_.size);
+        wanted.push_back({"FFmpeg", once});
+    }
+    require_memory(wanted, "Make the pictures smaller with --size.");
+    const std::size_t free = free_memory();
+    return std::max<std::size_t>((free - std::min(free, once)) / one, 1);
+}
+
+bool SequenceOutput::has(int frame) {
+    if (!options_.resume || !name_) return false;
+    wait_for_room();
+    return is_made_from(name_->name(frame), making_.of(frame));
 }
 
 void SequenceOutput::write(const Frame& frame, std::vector<std::byte> rgba) {
-    workers_.run([this, frame, rgba = std::move(rgba)] { encode(frame, rgba); });
+    workers_.run(
+        [this, frame, rgba = std::move(rgba)]() mutable { encode(frame, std::move(rgba)); });
 }
 
 void SequenceOutput::finish() {
@@ -74,9 +102,9 @@ void SequenceOutput::finish() {
     if (film_) film_->finish();
 }
 
-void SequenceOutput::encode(const Frame& frame, const std::vector<std::byte>& rgba) {
-    const Image image =
-        picture_without_alpha(rgba, preset_.size, floats() ? ChannelType::f32 : ChannelType::u8);
+void SequenceOutput::encode(const Frame& frame, std::vector<std::byte> rgba) {
+    const Image image = picture_without_alpha(std::move(rgba), preset_.size,
+                                              floats() ? ChannelType::f32 : ChannelType::u8);
     if (target_ == Target::film) return film_->write(image);
     if (target_ == Target::raw) return write_to_stdout(image);
     Metadata metadata = metadata_of(options_, preset_, frame, gpu_);

@@ -37,8 +37,20 @@ public:
 
     bool floats() const { return target_ == Target::pictures && holds_floats(options_.output); }
 
+    // Of what memory is free, once the renderer has its own, so many pictures may be on their way
+    // to their files at once, those included that are still read back. Throws std::runtime_error
+    // where not one may.
+    std::size_t pictures_in_memory() const;
+
+    // `count` at most are encoded or wait for it.
+    void limit(std::size_t count) { workers_.limit(count); }
+
+    // Waits until one more may be. Throws what went wrong with one before.
+    void wait_for_room() { workers_.wait_for_room(); }
+
     // Whether an earlier run has left this frame's picture; always false without --resume.
-    bool has(int frame) const;
+    // To look, it takes the room of one picture. Throws as wait_for_room() does.
+    bool has(int frame);
 
     // Takes a picture as RGBA. Throws what went wrong with one before.
     void write(const Frame& frame, std::vector<std::byte> rgba);
@@ -49,7 +61,7 @@ public:
     void finish();
 
 private:
-    void encode(const Frame& frame, const std::vector<std::byte>& rgba);
+    void encode(const Frame& frame, std::vector<std::byte> rgba);
 
     const SequenceOptions& options_;
     Target target_;

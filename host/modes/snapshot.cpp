@@ -5,6 +5,7 @@
 #include "modes/hash.h"
 #include "modes/numbered_name.h"
 #include "render/memory.h"
+#include "render/room.h"
 #include "say.h"
 
 #include <fmt/format.h>
@@ -291,6 +292,24 @@ Snapshot read_snapshot(const fs::path& file) {
                        "It is cut short or damaged, or no state that --save-state wrote.");
 }
 
+namespace {
+
+// A state is in memory as the renderer gives it, as the parts of its file, and as that file.
+void require_memory_for_state(const Renderer& renderer) {
+    std::size_t bytes = 0;
+    const std::vector<GraphPass>& passes = renderer.graph().passes;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (passes[i].feeds_state) bytes += renderer.buffer(i).byte_count();
+    }
+    const std::vector<WantedMemory> wanted = {
+        {"the state on its way to or from its file", 3 * bytes}};
+    require_memory(wanted,
+                   "Make the picture smaller with --size, or give buffers a size= or scale= of "
+                   "their own.");
+}
+
+}  // namespace
+
 States::States(const StateOptions& options, const Preset& preset, Renderer& renderer,
                const Playback& playback, int settle, Provenance provenance, std::string gpu,
                bool resume)
@@ -301,7 +320,9 @@ States::States(const StateOptions& options, const Preset& preset, Renderer& rend
       settle_(settle),
       provenance_(std::move(provenance)),
       gpu_(std::move(gpu)),
-      resume_(resume) {}
+      resume_(resume) {
+    if (!options.save.empty() || !options.from.empty()) require_memory_for_state(renderer);
+}
 
 Frame States::frame(int k) const {
     const int extra = std::max(k - playback_.last_frame(), 0);

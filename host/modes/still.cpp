@@ -4,6 +4,7 @@
 #include "image/image.h"
 #include "modes/input_files.h"
 #include "modes/workers.h"
+#include "render/room.h"
 #include "say.h"
 
 #include <fmt/format.h>
@@ -25,12 +26,18 @@ struct Split {
     double load = 0, context = 0, compile = 0, render = 0, read = 0, encode = 0, total = 0;
 };
 
+// Whether and how a picture is drawn in parts.
+struct Tiling {
+    glm::ivec2 tile{0};       // 0: whole
+    bool tiled_file = false;  // the file is kept in tiles, too
+};
+
 // One still on its way to its file, and what all steps of that need.
 struct Still {
     const StillOptions& options;
     const Preset& preset;
     PictureKind kind;
-    glm::ivec2 tile;  // in which it is drawn; 0: whole
+    Tiling tiling;
     Context& context;
     Renderer& renderer;
     Split ms;
@@ -124,12 +131,27 @@ void write_whole(Still& still, const Metadata& metadata) {
 // A picture beyond this many pixels is drawn and written in bands, so that memory does not grow
 // with it; one of 8K is not.
 constexpr std::int64_t kMostAtOnce = std::int64_t{1} << 25;
-constexpr int kBandPixels = 1 << 22;
-constexpr int kTileWidth = 8192;  // within every driver's limit
+constexpr int kBandBytes = 1 << 24;
+constexpr int kTileWidth = 8192;
 
+std::int64_t pixels_of(glm::ivec2 size) {
+    return std::int64_t{size.x} * size.y;
+}
+
+// Of a picture that is drawn whole: where it is drawn, and its copy in memory.
+std::size_t bytes_of_whole(const StillOptions& options, glm::ivec2 size) {
+    const std::size_t drawn = holds_floats(options.output) ? 16 : 4;
+    const std::size_t summed = options.samples > 1 ? 16 : 0;
+    return static_cast<std::size_t>(pixels_of(size)) * (2 * drawn + summed);
+}
+
+// Half of the memory is left to the scene's own buffers and to the encoder. The bytes of a file do
+// not depend on how much there is.
 bool may_be_in_tiles(const StillOptions& options, glm::ivec2 size) {
     if (options.pass != "image") return false;
-    return options.tile > 0 || std::int64_t{size.x} * size.y > kMostAtOnce;
+    return options.tile > 0 || pixels_of(size) > kMostAtOnce ||
+           std::max(size.x, size.y) > largest_side() ||
+           bytes_of_whole(options, size) > free_memory() / 2;
 }
 
 // Buffers of the picture's size are drawn anew for each sample, and would be for each tile.
@@ -140,14 +162,46 @@ bool draws_buffers_for_samples(const StillOptions& options, const Scene& scene,
            });
 }
 
-// The tiles in which the picture is drawn; 0: whole.
-glm::ivec2 tile_size(const StillOptions& options, const Preset& preset, const PassGraph& graph) {
+// A band, which is as high as its tiles, takes about kBandBytes, however wide it is.
+Tiling tiling_of(const StillOptions& options, const Preset& preset, const PassGraph& graph) {
     const glm::ivec2 size = preset.size;
-    if (!may_be_in_tiles(options, size)) return glm::ivec2(0);
-    if (options.tile > 0) return glm::min(glm::ivec2(options.tile + options.tile % 2), size);
-    if (draws_buffers_for_samples(options, preset.scene, graph)) return glm::ivec2(0);
-    const int rows = std::max(kBandPixels / size.x / kFileTile, 1) * kFileTile;
-    return glm::min(glm::ivec2(kTileWidth, rows), size);
+    const bool is_asked_for = options.tile > 0;
+    if (!is_asked_for && draws_buffers_for_samples(options, preset.scene, graph)) return {};
+    const std::int64_t row = std::int64_t{size.x} * (holds_floats(options.output) ? 12 : 3);
+    const auto rows = static_cast<int>(std::clamp<std::int64_t>(kBandBytes / row, 1, size.y));
+    // Tiles begin at even pixels and get up to two more.
+    const int asked = is_asked_for ? options.tile + options.tile % 2 : kTileWidth;
+    const int most = std::min(asked, (largest_side() - 2) / 2 * 2);
+    Tiling tiling{.tile = glm::min(glm::ivec2(most, std::min(rows, most)), size)};
+    constexpr int kWidestTiledFile = 1 << 16;  // rows of tiles are written at once
+    tiling.tiled_file = !is_asked_for && has_tiles(options.output) &&
+                        pixels_of(size) > kMostAtOnce && size.x <= kWidestTiledFile;
+    if (tiling.tiled_file) {
+        tiling.tile.y = std::max(tiling.tile.y / kFileTile, 1) * kFileTile;
+        tiling.tile.y = std::min(tiling.tile.y, size.y);
+    }
+    return tiling;
+}
+
+// What a still takes beside the buffers that its renderer has made. A band is written while the
+// next one is drawn.
+void require_memory_for_file(const Still& still) {
+    const glm::ivec2 size = still.renderer.root_size();
+    const auto pixels = static_cast<std::size_t>(pixels_of(size));
+    const std::size_t drawn = still.kind.floats ? 16 : 4;
+    Image kept = empty_image(size, still.kind.floats ? 4 : 3, still.kind.floats);
+    std::size_t copies = pixels * drawn;
+    if (still.kind.pass != kImagePass) copies += pixels * (still.kind.floats ? 32 : 16);
+    if (still.tiling.tile != glm::ivec2(0)) {
+        kept.size = {still.preset.size.x, still.tiling.tile.y};
+        const auto band = static_cast<std::size_t>(pixels_of(kept.size));
+        copies = static_cast<std::size_t>(pixels_of(still.tiling.tile)) * drawn +
+                 2 * band * (still.kind.floats ? 12 : 3);
+    }
+    const std::vector<WantedMemory> wanted = {
+        {"the picture on its way to the file", copies},
+        {"its encoder", encoder_bytes(still.options.output, kept)}};
+    require_memory(wanted, "Make the picture smaller with --size.");
 }
 
 // Lays a tile into its band, which is as high.
@@ -165,12 +219,13 @@ void place(const Image& tile, int x, Image& band) {
 // The rows from `bottom` up to `top`, drawn tile by tile.
 Image draw_band(Still& still, int bottom, int top) {
     const glm::ivec2 size = still.preset.size;
+    const glm::ivec2 tile = still.tiling.tile;
     Image band = empty_image({size.x, top - bottom}, 3, still.kind.floats);
     band.pixels.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(top - bottom) *
                        (still.kind.floats ? 12 : 3));
     Stopwatch clock;
-    for (int x = 0; x < size.x; x += still.tile.x) {
-        still.renderer.set_tile({x, bottom}, {std::min(still.tile.x, size.x - x), top - bottom});
+    for (int x = 0; x < size.x; x += tile.x) {
+        still.renderer.set_tile({x, bottom}, {std::min(tile.x, size.x - x), top - bottom});
         if (x == 0 && top == size.y)
             still.renderer.draw(still.frame);  // the first tile draws the buffers, too
         else
@@ -189,12 +244,13 @@ void write_in_bands(Still& still, const Metadata& metadata) {
     const StillOptions& options = still.options;
     const glm::ivec2 size = still.preset.size;
     FileFormat format = options.format;
-    format.tiled = options.tile == 0 && has_tiles(options.output);
+    format.tiled = still.tiling.tiled_file;
     ImageWriter writer(options.output, empty_image(size, 3, still.kind.floats), metadata, format);
     Workers workers(1);
+    workers.limit(1);
     Stopwatch clock;
     for (int top = size.y, bottom = 0; top > 0; top = bottom) {
-        bottom = std::max(top - still.tile.y, 0);
+        bottom = std::max(top - still.tiling.tile.y, 0);
         Image band = draw_band(still, bottom, top);
         clock.restart();
         workers.run([&writer, band = std::move(band)] { writer.write(band); });
@@ -217,7 +273,7 @@ void write_file(Still& still) {
     Metadata metadata =
         metadata_of(still.options, still.preset, still.frame, still.context.renderer());
     metadata.emplace_back("glint:pass", still.options.pass);
-    if (still.tile == glm::ivec2(0))
+    if (still.tiling.tile == glm::ivec2(0))
         write_whole(still, metadata);
     else
         write_in_bands(still, metadata);
@@ -262,18 +318,22 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     Stopwatch clock;
     const Preset preset = open_preset(options.view);
     require_files_apart(options, {"-o", options.output.string()}, {}, preset);
-    const PictureKind kind{.pass = find_pass(preset.scene, options.pass),
-                           .floats = holds_floats(options.output),
-                           .tiles = may_be_in_tiles(options, preset.size)};
+    PictureKind kind{.pass = find_pass(preset.scene, options.pass),
+                     .floats = holds_floats(options.output)};
+    const bool is_picture = kind.pass == kImagePass;
+    const std::string refusal = is_picture ? size_refusal(options.output, preset.size) : "";
+    if (!refusal.empty()) throw std::runtime_error(refusal);
     ms.load = clock.restart();
     const auto context = make_egl_context(options.view.device);
     prepare_image_library(options.output);
     prepare_states(options.state);
     ms.context = clock.restart();
+    kind.tiles = may_be_in_tiles(options, preset.size);
     CompiledScene compiled = compile_or_stop(preset, compile_options(options, kind));
     ms.compile = clock.restart();
     RenderOptions render = render_options(options, kind, preset.size);
-    render.tile = tile_size(options, preset, compiled.graph);
+    const Tiling tiling = kind.tiles ? tiling_of(options, preset, compiled.graph) : Tiling{};
+    render.tile = tiling.tile;
     Renderer renderer(preset, std::move(compiled), render);
     load_inputs(preset, renderer);
     ms.load += clock.restart();
@@ -281,10 +341,12 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     Still still{.options = options,
                 .preset = preset,
                 .kind = kind,
-                .tile = render.tile,
+                .tiling = tiling,
                 .context = *context,
                 .renderer = renderer,
                 .ms = ms};
+    context->finish();  // the buffers count as taken only once they are cleared
+    require_memory_for_file(still);
     play_up_to_frame(still);
     still.ms.render = clock.restart();
     write_file(still);

@@ -13,7 +13,7 @@ struct StillOptions : PictureOptions {
     std::optional<int> frame{};    // instead of a time, at `fps`
     std::optional<int> settle{};   // frames drawn with time held; the preset's otherwise
     std::string pass = "image";
-    int tile = 0;  // pixels: the side of the tiles in which to draw; 0: as suits the size
+    int tile = 0;  // pixels: the longest side of the tiles in which to draw; 0: as suits the size
 };
 
 // Throws what main() turns into exit codes.

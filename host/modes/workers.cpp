@@ -8,8 +8,8 @@
 
 namespace glint {
 
-Workers::Workers(int threads) : most_waiting_(static_cast<std::size_t>(std::max(threads, 1))) {
-    for (std::size_t i = 0; i < most_waiting_; ++i) threads_.emplace_back([this] { work(); });
+Workers::Workers(int threads) : most_(2 * static_cast<std::size_t>(std::max(threads, 1))) {
+    for (std::size_t i = 0; i < most_ / 2; ++i) threads_.emplace_back([this] { work(); });
 }
 
 Workers::~Workers() {
@@ -22,10 +22,24 @@ Workers::~Workers() {
     for (std::thread& thread : threads_) thread.join();
 }
 
+void Workers::limit(std::size_t jobs) {
+    const std::lock_guard lock(mutex_);
+    most_ = std::min(most_, std::max<std::size_t>(jobs, 1));
+}
+
+void Workers::wait_for_room(std::unique_lock<std::mutex>& lock) {
+    changed_.wait(lock, [&] { return waiting_.size() + busy_ < most_ || failure_; });
+    rethrow();
+}
+
+void Workers::wait_for_room() {
+    std::unique_lock lock(mutex_);
+    wait_for_room(lock);
+}
+
 void Workers::run(std::function<void()> job) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return waiting_.size() < most_waiting_ || failure_; });
-    rethrow();
+    wait_for_room(lock);
     waiting_.push_back(std::move(job));
     changed_.notify_all();
 }
@@ -47,7 +61,7 @@ void Workers::work() {
     for (;;) {
         changed_.wait(lock, [&] { return !waiting_.empty() || ends_; });
         if (ends_) return;
-        const std::function<void()> job = std::move(waiting_.front());
+        std::function<void()> job = std::move(waiting_.front());
         waiting_.pop_front();
         ++busy_;
         changed_.notify_all();
@@ -58,6 +72,7 @@ void Workers::work() {
         } catch (...) {
             failure = std::current_exception();
         }
+        job = nullptr;  // what it holds is gone before there is room for the next
         lock.lock();
         --busy_;
         if (failure && !failure_) {

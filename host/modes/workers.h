@@ -19,8 +19,15 @@ public:
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    // Hands a job over; waits while one a thread waits already, so that memory stays bounded.
-    // Throws what a job before has thrown; nothing more is done then.
+    // So many jobs at most are under way, those that wait for a thread too: what bounds memory.
+    // More than two a thread, as without a limit, are never.
+    void limit(std::size_t jobs);
+
+    // Waits while there are as many. Throws what a job before has thrown; nothing more is done
+    // then.
+    void wait_for_room();
+
+    // Hands a job over once there is room for it. Throws as wait_for_room() does.
     void run(std::function<void()> job);
 
     // Waits for all jobs. Throws what one of them has thrown.
@@ -29,12 +36,13 @@ public:
 private:
     void work();
     void rethrow();
+    void wait_for_room(std::unique_lock<std::mutex>& lock);
 
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<std::function<void()>> waiting_;
-    std::size_t most_waiting_;
-    int busy_ = 0;
+    std::size_t most_;
+    std::size_t busy_ = 0;
     bool ends_ = false;
     std::exception_ptr failure_;  // the first
     std::vector<std::thread> threads_;

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLargestSize = 16384;  // pixels
+constexpr int kLargestSize = 1'000'000;  // pixels; the largest picture that any file keeps
 constexpr int kMostSettle = 1'000'000;
 
 class Reader {

@@ -83,7 +83,7 @@ private:
 };
 
 TEST_F(InputLoaders, ManyAtOnceComeEachWithItsOwnContent) {
-    InputLoader loader;
+    InputLoader loader{TextureLimits{}};
     Greys wanted;
     for (int i = 0; i < 9; ++i) {
         wanted.emplace_back(std::string(1, static_cast<char>('a' + i)), i * 10);
@@ -95,7 +95,7 @@ TEST_F(InputLoaders, ManyAtOnceComeEachWithItsOwnContent) {
 }
 
 TEST_F(InputLoaders, WhatCannotBeReadSaysWhyAndTheOthersCome) {
-    InputLoader loader;
+    InputLoader loader{TextureLimits{}};
     Sampler gone = picture("gone", 1);
     fs::remove(file("gone"));
     loader.load(gone);
@@ -105,7 +105,7 @@ TEST_F(InputLoaders, WhatCannotBeReadSaysWhyAndTheOthersCome) {
 }
 
 TEST_F(InputLoaders, AFileThatChangesWhileItIsReadIsReadOnceMore) {
-    InputLoader loader;
+    InputLoader loader{TextureLimits{}};
     const Sampler sampler = picture("a", 10);
     Slow slow(file("a"));
     if (!slow.works()) GTEST_SKIP() << "no leases on the file system of " << folder_;
@@ -125,7 +125,7 @@ TEST_F(InputLoaders, WhatNobodyWantsAnyMoreIsNotHandedOver) {
     const Sampler sampler = picture("a", 10);
     Slow slow(file("a"));
     if (!slow.works()) GTEST_SKIP() << "no leases on the file system of " << folder_;
-    InputLoader loader;
+    InputLoader loader{TextureLimits{}};
     loader.load(sampler);
     loader.keep_only(Preset{});
     EXPECT_FALSE(loader.is_loading());
@@ -139,7 +139,7 @@ TEST_F(InputLoaders, ItGoesWhileAFileIsStillRead) {
     const Sampler sampler = picture("a", 10);
     Slow slow(file("a"));
     if (!slow.works()) GTEST_SKIP() << "no leases on the file system of " << folder_;
-    std::optional<InputLoader> loader(std::in_place);
+    std::optional<InputLoader> loader(TextureLimits{});
     loader->load(sampler);
     loader.reset();
     slow.end();

@@ -128,7 +128,7 @@ TEST(Preset, WarnsAtThePlaceAndLoadsTheRest) {
         {"size = 640", "2:8: warning: size is two whole numbers"},
         {"size = [640]", "2:8: warning: size is two whole numbers"},
         {"size = [640, 3.5]", "2:8: warning: size is two whole numbers"},
-        {"size = [640, 0]", "2:14: warning: 0 pixels are outside 1 to 16384; clamped to 1"},
+        {"size = [640, 0]", "2:14: warning: 0 pixels are outside 1 to 1000000; clamped to 1"},
         {"size = [99999999999, 1]", "2:9: warning: 99999999999 pixels are outside"},
         {"settle = 1.5", "2:10: warning: settle is a whole number"},
         {"settle = -1", "2:10: warning: settle is from 0"},
