@@ -6,6 +6,7 @@
 #include "image/volume.h"
 #include "modes/common.h"
 #include "modes/input_room.h"
+#include "render/memory.h"
 #include "render/room.h"
 #include "sound/analyser.h"
 
