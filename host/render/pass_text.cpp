@@ -1,7 +1,7 @@
 #include "render/pass_text.h"
 
-#include "scene/declaration.h"
-#include "scene/raw_text.h"
+#include "glsl/declaration.h"
+#include "glsl/raw_text.h"
 
 #include <fmt/format.h>
 

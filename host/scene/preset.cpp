@@ -2,7 +2,7 @@
 #include "scene/preset.h"
 
 #include "scene/annotation.h"
-#include "scene/raw_text.h"
+#include "glsl/raw_text.h"
 #include "scene/toml.h"
 #include "scene/value.h"
 

@@ -2,7 +2,7 @@
 // its defaults.
 #pragma once
 
-#include "scene/diagnostic.h"
+#include "base/diagnostic.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
 

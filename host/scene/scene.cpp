@@ -3,9 +3,9 @@
 
 #include "scene/annotation.h"
 #include "scene/builtin.h"
-#include "scene/declaration.h"
+#include "glsl/declaration.h"
 #include "scene/shadertoy.h"
-#include "scene/source_text.h"
+#include "glsl/source_text.h"
 #include "scene/value.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // A scene: one GLSL file, read into plain data that says what it declares. No GL here.
 #pragma once
 
-#include "scene/diagnostic.h"
+#include "base/diagnostic.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
 // Reading shaders of the site.
 #include "scene/shadertoy.h"
 
-#include "scene/raw_text.h"
+#include "glsl/raw_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

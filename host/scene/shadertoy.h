@@ -2,7 +2,7 @@
 // scene files.
 #pragma once
 
-#include "scene/diagnostic.h"
+#include "base/diagnostic.h"
 
 #include <filesystem>
 #include <optional>

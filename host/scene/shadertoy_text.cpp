@@ -1,6 +1,6 @@
 // A shader of the site as a scene file.
 #include "scene/annotation.h"
-#include "scene/raw_text.h"
+#include "glsl/raw_text.h"
 #include "scene/scene.h"
 #include "scene/shadertoy.h"
 #include "scene/value.h"

@@ -2,7 +2,7 @@
 // saves.
 #pragma once
 
-#include "screen.h"
+#include "ui/screen.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The boat, driven by real keys: what was recorded replays to the same picture in a still.
-#include "image/image.h"
+#include "media/image.h"
 #include "live.h"
 
 #include <fmt/format.h>

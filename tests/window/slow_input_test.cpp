@@ -1,6 +1,6 @@
 // An input file that takes as long as it likes: a lease on it, as a file server has them, keeps
 // glint's reading thread waiting until the test gives it up.
-#include "image/image.h"
+#include "media/image.h"
 #include "live.h"
 
 #include <fcntl.h>

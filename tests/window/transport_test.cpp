@@ -1,6 +1,6 @@
 // Time, stills and the window itself, by keys: what is seen, what is written, and what `glint
 // still` writes are the same.
-#include "image/image.h"
+#include "media/image.h"
 #include "live.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // The window under Wayland. The compositor, Weston, has its screen, mouse and keyboard from Xvfb,
 // of which glint knows nothing: without a mouse GLFW 3.3 crashes by itself.
-#include "image/image.h"
+#include "media/image.h"
 #include "live.h"
 
 #include <sys/prctl.h>

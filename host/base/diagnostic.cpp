@@ -1,0 +1,91 @@
+// Diagnostics as text, and the two small helps that make them readable: quoting and "did you mean".
+#include "base/diagnostic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace glint {
+
+namespace {
+
+// Letters to insert, delete or change to turn one word into the other (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, changed});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+std::string to_string(const Diagnostic& diagnostic) {
+    const Place& place = diagnostic.place;
+    std::string where = place.file;
+    if (place.line > 0) where += fmt::format(":{}", place.line);
+    if (place.line > 0 && place.column > 0) where += fmt::format(":{}", place.column);
+    if (!where.empty()) where += ": ";
+    const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
+    return fmt::format("{}{}: {}", where, severity, diagnostic.text);
+}
+
+bool has_errors(std::span<const Diagnostic> diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+void append_once(Diagnostics& list, const Diagnostics& more) {
+    for (const Diagnostic& diagnostic : more) {
+        const std::string text = to_string(diagnostic);
+        const bool known = std::any_of(list.begin(), list.end(),
+                                       [&](const Diagnostic& d) { return to_string(d) == text; });
+        if (!known) list.push_back(diagnostic);
+    }
+}
+
+std::string in_quotes(std::string_view words) {
+    constexpr std::size_t kLongest = 60;
+    std::string text(words.substr(0, kLongest));
+    if (words.size() > kLongest) {
+        // Never cut a UTF-8 character in two.
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80)
+            text.pop_back();
+        if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0x80) text.pop_back();
+        text += "...";
+    }
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    return fmt::format("'{}'", text);
+}
+
+std::string nearest(std::string_view word, std::span<const std::string> known) {
+    constexpr std::size_t kLongestWord = 64;
+    constexpr std::size_t kMostWords = 1000;  // beyond that a guess costs more than it helps
+    if (word.empty() || word.size() > kLongestWord || known.size() > kMostWords) return {};
+    std::size_t best_distance = (word.size() + 2) / 3 + 1;
+    std::string best;
+    for (const std::string& candidate : known) {
+        if (candidate.size() > kLongestWord) continue;
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance >= best_distance) continue;
+        best_distance = distance;
+        best = candidate;
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
+    const std::string meant = nearest(word, known);
+    return meant.empty() ? std::string() : fmt::format("; did you mean {}?", in_quotes(meant));
+}
+
+}  // namespace glint

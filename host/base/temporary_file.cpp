@@ -1,0 +1,137 @@
+// A file written beside its final name and renamed when whole.
+#include "base/temporary_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBufferBytes = 1 << 18;
+
+std::string cause_of(int error) {
+    return std::generic_category().message(error);
+}
+
+// Other processes and other threads may write the same target at the same time.
+fs::path name_beside(const fs::path& target) {
+    static std::atomic<unsigned> serial{0};
+    std::string name = target.filename().string();
+    name.resize(std::min<std::size_t>(name.size(), 200));  // a file name holds 255 bytes
+    return target.parent_path() / fmt::format(".{}.{}-{}.tmp", name, ::getpid(), serial++);
+}
+
+}  // namespace
+
+std::runtime_error cannot_write(const fs::path& file, std::string_view cause) {
+    for (const int error : {EFBIG, ENOSPC, EDQUOT}) {
+        const std::string reason = cause_of(error);
+        if (cause != reason && cause.find(reason) != cause.npos) return cannot_write(file, reason);
+    }
+    return std::runtime_error(fmt::format("Cannot write {}: {}.", file.string(), cause));
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw cannot_write(folder, cause_of(error.value()));
+}
+
+std::runtime_error cannot_read(const fs::path& file, std::string_view cause) {
+    return std::runtime_error(fmt::format("Cannot read {}: {}.", file.string(), cause));
+}
+
+TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(target) {
+    std::error_code error;
+    if (fs::is_symlink(target, error)) {
+        if (const auto resolved = fs::weakly_canonical(target, error); !error) target_ = resolved;
+    }
+
+    // Renaming over a device or a pipe would take it away from everybody else.
+    struct stat old {};
+    const bool replaces = ::stat(target_.c_str(), &old) == 0;
+    if (replaces && S_ISDIR(old.st_mode)) throw cannot_write(named_, cause_of(EISDIR));
+    if (replaces && !S_ISREG(old.st_mode)) throw cannot_write(named_, "It is not a regular file");
+
+    buffer_.reserve(kBufferBytes);
+    // A file without a name goes away with the process, however that ends. Not every file system
+    // has such files, and they get their name through /proc.
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+    if (::access("/proc/self/fd", X_OK) == 0) {
+        descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
+    }
+    if (descriptor_ < 0) {
+        temporary_ = name_beside(target_);
+        descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
+    if (descriptor_ < 0) {
+        const int refusal = errno;
+        temporary_.clear();
+        throw cannot_write(named_, cause_of(refusal));
+    }
+    if (replaces) (void)::fchmod(descriptor_, old.st_mode & 07777);  // some file systems have none
+}
+
+TemporaryFile::~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+bool TemporaryFile::append(std::span<const std::byte> bytes) noexcept {
+    if (buffer_.size() + bytes.size() > kBufferBytes) {
+        write_out(buffer_);
+        buffer_.clear();
+    }
+    if (bytes.size() > kBufferBytes) {
+        write_out(bytes);
+    } else {
+        buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());  // within what is reserved
+    }
+    return error_ == 0;
+}
+
+void TemporaryFile::write_out(std::span<const std::byte> bytes) noexcept {
+    while (error_ == 0 && !bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
+        if (written < 0 && errno != EINTR) fail(errno);
+        if (written == 0) fail(ENOSPC);
+    }
+}
+
+void TemporaryFile::fail(int error) noexcept {
+    if (error_ == 0) error_ = error;
+}
+
+// A rename can replace a file, a link cannot, so the link gets a name of its own first.
+void TemporaryFile::give_name() {
+    const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+    const fs::path name = name_beside(target_);
+    if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+        temporary_ = name;
+    } else {
+        fail(errno);
+    }
+}
+
+void TemporaryFile::commit() {
+    write_out(buffer_);
+    buffer_.clear();
+    if (error_ == 0 && temporary_.empty()) give_name();
+    if (::close(descriptor_) != 0) fail(errno);  // a network's file system reports here
+    descriptor_ = -1;
+    if (error_ == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    if (error_ != 0) throw cannot_write(named_, cause_of(error_));
+    temporary_.clear();
+}
+
+}  // namespace glint

@@ -1,0 +1,403 @@
+// VS Code's Shader Toy as a scene of ours.
+#include "glsl/foreign_text.h"
+
+#include "glsl/raw_text.h"
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <regex>
+#include <set>
+#include <utility>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+// JavaScript's key codes under the names that the texts use.
+const std::vector<std::pair<std::string, int>>& key_codes() {
+    static const auto kCodes = [] {
+        std::vector<std::pair<std::string, int>> codes = {
+            {"Backspace", 8},   {"Tab", 9},           {"Enter", 13},     {"Shift", 16},
+            {"Ctrl", 17},       {"Alt", 18},          {"Pause", 19},     {"Caps", 20},
+            {"Escape", 27},     {"Space", 32},        {"PageUp", 33},    {"PageDown", 34},
+            {"End", 35},        {"Home", 36},         {"LeftArrow", 37}, {"UpArrow", 38},
+            {"RightArrow", 39}, {"DownArrow", 40},    {"Insert", 45},    {"Delete", 46},
+            {"SemiColon", 186}, {"Equal", 187},       {"Comma", 188},    {"Dash", 189},
+            {"Period", 190},    {"ForwardSlash", 191}};
+        for (char c = '0'; c <= '9'; ++c) codes.emplace_back(std::string(1, c), c);
+        for (char c = 'A'; c <= 'Z'; ++c) codes.emplace_back(std::string(1, c), c);
+        for (int i = 1; i <= 12; ++i) codes.emplace_back(fmt::format("F{}", i), 111 + i);
+        return codes;
+    }();
+    return kCodes;
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.emplace_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+// Matching a regular expression takes stack for every character, so lines are short.
+bool is_directive(std::string_view line, std::string_view directive) {
+    constexpr std::size_t kLongestLine = 2000;
+    return line.size() <= kLongestLine && trimmed(line).starts_with(directive);
+}
+
+// The buffer that remembers which keys were held.
+constexpr const char* kKeyStates = "glintKeyStates";
+
+// What a channel's lines say, gathered from the whole file.
+struct ForeignChannel {
+    int line = 0;        // of `#iChannelN "…"`; 0: there is none
+    std::string source;  // "self", "keyboard", a path
+    std::string min_filter, mag_filter, wrap, type;
+};
+using ForeignChannels = std::array<ForeignChannel, 4>;
+
+ForeignChannels find_channels(const std::vector<std::string>& lines) {
+    static const std::regex kLine(R"(^\s*#iChannel([0-3])(?:::(\w+))?\s+"([^"]*)\".*$)");
+    ForeignChannels channels;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::smatch match;
+        if (!is_directive(lines[i], "#iChannel") || !std::regex_match(lines[i], match, kLine))
+            continue;
+        ForeignChannel& channel = channels[static_cast<std::size_t>(match[1].str()[0] - '0')];
+        const std::string option = match[2], value = match[3];
+        if (option.empty()) channel.line = static_cast<int>(i) + 1, channel.source = value;
+        if (option == "MinFilter") channel.min_filter = value;
+        if (option == "MagFilter") channel.mag_filter = value;
+        if (option == "WrapMode") channel.wrap = value;
+        if (option == "Type") channel.type = value;
+    }
+    return channels;
+}
+
+std::string without_scheme(const std::string& source) {
+    return source.starts_with("file://") ? source.substr(7) : source;
+}
+
+bool is_shader(const std::string& source) {
+    const std::string extension = fs::path(source).extension().string();
+    return extension == ".glsl" || extension == ".frag" || extension == ".fs" ||
+           extension == ".shader";
+}
+
+fs::path path_of(const fs::path& file, const std::string& source) {
+    return (file.parent_path() / without_scheme(source)).lexically_normal();
+}
+
+bool is_sound(const std::string& source) {
+    const std::string extension = fs::path(source).extension().string();
+    return extension == ".mp3" || extension == ".wav" || extension == ".ogg" ||
+           extension == ".flac";
+}
+
+// The six files of `sky_{}.jpg` as they are there: sky_px.jpg and so on, in quotes, each behind a
+// space. Empty when they are not all there.
+std::string face_names(const fs::path& file, const std::string& source) {
+    using Names = std::array<const char*, 6>;  // +X -X +Y -Y +Z -Z
+    constexpr std::array<Names, 4> kSpellings = {
+        {{"e", "w", "u", "d", "n", "s"},
+         {"east", "west", "up", "down", "north", "south"},
+         {"px", "nx", "py", "ny", "pz", "nz"},
+         {"posx", "negx", "posy", "negy", "posz", "negz"}}};
+    const std::string pattern = without_scheme(source);
+    const std::size_t at = pattern.find("{}");
+    if (at == std::string::npos) return {};
+    for (const Names& names : kSpellings) {
+        std::string list;
+        const bool all = std::all_of(names.begin(), names.end(), [&](const char* name) {
+            const std::string face = std::string(pattern).replace(at, 2, name);
+            list += fmt::format(" \"{}\"", face);
+            std::error_code error;
+            return fs::is_regular_file(file.parent_path() / face, error);
+        });
+        if (all) return list;
+    }
+    return {};
+}
+
+// A name for the buffer that a file fills, unlike the functions that the file may have.
+std::string buffer_name(const fs::path& file) {
+    std::string name = file.stem().string();
+    for (char& c : name)
+        if (!(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z') && !(c >= '0' && c <= '9')) c = 'X';
+    if (name.empty() || (name[0] >= '0' && name[0] <= '9')) name.insert(0, "b");
+    return name + "Buffer";
+}
+
+class Rewriter {
+public:
+    Rewriter(fs::path file, std::string_view text, Diagnostics& diagnostics)
+        : file_(std::move(file)),
+          lines_(lines_of(text)),
+          channels_(find_channels(lines_)),
+          diagnostics_(diagnostics) {}
+
+    ForeignText root();
+    ForeignText part(const std::string& own_buffer);
+
+private:
+    bool reads_itself() const;
+    void add(std::string line, int number);
+    void add_buffers(const fs::path& file, const ForeignChannels& channels, int line,
+                     std::set<fs::path>& known);
+    void add_text(const std::string& own_buffer);
+    void add_uniform(const std::string& line, int number);
+    void add_channel(std::size_t index, const std::string& own_buffer);
+    void add_keyboard(int number);
+    void add_key_states();
+    std::string source_of(const ForeignChannel& channel, const std::string& own_buffer);
+    std::string options_of(const ForeignChannel& channel);
+    void error(int line, std::string text) {
+        diagnostics_.push_back({Severity::error, {file_.string(), line, 1}, std::move(text)});
+    }
+    void warning(int line, std::string text) {
+        diagnostics_.push_back({Severity::warning, {file_.string(), line, 1}, std::move(text)});
+    }
+
+    fs::path file_;
+    std::vector<std::string> lines_;
+    ForeignChannels channels_;
+    Diagnostics& diagnostics_;
+    ForeignText result_;
+    bool asks_for_releases_ = false;
+};
+
+void Rewriter::add(std::string line, int number) {
+    result_.text += std::move(line) + "\n";
+    result_.lines.push_back(number);
+}
+
+bool Rewriter::reads_itself() const {
+    return std::any_of(channels_.begin(), channels_.end(),
+                       [](const ForeignChannel& channel) { return channel.source == "self"; });
+}
+
+// A picture that reads itself becomes a buffer, which the picture shows.
+ForeignText Rewriter::root() {
+    std::set<fs::path> known = {file_.lexically_normal()};
+    asks_for_releases_ = std::any_of(lines_.begin(), lines_.end(), [](const std::string& line) {
+        return line.find("isKeyReleased") != std::string::npos;
+    });
+    add_buffers(file_, channels_, 1, known);
+    if (asks_for_releases_) add_key_states();
+    const bool is_tab = known.size() > 1 || asks_for_releases_;
+    if (reads_itself()) {
+        const std::string name = buffer_name(file_);
+        add(fmt::format("uniform sampler2D {0};  //@ pass main_{0}", name), 1);
+        add("#ifdef PASS_image", 1);
+        add(fmt::format("void mainImage(out vec4 color, in vec2 coord) {{ color = texelFetch({}, "
+                        "ivec2(coord), 0); }}",
+                        name),
+            1);
+        add("#endif", 1);
+        add(fmt::format("#ifdef PASS_{}", name), 1);
+        add_text(name);
+        add("#endif", static_cast<int>(lines_.size()));
+    } else {
+        if (is_tab) add("#ifdef PASS_image", 1);
+        add_text({});
+        if (is_tab) add("#endif", static_cast<int>(lines_.size()));
+    }
+    return std::move(result_);
+}
+
+ForeignText Rewriter::part(const std::string& own_buffer) {
+    add_text(own_buffer);
+    return std::move(result_);
+}
+
+// What a file reads is drawn before it.
+void Rewriter::add_buffers(const fs::path& file, const ForeignChannels& channels, int line,
+                           std::set<fs::path>& known) {
+    for (const ForeignChannel& channel : channels) {
+        if (channel.line == 0 || !is_shader(channel.source)) continue;
+        const fs::path path = path_of(file, channel.source);
+        if (!known.insert(path).second) continue;
+        const int at = file == file_ ? channel.line : line;
+        std::string why_not;
+        const auto bytes = read_bytes(path, why_not);
+        asks_for_releases_ |= bytes && bytes->find("isKeyReleased") != std::string::npos;
+        if (bytes) add_buffers(path, find_channels(lines_of(clean_text(*bytes).text)), at, known);
+        const std::string name = buffer_name(path);
+        add(fmt::format("uniform sampler2D {0};  //@ pass main_{0}", name), at);
+        add(fmt::format("#ifdef PASS_{}", name), at);
+        add(fmt::format("#include \"{}\"",
+                        path.lexically_proximate(file_.parent_path()).generic_string()),
+            at);
+        add("#endif", at);
+    }
+}
+
+void Rewriter::add_text(const std::string& own_buffer) {
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        const std::string_view line = trimmed(lines_[i]);
+        const int number = static_cast<int>(i) + 1;
+        const auto channel = std::find_if(channels_.begin(), channels_.end(),
+                                          [&](const auto& c) { return c.line == number; });
+        if (channel != channels_.end())
+            add_channel(static_cast<std::size_t>(channel - channels_.begin()), own_buffer);
+        else if (line.starts_with("#iUniform"))
+            add_uniform(lines_[i], number);
+        else if (line.starts_with("#iKeyboard"))
+            add_keyboard(number);
+        else if (line.starts_with("#iChannel") || line.starts_with("#StrictCompatibility"))
+            add("", number);
+        else
+            add(lines_[i], number);
+    }
+}
+
+// `#iUniform float speed = 1.0 in { 0.0, 5.0 } step 0.5 // how fast`, with or without what follows
+// the value.
+void Rewriter::add_uniform(const std::string& line, int number) {
+    static const std::regex kLine(
+        R"(^\s*#iUniform\s+(\w+)\s+(\w+)\s*=\s*([^{/]*?)\s*;?\s*)"
+        R"((?:in\s*\{\s*([^,{}]+?)\s*,\s*([^,{}]+?)\s*\})?\s*(?:step\s+([0-9.eE+-]+))?\s*;?\s*(?://\s*(.*))?$)");
+    static const std::regex kConstructor(R"(^\w+\s*\(([^()]*)\)$)");
+    std::smatch match;
+    if (!is_directive(line, "#iUniform") || !std::regex_match(line, match, kLine)) {
+        add("", number);
+        return error(number,
+                     "this #iUniform is not understood; write #iUniform float speed = 1.0 "
+                     "in { 0.0, 5.0 }");
+    }
+    const std::string type = match[1], name = match[2];
+    std::string value = match[3];
+    const bool is_colour = type.starts_with("color");
+    const std::string ours = is_colour ? "vec" + type.substr(5) : type;
+    std::smatch constructor;
+    if (std::regex_match(value, constructor, kConstructor)) value = constructor[1];
+    const auto count = ours.starts_with("vec") && ours.size() == 4 ? ours[3] - '0' : 1;
+    if (count > 1 && value.find(',') == std::string::npos) {
+        const std::string one = value;
+        for (int i = 1; i < count; ++i) value += ", " + one;
+    }
+    if (is_colour) {
+        std::string hex = "#";
+        for (std::size_t begin = 0; begin <= value.size();) {
+            const std::size_t end = std::min(value.find(',', begin), value.size());
+            const auto part = parse_number(trimmed(value.substr(begin, end - begin)));
+            hex += fmt::format(
+                "{:02x}",
+                static_cast<int>(std::lround(std::clamp(part.value_or(0), 0.0, 1.0) * 255)));
+            begin = end + 1;
+        }
+        value = hex;
+    }
+    std::string annotation = value;
+    if (match[4].matched) annotation += fmt::format(" [{}, {}]", match[4].str(), match[5].str());
+    if (match[6].matched) annotation += " step=" + match[6].str();
+    std::string words = match[7];
+    std::replace(words.begin(), words.end(), '"', '\'');
+    if (!words.empty()) annotation += fmt::format(" \"{}\"", words);
+    add(fmt::format("uniform {} {};  //@ {}", ours, name, annotation), number);
+}
+
+void Rewriter::add_channel(std::size_t index, const std::string& own_buffer) {
+    const ForeignChannel& channel = channels_[index];
+    const bool is_cube = channel.type == "CubeMap";
+    add(fmt::format("uniform {} iChannel{};  //@ {}{}", is_cube ? "samplerCube" : "sampler2D",
+                    index, source_of(channel, own_buffer), options_of(channel)),
+        channel.line);
+}
+
+std::string Rewriter::source_of(const ForeignChannel& channel, const std::string& own_buffer) {
+    if (channel.source == "self" && !own_buffer.empty()) return "buffer " + own_buffer;
+    if (channel.source == "keyboard") return "keyboard";
+    if (is_shader(channel.source)) return "buffer " + buffer_name(path_of(file_, channel.source));
+    const bool is_cube = channel.type == "CubeMap";
+    const std::string faces = is_cube ? face_names(file_, channel.source) : "";
+    if (channel.source.starts_with("http") || channel.source == "self" ||
+        (is_cube && faces.empty())) {
+        const std::string noise = is_sound(channel.source) ? "noise r 512x2"
+                                  : is_cube                ? "noise rgb 64"
+                                                           : "noise rgba 256";
+        warning(channel.line, fmt::format("{} is not read here; {} stands in its place",
+                                          in_quotes(channel.source), noise));
+        return noise;
+    }
+    if (is_cube) return "cube" + faces;
+    return fmt::format("{} \"{}\"", is_sound(channel.source) ? "sound" : "image",
+                       without_scheme(channel.source));
+}
+
+std::string Rewriter::options_of(const ForeignChannel& channel) {
+    std::string options;
+    if (channel.mag_filter == "Nearest" || channel.min_filter == "Nearest")
+        options += " filter=nearest";
+    else if (channel.min_filter.find("MipMap") != std::string::npos)
+        options += " filter=mipmap";
+    else if (!channel.min_filter.empty() || !channel.mag_filter.empty())
+        options += " filter=linear";
+    if (channel.wrap == "Repeat") options += " wrap=repeat";
+    if (channel.wrap == "Clamp") options += " wrap=clamp";
+    if (channel.wrap == "Mirror") options += " wrap=mirror";
+    return options;
+}
+
+// A key was let go in the frame in which it is no longer held: red is held now, green let go now.
+void Rewriter::add_key_states() {
+    add(fmt::format("uniform sampler2D {0};  //@ pass main_{0} size=256x1", kKeyStates), 1);
+    add(fmt::format("#ifdef PASS_{}", kKeyStates), 1);
+    add("uniform sampler2D iKeyboard;  //@ keyboard", 1);
+    add(fmt::format("void mainImage(out vec4 color, in vec2 coord) {{ "
+                    "float held = texelFetch(iKeyboard, ivec2(coord.x, 0), 0).x; "
+                    "float before = texelFetch({}, ivec2(coord), 0).x; "
+                    "color = vec4(held, before * (1.0 - held), 0, 1); }}",
+                    kKeyStates),
+        1);
+    add("#endif", 1);
+}
+
+void Rewriter::add_keyboard(int number) {
+    add("uniform sampler2D iKeyboard;  //@ keyboard", number);
+    constexpr std::array kRows = {"isKeyDown", "isKeyPressed", "isKeyToggled"};
+    for (std::size_t row = 0; row < kRows.size(); ++row)
+        add(fmt::format("bool {}(int key) {{ return texelFetch(iKeyboard, ivec2(key, {}), 0).x > "
+                        "0.5; }}",
+                        kRows[row], row),
+            number);
+    std::string all;
+    for (const std::string& line : lines_) all += line + "\n";
+    for (const auto& [name, code] : key_codes())
+        if (std::regex_search(all, std::regex(fmt::format("\\bKey_{}\\b", name))))
+            add(fmt::format("const int Key_{} = {};", name, code), number);
+    if (all.find("isKeyReleased") != std::string::npos)
+        add(fmt::format("bool isKeyReleased(int key) {{ return texelFetch({}, ivec2(key, 0), 0).y "
+                        "> 0.5; }}",
+                        kKeyStates),
+            number);
+}
+
+}  // namespace
+
+bool is_foreign(std::string_view text) {
+    for (std::size_t at = text.find("#i"); at != text.npos; at = text.find("#i", at + 1)) {
+        const std::size_t begin = text.rfind('\n', at) + 1;
+        if (!trimmed(text.substr(begin, at - begin)).empty()) continue;
+        for (const std::string_view word : {"#iUniform", "#iChannel", "#iKeyboard"})
+            if (text.substr(at).starts_with(word)) return true;
+    }
+    return false;
+}
+
+ForeignText rewrite_foreign(const fs::path& file, std::string_view text, bool is_root,
+                            Diagnostics& diagnostics) {
+    Rewriter rewriter(file, text, diagnostics);
+    return is_root ? rewriter.root() : rewriter.part(buffer_name(file));
+}
+
+}  // namespace glint

@@ -1,0 +1,37 @@
+// A scene's text made even: one kind of line end, includes expanded, comments told from code, and
+// every byte's place in the files that a person wrote.
+#pragma once
+
+#include "base/diagnostic.h"
+#include "glsl/raw_text.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct SourceText {
+    std::vector<std::filesystem::path> files;  // the first one read is files[0]
+    // Every line ends with '\n'. `#version`, `#line`, `#include` and `#pragma once` are blanked.
+    std::string text;
+    std::string code;             // as long as text, with spaces for comments
+    std::vector<Span> notes;      // of text: what follows each `//@`, up to the comment's end
+    std::vector<Origin> origins;  // one for each line
+    std::vector<std::size_t> line_begins;
+
+    // Columns count characters, not bytes, as editors do.
+    Place place(std::size_t offset) const;
+    // The file that a byte comes from.
+    const std::filesystem::path& file(std::size_t offset) const;
+    std::size_t line_index(std::size_t offset) const;  // into origins
+};
+
+// Reads a file with its includes; of a .json, a shader of the site, the scene that `glint import`
+// makes of it, which stands second in `files`, though there may be no such file. What is wrong goes
+// to diagnostics; the text is whole all the same.
+SourceText read_source(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+}  // namespace glint

@@ -1,0 +1,232 @@
+// Age: does a scene still move as it did when it was young, and come back to the same picture?
+//
+// A float iTime steps unevenly after a day and stands still after a month. Motion is judged by
+// comparison with the scene itself at 1 s and at 60 s, so that what never moves, comes to rest or
+// jumps by nature is not blamed. Where motion comes from iTick the picture must be the same again
+// after any multiple of 65536 s.
+//
+// Simulations cannot be played for a year. They run for their first second; then the clock jumps,
+// as when a laptop wakes: time is late, buffers and iFrame go on from where they were.
+#include "measure/check/case.h"
+#include "render/difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr int kFrames = 64, kFineFrames = 32, kLeastFrames = 8;
+constexpr double kFrame = 1.0 / 60, kFineFrame = 1.0 / 960;
+constexpr int kFirstSecond = 60;       // frames
+constexpr double kLidCatchUp = 0.25;   // s, as in the window
+constexpr double kTickPeriod = 65536;  // s
+// An aged scene may move in this share of the frames in which it moved when it was young, and be
+// this much more uneven. A float iTime is twice below and beyond both after a day.
+constexpr double kLeastMoving = 0.75, kLeastFinelyMoving = 0.5;
+constexpr double kUnevennessFactor = 2.0, kUnevennessAllowed = 0.1;
+// The same phase: where a display shows a difference.
+constexpr double kLeastPsnr = 55.0, kMostOff = 0.0005;
+
+struct Age {
+    const char* name;
+    double seconds;
+};
+constexpr Age kAges[] = {{"0", 0.0},         {"1 s", 1.0},         {"1 hour", 3600.0},
+                         {"1 day", 86400.0}, {"30 days", 2592000}, {"1 year", 31536000.0}};
+// Multiples of 65536 s that reach a day, a month and a year.
+struct Period {
+    const char* name;
+    int count;
+};
+constexpr Period kPeriods[] = {{"1.5 days", 2}, {"30 days", 40}, {"1 year", 482}};
+
+// The clock of an aged scene: frame 0 stands at the age, later ones follow.
+class AgedClock {
+public:
+    // Plays the first second of a simulation; another scene needs no past.
+    AgedClock(CheckSubject& subject, double age) : subject_(subject), age_(age) {
+        if (!subject.stateful()) return;
+        subject.renderer().reset();
+        alive_ = subject.play_frames(0, kFirstSecond, 60.0);
+    }
+
+    bool draw(double seconds_on, double delta) {
+        const double time = age_ + seconds_on;
+        const long index = subject_.stateful() ? kFirstSecond + drawn_ : std::lround(time * 60.0);
+        ++drawn_;
+        Frame frame = subject_.frame_at(time, delta, index);
+        if (subject_.stateful()) frame.longest_catch_up = kLidCatchUp;
+        subject_.still.reset();
+        if (!subject_.stateful()) subject_.still = StillPlace{time, 60.0};
+        return alive_ && subject_.draw(frame);
+    }
+
+private:
+    CheckSubject& subject_;
+    double age_;
+    long drawn_ = 0;
+    bool alive_ = true;
+};
+
+// Root mean square of the change from one picture to the next.
+double change(std::span<const float> a, std::span<const float> b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        const double d = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+        if (i % 4 != 3) squares += d * d;
+    }
+    return std::sqrt(squares / static_cast<double>(a.size()));
+}
+
+// The change of each of `count` frames from the one before; shorter when a frame is not finite.
+std::vector<double> changes(AgedClock& clock, CheckSubject& subject, double from, double delta,
+                            int count) {
+    std::vector<double> list;
+    std::vector<float> before;
+    for (int k = 0; k <= count; ++k) {
+        if (!clock.draw(from + k * delta, delta)) return list;
+        std::vector<float> now = subject.picture();
+        if (k > 0) list.push_back(change(before, now));
+        before = std::move(now);
+    }
+    return list;
+}
+
+double share_moving(const std::vector<double>& list) {
+    const auto moving = std::count_if(list.begin(), list.end(), [](double d) { return d > 0; });
+    return static_cast<double>(moving) / std::max(static_cast<double>(list.size()), 1.0);
+}
+
+// How much the change jumps from frame to frame, beside its mean: second differences, which a
+// smooth motion that speeds up or slows down hardly has.
+double unevenness(const std::vector<double>& list) {
+    double jumps = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        sum += list[i];
+        if (i >= 2) jumps += std::abs(list[i] - 2.0 * list[i - 1] + list[i - 2]);
+    }
+    return sum > 0.0 ? jumps / sum : 0.0;
+}
+
+Motion motion_at(const Check& check, double age) {
+    const int frames = check.paced(kFrames, kLeastFrames);
+    const int fine_frames = check.paced(kFineFrames, kLeastFrames);
+    AgedClock clock(check.subject, age);
+    const std::vector<double> coarse = changes(clock, check.subject, 0.0, kFrame, frames);
+    const std::vector<double> fine =
+        changes(clock, check.subject, (frames + 1) * kFrame, kFineFrame, fine_frames);
+    return {.moving = share_moving(coarse),
+            .finely_moving = share_moving(fine),
+            .unevenness = unevenness(coarse)};
+}
+
+// The least that can be asked: a scene may come to rest within its first minute.
+Motion young_motion(Check& check) {
+    if (!check.young) {
+        const Motion at_1 = motion_at(check, 1.0), at_60 = motion_at(check, 60.0);
+        check.young = {.moving = std::min(at_1.moving, at_60.moving),
+                       .finely_moving = std::min(at_1.finely_moving, at_60.finely_moving),
+                       .unevenness = std::max(at_1.unevenness, at_60.unevenness)};
+    }
+    return *check.young;
+}
+
+void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
+    if (old.moving < kLeastMoving * young.moving) {
+        result.fail(fmt::format("stands still in {:.0f} % of frames, when young in {:.0f} %",
+                                100.0 - 100.0 * old.moving, 100.0 - 100.0 * young.moving));
+    } else if (old.finely_moving < kLeastFinelyMoving * young.finely_moving) {
+        result.fail(
+            fmt::format("moves in coarse steps: {:.0f} % of frames 1/960 s apart differ, "
+                        "when young {:.0f} %",
+                        100.0 * old.finely_moving, 100.0 * young.finely_moving));
+    } else if (old.unevenness > kUnevennessFactor * young.unevenness + kUnevennessAllowed) {
+        result.fail(fmt::format("moves unevenly, by {:.0f} %, when young by {:.0f} %",
+                                100.0 * old.unevenness, 100.0 * young.unevenness));
+    } else {
+        result.note = fmt::format("moves in {:.0f} % of frames, uneven by {:.0f} %",
+                                  100.0 * old.moving, 100.0 * old.unevenness);
+    }
+}
+
+void run_age(const Age& age, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    if (!subject.moves()) {
+        subject.show(age.seconds, 1.0);
+        result.note = "nothing moves";
+        return;
+    }
+    if (age.seconds <= 1.0) {
+        AgedClock clock(subject, age.seconds);
+        changes(clock, subject, 0.0, kFrame, check.paced(kFrames, kLeastFrames));
+        return;
+    }
+    const Motion young = young_motion(check);
+    if (!subject.observed().is_finite()) return;
+    const Motion old = motion_at(check, age.seconds);
+    if (!subject.observed().is_finite()) return;
+    if (young.moving == 0.0)
+        result.note = "comes to rest within its first minute";
+    else
+        judge_motion(young, old, result);
+}
+
+// The picture some frames after the clock has jumped to a time. iFrame and iDate are the same
+// whatever the time: they are no phases.
+std::vector<float> picture_at(const Check& check, double time, double periods) {
+    CheckSubject& subject = check.subject;
+    const int frames = subject.stateful() ? check.paced(kFineFrames, kLeastFrames) : 0;
+    if (subject.stateful()) {
+        subject.renderer().reset();
+        if (!subject.play_frames(0, kFirstSecond, 60.0)) return {};
+    }
+    for (int k = 0; k <= frames; ++k) {
+        const double young = time + k * kFrame;
+        Frame frame = subject.frame_at(young + periods * kTickPeriod, kFrame, kFirstSecond + k);
+        frame.date = shadertoy_date(subject.preset.date, young);
+        if (subject.stateful()) frame.longest_catch_up = kLidCatchUp;
+        subject.still.reset();
+        if (!subject.draw(frame)) return {};
+    }
+    return subject.picture();
+}
+
+void run_same_phase(const Period& period, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    // Later than the first second by more than is ever caught up, so that both clocks jump.
+    const double time = std::max(subject.preset.time, 2.0);
+    const std::vector<float> young = picture_at(check, time, 0);
+    const std::vector<float> old = picture_at(check, time, period.count);
+    if (young.empty() || old.empty()) return;
+    const Difference found = difference(old, young);
+    result.note = fmt::format("{:.1f} dB, {:.2f} % of pixels off by more than 1/255", found.psnr,
+                              100.0 * found.share_off);
+    if (found.psnr >= kLeastPsnr && found.share_off <= kMostOff) return;
+    result.fail(fmt::format("{} (at least {:.0f} dB and at most {:.2f} %){}", result.note,
+                            kLeastPsnr, 100.0 * kMostOff,
+                            subject.reads(Builtin::time) ? "; it reads iTime beside iTick" : ""));
+    if (!subject.stateful()) {
+        subject.still = StillPlace{time + period.count * kTickPeriod, 60.0};
+    }
+}
+
+}  // namespace
+
+void add_age_cases(std::vector<Case>& list, const CheckSubject& subject) {
+    for (const Age& age : kAges) {
+        list.push_back({fmt::format("age {}", age.name),
+                        [&age](Check& check, CaseResult& result) { run_age(age, check, result); }});
+    }
+    if (!subject.reads(Builtin::tick)) return;
+    for (const Period& period : kPeriods) {
+        list.push_back({fmt::format("same phase after {}", period.name),
+                        [&period](Check& check, CaseResult& result) {
+                            run_same_phase(period, check, result);
+                        }});
+    }
+}
+
+}  // namespace glint

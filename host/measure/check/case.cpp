@@ -1,0 +1,234 @@
+#include "measure/check/case.h"
+
+#include "base/temporary_file.h"
+#include "scene/preset_writer.h"
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::pair<CaseVerdict, const char*> kCaseVerdicts[] = {{CaseVerdict::fail, "fail"},
+                                                                 {CaseVerdict::report, "report"},
+                                                                 {CaseVerdict::pass, "pass"},
+                                                                 {CaseVerdict::skip, "skip"}};
+
+// A word for the shell.
+std::string quoted(const std::string& word) {
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("_-+=./,:%@").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (plain) return word;
+    std::string result = "'";
+    for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+// "random tweaks 7" of "christmas.toml" as "christmas-random-tweaks-7".
+std::string file_stem(const Preset& preset, const std::string& name) {
+    std::string stem = preset.file.stem().string() + "-";
+    for (const char c : name) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.';
+        if (plain || stem.back() != '-') stem += plain ? c : '-';
+    }
+    return stem.substr(0, 120);
+}
+
+std::string tweak_words(const ViewOptions& view) {
+    std::string words;
+    for (const std::string& tweak : view.tweaks) words += " --tweak " + quoted(tweak);
+    return words;
+}
+
+std::string device_words(const ViewOptions& view) {
+    return view.device.empty() ? "" : " --device " + quoted(view.device);
+}
+
+// What the command line said about tweaks, then what the case changed.
+std::string tweak_words(const CheckSubject& subject) {
+    std::string words = tweak_words(subject.view());
+    for (std::size_t i = 0; i < subject.preset.values.size(); ++i) {
+        if (subject.preset.values[i] == subject.opened().values[i]) continue;
+        const Tweak& tweak = subject.scene().tweaks[i];
+        words +=
+            " --tweak " + quoted(tweak.name + "=" + format_value(tweak, subject.preset.values[i]));
+    }
+    return words;
+}
+
+// Mouse and keys come from a preset; one that has those of the case is written beside the picture.
+fs::path file_with_events(const CheckSubject& subject, const fs::path& folder,
+                          const std::string& stem) {
+    const fs::path file = folder / (stem + ".toml");
+    const PresetText written = write_preset(subject.preset, file);
+    if (!written.text) throw std::runtime_error(to_string(written.diagnostics.front()));
+    write_whole_file(file, std::as_bytes(std::span(*written.text)));
+    return file;
+}
+
+bool same_events(const std::vector<Event>& a, const std::vector<Event>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Event& x, const Event& y) {
+        return x.time == y.time && x.key == y.key && x.down == y.down && x.mouse == y.mouse;
+    });
+}
+
+// The command that shows the frame again. A still cannot put NaN into a buffer or let a clock
+// jump: then it is the check itself that is called for this one case.
+std::string command_for(const CheckSubject& subject, const CaseResult& result,
+                        const fs::path& folder) {
+    const glm::ivec2 size = subject.preset.size;
+    if (!subject.still) return command_for_case(subject.view(), result.name);
+    const std::string stem = file_stem(subject.opened(), result.name);
+    const bool own_events = !same_events(subject.preset.events, subject.opened().events);
+    const fs::path file =
+        own_events ? file_with_events(subject, folder, stem) : subject.opened().file;
+    const std::string output =
+        subject.observed().found.empty() ? "image" : subject.observed().found.back().output;
+    return fmt::format(
+        "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", quoted(file.string()), size.x,
+        size.y, format_number(subject.still->time),
+        subject.still->fps == 60.0 ? "" : " --fps " + format_number(subject.still->fps),
+        own_events ? "" : tweak_words(subject), device_words(subject.view()),
+        subject.specialised() ? "" : " --no-specialise",
+        output == "image" ? "" : " --pass " + output, quoted((folder / (stem + ".exr")).string()));
+}
+
+// "NaN and Inf in 36 pixels of smoke, 104 of image".
+std::string describe(const Observed& seen) {
+    std::string text = seen.infinite == 0 ? "NaN" : seen.nan == 0 ? "Inf" : "NaN and Inf";
+    text += " in";
+    for (const Observed::Found& found : seen.found) {
+        const bool first = &found == &seen.found.front();
+        text += fmt::format("{} {}{} of {}", first ? "" : ",", found.pixels, first ? " pixels" : "",
+                            found.output);
+    }
+    return text;
+}
+
+// Values as a display shows them, and in magenta what is not finite.
+void write_picture(const CheckSubject& subject, const fs::path& file) {
+    const Observed& seen = subject.observed();
+    const bool finite = seen.is_finite();
+    const std::vector<float> values = finite ? subject.picture() : seen.values;
+    Image image{.size = finite ? subject.preset.size : seen.size, .channels = 3, .pixels = {}};
+    image.pixels.reserve(values.size() / 4 * 3);
+    const auto push = [&](float v) {
+        image.pixels.push_back(
+            static_cast<std::byte>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255.0f)));
+    };
+    for (std::size_t i = 0; i + 3 < values.size(); i += 4) {
+        bool shown = true;
+        for (std::size_t c = 0; c < (finite ? 3u : 4u); ++c) shown &= std::isfinite(values[i + c]);
+        push(shown ? values[i] : 1.0f);
+        push(shown ? values[i + 1] : 0.0f);
+        push(shown ? values[i + 2] : 1.0f);
+    }
+    make_folder(file.parent_path());
+    write_image(file, image);
+}
+
+}  // namespace
+
+const char* to_string(CaseVerdict verdict) {
+    for (const auto& [value, name] : kCaseVerdicts)
+        if (value == verdict) return name;
+    return "";
+}
+
+std::string command_for_case(const ViewOptions& view, const std::string& name) {
+    const std::string size = view.size.empty() ? "" : " --size " + view.size;
+    return fmt::format("glint check {}{}{}{} --case {}", quoted(view.file.string()), size,
+                       tweak_words(view), device_words(view), quoted(name));
+}
+
+void CaseResult::fail(std::string why) {
+    verdict = CaseVerdict::fail;
+    note = std::move(why);
+}
+
+nlohmann::ordered_json to_json(const CaseResult& result) {
+    nlohmann::ordered_json json = {{"case", result.name}, {"verdict", to_string(result.verdict)},
+                                   {"nan", result.nan},   {"inf", result.infinite},
+                                   {"min", result.min},   {"max", result.max},
+                                   {"note", result.note}};
+    if (!result.reproduce.empty()) json["reproduce"] = result.reproduce;
+    if (!result.picture.empty()) json["picture"] = result.picture;
+    return json;
+}
+
+CaseResult case_from_json(const nlohmann::ordered_json& json) {
+    CaseResult result{.name = json.at("case"),
+                      .nan = json.at("nan"),
+                      .infinite = json.at("inf"),
+                      .min = json.at("min"),
+                      .max = json.at("max"),
+                      .note = json.at("note"),
+                      .reproduce = json.value("reproduce", ""),
+                      .picture = json.value("picture", "")};
+    for (const auto& [value, name] : kCaseVerdicts)
+        if (json.at("verdict") == name) result.verdict = value;
+    return result;
+}
+
+std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
+    std::vector<Case> list;
+    std::size_t group = 0, begin = 0;
+    const auto end_group = [&] {
+        for (; begin < list.size(); ++begin) list[begin].group = group;
+        ++group;
+    };
+    add_size_cases(list);
+    add_mouse_cases(list, subject);
+    end_group();
+    add_tweak_cases(list, subject);
+    end_group();
+    add_age_cases(list, subject);
+    end_group();
+    add_poison_cases(list, subject, effort);
+    add_other_cases(list, subject);
+    end_group();
+    add_step_cases(list, subject);
+    end_group();
+    add_long_case(list, subject);
+    end_group();
+    add_random_cases(list, subject, effort);
+    end_group();
+    return list;
+}
+
+CaseResult run_case(Check& check, const Case& wanted, const fs::path& folder) {
+    CheckSubject& subject = check.subject;
+    subject.restore();
+    CaseResult result{.name = wanted.name};
+    wanted.run(check, result);
+    const Observed& seen = subject.observed();
+    result.nan = seen.nan;
+    result.infinite = seen.infinite;
+    result.min = seen.min;
+    result.max = seen.max;
+    if (!seen.is_finite()) {
+        result.fail(describe(seen) + (result.note.empty() ? "" : "; " + result.note));
+    }
+    if (result.verdict != CaseVerdict::fail) return result;
+    result.reproduce = command_for_case(subject.view(), result.name);
+    try {
+        const fs::path picture = folder / (file_stem(subject.opened(), result.name) + ".png");
+        write_picture(subject, picture);
+        result.picture = picture.string();
+        result.reproduce = command_for(subject, result, folder);
+    } catch (const std::runtime_error& error) {  // the case has failed all the same
+        result.note += fmt::format("; no picture: {}", error.what());
+    }
+    return result;
+}
+
+}  // namespace glint

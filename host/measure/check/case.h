@@ -1,0 +1,94 @@
+// One case of a check: the extreme that a scene was brought to, and what came of it.
+#pragma once
+
+#include "measure/check/check.h"
+#include "measure/check/subject.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+enum class CaseVerdict { fail, report, pass, skip };  // worst first
+const char* to_string(CaseVerdict verdict);
+
+struct CaseResult {
+    std::string name;
+    CaseVerdict verdict = CaseVerdict::pass;
+    // Pixels of all buffers and of the picture, in the frame where the first were found.
+    std::size_t nan = 0, infinite = 0;
+    float min = 0.0f, max = 0.0f;  // of all finite values in all frames
+    std::string note{};
+    std::string reproduce{};  // the command that shows it again; failures only
+    std::string picture{};    // a file; failures only
+
+    void fail(std::string why);
+};
+
+nlohmann::ordered_json to_json(const CaseResult& result);
+CaseResult case_from_json(const nlohmann::ordered_json& json);
+
+// How a scene moves at an age: see check_age.cpp.
+struct Motion {
+    double moving = 0.0;         // share of frames at 60 Hz that differ from the one before
+    double finely_moving = 0.0;  // of frames 1/960 s apart
+    double unevenness = 0.0;     // of the change from frame to frame
+};
+
+// What a simulation has come to at a time, drawn at 60 Hz.
+struct State {
+    std::vector<float> picture;
+    std::vector<std::vector<float>> buffers{};  // of the passes with a step of their own
+    float largest = 0.0f;                       // of all that is fed back
+};
+
+// A scene under check, and what several cases need and one works out.
+struct Check {
+    CheckSubject& subject;
+    Effort effort;
+    double pace = 1.0;  // less than 1 for a scene whose frames take long
+    std::optional<Motion> young{};
+    std::optional<State> early{}, later{};  // after 0.25 s and 1 s
+
+    // How many frames to draw where a quick scene gets so many.
+    int paced(int frames, int least) const {
+        return std::max(least, static_cast<int>(frames * pace));
+    }
+};
+
+struct Case {
+    std::string name;
+    // Draws and judges; what is not finite is found by the subject and needs no words here.
+    std::function<void(Check&, CaseResult&)> run;
+    // What it changes of the tweaks, for which the subject has to be fed with uniforms.
+    enum class Tweaks { none, one, all, random } tweaks = Tweaks::none;
+    std::size_t group = 0;  // cases of a group share the seconds that it may take
+};
+
+// In the order in which they run. Which cases there are depends on the scene alone.
+std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort);
+
+// The parts of that list, one function a group.
+void add_age_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_random_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
+void add_size_cases(std::vector<Case>& list);
+void add_mouse_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_step_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
+void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
+
+// Calls for this one case of a file again.
+std::string command_for_case(const ViewOptions& view, const std::string& name);
+
+// Runs one case on a subject that is as it was opened, and leaves its traces: the numbers, and for
+// a failure a picture in `folder` and the command that shows it again.
+CaseResult run_case(Check& check, const Case& wanted, const std::filesystem::path& folder);
+
+}  // namespace glint

@@ -1,0 +1,140 @@
+#include "measure/check/check.h"
+
+#include "measure/check/process.h"
+#include "base/say.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Failures first, and among them those with the most that is not finite.
+void sort_worst_first(std::vector<CaseResult>& cases) {
+    std::stable_sort(cases.begin(), cases.end(), [](const CaseResult& a, const CaseResult& b) {
+        if (a.verdict != b.verdict) return a.verdict < b.verdict;
+        return a.nan + a.infinite > b.nan + b.infinite;
+    });
+}
+
+std::size_t count(const CheckedFile& file, CaseVerdict verdict) {
+    return static_cast<std::size_t>(
+        std::count_if(file.cases.begin(), file.cases.end(),
+                      [&](const CaseResult& result) { return result.verdict == verdict; }));
+}
+
+void print_table(const CheckedFile& file) {
+    std::size_t widest = 0;
+    for (const CaseResult& result : file.cases) widest = std::max(widest, result.name.size());
+    for (const CaseResult& result : file.cases) {
+        say_result("{:<6}  {:<{}}  {}\n", to_string(result.verdict), result.name,
+                   std::min<std::size_t>(widest, 40), result.note);
+        if (!result.picture.empty()) say_result("        picture: {}\n", result.picture);
+        if (!result.reproduce.empty()) say_result("        again: {}\n", result.reproduce);
+    }
+    const std::size_t skipped = count(file, CaseVerdict::skip);
+    say_result("{}: {} of {} cases failed{}, {:.0f} s, {}\n", file.scene,
+               count(file, CaseVerdict::fail), file.cases.size(),
+               skipped > 0 ? fmt::format(", {} left out", skipped) : "", file.seconds,
+               file.renderer);
+}
+
+Json to_json(const CheckedFile& file, const CaseResult& result) {
+    Json json = {{"scene", file.scene}};
+    json.update(glint::to_json(result));
+    return json;
+}
+
+// How far a file has come, on stdout; cases that were told of before are not told again.
+void print_lines(const CheckedFile& file, long total, std::size_t& told) {
+    for (; told < file.cases.size(); ++told) {
+        const Json line = {{"done", told + 1},
+                           {"of", total},
+                           {"renderer", file.renderer},
+                           {"case", to_json(file, file.cases[told])}};
+        say_result("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+    }
+    flush_results();
+}
+
+Json to_json(const std::vector<CheckedFile>& files) {
+    Json cases = Json::array(), list = Json::array();
+    std::size_t failed = 0;
+    std::string renderer;
+    for (const CheckedFile& file : files) {
+        failed += count(file, CaseVerdict::fail);
+        if (renderer.empty()) renderer = file.renderer;
+        list.push_back({{"scene", file.scene},
+                        {"code", static_cast<int>(file.code)},
+                        {"cases", file.cases.size()},
+                        {"failed", count(file, CaseVerdict::fail)},
+                        {"seconds", file.seconds}});
+        for (const CaseResult& result : file.cases) cases.push_back(to_json(file, result));
+    }
+    return {{"renderer", renderer}, {"failed", failed}, {"files", list}, {"cases", cases}};
+}
+
+ExitCode exit_code(const std::vector<CheckedFile>& files) {
+    ExitCode code = ExitCode::done;
+    for (const CheckedFile& file : files) {
+        if (file.code != ExitCode::done) return file.code;
+        if (count(file, CaseVerdict::fail) > 0) code = ExitCode::check_failed;
+    }
+    return code;
+}
+
+// The scene file of a preset; of what cannot be read, nothing.
+std::filesystem::path scene_file(const std::filesystem::path& file) {
+    const ReadPreset read = read_preset(file);
+    std::error_code ignored;
+    return read.preset ? std::filesystem::canonical(read.preset->scene.files.front(), ignored)
+                       : std::filesystem::path();
+}
+
+void require_cases(const std::vector<CheckedFile>& files, const std::string& only) {
+    for (const CheckedFile& file : files) {
+        if (file.code != ExitCode::done || !file.cases.empty()) continue;
+        throw UsageError(
+            fmt::format("--case '{}': {} has no case whose name begins so; without "
+                        "--case all are listed.",
+                        only, file.scene));
+    }
+}
+
+}  // namespace
+
+void run_check(const CheckOptions& options) {
+    std::vector<CheckedFile> files;
+    std::set<std::filesystem::path> scenes;
+    for (const std::filesystem::path& name : options.files) {
+        FileCheck wanted{.view = options.view,
+                         .effort = options.effort,
+                         .folder = options.output,
+                         .only = options.only,
+                         .scene_is_known = !scenes.insert(scene_file(name)).second,
+                         .hang_seconds = options.hang_seconds};
+        wanted.view.file = name;
+        std::unique_ptr<Progress> bar;
+        std::size_t told = 0;
+        files.push_back(check_file(wanted, [&](const CheckedFile& so_far, long total) {
+            if (!bar)
+                bar = std::make_unique<Progress>("checking " + name.filename().string(), total);
+            bar->update(static_cast<long>(so_far.cases.size()));
+            if (options.lines) print_lines(so_far, total, told);
+        }));
+        bar.reset();
+        sort_worst_first(files.back().cases);
+        const bool table = !options.view.json && !options.lines;
+        if (table && files.back().code == ExitCode::done) print_table(files.back());
+    }
+    if (!options.only.empty()) require_cases(files, options.only);
+    if (options.view.json) say_result("{}\n", to_json(files).dump(2));
+    const ExitCode code = exit_code(files);
+    if (code != ExitCode::done) throw Stop(code);
+}
+
+}  // namespace glint

@@ -1,0 +1,160 @@
+// Extremes that a person can bring a scene to: tweaks, sizes, the mouse.
+#include "measure/check/case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace glint {
+namespace {
+
+constexpr double kPlayed = 0.5;      // s of a simulation, with each set of tweaks
+constexpr double kPlayedSize = 0.1;  // s at each size
+constexpr double kPlayedLarge = 1.0 / 60;
+
+struct Range {
+    double min, max;
+};
+
+// Where the slider ends, or nothing: a number without a range stays at the preset's.
+std::optional<Range> range_of(const Tweak& tweak) {
+    if (!tweak.names.empty()) return Range{0.0, static_cast<double>(tweak.names.size() - 1)};
+    if (tweak.type == TweakType::bool1 || tweak.is_colour) return Range{0.0, 1.0};
+    if (tweak.min && tweak.max) return Range{*tweak.min, *tweak.max};
+    return std::nullopt;
+}
+
+TweakValue filled(const Tweak& tweak, double component) {
+    TweakValue value{};
+    value.fill(component);
+    return clamp_to_range(tweak, value);
+}
+
+void show_tweaks(Check& check) {
+    check.subject.show(check.subject.preset.time, kPlayed * std::max(check.pace, 0.2));
+}
+
+void set_all(CheckSubject& subject, bool to_max) {
+    const auto& tweaks = subject.scene().tweaks;
+    for (std::size_t i = 0; i < tweaks.size(); ++i) {
+        const auto range = range_of(tweaks[i]);
+        if (range) subject.preset.values[i] = filled(tweaks[i], to_max ? range->max : range->min);
+    }
+}
+
+// A value as a person might leave the slider, evenly over its length.
+double random_component(const Tweak& tweak, const Range& range, std::mt19937& random) {
+    // Not std::uniform_real_distribution: its numbers differ between libraries.
+    const double share = static_cast<double>(random()) / 4294967295.0;
+    if (tweak.log && range.min > 0.0) return range.min * std::pow(range.max / range.min, share);
+    return std::lerp(range.min, range.max, share);
+}
+
+void set_random(CheckSubject& subject, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto& tweaks = subject.scene().tweaks;
+    for (std::size_t i = 0; i < tweaks.size(); ++i) {
+        const auto range = range_of(tweaks[i]);
+        if (!range) continue;
+        TweakValue value{};
+        for (double& component : value) component = random_component(tweaks[i], *range, random);
+        subject.preset.values[i] = clamp_to_range(tweaks[i], value);
+    }
+}
+
+void add_extreme(std::vector<Case>& list, const Tweak& tweak, std::size_t index, double value) {
+    const TweakValue extreme = filled(tweak, value);
+    list.push_back({fmt::format("tweak {}={}", tweak.name, format_value(tweak, extreme)),
+                    [index, extreme](Check& check, CaseResult&) {
+                        check.subject.preset.values[index] = extreme;
+                        show_tweaks(check);
+                    },
+                    Case::Tweaks::one});
+}
+
+struct MousePlace {
+    const char* name;
+    glm::dvec2 at;  // fraction of the picture
+};
+constexpr MousePlace kMousePlaces[] = {{"bottom left", {0, 0}},    {"bottom right", {1, 0}},
+                                       {"top left", {0, 1}},       {"top right", {1, 1}},
+                                       {"outside, low", {-2, -2}}, {"outside, high", {3, 3}}};
+
+// Pressed at one place, held, dragged to another, released, and left alone.
+void run_mouse(glm::dvec2 press, glm::dvec2 drag, Check& check) {
+    const auto frames = [](int count) { return count / 60.0; };
+    check.subject.preset.events = {
+        {.time = frames(1), .down = true, .mouse = press},
+        {.time = frames(3), .down = true, .mouse = drag},
+        {.time = frames(5), .down = false, .mouse = drag},
+    };
+    check.subject.play_frames(0, 8, 60.0);
+}
+
+}  // namespace
+
+void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject) {
+    const auto& tweaks = subject.scene().tweaks;
+    if (tweaks.empty()) return;
+    for (const bool to_max : {false, true}) {
+        list.push_back({fmt::format("all tweaks at their {}", to_max ? "maximum" : "minimum"),
+                        [to_max](Check& check, CaseResult&) {
+                            set_all(check.subject, to_max);
+                            show_tweaks(check);
+                        },
+                        Case::Tweaks::all});
+    }
+    for (std::size_t i = 0; i < tweaks.size(); ++i) {
+        const auto range = range_of(tweaks[i]);
+        if (!range) continue;
+        if (tweaks[i].names.empty()) {
+            add_extreme(list, tweaks[i], i, range->min);
+            add_extreme(list, tweaks[i], i, range->max);
+        } else {
+            for (std::size_t k = 0; k < tweaks[i].names.size(); ++k) {
+                add_extreme(list, tweaks[i], i, static_cast<double>(k));
+            }
+        }
+    }
+}
+
+void add_random_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort) {
+    if (subject.scene().tweaks.empty()) return;
+    for (int seed = 1; seed <= effort.random.value_or(Effort::kRandom); ++seed) {
+        list.push_back({fmt::format("random tweaks {}", seed),
+                        [seed](Check& check, CaseResult&) {
+                            set_random(check.subject, static_cast<unsigned>(seed));
+                            show_tweaks(check);
+                        },
+                        Case::Tweaks::random});
+    }
+}
+
+void add_size_cases(std::vector<Case>& list) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), {7, 3}, {1, 512}, {512, 1}, {1920, 1080}}) {
+        list.push_back(
+            {fmt::format("size {}x{}", size.x, size.y), [size](Check& check, CaseResult&) {
+                 CheckSubject& subject = check.subject;
+                 subject.resize(size);
+                 const bool large = size.x * size.y > 1'000'000;
+                 subject.show(subject.preset.time, large ? kPlayedLarge : kPlayedSize);
+             }});
+    }
+}
+
+void add_mouse_cases(std::vector<Case>& list, const CheckSubject& subject) {
+    if (!subject.renderer().reads_mouse()) return;
+    for (const MousePlace& place : kMousePlaces) {
+        // Nobody can press outside; a drag may end there.
+        const bool outside = place.at.x < 0.0 || place.at.x > 1.0;
+        const glm::dvec2 middle(0.5);
+        list.push_back({fmt::format("mouse {}", place.name), [=](Check& check, CaseResult&) {
+                            run_mouse(outside ? middle : place.at, outside ? place.at : middle,
+                                      check);
+                        }});
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,41 @@
+// Runs the cases of one file in a process of its own, so that a shader that hangs, a GPU that is
+// reset and a driver that crashes are failed cases, and the rest is still checked.
+#pragma once
+
+#include "measure/check/case.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct CheckedFile {
+    std::string scene;
+    std::string renderer{};
+    ExitCode code = ExitCode::done;  // why it could not be checked at all
+    std::vector<CaseResult> cases{};
+    double seconds = 0.0;
+};
+
+struct FileCheck {
+    ViewOptions view;
+    Effort effort;
+    std::filesystem::path folder;  // for pictures of failures; made when there is one
+    std::string only;              // cases whose name begins so; empty: all
+    // Leave out what does not depend on the preset's tweaks: another preset of the scene went
+    // before.
+    bool scene_is_known = false;
+    double hang_seconds = 60.0;  // how long one frame may take
+};
+
+// How long the next frame is waited for: as long as a hang may take, but with a limit on all of it
+// no longer than what is left of that, and 10 s even when nothing is.
+double frame_wait_seconds(double hang_seconds, double all_seconds, double left_seconds);
+
+// `progress` hears what is known so far, and how many cases there are. Call before this process has
+// a GL context: drivers do not survive a fork.
+CheckedFile check_file(const FileCheck& wanted,
+                       const std::function<void(const CheckedFile& so_far, long total)>& progress);
+
+}  // namespace glint

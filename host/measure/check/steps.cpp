@@ -1,0 +1,239 @@
+// Frame times from 1/1000 s to the 30 s of a laptop's lid, and thousands of frames.
+#include "measure/check/case.h"
+#include "render/difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <span>
+
+namespace glint {
+namespace {
+
+constexpr double kEarly = 0.25, kLater = 1.0;  // s, where states are compared
+constexpr double kLidCatchUp = 0.25;           // s, as in the window
+constexpr int kFrames = 64, kLeastFrames = 8;  // at each frame time
+// A step's own state may differ by rounding alone; pictures by what a rate may change, such as the
+// noise of an average. Noise is gone from the means of tiles, a place is not.
+constexpr float kMostStateOff = 1e-3f;  // of the largest value
+constexpr double kMostTilesOff = 0.02;  // root mean square, in display values
+constexpr glm::ivec2 kTiles(8, 5);
+// Beyond this, and beyond a thousand times what it is at 60 Hz, a state has exploded.
+constexpr float kLargestHalf = 65504.0f;
+constexpr int kMoments = 240;
+constexpr double kMomentsSpan = 600.0;  // s
+constexpr float kGrowth = 8.0f;         // from the first quarter of a long run to its last
+
+struct FrameTime {
+    const char* name;
+    double fps;
+};
+constexpr FrameTime kFrameTimes[] = {{"1/1000 s", 1000}, {"1/240 s", 240}, {"1/60 s", 60},
+                                     {"1/30 s", 30},     {"0.25 s", 4},    {"1 s", 1},
+                                     {"30 s", 1.0 / 30}};
+
+State state_of(const CheckSubject& subject) {
+    State state{.picture = subject.picture(), .largest = subject.largest_state()};
+    const auto& graph = subject.renderer().graph().passes;
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        if (graph[i].pass == kImagePass || !subject.scene().passes[graph[i].pass].step) continue;
+        for (int output = 0; output < subject.renderer().buffer(i).shape().outputs; ++output) {
+            state.buffers.push_back(
+                subject.renderer().read_buffer(i, static_cast<std::size_t>(output)));
+        }
+    }
+    return state;
+}
+
+// The states that every frame rate has to reach. False when a frame was not finite.
+bool play_at_60_hz(Check& check) {
+    if (check.later) return true;
+    CheckSubject& subject = check.subject;
+    const int early = static_cast<int>(kEarly * 60.0), later = static_cast<int>(kLater * 60.0);
+    if (!subject.play_frames(0, early + 1, 60.0)) return false;
+    check.early = state_of(subject);
+    if (!subject.play_frames(early + 1, later + 1, 60.0)) return false;
+    check.later = state_of(subject);
+    subject.renderer().reset();
+    return true;
+}
+
+// Largest difference of two buffers, as a share of the largest value.
+float buffers_off(std::span<const float> a, std::span<const float> b) {
+    float largest = 1e-6f, off = 0.0f;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        largest = std::max({largest, std::abs(a[i]), std::abs(b[i])});
+        off = std::max(off, std::abs(a[i] - b[i]));
+    }
+    return off / largest;
+}
+
+// Means over tiles of the picture, red, green and blue.
+std::vector<double> tile_means(std::span<const float> picture, glm::ivec2 size) {
+    const auto tiles = static_cast<std::size_t>(kTiles.x * kTiles.y);
+    std::vector<double> sums(tiles * 3), counts(tiles, 1e-9);
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            const auto tile =
+                static_cast<std::size_t>(y * kTiles.y / size.y * kTiles.x + x * kTiles.x / size.x);
+            const auto pixel = static_cast<std::size_t>(y * size.x + x);
+            counts[tile] += 1.0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                sums[tile * 3 + c] +=
+                    std::clamp(static_cast<double>(picture[pixel * 4 + c]), 0.0, 1.0);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i / 3];
+    return sums;
+}
+
+double tiles_off(std::span<const float> a, std::span<const float> b, glm::ivec2 size) {
+    const std::vector<double> left = tile_means(a, size), right = tile_means(b, size);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        squares += (left[i] - right[i]) * (left[i] - right[i]);
+    }
+    return std::sqrt(squares / static_cast<double>(left.size()));
+}
+
+void compare_states(const State& now, const State& at_60_hz, double time, glm::ivec2 size,
+                    CaseResult& result) {
+    float off = 0.0f;
+    for (std::size_t i = 0; i < now.buffers.size(); ++i) {
+        off = std::max(off, buffers_off(now.buffers[i], at_60_hz.buffers[i]));
+    }
+    const double tiles = tiles_off(now.picture, at_60_hz.picture, size);
+    const Difference pictures = difference(now.picture, at_60_hz.picture);
+    if (off > kMostStateOff) {
+        result.fail(
+            fmt::format("after {} s the state of a step pass is {:.2g} of its largest value "
+                        "off what 60 Hz reaches",
+                        time, off));
+    } else if (tiles > kMostTilesOff) {
+        result.fail(
+            fmt::format("after {} s the picture is off what 60 Hz shows: by {:.3f} in the "
+                        "means of tiles, {:.1f} dB",
+                        time, tiles, pictures.psnr));
+    } else {
+        result.note = fmt::format("{:.1f} dB beside 60 Hz after {} s", pictures.psnr, time);
+    }
+}
+
+void judge_growth(const CheckSubject& subject, const State& at_60_hz, CaseResult& result) {
+    const float largest = subject.largest_state();
+    if (largest > std::max(kLargestHalf, 1000.0f * at_60_hz.largest)) {
+        result.fail(
+            fmt::format("the state explodes: {:.3g}, at 60 Hz {:.3g}", largest, at_60_hz.largest));
+    }
+}
+
+// Frames of one length: first to where states are compared, then on, to see what grows.
+void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    if (!subject.stateful()) {
+        subject.play_frames(0, 3, step.fps);
+        return;
+    }
+    if (!play_at_60_hz(check)) return;
+    const bool lid = step.fps < 1.0;
+    const double met = step.fps > 500.0 ? kEarly : kLater;
+    const int last = lid ? 1 : static_cast<int>(std::lround(met * step.fps));
+    const Playback endless{.end = 1e6, .fps = step.fps};
+    for (int k = 0; k <= std::max(last, check.paced(kFrames, kLeastFrames)); ++k) {
+        Frame frame = endless.frame(subject.preset, k);
+        if (lid) frame.longest_catch_up = kLidCatchUp;
+        subject.still.reset();
+        if (!lid) subject.still = StillPlace{k / step.fps, step.fps};
+        if (!subject.draw(frame)) return;
+        if (k != last || lid) continue;
+        compare_states(state_of(subject), met == kEarly ? *check.early : *check.later, met,
+                       subject.preset.size, result);
+        if (result.verdict == CaseVerdict::fail) return;
+    }
+    judge_growth(subject, *check.later, result);
+}
+
+// Frames of any length, one after the other.
+void run_mixed_steps(Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    if (!play_at_60_hz(check)) return;
+    constexpr double kShort[] = {1.0 / 1000, 1.0 / 240, 1.0 / 60, 1.0 / 30, 0.25};
+    constexpr double kAny[] = {1.0 / 1000, 1.0 / 240, 1.0 / 60, 1.0 / 30, 0.25, 1.0, 30.0};
+    std::mt19937 random(1);
+    double time = 0.0;
+    subject.still.reset();
+    if (!subject.draw(subject.frame_at(0.0, 1.0 / 60, 0))) return;
+    long index = 1;
+    for (; time < kLater; ++index) {
+        const double delta = std::min(kShort[random() % std::size(kShort)], kLater - time);
+        time = kLater - time - delta < 1e-9 ? kLater : time + delta;
+        if (!subject.draw(subject.frame_at(time, delta, index))) return;
+    }
+    compare_states(state_of(subject), *check.later, kLater, subject.preset.size, result);
+    if (result.verdict == CaseVerdict::fail) return;
+    for (int k = 0; k < check.paced(kFrames, kLeastFrames); ++k) {
+        const double delta = kAny[random() % std::size(kAny)];
+        time += delta;
+        Frame frame = subject.frame_at(time, delta, index + k);
+        frame.longest_catch_up = kLidCatchUp;
+        if (!subject.draw(frame)) return;
+    }
+    judge_growth(subject, *check.later, result);
+}
+
+// A simulation frame by frame; of another scene, moments spread over ten minutes.
+void run_long(Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    if (!subject.stateful()) {
+        const int moments = check.paced(kMoments, 12);
+        for (int k = 0; k < moments; ++k) {
+            if (!subject.show(subject.preset.time + k * kMomentsSpan / moments, 0.0)) return;
+        }
+        result.note = fmt::format("{} moments over 10 minutes", moments);
+        return;
+    }
+    const int wanted = check.effort.frames.value_or(Effort::kFrames);
+    const Stopwatch clock;
+    std::vector<float> largest;
+    int done = 0;
+    for (; done < wanted; ++done) {
+        if (!subject.play_frames(done, done + 1, 60.0)) return;
+        largest.push_back(subject.largest_state());
+        if (!check.effort.frames && check.effort.over(clock.ms(), 0.25)) break;
+    }
+    result.note = done < wanted ? fmt::format("{} of {} frames; --seconds {} were over", done,
+                                              wanted, check.effort.seconds)
+                                : fmt::format("{} frames", done);
+    const auto quarter = static_cast<std::ptrdiff_t>(largest.size() / 4);
+    if (quarter == 0) return;
+    const float first = *std::max_element(largest.begin(), largest.begin() + quarter);
+    const float last = *std::max_element(largest.end() - quarter, largest.end());
+    // What starts at nothing may rise to 1; a sum over frames grows by four.
+    if (last > 1.0f && last > kGrowth * first) {
+        result.fail(
+            fmt::format("the state grows from {:.3g} in the first {} frames to {:.3g} in "
+                        "the last",
+                        first, quarter, last));
+    }
+}
+
+}  // namespace
+
+void add_step_cases(std::vector<Case>& list, const CheckSubject& subject) {
+    if (!subject.moves()) return;
+    for (const FrameTime& step : kFrameTimes) {
+        list.push_back(
+            {fmt::format("frames of {}", step.name),
+             [&step](Check& check, CaseResult& result) { run_steps(step, check, result); }});
+    }
+    if (subject.stateful()) list.push_back({"frames of mixed lengths", run_mixed_steps});
+}
+
+void add_long_case(std::vector<Case>& list, const CheckSubject& subject) {
+    if (subject.moves()) list.push_back({"long run", run_long});
+}
+
+}  // namespace glint

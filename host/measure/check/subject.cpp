@@ -1,0 +1,183 @@
+#include "measure/check/subject.h"
+
+#include "offline/input_files.h"
+#include "render/viewer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+// iFrame is an int; a year at 60 Hz still fits, and what counts further stays there.
+constexpr long kMostFrames = 2'000'000'000;
+
+// Pixels; one that has both NaN and Inf counts once.
+std::size_t count_not_finite(std::span<const float> rgba) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+        count += !std::isfinite(rgba[i]) || !std::isfinite(rgba[i + 1]) ||
+                 !std::isfinite(rgba[i + 2]) || !std::isfinite(rgba[i + 3]);
+    }
+    return count;
+}
+
+}  // namespace
+
+std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
+    return pass == kImagePass ? std::vector<std::string>{"image"} : scene.passes[pass].outputs;
+}
+
+CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
+                           const SubjectOptions& options)
+    : preset(opened),
+      view_(view),
+      opened_(opened),
+      specialised_(options.specialise),
+      context_(context) {
+    for (Pass& pass : preset.scene.passes) {
+        if (pass.format == PixelFormat::rgba32f) pass.format = options.buffers;
+    }
+    CompiledScene compiled =
+        compile_or_stop(preset, {.program = {.specialise = options.specialise}});
+    for (const PassProgram& program : compiled.programs) {
+        for (const BuiltinUniform& uniform : program.builtins) {
+            builtins_.push_back(uniform.builtin);
+        }
+    }
+    renderer_.emplace(preset, std::move(compiled),
+                      RenderOptions{.size = preset.size, .picture_format = PixelFormat::rgba32f});
+    load_inputs(preset, *renderer_);
+    looked_at_.resize(renderer_->graph().passes.size());
+}
+
+void CheckSubject::restore() {
+    preset.values = opened_.values;
+    preset.events = opened_.events;
+    resize(opened_.size);
+    // A scene without a state has nothing to forget, and its static passes need not run again.
+    if (stateful()) renderer_->reset();
+    std::fill(looked_at_.begin(), looked_at_.end(), std::nullopt);
+    observed_ = {};
+    still.reset();
+}
+
+void CheckSubject::resize(glm::ivec2 size) {
+    preset.size = size;
+    renderer_->resize(size);
+}
+
+void CheckSubject::draw_blindly(const Frame& frame) {
+    renderer_->draw(frame);
+    context_.finish();
+    if (after_frame) after_frame();
+}
+
+bool CheckSubject::draw(const Frame& frame) {
+    if (!observed_.is_finite()) return false;
+    draw_blindly(frame);
+    for (std::size_t i = 0; i < looked_at_.size(); ++i) {
+        const std::size_t version = renderer_->buffer(i).version();
+        if (looked_at_[i] == version) continue;
+        looked_at_[i] = version;
+        look(i);
+    }
+    return observed_.is_finite();
+}
+
+void CheckSubject::look(std::size_t graph_index) {
+    const BufferShape& shape = renderer_->buffer(graph_index).shape();
+    if (shape.format == PixelFormat::rgba8) return;  // holds nothing that is not finite
+    const std::size_t pass = renderer_->graph().passes[graph_index].pass;
+    const auto names = output_names(scene(), pass);
+    for (std::size_t output = 0; output < names.size(); ++output) {
+        std::vector<float> values = renderer_->read_buffer(graph_index, output);
+        if (pass == kImagePass) {  // whose alpha means nothing
+            for (std::size_t i = 0; i + 3 < values.size(); i += 4) values[i + 3] = values[i];
+        }
+        const BufferStatistics found = statistics(values);
+        for (int c = 0; c < 4; ++c) {
+            if (found.min[c] > found.max[c]) continue;  // nothing finite
+            observed_.min = observed_.any ? std::min(observed_.min, found.min[c]) : found.min[c];
+            observed_.max = observed_.any ? std::max(observed_.max, found.max[c]) : found.max[c];
+            observed_.any = true;
+        }
+        if (found.nan + found.infinite == 0) continue;
+        observed_.nan += found.nan;
+        observed_.infinite += found.infinite;
+        observed_.found.push_back({names[output], count_not_finite(values)});
+        observed_.size = {shape.cube ? shape.size.x * 6 : shape.size.x, shape.size.y};
+        observed_.values = std::move(values);
+    }
+}
+
+Frame CheckSubject::frame_at(double time, double delta, long index) const {
+    const double before = index == 0 ? -1.0 : time - delta;  // nothing happens before 0
+    Frame frame;
+    frame.time = time;
+    frame.time_delta = delta;
+    frame.frame_rate = 1.0 / delta;
+    frame.frame = static_cast<int>(std::min(index, kMostFrames));
+    frame.date = shadertoy_date(preset.date, time);
+    frame.input = replay(preset.events, before, time, preset.size);
+    frame.events = preset.events;
+    return frame;
+}
+
+bool CheckSubject::play_frames(int first, int end, double fps) {
+    const Playback endless{.end = 1e6, .fps = fps};
+    for (int k = first; k < end; ++k) {
+        still = StillPlace{k / fps, fps};
+        if (!draw(endless.frame(preset, k))) return false;
+    }
+    return true;
+}
+
+bool CheckSubject::show(double time, double longest) {
+    const Playback playback{.end = stateful() ? std::min(time, longest) : time};
+    const int last = playback.last_frame();
+    for (int k = stateful() ? 0 : last; k <= last; ++k) {
+        const Frame frame = playback.frame(preset, k);
+        still = StillPlace{frame.time, playback.fps};
+        if (!draw(frame)) return false;
+    }
+    return true;
+}
+
+bool CheckSubject::moves() const {
+    const auto& passes = renderer_->graph().passes;
+    return std::any_of(passes.begin(), passes.end(),
+                       [](const GraphPass& pass) { return pass.runs != Runs::on_change; });
+}
+
+bool CheckSubject::reads(Builtin builtin) const {
+    return std::find(builtins_.begin(), builtins_.end(), builtin) != builtins_.end();
+}
+
+bool CheckSubject::is_fed_back(std::size_t graph_index) const {
+    const auto& passes = renderer_->graph().passes;
+    const std::size_t pass = passes[graph_index].pass;
+    return std::any_of(passes.begin(), passes.end(), [&](const GraphPass& reader) {
+        return reader.pass <= pass &&
+               std::find(reader.reads.begin(), reader.reads.end(), pass) != reader.reads.end();
+    });
+}
+
+float CheckSubject::largest_state() const {
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < renderer_->graph().passes.size(); ++i) {
+        if (!is_fed_back(i)) continue;
+        for (int output = 0; output < renderer_->buffer(i).shape().outputs; ++output) {
+            for (const float v : renderer_->read_buffer(i, static_cast<std::size_t>(output))) {
+                if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+            }
+        }
+    }
+    return largest;
+}
+
+std::vector<float> CheckSubject::picture() const {
+    return renderer_->read_buffer(renderer_->graph().passes.size() - 1, 0);
+}
+
+}  // namespace glint

@@ -1,0 +1,115 @@
+// A scene under check: drawn small, every value of every buffer looked at.
+#pragma once
+
+#include "gl/context.h"
+#include "offline/common.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// What has been seen since the last restore().
+struct Observed {
+    // The first frame that had any: how many pixels, and in which outputs, in drawing order.
+    std::size_t nan = 0, infinite = 0;
+    struct Found {
+        std::string output;  // the sampler, or "image"
+        std::size_t pixels;
+    };
+    std::vector<Found> found;
+    // The picture, or the last buffer, that has any; RGBA.
+    std::vector<float> values;
+    glm::ivec2 size{0};            // of `values`
+    float min = 0.0f, max = 0.0f;  // of all finite values so far
+    bool any = false;              // there were some
+    bool is_finite() const { return nan == 0 && infinite == 0; }
+};
+
+// What `glint still` is told to draw the same frame.
+struct StillPlace {
+    double time = 0.0, fps = 60.0;
+};
+
+struct SubjectOptions {
+    PixelFormat buffers = PixelFormat::rgba32f;  // instead of 32-bit floats
+    // Tweaks written in as constants, as a still draws them, and passes left out that they switch
+    // off; the preset's values cannot be changed then.
+    bool specialise = true;
+};
+
+class CheckSubject {
+public:
+    // Compiles; throws Stop.
+    CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
+                 const SubjectOptions& options = {});
+    CheckSubject(const CheckSubject&) = delete;
+    CheckSubject& operator=(const CheckSubject&) = delete;
+
+    // Tweaks, size, events and buffers as they were at first; nothing observed.
+    void restore();
+
+    // Events may be changed, and without constants the values of tweaks; the size by resize().
+    Preset preset;
+    void resize(glm::ivec2 size);
+
+    // Draws one frame, waits for it and looks at all that was drawn. False, and nothing is looked
+    // at any more, once something was not finite.
+    bool draw(const Frame& frame);
+
+    // Draws a frame that nobody looks at.
+    void draw_blindly(const Frame& frame);
+
+    // Frames from `first` to `end`, each drawn, of a scene that is played at this rate from 0.
+    bool play_frames(int first, int end, double fps);
+
+    // What a still at this time shows: a stateless scene draws one frame, another is played from 0
+    // for at most `longest` seconds.
+    bool show(double time, double longest);
+
+    // Frame `index` of a playback that has reached `time`; the last frame took `delta`.
+    Frame frame_at(double time, double delta, long index) const;
+
+    bool stateful() const { return renderer_->graph().stateful; }
+    // Whether anything is new from frame to frame without a person.
+    bool moves() const;
+    bool reads(Builtin builtin) const;
+    // Whether a frame finds in this buffer what an earlier one left, not only what itself drew.
+    bool is_fed_back(std::size_t graph_index) const;
+    // The largest finite magnitude in what is fed back.
+    float largest_state() const;
+
+    std::vector<float> picture() const;
+    Renderer& renderer() { return *renderer_; }
+    const Renderer& renderer() const { return *renderer_; }
+    Context& context() { return context_; }
+    const Observed& observed() const { return observed_; }
+    const Preset& opened() const { return opened_; }
+    const ViewOptions& view() const { return view_; }
+    bool specialised() const { return specialised_; }
+    const Scene& scene() const { return preset.scene; }
+
+    // Set while a still can show the frame that was drawn last.
+    std::optional<StillPlace> still;
+
+    // Called after each frame, to tell that the driver still answers.
+    std::function<void()> after_frame;
+
+private:
+    void look(std::size_t graph_index);
+
+    ViewOptions view_;
+    Preset opened_;
+    bool specialised_;
+    Context& context_;
+    std::vector<Builtin> builtins_;  // that any pass reads
+    std::optional<Renderer> renderer_;
+    std::vector<std::optional<std::size_t>> looked_at_;  // the version of each buffer
+    Observed observed_;
+};
+
+// The names of a pass's outputs; the picture has one, "image".
+std::vector<std::string> output_names(const Scene& scene, std::size_t pass);
+
+}  // namespace glint

@@ -1,0 +1,32 @@
+// One picture of a study, and the time that its frames take.
+#pragma once
+
+#include "gl/context.h"
+#include "measure/study/result.h"
+
+#include <functional>
+
+namespace glint {
+
+struct Measured {
+    std::vector<float> picture;  // RGBA of what is compared
+    Timing wall{}, gpu{}, processor{};
+    double all_passes_ms = 0.0;
+};
+
+struct MeasureOptions {
+    std::size_t pass = kImagePass;
+    std::size_t output = 0;
+    bool specialise = true;
+    int frames = 0;  // timed ones; 0: the picture alone
+};
+
+// Compiles the scene with this setting, plays it to the preset's time and draws. With settle, the
+// time is that of all its frames together. Throws what a still throws.
+Measured measure(const Preset& preset, const Setting& setting, Context& context,
+                 const MeasureOptions& options);
+
+// "Xeon …, 2 threads": the processor, and how many of its threads there are.
+std::string machine_name();
+
+}  // namespace glint

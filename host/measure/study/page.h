@@ -1,0 +1,16 @@
+// A study's report as a page that opens with no network: index.html, with its diagrams inside and
+// its pictures beside it.
+#pragma once
+
+#include "measure/study/result.h"
+
+#include <filesystem>
+#include <span>
+
+namespace glint {
+
+// Writes `folder`/index.html. The diagrams are drawn by gnuplot; where it is missing, the page says
+// so in their place.
+void write_page(const std::filesystem::path& folder, std::span<const Study> studies);
+
+}  // namespace glint

@@ -1,0 +1,417 @@
+#include "measure/study/plan.h"
+
+#include "scene/value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr int kMostValues = 9, kLinearValues = 6;
+constexpr double kWideRange = 16.0;  // of whole numbers: beyond, values double
+const std::string kSettle = "settle";
+const std::vector<int> kSettleValues = {0, 1, 4, 16, 64};
+constexpr int kSettleReference = 256;
+
+// "NAME=rest".
+struct Assignment {
+    std::string name, rest;
+};
+
+Assignment split(const std::string& text, const char* option) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+        throw UsageError(fmt::format("{} {}: write NAME=VALUE.", option, text));
+    }
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+const Tweak* find_tweak(const Scene& scene, const std::string& name) {
+    const auto found = std::find_if(scene.tweaks.begin(), scene.tweaks.end(),
+                                    [&](const Tweak& tweak) { return tweak.name == name; });
+    return found == scene.tweaks.end() ? nullptr : &*found;
+}
+
+bool is_number(const Tweak& tweak) {
+    return tweak.names.empty() &&
+           (tweak.type == TweakType::float1 || tweak.type == TweakType::int1);
+}
+
+// Builds settings from what the preset has.
+class Planner {
+public:
+    Planner(const Preset& preset, const SceneFacts& facts, const StudyOptions& options)
+        : preset_(preset), facts_(facts), options_(options) {}
+
+    Knob knob(const Tweak& tweak, const std::vector<TweakValue>& values) const;
+    Knob settle_knob(const std::vector<int>& values) const;
+    // With the preset's own value among them.
+    Knob with_own(Knob knob, KnobValue own) const;
+    Knob knob_and_own(const Tweak& tweak, const std::vector<TweakValue>& values) const {
+        return with_own(knob(tweak, values), value(tweak, preset_.values[index(tweak)]));
+    }
+    Knob settle_and_own(const std::vector<int>& values) const {
+        return with_own(settle_knob(values), settle(preset_.settle));
+    }
+
+    KnobValue value(const Tweak& tweak, const TweakValue& value) const {
+        KnobValue result{.text = format_value(tweak, value), .work = {}, .setting = setting()};
+        if (is_number(tweak)) result.work = value[0];
+        result.setting.values[index(tweak)] = value;
+        return result;
+    }
+    KnobValue settle(int frames) const {
+        KnobValue result{
+            .text = fmt::format("{}", frames), .work = frames + 1.0, .setting = setting()};
+        result.setting.settle = frames;
+        return result;
+    }
+
+    TweakValue parse(const Tweak& tweak, const std::string& text, const char* option) const;
+    // What an option says of this knob, if anything.
+    std::optional<std::string> said(const std::vector<std::string>& list, const std::string& name,
+                                    const char* option) const;
+
+private:
+    Setting setting() const { return {preset_.values, preset_.settle}; }
+    std::size_t index(const Tweak& tweak) const {
+        return static_cast<std::size_t>(&tweak - preset_.scene.tweaks.data());
+    }
+    void choose_reference(const Tweak& tweak, Knob& knob) const;
+    std::optional<KnobValue> second_seed(const Knob& knob) const;
+    std::vector<bool> own_quality(const Tweak& tweak, const Knob& knob) const;
+    std::optional<KnobValue> more_work(const Tweak& tweak, const Knob& knob) const;
+
+    const Preset& preset_;
+    const SceneFacts& facts_;
+    const StudyOptions& options_;
+};
+
+TweakValue Planner::parse(const Tweak& tweak, const std::string& text, const char* option) const {
+    const auto value = parse_value(tweak, text);
+    if (!value) {
+        throw UsageError(
+            fmt::format("{} {}: '{}' is not {}.", option, tweak.name, text, expected_value(tweak)));
+    }
+    return *value;
+}
+
+std::optional<std::string> Planner::said(const std::vector<std::string>& list,
+                                         const std::string& name, const char* option) const {
+    for (const std::string& text : list) {
+        const Assignment assignment = split(text, option);
+        if (assignment.name == name) return assignment.rest;
+    }
+    return std::nullopt;
+}
+
+void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
+    if (const auto text = said(options_.reference, tweak.name, "--reference")) {
+        knob.reference = value(tweak, parse(tweak, *text, "--reference"));
+    } else if (tweak.reference) {
+        knob.reference = value(tweak, *tweak.reference);
+    } else {
+        knob.reference = knob.values.back();
+        if (!options_.time_only) {
+            knob.notes.push_back(
+                fmt::format("{} declares no reference: its last value, {}, counts as the truth",
+                            tweak.name, knob.reference.text));
+        }
+    }
+    // A method that accumulates, of a scene that otherwise does not, is the truth only after it
+    // has.
+    if (!is_number(tweak) && !facts_.accumulates(preset_.values) &&
+        facts_.accumulates(knob.reference.setting.values)) {
+        int& settle = knob.reference.setting.settle;
+        settle = std::max(settle, kSettleReference);
+        knob.notes.push_back(fmt::format("the reference, {}, accumulates {} more frames",
+                                         knob.reference.text, settle));
+    }
+    if (!knob.reference.work) return;
+    double least = knob.values.front().work.value_or(0.0), most = least;
+    for (const KnobValue& v : knob.values) {
+        least = std::min(least, v.work.value_or(least));
+        most = std::max(most, v.work.value_or(most));
+    }
+    knob.more_is_better = *knob.reference.work - least >= most - *knob.reference.work;
+}
+
+std::optional<KnobValue> Planner::second_seed(const Knob& knob) const {
+    const Tweak* seed = find_tweak(preset_.scene, "seed");
+    if (!seed || !is_number(*seed) || !facts_.read[index(*seed)]) return std::nullopt;
+    KnobValue result = knob.reference;
+    result.setting.values[index(*seed)][0] += 1.0;
+    result.text += ", another seed";
+    return result;
+}
+
+// By tweak: quality that the reference's method reads and no other of the menu does. What they all
+// read, such as rays through a pixel, changes the picture and not how far the method is from it.
+std::vector<bool> Planner::own_quality(const Tweak& tweak, const Knob& knob) const {
+    const TweakValue& method = knob.reference.setting.values[index(tweak)];
+    std::vector<bool> own = facts_.read_with(index(tweak), method);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const Tweak& other = preset_.scene.tweaks[i];
+        own[i] = own[i] && other.quality && is_number(other);
+    }
+    for (const KnobValue& value : knob.values) {
+        const TweakValue& other = value.setting.values[index(tweak)];
+        if (other == method) continue;
+        const std::vector<bool> read = facts_.read_with(index(tweak), other);
+        for (std::size_t i = 0; i < own.size(); ++i) own[i] = own[i] && !read[i];
+    }
+    return own;
+}
+
+// Twice the work of a number; of a method, twice the frames, or twice its own quality, or, where it
+// has none, of all other quality tweaks.
+std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob) const {
+    if (is_number(tweak)) {
+        TweakValue twice = knob.reference.setting.values[index(tweak)];
+        const bool whole = tweak.type == TweakType::int1;
+        twice[0] = knob.more_is_better ? twice[0] * 2.0 : twice[0] / 2.0;
+        if (whole) twice[0] = std::floor(twice[0]);
+        if (twice == knob.reference.setting.values[index(tweak)]) return std::nullopt;
+        return value(tweak, twice);
+    }
+    KnobValue result = knob.reference;
+    if (facts_.accumulates(result.setting.values)) {
+        result.setting.settle = 2 * result.setting.settle + 1;
+        result.text += ", twice the frames";
+        return result;
+    }
+    std::vector<bool> doubled = own_quality(tweak, knob);
+    const bool any_own = std::find(doubled.begin(), doubled.end(), true) != doubled.end();
+    bool any = false;
+    for (const Tweak& other : preset_.scene.tweaks) {
+        const bool is_wanted = any_own ? doubled[index(other)] : other.quality && is_number(other);
+        if (!is_wanted || &other == &tweak) continue;
+        result.setting.values[index(other)][0] *= 2.0;
+        any = true;
+    }
+    result.text += any_own ? ", its own quality doubled" : ", all other quality doubled";
+    return any ? std::optional(result) : std::nullopt;
+}
+
+Knob Planner::knob(const Tweak& tweak, const std::vector<TweakValue>& values) const {
+    Knob result{.name = tweak.name};
+    for (const TweakValue& v : values) result.values.push_back(value(tweak, v));
+    choose_reference(tweak, result);
+    if (options_.time_only) return result;
+    if (const auto text = said(options_.second, tweak.name, "--second")) {
+        result.second = value(tweak, parse(tweak, *text, "--second"));
+    } else {
+        result.second = second_seed(result);
+        if (!result.second) result.second = more_work(tweak, result);
+    }
+    return result;
+}
+
+Knob Planner::settle_knob(const std::vector<int>& values) const {
+    Knob result{.name = kSettle};
+    for (const int frames : values) result.values.push_back(settle(frames));
+    const auto reference = said(options_.reference, kSettle, "--reference");
+    const auto second = said(options_.second, kSettle, "--second");
+    const auto frames = [](const std::string& text) {
+        const auto number = parse_number(text);
+        if (!number || *number < 0.0 || *number > 1e6 || *number != std::floor(*number)) {
+            throw UsageError(fmt::format("settle={}: write a whole number from 0.", text));
+        }
+        return static_cast<int>(*number);
+    };
+    const int truth = reference ? frames(*reference) : std::max(kSettleReference, values.back());
+    result.reference = settle(truth);
+    if (options_.time_only) return result;
+    result.second = second ? settle(frames(*second)) : second_seed(result);
+    if (!result.second) result.second = settle(2 * truth + 1);
+    return result;
+}
+
+Knob Planner::with_own(Knob knob, KnobValue own) const {
+    const auto same = [&](const KnobValue& v) { return v.text == own.text; };
+    if (!own.work || std::any_of(knob.values.begin(), knob.values.end(), same)) return knob;
+    own.is_between = true;
+    const auto after =
+        std::find_if(knob.values.begin(), knob.values.end(),
+                     [&](const KnobValue& v) { return v.work.value_or(0.0) > *own.work; });
+    knob.values.insert(after, std::move(own));
+    return knob;
+}
+
+// From the least to the most, doubled or evenly.
+std::vector<TweakValue> spread_values(const Tweak& tweak, double least, double most) {
+    std::vector<TweakValue> list;
+    const auto add = [&](double v) {
+        const TweakValue value = clamp_to_range(tweak, {v});
+        if (list.empty() || list.back() != value) list.push_back(value);
+    };
+    const bool whole = tweak.type == TweakType::int1;
+    const bool doubled = least > 0.0 && (tweak.log || (whole && most / least > kWideRange));
+    if (doubled) {
+        double ratio = 2.0;
+        while (std::log(most / least) / std::log(ratio) > kMostValues - 1) ratio *= 2.0;
+        for (double v = least; v < most * 0.999; v *= ratio) add(v);
+        add(most);
+    } else {
+        const int count =
+            whole ? std::min(kMostValues, static_cast<int>(most - least) + 1) : kLinearValues;
+        for (int i = 0; i < count; ++i) add(std::lerp(least, most, i / std::max(count - 1.0, 1.0)));
+    }
+    return list;
+}
+
+// All values that a study takes when nobody names any; none when the range is not known.
+std::vector<TweakValue> values_of(const Tweak& tweak) {
+    if (!tweak.names.empty() || tweak.type == TweakType::bool1) {
+        std::vector<TweakValue> list;
+        const std::size_t count = tweak.names.empty() ? 2 : tweak.names.size();
+        for (std::size_t i = 0; i < count; ++i) list.push_back({static_cast<double>(i)});
+        return list;
+    }
+    if (!is_number(tweak) || !tweak.min || !tweak.max) return {};
+    return spread_values(tweak, *tweak.min, *tweak.max);
+}
+
+// A knob with its own values: those that it takes where nobody names any.
+Knob named_knob(const Planner& planner, const Preset& preset, const SceneFacts& facts,
+                const std::string& name) {
+    const Tweak* tweak = find_tweak(preset.scene, name);
+    if (!tweak && name == kSettle && facts.accumulates(preset.values))
+        return planner.settle_and_own(kSettleValues);
+    const std::vector<TweakValue> values = tweak ? values_of(*tweak) : std::vector<TweakValue>();
+    if (values.empty()) {
+        throw UsageError(
+            fmt::format("--vary {}: the scene has no such tweak with a range or a menu; name its "
+                        "values with --vary {}=a,b,c.",
+                        name, name));
+    }
+    return planner.knob_and_own(*tweak, values);
+}
+
+Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts& facts,
+                 const Assignment& vary) {
+    const std::vector<std::string> words = parse_list(vary.rest);
+    const Tweak* tweak = find_tweak(preset.scene, vary.name);
+    if (!tweak && vary.name == kSettle) {
+        if (!facts.accumulates(preset.values)) {
+            throw UsageError("--vary settle: no pass of this scene accumulates frames.");
+        }
+        std::vector<int> frames;
+        for (const std::string& word : words) {
+            frames.push_back(static_cast<int>(parse_number(word).value_or(-1.0)));
+            if (frames.back() < 0) throw UsageError("--vary settle: write whole numbers from 0.");
+        }
+        return planner.settle_knob(frames);
+    }
+    if (!tweak || component_count(tweak->type) > 1) {
+        throw UsageError(
+            fmt::format("--vary {}: the scene has no such tweak of one number, or "
+                        "menu.",
+                        vary.name));
+    }
+    std::vector<TweakValue> values;
+    for (const std::string& word : words) {
+        values.push_back(planner.parse(*tweak, word, "--vary"));
+        if (clamp_to_range(*tweak, values.back()) != values.back()) {
+            throw UsageError(
+                fmt::format("--vary {}: '{}' is not {}.", vary.name, word, expected_value(*tweak)));
+        }
+    }
+    return planner.knob(*tweak, values);
+}
+
+}  // namespace
+
+std::vector<std::string> parse_list(const std::string& text) {
+    std::vector<std::string> list;
+    const auto number = [&](std::size_t from_end) {
+        return list.size() < from_end ? 0.0
+                                      : parse_number(list[list.size() - from_end]).value_or(0.0);
+    };
+    double ratio = 0.0;  // 0: no dots stand before this word
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        const std::string word(trimmed(std::string_view(text).substr(at, comma - at)));
+        at = comma + 1;
+        if (word == "..." || word == "\u2026") {
+            ratio = number(2) > 0.0 ? number(1) / number(2) : 2.0;
+            continue;
+        }
+        const double end = parse_number(word).value_or(0.0);
+        if (ratio > 1.0 && number(1) > 0.0) {
+            for (double v = number(1) * ratio; v < end * 0.999; v *= ratio) {
+                list.push_back(format_number(v));
+            }
+        }
+        ratio = 0.0;
+        list.push_back(word);
+    }
+    return list;
+}
+
+SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
+    const auto read_by = [](const Preset& view, const CompiledScene& compiled) {
+        std::vector<bool> read(view.scene.tweaks.size(), false);
+        for (const PassProgram& program : compiled.programs) {
+            for (const TweakUniform& uniform : program.tweaks) read[uniform.tweak] = true;
+        }
+        return read;
+    };
+    const CompiledScene fed =
+        compile_or_stop(preset, {.root = root_pass, .program = {.specialise = false}});
+    SceneFacts facts{.read = read_by(preset, fed), .read_with = {}, .accumulates = {}};
+    facts.read_with = [&preset, root_pass, read_by](std::size_t tweak, const TweakValue& value) {
+        Preset turned = preset;
+        turned.values[tweak] = value;
+        return read_by(
+            turned, compile_or_stop(turned, {.root = root_pass,
+                                             .program = {.specialise = false, .constant = tweak}}));
+    };
+    const auto any_state = [](const CompiledScene& compiled) {
+        const auto& passes = compiled.graph.passes;
+        return std::any_of(passes.begin(), passes.end(), [](const GraphPass& pass) {
+            return pass.feeds_state && pass.runs == Runs::every_frame;
+        });
+    };
+    // Tweaks can only take a state away from what the uniform-fed form has.
+    facts.accumulates = [&preset, root_pass, any_state,
+                         possible = any_state(fed)](const std::vector<TweakValue>& values) {
+        if (!possible) return false;
+        Preset turned = preset;
+        turned.values = values;
+        return any_state(compile_or_stop(turned, {.root = root_pass, .program = {}}));
+    };
+    return facts;
+}
+
+StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options) {
+    const Planner planner(preset, facts, options);
+    StudyPlan plan;
+    for (const std::string& text : options.vary) {
+        const bool only_named = text.find('=') == std::string::npos;
+        plan.knobs.push_back(only_named
+                                 ? named_knob(planner, preset, facts, text)
+                                 : varied_knob(planner, preset, facts, split(text, "--vary")));
+    }
+    if (!plan.knobs.empty()) return plan;
+    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        if (!tweak.quality) continue;
+        const std::vector<TweakValue> values = values_of(tweak);
+        if (!facts.read[i]) {
+            plan.left_out.push_back(tweak.name + ": nothing reads it");
+        } else if (values.empty()) {
+            plan.left_out.push_back(tweak.name + ": it has no range; name values with --vary");
+        } else {
+            plan.knobs.push_back(planner.knob_and_own(tweak, values));
+        }
+    }
+    if (facts.accumulates(preset.values))
+        plan.knobs.push_back(planner.settle_and_own(kSettleValues));
+    return plan;
+}
+
+}  // namespace glint

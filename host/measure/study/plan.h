@@ -1,0 +1,62 @@
+// What a study renders: knobs, their values, and the references that count as the truth.
+#pragma once
+
+#include "measure/study/study.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// Everything that is turned between two pictures of a study.
+struct Setting {
+    std::vector<TweakValue> values;  // one for each tweak of the scene
+    int settle = 0;                  // frames with time held
+};
+
+struct KnobValue {
+    std::string text{};            // as a person types it
+    std::optional<double> work{};  // the number; none for menus and switches
+    Setting setting{};
+    // The preset's own value, which is studied as well: it may lie close to a value of the list, so
+    // that nothing follows from how alike their pictures are.
+    bool is_between = false;
+};
+
+struct Knob {
+    std::string name{};  // of a tweak, or "settle"
+    std::vector<KnobValue> values{};
+    KnobValue reference{};
+    // To measure the reference by: more work, a second seed, another method.
+    std::optional<KnobValue> second{};
+    // Whether a larger number is nearer to the reference.
+    bool more_is_better = true;
+    std::vector<std::string> notes{};  // what had to be assumed
+};
+
+struct StudyPlan {
+    std::vector<Knob> knobs;
+    std::vector<std::string> left_out;  // what is not studied, and why
+};
+
+// What the compiled scene tells.
+struct SceneFacts {
+    std::vector<bool> read;  // by tweak: something reads it, with some values of the others
+    // The same while one tweak has this value.
+    std::function<std::vector<bool>(std::size_t tweak, const TweakValue&)> read_with;
+    // Whether frames with time held bring something new, with these values.
+    std::function<bool(const std::vector<TweakValue>&)> accumulates;
+};
+// Compiles the scene; throws Stop where that fails. The facts keep the preset by reference.
+SceneFacts scene_facts(const Preset& preset, std::size_t root_pass);
+
+// Throws UsageError for what the options name and the scene has not.
+StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options);
+
+// "16,...,4096" is doubled or goes on by the ratio of the two numbers before the dots; other lists
+// are taken as they are.
+std::vector<std::string> parse_list(const std::string& text);
+
+}  // namespace glint

@@ -1,0 +1,193 @@
+#include "measure/study/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+namespace glint {
+namespace {
+
+// A word in gnuplot's single quotes.
+std::string quoted(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("''") : std::string(1, c);
+    return text + "'";
+}
+
+bool has_floor(const Study& study) {
+    return study.reference_error && study.reference_error->rmse > 0.0;
+}
+
+bool can_be_shown(const Study& study, const StudyRow& row) {
+    if (study.timing(row).median <= 0.0) return false;
+    if (study.time_only) return row.work && *row.work > 0.0;
+    return row.failed.empty() && row.error && row.error->rmse > 0.0;
+}
+
+// x, its ends, y, the label.
+std::string data_block(const Study& study, const char* name, bool only_pareto) {
+    std::vector<const StudyRow*> rows;
+    for (const StudyRow& row : study.rows) {
+        if (can_be_shown(study, row) && (!only_pareto || row.pareto)) rows.push_back(&row);
+    }
+    if (only_pareto) {
+        std::sort(rows.begin(), rows.end(), [&](const StudyRow* a, const StudyRow* b) {
+            return study.timing(*a).median < study.timing(*b).median;
+        });
+    }
+    std::string text = fmt::format("${} << END\n", name);
+    for (const StudyRow* row : rows) {
+        const Timing& ms = study.timing(*row);
+        if (study.time_only) {
+            text += fmt::format("{} {} {} {} \"{}\"\n", *row->work, ms.median, ms.min, ms.max,
+                                row->value);
+        } else {
+            text += fmt::format("{} {} {} {} \"{}\"\n", ms.median, row->error->rmse, ms.min, ms.max,
+                                row->value);
+        }
+    }
+    return text + "END\n";
+}
+
+// Both ends of an axis, with room round what is shown.
+struct Span {
+    double low, high;
+    void widen(double factor) { low /= factor, high *= factor; }
+};
+
+Span span_of(const Study& study, bool of_time) {
+    Span span{1e300, 0.0};
+    const auto include = [&](double v) {
+        span.low = std::min(span.low, v);
+        span.high = std::max(span.high, v);
+    };
+    for (const StudyRow& row : study.rows) {
+        if (!can_be_shown(study, row)) continue;
+        if (of_time) {
+            include(study.timing(row).min);
+            include(study.timing(row).max);
+        } else {
+            include(study.time_only ? *row.work : row.error->rmse);
+        }
+    }
+    if (!of_time && has_floor(study)) include(study.reference_error->rmse);
+    return span;
+}
+
+// Tics at round numbers, few enough to be read; gnuplot's own stand at decades alone.
+std::string tics(const Span& span) {
+    const double decades = std::log10(span.high / span.low);
+    const std::vector<double> digits =
+        decades > 4.0   ? std::vector<double>{1}
+        : decades > 1.0 ? std::vector<double>{1, 2, 5}
+        : decades > 0.5
+            ? std::vector<double>{1, 1.5, 2, 3, 4, 5, 7}
+            : std::vector<double>{1, 1.2, 1.5, 1.7, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6, 7, 8, 9};
+    std::string text;
+    const int first = static_cast<int>(std::floor(std::log10(span.low)));
+    const int last = static_cast<int>(std::floor(std::log10(span.high)));
+    for (int decade = first; decade <= last; ++decade) {
+        for (const double digit : digits) {
+            const double v = digit * std::pow(10.0, decade);
+            if (v < span.low || v > span.high) continue;
+            text += fmt::format("{}'{:.4g}' {}", text.empty() ? "" : ", ", v, v);
+        }
+    }
+    return "(" + text + ")";
+}
+
+std::string axis(const char* name, Span span, double room) {
+    span.widen(room);
+    return fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3}\n", name, span.low, span.high,
+                       tics(span));
+}
+
+constexpr const char* kStyle = R"(
+set encoding utf8
+set logscale xy
+set grid xtics ytics lt 1 lc rgb '#dddddd'
+set border 3 lc rgb '#808080'
+set tics nomirror textcolor rgb '#404040'
+set key top right
+set bars small
+)";
+
+const char* clock_words(const Study& study) {
+    switch (study.clock) {
+        case Clock::wall:
+            return "";
+        case Clock::gpu:
+            return ", by timer queries";
+        case Clock::processor:
+            return " of the processor, all threads";
+    }
+    return "";
+}
+
+std::string script(const Study& study) {
+    // Names of its parts, so that several diagrams can stand in one page.
+    const std::string name =
+        fmt::format("{}_{}", std::filesystem::path(study.scene).stem().string(), study.knob);
+    std::string text = fmt::format(
+        "set terminal svg size 760,440 dynamic font 'sans-serif,13' name {} background '#ffffff'\n",
+        quoted(name));
+    text += kStyle + data_block(study, "rows", false);
+    if (study.time_only) {
+        text += axis("x", span_of(study, false), 1.3) + axis("y", span_of(study, true), 1.3);
+        text +=
+            fmt::format("set xlabel {} noenhanced\nset ylabel 'ms a frame'\n", quoted(study.knob));
+        return text +
+               "plot $rows using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.6 lc rgb '#1f5fa8' "
+               "notitle\n";
+    }
+    text += data_block(study, "pareto", true);
+    text += axis("x", span_of(study, true), 1.25) + axis("y", span_of(study, false), 2.0);
+    text += fmt::format("set xlabel 'ms{}'\nset ylabel 'RMSE{}'\nplot ", clock_words(study),
+                        study.pass == "image" ? " in linear light" : "");
+    if (has_floor(study)) {
+        text += fmt::format(
+            "{} with lines dt 2 lw 1.5 lc rgb '#a04040' title 'error of the reference', ",
+            study.reference_error->rmse);
+    }
+    return text +
+           "$pareto using 1:2 with lines lw 5 lc rgb '#f0c060' title 'Pareto frontier', "
+           "$rows using 1:2 with lines lw 0.7 lc rgb '#9ab8d8' notitle, "
+           "$rows using 1:2:3:4 with xerrorbars lw 1.5 pt 7 ps 0.6 lc rgb '#1f5fa8' notitle, "
+           "$rows using 1:2:5 with labels left offset 0.8,0.5 tc rgb '#1f5fa8' noenhanced "
+           "notitle\n";
+}
+
+// What gnuplot writes; "" where there is none.
+std::string drawn(const std::string& commands) {
+    std::FILE* file = std::tmpfile();
+    if (!file) return {};
+    std::fputs(commands.c_str(), file);
+    std::fflush(file);
+    const std::string call = fmt::format("gnuplot /dev/fd/{} 2>/dev/null", ::fileno(file));
+    std::string text;
+    if (std::FILE* output = ::popen(call.c_str(), "r")) {
+        std::array<char, 4096> chunk;
+        while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), output))
+            text.append(chunk.data(), count);
+        ::pclose(output);
+    }
+    std::fclose(file);
+    const std::size_t begin = text.find("<svg"), end = text.rfind("</svg>");
+    if (begin == std::string::npos || end == std::string::npos) return {};
+    return text.substr(begin, end + 6 - begin);
+}
+
+}  // namespace
+
+std::string svg_plot(const Study& study) {
+    const auto shown = std::count_if(study.rows.begin(), study.rows.end(),
+                                     [&](const StudyRow& r) { return can_be_shown(study, r); });
+    return shown < 2 ? "" : drawn(script(study));
+}
+
+}  // namespace glint

@@ -1,0 +1,290 @@
+#include "measure/study/study.h"
+
+#include "offline/named_files.h"
+#include "measure/study/measure.h"
+#include "measure/study/page.h"
+#include "measure/study/store.h"
+#include "base/say.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Tells on stdout how far the studies of a file have come, for those who do not want to wait.
+class Lines {
+public:
+    Lines(bool wanted, const StudyPlan& plan, bool time_only) : wanted_(wanted) {
+        for (const Knob& knob : plan.knobs) {
+            of_ += knob.values.size() + (time_only ? 0 : knob.second ? 2 : 1);
+        }
+    }
+
+    // Another picture is drawn; the study as it stands now.
+    void tell(Study study, bool more_is_better, bool on_software) {
+        ++done_;
+        if (!wanted_) return;
+        judge(study, more_is_better, on_software);
+        const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
+        say_result("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        flush_results();
+    }
+
+private:
+    bool wanted_;
+    std::size_t done_ = 0, of_ = 0;  // pictures
+};
+
+// A scene that is studied: what every picture of it shares.
+struct Scenery {
+    const StudyOptions& options;
+    const Preset& preset;
+    Context& context;
+    const StudyStore& store;
+    MeasureOptions how;
+    glm::ivec2 size;  // of what is compared
+    std::string name;
+    std::string key;  // of all that is the same for its pictures
+    Lines& lines;
+};
+
+void tell(const Scenery& scenery, const Knob& knob, const Study& study) {
+    scenery.lines.tell(study, knob.more_is_better, scenery.context.is_software());
+}
+
+bool is_encoded(const Scenery& scenery) {
+    return scenery.how.pass == kImagePass;
+}
+
+StudyKey key_of(const Scenery& scenery, const Knob& knob, const KnobValue& value,
+                const std::string& kind) {
+    return {.name = fmt::format("{}-{}-{}", scenery.name, knob.name, value.text),
+            .text = scenery.key + kind + "\n" + key_of_setting(scenery.preset, value.setting)};
+}
+
+// A picture that counts as the truth, from an earlier call or drawn now.
+struct Reference {
+    StudyKey key;
+    std::vector<float> picture;
+    std::string file;  // seen from the report
+};
+
+Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value) {
+    Reference result{.key = key_of(scenery, knob, value, "reference"), .picture = {}, .file = {}};
+    const auto kept = scenery.store.picture(result.key, scenery.size);
+    if (kept) {
+        result.picture = *kept;
+        result.file = scenery.store.shown_file(result.key);
+        return result;
+    }
+    result.picture = measure(scenery.preset, value.setting, scenery.context, scenery.how).picture;
+    result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
+    return result;
+}
+
+bool same_setting(const Setting& a, const Setting& b) {
+    return a.values == b.values && a.settle == b.settle;
+}
+
+// One row: measured, compared and kept. `previous` is the picture of the row before.
+StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& value,
+                     const Reference* reference, const StudyKey& key,
+                     std::vector<float>& previous) {
+    StudyRow row{.value = value.text, .work = value.work};
+    MeasureOptions how = scenery.how;
+    how.frames = scenery.options.frames;
+    Measured measured;
+    try {
+        measured = measure(scenery.preset, value.setting, scenery.context, how);
+    } catch (const Stop&) {
+        row.failed = "it does not compile";
+        return row;
+    }
+    row.wall = measured.wall;
+    row.gpu = measured.gpu;
+    row.processor = measured.processor;
+    row.all_passes_ms = measured.all_passes_ms;
+    if (reference) {
+        const bool encoded = is_encoded(scenery);
+        row.is_reference = same_setting(value.setting, knob.reference.setting);
+        row.error = difference(measured.picture, reference->picture, encoded);
+        if (row.error->not_finite > 0) {
+            row.failed = fmt::format("diverged: {} pixels are not finite", row.error->not_finite);
+        }
+        if (!previous.empty()) {
+            row.rmse_to_previous = difference(measured.picture, previous, encoded).rmse;
+        }
+        row.picture = scenery.store.keep_picture(key, measured.picture, scenery.size);
+        row.map = scenery.store.keep_map(key, measured.picture, reference->picture, scenery.size,
+                                         encoded);
+    }
+    if (!value.is_between) previous = std::move(measured.picture);
+    return row;
+}
+
+void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* reference,
+                  Study& study) {
+    // An error depends on the reference, a time on the machine and on how many frames were timed,
+    // and how far a row is from the one before on that one.
+    std::string before;
+    std::vector<float> previous;
+    Progress progress(fmt::format("{} {}", scenery.name, knob.name),
+                      static_cast<long>(knob.values.size()));
+    for (const KnobValue& value : knob.values) {
+        const std::string kind =
+            fmt::format("row of {} frames on {}{}\n{}", scenery.options.frames, machine_name(),
+                        before, reference ? reference->key.text : "");
+        const StudyKey key = key_of(scenery, knob, value, kind);
+        if (auto kept = scenery.store.row(key, scenery.size)) {
+            if (!value.is_between) {
+                previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
+            }
+            study.rows.push_back(std::move(*kept));
+        } else {
+            study.rows.push_back(measure_row(scenery, knob, value, reference, key, previous));
+            scenery.store.keep(key, study.rows.back());
+        }
+        study.rows.back().is_preset = same_setting(
+            value.setting, {.values = scenery.preset.values, .settle = scenery.preset.settle});
+        study.rows.back().is_between = value.is_between;
+        if (!value.is_between) before = " after " + value.text;
+        progress.update(static_cast<long>(study.rows.size()));
+        tell(scenery, knob, study);
+    }
+}
+
+Study study_knob(const Scenery& scenery, const Knob& knob) {
+    Study study{.scene = scenery.preset.file.string(),
+                .knob = knob.name,
+                .reference = knob.reference.text,
+                .second = knob.second ? knob.second->text : "",
+                .renderer = scenery.context.renderer(),
+                .machine = machine_name(),
+                .size = scenery.size,
+                .pass = scenery.options.pass,
+                .time_only = scenery.options.time_only,
+                .notes = knob.notes};
+    std::optional<Reference> reference;
+    if (!study.time_only) {
+        reference = draw_reference(scenery, knob, knob.reference);
+        study.reference_picture = reference->file;
+        tell(scenery, knob, study);
+        if (knob.second) {
+            const Reference second = draw_reference(scenery, knob, *knob.second);
+            study.reference_error =
+                difference(second.picture, reference->picture, is_encoded(scenery));
+            tell(scenery, knob, study);
+        }
+    }
+    measure_rows(scenery, knob, reference ? &*reference : nullptr, study);
+    judge(study, knob.more_is_better, scenery.context.is_software());
+    return study;
+}
+
+// The size of what is compared.
+glm::ivec2 size_of(const Preset& preset, std::size_t pass) {
+    if (pass == kImagePass) return preset.size;
+    const Pass& declared = preset.scene.passes[pass];
+    if (declared.cube) throw UsageError("--pass: a cube has no plane to compare.");
+    return buffer_size(declared, preset.size);
+}
+
+std::size_t output_of(const Scene& scene, std::size_t pass, const std::string& name) {
+    if (pass == kImagePass) return 0;
+    const auto& names = scene.passes[pass].outputs;
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+// All studies of one file.
+void study_file(const std::filesystem::path& file, const StudyOptions& options, Context& context,
+                const StudyStore& store, std::vector<Study>& studies) {
+    ViewOptions view = options.view;
+    view.file = file;
+    if (view.size.empty()) view.size = "640x360";
+    const Preset preset = open_preset(view);
+    const std::size_t pass = find_pass(preset.scene, options.pass);
+    const SceneFacts facts = scene_facts(preset, pass);
+    const StudyPlan plan = plan_study(preset, facts, options);
+    Lines lines(options.lines, plan, options.time_only);
+    const Scenery scenery{
+        .options = options,
+        .preset = preset,
+        .context = context,
+        .store = store,
+        .how = {.pass = pass,
+                .output = output_of(preset.scene, pass, options.pass),
+                .specialise = view.specialise},
+        .size = size_of(preset, pass),
+        .name = file.stem().string(),
+        .key = key_of_preset(preset, context.renderer(), options.pass, view.specialise),
+        .lines = lines};
+    if (plan.knobs.empty()) {
+        say("warning: {} has no quality tweaks and accumulates nothing; name a tweak with "
+            "--vary\n",
+            file.string());
+    }
+    for (const Knob& knob : plan.knobs) {
+        studies.push_back(study_knob(scenery, knob));
+        Study& study = studies.back();
+        for (const std::string& left_out : plan.left_out) {
+            study.notes.push_back("left out: " + left_out);
+        }
+        const bool table = !options.view.json && !options.csv && !options.lines;
+        if (table) say_result("{}\n", to_table(study));
+        flush_results();
+    }
+}
+
+// One object; of a single study its keys stand at the top, too.
+Json to_json(const std::vector<Study>& studies, const std::string& renderer) {
+    Json json = {{"renderer", renderer}, {"machine", machine_name()}};
+    if (studies.size() == 1) json.update(glint::to_json(studies.front()));
+    json["studies"] = Json::array();
+    for (const Study& study : studies) json["studies"].push_back(glint::to_json(study));
+    return json;
+}
+
+void require_report_apart(const StudyOptions& options) {
+    std::vector<NamedFile> outputs;
+    for (const char* name : {"study.csv", "study.json", "index.html"})
+        outputs.push_back({"-o", (options.output / name).string()});
+    for (const std::filesystem::path& file : options.files) {
+        const ReadPreset read = read_preset(file);
+        if (read.preset) require_apart(outputs, files_read_for(*read.preset));
+    }
+}
+
+}  // namespace
+
+void run_study(const StudyOptions& options) {
+    if (!options.output.empty()) require_report_apart(options);
+    const auto context = make_egl_context(options.view.device);
+    const StudyStore store(options.output);
+    std::vector<Study> studies;
+    ExitCode code = ExitCode::done;
+    for (const std::filesystem::path& file : options.files) {
+        try {
+            study_file(file, options, *context, store, studies);
+        } catch (const Stop& stop) {  // what is wrong with one file costs no other its report
+            if (code == ExitCode::done) code = stop.code;
+        }
+    }
+    std::string csv = csv_header();
+    for (const Study& study : studies) csv += to_csv(study);
+    if (!options.output.empty()) {
+        write_whole_file(options.output / "study.csv", std::as_bytes(std::span(csv)));
+        const std::string json = to_json(studies, context->renderer()).dump(2) + "\n";
+        write_whole_file(options.output / "study.json", std::as_bytes(std::span(json)));
+        write_page(options.output, studies);
+    }
+    if (options.csv) say_result("{}", csv);
+    if (options.view.json) say_result("{}\n", to_json(studies, context->renderer()).dump(2));
+    if (code != ExitCode::done) throw Stop(code);
+}
+
+}  // namespace glint

@@ -1,0 +1,261 @@
+#include "offline/common.h"
+
+#include "media/image.h"
+#include "window/trial/trial.h"
+#include "base/say.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace glint {
+namespace {
+
+// iFrame is an int: more than a year at 60 Hz, and settling counts a little further.
+constexpr double kMostFrames = 2e9;
+
+glm::ivec2 parse_size(const std::string& text) {
+    glm::ivec2 size{0};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    const bool separated = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+    const auto height = separated ? std::from_chars(width.ptr + 1, end, size.y) : width;
+    if (!separated || height.ec != std::errc() || height.ptr != end || size.x < 1 || size.y < 1) {
+        throw UsageError(
+            fmt::format("--size {}: write the width and height in pixels, as in 1280x720.", text));
+    }
+    return size;
+}
+
+std::string tweak_names(const Scene& scene) {
+    std::string names;
+    for (const Tweak& tweak : scene.tweaks) names += (names.empty() ? "" : ", ") + tweak.name;
+    return names.empty() ? "it has none" : "it has " + names;
+}
+
+void apply_tweak(Preset& preset, const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    const std::string name = assignment.substr(0, equals);
+    const auto& tweaks = preset.scene.tweaks;
+    const auto found = std::find_if(tweaks.begin(), tweaks.end(),
+                                    [&](const Tweak& tweak) { return tweak.name == name; });
+    if (found == tweaks.end()) {
+        throw UsageError(fmt::format("--tweak {}: the scene has no tweak '{}'; {}.", assignment,
+                                     name, tweak_names(preset.scene)));
+    }
+    const auto value = equals == std::string::npos
+                           ? std::nullopt
+                           : parse_value(*found, std::string_view(assignment).substr(equals + 1));
+    if (!value) {
+        throw UsageError(fmt::format("--tweak {}: write {}=VALUE with a value such as {}.",
+                                     assignment, name, format_value(*found, found->initial)));
+    }
+    TweakValue& kept = preset.values[static_cast<std::size_t>(found - tweaks.begin())];
+    kept = clamp_to_range(*found, *value);
+    if (kept != *value) {
+        say("warning: --tweak {}: outside its range, taken as {}\n", assignment,
+            format_value(*found, kept));
+    }
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, long total, Unit unit)
+    : what_(std::move(what)), total_(total), unit_(unit), enabled_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+    if (shown_) say("\r\033[K");
+}
+
+void Progress::update(long done) {
+    if (!enabled_ || since_last_.ms() < (shown_ ? 100.0 : 500.0)) return;
+    since_last_.restart();
+    shown_ = true;
+    constexpr long kWidth = 30;
+    const auto filled = static_cast<std::size_t>(kWidth * done / std::max(total_, 1L));
+    const double rate = static_cast<double>(done) / (since_start_.ms() / 1000.0);
+    const auto left = static_cast<long>(
+        rate > 0.0 ? std::min(static_cast<double>(total_ - done) / rate, 360000.0) : 360000.0);
+    const std::string state = unit_ == Unit::percent
+                                  ? fmt::format("{} %", 100 * done / std::max(total_, 1L))
+                                  : fmt::format("{}/{}  {:.1f}/s", done, total_, rate);
+    say("\r{} [{:<{}}] {}  {}:{:02} left\033[K", what_, std::string(filled, '#'), kWidth, state,
+        left / 60, left % 60);
+}
+
+void report(const Diagnostics& diagnostics) {
+    bool missing = false;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        say("{}\n", to_string(diagnostic));
+        // No shader is at fault where a preset cannot be read.
+        const bool unreadable = diagnostic.missing_file || diagnostic.place.file.ends_with(".toml");
+        missing |= diagnostic.severity == Severity::error && unreadable;
+    }
+    if (has_errors(diagnostics)) throw Stop(missing ? ExitCode::missing_file : ExitCode::shader);
+}
+
+glm::ivec2 size_of(const ViewOptions& options, glm::ivec2 otherwise) {
+    return options.size.empty() ? otherwise : parse_size(options.size);
+}
+
+void lay_over(Preset& preset, const ViewOptions& options) {
+    preset.size = size_of(options, preset.size);
+    preset.has_size |= !options.size.empty();
+    for (const std::string& tweak : options.tweaks) apply_tweak(preset, tweak);
+}
+
+Preset open_preset(const ViewOptions& options) {
+    ReadPreset read = read_preset(options.file);
+    report(read.diagnostics);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    lay_over(*read.preset, options);
+    return std::move(*read.preset);
+}
+
+std::size_t find_pass(const Scene& scene, const std::string& name) {
+    if (name == "image") return kImagePass;
+    std::string names = "image";
+    for (std::size_t i = 0; i < scene.passes.size(); ++i) {
+        for (const std::string& output : scene.passes[i].outputs) {
+            if (output == name) return i;
+            names += ", " + output;
+        }
+    }
+    throw UsageError(fmt::format("The scene has no pass '{}'; it has {}.", name, names));
+}
+
+Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why) {
+    const std::string name = pass_name(preset.scene, pass);
+    return {Severity::error, entry_place(preset.scene, name),
+            fmt::format("pass {}: the driver {}; is there a huge array, a macro that grows, or an "
+                        "expression or a chain of calls nested too deep?",
+                        name, why)};
+}
+
+namespace {
+
+// The driver works on, so that nothing is taken down in order: the process ends. What is written
+// has its name only when it is whole.
+void end_compiling(const Preset& preset, std::size_t pass, const std::string& why) {
+    const std::string line = to_string(given_up(preset, pass, why)) + "\n";
+    std::fflush(stdout);
+    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) {
+        // Nobody listens; the exit code tells.
+    }
+    ::_exit(static_cast<int>(ExitCode::shader));
+}
+
+}  // namespace
+
+CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options) {
+    CompileResult result = compile_scene(preset, options, nullptr, end_compiling);
+    report(result.diagnostics);
+    if (!result.scene) throw Stop(ExitCode::shader);
+    return std::move(*result.scene);
+}
+
+Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::string& renderer) {
+    Metadata list = {{"Software", "glint " GLINT_VERSION},
+                     {"glint:scene", preset.scene.files.front().filename().string()},
+                     {"glint:time", fmt::format("{}", frame.time)},
+                     {"glint:frame", fmt::format("{}", frame.frame)},
+                     {"glint:renderer", renderer}};
+    if (preset.file != preset.scene.files.front()) {
+        list.emplace_back("glint:preset", preset.file.filename().string());
+    }
+    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        list.emplace_back("glint:tweak:" + tweak.name, format_value(tweak, preset.values[i]));
+    }
+    return list;
+}
+
+namespace {
+
+// Each pixel moves to the front, or stays.
+template <class Value>
+void leave_out_alpha(std::byte* pixels, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<std::byte, 3 * sizeof(Value)> rgb;
+        std::memcpy(rgb.data(), pixels + i * 4 * sizeof(Value), rgb.size());
+        std::memcpy(pixels + i * 3 * sizeof(Value), rgb.data(), rgb.size());
+    }
+}
+
+}  // namespace
+
+Image picture_without_alpha(std::vector<std::byte> rgba, glm::ivec2 size, ChannelType type) {
+    const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    if (type == ChannelType::f32)
+        leave_out_alpha<float>(rgba.data(), count);
+    else
+        leave_out_alpha<std::byte>(rgba.data(), count);
+    rgba.resize(rgba.size() / 4 * 3);
+    return {.size = size, .channels = 3, .type = type, .pixels = std::move(rgba)};
+}
+
+Image read_picture(Renderer& renderer, bool floats) {
+    const glm::ivec2 size = renderer.root_size();
+    std::vector<std::byte> rgba(static_cast<std::size_t>(size.x) *
+                                static_cast<std::size_t>(size.y) * (floats ? 16 : 4));
+    renderer.read_picture(floats, rgba.data());
+    return picture_without_alpha(std::move(rgba), size,
+                                 floats ? ChannelType::f32 : ChannelType::u8);
+}
+
+int Playback::last_frame() const {
+    // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame.
+    return static_cast<int>(std::clamp(std::ceil(end * fps - 1e-6), 0.0, kMostFrames));
+}
+
+Frame Playback::frame(const Preset& preset, int index) const {
+    // The last frames are one frame apart, also where those before cannot be counted.
+    const double uncounted = std::max(end - kMostFrames / fps, 0.0);
+    const auto time_of = [&](int k) { return k >= last_frame() ? end : uncounted + k / fps; };
+    const double time = time_of(index);
+    const double previous =
+        index == 0 ? -std::numeric_limits<double>::infinity() : time_of(index - 1);
+    Frame frame;
+    frame.time = time;
+    frame.time_delta = index == 0 ? 1.0 / 60.0 : time - previous;
+    frame.frame_rate = 1.0 / frame.time_delta;
+    frame.frame = index;
+    frame.date = shadertoy_date(preset.date, time);
+    frame.input = replay(preset.events, previous, time, preset.size);
+    frame.events = preset.events;
+    return frame;
+}
+
+Frame settled_frame(const Preset& preset, const Playback& playback, int extra) {
+    Frame frame = playback.frame(preset, playback.last_frame());
+    if (extra == 0) return frame;
+    frame.frame += extra;
+    frame.time_delta = 1.0 / 60.0;
+    frame.frame_rate = 60.0;
+    frame.input = replay(preset.events, frame.time, frame.time, preset.size);
+    return frame;
+}
+
+Frame play(const Preset& preset, Renderer& renderer, const Playback& playback, int settle,
+           int& frames_rendered, int first) {
+    if (renderer.graph().stateful) {
+        const int last = playback.last_frame();
+        Progress progress("simulating", last + settle - first);
+        for (int k = first; k < last + settle; ++k) {
+            renderer.advance(k <= last ? playback.frame(preset, k)
+                                       : settled_frame(preset, playback, k - last));
+            progress.update(k - first);
+        }
+        frames_rendered += last + settle - first;
+    }
+    ++frames_rendered;
+    return settled_frame(preset, playback, settle);
+}
+
+}  // namespace glint

@@ -1,0 +1,140 @@
+// What the verbs share: exit codes, opening a preset, playing it to a time, progress.
+#pragma once
+
+#include "media/image.h"
+#include "render/renderer.h"
+#include "scene/preset.h"
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// As documented in docs/exporting.md; scripts rely on them.
+enum class ExitCode {
+    done = 0,
+    failure = 1,
+    usage = 2,
+    shader = 3,
+    missing_file = 4,
+    no_context = 5,
+    check_failed = 6,
+    context_lost = 7,
+};
+
+// The command line asks for something that makes no sense: exit code 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Ends the program with this code; the reason has been printed already.
+struct Stop : std::exception {
+    explicit Stop(ExitCode exit_code) : code(exit_code) {}
+    ExitCode code;
+};
+
+// Options that still, bench and info have in common.
+struct ViewOptions {
+    std::filesystem::path file;
+    std::string size;                 // "1280x720"; empty: the preset's
+    std::vector<std::string> tweaks;  // "name=value"
+    std::string device;
+    bool specialise = true;
+    bool json = false;
+};
+
+// Milliseconds since it was made or restarted.
+class Stopwatch {
+public:
+    double ms() const {
+        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    }
+    double restart() {
+        const double elapsed = ms();
+        start_ = Clock::now();
+        return elapsed;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+// A bar on stderr with the rate and the time left, when that is a terminal and the work takes
+// longer than half a second.
+class Progress {
+public:
+    // Whole pictures count; smaller pieces of one are told in percent.
+    enum class Unit { pictures, percent };
+    Progress(std::string what, long total, Unit unit = Unit::pictures);
+    ~Progress();
+    void update(long done);
+    // So many need not be done after all.
+    void leave_out(long count) { total_ -= count; }
+
+private:
+    std::string what_;
+    long total_;
+    Unit unit_;
+    bool shown_ = false, enabled_;
+    Stopwatch since_start_, since_last_;
+};
+
+// Prints diagnostics to stderr; throws Stop with exit code 3 or 4 when there are errors.
+void report(const Diagnostics& diagnostics);
+
+// Lays the options' size and tweaks over a preset. Throws UsageError.
+void lay_over(Preset& preset, const ViewOptions& options);
+
+// The --size of the options; the preset's where there is none. Throws UsageError.
+glm::ivec2 size_of(const ViewOptions& options, glm::ivec2 otherwise);
+
+// Reads the preset or scene, prints what is wrong with it, and lays the options' size and tweaks
+// over it. Throws Stop or UsageError.
+Preset open_preset(const ViewOptions& options);
+
+// The pass of this name, or kImagePass for "image". Throws UsageError that lists the names.
+std::size_t find_pass(const Scene& scene, const std::string& name);
+
+// What is said of a pass that the driver would never finish compiling; see GiveUp.
+Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why);
+
+// Links what `options` asks for. Throws Stop with exit code 3. Ends the process with it where the
+// driver would never finish, be it at the first draw.
+CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options);
+
+// What a picture's file tells of where it comes from. File names only: the same scene gives the
+// same bytes in every folder.
+Metadata picture_metadata(const Preset& preset, const Frame& frame, const std::string& renderer);
+
+// RGBA values as an RGB image, in the room that they had: a picture's alpha means nothing.
+Image picture_without_alpha(std::vector<std::byte> rgba, glm::ivec2 size,
+                            ChannelType type = ChannelType::u8);
+
+// The picture as it stands, RGB in bytes or floats.
+Image read_picture(Renderer& renderer, bool floats);
+
+// Frames of a preset that is played from 0 at a fixed rate to exactly `end`: frame k stands at k /
+// fps, the last one at `end`.
+struct Playback {
+    double end = 0.0;   // s
+    double fps = 60.0;  // Hz
+
+    int last_frame() const;
+    Frame frame(const Preset& preset, int index) const;
+};
+
+// A frame after the end: time stands still, iFrame counts on, nothing new is pressed.
+Frame settled_frame(const Preset& preset, const Playback& playback, int extra);
+
+// Brings a stateful scene to just before the last frame of `playback` with `settle` frames after
+// it, and returns that last frame, to be drawn. `frames_rendered` counts what was played. A
+// renderer that has been brought to a saved state goes on with frame `first`.
+Frame play(const Preset& preset, Renderer& renderer, const Playback& playback, int settle,
+           int& frames_rendered, int first = 0);
+
+}  // namespace glint

@@ -1,0 +1,355 @@
+#include "offline/export.h"
+
+#include "gl/context.h"
+#include "base/temporary_file.h"
+#include "offline/named_files.h"
+#include "base/say.h"
+#include "glsl/raw_text.h"
+#include "glsl/reachable.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <regex>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// One output of one pass.
+struct Tab {
+    std::string name;  // "bufferA", "cubeA", "image", "sound"
+    std::size_t pass = kImagePass, output = 0;
+};
+
+class Exporter {
+public:
+    explicit Exporter(const Preset& preset)
+        : preset_(preset),
+          scene_(preset.scene),
+          compiled_(compile_or_stop(preset, {})),
+          text_(specialised_text(preset)) {
+        if (scene_.has_sound) sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}});
+        find_tabs();
+    }
+
+    void write(const fs::path& folder);
+
+private:
+    void find_tabs();
+    const PassProgram& program_of(const Tab& tab) const;
+    std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
+    std::string tab_text(const Tab& tab);
+    std::string unread_defines(const std::string& body,
+                               const std::array<std::optional<std::size_t>, 4>& channels) const;
+    std::string entry_text(const Tab& tab) const;
+    std::string limits_text(const Tab& tab);
+    std::string source_words(const Tab& tab, const Sampler& sampler);
+    Json input_json(const Sampler& sampler, int channel) const;
+    Json tab_json(const Tab& tab, const std::string& text) const;
+    const Tab& tab_of(const Sampler& sampler) const;
+    void warn(const std::string& text) {
+        say("{}: warning: {}\n", scene_.files.front().string(), text);
+    }
+
+    const Preset& preset_;
+    const Scene& scene_;
+    CompiledScene compiled_;
+    std::optional<CompiledScene> sound_;
+    std::string text_;
+    std::vector<Tab> tabs_;
+};
+
+void Exporter::find_tabs() {
+    int buffers = 0, cubes = 0;
+    for (const GraphPass& graph : compiled_.graph.passes) {
+        if (graph.pass == kImagePass) continue;
+        const Pass& pass = scene_.passes[graph.pass];
+        for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
+            const int index = pass.cube ? cubes++ : buffers++;
+            const std::string letter(1, static_cast<char>('A' + index));
+            tabs_.push_back({(pass.cube ? "cube" : "buffer") + letter, graph.pass, i});
+        }
+    }
+    if (buffers > 4 || cubes > 1) {
+        throw UsageError(
+            fmt::format("The scene fills {} buffers and {} cubemaps; the site has four and one. "
+                        "Switch off what "
+                        "needs them with --tweak, or join passes.",
+                        buffers, cubes));
+    }
+    tabs_.push_back({"image", kImagePass, 0});
+    if (sound_) tabs_.push_back({"sound", kSoundPass, 0});
+}
+
+const PassProgram& Exporter::program_of(const Tab& tab) const {
+    const auto& programs = tab.pass == kSoundPass ? sound_->programs : compiled_.programs;
+    return *std::find_if(programs.begin(), programs.end(),
+                         [&](const PassProgram& program) { return program.pass == tab.pass; });
+}
+
+const Tab& Exporter::tab_of(const Sampler& sampler) const {
+    return *std::find_if(tabs_.begin(), tabs_.end(), [&](const Tab& tab) {
+        return tab.pass == sampler.pass && tab.output == sampler.output;
+    });
+}
+
+// By sampler (as in sampler_at). One that is called iChannel2 keeps its number.
+std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) const {
+    std::array<std::optional<std::size_t>, 4> channels;
+    std::vector<std::size_t> others;
+    for (const SamplerUniform& uniform : program_of(tab).samplers) {
+        const std::string& name = sampler_at(preset_, uniform.sampler).name;
+        if (name.size() == 9 && name.starts_with("iChannel"))
+            channels[static_cast<std::size_t>(name.back() - '0')] = uniform.sampler;
+        else
+            others.push_back(uniform.sampler);
+    }
+    std::sort(others.begin(), others.end());
+    for (const std::size_t sampler : others) {
+        const auto free = std::find(channels.begin(), channels.end(), std::nullopt);
+        if (free == channels.end()) {
+            throw UsageError(fmt::format(
+                "Pass {} reads {} samplers; the site has four channels. Switch off what needs them "
+                "with --tweak, or join buffers.",
+                pass_name(scene_, tab.pass), program_of(tab).samplers.size()));
+        }
+        *free = sampler;
+    }
+    return channels;
+}
+
+// Of the first file that fills it, if any.
+std::string file_name(const Sampler& sampler) {
+    return sampler.files.empty() ? "" : sampler.files.front().filename().string();
+}
+
+std::string Exporter::source_words(const Tab& tab, const Sampler& sampler) {
+    const std::string where = fmt::format("{}, {}", tab.name, sampler.name);
+    if (sampler.wrap == Wrap::mirror) warn(where + ": the site cannot mirror; it repeats there");
+    switch (sampler.source) {
+        case Source::buffer:
+            return tab_of(sampler).name;
+        case Source::keyboard:
+            return "the keyboard";
+        case Source::noise:
+            warn(where + ": the site's noise has other values than ours");
+            return fmt::format("noise of {} pixels", sampler.noise_size.x);
+        case Source::image:
+        case Source::cube:
+        case Source::volume:
+        case Source::sound:
+            warn(fmt::format("{}: the site takes no files; choose one of its own instead of {}",
+                             where, file_name(sampler)));
+            return file_name(sampler);
+        case Source::none:
+            break;
+    }
+    return "nothing";
+}
+
+const char* filter_word(Filter filter) {
+    return filter == Filter::nearest ? "nearest" : filter == Filter::linear ? "linear" : "mipmap";
+}
+
+// What a buffer of its own size, or a step of its own, becomes where neither is known.
+std::string Exporter::limits_text(const Tab& tab) {
+    if (!fills_a_buffer(tab.pass)) return {};
+    const Pass& pass = scene_.passes[tab.pass];
+    if (pass.step) {
+        warn(fmt::format("{}: the site runs it once a frame, not every {}/{} s", tab.name,
+                         pass.step.numerator, pass.step.denominator));
+    }
+    if (pass.format != PixelFormat::rgba32f && !pass.cube)
+        warn(fmt::format("{}: the site keeps it in floats of 32 bits", tab.name));
+    const glm::ivec2 size = buffer_size(pass, preset_.size);
+    const glm::ivec2 theirs = pass.cube ? glm::ivec2(1024) : preset_.size;
+    if (size == theirs) return {};
+    warn(
+        fmt::format("{}: it has {}x{} pixels, the site's are as large as the picture: texelFetch "
+                    "reads the same, texture does not",
+                    tab.name, size.x, size.y));
+    return fmt::format("#define iResolution vec3({}.0, {}.0, 1.0)\n", size.x, size.y);
+}
+
+// mainImage, where the pass's function has another name or several outputs.
+std::string Exporter::entry_text(const Tab& tab) const {
+    if (!fills_a_buffer(tab.pass)) return {};
+    const Pass& pass = scene_.passes[tab.pass];
+    if (pass.entry == "mainImage" || pass.entry == "mainCubemap") return {};
+    std::string variables, arguments;
+    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
+        if (i == tab.output) {
+            arguments += "fragColor, ";
+            continue;
+        }
+        variables += fmt::format("    vec4 {};\n", pass.outputs[i] + "Unused");
+        arguments += pass.outputs[i] + "Unused, ";
+    }
+    if (pass.cube) {
+        return fmt::format(
+            "\nvoid mainCubemap(out vec4 fragColor, in vec2 fragCoord, in vec3 rayOri, in vec3 "
+            "rayDir) {{\n    {}(fragColor, fragCoord, rayOri, rayDir);\n}}\n",
+            pass.entry);
+    }
+    return fmt::format(
+        "\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {{\n{}    {}({}"
+        "fragCoord);\n}}\n",
+        variables, pass.entry, arguments);
+}
+
+// Code that is switched off still speaks of samplers; any of their type will do.
+std::string Exporter::unread_defines(
+    const std::string& body, const std::array<std::optional<std::size_t>, 4>& channels) const {
+    std::string defines;
+    const std::string code = find_comments(body).code;
+    for (std::size_t i = 0; i < scene_.samplers.size(); ++i) {
+        const Sampler& sampler = scene_.samplers[i];
+        if (std::find(channels.begin(), channels.end(), i) != channels.end()) continue;
+        if (sampler.name.starts_with("iChannel")) continue;  // the site has all four
+        if (!std::regex_search(code, std::regex("\\b" + sampler.name + "\\b"))) continue;
+        // What is bound to nothing is a sampler2D on the site.
+        for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+            const SamplerType type = channels[channel]
+                                         ? sampler_at(preset_, *channels[channel]).type
+                                         : SamplerType::sampler2D;
+            if (type != sampler.type) continue;
+            defines +=
+                fmt::format("#define {} iChannel{}  // switched off\n", sampler.name, channel);
+            break;
+        }
+    }
+    return defines;
+}
+
+std::string Exporter::tab_text(const Tab& tab) {
+    std::string head, defines;
+    const auto channels = channels_of(tab);
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (!channels[i]) continue;
+        const Sampler& sampler = sampler_at(preset_, *channels[i]);
+        head += fmt::format("// iChannel{}: {}, {}, {}\n", i, source_words(tab, sampler),
+                            filter_word(sampler.filter),
+                            sampler.wrap == Wrap::clamp ? "clamp" : "repeat");
+        if (!sampler.name.starts_with("iChannel"))
+            defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
+    }
+    const std::string entry = tab.pass == kSoundPass   ? "mainSound"
+                              : tab.pass == kImagePass ? scene_.image_entry
+                                                       : scene_.passes[tab.pass].entry;
+    // An annotation means nothing there; its words still describe the constant.
+    const std::string body =
+        std::regex_replace(reachable_text(text_, entry), std::regex("//@ ?"), "// ");
+    defines += unread_defines(body, channels);
+    if (std::regex_search(body, std::regex("\\biTick\\b"))) {
+        // A float's steps are below 1/65536 s for 256 s.
+        defines += "#define iTick uint(iTime * 65536.0)\n";
+        warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");
+    }
+    if (std::regex_search(body, std::regex("\\bPASS_\\w+")))
+        defines += fmt::format("#define PASS_{} 1\n", pass_name(scene_, tab.pass));
+    return head + defines + limits_text(tab) + body + entry_text(tab);
+}
+
+constexpr std::array kBufferIds = {257, 258, 259, 260};
+
+// What the site would name a file. Our noise has no file; import reads its words back.
+std::string media_name(const Sampler& sampler) {
+    if (sampler.source != Source::noise) return file_name(sampler);
+    constexpr std::array kChannels = {"r", "rg", "rgb", "rgba"};
+    const glm::ivec3 size = sampler.noise_size;
+    const std::string lengths = sampler.type == SamplerType::samplerCube ? fmt::format("{}", size.x)
+                                : sampler.type == SamplerType::sampler3D
+                                    ? fmt::format("{}x{}x{}", size.x, size.y, size.z)
+                                    : fmt::format("{}x{}", size.x, size.y);
+    return fmt::format("noise {} {}",
+                       kChannels[static_cast<std::size_t>(sampler.noise_channels - 1)], lengths);
+}
+
+int output_id(const std::string& tab) {
+    if (tab == "image") return 37;
+    if (tab == "sound") return 38;
+    if (tab == "cubeA") return 41;
+    return kBufferIds[static_cast<std::size_t>(tab.back() - 'A')];
+}
+
+Json Exporter::input_json(const Sampler& sampler, int channel) const {
+    const bool is_buffer = sampler.source == Source::buffer;
+    const std::string tab = is_buffer ? tab_of(sampler).name : "";
+    const char* kind = tab == "cubeA"                             ? "cubemap"
+                       : is_buffer                                ? "buffer"
+                       : sampler.source == Source::keyboard       ? "keyboard"
+                       : sampler.source == Source::sound          ? "music"
+                       : sampler.type == SamplerType::sampler3D   ? "volume"
+                       : sampler.type == SamplerType::samplerCube ? "cubemap"
+                                                                  : "texture";
+    return {{"id", is_buffer                            ? output_id(tab)
+                   : sampler.source == Source::keyboard ? 33
+                                                        : 0},
+            {"src", media_name(sampler)},
+            {"ctype", kind},
+            {"channel", channel},
+            {"sampler",
+             {{"filter", filter_word(sampler.filter)},
+              {"wrap", sampler.wrap == Wrap::clamp ? "clamp" : "repeat"},
+              {"vflip", sampler.vflip ? "true" : "false"},
+              {"srgb", "false"},
+              {"internal", "byte"}}}};
+}
+
+Json Exporter::tab_json(const Tab& tab, const std::string& text) const {
+    Json inputs = Json::array();
+    const auto channels = channels_of(tab);
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        if (channels[i])
+            inputs.push_back(input_json(sampler_at(preset_, *channels[i]), static_cast<int>(i)));
+    const bool is_buffer = tab.name.starts_with("buffer");
+    const std::string name = is_buffer             ? fmt::format("Buffer {}", tab.name.back())
+                             : tab.name == "cubeA" ? "Cube A"
+                             : tab.name == "image" ? "Image"
+                                                   : "Sound";
+    return {{"inputs", inputs},
+            {"outputs", Json::array({{{"id", output_id(tab.name)}, {"channel", 0}}})},
+            {"code", text},
+            {"name", name},
+            {"description", ""},
+            {"type", is_buffer ? "buffer" : tab.name == "cubeA" ? "cubemap" : tab.name}};
+}
+
+void Exporter::write(const fs::path& folder) {
+    std::vector<std::string> texts;
+    Json passes = Json::array();
+    for (const Tab& tab : tabs_) {
+        texts.push_back(tab_text(tab));
+        passes.push_back(tab_json(tab, texts.back()));
+    }
+    const Json info = {{"id", ""}, {"name", preset_.title}, {"username", ""}, {"description", ""}};
+    const Json shader = {{"Shader", {{"ver", "0.1"}, {"info", info}, {"renderpass", passes}}}};
+    std::vector<NamedFile> outputs = {{"-o", (folder / "shadertoy.json").string()}};
+    for (const Tab& tab : tabs_)
+        outputs.push_back({"-o", (folder / (tab.name + ".glsl")).string()});
+    require_apart(outputs, files_read_for(preset_));
+    make_folder(folder);
+    for (std::size_t i = 0; i < tabs_.size(); ++i) {
+        const fs::path file = folder / (tabs_[i].name + ".glsl");
+        write_whole_file(file, std::as_bytes(std::span(texts[i])));
+        say_result("{}\n", file.string());
+    }
+    const std::string json = shader.dump(2) + "\n";
+    write_whole_file(folder / "shadertoy.json", std::as_bytes(std::span(json)));
+    say_result("{}\n", (folder / "shadertoy.json").string());
+}
+
+}  // namespace
+
+void run_export(const ExportOptions& options) {
+    const Preset preset = open_preset(options.view);
+    const auto context = make_egl_context(options.view.device);
+    Exporter(preset).write(options.output);
+}
+
+}  // namespace glint

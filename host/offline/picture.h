@@ -1,0 +1,42 @@
+// What a still and the pictures of a sequence have in common: how they are asked for and made.
+#pragma once
+
+#include "offline/named_files.h"
+#include "offline/snapshot.h"
+
+namespace glint {
+
+struct PictureOptions {
+    ViewOptions view;
+    double fps = 60.0;     // Hz; frame k stands at k / fps, and simulations are played so
+    int samples = 1;       // sub-pixel positions averaged in linear light
+    double shutter = 0.0;  // degrees that it stays open, 360 a frame; over the samples
+    FileFormat format{};
+    StateOptions state{};
+};
+
+// What is drawn for them.
+struct PictureKind {
+    std::size_t pass = kImagePass;
+    bool floats = false;  // kept as floats, or as bytes
+    bool tiles = false;   // may be drawn in tiles
+};
+
+CompileOptions compile_options(const PictureOptions& options, const PictureKind& kind);
+RenderOptions render_options(const PictureOptions& options, const PictureKind& kind,
+                             glm::ivec2 size);
+
+// Throws UsageError where two of the files that a call writes are one, or one of them is read: the
+// picture, and the state that is saved. `pictures` are read, too.
+void require_files_apart(const PictureOptions& options, const NamedFile& output,
+                         const NamedFile& pictures, const Preset& preset);
+
+// Seconds that the shutter stays open. Throws UsageError where nothing can be drawn between two
+// frames.
+double exposure_of(const PictureOptions& options, const PassGraph& graph);
+
+// What the picture's file tells of where it comes from.
+Metadata metadata_of(const PictureOptions& options, const Preset& preset, const Frame& frame,
+                     const std::string& renderer);
+
+}  // namespace glint

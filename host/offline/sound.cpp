@@ -1,0 +1,113 @@
+#include "offline/sound.h"
+
+#include "gl/context.h"
+#include "base/temporary_file.h"
+#include "offline/input_files.h"
+#include "offline/named_files.h"
+#include "base/say.h"
+#include "media/sound.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace glint {
+namespace {
+
+constexpr long kBlock = long{kSoundBlockWidth} * kSoundBlockRows;  // samples
+
+// What is not a number is silence.
+float audible(float value) {
+    return value > -1.0f ? std::min(value, 1.0f) : value <= -1.0f ? -1.0f : 0.0f;
+}
+
+}  // namespace
+
+SoundRenderer::SoundRenderer(const Preset& preset, bool specialise)
+    : preset_(preset),
+      renderer_(
+          preset,
+          compile_or_stop(preset, {.root = kSoundPass, .program = {.specialise = specialise}}),
+          {.size = {kSoundBlockWidth, kSoundBlockRows}, .picture_format = PixelFormat::rgba32f}) {
+    load_inputs(preset, renderer_);
+}
+
+std::vector<float> SoundRenderer::block(long index) {
+    Frame frame;
+    frame.time = static_cast<double>(index * kBlock) / kSampleRate;
+    frame.frame = static_cast<int>(index);
+    frame.date = shadertoy_date(preset_.date, 0.0);
+    renderer_.redraw();
+    renderer_.draw(frame);
+    const std::vector<float> rgba = renderer_.read_floats();
+    std::vector<float> pairs;
+    pairs.reserve(2 * kBlock);
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        pairs.push_back(audible(rgba[i]));
+        pairs.push_back(audible(rgba[i + 1]));
+    }
+    return pairs;
+}
+
+void render_sound(const Preset& preset, bool specialise, long first, long count,
+                  const std::function<void(std::span<const std::int16_t>)>& take) {
+    SoundRenderer renderer(preset, specialise);
+    std::vector<std::int16_t> samples;
+    for (long block = first / kBlock; block * kBlock < first + count; ++block) {
+        const std::vector<float> pairs = renderer.block(block);
+        const long begin = std::max(first - block * kBlock, 0L);
+        const long end = std::min(first + count - block * kBlock, kBlock);
+        samples.clear();
+        for (auto i = static_cast<std::size_t>(2 * begin); i < static_cast<std::size_t>(2 * end);
+             ++i)
+            samples.push_back(static_cast<std::int16_t>(std::lround(pairs[i] * 32767.0f)));
+        take(samples);
+    }
+}
+
+void run_sound(const SoundOptions& options) {
+    const Stopwatch clock;
+    if (!can_write_sound(options.output)) {
+        throw UsageError(
+            fmt::format("-o {}: name a .wav, .flac or .ogg file.", options.output.string()));
+    }
+    const long count = std::lround(options.seconds * kSampleRate);
+    if (count > kMostSoundSamples)
+        throw UsageError("--seconds: a WAV file ends before 3 hours 20.");
+    const Preset preset = open_preset(options.view);
+    if (!preset.scene.has_sound) {
+        throw UsageError(fmt::format(
+            "{} has no sound; it would be vec2 mainSound(int samp, float time) {{ ... }}.",
+            preset.scene.files.front().string()));
+    }
+    require_apart({{"-o", options.output.string()}}, files_read_for(preset));
+    const auto context = make_egl_context(options.view.device);
+    TemporaryFile out(options.output);
+    SoundWriter writer(out.descriptor(), options.output);
+    long done = 0;
+    Progress progress("sound", count);
+    render_sound(preset, options.view.specialise, 0, count, [&](auto samples) {
+        writer.append(samples);
+        progress.update(done += static_cast<long>(samples.size() / 2));
+    });
+    if (const int error = writer.finish()) out.fail(error);
+    out.commit();
+    if (options.view.json) {
+        const nlohmann::ordered_json json = {{"output", options.output.string()},
+                                             {"scene", preset.scene.files.front().string()},
+                                             {"seconds", options.seconds},
+                                             {"rate", kSampleRate},
+                                             {"channels", 2},
+                                             {"renderer", context->renderer()},
+                                             {"ms", {{"total", clock.ms()}}}};
+        say_result("{}\n", json.dump(2));
+    } else {
+        say_result("{}  {:.1f} s of sound  {:.0f} ms\n", options.output.string(), options.seconds,
+                   clock.ms());
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,145 @@
+#include "window/live/browser.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <system_error>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kThumbnailSize = "192x108";
+
+void append_files(std::vector<fs::path>& list, const fs::path& folder, const char* extension) {
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+        if (entry.path().extension() == extension) found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    for (const fs::path& file : found) {
+        const bool known = std::any_of(list.begin(), list.end(), [&](const fs::path& f) {
+            return fs::equivalent(f, file, error);
+        });
+        if (!known) list.push_back(file);
+    }
+}
+
+// Lowest priority, and silent: a scene that does not compile simply has no thumbnail.
+int start_still(const fs::path& file, const fs::path& output) {
+    std::vector<std::string> words = {"/proc/self/exe", "still",  file.string(), "-o",
+                                      output.string(),  "--size", kThumbnailSize};
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    pid_t process = 0;
+    const int error =
+        posix_spawn(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) return 0;
+    setpriority(PRIO_PROCESS, static_cast<id_t>(process), 19);
+    return process;
+}
+
+Texture make_thumbnail(const Image& image) {
+    const bool rgba = image.channels == 4;
+    if (image.type != ChannelType::u8 || image.channels < 3) return {};
+    Texture texture = make_texture_2d(GL_RGBA8, image.size);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(texture.id(), 0, 0, 0, image.size.x, image.size.y, rgba ? GL_RGBA : GL_RGB,
+                        GL_UNSIGNED_BYTE, image.pixels.data());
+    return texture;
+}
+
+}  // namespace
+
+std::vector<fs::path> nearby_files(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    std::vector<fs::path> list;
+    for (const fs::path& place : {folder, folder / ".." / "presets"})
+        append_files(list, place, ".toml");
+    for (const fs::path& place : {folder, folder / ".." / "fragments"})
+        append_files(list, place, ".frag");
+    return list;
+}
+
+Browser::Browser(fs::path cache) : cache_(std::move(cache)) {}
+
+Browser::~Browser() {
+    if (rendering_ == 0) return;
+    kill(rendering_, SIGKILL);
+    waitpid(rendering_, nullptr, 0);
+}
+
+// The name changes with the file's path and time, so that a stale picture is never shown.
+fs::path Browser::cached(const fs::path& file) const {
+    std::error_code error;
+    const auto modified = fs::last_write_time(file, error).time_since_epoch().count();
+    const std::string key = fmt::format("{}:{}", fs::absolute(file, error).string(), modified);
+    return cache_ / fmt::format("{:016x}.png", std::hash<std::string>()(key));
+}
+
+void Browser::list(const fs::path& near_file) {
+    std::vector<Look> looks;
+    for (const fs::path& file : nearby_files(near_file)) {
+        looks.push_back({.file = file, .title = file.stem().string(), .thumbnail = {}});
+        for (Look& known : looks_) {
+            if (known.file == file) looks.back().thumbnail = std::move(known.thumbnail);
+        }
+    }
+    looks_ = std::move(looks);
+    next_ = 0;
+}
+
+void Browser::start_next() {
+    while (next_ < looks_.size() && looks_[next_].thumbnail) ++next_;
+    if (next_ >= looks_.size()) return;
+    const fs::path output = cached(looks_[next_].file);
+    std::error_code error;
+    if (fs::exists(output, error)) {
+        reading_ = std::async(std::launch::async, [output] { return read_image(output); });
+        return;
+    }
+    fs::create_directories(cache_, error);
+    rendering_ = start_still(looks_[next_].file, output);
+    if (rendering_ == 0) ++next_;
+}
+
+bool Browser::update() {
+    if (rendering_ != 0) {
+        int status = 0;
+        if (waitpid(rendering_, &status, WNOHANG) == 0) return false;
+        rendering_ = 0;
+        if (status != 0) ++next_;  // no picture of this one
+        return false;
+    }
+    if (!reading_.valid()) {
+        start_next();
+        return false;
+    }
+    if (reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    try {
+        const Image image = reading_.get();
+        if (next_ < looks_.size()) looks_[next_].thumbnail = make_thumbnail(image);
+    } catch (const std::exception&) {
+        // A broken cache entry: left out.
+    }
+    ++next_;
+    return true;
+}
+
+}  // namespace glint

@@ -1,0 +1,54 @@
+// The scenes and presets near the open file, with thumbnails that another process renders and a
+// cache keeps.
+#pragma once
+
+#include "gl/objects.h"
+#include "media/image.h"
+
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct Look {
+    std::filesystem::path file;
+    std::string title;
+    Texture thumbnail;  // empty until it is there
+};
+
+// The presets and scenes in the folder of `file`, and in fragments/ and presets/ beside that
+// folder; presets first, by name.
+std::vector<std::filesystem::path> nearby_files(const std::filesystem::path& file);
+
+class Browser {
+public:
+    explicit Browser(std::filesystem::path cache);
+    ~Browser();
+    Browser(const Browser&) = delete;
+    Browser& operator=(const Browser&) = delete;
+
+    void list(const std::filesystem::path& near_file);
+
+    // One thumbnail at a time, at the lowest priority; does not wait. True when one has arrived.
+    bool update();
+
+    // Whether a thumbnail is being made.
+    bool is_busy() const { return rendering_ != 0 || reading_.valid(); }
+
+    const std::vector<Look>& looks() const { return looks_; }
+
+private:
+    void start_next();
+    std::filesystem::path cached(const std::filesystem::path& file) const;
+
+    std::filesystem::path cache_;
+    std::vector<Look> looks_;
+    std::size_t next_ = 0;  // the look whose thumbnail comes next
+    int rendering_ = 0;     // the process that draws it
+    std::future<Image> reading_;
+};
+
+}  // namespace glint

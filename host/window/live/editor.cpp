@@ -1,0 +1,145 @@
+#include "window/live/editor.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace glint {
+namespace {
+
+constexpr const char* kDesktopsChoice = "xdg-open";
+
+bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+}
+
+std::string program_name(const std::vector<std::string>& command) {
+    return std::filesystem::path(command.front()).filename().string();
+}
+
+bool needs_terminal(const std::string& name) {
+    return is_one_of(name,
+                     {"vi", "vim", "nvim", "nano", "micro", "hx", "helix", "kak", "joe", "ne"});
+}
+
+std::string chosen_editor() {
+    for (const char* variable : {"VISUAL", "EDITOR"}) {
+        const char* value = std::getenv(variable);
+        if (value && *value) return value;
+    }
+    return kDesktopsChoice;
+}
+
+// As a shell looks for it.
+bool is_found(const std::string& program) {
+    const auto runs = [](const std::string& file) { return ::access(file.c_str(), X_OK) == 0; };
+    if (program.find('/') != std::string::npos) return runs(program);
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "/bin:/usr/bin");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (runs((folder.empty() ? "." : folder) + "/" + program)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<std::string> editor_command(const std::string& editor, const Place& place) {
+    std::istringstream words(editor);
+    std::vector<std::string> command;
+    for (std::string word; words >> word;) command.push_back(word);
+    if (command.empty()) command.push_back(kDesktopsChoice);
+    const std::string name = program_name(command);
+    const int line = std::max(place.line, 1), column = std::max(place.column, 1);
+    const std::string at = fmt::format("{}:{}:{}", place.file, line, column);
+    if (is_one_of(name, {"code", "codium", "code-insiders"})) {
+        command.push_back("--goto");
+        command.push_back(at);
+    } else if (is_one_of(name, {"subl", "zed", "hx", "helix"})) {
+        command.push_back(at);
+    } else if (is_one_of(name, {"emacs", "emacsclient", "gedit", "kak", "micro"})) {
+        command.push_back(fmt::format("+{}:{}", line, column));
+        command.push_back(place.file);
+    } else if (name == "nano") {
+        command.push_back(fmt::format("+{},{}", line, column));
+        command.push_back(place.file);
+    } else if (name == "kate") {
+        command.insert(command.end(), {"-l", std::to_string(line), "-c", std::to_string(column)});
+        command.push_back(place.file);
+    } else {
+        if (name != kDesktopsChoice) command.push_back(fmt::format("+{}", line));
+        command.push_back(place.file);
+    }
+    return command;
+}
+
+Editor::Editor() {
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, sockets_) != 0)
+        throw std::runtime_error("There is no socket.");
+}
+
+Editor::~Editor() {
+    for (const int socket : sockets_) ::close(socket);
+}
+
+std::string Editor::open(const Place& place) {
+    std::vector<std::string> command = editor_command(chosen_editor(), place);
+    const std::string name = program_name(command);
+    if (!is_found(command.front()))
+        return fmt::format("No editor is found: there is no {}; set $EDITOR.", command.front());
+    if (needs_terminal(name)) {
+        command.insert(command.begin(), {"x-terminal-emulator", "-e"});
+        if (!is_found(command.front()))
+            return fmt::format("No terminal is found for {}: there is no {}; set $EDITOR.", name,
+                               command.front());
+    }
+    std::vector<char*> arguments;
+    for (std::string& word : command) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawnattr_t attributes;  // signals that we ignore are not to be ignored by others
+    posix_spawnattr_init(&attributes);
+    sigset_t all;
+    sigfillset(&all);
+    posix_spawnattr_setsigdefault(&attributes, &all);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    pid_t process = 0;
+    const int error =
+        posix_spawnp(&process, arguments[0], nullptr, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    if (error != 0) {
+        return fmt::format("cannot start {}: {}; set $EDITOR", command.front(),
+                           std::strerror(error));
+    }
+    // Nobody waits for the editor, but it must not stay behind as a zombie. What editors end with
+    // is their own affair; the desktop's choice tells so that there is none.
+    const int told = ::fcntl(sockets_[1], F_DUPFD_CLOEXEC, 0);
+    std::thread([process, told, chooses = name == kDesktopsChoice] {
+        int status = 0;
+        waitpid(process, &status, 0);
+        if (chooses && status != 0) ::send(told, "", 1, MSG_NOSIGNAL);
+        ::close(told);
+    }).detach();
+    return "";
+}
+
+std::string Editor::problem() {
+    char byte = 0;
+    if (::recv(sockets_[0], &byte, 1, 0) != 1) return "";
+    return fmt::format("No editor is found: {} knows none for this file; set $EDITOR.",
+                       kDesktopsChoice);
+}
+
+}  // namespace glint

@@ -1,0 +1,288 @@
+#include "window/live/glfw_window.h"
+
+#include "base/say.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <X11/Xlib.h>
+#include <dlfcn.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <poll.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <utility>
+
+namespace glint {
+namespace {
+
+// GLFW is one library for the process; the last window switches it off.
+int open_windows = 0;
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+// Xlib ends the process when this returns; nothing can be drawn any more.
+int hear_lost_display(Display*) {
+    say("The display is gone; Glint ends.\n");
+    std::_Exit(1);
+}
+
+// A function of a library that may be another one, or lack it, where this program runs.
+template <class Function>
+Function find_function(const char* name, void* library = RTLD_DEFAULT) {
+    return reinterpret_cast<Function>(::dlsym(library, name));
+}
+
+// GLFW 3.3 is built for X11 or for Wayland, under one file name; 3.4 knows both, and gives null for
+// the one that it does not run on.
+template <class Connection>
+Connection* find_display(const char* function) {
+    const auto get = find_function<Connection* (*)()>(function);
+    Connection* display = get ? get() : nullptr;
+    if (!display) glfwGetError(nullptr);  // that it is the other one is no error of ours
+    return display;
+}
+
+int x11_descriptor() {
+    auto* display = find_display<Display>("glfwGetX11Display");
+    return display ? XConnectionNumber(display) : -1;
+}
+
+int wayland_descriptor() {
+    auto* display = find_display<struct wl_display>("glfwGetWaylandDisplay");
+    void* library = display ? ::dlopen("libwayland-client.so.0", RTLD_LAZY | RTLD_NOLOAD) : nullptr;
+    if (!library) return -1;
+    const auto get = find_function<int (*)(struct wl_display*)>("wl_display_get_fd", library);
+    ::dlclose(library);  // GLFW keeps it
+    return get ? get(display) : -1;
+}
+
+void start_glfw() {
+    if (open_windows++ > 0) return;
+    Context::start_variables_at_zero();
+    if (!glfwInit()) {
+        --open_windows;
+        throw NoContext(fmt::format("There is no display: {}.", last_error()));
+    }
+    XSetIOErrorHandler(hear_lost_display);
+}
+
+void stop_glfw() {
+    if (--open_windows == 0) glfwTerminate();
+}
+
+// GLFW makes the window larger by the scale of the monitor.
+glm::ivec2 fitted_to_screen(glm::ivec2 size) {
+    constexpr glm::ivec2 kLeast{320, 180};  // less would leave no room for a panel
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return glm::max(size, kLeast);
+    glm::ivec2 corner{0}, room{0};
+    glm::vec2 scale{1.0f};
+    glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &room.x, &room.y);
+    glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+    const glm::dvec2 ratio = glm::dvec2(room) / (glm::dvec2(size) * glm::dvec2(scale));
+    const double fit = std::min(ratio.x, ratio.y);
+    if (fit >= 1.0 || fit <= 0.0) return glm::max(size, kLeast);
+    return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * fit)), kLeast);
+}
+
+Window& self(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+}  // namespace
+
+Window::Window(glm::ivec2 size, const std::string& title) {
+    start_glfw();
+    size = fitted_to_screen(size);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    // Where one way to a context is missing the other may be there.
+    for (const int api : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
+        window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+        if (window_) break;
+    }
+    if (!window_) {
+        const std::string reason = last_error();
+        stop_glfw();
+        throw NoContext(fmt::format("No window: {}.", reason));
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    try {
+        start();
+    } catch (...) {
+        glfwDestroyWindow(window_);
+        stop_glfw();
+        throw;
+    }
+    display_ = x11_descriptor();
+    is_wayland_ = display_ < 0;
+    if (display_ < 0) display_ = wayland_descriptor();
+    listen();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    stop_glfw();
+}
+
+glm::ivec2 Window::size() const {
+    glm::ivec2 size{0};
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+float Window::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::max(x, y);
+}
+
+double Window::refresh_rate() const {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
+}
+
+bool Window::is_visible() const {
+    return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE &&
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE;
+}
+
+bool Window::should_close() const {
+    return glfwWindowShouldClose(window_) != 0;
+}
+void Window::close() {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+void Window::show() {
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) glfwRestoreWindow(window_);
+}
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+bool Window::is_full_screen() const {
+    return glfwGetWindowMonitor(window_) != nullptr;
+}
+
+void Window::set_full_screen(bool full_screen) {
+    if (full_screen == is_full_screen()) return;
+    // GLFW before 3.4 counts the frame that it draws under Wayland as part of a full screen, for
+    // which compositors end the program. Their own ways to fill the screen are left.
+    int major = 0, minor = 0;
+    glfwGetVersion(&major, &minor, nullptr);
+    if (is_wayland_ && major == 3 && minor < 4) return;
+    if (!full_screen) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w,
+                             GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return;
+    glfwGetWindowPos(window_, &windowed_.x, &windowed_.y);
+    glfwGetWindowSize(window_, &windowed_.z, &windowed_.w);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+// GLFW can wait for the display alone. Its way to end that wait from another thread touches Xlib
+// there and has lost wake-ups (GLFW before 3.4), so the display's descriptor and the others are
+// waited for together, on this thread. Polling first takes what Xlib has read already and keeps to
+// itself.
+std::vector<WindowEvent> Window::events(double wait_seconds, std::span<const int> descriptors) {
+    glfwPollEvents();
+    if (events_.empty() && wait_seconds > 0.0) {
+        // Under Wayland a key that is held repeats by a clock of GLFW's own, which wakes nobody.
+        constexpr double kFrame = 1.0 / 60.0;
+        if (display_ < 0 || (is_wayland_ && held_keys_ > 0))
+            wait_seconds = std::min(wait_seconds, kFrame);
+        std::vector<pollfd> polled = {{.fd = display_, .events = POLLIN, .revents = 0}};
+        for (const int fd : descriptors)
+            polled.push_back({.fd = fd, .events = POLLIN, .revents = 0});
+        const auto seconds = static_cast<std::time_t>(wait_seconds);
+        const timespec wait{seconds,
+                            std::lround((wait_seconds - static_cast<double>(seconds)) * 1e9)};
+        ::ppoll(polled.data(), polled.size(), &wait, nullptr);
+        glfwPollEvents();
+    }
+    return std::exchange(events_, {});
+}
+
+void Window::swap() {
+    glfwSwapBuffers(window_);
+}
+
+// GLFW counts points from the top left; scenes count pixels from the bottom left.
+glm::dvec2 Window::to_pixels(double x, double y) const {
+    int width = 1, height = 1;
+    glfwGetWindowSize(window_, &width, &height);
+    const glm::dvec2 pixels(size());
+    return {x * pixels.x / std::max(width, 1), (1.0 - y / std::max(height, 1)) * pixels.y};
+}
+
+void Window::listen() {
+    glfwSetWindowUserPointer(window_, this);
+    glm::dvec2 cursor{0.0};
+    glfwGetCursorPos(window_, &cursor.x, &cursor.y);
+    cursor_ = to_pixels(cursor.x, cursor.y);
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+        if (action != GLFW_REPEAT) self(w).count_key(action == GLFW_PRESS);
+        self(w).push({.kind = WindowEvent::Kind::key,
+                      .code = key,
+                      .modifiers = modifiers,
+                      .down = action != GLFW_RELEASE,
+                      .repeat = action == GLFW_REPEAT,
+                      .files = {}});
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
+        self(w).push({.kind = WindowEvent::Kind::mouse_button,
+                      .code = button,
+                      .modifiers = modifiers,
+                      .down = action == GLFW_PRESS,
+                      .position = self(w).cursor_,
+                      .files = {}});
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        self(w).cursor_ = self(w).to_pixels(x, y);
+        self(w).push(
+            {.kind = WindowEvent::Kind::mouse_move, .position = self(w).cursor_, .files = {}});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+        self(w).push({.kind = WindowEvent::Kind::scroll, .position = {x, y}, .files = {}});
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** names) {
+        WindowEvent event{.kind = WindowEvent::Kind::drop, .files = {}};
+        event.files.assign(names, names + count);
+        self(w).push(std::move(event));
+    });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) {
+        self(w).push({.kind = WindowEvent::Kind::resize, .files = {}});
+    });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) {
+        self(w).push({.kind = WindowEvent::Kind::resize, .files = {}});
+    });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);
+        self(w).push({.kind = WindowEvent::Kind::close, .files = {}});
+    });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+        self(w).push({.kind = WindowEvent::Kind::focus, .down = focused != 0, .files = {}});
+    });
+}
+
+}  // namespace glint

@@ -1,0 +1,33 @@
+// What the passes panel is told of the passes, buffers and pixels of an open scene.
+#pragma once
+
+#include "window/live/playground.h"
+#include "render/viewer.h"
+#include "window/ui/panels.h"
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// One output of one pass that is drawn.
+struct Output {
+    std::size_t graph_index = 0, output = 0;
+};
+
+// The output that this sampler reads; the picture when nothing of that name is drawn.
+Output find_output(Playground& playground, const std::string& sampler);
+
+std::vector<PassFact> pass_facts(Playground& playground);
+
+// Exact counts over one output.
+PixelFacts pixel_facts(Playground& playground, const Output& output);
+
+// The pixels of one output that lie in the area, once they are large enough to hold numbers.
+std::vector<GridPixel> pixel_grid(Playground& playground, const Output& output,
+                                  const BufferView& view, const ScreenArea& area);
+
+// The values of all buffers at one place, a fraction of the picture; none outside it.
+std::vector<PixelValue> pixel_values(Playground& playground, glm::dvec2 at);
+
+}  // namespace glint

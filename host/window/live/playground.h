@@ -1,0 +1,202 @@
+// An open scene, live: it follows its files, keeps what a person has set, and draws when something
+// has changed. It knows no window and no panels, so it runs in tests without either.
+#pragma once
+
+#include "gl/context.h"
+#include "media/image.h"
+#include "offline/common.h"
+#include "window/live/input_loader.h"
+#include "window/trial/trial.h"
+#include "base/watcher.h"
+#include "scene/history.h"
+#include "scene/recording.h"
+#include "scene/transport.h"
+
+#include <deque>
+#include <memory>
+
+namespace glint {
+
+struct PlaygroundOptions {
+    std::string device;
+    bool specialise = true;        // once the tweaks rest
+    double rest_seconds = 0.4;     // how long they rest before that
+    double hopeless_ms = 10000.0;  // a frame that would take longer is refused
+};
+
+// How a save, or the first opening, went; one line on stderr each.
+struct ReloadReport {
+    std::filesystem::path file;
+    bool shown = false;       // the new text is on the screen
+    double read_ms = 0.0;     // reading and parsing
+    double trial_ms = 0.0;    // in the other process
+    double compile_ms = 0.0;  // in this one
+    double first_frame_ms = 0.0;
+    std::string text;  // the line
+};
+
+class Playground {
+public:
+    // `context` is current and outlives the playground.
+    Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options = {});
+    ~Playground();
+
+    // Opens a scene or a preset. What was open stays on the screen until the new one draws.
+    void open(const std::filesystem::path& file);
+
+    // Follows files and trials; does not wait. True when something has changed that a person sees.
+    bool update();
+
+    // For ::poll(): readable when update() has something to do.
+    std::vector<int> descriptors() const;
+
+    // Whether a frame is due: time moves, or an input, a tweak, the size or the scene has changed.
+    bool wants_frame() const;
+
+    // Whether that frame is the first of a text that was saved or opened.
+    bool has_unseen_text() const { return report_first_frame_; }
+
+    // Draws what is due; `wall_seconds` have passed since the last call. True when the picture is
+    // new.
+    bool draw(double wall_seconds);
+
+    // In pixels of the picture. It stays as it is where there is no memory for the new size; the
+    // diagnostics tell.
+    void resize(glm::ivec2 size);
+    glm::ivec2 size() const { return size_; }
+
+    // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
+    // the picture, y up.
+    void mouse(glm::dvec2 fraction, bool down);
+    void key(int code, bool down);
+
+    // A tweak was moved: the next frame shows it.
+    void tweaks_changed();
+
+    // The picture as a still would write it, RGBA: drawn anew with the tweaks as constants.
+    std::vector<std::byte> still();
+    Metadata still_metadata() const;
+
+    // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
+    // stand. Null while nothing is open.
+    const Buffer* picture_of(History::Set set);
+
+    // Records mouse and keys from now on.
+    void start_recording() { recorder.start(instant_.time, input_); }
+
+    // The preset as it stands now: values, time, size, recorded events.
+    Preset current_preset() const;
+
+    // The same for another process to draw what is seen here, mouse and keys included. A scene that
+    // has to be played to its time is taken soon after its start.
+    Preset preset_as_shown() const;
+
+    bool is_open() const { return renderer_ != nullptr; }
+    bool is_loading() const { return candidate_ != nullptr || inputs_.is_loading(); }
+    // Whether another thread still reads an input, wanted or not. It ends with the process.
+    bool is_reading_inputs() const { return inputs_.is_reading(); }
+    bool is_specialised() const { return specialised_; }
+    // Nothing is left to be done in the background.
+    bool is_at_rest() const {
+        return !trying_ && (specialised_ || specialise_failed_ || !options_.specialise);
+    }
+    // Fraction done of a replay to a time that was jumped to, or 1.
+    double replayed() const;
+
+    const Preset* preset() const { return preset_.get(); }
+    // What is shown as its file has it, without what was changed here; null until it is shown.
+    const Preset* as_written() const { return written_.get(); }
+    // The file has just been given this.
+    void note_saved(const Preset& preset) { *written_ = preset; }
+    Renderer* renderer() { return renderer_.get(); }
+    const Diagnostics& diagnostics() const { return diagnostics_; }
+    // The last reloads, and how many there were in all.
+    const std::deque<ReloadReport>& reports() const { return reports_; }
+    std::size_t report_count() const { return report_count_; }
+    const Instant& instant() const { return instant_; }
+    double frame_ms() const { return frame_ms_; }
+
+    // Milliseconds a pass of the graph took last, and whether the last frame drew it. Empty unless
+    // measuring, which waits after every pass.
+    struct PassTime {
+        double ms = 0.0;
+        bool drawn = false;
+    };
+    const std::vector<PassTime>& pass_times() const { return pass_times_; }
+    // The picture is kept in floats meanwhile: bytes hold no NaN.
+    void measure_passes(bool on);
+
+    History history;
+    Transport transport;
+    Recorder recorder;
+
+private:
+    enum class Purpose { reload, specialise };
+
+    void notice_saves();
+    void read_again(const std::filesystem::path& changed);
+    void reload_inputs(const std::vector<std::filesystem::path>& changed);
+    void load_missing_inputs();
+    void follow_inputs();
+    void take_input(InputLoader::Loaded loaded);
+    void watch(const std::vector<std::filesystem::path>& files);
+    void start_trial(Purpose purpose);
+    void follow_trial();
+    void specialise_at_rest();
+    void use_uniforms();
+    void take(const Preset& preset, Purpose purpose);
+    void refuse(const std::string& why);
+    void finish_report(bool shown);
+    Frame next_frame(double wall_seconds);
+    void replay_events(double from, double to);
+    Frame frame_again() const;
+    PixelFormat picture_format() const {
+        return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
+    }
+    bool replay_slice(Frame& frame);
+    bool follows_time() const;
+    std::unique_ptr<Renderer> make_renderer(const Preset& preset, bool specialise);
+
+    Context& context_;
+    PlaygroundOptions options_;
+    glm::ivec2 size_, refused_size_{0};
+    std::filesystem::path file_;
+    Watcher watcher_;
+    Trial trial_;
+    InputLoader inputs_;
+    bool opens_with_inputs_ = false;  // those of a file that was opened are not all there yet
+    bool plays_again_ = false;        // from the start, with what was missing
+    std::vector<std::filesystem::path> watched_;
+
+    std::unique_ptr<Preset> preset_;  // what is drawn
+    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Preset> candidate_;  // what is tried
+    std::optional<History> candidate_history_;
+    std::unique_ptr<Preset> written_;  // the preset as its file had it when it was last read
+    Purpose purpose_ = Purpose::reload;
+    bool trying_ = false;
+    bool specialised_ = false, specialise_failed_ = false;
+    Stopwatch since_tweak_;
+    Stopwatch since_notice_;
+    ReloadReport report_;
+    bool report_first_frame_ = false;
+
+    Diagnostics diagnostics_;
+    std::deque<ReloadReport> reports_;  // the last ones
+    std::size_t report_count_ = 0;
+    std::unique_ptr<Buffer> other_picture_;
+    InputState input_;
+    Recorder recent_;  // for the steps of simulations
+    Input drawn_input_;
+    glm::vec4 drawn_date_{0.0f};
+    Instant instant_;
+    bool touched_ = true;   // something other than time asks for a frame
+    int extra_frames_ = 0;  // drawn since time stands
+    int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
+    int replay_at_ = -1, replay_until_ = -1;
+    double frame_ms_ = 0.0;
+    bool measuring_ = false;
+    std::vector<PassTime> pass_times_;
+};
+
+}  // namespace glint

@@ -1,0 +1,172 @@
+// The window of an open scene: what it holds together, and who does what.
+//
+// window.cpp draws and grants wishes, window_input.cpp hears keys and mouse, window_findings.cpp
+// runs studies and checks beside it, window_work.cpp sees to it that no work is lost.
+#pragma once
+
+#include "window/live/glfw_window.h"
+#include "window/live/browser.h"
+#include "window/live/crash_mark.h"
+#include "window/live/editor.h"
+#include "base/end_signals.h"
+#include "window/live/check.h"
+#include "window/live/sound.h"
+#include "window/live/study.h"
+#include "window/live/picture_shelf.h"
+#include "window/live/playground.h"
+#include "window/live/unsaved_work.h"
+#include "render/viewer.h"
+#include "window/ui/panels.h"
+#include "window/ui/shortcuts.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+class PlaygroundWindow {
+public:
+    explicit PlaygroundWindow(const ViewOptions& options);
+    // Until it is closed, or a signal asks the program to end: that one, or 0.
+    int run();
+    bool is_reading_inputs() const { return playground_.is_reading_inputs(); }
+
+private:
+    // Input
+    void handle(const WindowEvent& event);
+    void handle_key(const WindowEvent& event);
+    void handle_mouse(const WindowEvent& event);
+    void release_keys();
+    bool run_shortcut(int key, int modifiers);
+    void act(Action action);
+    bool is_over_scene() const {
+        return settings_.view.sampler.empty() && settings_.view.zoom == 0.0 &&
+               settings_.shown == Shown::scene;
+    }
+
+    // What panels and shortcuts ask for
+    void grant(const Wishes& wishes);
+    void take_still();
+    void edit(const Diagnostic& diagnostic);
+    void close_one();
+    void toggle_free_aspect();
+    void notice(std::string text);
+
+    // What a person has done to the file, and what would take it away
+    struct Leaving {
+        enum class For { quit, open, revert, record } what = For::quit;
+        std::filesystem::path file;  // to be opened
+    };
+    void leave(const Leaving& leaving);
+    void go(Leaving leaving);
+    void take_answer(Answer answer);
+    void open(const std::filesystem::path& file);
+    void import_or_open(const std::filesystem::path& file);
+    void save_as(const std::filesystem::path& file);
+    bool save(const std::filesystem::path& file);
+    void revert();
+    void toggle_recording();
+    void stop_recording();
+    bool is_unsaved() const;
+    std::span<const Event> unsaved_events() const;
+    Preset preset_to_save() const;
+    void lay_options_over();
+    void keep_unsaved();
+    void keep_now();
+    void keep_at_end();
+    bool is_keeping_due() const;
+    void find_unsaved();
+    void restore();
+
+    // Studies and checks
+    bool follow_findings();
+    void grant_findings(const Wishes& wishes);
+    void start_study(const std::string& knob);
+    void start_check();
+    void stop_findings();
+    void tell_findings(Facts& facts) const;
+    bool show_finding();
+    bool show_failure();
+    bool show_comparison();
+
+    // Drawing
+    double wait_seconds() const;
+    bool shows_clock() const;
+    void draw_frame();
+    void follow_sound(double at);
+    void show_picture();
+    void show_wipe(const Buffer& left, const Buffer& right, const BufferView& view);
+    Facts facts();
+    void gather_pixels();
+    BufferView buffer_view() const;
+    void adapt_resolution();
+    std::optional<glm::ivec2> frame_size() const;
+    ScreenArea picture_area() const;
+    ScreenArea view_area() const;
+    glm::ivec2 picture_size() const;
+    glm::ivec2 viewed_size() const;
+    glm::dvec2 on_picture(glm::dvec2 position) const;
+    bool is_on_picture(glm::dvec2 position) const;
+    void print_reports();
+
+    EndSignals end_signals_;
+    ViewOptions options_;  // size and tweaks are those of the file that was opened first
+    Window window_;
+    CrashMark crash_mark_;
+    UnsavedWork unsaved_work_;
+    Playground playground_;
+    Viewer viewer_;
+    PanelSettings settings_;
+    Panels panels_;
+    Browser browser_;
+    LiveStudy study_;
+    LiveCheck check_;
+    LiveSound sound_;
+    Editor editor_;
+    PictureShelf pictures_;
+    std::filesystem::path file_;
+    bool values_known_ = false;  // the file has been shown
+    std::vector<Event> recorded_;
+    std::optional<Leaving> leaving_;  // once a person has said what becomes of the unsaved
+    std::optional<Preset> offer_;     // the unsaved work of the last run
+    // What the state folder holds, and since when.
+    struct Kept {
+        std::vector<TweakValue> values;
+        std::size_t events = 0;
+        bool operator==(const Kept&) const = default;
+    };
+    std::optional<Kept> kept_;
+    Stopwatch since_kept_;
+    static constexpr double kKeepPeriod = 0.5;  // s; a hand that moves does not write all the time
+    // What a study or a check is about: the values it began with, and whether they are still those
+    // of the same text.
+    struct Subject {
+        std::vector<TweakValue> values;
+        bool is_other_text = false;
+    };
+    Subject studied_, checked_;
+    Shown shown_before_ = Shown::scene;
+    glm::ivec2 finding_size_{1};  // of the picture in the view that is not the scene's
+
+    Stopwatch since_draw_, since_scaling_;
+    double frame_due_ = 0.0;  // s from since_draw_
+    std::size_t printed_reports_ = 0;
+    std::string notice_, title_, last_reload_;
+    double automatic_scale_ = 1.0;
+    float content_scale_ = window_.content_scale();
+    bool dirty_ = true;  // the screen is behind what it should show
+    bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
+    glm::dvec2 mouse_{0.0};
+    std::uint32_t random_seed_ = 0;
+    std::vector<int> held_keys_;
+
+    std::vector<PassFact> passes_;
+    std::vector<BrowserEntry> browser_entries_;
+    std::optional<PixelFacts> pixel_facts_;
+    std::vector<PixelValue> pixel_values_;
+    std::vector<GridPixel> grid_;
+};
+
+}  // namespace glint

@@ -1,0 +1,156 @@
+#include "window/live/sound.h"
+
+#include "window/trial/socket_process.h"
+#include "window/trial/message.h"
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace glint {
+namespace {
+
+// Where the process would be by itself, within which nothing has to be told; below what an ear
+// finds out of step with an eye.
+constexpr double kInStep = 0.03;  // s
+constexpr double kRest = 300.0;   // ms; that tweaks rest before they are heard
+
+bool is_in_step(const PlayState& told, const PlayState& now) {
+    if (told.playing != now.playing || told.rate != now.rate || told.volume != now.volume)
+        return false;
+    const double moved = told.playing ? (now.at - told.at) * told.rate : 0.0;
+    return std::abs(told.time + moved - now.time) < kInStep;
+}
+
+}  // namespace
+
+double clock_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+std::vector<std::filesystem::path> sounds_of(const Preset& preset) {
+    std::vector<std::filesystem::path> files;
+    for (std::size_t i = 0; i < sampler_count(preset); ++i) {
+        const Sampler& sampler = sampler_at(preset, i);
+        if (sampler.source != Source::sound) continue;
+        const auto& file = sampler.files.front();
+        if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    }
+    return files;
+}
+
+LiveSound::~LiveSound() {
+    end();
+}
+
+LiveSound::Content LiveSound::content_of(const Preset& preset) {
+    Content content{.text = preset.scene.text, .values = preset.values, .files = {}};
+    std::error_code error;
+    for (const std::filesystem::path& file : sounds_of(preset))
+        content.files.emplace_back(file, std::filesystem::last_write_time(file, error));
+    return content;
+}
+
+void LiveSound::follow(const Preset* preset, const PlayState& state) {
+    std::optional<Content> content;
+    if (preset) content = content_of(*preset);
+    if (content && content->files.empty() && !preset->scene.has_sound) content.reset();
+    if (content != content_) {
+        if (!content || !content_ || content->text != content_->text) why_silent_.clear();
+        content_ = std::move(content);
+        since_change_.restart();
+    }
+    if (!content_) return end();
+    if (process_ == 0 && (state.volume == 0.0f || !why_silent_.empty() || !start())) return;
+    SoundOrder order{.scene = {}, .state = state};
+    const bool rests = !sent_ || sent_->text != content_->text || since_change_.ms() > kRest;
+    if (sent_ != content_ && rests) {
+        if (!answered_) {  // it is lost in a loop that never ends
+            end();
+            if (!start()) return;
+        }
+        order.scene.push_back(*preset);
+        sent_ = content_;
+        answered_ = false;
+    }
+    if (order.scene.empty() && is_in_step(told_, state)) return;
+    told_ = state;
+    send(pack(order));
+}
+
+bool LiveSound::start() {
+    std::array<int, 2> pair{};
+    int error = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) == 0 ? 0 : errno;
+    if (error == 0) {
+        error = spawn_on_socket("/proc/self/exe", "voice", device_, pair[1], process_);
+        ::close(pair[1]);
+        socket_ = pair[0];
+    }
+    if (error == 0) return true;
+    process_ = 0;
+    end();
+    why_silent_ = std::strerror(error);
+    return false;
+}
+
+void LiveSound::end() {
+    if (socket_ >= 0) ::close(std::exchange(socket_, -1));
+    outgoing_.clear();
+    incoming_.clear();
+    sent_.reset();
+    answered_ = true;
+    if (process_ == 0) return;
+    ::kill(process_, SIGKILL);
+    dying_.push_back(std::exchange(process_, 0));
+    reap();
+}
+
+// Does not wait: a process that is deep in a driver takes its time to end.
+void LiveSound::reap() {
+    std::erase_if(dying_, [](pid_t process) { return ::waitpid(process, nullptr, WNOHANG) != 0; });
+}
+
+void LiveSound::send(const std::string& message) {
+    outgoing_ += message;
+    while (!outgoing_.empty()) {
+        const ssize_t sent =
+            ::send(socket_, outgoing_.data(), outgoing_.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+        if (sent <= 0) return;  // full, or broken, which update() finds out
+        outgoing_.erase(0, static_cast<std::size_t>(sent));
+    }
+}
+
+bool LiveSound::update() {
+    reap();
+    if (socket_ < 0) return false;
+    if (!outgoing_.empty()) send({});
+    std::array<char, 4096> buffer;
+    const ssize_t length = ::recv(socket_, buffer.data(), buffer.size(), MSG_DONTWAIT);
+    if (length < 0) return false;
+    if (length == 0) {
+        end();
+        why_silent_ = "the process that plays it has ended";
+        return true;
+    }
+    incoming_.append(buffer.data(), static_cast<std::size_t>(length));
+    for (std::size_t at; (at = incoming_.find('\n')) != std::string::npos;) {
+        const std::string line = incoming_.substr(0, at);
+        incoming_.erase(0, at + 1);
+        answered_ = true;
+        why_silent_ = line.starts_with("silent ") ? line.substr(7) : "";
+    }
+    return true;
+}
+
+}  // namespace glint

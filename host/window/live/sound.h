@@ -1,0 +1,72 @@
+// The sound of the scene in the window: played by another process, led from here.
+#pragma once
+
+#include "offline/common.h"
+#include "scene/preset.h"
+#include "media/feed.h"
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glint {
+
+// Seconds of the steady clock, which all processes share.
+double clock_seconds();
+
+// The sound files that a scene listens to, each once.
+std::vector<std::filesystem::path> sounds_of(const Preset& preset);
+
+// Starts no process before there is something to be heard.
+class LiveSound {
+public:
+    explicit LiveSound(std::string device) : device_(std::move(device)) {}
+    ~LiveSound();
+    LiveSound(const LiveSound&) = delete;
+    LiveSound& operator=(const LiveSound&) = delete;
+
+    // What is on the screen and where its time stands; null for nothing. Tweaks are followed once
+    // they rest.
+    void follow(const Preset* preset, const PlayState& state);
+
+    // Hears the process; does not wait. True when something is new.
+    bool update();
+    // For ::poll(): readable when update() has something to hear; -1 when there is no process.
+    int descriptor() const { return socket_; }
+
+    // Whether the scene has a sound, and why it is not heard: "" while all is well.
+    bool has_sound() const { return content_.has_value(); }
+    const std::string& why_silent() const { return why_silent_; }
+
+private:
+    // What a sound is made from.
+    struct Content {
+        std::string text;
+        std::vector<TweakValue> values;
+        std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>> files;
+        bool operator==(const Content&) const = default;
+    };
+    static Content content_of(const Preset& preset);
+
+    bool start();
+    void end();
+    void reap();
+    void send(const std::string& message);
+
+    std::string device_;
+    pid_t process_ = 0;
+    std::vector<pid_t> dying_;  // killed, not yet reaped
+    int socket_ = -1;
+    std::string outgoing_, incoming_;
+    std::optional<Content> content_, sent_;  // what there is; what the process has
+    Stopwatch since_change_;
+    bool answered_ = true;  // the process has made something of what it was sent last
+    PlayState told_;
+    std::string why_silent_;
+};
+
+}  // namespace glint

@@ -1,0 +1,388 @@
+#include "window/live/window.h"
+
+#include "media/image.h"
+#include "window/live/inspect.h"
+#include "window/live/playground_window.h"
+#include "base/say.h"
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Idle windows still look round now and then: for a file system that does not tell of saves.
+constexpr double kLongestWait = 10.0;  // s
+
+// Where time plays and the picture does not depend on it, only the clock in the panels moves.
+constexpr double kClockTick = 0.25;  // s
+
+// $XDG_CACHE_HOME/glint and the like, or a folder under the home.
+fs::path home_folder(const char* variable, const char* fallback) {
+    const char* value = std::getenv(variable);
+    if (value && *value) return fs::path(value) / "glint";
+    const char* home = std::getenv("HOME");
+    return fs::path(home && *home ? home : "/tmp") / fallback / "glint";
+}
+
+// NAME-0001.png, or the first such name that is free.
+fs::path free_picture_name(const fs::path& file) {
+    for (int number = 1;; ++number) {
+        const fs::path name = fmt::format("{}-{:04}.png", file.stem().string(), number);
+        if (!fs::exists(name)) return name;
+    }
+}
+
+// What the preset or the options say. What is wrong with the file is told once it is open; what is
+// wrong with the options throws UsageError.
+glm::ivec2 size_at_start(const ViewOptions& options) {
+    ReadPreset read = read_preset(options.file);
+    if (!read.preset) return size_of(options, Preset{}.size);
+    lay_over(*read.preset, options);
+    return read.preset->size;
+}
+
+}  // namespace
+
+PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
+    : options_(options),
+      window_(size_at_start(options), "Glint"),
+      crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
+      unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
+      playground_(window_, window_.size(),
+                  {.device = options.device, .specialise = options.specialise}),
+      panels_(window_.handle(), window_.content_scale(),
+              home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
+      browser_(home_folder("XDG_CACHE_HOME", ".cache")),
+      study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
+             {.device = options.device, .specialise = options.specialise}),
+      check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
+      sound_(options.device) {
+    pause_at_open_ = crash_mark_.take(options.file);
+    if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
+    open(options.file);
+}
+
+int PlaygroundWindow::run() {
+    while (!window_.should_close() && end_signals_.arrived() == 0) {
+        std::vector<int> descriptors = playground_.descriptors();
+        descriptors.push_back(study_.process().descriptor());
+        descriptors.push_back(check_.process().descriptor());
+        descriptors.push_back(sound_.descriptor());
+        descriptors.push_back(end_signals_.descriptor());
+        descriptors.push_back(editor_.descriptor());
+        for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
+        dirty_ |= playground_.update();
+        dirty_ |= browser_.update();
+        dirty_ |= sound_.update();
+        dirty_ |= follow_findings();
+        if (const std::string problem = editor_.problem(); !problem.empty()) notice(problem);
+        print_reports();
+        keep_unsaved();
+        const double now = since_draw_.ms() / 1000.0;
+        if (!window_.is_visible() || window_.size().x == 0 || window_.size().y == 0) continue;
+        if (playground_.has_unseen_text()) frame_due_ = 0.0;
+        // A mouse may tell of itself a thousand times a second; the screen shows sixty pictures.
+        const bool wanted = dirty_ || playground_.wants_frame() || panels_.is_settling();
+        if ((wanted && now >= frame_due_) || (shows_clock() && now >= kClockTick)) draw_frame();
+    }
+    if (end_signals_.arrived() != 0) keep_at_end();
+    return end_signals_.arrived();
+}
+
+bool PlaygroundWindow::shows_clock() const {
+    return playground_.is_open() && playground_.transport.playing() && settings_.visible &&
+           settings_.transport;
+}
+
+// Nothing to do: wait for events. Something to draw: only until the next frame of the screen is
+// due.
+double PlaygroundWindow::wait_seconds() const {
+    if (is_keeping_due()) return kKeepPeriod / 4.0;
+    if (!window_.is_visible()) return kLongestWait;
+    const double now = since_draw_.ms() / 1000.0;
+    if (dirty_ || playground_.wants_frame() || panels_.is_settling()) {
+        return std::max(0.0, frame_due_ - now);
+    }
+    if (shows_clock()) return std::max(0.0, kClockTick - now);
+    const bool pending = playground_.is_loading() || browser_.is_busy() ||
+                         study_.process().is_ending() || check_.process().is_ending() ||
+                         (playground_.is_open() && !playground_.is_at_rest());
+    return pending ? 0.1 : kLongestWait;
+}
+
+// Whose aspect the picture keeps.
+std::optional<glm::ivec2> PlaygroundWindow::frame_size() const {
+    if (!options_.size.empty()) return size_of(options_, {});
+    const Preset* preset = playground_.preset();
+    if (!preset || !preset->has_size) return std::nullopt;
+    return preset->size;
+}
+
+// Where the picture stands in the window, pixels: between bars where the aspects differ.
+ScreenArea PlaygroundWindow::picture_area() const {
+    const glm::ivec2 room = window_.size();
+    const std::optional<glm::ivec2> frame = frame_size();
+    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = room};
+    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(*frame);
+    const glm::dvec2 fitted = glm::dvec2(*frame) * std::min(ratio.x, ratio.y);
+    const glm::ivec2 size =
+        glm::clamp(glm::ivec2(glm::round(fitted)), glm::min(glm::ivec2(1), room), room);
+    return {.origin = (room - size) / 2, .size = size};
+}
+
+// Where the view stands: buffers, magnified pixels and the pictures of studies have all the window.
+ScreenArea PlaygroundWindow::view_area() const {
+    if (is_over_scene()) return picture_area();
+    return {.origin = {0, 0}, .size = window_.size()};
+}
+
+glm::ivec2 PlaygroundWindow::picture_size() const {
+    const double scale = settings_.resolution_scale * automatic_scale_;
+    const glm::dvec2 size = glm::dvec2(picture_area().size) * scale;
+    return {std::max(1, static_cast<int>(std::lround(size.x))),
+            std::max(1, static_cast<int>(std::lround(size.y)))};
+}
+
+// Holds the chosen frame rate by the resolution: the cost of a frame goes with its pixels.
+void PlaygroundWindow::adapt_resolution() {
+    if (!settings_.hold_frame_rate) {
+        automatic_scale_ = 1.0;
+        return;
+    }
+    if (since_scaling_.ms() < 500.0 || playground_.frame_ms() <= 0.0) return;
+    const double wanted_ms = 1000.0 / settings_.frame_rate;
+    const double ratio = wanted_ms / playground_.frame_ms();
+    // Small deviations are left alone, so that the picture does not breathe.
+    if (ratio > 0.9 && ratio < 1.3) return;
+    since_scaling_.restart();
+    const double smallest = 0.25 / settings_.resolution_scale;
+    automatic_scale_ = std::clamp(automatic_scale_ * std::sqrt(std::clamp(ratio, 0.25, 4.0)),
+                                  std::min(smallest, 1.0), 1.0);
+}
+
+void PlaygroundWindow::draw_frame() {
+    adapt_resolution();
+    if (content_scale_ != window_.content_scale()) {
+        content_scale_ = window_.content_scale();  // another monitor
+        panels_.rescale(content_scale_);
+    }
+    playground_.resize(picture_size());
+    playground_.measure_passes(settings_.visible && settings_.passes);
+    const double elapsed = since_draw_.restart() / 1000.0;
+    frame_due_ = 1.0 / window_.refresh_rate();
+    dirty_ = false;
+    const double drawn_at = clock_seconds();
+    playground_.draw(elapsed);
+    follow_sound(drawn_at);
+    show_picture();
+    const Wishes wishes =
+        panels_.update(facts(), playground_.history, playground_.transport, settings_);
+    panels_.draw();
+    window_.swap();
+    print_reports();
+    grant(wishes);
+}
+
+// `at` is the clock when the frame was begun: its time is that instant's.
+void PlaygroundWindow::follow_sound(double at) {
+    const Transport& transport = playground_.transport;
+    const bool is_loud = playground_.is_open() && !settings_.muted;
+    // While a replay is under way, or frames have a fixed length, time does not run by the clock.
+    const bool runs =
+        transport.playing() && !transport.fixed_step() && playground_.replayed() >= 1.0;
+    sound_.follow(playground_.preset(), {.playing = runs,
+                                         .time = playground_.instant().time,
+                                         .rate = transport.rate(),
+                                         .at = at,
+                                         .volume = is_loud ? settings_.volume : 0.0f});
+}
+
+BufferView PlaygroundWindow::buffer_view() const {
+    const PassView& view = settings_.view;
+    return {.channel = static_cast<ViewChannel>(view.channel),
+            .exposure = view.exposure,
+            .tone_curve = view.tone_curve,
+            .mark_not_finite = settings_.passes && view.mark_not_finite,
+            .centre = view.centre,
+            .zoom = view.zoom};
+}
+
+void PlaygroundWindow::show_picture() {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glClearColor(0.07f, 0.07f, 0.08f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (!playground_.is_open() || show_finding()) return;
+    BufferView view = buffer_view();
+    const Output viewed = find_output(playground_, settings_.view.sampler);
+    view.output = viewed.output;
+    const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
+    if (!settings_.wipe || !settings_.view.sampler.empty()) {
+        viewer_.show(*buffer, view, view_area());
+        return;
+    }
+    const auto other =
+        playground_.history.shown() == History::Set::a ? History::Set::b : History::Set::a;
+    const Buffer* picture = playground_.picture_of(other);
+    show_wipe(*buffer, picture ? *picture : *buffer, view);
+}
+
+// One picture left of the line, another right of it.
+void PlaygroundWindow::show_wipe(const Buffer& left, const Buffer& right, const BufferView& view) {
+    const ScreenArea all{.origin = {0, 0}, .size = window_.size()};
+    const auto line = static_cast<int>(settings_.wipe_position * static_cast<float>(all.size.x));
+    viewer_.show(left, view, view_area());
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(line, 0, all.size.x - line, all.size.y);
+    viewer_.show(right, view, view_area());
+    glScissor(line, 0, 2, all.size.y);
+    glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+// What the passes panel and the magnified picture tell of the buffer in view.
+void PlaygroundWindow::gather_pixels() {
+    const ScreenArea area = view_area();
+    const Output viewed = find_output(playground_, settings_.view.sampler);
+    const glm::ivec2 size = playground_.renderer()->buffer(viewed.graph_index).shape().size;
+    grid_ = pixel_grid(playground_, viewed, buffer_view(), area);
+    if (!settings_.view.inspect) return;
+    pixel_facts_ = pixel_facts(playground_, viewed);
+    pixel_values_ =
+        pixel_values(playground_, Viewer::fraction_at(mouse_, size, buffer_view(), area));
+}
+
+Facts PlaygroundWindow::facts() {
+    passes_ = pass_facts(playground_);
+    pixel_facts_.reset();
+    pixel_values_.clear();
+    grid_.clear();
+    const bool sees_scene = playground_.is_open() && settings_.shown == Shown::scene;
+    if (sees_scene && settings_.visible && settings_.passes) gather_pixels();
+    browser_entries_.clear();
+    for (const Look& look : browser_.looks()) {
+        browser_entries_.push_back({look.file, look.title, look.thumbnail.id(), {}});
+    }
+    const Preset* preset = playground_.preset();
+    Facts facts;
+    facts.scene = preset ? &preset->scene : nullptr;
+    facts.title = preset && !preset->title.empty() ? preset->title : file_.stem().string();
+    facts.file = file_;
+    facts.unsaved = is_unsaved();
+    facts.loading = playground_.is_loading();
+    facts.specialised = playground_.is_specialised();
+    facts.replayed = playground_.replayed();
+    facts.diagnostics = playground_.diagnostics();
+    facts.last_reload = last_reload_;
+    facts.instant = playground_.instant();
+    facts.frame_ms = playground_.frame_ms();
+    facts.renderer = window_.renderer();
+    facts.picture_size = playground_.size();
+    facts.frame_size = frame_size().value_or(glm::ivec2(0));
+    facts.question = leaving_ ? Question::leave : offer_ ? Question::restore : Question::none;
+    facts.passes = passes_;
+    facts.pixel_facts = pixel_facts_;
+    facts.pixel_values = pixel_values_;
+    facts.grid = grid_;
+    facts.browser = browser_entries_;
+    facts.recording = playground_.recorder.recording();
+    facts.has_sound = sound_.has_sound();
+    facts.why_silent = sound_.why_silent();
+    facts.notice = notice_;
+    tell_findings(facts);
+    const std::string title = fmt::format("{}{} - Glint", facts.title, facts.unsaved ? " *" : "");
+    if (title != title_) window_.set_title(title_ = title);
+    return facts;
+}
+
+void PlaygroundWindow::print_reports() {
+    const std::size_t total = playground_.report_count();
+    const auto& reports = playground_.reports();
+    const std::size_t unprinted = std::min(total - printed_reports_, reports.size());
+    for (std::size_t i = reports.size() - unprinted; i < reports.size(); ++i) {
+        last_reload_ = reports[i].text;
+        say("{}\n", last_reload_);
+        for (const Diagnostic& diagnostic : playground_.diagnostics()) {
+            say("{}\n", to_string(diagnostic));
+        }
+        if (reports[i].shown && !values_known_) {
+            values_known_ = true;
+            if (pause_at_open_) playground_.transport.pause();
+            pause_at_open_ = false;
+            lay_options_over();
+            find_unsaved();
+        } else if (reports[i].shown && reports[i].file.extension() != ".toml") {
+            stop_findings();  // they are about another text
+        }
+        dirty_ = true;
+    }
+    printed_reports_ = total;
+}
+
+void PlaygroundWindow::notice(std::string text) {
+    notice_ = std::move(text);
+    dirty_ = true;
+}
+
+void PlaygroundWindow::take_still() {
+    if (!playground_.is_open()) return;
+    if (playground_.replayed() < 1.0) return notice("A still waits for the end of the replay.");
+    const fs::path name = free_picture_name(file_);
+    try {
+        const Image image = picture_without_alpha(playground_.still(), playground_.size());
+        write_image(name, image, playground_.still_metadata());
+        notice(fmt::format("{} written", name.string()));
+    } catch (const std::runtime_error& error) {
+        notice(error.what());
+    }
+}
+
+void PlaygroundWindow::edit(const Diagnostic& diagnostic) {
+    Place place = diagnostic.place;
+    const Preset* preset = playground_.preset();
+    if (place.file.empty()) place.file = (preset ? preset->scene.files.front() : file_).string();
+    const std::string problem = editor_.open(place);
+    if (!problem.empty()) notice(problem);
+}
+
+void PlaygroundWindow::grant(const Wishes& wishes) {
+    if (wishes.tweaks_changed) playground_.tweaks_changed();
+    if (wishes.open) leave({Leaving::For::open, *wishes.open});
+    if (wishes.save && file_.extension() == ".toml") save(file_);
+    if (wishes.save_as) save_as(*wishes.save_as);
+    if (wishes.revert) leave({Leaving::For::revert, {}});
+    if (wishes.still) take_still();
+    if (wishes.toggle_recording) toggle_recording();
+    if (wishes.answer) take_answer(*wishes.answer);
+    if (wishes.toggle_full_screen) window_.set_full_screen(!window_.is_full_screen());
+    if (wishes.edit) edit(*wishes.edit);
+    grant_findings(wishes);
+    if (wishes.quit) leave({Leaving::For::quit, {}});
+}
+
+void run_window(const ViewOptions& options) {
+    int signal = 0;
+    bool reads = false;
+    {
+        PlaygroundWindow window(options);
+        signal = window.run();
+        reads = window.is_reading_inputs();
+    }
+    if (signal != 0) end_by(signal);
+    if (!reads) return;
+    // A file that is large, or on a disk that hangs, keeps nobody waiting; and what other exits
+    // take down, the thread that reads it still uses.
+    std::fflush(nullptr);
+    ::_exit(static_cast<int>(ExitCode::done));
+}
+
+}  // namespace glint

@@ -1,0 +1,220 @@
+// What a person does to the window with keys and mouse.
+#include "window/live/keys.h"
+#include "window/live/playground_window.h"
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+
+// The fraction of the picture, as recordings keep it, of a place in the window (pixels, y up).
+glm::dvec2 PlaygroundWindow::on_picture(glm::dvec2 position) const {
+    const ScreenArea area = picture_area();
+    const glm::dvec2 room(glm::max(area.size, glm::ivec2(1)));
+    const glm::dvec2 at = position - glm::dvec2(area.origin);
+    const glm::ivec2 size = playground_.size();
+    return mouse_fraction(glm::dvec2(at.x, room.y - at.y) / room * glm::dvec2(size), size);
+}
+
+// Not on the bars beside it.
+bool PlaygroundWindow::is_on_picture(glm::dvec2 position) const {
+    const ScreenArea area = picture_area();
+    const glm::dvec2 at = position - glm::dvec2(area.origin);
+    return at.x >= 0.0 && at.y >= 0.0 && at.x < area.size.x && at.y < area.size.y;
+}
+
+void PlaygroundWindow::handle(const WindowEvent& event) {
+    dirty_ = true;
+    switch (event.kind) {
+        case WindowEvent::Kind::key:
+            handle_key(event);
+            break;
+        case WindowEvent::Kind::mouse_button:
+        case WindowEvent::Kind::mouse_move:
+        case WindowEvent::Kind::scroll:
+            handle_mouse(event);
+            break;
+        case WindowEvent::Kind::drop:
+            if (!event.files.empty()) leave({Leaving::For::open, event.files.front()});
+            break;
+        case WindowEvent::Kind::resize:
+            break;
+        case WindowEvent::Kind::focus:
+            if (!event.down) release_keys();
+            break;
+        case WindowEvent::Kind::close:
+            leave({Leaving::For::quit, {}});
+            break;
+    }
+}
+
+// Keys that were down when the window lost the keyboard would never be seen to come up.
+void PlaygroundWindow::release_keys() {
+    for (const int code : held_keys_) playground_.key(code, false);
+    held_keys_.clear();
+}
+
+void PlaygroundWindow::handle_key(const WindowEvent& event) {
+    if (event.down && !event.repeat && run_shortcut(event.code, event.modifiers)) return;
+    const int code = key_code_of(event.code);
+    if (code < 0 || event.repeat) return;
+    const auto held = std::find(held_keys_.begin(), held_keys_.end(), code);
+    if (event.down && !panels_.takes_keyboard() && held == held_keys_.end()) {
+        held_keys_.push_back(code);
+        playground_.key(code, true);
+    } else if (!event.down && held != held_keys_.end()) {
+        held_keys_.erase(held);
+        playground_.key(code, false);
+    }
+}
+
+void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
+    const glm::dvec2 window(glm::max(window_.size(), glm::ivec2(1)));
+    PassView& view = settings_.view;
+    if (event.kind == WindowEvent::Kind::scroll) {
+        const bool takes_scroll = settings_.passes || settings_.shown != Shown::scene;
+        if (panels_.takes_mouse() || !takes_scroll) return;
+        const glm::dvec2 size(viewed_size());
+        const double fit = std::min(window.x / size.x, window.y / size.y);
+        const double zoom =
+            (view.zoom > 0.0 ? view.zoom : fit) * std::exp2(event.position.y * 0.25);
+        view.zoom = zoom <= fit ? 0.0 : std::min(zoom, 256.0);
+        return;
+    }
+    const glm::dvec2 moved = event.position - mouse_;
+    mouse_ = event.position;
+    if (event.kind == WindowEvent::Kind::mouse_button) {
+        panels_.mouse_button(event.position, event.code, event.down);
+    }
+    if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
+        const bool starts = event.down && !panels_.takes_mouse_at(event.position);
+        panning_ = starts && !is_over_scene();
+        if (starts && is_over_scene() && is_on_picture(event.position)) dragging_scene_ = true;
+        if (dragging_scene_) playground_.mouse(on_picture(event.position), event.down);
+        if (!event.down) dragging_scene_ = false;
+        return;
+    }
+    // A drag that began on the scene goes on over the panels and outside the window.
+    if (dragging_scene_) playground_.mouse(on_picture(event.position), true);
+    if (panning_ && view.zoom > 0.0) view.centre -= moved / (glm::dvec2(viewed_size()) * view.zoom);
+}
+
+bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
+    const std::optional<Action> action = action_of(key, modifiers);
+    if (!action) return false;
+    if (leaving_ || offer_) return true;  // a question waits
+    // What a person types into a field, and undoes there, is not meant for the window.
+    const bool plain = modifiers == 0 || modifiers == GLFW_MOD_SHIFT;
+    const bool undoes = *action == Action::undo || *action == Action::redo;
+    if ((plain && panels_.takes_keyboard()) || (undoes && panels_.takes_text())) return false;
+    act(*action);
+    return true;
+}
+
+// Esc: what stands over the scene, or else the full screen.
+void PlaygroundWindow::close_one() {
+    const bool any = (settings_.visible && (settings_.help || settings_.browser)) ||
+                     settings_.shown != Shown::scene;
+    if (!any) return window_.set_full_screen(false);
+    settings_.help = settings_.browser = false;
+    settings_.shown = Shown::scene;
+}
+
+void PlaygroundWindow::toggle_free_aspect() {
+    const std::optional<glm::ivec2> frame = frame_size();
+    if (!frame) return notice("No size is given that the picture could keep to; it is free.");
+    settings_.free_aspect = !settings_.free_aspect;
+    notice(settings_.free_aspect
+               ? "Free aspect: the picture fills the window, and is saved so."
+               : fmt::format("The picture keeps to {} \u00d7 {}.", frame->x, frame->y));
+}
+
+void PlaygroundWindow::act(Action action) {
+    Transport& transport = playground_.transport;
+    History& history = playground_.history;
+    switch (action) {
+        case Action::play_pause:
+            transport.playing() ? transport.pause() : transport.play();
+            break;
+        case Action::step:
+            transport.step();
+            break;
+        case Action::reset:
+            transport.reset();
+            break;
+        case Action::mute:
+            settings_.muted = !settings_.muted;
+            break;
+        case Action::tweaks:
+            settings_.tweaks = !settings_.tweaks;
+            break;
+        case Action::passes:
+            settings_.passes = !settings_.passes;
+            break;
+        case Action::browser:
+            settings_.browser = !settings_.browser;
+            break;
+        case Action::transport:
+            settings_.transport = !settings_.transport;
+            break;
+        case Action::study:
+            settings_.study = !settings_.study;
+            break;
+        case Action::check:
+            settings_.check = !settings_.check;
+            break;
+        case Action::hide_panels:
+            settings_.visible = !settings_.visible;
+            notice(settings_.visible ? "" : "Panels are hidden; Tab shows them again");
+            break;
+        case Action::close_panels:
+            close_one();
+            break;
+        case Action::undo:
+            if (history.undo()) playground_.tweaks_changed();
+            break;
+        case Action::redo:
+            if (history.redo()) playground_.tweaks_changed();
+            break;
+        case Action::randomise:
+            history.randomise(++random_seed_);
+            playground_.tweaks_changed();
+            break;
+        case Action::save:
+            if (file_.extension() == ".toml")
+                save(file_);
+            else
+                settings_.save_as = true;
+            break;
+        case Action::save_as:
+            settings_.save_as = true;
+            break;
+        case Action::still:
+            take_still();
+            break;
+        case Action::record:
+            toggle_recording();
+            break;
+        case Action::edit:
+            edit(playground_.diagnostics().empty() ? Diagnostic{}
+                                                   : playground_.diagnostics().front());
+            break;
+        case Action::full_screen:
+            window_.set_full_screen(!window_.is_full_screen());
+            break;
+        case Action::free_aspect:
+            toggle_free_aspect();
+            break;
+        case Action::help:
+            settings_.help = !settings_.help;
+            break;
+        case Action::quit:
+            leave({Leaving::For::quit, {}});
+            break;
+    }
+}
+
+}  // namespace glint

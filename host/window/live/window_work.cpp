@@ -1,0 +1,269 @@
+// No work is lost: saving, what is asked before unsaved work would go, and what is kept of it for
+// the next run.
+#include "media/image.h"
+#include "offline/import.h"
+#include "window/live/playground_window.h"
+#include "scene/preset_writer.h"
+#include "glsl/raw_text.h"
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file) {
+    std::string why_not;
+    return read_bytes(file, why_not).value_or("");
+}
+
+bool is_preset(const fs::path& file) {
+    return file.extension() == ".toml";
+}
+
+bool same(std::span<const Event> a, std::span<const Event> b) {
+    return std::ranges::equal(a, b, [](const Event& x, const Event& y) {
+        return x.time == y.time && x.key == y.key && x.down == y.down && x.mouse == y.mouse;
+    });
+}
+
+// Unsaved work reads and writes its text as if it stood here.
+fs::path place_beside(const fs::path& file) {
+    return fs::absolute(file).parent_path() / "unsaved.toml";
+}
+
+}  // namespace
+
+std::span<const Event> PlaygroundWindow::unsaved_events() const {
+    return playground_.recorder.recording() ? playground_.recorder.events() : recorded_;
+}
+
+bool PlaygroundWindow::is_unsaved() const {
+    return values_known_ && playground_.as_written() &&
+           (playground_.history.values() != playground_.as_written()->values ||
+            !unsaved_events().empty());
+}
+
+// Does what would take unsaved work away, or asks first.
+void PlaygroundWindow::leave(const Leaving& leaving) {
+    dirty_ = true;
+    const bool is_about_events =
+        leaving.what == Leaving::For::revert || leaving.what == Leaving::For::record;
+    if (!is_about_events) stop_recording();
+    // Undo takes back what a revert does to the values.
+    if (is_about_events ? recorded_.empty() : !is_unsaved()) return go(leaving);
+    leaving_ = leaving;
+    window_.show();
+}
+
+void PlaygroundWindow::go(Leaving leaving) {
+    leaving_.reset();
+    switch (leaving.what) {
+        case Leaving::For::quit:
+            unsaved_work_.forget();
+            values_known_ = false;
+            return window_.close();
+        case Leaving::For::open:
+            return import_or_open(leaving.file);
+        case Leaving::For::revert:
+            return revert();
+        case Leaving::For::record:
+            recorded_.clear();
+            playground_.start_recording();
+            return notice("Recording mouse and keys");
+    }
+}
+
+// Where a path was asked for on the way out, the way goes on.
+void PlaygroundWindow::save_as(const fs::path& file) {
+    const std::optional<Leaving> leaving = std::exchange(leaving_, std::nullopt);
+    if (save(file) && leaving) go(*leaving);
+}
+
+void PlaygroundWindow::take_answer(Answer answer) {
+    dirty_ = true;
+    if (offer_ && !leaving_) {
+        if (answer == Answer::restore) restore();
+        unsaved_work_.discard_found();
+        return find_unsaved();
+    }
+    if (!leaving_) return;
+    const Leaving leaving = *leaving_;
+    leaving_.reset();
+    if (answer == Answer::save && save(file_)) go(leaving);
+    if (answer == Answer::discard) go(leaving);
+}
+
+void PlaygroundWindow::open(const fs::path& file) {
+    if (file != file_ && !file_.empty()) {
+        options_.size.clear();
+        options_.tweaks.clear();
+    }
+    file_ = file;
+    values_known_ = false;
+    recorded_.clear();
+    unsaved_work_.forget();
+    unsaved_work_.leave_found();
+    kept_.reset();
+    offer_.reset();
+    study_.clear();
+    check_.clear();
+    settings_.shown = Shown::scene;
+    settings_.free_aspect = false;
+    crash_mark_.set(file);
+    playground_.open(file);
+    browser_.list(file);
+    dirty_ = true;
+}
+
+void PlaygroundWindow::import_or_open(const fs::path& file) {
+    if (!is_shadertoy(file)) return open(file);
+    const ImportedBeside imported = import_beside(file);
+    notice(imported.notice);
+    if (!imported.scene.empty()) open(imported.scene);
+}
+
+// What is on the screen: where the picture fills the window, its size is the window's.
+Preset PlaygroundWindow::preset_to_save() const {
+    Preset preset = playground_.current_preset();
+    const std::optional<glm::ivec2> frame = frame_size();
+    const bool is_free = !frame || settings_.free_aspect;
+    const double scale = static_cast<double>(window_.content_scale());
+    preset.size =
+        is_free ? glm::max(glm::ivec2(glm::round(glm::dvec2(window_.size()) / scale)), 1) : *frame;
+    const std::span<const Event> events = unsaved_events();
+    if (!events.empty()) preset.events.assign(events.begin(), events.end());
+    return preset;
+}
+
+// False where it could not be done; the notice says why.
+bool PlaygroundWindow::save(const fs::path& file) {
+    if (!playground_.is_open()) return false;
+    // What is on the screen is another scene's, or an older text's.
+    if (file == file_ && (!values_known_ || has_errors(playground_.diagnostics()))) {
+        notice(fmt::format("{} is not saved while it has errors.", file.filename().string()));
+        return false;
+    }
+    stop_recording();
+    const Preset preset = preset_to_save();
+    const PresetText text = write_preset(preset, file,
+                                         read_text(fs::exists(file)   ? file
+                                                   : is_preset(file_) ? file_
+                                                                      : fs::path()));
+    if (!text.text) {
+        notice(text.diagnostics.empty() ? "The preset cannot be saved."
+                                        : to_string(text.diagnostics.front()));
+        return false;
+    }
+    try {
+        write_whole_file(file, std::as_bytes(std::span(*text.text)));
+        notice(fmt::format("{} saved", file.filename().string()));
+    } catch (const std::runtime_error& error) {
+        notice(error.what());
+        return false;
+    }
+    recorded_.clear();
+    if (file == file_)
+        playground_.note_saved(preset);
+    else
+        open(file);
+    return true;
+}
+
+void PlaygroundWindow::revert() {
+    if (!playground_.is_open() || !values_known_) return;
+    playground_.history.set_all(playground_.as_written()->values);
+    playground_.tweaks_changed();
+    recorded_.clear();
+    dirty_ = true;
+}
+
+void PlaygroundWindow::toggle_recording() {
+    if (playground_.recorder.recording()) {
+        stop_recording();
+        notice(fmt::format("{} events recorded; save the preset to keep them", recorded_.size()));
+    } else {
+        leave({Leaving::For::record, {}});
+    }
+}
+
+void PlaygroundWindow::stop_recording() {
+    if (!playground_.recorder.recording()) return;
+    recorded_ = playground_.recorder.stop();
+    kept_.reset();
+}
+
+// The command line's tweaks are changes like those by hand: unsaved, and undo takes them back.
+void PlaygroundWindow::lay_options_over() {
+    if (options_.tweaks.empty()) return;
+    Preset preset = *playground_.preset();
+    try {
+        lay_over(preset, options_);
+    } catch (const UsageError& error) {
+        return notice(error.what());  // a text that had no such tweak at the start could not tell
+    }
+    playground_.history.set_all(preset.values);
+    playground_.tweaks_changed();
+}
+
+bool PlaygroundWindow::is_keeping_due() const {
+    if (!is_unsaved()) return kept_.has_value();
+    return kept_ != Kept{playground_.history.values(), unsaved_events().size()};
+}
+
+// As soon as something changes, and before the frame that shows it, which may be the last one.
+void PlaygroundWindow::keep_unsaved() {
+    if (!values_known_ || !is_keeping_due()) return;
+    if (!is_unsaved()) {
+        unsaved_work_.forget();
+        return kept_.reset();
+    }
+    if (!kept_ || since_kept_.ms() >= kKeepPeriod * 1000.0) keep_now();
+}
+
+void PlaygroundWindow::keep_now() {
+    since_kept_.restart();
+    kept_ = Kept{playground_.history.values(), unsaved_events().size()};
+    const PresetText text = write_preset(preset_to_save(), place_beside(file_));
+    try {
+        if (text.text) unsaved_work_.keep(file_, *text.text);
+    } catch (const std::runtime_error& error) {
+        notice(fmt::format("Unsaved work cannot be kept for the next start. {}", error.what()));
+    }
+}
+
+// Nobody can be asked any more.
+void PlaygroundWindow::keep_at_end() {
+    stop_recording();
+    if (is_unsaved()) keep_now();
+}
+
+// The newest work that a run has left on this file, unless it is what the file says anyway.
+void PlaygroundWindow::find_unsaved() {
+    offer_.reset();
+    while (const std::optional<std::string> text = unsaved_work_.find(file_)) {
+        const Preset& shown = *playground_.preset();
+        ReadPreset read = parse_preset(*text, place_beside(file_), shown.scene);
+        if (read.preset && (read.preset->values != playground_.history.values() ||
+                            !same(read.preset->events, shown.events))) {
+            offer_ = std::move(*read.preset);
+            return;
+        }
+        unsaved_work_.discard_found();
+    }
+}
+
+void PlaygroundWindow::restore() {
+    if (!same(offer_->events, playground_.as_written()->events)) recorded_ = offer_->events;
+    playground_.history.set_all(offer_->values);
+    playground_.tweaks_changed();
+    if (is_unsaved()) keep_now();  // before what was found goes
+}
+
+}  // namespace glint

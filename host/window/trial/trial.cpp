@@ -1,0 +1,243 @@
+#include "window/trial/trial.h"
+
+#include "window/trial/socket_process.h"
+#include "window/trial/message.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+namespace glint {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A process that still works on an older candidate after this long is given up for the newer one.
+constexpr auto kPatience = 200ms;
+// A driver that does not start will not do so the fourth time either.
+constexpr int kMostFailedStarts = 3;
+
+template <class Duration>
+double seconds(Duration duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+bool is_reaped(pid_t process) {
+    int status = 0;
+    return waitpid(process, &status, WNOHANG) != 0;  // an error: somebody else has done it
+}
+
+std::string signal_words(int status) {
+    if (WIFSIGNALED(status)) {
+        return fmt::format("ended by signal {} ({})", WTERMSIG(status),
+                           strsignal(WTERMSIG(status)));
+    }
+    return "ended by itself";
+}
+
+}  // namespace
+
+Trial::Trial(TrialOptions options) : options_(std::move(options)) {
+    spawn();
+}
+
+Trial::~Trial() {
+    end_process();
+    // A killed process is gone at once, unless it is stuck deep in a driver; that one is left.
+    for (int i = 0; i < 1000 && !dying_.empty(); ++i) {
+        reap();
+        if (!dying_.empty()) std::this_thread::sleep_for(1ms);
+    }
+}
+
+void Trial::spawn() {
+    if (!unavailable_.empty()) return;
+    std::array<int, 2> pair{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
+        unavailable_ = fmt::format("There is no socket for it: {}.", std::strerror(errno));
+        return;
+    }
+    const int error =
+        spawn_on_socket(options_.program, "trial", options_.device, pair[1], process_);
+    close(pair[1]);
+    socket_ = pair[0];
+    heard_ = std::make_unique<TrialAnswer>();
+    heard_at_ = Clock::now();
+    if (error == 0) return;
+    process_ = 0;
+    end_process();
+    unavailable_ =
+        fmt::format("{} does not start: {}.", options_.program.string(), std::strerror(error));
+}
+
+void Trial::end_process() {
+    if (socket_ >= 0) close(socket_);
+    socket_ = -1;
+    outgoing_.clear();
+    incoming_.clear();
+    renderer_.clear();
+    if (process_ == 0) return;
+    kill(process_, SIGKILL);
+    dying_.push_back(process_);
+    process_ = 0;
+    reap();
+}
+
+// A new one, which is told of the candidate that still waits.
+void Trial::replace_process() {
+    end_process();
+    spawn();
+    if (is_running()) {
+        outgoing_ = order_;
+        send_pending();
+    }
+}
+
+void Trial::reap() {
+    std::erase_if(dying_, is_reaped);
+}
+
+void Trial::start(const Candidate& candidate) {
+    order_ = pack(++number_, candidate, options_.slow_ms);
+    verdict_ = {};
+    verdict_.state = TrialState::running;
+    started_ = heard_at_ = Clock::now();
+    if (process_ == 0) {
+        replace_process();
+    } else {
+        outgoing_ += order_;
+        send_pending();
+    }
+}
+
+void Trial::send_pending() {
+    while (!outgoing_.empty() && socket_ >= 0) {
+        const ssize_t sent =
+            send(socket_, outgoing_.data(), outgoing_.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+        if (sent <= 0) return;  // full, or broken, which receive() finds out
+        outgoing_.erase(0, static_cast<std::size_t>(sent));
+    }
+}
+
+void Trial::receive() {
+    std::array<char, 64 * 1024> buffer;
+    while (socket_ >= 0) {
+        const ssize_t length = recv(socket_, buffer.data(), buffer.size(), MSG_DONTWAIT);
+        if (length < 0 && (errno == EAGAIN || errno == EINTR)) break;
+        if (length > 0) {
+            incoming_.append(buffer.data(), static_cast<std::size_t>(length));
+            continue;
+        }
+        while (const auto message = take_message(incoming_)) hear(unpack_answer(*message));
+        hear_end_of_process();
+        return;
+    }
+    while (const auto message = take_message(incoming_)) hear(unpack_answer(*message));
+}
+
+void Trial::hear(TrialAnswer answer) {
+    *heard_ = std::move(answer);
+    heard_at_ = Clock::now();
+    if (heard_->verdict.state == TrialState::unavailable) {
+        unavailable_ = heard_->verdict.diagnostics.front().text;
+    } else if (heard_->stage == TrialStage::ready) {
+        renderer_ = heard_->text;
+        failed_starts_ = 0;
+    } else if (heard_->number == number_ && is_running()) {
+        verdict_ = heard_->verdict;
+        verdict_.total_ms = seconds(Clock::now() - started_) * 1000.0;
+    }
+}
+
+// It crashed, was killed by somebody, or has said why it cannot start.
+void Trial::hear_end_of_process() {
+    const pid_t process = std::exchange(process_, 0);
+    int status = 0;
+    pid_t reaped = 0;
+    for (int i = 0; i < 20 && reaped == 0; ++i) {
+        reaped = waitpid(process, &status, WNOHANG);
+        if (reaped == 0) std::this_thread::sleep_for(1ms);
+    }
+    if (reaped == 0) dying_.push_back(process);
+    const bool was_ready = !renderer_.empty();
+    if (!was_ready && ++failed_starts_ == kMostFailedStarts && unavailable_.empty()) {
+        unavailable_ = fmt::format("It was {} when it started.", signal_words(status));
+    }
+    end_process();
+    const bool at_work = heard_->number == number_ && heard_->stage != TrialStage::ready;
+    if (is_running() && at_work) {
+        fail(TrialState::crashed,
+             fmt::format("{} while {}", reaped == process ? signal_words(status) : "gone",
+                         heard_->stage == TrialStage::compiling ? "compiling" : "drawing"));
+    }
+    replace_process();
+}
+
+// Names the pass that was being worked on, and the place to look at.
+void Trial::fail(TrialState state, const std::string& why) {
+    const Scene scene = unpack_order(order_.substr(sizeof(std::uint64_t))).preset.scene;
+    const auto loop = likely_endless_loop(scene);
+    const std::string pass = is_at_work() ? heard_->text : "image";
+    const bool slow = state == TrialState::too_slow;
+    verdict_.state = state;
+    verdict_.total_ms = seconds(Clock::now() - started_) * 1000.0;
+    verdict_.diagnostics.push_back(
+        {Severity::error, slow && loop ? *loop : entry_place(scene, pass),
+         fmt::format("pass {}: {}{}", pass, slow ? "" : "the driver was ", why) +
+             (!slow  ? "; the scene before goes on"
+              : loop ? "; does this loop ever end?"
+                     : "; is there a loop that never ends?")});
+}
+
+bool Trial::is_at_work() const {
+    return heard_->stage == TrialStage::compiling || heard_->stage == TrialStage::drawing;
+}
+
+double Trial::limit_seconds() const {
+    return heard_->stage == TrialStage::drawing ? options_.draw_seconds : options_.compile_seconds;
+}
+
+const Verdict& Trial::poll() {
+    reap();
+    send_pending();
+    receive();
+    if (!is_running()) return verdict_;
+    if (!unavailable_.empty() && process_ == 0) {
+        verdict_.state = TrialState::unavailable;
+        verdict_.diagnostics.resize(1);
+        verdict_.diagnostics[0].severity = Severity::warning;
+        verdict_.diagnostics[0].text = unavailable_;
+        return verdict_;
+    }
+    const auto now = Clock::now();
+    if (is_at_work() && heard_->number != number_ && now - started_ > kPatience) {
+        replace_process();
+    } else if (seconds(now - heard_at_) > limit_seconds()) {
+        const bool drawing = heard_->stage == TrialStage::drawing;
+        fail(TrialState::too_slow,
+             drawing ? fmt::format("no frame within {:g} s at {}", limit_seconds(), heard_->size)
+                     : fmt::format("not compiled within {:g} s", limit_seconds()));
+        replace_process();
+    }
+    return verdict_;
+}
+
+int Trial::wait_ms() const {
+    if (!is_running()) return dying_.empty() ? -1 : 10;
+    if (!outgoing_.empty()) return 1;
+    double left = limit_seconds() - seconds(Clock::now() - heard_at_);
+    if (heard_->number != number_) left = std::min(left, seconds(kPatience));
+    return std::max(0, static_cast<int>(std::ceil(left * 1000.0)) + 1);
+}
+
+}  // namespace glint

@@ -1,0 +1,123 @@
+// Scenes and presets to choose from, and saving.
+#include "window/ui/interface.h"
+#include "window/ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_preset(const fs::path& file) {
+    return file.extension() == ".toml";
+}
+
+// The scene under which an entry stands: its own if it is one; for a preset the one that it names.
+fs::path scene_of(const BrowserEntry& entry, std::span<const BrowserEntry> all) {
+    if (!is_preset(entry.file)) return entry.file;
+    if (!entry.scene.empty()) return entry.scene;
+    const std::string name = entry.file.stem().string();
+    for (const BrowserEntry& other : all)
+        if (!is_preset(other.file) && name.starts_with(other.file.stem().string()))
+            return other.file;
+    return {};
+}
+
+void saving(Build& build) {
+    const Theme& theme = build.theme;
+    const bool has_scene = build.facts.scene != nullptr;
+    ImGui::BeginDisabled(!has_scene);
+    if (text_button(theme, "Save", build.facts.unsaved, "Save the preset (Ctrl+S)"))
+        (is_preset(build.facts.file) ? build.wishes.save : build.settings.save_as) = true;
+    ImGui::SameLine(0, theme.px(4));
+    if (text_button(theme, "Save as\u2026", false, "Save as a new preset (Ctrl+Shift+S)"))
+        build.settings.save_as = true;
+    ImGui::SameLine(0, theme.px(4));
+    if (text_button(theme, "Revert", false, "Back to what the file says; undo takes it back"))
+        build.wishes.revert = true;
+    ImGui::EndDisabled();
+}
+
+void draw_card(Build& build, const BrowserEntry& entry, ImVec2 corner, float width, float picture) {
+    const Theme& theme = build.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end{corner.x + width, corner.y + picture};
+    const float round = theme.px(4);
+    list.AddRectFilled(corner, end, colours::kField, round);
+    if (entry.thumbnail) {
+        // Textures have their first row at the bottom.
+        const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t{entry.thumbnail});
+        list.AddImageRounded(texture, corner, end, {0, 1}, {1, 0}, IM_COL32_WHITE, round);
+    } else {
+        const ImVec2 centre{0.5f * (corner.x + end.x), 0.5f * (corner.y + end.y)};
+        draw_icon(list, is_preset(entry.file) ? Icon::tweaks : Icon::passes, centre, theme.px(20),
+                  colours::kFaint);
+    }
+    const bool open = entry.file == build.facts.file;
+    if (open || ImGui::IsItemHovered())
+        list.AddRect(corner, end, open ? colours::kAccent : colours::kDim, round, 0, theme.px(2));
+    const std::string title = entry.title.empty() ? entry.file.filename().string() : entry.title;
+    text_within(list, {corner.x, end.y + theme.px(3)}, width, open ? colours::kText : colours::kDim,
+                title);
+}
+
+void card(Build& build, const BrowserEntry& entry, float width) {
+    const float picture = std::round(width * 9.0f / 16.0f);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = picture + ImGui::GetTextLineHeight() + build.theme.px(6);
+    if (ImGui::InvisibleButton("card", {std::max(width, 1.0f), height}))
+        build.wishes.open = entry.file;
+    draw_card(build, entry, corner, width, picture);
+    tip(build.theme, entry.title + "\n" + entry.file.string());
+}
+
+void cards(Build& build, const std::vector<std::size_t>& entries) {
+    const Theme& theme = build.theme;
+    const float whole = ImGui::GetContentRegionAvail().x, gap = theme.px(8);
+    const int columns = std::max(1, static_cast<int>((whole + gap) / (theme.px(130) + gap)));
+    const float width =
+        std::floor((whole - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine(0, gap);
+        ImGui::PushID(static_cast<int>(entries[i]));
+        card(build, build.facts.browser[entries[i]], width);
+        ImGui::PopID();
+    }
+}
+
+void shelves(Build& build) {
+    std::vector<std::pair<fs::path, std::vector<std::size_t>>> groups;
+    for (std::size_t i = 0; i < build.facts.browser.size(); ++i) {
+        const fs::path scene = scene_of(build.facts.browser[i], build.facts.browser);
+        auto found =
+            std::ranges::find(groups, scene, [](const auto& group) { return group.first; });
+        if (found == groups.end()) found = groups.insert(found, {scene, {}});
+        found->second.push_back(i);
+    }
+    for (const auto& [scene, entries] : groups) {
+        text_in(colours::kText, scene.empty() ? "Presets" : scene.stem().string(),
+                build.theme.bold);
+        cards(build, entries);
+        ImGui::Dummy({0, build.theme.px(4)});
+    }
+}
+
+}  // namespace
+
+void browser_panel(Build& build) {
+    begin_panel(build, PanelId::browser, "Browser", build.settings.browser);
+    saving(build);
+    begin_body();
+    shelves(build);
+    if (build.facts.browser.empty()) {
+        ImGui::PushTextWrapPos(0.0f);
+        text_in(colours::kDim, "Nothing is here yet. Drop a .frag file or a preset on the window.");
+        ImGui::PopTextWrapPos();
+    }
+    end_panel(build, PanelId::browser);
+}
+
+}  // namespace glint

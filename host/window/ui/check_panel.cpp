@@ -1,0 +1,142 @@
+// Numerical stability: every extreme that a scene can be brought to, worst first.
+#include "window/ui/interface.h"
+#include "window/ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+ImU32 colour_of(CaseFact::Verdict verdict) {
+    switch (verdict) {
+        case CaseFact::Verdict::fail:
+            return colours::kError;
+        case CaseFact::Verdict::report:
+            return colours::kWarning;
+        case CaseFact::Verdict::pass:
+            return colours::kText;
+        case CaseFact::Verdict::skip:
+            return colours::kDim;
+    }
+    return colours::kText;
+}
+
+const char* word_of(CaseFact::Verdict verdict) {
+    switch (verdict) {
+        case CaseFact::Verdict::fail:
+            return "fail";
+        case CaseFact::Verdict::report:
+            return "report";
+        case CaseFact::Verdict::pass:
+            return "pass";
+        case CaseFact::Verdict::skip:
+            return "left out";
+    }
+    return "";
+}
+
+std::string count_text(std::span<const CaseFact> cases) {
+    const auto failed = std::ranges::count(cases, CaseFact::Verdict::fail, &CaseFact::verdict);
+    if (failed > 0) return fmt::format("{} of {} cases failed", failed, cases.size());
+    return fmt::format("no failure in {} cases", cases.size());
+}
+
+void run_button(Build& build) {
+    const bool running = build.facts.check_work.running;
+    const float width = ImGui::CalcTextSize("Cancel").x + build.theme.px(20);
+    ImGui::BeginDisabled(!build.facts.scene);
+    if (running && ImGui::Button("Cancel", {width, 0})) build.wishes.cancel_check = true;
+    if (!running && ImGui::Button("Run", {width, 0})) {
+        build.wishes.check = true;
+        build.settings.shown = Shown::scene;
+        build.settings.shown_case.clear();
+    }
+    ImGui::EndDisabled();
+    if (build.facts.cases.empty()) return;
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const bool fails = build.facts.cases.front().verdict == CaseFact::Verdict::fail;
+    text_in(fails ? colours::kError : colours::kDim, count_text(build.facts.cases));
+}
+
+// Its frame comes into the view, and its command under the line; a second click puts both away.
+void choose(Build& build, const CaseFact& fact) {
+    PanelSettings& settings = build.settings;
+    const bool again = settings.shown_case == fact.name;
+    settings.shown_case = again ? "" : fact.name;
+    const bool picture = !again && fact.has_picture;
+    if (picture || settings.shown == Shown::failure)
+        settings.shown = picture ? Shown::failure : Shown::scene;
+}
+
+void case_line(Build& build, const CaseFact& fact) {
+    const Theme& theme = build.theme;
+    const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
+    const float height = ImGui::GetTextLineHeight() + theme.px(4);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("case", {width, height})) choose(build, fact);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool chosen = build.settings.shown_case == fact.name;
+    if (chosen || ImGui::IsItemHovered())
+        list.AddRectFilled(corner, {corner.x + width, corner.y + height},
+                           chosen ? IM_COL32(105, 178, 236, 36) : IM_COL32(255, 255, 255, 14),
+                           theme.px(4));
+    tip(theme, fact.note.empty() ? fact.name : fact.name + "\n" + fact.note);
+    const float y = corner.y + theme.px(2), verdict = theme.px(58);
+    text_within(list, {corner.x + theme.px(4), y}, verdict - theme.px(8), colour_of(fact.verdict),
+                word_of(fact.verdict));
+    const float room = width - verdict - theme.px(4);
+    const float name = std::min(ImGui::CalcTextSize(fact.name.c_str()).x, room);
+    const bool fails = fact.verdict == CaseFact::Verdict::fail;
+    text_within(list, {corner.x + verdict, y}, room, fails ? colours::kError : colours::kText,
+                fact.name);
+    text_within(list, {corner.x + verdict + name + theme.px(8), y}, room - name - theme.px(8),
+                colours::kDim, fact.note);
+}
+
+// Under the line of the chosen case: why, and the command that shows it again.
+void case_details(Build& build, const CaseFact& fact) {
+    const Theme& theme = build.theme;
+    ImGui::Indent(theme.px(8));
+    ImGui::PushTextWrapPos(0.0f);
+    if (!fact.note.empty()) text_in(colours::kText, fact.note);
+    if (!fact.reproduce.empty()) text_in(colours::kDim, fact.reproduce, theme.mono);
+    ImGui::PopTextWrapPos();
+    if (!fact.reproduce.empty() && text_button(theme, "Copy the command", false, ""))
+        ImGui::SetClipboardText(fact.reproduce.c_str());
+    ImGui::Unindent(theme.px(8));
+    ImGui::Dummy({0, theme.px(2)});
+}
+
+void introduction() {
+    ImGui::PushTextWrapPos(0.0f);
+    text_in(colours::kDim,
+            "Brings the scene to every extreme, small and out of sight: ages up to a year, all "
+            "ends of its tweaks, sizes from one pixel, uneven frame rates, poisoned buffers. NaN, "
+            "Inf, hangs and drifting motion fail.");
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void check_panel(Build& build) {
+    begin_panel(build, PanelId::check, "Check", build.settings.check);
+    run_button(build);
+    work_line(build.theme, build.facts.check_work);
+    begin_body();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {build.theme.px(8), build.theme.px(2)});
+    for (const CaseFact& fact : build.facts.cases) {
+        ImGui::PushID(fact.name.c_str());
+        case_line(build, fact);
+        if (build.settings.shown_case == fact.name) case_details(build, fact);
+        ImGui::PopID();
+    }
+    ImGui::PopStyleVar();
+    ImGui::Dummy({0, 0});  // the usual distance below, by which the panel finds its height
+    if (build.facts.cases.empty() && !build.facts.check_work.running) introduction();
+    end_panel(build, PanelId::check);
+}
+
+}  // namespace glint

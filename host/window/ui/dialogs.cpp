@@ -1,0 +1,128 @@
+// What has to be answered before a person goes on: where to save, what to do with unsaved work.
+#include "window/ui/interface.h"
+#include "window/ui/widgets.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSaveAs = "Save as";
+
+bool is_preset(const fs::path& file) {
+    return file.extension() == ".toml";
+}
+
+// Where a new preset would go: beside an open preset, else into the folder of presets.
+fs::path proposed_path(const fs::path& file) {
+    if (is_preset(file)) return file.parent_path() / (file.stem().string() + "-2.toml");
+    const fs::path beside = file.parent_path().parent_path() / "presets";
+    std::error_code error;
+    const fs::path folder = fs::is_directory(beside, error) ? beside : file.parent_path();
+    return folder / (file.stem().string() + ".toml");
+}
+
+// In the upper middle, over all else, until it is answered. ImGui::EndPopup() follows where it is
+// true.
+bool begin_dialog(const char* name) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * screen.x, 0.4f * screen.y}, 0, {0.5f, 0.5f});
+    return ImGui::BeginPopupModal(name, nullptr,
+                                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+}
+
+bool pressed(ImGuiKey key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+void ask_path(Build& build, SavingState& state) {
+    const Theme& theme = build.theme;
+    const bool begins = build.settings.save_as;
+    if (begins) state.path = proposed_path(build.facts.file).string();
+    build.settings.save_as = false;
+    if (begins) ImGui::OpenPopup(kSaveAs);
+    if (!begin_dialog(kSaveAs)) return;
+    text_in(colours::kText, "Save as a preset", theme.bold);
+    const float widest = ImGui::GetIO().DisplaySize.x - theme.px(60);
+    ImGui::SetNextItemWidth(std::min(theme.px(480), widest));
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        ImGui::InputText("##path", &state.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    fs::path path(state.path);
+    if (!path.empty() && !is_preset(path)) path += ".toml";
+    std::error_code error;
+    const bool exists = fs::exists(path, error);
+    text_in(exists ? colours::kWarning : colours::kDim,
+            exists ? "This file is there already and will be replaced." : "A new file.");
+    const bool save = ImGui::Button(exists ? "Replace" : "Save") || entered;
+    ImGui::SameLine();
+    const bool cancel = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
+    if (save && !path.empty()) build.wishes.save_as = path;
+    if (save || cancel) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+// A button that Enter or Esc presses too; that of Enter is lit.
+bool choice(const char* text, ImGuiKey key = ImGuiKey_COUNT) {
+    const ImU32 rest = ImGui::GetColorU32(ImGuiCol_Button);
+    ImGui::PushStyleColor(ImGuiCol_Button, key == ImGuiKey_Enter ? colours::kAccentFill : rest);
+    const bool chosen = ImGui::Button(text) || (key != ImGuiKey_COUNT && pressed(key));
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    return chosen;
+}
+
+// What is not saved is not left without a question; a path is asked for where there is none yet.
+void leave_choices(Build& build) {
+    const bool has_file = is_preset(build.facts.file);
+    if (choice(has_file ? "Save" : "Save as\u2026", ImGuiKey_Enter)) {
+        if (has_file) build.wishes.answer = Answer::save;
+        build.settings.save_as = !has_file;
+    }
+    if (choice("Discard")) build.wishes.answer = Answer::discard;
+    if (choice("Cancel", ImGuiKey_Escape)) build.wishes.answer = Answer::cancel;
+}
+
+void restore_choices(Build& build) {
+    if (choice("Restore", ImGuiKey_Enter)) build.wishes.answer = Answer::restore;
+    if (choice("Discard")) build.wishes.answer = Answer::discard;
+}
+
+void ask(Build& build) {
+    constexpr const char* kQuestion = "question";
+    const Question question = build.facts.question;
+    const bool waits = build.settings.save_as || ImGui::IsPopupOpen(kSaveAs);
+    if (question != Question::none && !waits && !ImGui::IsPopupOpen(kQuestion))
+        ImGui::OpenPopup(kQuestion);
+    if (!begin_dialog(kQuestion)) return;
+    const bool leaves = question == Question::leave;
+    ImGui::PushTextWrapPos(build.theme.px(420));
+    text_in(colours::kText,
+            leaves ? build.facts.title + " has changes that are not saved."
+                   : "Unsaved changes of the last run",
+            build.theme.bold);
+    text_in(colours::kDim, leaves ? "Tweaks and recorded events are lost without saving."
+                                  : "Glint ended before the tweaks or recorded events of this file "
+                                    "were saved. They have been kept.");
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, build.theme.px(2)});
+    if (leaves) leave_choices(build);
+    if (question == Question::restore) restore_choices(build);
+    if (question == Question::none || build.wishes.answer || build.settings.save_as)
+        ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+void dialogs(Build& build, SavingState& saving) {
+    ask(build);
+    ask_path(build, saving);
+}
+
+}  // namespace glint

@@ -1,0 +1,131 @@
+// All panels of one frame, in whichever ImGui context is current. It knows no window and no GL, so
+// tests can hold the mouse themselves.
+#pragma once
+
+#include "window/ui/layout.h"
+#include "window/ui/panels.h"
+
+#include <imgui.h>
+
+#include <map>
+#include <random>
+
+namespace glint {
+
+// What one frame's panels share.
+struct Build {
+    const Facts& facts;
+    History& history;
+    Transport& transport;
+    PanelSettings& settings;
+    Wishes& wishes;
+    const Theme& theme;
+    Layout& layout;
+};
+
+// Makes one entry of the undo list of what one widget does while it is held.
+class Edits {
+public:
+    void set(Build& build, std::size_t index, const TweakValue& value);
+    void follow(History& history);  // at the end of a frame: commits when the widget is let go
+
+private:
+    unsigned held_ = 0;  // ImGui's id
+};
+
+struct TweaksState {
+    std::string search;
+    Edits edits;
+    std::string typed, typed_text;  // the tweak whose value is being typed, and what stands there
+    bool typing_begins = false;
+    std::mt19937 random{std::random_device{}()};
+};
+
+struct TransportState {
+    double span = 60.0;  // s, of the scrub bar; kept while it is held
+    Loop loop{0.0, 10.0};
+    bool has_loop = false;
+};
+
+struct DiagnosticsState {
+    struct Shown {
+        Diagnostic diagnostic;
+        std::string source;  // the line as the file has it
+    };
+    std::vector<Shown> shown;
+    std::string told;  // what `shown` was made of
+    bool open = true;
+};
+
+struct SavingState {
+    std::string path;  // of save as
+};
+
+struct StudyState {
+    std::string knob;  // to be studied; "" for all
+    // The row under the mouse, in the diagram or in the table; in the frame before, and in this.
+    std::optional<std::size_t> hovered, hovering;
+};
+
+void top_bar(Build& build, DiagnosticsState& diagnostics);
+void tweaks_panel(Build& build, TweaksState& state);
+void transport_panel(Build& build, TransportState& state);
+void passes_panel(Build& build);
+void browser_panel(Build& build);
+void study_panel(Build& build, StudyState& state);
+void check_panel(Build& build);
+void diagnostics_panel(Build& build, DiagnosticsState& state);
+void diagnostics_button(Build& build, DiagnosticsState& state);  // in the bar: how many
+void help_panel(Build& build);
+void dialogs(Build& build, SavingState& saving);
+void error_line(Build& build);  // where the panels are hidden
+void empty_hint(Build& build);
+void wipe_handle(Build& build);
+void shown_labels(Build& build);
+void pixel_grid(Build& build);
+void notice(Build& build, float alpha);
+
+// A docked panel: its heading, tools that stay, and a body that scrolls.
+//     begin_panel(…); tools…; begin_body(); body…; end_panel(…);
+void begin_panel(Build& build, PanelId id, const char* title, bool& open);
+void begin_body();
+void end_panel(Build& build, PanelId id);
+
+// How far work beside the window has come, and what went wrong with it.
+void work_line(const Theme& theme, const WorkFact& work);
+
+class Interface {
+public:
+    explicit Interface(const Theme& theme) : theme_(theme) {}
+
+    // Between ImGui's NewFrame and Render.
+    Wishes build(const Facts& facts, History& history, Transport& transport,
+                 PanelSettings& settings);
+
+    // Panels learn how large they are by being built. True while this frame was built with sizes
+    // that no longer hold, and another pass would stand better.
+    bool is_behind();
+
+    // A notice fades or a tooltip is due: frames are wanted though nobody moves.
+    bool is_moving() const;
+
+    void set_theme(const Theme& theme) { theme_ = theme; }
+    const Layout& layout() const { return layout_; }
+    Places& places() { return layout_.places; }
+
+private:
+    void follow_notice(const Facts& facts);
+
+    Theme theme_;
+    Layout layout_, layout_before_;
+    unsigned extents_ = 0;  // a hash of where all windows stood
+    TweaksState tweaks_;
+    TransportState transport_;
+    DiagnosticsState diagnostics_;
+    SavingState saving_;
+    StudyState study_;
+    std::string notice_;
+    float notice_age_ = 1e9f;  // s
+};
+
+}  // namespace glint

@@ -1,0 +1,195 @@
+// The Dear ImGui panels over the picture. They show plain facts and hand back wishes; what the
+// wishes mean is the window's business.
+#pragma once
+
+#include "scene/history.h"
+#include "scene/scene.h"
+#include "scene/transport.h"
+#include "window/ui/findings.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace glint {
+
+// A scene or preset in the browser. `thumbnail` is a GL texture, 16:9, 0 until it is there.
+struct BrowserEntry {
+    std::filesystem::path file;
+    std::string title;
+    std::uint32_t thumbnail = 0;
+    std::filesystem::path scene;  // of a preset, under which it stands; "" is guessed by name
+};
+
+// One pass as the list of passes shows it.
+struct PassFact {
+    std::string name, entry;
+    glm::ivec2 size{0};
+    std::vector<std::string> outputs;
+    std::string runs;    // "every frame", "on change", "every step"
+    double ms = 0.0;     // when it was drawn last
+    bool drawn = false;  // in the last frame; "skipped" otherwise
+};
+
+// What the pass viewer found in the output that it shows.
+struct PixelFacts {
+    std::size_t nan = 0, infinite = 0;
+    glm::vec4 min{0.0f}, max{0.0f};
+    std::array<std::array<int, 64>, 4> histogram{};
+};
+
+// One value under the mouse.
+struct PixelValue {
+    std::string sampler;
+    glm::ivec2 pixel{0};
+    glm::vec4 value{0.0f};
+};
+
+// A magnified pixel that has its value printed on it.
+struct GridPixel {
+    glm::dvec2 centre{0.0};  // pixels of the window, y up
+    double side = 0.0;       // pixels of the window; small ones are left without numbers
+    glm::vec4 value{0.0f};   // what the buffer holds
+    glm::vec4 shown{0.0f};   // what the screen shows, 0 to 1: the ink is its opposite
+};
+
+// How the pass viewer shows a buffer; edited by the panel, drawn by the window.
+struct PassView {
+    std::string sampler;    // "" or "image" for the picture
+    int channel = 0;        // 0 rgb, 1 red, 2 green, 3 blue, 4 alpha
+    float exposure = 0.0f;  // stops
+    bool tone_curve = false;
+    bool mark_not_finite = true;
+    glm::dvec2 centre{0.5};  // fraction of the buffer in the middle
+    double zoom = 0.0;       // screen pixels a buffer pixel; 0 fits
+    bool inspect = false;    // counts, histogram and the pixel inspector are wanted
+};
+
+// What has to be answered before anything else is done.
+enum class Question {
+    none,
+    leave,    // what is not saved would be lost: save, discard, or cancel
+    restore,  // the last run left work that it had not saved: restore, or discard
+};
+
+// What the panels need to know for one frame.
+struct Facts {
+    const Scene* scene = nullptr;  // null while nothing is open
+    std::string title;             // of the scene or preset
+    std::filesystem::path file;
+    bool unsaved = false, loading = false, specialised = false;
+    double replayed = 1.0;  // fraction of a replay that is under way
+    std::span<const Diagnostic> diagnostics;
+    std::string last_reload;  // one line
+    Instant instant;
+    double frame_ms = 0.0;
+    std::string renderer;
+    glm::ivec2 picture_size{0};
+    glm::ivec2 frame_size{0};  // whose aspect the picture keeps; 0x0 fills the window
+    std::span<const PassFact> passes;
+    std::optional<PixelFacts> pixel_facts;
+    std::span<const PixelValue> pixel_values;
+    std::span<const GridPixel> grid;  // those in view, when the zoom is far enough for numbers
+    std::span<const BrowserEntry> browser;
+    WorkFact study_work, check_work;
+    std::span<const StudyFact> studies;
+    std::span<const CaseFact> cases;  // worst first
+    bool recording = false;
+    bool has_sound = false;
+    std::string why_silent;  // a cause; "" while the sound can be heard
+    Question question = Question::none;
+    // A short message such as "christmas.png written". It fades by itself; a new text shows anew.
+    std::string notice;
+};
+
+enum class Answer { save, discard, cancel, restore };
+
+// What a person asked for in one frame.
+struct Wishes {
+    std::optional<std::filesystem::path> open, save_as;
+    bool save = false, revert = false;
+    bool still = false;
+    bool toggle_recording = false;
+    bool toggle_full_screen = false;
+    bool tweaks_changed = false;
+    std::optional<Diagnostic> edit;    // open the editor at this place
+    std::optional<std::string> study;  // run one of this knob; "" for all
+    std::optional<Answer> answer;      // to Facts::question
+    bool cancel_study = false;
+    bool check = false, cancel_check = false;
+    bool quit = false;
+};
+
+// Edited by panels and window alike; kept while the program runs.
+struct PanelSettings {
+    bool visible = true;  // Tab hides all
+    bool tweaks = true, transport = true, passes = false, browser = false, help = false;
+    bool study = false, check = false;
+    bool save_as = false;  // ask for the path; the panels answer with Wishes::save_as
+    PassView view;
+    bool free_aspect = false;       // the picture fills the window, whatever Facts::frame_size
+    float resolution_scale = 1.0f;  // 0.25 to 2
+    bool hold_frame_rate = false;   // lower the resolution to hold this rate
+    float frame_rate = 30.0f;       // Hz
+    bool muted = false;
+    float volume = 1.0f;  // 0 to 1
+    bool wipe = false;    // the tweak set that is shown left of a line, the other right of it
+    float wipe_position = 0.5f;            // fraction of the width; also of the wipe of a study
+    Shown shown = Shown::scene;            // what stands in the view
+    std::size_t shown_study = 0;           // of Facts::studies
+    std::optional<std::size_t> shown_row;  // of that study, to be compared
+    std::string shown_case;                // the chosen one of Facts::cases
+};
+
+class Panels {
+public:
+    // Places are remembered in `memory` (an .ini file); "" remembers nothing.
+    Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory);
+    ~Panels();
+    Panels(const Panels&) = delete;
+    Panels& operator=(const Panels&) = delete;
+
+    // The window went to a screen of another scale.
+    void rescale(float content_scale);
+
+    // Builds the frame's panels; tweaks move in `history`, time in `transport`.
+    Wishes update(const Facts& facts, History& history, Transport& transport,
+                  PanelSettings& settings);
+
+    // Draws what update() built over framebuffer 0.
+    void draw();
+
+    // A press or release since the last update(), at a place in pixels of the framebuffer, y up.
+    // A slow scene leaves seconds between two frames: clicks count where they happened.
+    void mouse_button(glm::dvec2 position, int button, bool down);
+
+    // Whether the panels take what the mouse or the keyboard does now.
+    bool takes_mouse() const;
+    bool takes_keyboard() const;
+
+    // Whether a press at this place, in pixels of the framebuffer, y up, is theirs. The mouse may
+    // have come there since the last frame.
+    bool takes_mouse_at(glm::dvec2 position) const;
+
+    // Whether a text field holds the keyboard.
+    bool takes_text() const;
+
+    // Frames that are still wanted after an input until everything stands still.
+    bool is_settling() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace glint

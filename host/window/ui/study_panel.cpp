@@ -1,0 +1,249 @@
+// Error against run time: a knob is chosen, its values are measured beside the window, and a click
+// on a point applies it.
+#include "window/ui/diagram.h"
+#include "window/ui/interface.h"
+#include "window/ui/number_text.h"
+#include "window/ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace glint {
+namespace {
+
+constexpr const char* kAllKnobs = "All quality tweaks";
+
+const Tweak* find_tweak(const Build& build, const std::string& name) {
+    if (!build.facts.scene) return nullptr;
+    const auto found = std::ranges::find(build.facts.scene->tweaks, name, &Tweak::name);
+    return found == build.facts.scene->tweaks.end() ? nullptr : &*found;
+}
+
+std::size_t index_of(const Build& build, const Tweak& tweak) {
+    return static_cast<std::size_t>(&tweak - build.facts.scene->tweaks.data());
+}
+
+// The row at whose value the tweak stands, as far as the shader can tell.
+std::optional<std::size_t> current_row(const Build& build, const StudyFact& study) {
+    const Tweak* tweak = find_tweak(build, study.knob);
+    if (!tweak || index_of(build, *tweak) >= build.history.values().size()) return std::nullopt;
+    const TweakValue now = tidy(*tweak, build.history.value(index_of(build, *tweak)));
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        const auto value = parse_value(*tweak, study.rows[i].value);
+        if (value && tidy(*tweak, *value) == now) return i;
+    }
+    return std::nullopt;
+}
+
+// Compares its picture, and sets the tweak to it as a person would; how long a scene settles is no
+// tweak.
+void choose(Build& build, const StudyFact& study, std::size_t row) {
+    build.settings.shown_row = row;
+    const Tweak* tweak = find_tweak(build, study.knob);
+    const auto value = tweak ? parse_value(*tweak, study.rows[row].value) : std::nullopt;
+    if (!value || current_row(build, study) == row) return;
+    build.history.set(index_of(build, *tweak), *value);
+    build.wishes.tweaks_changed = true;
+}
+
+void knob_menu(Build& build, StudyState& state) {
+    const Scene* scene = build.facts.scene;
+    if (!state.knob.empty() && !find_tweak(build, state.knob)) state.knob.clear();
+    const float button = ImGui::CalcTextSize("Cancel").x + build.theme.px(24);
+    ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - button, 1.0f));
+    if (!ImGui::BeginCombo("##knob", state.knob.empty() ? kAllKnobs : state.knob.c_str())) return;
+    if (ImGui::Selectable(kAllKnobs, state.knob.empty())) state.knob.clear();
+    for (std::size_t i = 0; scene && i < scene->tweaks.size(); ++i) {
+        const Tweak& tweak = scene->tweaks[i];
+        if (!tweak.quality) continue;
+        if (ImGui::Selectable(tweak.name.c_str(), tweak.name == state.knob))
+            state.knob = tweak.name;
+        tip(build.theme, tweak.description);
+    }
+    ImGui::EndCombo();
+}
+
+void run_button(Build& build, const StudyState& state) {
+    const bool running = build.facts.study_work.running;
+    const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 1.0f), 0};
+    ImGui::BeginDisabled(!build.facts.scene);
+    if (running && ImGui::Button("Cancel", size)) build.wishes.cancel_study = true;
+    if (!running && ImGui::Button("Run", size)) {
+        build.wishes.study = state.knob;
+        build.settings.shown = Shown::scene;
+        build.settings.shown_study = 0;
+        build.settings.shown_row.reset();
+    }
+    ImGui::EndDisabled();
+}
+
+// Which knob's diagram is seen, where there are several.
+void study_choice(Build& build) {
+    const auto& studies = build.facts.studies;
+    if (studies.size() < 2) return;
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const char* name = studies[i].knob.c_str();
+        if (i > 0) same_line_if_fits(ImGui::CalcTextSize(name).x + build.theme.px(16));
+        if (text_button(build.theme, name, build.settings.shown_study == i, "")) {
+            build.settings.shown_study = i;
+            build.settings.shown_row.reset();
+        }
+        ImGui::PopID();
+    }
+}
+
+std::string error_text(const RowFact& row) {
+    return row.rmse ? power_text(*row.rmse) : "";
+}
+
+std::string psnr_text(const RowFact& row) {
+    if (!row.rmse) return "";
+    return std::isfinite(row.psnr) ? fmt::format("{:.1f}", row.psnr) : "\u221e";
+}
+
+void row_tip(Build& build, const StudyFact& study, const RowFact& row) {
+    const Theme& theme = build.theme;
+    // Beside the panel, where it hides no other point.
+    const Area& panel = build.layout.areas[static_cast<std::size_t>(PanelId::study)];
+    const bool left = panel.corner.x + 0.5f * panel.size.x < 0.5f * ImGui::GetIO().DisplaySize.x;
+    ImGui::SetNextWindowPos({left ? panel.right() + theme.px(8) : panel.corner.x - theme.px(8),
+                             ImGui::GetIO().MousePos.y},
+                            0, {left ? 0.0f : 1.0f, 0.5f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
+    ImGui::BeginTooltip();
+    text_in(colours::kText, study.knob + " " + row.value, theme.bold);
+    if (!row.failed.empty()) text_in(colours::kError, row.failed);
+    text_in(colours::kText,
+            fmt::format("{:.4g} ms, from {:.4g} to {:.4g}", row.ms, row.ms_min, row.ms_max));
+    if (row.rmse) {
+        text_in(colours::kText,
+                fmt::format("RMSE {}, at most {}", power_text(*row.rmse), power_text(row.max)));
+        text_in(colours::kText, fmt::format("PSNR {} dB, {:.2f} % off by more than 1/255",
+                                            psnr_text(row), 100.0 * row.share_off));
+    }
+    if (row.is_reference) text_in(colours::kDim, "the reference");
+    if (row.pareto) text_in(colours::kDim, "no other value is both faster and nearer");
+    if (row.near_reference) text_in(colours::kDim, "within ten times of the reference's own error");
+    if (find_tweak(build, study.knob)) text_in(colours::kAccent, "Click to apply");
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+void row_line(Build& build, StudyState& state, const StudyFact& study, std::size_t index) {
+    const RowFact& row = study.rows[index];
+    const ImU32 colour = !row.failed.empty() ? colours::kError
+                         : row.pareto        ? colours::kText
+                                             : colours::kDim;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(index));
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    const bool lit = state.hovered == index || build.settings.shown_row == index;
+    if (ImGui::Selectable("##row", lit, ImGuiSelectableFlags_SpanAllColumns))
+        choose(build, study, index);
+    if (ImGui::IsItemHovered()) state.hovering = index;
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, 0);
+    text_in(colour, row.value, current_row(build, study) == index ? build.theme.bold : nullptr);
+    for (const std::string& text :
+         {fmt::format("{:.4g}", row.ms), error_text(row), psnr_text(row)}) {
+        ImGui::TableNextColumn();
+        text_in(colour, text);
+    }
+    ImGui::PopID();
+}
+
+void row_table(Build& build, StudyState& state, const StudyFact& study) {
+    if (study.rows.empty()) return;
+    if (!ImGui::BeginTable("rows", 4, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableNextRow();
+    for (const char* name : {study.knob.c_str(), "ms", "RMSE", "PSNR, dB"}) {
+        ImGui::TableNextColumn();
+        text_in(colours::kDim, name);
+    }
+    for (std::size_t i = 0; i < study.rows.size(); ++i) row_line(build, state, study, i);
+    ImGui::EndTable();
+}
+
+// The scene itself, or the pictures that were measured.
+void view_choice(Build& build, const StudyFact& study) {
+    PanelSettings& settings = build.settings;
+    constexpr std::array<std::tuple<const char*, Shown, const char*>, 3> kChoices = {
+        {{"Scene", Shown::scene, "The scene itself, live"},
+         {"Wipe", Shown::wipe, "The measured picture left of a line, the reference right of it"},
+         {"Heat map", Shown::map, "How far the measured picture is from the reference"}}};
+    for (const auto& [name, shown, meaning] : kChoices) {
+        if (shown != Shown::scene) ImGui::SameLine(0, build.theme.px(2));
+        if (!text_button(build.theme, name, settings.shown == shown, meaning)) continue;
+        settings.shown = shown;
+        if (!settings.shown_row) settings.shown_row = current_row(build, study).value_or(0);
+    }
+}
+
+void study_facts(const StudyFact& study) {
+    ImGui::PushTextWrapPos(0.0f);
+    const double own = study.reference_error.value_or(0.0);
+    text_in(colours::kDim, "Reference " + study.reference +
+                               (own > 0.0 ? ", itself within " + power_text(own) : ""));
+    if (study.order) text_in(colours::kDim, fmt::format("Order {:.2f}", *study.order));
+    for (const std::string& finding : study.findings) text_in(colours::kWarning, finding);
+    ImGui::PopTextWrapPos();
+}
+
+void one_study(Build& build, StudyState& state, const StudyFact& study) {
+    if (study.rows.empty()) return text_in(colours::kDim, "Drawing the reference\u2026");
+    // The height does not hang on whether there is a scroll bar, which hangs on the height.
+    const float width = std::max(ImGui::GetContentRegionAvail().x, build.theme.px(120));
+    const auto& panel = build.layout.areas[static_cast<std::size_t>(PanelId::study)];
+    const float height = std::max(std::round(0.7f * panel.size.x), build.theme.px(100));
+    const bool compares = build.settings.shown != Shown::scene;
+    const DiagramLook look{.size = {width, height},
+                           .hovered = state.hovered,
+                           .current = current_row(build, study),
+                           .chosen = compares ? build.settings.shown_row : std::nullopt};
+    const auto under = diagram(build.theme, study, look);
+    if (under) state.hovering = under;
+    if (under && ImGui::IsItemClicked()) choose(build, study, *under);
+    view_choice(build, study);
+    row_table(build, state, study);
+    study_facts(study);
+}
+
+void introduction() {
+    ImGui::PushTextWrapPos(0.0f);
+    text_in(colours::kDim,
+            "Draws the scene as it stands with each value of its quality tweaks, and compares the "
+            "pictures with that of the reference: how much error for how many milliseconds.");
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void study_panel(Build& build, StudyState& state) {
+    begin_panel(build, PanelId::study, "Study", build.settings.study);
+    knob_menu(build, state);
+    ImGui::SameLine(0, build.theme.px(4));
+    run_button(build, state);
+    work_line(build.theme, build.facts.study_work);
+    begin_body();
+    study_choice(build);
+    const auto& studies = build.facts.studies;
+    state.hovered = std::exchange(state.hovering, std::nullopt);
+    if (build.settings.shown_study < studies.size()) {
+        const StudyFact& study = studies[build.settings.shown_study];
+        one_study(build, state, study);
+        if (state.hovering && *state.hovering < study.rows.size())
+            row_tip(build, study, study.rows[*state.hovering]);
+    } else if (!build.facts.study_work.running) {
+        introduction();
+    }
+    end_panel(build, PanelId::study);
+}
+
+}  // namespace glint

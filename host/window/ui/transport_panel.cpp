@@ -1,0 +1,325 @@
+// The transport bar: play, step, reset, the scrub bar with its loop, time, rate, frame and speed.
+#include "window/ui/interface.h"
+#include "window/ui/shortcuts.h"
+#include "window/ui/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr double kLeastSpan = 60.0;  // s
+
+// The end of the scrub bar: the first of 1, 2, 5, 10 … minutes that holds the time and the loop.
+double span_for(double time, const Loop& loop, bool has_loop) {
+    double span = kLeastSpan;
+    const double last = std::max(time, has_loop ? loop.end : 0.0);
+    for (int i = 0; span < last && i < 90; ++i) span *= i % 3 == 1 ? 2.5 : 2.0;
+    return std::max(span, last);
+}
+
+std::string clock_text(double seconds) {
+    if (seconds < 60.0) return fmt::format("{:g} s", seconds);
+    const auto whole = static_cast<long long>(seconds);
+    if (seconds < 3600.0) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+    if (seconds < 86400.0) return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
+    return fmt::format("{:.1f} d", seconds / 86400.0);
+}
+
+void buttons(Build& build) {
+    Transport& transport = build.transport;
+    const Theme& theme = build.theme;
+    if (icon_button(theme, "reset", Icon::reset, "Time back to zero (Ctrl+R)")) transport.reset();
+    ImGui::SameLine(0, theme.px(2));
+    const bool playing = transport.playing();
+    if (icon_button(theme, "play", playing ? Icon::pause : Icon::play,
+                    playing ? "Pause (Ctrl+Space)" : "Play (Ctrl+Space)",
+                    {.colour = colours::kAccent}))
+        playing ? transport.pause() : transport.play();
+    ImGui::SameLine(0, theme.px(2));
+    if (icon_button(theme, "step", Icon::step, "One frame forward (Ctrl+.)")) transport.step();
+}
+
+void time_field(Build& build, float width) {
+    double time = build.transport.time();
+    const double before = time, least = 0.0, most = 1e9;
+    ImGui::SetNextItemWidth(width);
+    ImGui::DragScalar("##time", ImGuiDataType_Double, &time, 0.02f, &least, &most, "%.3f s");
+    if (time != before && std::isfinite(time)) build.transport.seek(std::max(time, 0.0));
+    tip(build.theme, "Time. Drag to move it, click to type it.");
+}
+
+void rate_slider(Build& build, float width) {
+    auto rate = static_cast<float>(build.transport.rate());
+    const Range range{Transport::kSlowest, Transport::kFastest, 1.0, true};
+    if (number_slider(build.theme, "##rate", width, rate, range,
+                      fmt::format("{:.2f}\u00d7", rate))) {
+        const bool is_near_one = std::abs(std::log(static_cast<double>(rate))) < 0.04;
+        build.transport.set_rate(is_near_one ? 1.0 : static_cast<double>(rate));
+    }
+    tip(build.theme, "Rate: scene seconds in a second. Right-click: 1.");
+}
+
+void loop_button(Build& build, TransportState& state) {
+    if (build.transport.loop()) {
+        state.loop = *build.transport.loop();
+        state.has_loop = true;
+    }
+    const bool on = build.transport.loop().has_value();
+    if (!icon_button(build.theme, "loop", Icon::loop,
+                     "Loop between the markers A and B. Drag them, or right-click the scrub bar.",
+                     {.on = on}))
+        return;
+    if (!state.has_loop) state.loop = {build.transport.time(), build.transport.time() + 10.0};
+    state.has_loop = true;
+    build.transport.set_loop(on ? std::nullopt : std::optional(state.loop));
+}
+
+constexpr float kVolumeWidth = 60;  // screen units
+
+// The button and the slider, with the gaps before them; a scene without sound has neither.
+float sound_width(const Build& build) {
+    if (!build.facts.has_sound) return 0.0f;
+    return ImGui::GetFrameHeight() + build.theme.px(kVolumeWidth + 10);
+}
+
+// In a line; what follows comes behind it.
+void sound_controls(Build& build) {
+    if (!build.facts.has_sound) return;
+    const Theme& theme = build.theme;
+    PanelSettings& settings = build.settings;
+    const std::string& cause = build.facts.why_silent;
+    const std::string tip_text = !cause.empty()   ? fmt::format("No sound: {}", cause)
+                                 : settings.muted ? "Sound on (Ctrl+M)"
+                                                  : "Sound off (Ctrl+M)";
+    const bool silent = settings.muted || !cause.empty();
+    if (icon_button(theme, "mute", silent ? Icon::muted : Icon::sound, tip_text.c_str(),
+                    {.enabled = cause.empty()}))
+        settings.muted = !settings.muted;
+    ImGui::SameLine(0, theme.px(2));
+    if (number_slider(theme, "##volume", theme.px(kVolumeWidth), settings.volume,
+                      {0.0, 1.0, 1.0, false}, fmt::format("{:.0f} %", settings.volume * 100.0f)))
+        settings.muted = false;
+    tip(theme, "Volume. Right-click: all of it.");
+    ImGui::SameLine();
+}
+
+void fixed_button(Build& build) {
+    const bool fixed = build.transport.fixed_step();
+    if (text_button(build.theme, "1/60", fixed,
+                    "Fixed step: every frame moves time by exactly 1/60 s, as in a sequence"))
+        build.transport.set_fixed_step(!fixed);
+}
+
+// Where things lie on the scrub bar.
+struct Bar {
+    ImVec2 corner, end;
+    double span;
+    float x(double time) const {
+        const double t = std::clamp(time / span, 0.0, 1.0);
+        return corner.x + static_cast<float>(t) * (end.x - corner.x);
+    }
+    double time(float at) const {
+        const double t = static_cast<double>(at - corner.x) /
+                         std::max(static_cast<double>(end.x - corner.x), 1.0);
+        return std::clamp(t, 0.0, 1.0) * span;
+    }
+};
+
+// Lines at whole seconds, minutes …, no closer than a finger's width.
+void draw_ticks(const Theme& theme, const Bar& bar, float track_bottom) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const double least = bar.time(bar.corner.x + theme.px(64));
+    double step = 1.0;
+    for (int i = 0; step < least && i < 90; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
+    for (int k = 1; k * step < bar.span * 0.999 && k < 200; ++k) {
+        const float x = std::round(bar.x(k * step));
+        list.AddLine({x, track_bottom - theme.px(4)}, {x, track_bottom}, colours::kFaint);
+    }
+}
+
+void draw_scrub(Build& build, const TransportState& state, const Bar& bar, bool hot) {
+    const Theme& theme = build.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float round = theme.px(4);
+    list.AddRectFilled(bar.corner, bar.end, hot ? colours::kFieldHovered : colours::kField, round);
+    const float now = bar.x(build.transport.time());
+    if (build.transport.loop())
+        list.AddRectFilled({bar.x(state.loop.begin), bar.corner.y},
+                           {bar.x(state.loop.end), bar.end.y}, IM_COL32(105, 178, 236, 46));
+    if (now > bar.corner.x + 1)
+        list.AddRectFilled(bar.corner, {now, bar.end.y}, colours::kAccentFill, round,
+                           ImDrawFlags_RoundCornersLeft);
+    if (build.facts.replayed < 1.0) {
+        const double done = std::clamp(build.facts.replayed, 0.0, 1.0);
+        const float x = bar.corner.x + static_cast<float>(done) * (now - bar.corner.x);
+        list.AddRectFilled({bar.corner.x, bar.end.y - theme.px(4)}, {x, bar.end.y},
+                           colours::kWarning);
+    }
+    draw_ticks(theme, bar, bar.end.y);
+    list.AddRectFilled({now - theme.px(1.5f), bar.corner.y}, {now + theme.px(1.5f), bar.end.y},
+                       colours::kAccent, theme.px(1));
+    const std::string last = build.facts.replayed < 1.0
+                                 ? fmt::format("replaying {:.0f} %", 100 * build.facts.replayed)
+                                 : clock_text(bar.span);
+    const ImVec2 size = ImGui::CalcTextSize(last.c_str());
+    const float y = 0.5f * (bar.corner.y + bar.end.y - size.y);
+    list.AddText({bar.end.x - size.x - theme.px(8), y}, colours::kDim, last.c_str());
+}
+
+// A marker of the loop, dragged along the bar. True while it is held.
+bool marker(Build& build, const Bar& bar, const char* name, double& time) {
+    const Theme& theme = build.theme;
+    const float x = bar.x(time), half = theme.px(7);
+    ImGui::SetCursorScreenPos({x - half, bar.corner.y - theme.px(2)});
+    ImGui::InvisibleButton(name, {2 * half, bar.end.y - bar.corner.y + theme.px(4)});
+    const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
+    if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (held) time = bar.time(ImGui::GetIO().MousePos.x);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 colour = hot ? colours::kText : colours::kWarning;
+    list.AddLine({x, bar.corner.y}, {x, bar.end.y}, colour, theme.px(2));
+    const float side = *name == 'A' ? 1.0f : -1.0f;
+    list.AddTriangleFilled({x, bar.corner.y}, {x + side * theme.px(8), bar.corner.y},
+                           {x, bar.corner.y + theme.px(9)}, colour);
+    tip(theme, fmt::format("{} {:.2f} s", name, time));
+    return held;
+}
+
+void markers(Build& build, TransportState& state, const Bar& bar) {
+    if (!build.transport.loop()) return;
+    Loop loop = state.loop;
+    const bool moved_a = marker(build, bar, "A", loop.begin);
+    const bool moved_b = marker(build, bar, "B", loop.end);
+    if (moved_a) loop.begin = std::min(loop.begin, loop.end - 1.0 / 60);
+    if (moved_b) loop.end = std::max(loop.end, loop.begin + 1.0 / 60);
+    if (moved_a || moved_b) build.transport.set_loop(loop);
+}
+
+void loop_menu(Build& build, TransportState& state, const Bar& bar) {
+    if (!ImGui::BeginPopup("loop menu")) return;
+    const double at = bar.time(ImGui::GetMousePosOnOpeningCurrentPopup().x);
+    Loop loop = state.has_loop ? state.loop : Loop{0.0, bar.span};
+    bool chosen = false;
+    if (ImGui::MenuItem("Loop from here (A)")) {
+        loop = {at, loop.end > at ? loop.end : bar.span};
+        chosen = true;
+    }
+    if (ImGui::MenuItem("Loop to here (B)")) {
+        loop = {loop.begin < at ? loop.begin : 0.0, at};
+        chosen = true;
+    }
+    if (ImGui::MenuItem("No loop", nullptr, false, build.transport.loop().has_value()))
+        build.transport.set_loop(std::nullopt);
+    if (chosen && loop.begin < loop.end) build.transport.set_loop(loop);
+    ImGui::EndPopup();
+}
+
+void scrub_bar(Build& build, TransportState& state, float width) {
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    // The markers, which come later, go before it.
+    ImGui::InvisibleButton("scrub", {std::max(width, 1.0f), height},
+                           static_cast<ImGuiButtonFlags>(ImGuiButtonFlags_AllowItemOverlap));
+    ImGui::SetItemAllowOverlap();
+    const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
+    if (ImGui::IsItemClicked(1)) ImGui::OpenPopup("loop menu");
+    if (!ImGui::IsAnyMouseDown())
+        state.span =
+            span_for(build.transport.time(), state.loop, build.transport.loop().has_value());
+    const Bar bar{corner, {corner.x + std::max(width, 1.0f), corner.y + height}, state.span};
+    if (held) build.transport.seek(bar.time(ImGui::GetIO().MousePos.x));
+    draw_scrub(build, state, bar, hot);
+    markers(build, state, bar);
+    loop_menu(build, state, bar);
+    ImGui::SetCursorScreenPos(corner);  // what follows in the line follows the bar, not a marker
+    ImGui::Dummy({std::max(width, 1.0f), height});
+}
+
+std::string speed_text(const Build& build) {
+    const Instant& instant = build.facts.instant;
+    return fmt::format("frame {}   {:.0f} fps   {:.1f} ms", instant.frame, instant.frame_rate,
+                       build.facts.frame_ms);
+}
+
+// Keeps its place while the digits change.
+void speed(Build& build, float width) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float top = corner.y + ImGui::GetStyle().FramePadding.y;
+    text_within(*ImGui::GetWindowDrawList(), {corner.x, top}, width, colours::kDim,
+                speed_text(build));
+    ImGui::Dummy({width, ImGui::GetFrameHeight()});
+    tip(build.theme, build.facts.renderer);
+}
+
+void how_it_plays(Build& build, TransportState& state) {
+    loop_button(build, state);
+    ImGui::SameLine();
+    rate_slider(build, build.theme.px(80));
+    ImGui::SameLine();
+    fixed_button(build);
+    ImGui::SameLine();
+    sound_controls(build);
+}
+
+void in_one_line(Build& build, TransportState& state, float side, float speed_width) {
+    const Theme& theme = build.theme;
+    buttons(build);
+    ImGui::SameLine();
+    time_field(build, theme.px(96));
+    ImGui::SameLine();
+    scrub_bar(build, state, ImGui::GetContentRegionAvail().x - side - speed_width);
+    ImGui::SameLine();
+    how_it_plays(build, state);
+    speed(build, speed_width);
+}
+
+void in_two_lines(Build& build, TransportState& state, float speed_width) {
+    const Theme& theme = build.theme;
+    scrub_bar(build, state, ImGui::GetContentRegionAvail().x);
+    buttons(build);
+    ImGui::SameLine();
+    time_field(build, theme.px(96));
+    ImGui::SameLine();
+    how_it_plays(build, state);
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (room >= speed_width)
+        speed(build, speed_width);
+    else
+        ImGui::NewLine();
+}
+
+}  // namespace
+
+void transport_panel(Build& build, TransportState& state) {
+    const Theme& theme = build.theme;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float margin = theme.px(8);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
+    ImGui::SetNextWindowPos({margin, screen.y - margin}, 0, {0.0f, 1.0f});
+    const float width = std::max(screen.x - 2 * margin, 1.0f);
+    const float line = ImGui::GetFrameHeight();
+    const float speed_width = ImGui::CalcTextSize("frame 000000   000 fps   000.0 ms").x;
+    // Loop, rate, fixed step and the gaps before each of them.
+    const float side = line + theme.px(80) + ImGui::CalcTextSize("1/60").x + theme.px(16 + 5 * 8) +
+                       sound_width(build);
+    const bool is_wide = width > side + speed_width + 3 * line + theme.px(96 + 240);
+    const float lines = is_wide ? line : 2 * line + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::SetNextWindowSize({width, lines + theme.px(16)});
+    ImGui::Begin("transport", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollWithMouse);
+    if (is_wide)
+        in_one_line(build, state, side, speed_width);
+    else
+        in_two_lines(build, state, speed_width);
+    build.layout.transport = {ImGui::GetWindowPos(), ImGui::GetWindowSize()};
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace glint

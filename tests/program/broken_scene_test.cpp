@@ -1,0 +1,193 @@
+// A scene with a mistake: the place of the mistake, exit code 3 or 4, and nothing else happens.
+#include "command.h"
+#include "media/image.h"
+
+namespace glint::cli {
+namespace {
+
+struct Mistake {
+    std::string_view what, text;
+    int code;
+    std::string_view message;  // how a line of stderr starts
+};
+
+class BrokenScene : public InAFolder {
+protected:
+    // Draws scene.frag over a picture that is there already: the picture stays, and nothing else
+    // comes.
+    void expect_refused(std::string_view what, int code, std::string_view message,
+                        const std::string& file = "scene.frag") const {
+        SCOPED_TRACE(what);
+        write("out.png", "precious");
+        const auto before = names();
+        const Outcome outcome = glint({"still", file, "-o", "out.png", "--size", "64x36"});
+        EXPECT_EQ(outcome.code, code);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(("\n" + outcome.err).find("\n" + std::string(message)), std::string::npos)
+            << "wanted: " << message << "\nstderr: " << outcome.err.substr(0, 2000);
+        EXPECT_EQ(bytes("out.png"), "precious");
+        EXPECT_EQ(names(), before);
+    }
+};
+
+TEST_F(BrokenScene, TellsTheLineAndColumnOfASyntaxError) {
+    const Mistake cases[] = {
+        {"on the first line",
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(wrong); }\n"
+         "float unused() { return 1.0; }\n",
+         3, "scene.frag:1:50: error: `wrong' undeclared"},
+        {"on the last line, which has no end",
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n\nfloat f() { return 1.0", 3,
+         "scene.frag:3:"},
+        {"after a line of one megabyte", "1 MB", 3, "scene.frag:2:50: error: `wrong' undeclared"},
+        {"after a comment with letters of several bytes",
+         "void mainImage(out vec4 c, in vec2 p) { /* äöü€𝄞 */ c = wrong; }\n", 3,
+         "scene.frag:1:57: error: `wrong' undeclared"},
+        {"after CRLF line ends",
+         "// one\r\n\r\nvoid mainImage(out vec4 c, in vec2 p) {\r\n  c = wrong;\r\n}\r\n", 3,
+         "scene.frag:4:7: error: `wrong' undeclared"},
+        {"below a tweak, which is written in as a constant",
+         "uniform vec3 tint; //@ #ff8000\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+         "  c.rgb = tint; c = wrong; }\n",
+         3, "scene.frag:3:21: error: `wrong' undeclared"},
+        {"in a tab of its own",
+         "uniform sampler2D bufferA; //@ pass bufferA\n"
+         "#ifdef PASS_bufferA\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(wrong); }\n"
+         "#endif\n"
+         "#ifdef PASS_image\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(bufferA, ivec2(p), 0); }\n"
+         "#endif\n",
+         3, "scene.frag:3:50: error: `wrong' undeclared"},
+        {"in an annotation", std::string_view("uniform float a; //@ 0.5 [1, 0\n"), 3,
+         "scene.frag:1:"},
+    };
+    for (const Mistake& mistake : cases) {
+        const bool long_line = mistake.text == "1 MB";
+        write("scene.frag", long_line ? std::string("//").append(1'000'000, 'x') + "\n" +
+                                            std::string(cases[0].text)
+                                      : std::string(mistake.text));
+        expect_refused(mistake.what, mistake.code, mistake.message);
+    }
+}
+
+TEST_F(BrokenScene, TellsTheLineOfTheIncludedFile) {
+    write("scene.frag",
+          "// one\n#include \"lib/a.glsl\"\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = a(); }\n");
+    write("lib/a.glsl", "// one\n// two\nvec4 a() { return wrong; }\n");
+    expect_refused("in an include", 3, "lib/a.glsl:3:19: error: `wrong' undeclared");
+    write("lib/a.glsl", "vec4 a() { return vec4(1); }\n");
+    write("scene.frag",
+          "#include \"lib/a.glsl\"\n#include \"lib/a.glsl\"\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = a(); }\n");
+    expect_refused("in a file that is included twice", 3, "lib/a.glsl:1:");
+    write("scene.frag",
+          "#include \"lib/a.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
+    expect_refused("below an include", 3, "scene.frag:2:45: error: `wrong' undeclared");
+}
+
+TEST_F(BrokenScene, TellsWhatDoesNotLink) {
+    const Mistake cases[] = {
+        {"a function without a body",
+         "float missing(float x);\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(missing(p.x)); }\n",
+         3, "scene.frag: error: unresolved reference to function `missing'"},
+        {"no mainImage", "float f() { return 1.0; }\n", 3,
+         "scene.frag: error: there is no mainImage here; write void mainImage("},
+        {"mainImage in a comment only", "// mainImage\nfloat f() { return 1.0; }\n", 3,
+         "scene.frag: error: there is no mainImage here; write void mainImage("},
+        {"an empty file", "", 3, "scene.frag: error: this file holds no shader; write "},
+        {"a byte order mark and nothing else", "\xEF\xBB\xBF", 3,
+         "scene.frag: error: this file holds no shader; write "},
+        {"a mainImage that is declared only", "void mainImage(out vec4 c, in vec2 p);\n", 3,
+         "scene.frag: error: "},
+        {"sound alone", "vec2 mainSound(int s, float t) { return vec2(0); }\n", 3,
+         "scene.frag: error: there is no `void mainImage("},
+    };
+    for (const Mistake& mistake : cases) {
+        write("scene.frag", mistake.text);
+        expect_refused(mistake.what, mistake.code, mistake.message);
+    }
+}
+
+TEST_F(BrokenScene, TellsWhichFileIsMissingAndWhoNamesIt) {
+    const Mistake cases[] = {
+        {"an include", "\n  #include \"gone.glsl\"\n", 4,
+         "scene.frag:2:3: error: cannot read 'gone.glsl': No such file or directory"},
+        {"an include that is a folder", "#include \".\"\n", 4,
+         "scene.frag:1:1: error: cannot read"},
+        {"a picture",
+         "\nuniform sampler2D wood; //@ image gone.png\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = texture(wood, p); }\n",
+         4, "scene.frag:2:19: error: Cannot read gone.png: No such file or directory"},
+        {"a picture that is a folder",
+         "uniform sampler2D wood; //@ image .\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = texture(wood, p); }\n",
+         4, "scene.frag:1:19: error: Cannot read "},
+        {"a picture that is the scene",
+         "uniform sampler2D wood; //@ image scene.frag\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = texture(wood, p); }\n",
+         4,
+         "scene.frag:1:19: error: Cannot read scene.frag: It is not a png, jpg, exr, hdr or tif"},
+    };
+    for (const Mistake& mistake : cases) {
+        write("scene.frag", mistake.text);
+        expect_refused(mistake.what, mistake.code, mistake.message);
+    }
+    expect_refused("the scene itself", 4, "gone.frag: error: cannot read 'gone.frag'", "gone.frag");
+    fs::create_directory(folder() / "folder.frag");
+    expect_refused("a folder", 4, "folder.frag: error: cannot read 'folder.frag': it is a folder",
+                   "folder.frag");
+}
+
+TEST_F(BrokenScene, AnIncludeThatIncludesItselfIsACircleAndNotAHang) {
+    write("scene.frag", "#include \"b.glsl\"\n");
+    write("b.glsl", "//\n#include \"scene.frag\"\n");
+    expect_refused("two files", 3, "b.glsl:2:1: error: this include closes a circle");
+    write("scene.frag", "#include \"scene.frag\"\n");
+    expect_refused("one file", 3, "scene.frag:1:1: error: this include closes a circle");
+}
+
+TEST_F(BrokenScene, ATruncatedPictureIsRefusedAtTheLineThatNamesIt) {
+    Image image{.size = {32, 32}, .channels = 3, .type = ChannelType::u8, .pixels = {}};
+    for (int i = 0; i < 32 * 32 * 3; ++i) {
+        image.pixels.push_back(static_cast<std::byte>(i * i % 251));
+    }
+    write_image(folder() / "whole.png", image);
+    const std::string whole = bytes("whole.png");
+    write("scene.frag",
+          "uniform sampler2D wood; //@ image cut.png\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(wood, p); }\n");
+    for (const std::size_t length :
+         {std::size_t{0}, std::size_t{8}, std::size_t{40}, whole.size() / 2, whole.size() - 13}) {
+        write("cut.png", whole.substr(0, length));
+        expect_refused(std::to_string(length) + " bytes are left", 4,
+                       "scene.frag:1:19: error: Cannot read cut.png: ");
+    }
+}
+
+TEST_F(BrokenScene, APictureThatNothingReadsIsNotAskedFor) {
+    write("scene.frag", "uniform sampler2D wood; //@ image gone.png\n" + std::string(kGradient));
+    still({"scene.frag", "-o", "out.png"});
+}
+
+TEST_F(BrokenScene, BinaryFilesAreRefusedWithTheirPlace) {
+    write("scene.frag", std::string(kGradient) + "//" + std::string(1, '\0') + "\n");
+    expect_refused("a NUL byte", 3, "scene.frag:2:3: error: a NUL byte stands here");
+    fs::copy_file(GLINT_BINARY, folder() / "program.frag");
+    fs::resize_file(folder() / "program.frag", 1 << 20);  // with sanitizers it is beyond the limit
+    expect_refused("a program", 3, "program.frag:1:", "program.frag");
+}
+
+TEST_F(BrokenScene, AFileThatMayNotBeReadIsMissing) {
+    write("scene.frag", kGradient);
+    fs::permissions(folder() / "scene.frag", fs::perms::none);
+    if (::access((folder() / "scene.frag").c_str(), R_OK) == 0) {
+        GTEST_SKIP() << "this user may read everything";
+    }
+    expect_refused("no permission", 4, "scene.frag: error: cannot read 'scene.frag'");
+}
+
+}  // namespace
+}  // namespace glint::cli

@@ -1,0 +1,309 @@
+// `glint check` finds what was planted in the scenes of tests/scenes, and nothing in a healthy one.
+#include "command.h"
+#include "media/image.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+fs::path scene(const std::string& name) {
+    return fs::path(GLINT_REPOSITORY) / "tests/scenes" / (name + ".frag");
+}
+
+class Check : public InAFolder {
+protected:
+    // The report on one scene of tests/scenes.
+    Json check(const std::string& name, std::vector<std::string> more, int expected_code) const {
+        std::vector<std::string> arguments = {"check", scene(name).string(), "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = glint(std::move(arguments));
+        EXPECT_EQ(outcome.code, expected_code) << outcome.out << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        Json json = Json::parse(outcome.out, nullptr, false);
+        EXPECT_TRUE(json.is_object()) << outcome.out;
+        return json;
+    }
+
+    static std::set<std::string> failed(const Json& report) {
+        std::set<std::string> names;
+        for (const Json& c : report["cases"]) {
+            if (c["verdict"] == "fail") names.insert(c["case"]);
+        }
+        return names;
+    }
+
+    static Json case_of(const Json& report, const std::string& name) {
+        for (const Json& c : report["cases"]) {
+            if (c["case"] == name) return c;
+        }
+        ADD_FAILURE() << "no case " << name << " in " << report;
+        return {};
+    }
+
+    // What a failure says to type, typed. The command stands in the case's "reproduce".
+    Outcome again(const Json& failure) const {
+        std::istringstream words(failure["reproduce"].get<std::string>());
+        std::vector<std::string> arguments;
+        std::string word;
+        words >> word;
+        EXPECT_EQ(word, "glint");
+        while (words >> word) {
+            if (!word.starts_with('\'')) {
+                arguments.push_back(word);
+                continue;
+            }
+            std::string rest;
+            if (!word.ends_with('\'')) std::getline(words, rest, '\'');
+            arguments.push_back(word.substr(1) + rest);
+        }
+        return glint(arguments);
+    }
+};
+
+TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
+    const Json report = check("healthy", {"--random", "16"}, 0);
+    EXPECT_EQ(report["failed"], 0);
+    EXPECT_FALSE(report["renderer"].get<std::string>().empty());
+    EXPECT_EQ(names(), std::set<std::string>{}) << "only failures leave files";
+    // Each group of cases was there.
+    for (const char* name :
+         {"age 0", "age 1 year", "same phase after 1 year", "size 1x1", "size 1920x1080",
+          "mouse outside, high", "frames of 1/1000 s", "frames of 30 s", "frames of mixed lengths",
+          "NaN in spring", "Inf in smoke", "1e30 in smoke", "long run", "tweak stiffness=1000",
+          "all tweaks at their minimum", "random tweaks 16"}) {
+        EXPECT_EQ(case_of(report, name)["verdict"], "pass") << name;
+    }
+    EXPECT_EQ(case_of(report, "buffers of rgba16f")["verdict"], "report");
+    EXPECT_EQ(case_of(report, "tweaks as uniforms")["verdict"], "report");
+    EXPECT_EQ(case_of(report, "long run")["note"], "2000 frames");
+    for (const Json& c : report["cases"]) {
+        EXPECT_EQ(c["scene"], scene("healthy").string());
+        EXPECT_EQ(c["nan"], 0);
+        EXPECT_EQ(c["inf"], 0);
+        EXPECT_LE(c["min"].get<double>(), c["max"].get<double>());
+    }
+}
+
+TEST_F(Check, AFailureWhosePictureCannotBeKeptIsTheSameFailure) {
+    write("file", "");
+    const Json report = check(
+        "planted_nan", {"--case", "tweak height=2", "--size", "64x36", "--output", "file"}, 6);
+    const Json failure = case_of(report, "tweak height=2");
+    EXPECT_EQ(failure["nan"], 64 * 36);
+    EXPECT_NE(failure["note"].get<std::string>().find("; no picture: Cannot write file"),
+              std::string::npos)
+        << failure;
+    const std::string again = failure["reproduce"];
+    EXPECT_NE(again.find("--size 64x36 --case 'tweak height=2'"), std::string::npos) << again;
+    EXPECT_EQ(report["cases"].size(), 1u);
+}
+
+TEST_F(Check, TheUniformFedFormIsSeenAtTheSameTimeThoughItAloneHasAState) {
+    write("scene.frag",
+          "uniform bool trail; //@ off\n"
+          "uniform sampler2D sums; //@ pass mainSums size=8x8\n"
+          "void mainSums(out vec4 c, in vec2 p) { c = texelFetch(sums, ivec2(p), 0) + 0.1; }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(iTime / 20.0);\n"
+          "    if (trail) c += texelFetch(sums, ivec2(0), 0);\n"
+          "}\n");
+    write("preset.toml", "scene = \"scene.frag\"\ntime = 12.0\n");
+    const Outcome outcome =
+        glint({"check", "preset.toml", "--json", "--random", "0", "--case", "tweaks as uniforms"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string note = case_of(Json::parse(outcome.out), "tweaks as uniforms")["note"];
+    EXPECT_TRUE(note.starts_with("inf dB")) << note;
+}
+
+TEST_F(Check, NanIsCountedPaintedMagentaAndReproduced) {
+    // With height = 2 the root is of a negative number below y = 1: in all pixels.
+    const Json report = check("planted_nan", {"--random", "8", "--size", "64x36"}, 6);
+    const Json worst = report["cases"][0];
+    EXPECT_EQ(worst["verdict"], "fail");
+    EXPECT_EQ(worst["nan"], 64 * 36) << "worst first";
+    const Json failure = case_of(report, "tweak height=2");
+    EXPECT_EQ(failure["nan"], 64 * 36);
+    EXPECT_EQ(failure["inf"], 0);
+    EXPECT_NE(failure["note"].get<std::string>().find("2304 pixels of image"), std::string::npos);
+    EXPECT_TRUE(failed(report).contains("all tweaks at their maximum"));
+    EXPECT_FALSE(failed(report).contains("tweak height=0"));
+
+    const Image picture = read_image(folder() / failure["picture"].get<std::string>());
+    ASSERT_EQ(picture.size, glm::ivec2(64, 36));
+    const std::byte magenta[] = {std::byte{255}, std::byte{0}, std::byte{255}};
+    EXPECT_TRUE(std::equal(std::begin(magenta), std::end(magenta), picture.pixels.begin()));
+
+    const Outcome outcome = again(failure);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Image still = read_image(folder() / "glint-check/planted_nan-tweak-height-2.exr");
+    ASSERT_EQ(still.type, ChannelType::f32);
+    float first = 0.0f;
+    std::memcpy(&first, still.pixels.data(), sizeof first);
+    EXPECT_TRUE(std::isnan(first));
+}
+
+TEST_F(Check, NanOfABufferThatThePictureHidesIsFound) {
+    write("scene.frag",
+          "uniform float a; //@ 0.5 [0, 1]\n"
+          "uniform sampler2D roots; //@ pass mainRoots size=8x8\n"
+          "void mainRoots(out vec4 c, in vec2 p) { c = vec4(p.x < 1.0 ? sqrt(-a) : 1.0); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(roots, ivec2(5), 0); }\n");
+    const Outcome outcome =
+        glint({"check", "scene.frag", "--json", "--random", "0", "--case", "tweak a=1"});
+    EXPECT_EQ(outcome.code, 6);
+    const Json report = Json::parse(outcome.out);
+    ASSERT_EQ(report["cases"].size(), 1u);
+    const Json& failure = report["cases"][0];
+    EXPECT_EQ(failure["nan"], 8) << "one column of the buffer";
+    EXPECT_NE(failure["reproduce"].get<std::string>().find("--pass roots"), std::string::npos);
+    EXPECT_EQ(again(failure).code, 0);
+    EXPECT_EQ(read_image(folder() / failure["picture"].get<std::string>()).size, glm::ivec2(8, 8));
+}
+
+TEST_F(Check, AFloatClockFailsAfterADay) {
+    const std::set<std::string> names = failed(check("planted_age", {}, 6));
+    EXPECT_EQ(names, (std::set<std::string>{"age 1 day", "age 30 days", "age 1 year"}));
+}
+
+TEST_F(Check, AFaintFloatClockBesideExactPhasesFailsToComeBack) {
+    const Json report = check("planted_drift", {"--case", "same phase"}, 6);
+    EXPECT_EQ(failed(report).size(), 3u);
+    EXPECT_NE(report["cases"][0]["note"].get<std::string>().find("iTime beside iTick"),
+              std::string::npos);
+}
+
+TEST_F(Check, WhatNeverMovesOrComesToRestIsNotBlamed) {
+    write("still.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 0, 1) / 100.0; }\n");
+    write("rest.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(min(iTime, 5.0) / 5.0); }\n");
+    for (const char* name : {"still.frag", "rest.frag"}) {
+        const Outcome outcome = glint({"check", name, "--case", "age"});
+        EXPECT_EQ(outcome.code, 0) << outcome.out;
+    }
+}
+
+TEST_F(Check, ASimulationThatDependsOnTheFrameRateIsFound) {
+    const std::set<std::string> names = failed(check("planted_frame_rate", {}, 6));
+    for (const char* name : {"frames of 1/240 s", "frames of 1/30 s", "frames of mixed lengths"}) {
+        EXPECT_TRUE(names.contains(name)) << name;
+    }
+    EXPECT_FALSE(names.contains("frames of 1/60 s"));
+    EXPECT_FALSE(names.contains("long run"));
+}
+
+TEST_F(Check, AnExplodingSpringIsFound) {
+    const Json report = check("planted_spring", {"--inject", "0"}, 6);
+    const std::set<std::string> names = failed(report);
+    EXPECT_TRUE(names.contains("long run"));
+    EXPECT_TRUE(names.contains("frames of 1 s"));
+    EXPECT_NE(case_of(report, "long run")["note"].get<std::string>().find("grows"),
+              std::string::npos);
+}
+
+TEST_F(Check, NanThatSpreadsSlowlyIsFound) {
+    const Json report = check("planted_nan_spread", {}, 6);
+    // Born after 20 s: only many frames show it. Spread by a blur: any texel shows it.
+    EXPECT_TRUE(failed(report).contains("long run"));
+    EXPECT_TRUE(failed(report).contains("NaN in smoke"));
+    EXPECT_NE(case_of(report, "long run")["note"].get<std::string>().find("of smoke"),
+              std::string::npos);
+    EXPECT_EQ(check("planted_nan_spread", {"--case", "long run", "--frames", "1100"}, 0)["failed"],
+              0);
+    // What a still cannot do is done by the check itself.
+    const Outcome outcome = again(case_of(report, "NaN in smoke"));
+    EXPECT_EQ(outcome.code, 6);
+    EXPECT_NE(outcome.out.find("fail    NaN in smoke"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Check, ASizeOfOneColumnIsTried) {
+    EXPECT_EQ(failed(check("planted_bad_size", {}, 6)),
+              (std::set<std::string>{"size 1x1", "size 1x512"}));
+}
+
+TEST_F(Check, TheMouseIsReplayedFromAPreset) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(sqrt(iResolution.x - iMouse.x)); }\n");
+    const Outcome outcome = glint({"check", "scene.frag", "--json", "--case", "mouse"});
+    EXPECT_EQ(outcome.code, 6);
+    const Json report = Json::parse(outcome.out);
+    EXPECT_EQ(failed(report), std::set<std::string>{"mouse outside, high"});
+    EXPECT_EQ(again(report["cases"][0]).code, 0);
+    const Image still = read_image(folder() / "glint-check/scene-mouse-outside-high.exr");
+    float first = 0.0f;
+    std::memcpy(&first, still.pixels.data(), sizeof first);
+    EXPECT_TRUE(std::isnan(first));
+}
+
+TEST_F(Check, AHangIsAFailureAndTheRestIsStillChecked) {
+    const Json report = check("planted_hang", {"--hang", "1", "--case", "size"}, 6);
+    EXPECT_EQ(failed(report), std::set<std::string>{"size 1920x1080"});
+    EXPECT_NE(report["cases"][0]["note"].get<std::string>().find("hangs"), std::string::npos);
+    EXPECT_EQ(report["cases"].size(), 5u);
+}
+
+TEST_F(Check, SeveralFilesAreOneReport) {
+    write("presets/a.toml", "scene = \"../scene.frag\"\n");
+    write("presets/b.toml", "scene = \"../scene.frag\"\n[tweaks]\nx = 2.0\n");
+    write("scene.frag",
+          "uniform float x; //@ 1 [1, 2]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0 / x); }\n");
+    const Outcome outcome =
+        glint({"check", "presets/a.toml", "presets/b.toml", "--json", "--random", "3"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Json report = Json::parse(outcome.out);
+    ASSERT_EQ(report["files"].size(), 2u);
+    EXPECT_EQ(report["files"][1]["scene"], "presets/b.toml");
+    // Sets of all tweaks are the same for both.
+    const auto skipped = [&](const std::string& file) {
+        return std::count_if(report["cases"].begin(), report["cases"].end(), [&](const Json& c) {
+            return c["scene"] == file && c["verdict"] == "skip";
+        });
+    };
+    EXPECT_EQ(skipped("presets/a.toml"), 0);
+    EXPECT_EQ(skipped("presets/b.toml"), 5);
+}
+
+TEST_F(Check, MistakesHaveTheSameCodesAsAStill) {
+    write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
+    write("scene.frag", kGradient);
+    EXPECT_EQ(glint({"check", "wrong.frag"}).code, 3);
+    EXPECT_EQ(glint({"check", "gone.frag"}).code, 4);
+    EXPECT_EQ(glint({"check", "scene.frag", "--size", "0x0"}).code, 2);
+    EXPECT_EQ(glint({"check", "scene.frag", "--case", "no such"}).code, 2);
+    EXPECT_EQ(glint({"check"}).code, 2);
+    EXPECT_EQ(glint({"check", "scene.frag", "--device", "none such"}).code, 5);
+    // A file that cannot be checked does not keep others from it.
+    const Outcome outcome = glint({"check", "wrong.frag", "scene.frag"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.out.find("scene.frag: 0 of"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Check, LinesTellOfEachCaseAsItEnds) {
+    const Outcome outcome =
+        glint({"check", scene("planted_bad_size").string(), "--lines", "--case", "size"});
+    EXPECT_EQ(outcome.code, 6) << outcome.err;
+    std::istringstream lines(outcome.out);
+    std::string line;
+    long done = 0, of = -1, failed = 0;
+    while (std::getline(lines, line)) {
+        const Json json = Json::parse(line, nullptr, false);
+        ASSERT_TRUE(json.is_object()) << line;
+        EXPECT_EQ(json["done"], ++done);
+        of = json["of"];
+        failed += json["case"]["verdict"] == "fail";
+        EXPECT_TRUE(json["case"]["case"].get<std::string>().starts_with("size"));
+    }
+    EXPECT_EQ(done, of);
+    EXPECT_GT(failed, 0);
+}
+
+}  // namespace
+}  // namespace glint::cli

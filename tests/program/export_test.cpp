@@ -1,0 +1,140 @@
+// `glint export`: what goes to the site draws the same when it comes back.
+#include "command.h"
+#include "media/image.h"
+
+#include <nlohmann/json.hpp>
+
+namespace glint::cli {
+namespace {
+
+constexpr std::string_view kScene =
+    "// A header that belongs to nothing.\n"
+    "uniform float level; //@ 0.5 [0, 1] \"how bright\"\n"
+    "uniform bool extra; //@ off\n"
+    "uniform sampler2D first; //@ pass mainBoth\n"
+    "uniform sampler2D second; //@ pass mainBoth filter=nearest\n"
+    "uniform sampler2D unused; //@ pass mainUnused\n"
+    "#define HALF 0.5\n"
+    "const float kA = 0.25, kB = kA * 2.0;   // of the picture\n"
+    "struct Pair { float a, b; };\n"
+    "// Nobody calls it.\n"
+    "float lonely(float x) { return x; }\n"
+    "float twice(float x) { return x * 2.0; }\n"
+    "Pair pair_of(float x) { Pair p = Pair(x, twice(x)); return p; }\n"
+    "void mainBoth(out vec4 a, out vec4 b, in vec2 p) {\n"
+    "    a = texelFetch(first, ivec2(p), 0) + vec4(0.1);\n"
+    "    b = vec4(pair_of(kB * HALF).b * level);\n}\n"
+    "void mainUnused(out vec4 a, in vec2 p) { a = vec4(lonely(1.0)); }\n"
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "    c = vec4(texelFetch(first, ivec2(p), 0).r, texture(second, p / iResolution.xy).r, 0, 1);\n"
+    "    if (extra) c += texture(unused, p);\n"
+    "    c.b = float(iTick % 65536u) / 65536.0;\n}\n";
+
+class Export : public InAFolder {
+protected:
+    Image draw(const std::string& file) {
+        const Outcome drawn =
+            glint({"still", file, "-o", file + ".png", "--size", "32x18", "--frame", "5"});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        return read_image(folder() / (file + ".png"));
+    }
+};
+
+TEST_F(Export, WhatComesBackDrawsTheSameBytes) {
+    write("a.frag", kScene);
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.out, "out/bufferA.glsl\nout/bufferB.glsl\nout/image.glsl\nout/shadertoy.json\n");
+    EXPECT_NE(made.err.find("image: iTick becomes"), std::string::npos) << made.err;
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+}
+
+TEST_F(Export, ATabHoldsOnlyWhatItsPassNeedsAndTweaksAreConstants) {
+    write("a.frag", kScene);
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out", "--tweak", "level=0.75"}).code, 0);
+    const std::string image = bytes("out/image.glsl"), second = bytes("out/bufferB.glsl");
+    EXPECT_TRUE(
+        image.starts_with("// iChannel0: bufferA, linear, clamp\n"
+                          "// iChannel1: bufferB, nearest, clamp\n"
+                          "#define first iChannel0\n#define second iChannel1\n"))
+        << image;
+    for (const char* gone : {"lonely", "twice", "uniform", "mainBoth", "kA"})
+        EXPECT_EQ(image.find(gone), std::string::npos) << gone << "\n" << image;
+    EXPECT_NE(second.find("const float level = 0.75;"), std::string::npos) << second;
+    EXPECT_NE(second.find("how bright"), std::string::npos) << second;
+    EXPECT_NE(second.find("struct Pair"), std::string::npos) << second;
+    EXPECT_NE(second.find("// of the picture"), std::string::npos) << second;
+}
+
+// A tab of its own, names of channels shared by tabs, code that is switched off in the midst of
+// text, noise of a size that the site has not.
+TEST_F(Export, ATabKeepsItsChannelsItsConditionsAndItsNoise) {
+    write("a.frag",
+          "uniform sampler2D bufferA; //@ pass mainBufferA\n"
+          "#ifdef PASS_bufferA\nuniform sampler2D iChannel1; //@ noise rg 16x8 "
+          "filter=nearest\n#endif\n"
+          "#ifdef PASS_image\nuniform sampler2D iChannel0; //@ buffer bufferA\n"
+          "uniform sampler2D iChannel1; //@ buffer bufferA filter=nearest wrap=repeat\n#endif\n"
+          "#if 0\nno code ' at all\n#endif\n"
+          "#ifndef HALF\n#define HALF 0.5\n#endif\n"
+          "#ifdef PASS_bufferA\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel1, p / 20.0); }\n"
+          "#endif  // bufferA\n"
+          "#ifdef PASS_image\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = texture(iChannel0, p / 40.0) * HALF + texture(iChannel1, p / 12.0) * HALF;\n}\n"
+          "#endif\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels) << bytes("back.frag");
+    EXPECT_EQ(bytes("out/bufferA.glsl").find("switched off"), std::string::npos)
+        << bytes("out/bufferA.glsl");
+}
+
+TEST_F(Export, MoreThanTheSiteHoldsIsRefusedAndNothingIsWritten) {
+    std::string text, sum = "vec4(0)";
+    for (const std::string name : {"a", "b", "c", "d", "e"}) {
+        text += "uniform sampler2D " + name + "; //@ noise 8\n";
+        sum += " + texture(" + name + ", p)";
+    }
+    write("five.frag", text + "void mainImage(out vec4 x, in vec2 p) { x = " + sum + "; }\n");
+    const Outcome outcome = glint({"export", "five.frag", "-o", "out"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("reads 5 samplers; the site has four channels"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(fs::exists(folder() / "out"));
+}
+
+TEST_F(Export, WhatTheSiteDoesOtherwiseIsSaid) {
+    write("odd.frag",
+          "uniform sampler2D waves; //@ pass mainWaves size=16x8 step=1/240 format=rgba16f\n"
+          "void mainWaves(out vec4 c, in vec2 p) { c = texelFetch(waves, ivec2(p), 0) + 0.1; }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(waves, p); }\n");
+    const Outcome made = glint({"export", "odd.frag", "-o", "out"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    for (const char* words : {"not every 1/240 s", "it has 16x8 pixels", "floats of 32 bits"})
+        EXPECT_NE(made.err.find(words), std::string::npos) << words << "\n" << made.err;
+    EXPECT_NE(bytes("out/bufferA.glsl").find("#define iResolution vec3(16.0, 8.0, 1.0)"),
+              std::string::npos);
+}
+
+TEST_F(Export, ALargeSceneComesBackAsItWas) {
+    const std::string preset = std::string(GLINT_REPOSITORY) + "/presets/analytic.toml";
+    ASSERT_EQ(glint({"export", preset, "-o", "out"}).code, 0);
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    for (const auto& [file, picture] : {std::pair{preset, "a.png"}, {"back.frag", "b.png"}}) {
+        const Outcome drawn =
+            glint({"still", file, "-o", picture, "--size", "96x54", "--time", "4"});
+        ASSERT_EQ(drawn.code, 0) << drawn.err;
+    }
+    const Image was = read_image(folder() / "a.png"), is = read_image(folder() / "b.png");
+    // iTick, which it reads, is rounded as a float there: some pixels of an edge may differ.
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < was.pixels.size(); ++i)
+        off +=
+            std::abs(std::to_integer<int>(was.pixels[i]) - std::to_integer<int>(is.pixels[i])) > 1;
+    EXPECT_LE(off, was.pixels.size() / 2000);
+}
+
+}  // namespace
+}  // namespace glint::cli

@@ -1,0 +1,191 @@
+// Texts written for VS Code's Shader Toy and for the Book of Shaders, as they are.
+#include "command.h"
+#include "media/image.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace glint::cli {
+namespace {
+
+class Foreign : public InAFolder {
+protected:
+    // The bottom left pixel.
+    std::array<int, 3> draw(std::vector<std::string> more = {}) {
+        std::vector<std::string> words = {"still", "a.glsl", "-o", "out.png", "--size", "64x36"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome drawn = glint(words);
+        errors_ = drawn.err;
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        if (drawn.code != 0) return {};
+        const Image image = read_image(folder() / "out.png");
+        const auto at = [&](std::size_t i) { return std::to_integer<int>(image.pixels[i]); };
+        return {at(0), at(1), at(2)};
+    }
+    std::string errors_;
+};
+
+TEST_F(Foreign, AUniformInEveryFormIsATweak) {
+    write("a.glsl",
+          "#iUniform float speed = 1.0 in { 0.0, 5.0 } step 0.5 // how \"fast\"\n"
+          "#iUniform float plain = 0.2\n"
+          "#iUniform int count = 3 in {0, 10}\n"
+          "#iUniform color3 tint = color3(1.0, 0.0, 0.6) // of all\n"
+          "#iUniform vec2 place = vec2(0.4);\n"
+          "#iUniform vec4 four = vec4(0.1, 0.2, 0.3, 0.4) in { 0.0, 1.0 }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(tint.x * plain, place.y * float(count) / 3.0, tint.z, 1);\n}\n");
+    EXPECT_EQ(draw(), (std::array{51, 102, 153})) << errors_;
+    EXPECT_EQ(draw({"--tweak", "plain=0.4", "--tweak", "count=0"}), (std::array{102, 0, 153}));
+    const auto info = nlohmann::json::parse(glint({"info", "a.glsl", "--json"}).out);
+    const auto& speed = info["tweaks"][0];
+    EXPECT_EQ(speed["name"], "speed");
+    EXPECT_EQ(speed["min"], 0.0);
+    EXPECT_EQ(speed["max"], 5.0);
+}
+
+TEST_F(Foreign, AMistakeHasItsLine) {
+    write("a.glsl",
+          "// one\n#iUniform float = 3\nvoid mainImage(out vec4 c, in vec2 p) { c = nothing; }\n");
+    Outcome outcome = glint({"still", "a.glsl", "-o", "out.png"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.err.find("a.glsl:2:1: error: this #iUniform"), std::string::npos)
+        << outcome.err;
+    // Lines that became several keep their own number.
+    write("a.glsl",
+          "#iKeyboard\n#iChannel0 \"self\"\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = nothing;\n}\n");
+    outcome = glint({"still", "a.glsl", "-o", "out.png"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.err.find("a.glsl:4:9: error:"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Foreign, APictureMayReadItself) {
+    write(
+        "a.glsl",
+        "#iChannel0 \"self\"\n#iChannel0::MinFilter \"Nearest\"\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = texelFetch(iChannel0, ivec2(p), 0) + vec4(0.1, 0.2, iFrame > 0 ? 0.0 : 0.4, 0);\n"
+        "}\n");
+    EXPECT_EQ(draw({"--frame", "3"}), (std::array{102, 204, 102}));
+}
+
+TEST_F(Foreign, OtherFilesAreBuffersDrawnBeforeWhatReadsThem) {
+    fs::create_directories(folder() / "parts");
+    write("parts/sim.glsl",
+          "#iChannel0 \"self\"\n#iChannel1 \"file://noise.glsl\"\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = texelFetch(iChannel0, ivec2(0), 0) + texelFetch(iChannel1, ivec2(0), 0);\n}\n");
+    write("parts/noise.glsl",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.1, 0, 0, 1); }\n");
+    write("a.glsl",
+          "#iChannel0 \"file://parts/sim.glsl\"\n"
+          "#iChannel1 \"file://parts/noise.glsl\"\n#iChannel1::WrapMode \"Repeat\"\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(texture(iChannel0, vec2(0.5)).r, texture(iChannel1, vec2(2.5)).r * 2.0,\n"
+          "             iChannelResolution[1].x / 128.0, 1);\n}\n");
+    EXPECT_EQ(draw({"--frame", "3"}), (std::array{102, 51, 128})) << errors_;
+    const auto info = nlohmann::json::parse(glint({"info", "a.glsl", "--json"}).out);
+    EXPECT_EQ(info["passes"][0]["name"], "noiseBuffer");
+    EXPECT_EQ(info["passes"][1]["name"], "simBuffer");
+}
+
+TEST_F(Foreign, PicturesAndKeysAreRead) {
+    write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.4, 0.6, 1); }\n");
+    ASSERT_EQ(glint({"still", "flat.frag", "-o", "duck.png", "--size", "8x8"}).code, 0);
+    write("a.glsl",
+          "#iKeyboard\n#iChannel2 \"file://duck.png\"\n#iChannel2::MagFilter \"Nearest\"\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = texture(iChannel2, p) * (isKeyDown(Key_A) ? 2.0 : 1.0)\n"
+          "        * (isKeyToggled(Key_UpArrow) ? 0.0 : 1.0);\n}\n");
+    write("keys.toml", "scene = \"a.glsl\"\n[[events]]\nt = 0.1\nkey = \"a\"\ndown = true\n");
+    EXPECT_EQ(draw(), (std::array{51, 102, 153})) << errors_;
+    ASSERT_EQ(glint({"still", "keys.toml", "-o", "keys.png", "--size", "8x8", "--time", "1"}).code,
+              0);
+    EXPECT_EQ(std::to_integer<int>(read_image(folder() / "keys.png").pixels[0]), 102);
+}
+
+TEST_F(Foreign, AKeyThatIsLetGoIsReleasedForOneFrame) {
+    write("a.glsl",
+          "#iKeyboard\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(isKeyReleased(Key_A), isKeyDown(Key_A), isKeyReleased(Key_B), 1);\n}\n");
+    write("keys.toml",
+          "scene = \"a.glsl\"\n[[events]]\nt = 0.05\nkey = \"a\"\ndown = true\n"
+          "[[events]]\nt = 0.15\nkey = \"a\"\ndown = false\n");
+    const auto at = [&](int frame) {
+        const Outcome drawn = glint({"still", "keys.toml", "-o", "k.png", "--size", "8x8",
+                                     "--frame", std::to_string(frame)});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        const Image image = read_image(folder() / "k.png");
+        return std::array{std::to_integer<int>(image.pixels[0]),
+                          std::to_integer<int>(image.pixels[1]),
+                          std::to_integer<int>(image.pixels[2])};
+    };
+    EXPECT_EQ(at(5), (std::array{0, 255, 0})) << "held";
+    EXPECT_EQ(at(9), (std::array{255, 0, 0})) << "let go at 0.15 s";
+    EXPECT_EQ(at(10), (std::array{0, 0, 0}));
+}
+
+TEST_F(Foreign, CubesOfSixFilesAndSoundsAreRead) {
+    const char* names[] = {"px", "nx", "py", "ny", "pz", "nz"};
+    write("flat.frag",
+          "uniform float red; //@ 0 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(red, 0.4, 0.6, 1); }\n"
+          "vec2 mainSound(int samp, float time) { return vec2(sin(6.2831853 * 441.0 * time)); }\n");
+    for (int i = 0; i < 6; ++i)
+        ASSERT_EQ(glint({"still", "flat.frag", "-o", fmt::format("sky_{}.png", names[i]), "--size",
+                         "4x4", "--tweak", fmt::format("red={}", 0.2 * i)})
+                      .code,
+                  0);
+    ASSERT_EQ(glint({"sound", "flat.frag", "-o", "tune.wav", "--seconds", "1"}).code, 0);
+    write("a.glsl",
+          "#iChannel0 \"file://sky_{}.png\"\n#iChannel0::Type \"CubeMap\"\n"
+          "#iChannel1 \"file://tune.wav\"\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(texture(iChannel0, vec3(0, 0, 1)).r,\n"
+          "             texelFetch(iChannel1, ivec2(20, 0), 0).r > 0.8, 0.6, 1);\n}\n");
+    EXPECT_EQ(draw({"--time", "0.5"}), (std::array{204, 255, 153})) << errors_;
+}
+
+TEST_F(Foreign, WhatHasNoCounterpartIsSaid) {
+    write("a.glsl",
+          "#iChannel0 \"https://example.com/x.png\"\n"
+          "#iChannel1 \"file://none_{}.png\"\n#iChannel1::Type \"CubeMap\"\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n");
+    draw();
+    EXPECT_NE(errors_.find("a.glsl:1:1: warning: 'https://example.com/x.png' is not read here"),
+              std::string::npos)
+        << errors_;
+    EXPECT_NE(errors_.find("a.glsl:2:1: warning: 'file://none_{}.png'"), std::string::npos)
+        << errors_;
+}
+
+TEST_F(Foreign, AMainOfTheBookOfShadersDraws) {
+    write(
+        "a.glsl",
+        "#ifdef GL_ES\nprecision mediump float;\n#endif\n"
+        "uniform vec2 u_resolution;\nuniform vec2 u_mouse;\nuniform float u_time;\n"
+        "float half_of(float x) { return x * 0.5; }\n"
+        "void main() {\n"
+        "    vec2 st = gl_FragCoord.xy / u_resolution.xy;\n"
+        "    gl_FragColor = vec4(half_of(u_time), u_mouse.x / u_resolution.x, st.x * 64.0, 1.0);\n"
+        "}\n");
+    write("book.toml",
+          "scene = \"a.glsl\"\n[[events]]\nt = 0.1\nmouse = [0.5, 0.5]\ndown = true\n");
+    EXPECT_EQ(draw({"--time", "0.8"}), (std::array{102, 0, 128})) << errors_;
+    EXPECT_EQ(errors_, "");
+    EXPECT_EQ(draw({"--time", "0.8", "--samples", "4"})[0], 102);
+    ASSERT_EQ(
+        glint({"still", "book.toml", "-o", "book.png", "--size", "64x36", "--time", "1"}).code, 0);
+    EXPECT_EQ(std::to_integer<int>(read_image(folder() / "book.png").pixels[1]), 128);
+    write("a.glsl",
+          "uniform float u_time; //@ 0.4 [0, 1]\n"
+          "void main() { gl_FragColor = vec4(u_time); }\n");
+    EXPECT_EQ(draw({"--time", "0.8"})[0], 102);
+    write("a.glsl", "void main() {\n    gl_FragColor = vec4(nothing);\n}\n");
+    EXPECT_NE(glint({"still", "a.glsl", "-o", "x.png"}).err.find("a.glsl:2:25: error:"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace glint::cli

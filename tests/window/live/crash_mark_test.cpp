@@ -1,0 +1,45 @@
+// Only what ends against its will leaves a mark for the next start.
+#include "window/live/crash_mark.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <functional>
+#include <stdexcept>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Whether the next start finds the mark of a process that opened the scene and then did this.
+bool is_marked_after(const std::function<void()>& end) {
+    std::string name = (fs::temp_directory_path() / "glint-mark-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
+    const pid_t process = ::fork();
+    if (process == 0) {
+        try {
+            CrashMark mark(name);
+            mark.set("a.frag");
+            end();
+        } catch (const std::runtime_error&) {
+        }
+        ::_exit(0);
+    }
+    ::waitpid(process, nullptr, 0);
+    const bool marked = CrashMark(name).take("a.frag");
+    fs::remove_all(name);
+    return marked;
+}
+
+TEST(CrashMarks, AreLeftByWhatEndsAgainstItsWill) {
+    EXPECT_FALSE(is_marked_after([] {}));
+    EXPECT_TRUE(is_marked_after([] { ::_exit(1); }));
+    // As a lost GPU does.
+    EXPECT_TRUE(is_marked_after([] { throw std::runtime_error("lost"); }));
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,76 @@
+// Where no editor is found, a person is told.
+#include "window/live/editor.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Editors : public ::testing::Test {
+protected:
+    Editors() {
+        std::string name = (fs::temp_directory_path() / "glint-editor-XXXXXX").string();
+        if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
+        folder = name;
+        ::setenv("PATH", name.c_str(), 1);
+        ::unsetenv("VISUAL");
+        ::unsetenv("EDITOR");
+    }
+    ~Editors() override {
+        ::setenv("PATH", path.c_str(), 1);
+        fs::remove_all(folder);
+    }
+    void provide(const char* name, const char* script) {
+        std::ofstream(folder / name) << "#!/bin/sh\n" << script << "\n";
+        fs::permissions(folder / name, fs::perms::owner_all);
+    }
+    std::string problem() {
+        pollfd polled{.fd = editor.descriptor(), .events = POLLIN, .revents = 0};
+        ::poll(&polled, 1, 20'000);
+        return editor.problem();
+    }
+
+    std::string path = std::getenv("PATH");
+    fs::path folder;
+    Editor editor;
+};
+
+TEST_F(Editors, ThatAreNotThereAreNamed) {
+    EXPECT_NE(editor.open({"a.frag", 1, 1}).find("there is no xdg-open"), std::string::npos);
+    ::setenv("EDITOR", "nothing -w", 1);
+    EXPECT_NE(editor.open({"a.frag", 1, 1}).find("there is no nothing"), std::string::npos);
+    ::setenv("EDITOR", "vim", 1);
+    provide("vim", "exit 0");
+    EXPECT_NE(editor.open({"a.frag", 1, 1}).find("No terminal"), std::string::npos);
+}
+
+TEST_F(Editors, OfTheDesktopMayBeNone) {
+    provide("xdg-open", "exit 3");
+    EXPECT_EQ(editor.open({"a.frag", 1, 1}), "");
+    EXPECT_NE(problem().find("No editor is found"), std::string::npos);
+    EXPECT_EQ(editor.problem(), "") << "it is told once";
+}
+
+TEST_F(Editors, AreGivenThePlace) {
+    const fs::path told = folder / "told";
+    ::mkfifo(told.c_str(), 0600);
+    provide("kate", ("echo \"$@\" > " + told.string()).c_str());
+    ::setenv("EDITOR", "kate", 1);
+    EXPECT_EQ(editor.open({"a.frag", 3, 7}), "");
+    std::string words;
+    std::getline(std::ifstream(told) >> std::ws, words);
+    EXPECT_EQ(words, "-l 3 -c 7 a.frag");
+    EXPECT_EQ(editor.problem(), "");
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,103 @@
+// What is not saved outlives its window, belongs to one window at a time, and goes when it is
+// decided on.
+#include "window/live/unsaved_work.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Unsaved : public ::testing::Test {
+protected:
+    Unsaved() {
+        std::string name = (fs::temp_directory_path() / "glint-unsaved-XXXXXX").string();
+        if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
+        folder = name;
+    }
+    ~Unsaved() override { fs::remove_all(folder); }
+    // What a window finds that starts now.
+    std::optional<std::string> found(const fs::path& file) const {
+        return UnsavedWork(folder / "state").find(file);
+    }
+    bool is_empty() const {
+        return !fs::exists(folder / "state") || fs::is_empty(folder / "state");
+    }
+
+    fs::path folder;
+};
+
+TEST_F(Unsaved, IsFoundByTheNextWindowOfTheSameFileUntilItIsDiscarded) {
+    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    EXPECT_EQ(found("b.toml"), std::nullopt);
+    EXPECT_EQ(found("a.toml"), "one");
+    EXPECT_EQ(found(fs::absolute("./x/../a.toml")), "one") << "undecided, under another name";
+    UnsavedWork next(folder / "state");
+    EXPECT_EQ(next.find("a.toml"), "one");
+    next.discard_found();
+    EXPECT_EQ(next.find("a.toml"), std::nullopt);
+    EXPECT_TRUE(is_empty());
+}
+
+TEST_F(Unsaved, IsNotOfferedWhileItsWindowIsOpen) {
+    UnsavedWork open(folder / "state");
+    open.keep("a.toml", "one");
+    EXPECT_EQ(found("a.toml"), std::nullopt);
+    UnsavedWork second(folder / "state");
+    second.keep("a.toml", "two");
+    second.forget();
+    open.keep("a.toml", "three");
+    open = UnsavedWork(folder / "state");
+    EXPECT_EQ(found("a.toml"), "three");
+}
+
+TEST_F(Unsaved, TwoWindowsOfOneFileKeepBoth) {
+    {
+        UnsavedWork a(folder / "state"), b(folder / "state");
+        a.keep("a.toml", "one");
+        b.keep("a.toml", "two");
+    }
+    UnsavedWork next(folder / "state");
+    std::vector<std::string> all;
+    while (const auto text = next.find("a.toml")) {
+        all.push_back(*text);
+        next.discard_found();
+    }
+    std::sort(all.begin(), all.end());
+    EXPECT_EQ(all, (std::vector<std::string>{"one", "two"}));
+}
+
+TEST_F(Unsaved, IsOfferedToOneWindowOnly) {
+    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    UnsavedWork first(folder / "state");
+    EXPECT_EQ(first.find("a.toml"), "one");
+    EXPECT_EQ(found("a.toml"), std::nullopt);
+}
+
+TEST_F(Unsaved, IsGoneOnceItIsSavedAndMayComeAgain) {
+    UnsavedWork work(folder / "state");
+    work.keep("a.toml", "one");
+    work.forget();
+    EXPECT_TRUE(is_empty());
+    work.keep("a.toml", "two");
+    fs::remove_all(folder / "state");  // somebody clears up
+    work.keep("a.toml", "three");
+    work = UnsavedWork(folder / "state");
+    EXPECT_EQ(found("a.toml"), "three");
+}
+
+TEST_F(Unsaved, WhereNothingCanBeWrittenIsSaid) {
+    UnsavedWork work("/dev/null/state");
+    EXPECT_THROW(work.keep("a.toml", "one"), std::runtime_error);
+    EXPECT_EQ(work.find("a.toml"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace glint
