@@ -1,6 +1,7 @@
 // A complaint about what a person wrote: how bad, where in their own text, and what to do.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,12 @@ struct Place {
     std::string file;
     int line = 0;
     int column = 0;
+};
+
+// Where a line of a text that is put together from several files comes from.
+struct Origin {
+    std::size_t file = 0;  // index into the list of files beside it
+    int line = 0;          // from 1
 };
 
 enum class Severity { error, warning };

@@ -2,7 +2,7 @@
 #include "glsl/foreign_text.h"
 
 #include "glsl/raw_text.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,7 @@
 #include "glsl/source_text.h"
 
 #include "glsl/foreign_text.h"
-#include "scene/shadertoy.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 
@@ -94,9 +93,8 @@ class Reader {
 public:
     explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-    // Appends the text of a scene that is kept as a shader of the site. Its places are those of the
-    // scene file that `glint import` would write.
-    void import(const fs::path& json);
+    // Appends a text that would stand in `path`, and is made from another file.
+    void take_text(const fs::path& path, const fs::path& made_from, std::string_view raw);
 
     // Appends a file's text. `named_at` is the place of the #include, or nothing for the scene.
     void read(const fs::path& path, const std::optional<Place>& named_at);
@@ -181,21 +179,9 @@ void Reader::append(File file, const Place& named_at) {
     chain_.pop_back();
 }
 
-void Reader::import(const fs::path& json) {
-    const fs::path scene = fs::path(json).replace_extension(".frag");
-    source_.files = {json, scene};
-    const std::vector<Shadertoy> shaders = read_shadertoys(json, diagnostics_);
-    if (shaders.empty()) return;
-    if (shaders.size() > 1) {
-        diagnostics_.push_back(
-            {Severity::warning,
-             {json.string()},
-             fmt::format("it holds {} shaders, and this is the first; `glint import` writes a "
-                         "scene file for each",
-                         shaders.size())});
-    }
-    const std::string text = scene_text(shaders.front(), json, scene.parent_path(), diagnostics_);
-    append(file_of(scene, text), {scene.string()});
+void Reader::take_text(const fs::path& path, const fs::path& made_from, std::string_view raw) {
+    source_.files = {made_from, path};
+    append(file_of(path, raw), {path.string()});
 }
 
 void Reader::append_lines(File& file) {
@@ -327,10 +313,14 @@ Place SourceText::place(std::size_t offset) const {
 
 SourceText read_source(const fs::path& file, Diagnostics& diagnostics) {
     Reader reader(diagnostics);
-    if (file.extension() == ".json")
-        reader.import(file);
-    else
-        reader.read(file, std::nullopt);
+    reader.read(file, std::nullopt);
+    return reader.take();
+}
+
+SourceText made_source(const fs::path& file, const fs::path& made_from, std::string_view text,
+                       Diagnostics& diagnostics) {
+    Reader reader(diagnostics);
+    reader.take_text(file, made_from, text);
     return reader.take();
 }
 

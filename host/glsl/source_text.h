@@ -4,11 +4,11 @@
 
 #include "base/diagnostic.h"
 #include "glsl/raw_text.h"
-#include "scene/scene.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -29,9 +29,12 @@ struct SourceText {
     std::size_t line_index(std::size_t offset) const;  // into origins
 };
 
-// Reads a file with its includes; of a .json, a shader of the site, the scene that `glint import`
-// makes of it, which stands second in `files`, though there may be no such file. What is wrong goes
-// to diagnostics; the text is whole all the same.
+// Reads a file with its includes. What is wrong goes to diagnostics; the text is whole all the same.
 SourceText read_source(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+// The same for a text that stands in no file: its places are those that it would have in `file`, and
+// `made_from` is files[0].
+SourceText made_source(const std::filesystem::path& file, const std::filesystem::path& made_from,
+                       std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace glint

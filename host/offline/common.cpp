@@ -1,7 +1,7 @@
 #include "offline/common.h"
 
 #include "media/image.h"
-#include "window/trial/trial.h"
+#include "scene/blame.h"
 #include "base/say.h"
 
 #include <fmt/format.h>

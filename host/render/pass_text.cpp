@@ -293,34 +293,6 @@ std::string constant(const Tweak& tweak, const TweakValue& value) {
 
 }  // namespace
 
-std::string pass_name(const Scene& scene, std::size_t pass) {
-    return pass == kImagePass ? "image" : pass == kSoundPass ? "sound" : scene.passes[pass].name;
-}
-
-const Sampler& sampler_at(const Preset& preset, std::size_t index) {
-    const auto& own = preset.scene.samplers;
-    return index < own.size() ? own[index] : preset.channels.at(index - own.size());
-}
-
-std::size_t sampler_count(const Preset& preset) {
-    return preset.scene.samplers.size() + preset.channels.size();
-}
-
-std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
-                                        std::string_view name) {
-    const auto is_seen = [&](const std::string& tab) {
-        if (tab.empty() || tab == pass_name(preset.scene, pass)) return true;
-        if (!fills_a_buffer(pass)) return false;
-        const auto& outputs = preset.scene.passes[pass].outputs;
-        return std::find(outputs.begin(), outputs.end(), tab) != outputs.end();
-    };
-    for (std::size_t i = 0; i < sampler_count(preset); ++i) {
-        const Sampler& sampler = sampler_at(preset, i);
-        if (sampler.name == name && is_seen(sampler.tab)) return i;
-    }
-    return std::nullopt;
-}
-
 std::string specialised_text(const Preset& preset, std::optional<std::size_t> only) {
     const std::string& text = preset.scene.text;
     std::string result;

@@ -2,7 +2,7 @@
 #include "scene/annotation.h"
 
 #include "scene/annotation_words.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Taking an annotation apart.
 #include "scene/annotation_words.h"
 
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

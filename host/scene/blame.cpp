@@ -1,8 +1,8 @@
-// Where in a person's text the blame for a slow or endless pass probably lies.
-#include "window/trial/trial.h"
+#include "scene/blame.h"
+
 #include "glsl/declaration.h"
 #include "glsl/raw_text.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <algorithm>
 #include <cctype>

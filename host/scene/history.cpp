@@ -1,7 +1,7 @@
 // Changes are kept by name and type, so that undo reaches over reloads of the scene.
 #include "scene/history.h"
 
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <algorithm>
 #include <bit>

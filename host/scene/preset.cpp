@@ -4,7 +4,7 @@
 #include "scene/annotation.h"
 #include "glsl/raw_text.h"
 #include "scene/toml.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

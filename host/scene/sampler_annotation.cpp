@@ -1,7 +1,7 @@
 // The `//@` grammar of samplers: who fills them, and how they are read.
 #include "scene/annotation.h"
 #include "scene/annotation_words.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

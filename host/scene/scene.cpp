@@ -6,7 +6,7 @@
 #include "glsl/declaration.h"
 #include "scene/shadertoy.h"
 #include "glsl/source_text.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 
@@ -470,6 +470,28 @@ void Builder::blank_builtins(const Declaration& declaration) {
     if (!keeps_any) blank(declaration.span.begin, declaration.span.end);
 }
 
+// Of a scene that is kept as a shader of the site. Its places are those of the scene file that
+// `glint import` would write.
+SourceText imported_source(const std::filesystem::path& json, Diagnostics& diagnostics) {
+    const std::vector<Shadertoy> shaders = read_shadertoys(json, diagnostics);
+    const auto scene = std::filesystem::path(json).replace_extension(".frag");
+    if (shaders.empty()) {
+        SourceText nothing;
+        nothing.files = {json, scene};
+        return nothing;
+    }
+    if (shaders.size() > 1) {
+        diagnostics.push_back(
+            {Severity::warning,
+             {json.string()},
+             fmt::format("it holds {} shaders, and this is the first; `glint import` writes a "
+                         "scene file for each",
+                         shaders.size())});
+    }
+    const std::string text = scene_text(shaders.front(), json, scene.parent_path(), diagnostics);
+    return made_source(scene, json, text, diagnostics);
+}
+
 // A stranger's shader may name files in words that only Glint knows.
 void refuse_outside(const Scene& scene, const std::filesystem::path& json,
                     Diagnostics& diagnostics) {
@@ -494,10 +516,12 @@ Place Scene::place(int line, int column) const {
 
 ReadScene read_scene(const std::filesystem::path& file) {
     ReadScene result;
-    SourceText source = read_source(file, result.diagnostics);
+    const bool is_json = file.extension() == ".json";
+    SourceText source = is_json ? imported_source(file, result.diagnostics)
+                                : read_source(file, result.diagnostics);
     result.files = source.files;
     Scene scene = Builder(std::move(source), result.diagnostics).build();
-    if (file.extension() == ".json") refuse_outside(scene, file, result.diagnostics);
+    if (is_json) refuse_outside(scene, file, result.diagnostics);
     if (!has_errors(result.diagnostics)) result.scene = std::move(scene);
     return result;
 }

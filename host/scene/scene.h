@@ -126,12 +126,6 @@ struct Pass {
     Place place;
 };
 
-// Where a line of Scene::text comes from.
-struct Origin {
-    std::size_t file = 0;  // index into Scene::files
-    int line = 0;          // from 1
-};
-
 struct Scene {
     std::vector<std::filesystem::path>
         files;  // the scene file first, then its includes: what a reload watches

@@ -3,7 +3,7 @@
 #include "glsl/raw_text.h"
 #include "scene/scene.h"
 #include "scene/shadertoy.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "scene/toml_text.h"
 
 #include "scene/annotation.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

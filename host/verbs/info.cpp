@@ -1,7 +1,9 @@
-#include "verbs/info.h"
+// `glint info`: what a scene consists of, and what was left out.
 
 #include "gl/context.h"
 #include "base/say.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +15,11 @@ namespace glint {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+    ViewOptions view;
+    std::string source;  // print the GLSL text that the driver sees for this pass instead
+};
 
 struct LeftOut {
     std::string what, why;
@@ -197,9 +204,7 @@ void print_tables(const Inspection& seen, const Json& json) {
     }
 }
 
-}  // namespace
-
-void run_info(const InfoOptions& options) {
+void run_info(const InfoOptions& options, const Stopwatch&) {
     const Preset preset = open_preset(options.view);
     if (!options.source.empty()) {
         const bool sound = options.source == "sound" && preset.scene.has_sound;
@@ -219,6 +224,17 @@ void run_info(const InfoOptions& options) {
         say_result("{}\n", json.dump(2));
     else
         print_tables(seen, json);
+}
+
+void declare(CLI::App& verb, InfoOptions& info) {
+    add_view(verb, info.view);
+    verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> info_verb() {
+    return std::make_unique<VerbWith<InfoOptions>>(declare, run_info);
 }
 
 }  // namespace glint

@@ -1,10 +1,12 @@
-#include "verbs/open.h"
+// `glint open`: the window, or where there is no display, a still.
 
 #include "gl/context.h"
 #include "offline/import.h"
 #include "offline/still.h"
 #include "window/live/window.h"
 #include "base/say.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
 
 #include <fmt/format.h>
 
@@ -32,8 +34,6 @@ ViewOptions shown_in_window(const ViewOptions& options) {
     return shown;
 }
 
-}  // namespace
-
 void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     if (has_display()) {
         try {
@@ -47,6 +47,16 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     still.output = options.file.stem().string() + ".png";
     say("There is no display; the picture goes to {}.\n", still.output.string());
     run_still(still, since_start);
+}
+
+void declare(CLI::App& verb, ViewOptions& options) {
+    add_view(verb, options);
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> open_verb() {
+    return std::make_unique<VerbWith<ViewOptions>>(declare, run_open);
 }
 
 }  // namespace glint

@@ -1,7 +1,7 @@
 // The `//@` grammar, one line at a time.
 #include "scene/annotation.h"
 
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <gtest/gtest.h>
 

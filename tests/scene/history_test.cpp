@@ -1,7 +1,7 @@
 // Undo, defaults, random looks, two sets, and what a reload makes of values.
 #include "scene/history.h"
 
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <gtest/gtest.h>
 

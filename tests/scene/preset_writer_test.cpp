@@ -2,7 +2,7 @@
 #include "scene/preset_writer.h"
 
 #include "scene/toml_text.h"
-#include "scene/value.h"
+#include "base/words.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "base/temporary_file.h"
 #include "scene/preset_writer.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

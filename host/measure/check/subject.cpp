@@ -24,10 +24,6 @@ std::size_t count_not_finite(std::span<const float> rgba) {
 
 }  // namespace
 
-std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
-    return pass == kImagePass ? std::vector<std::string>{"image"} : scene.passes[pass].outputs;
-}
-
 CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
                            const SubjectOptions& options)
     : preset(opened),

@@ -109,7 +109,4 @@ private:
     Observed observed_;
 };
 
-// The names of a pass's outputs; the picture has one, "image".
-std::vector<std::string> output_names(const Scene& scene, std::size_t pass);
-
 }  // namespace glint

@@ -1,6 +1,6 @@
 #include "measure/study/plan.h"
 
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "base/hash.h"
 #include "base/say.h"
 #include "glsl/raw_text.h"
-#include "scene/value.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
 

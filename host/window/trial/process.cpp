@@ -2,6 +2,7 @@
 #include "gl/context.h"
 #include "window/trial/socket_process.h"
 #include "window/trial/message.h"
+#include "scene/blame.h"
 
 #include <fmt/format.h>
 #include <sys/socket.h>

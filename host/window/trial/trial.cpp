@@ -2,6 +2,7 @@
 
 #include "window/trial/socket_process.h"
 #include "window/trial/message.h"
+#include "scene/blame.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -140,12 +140,4 @@ private:
 // answers there until it is closed. Throws UsageError when it is none.
 void run_trial(const std::string& device);
 
-// The place of the loop that is most likely never to end: one without a condition, or the one with
-// the largest constant in it, from 10,000 on. Nothing when no loop stands out.
-std::optional<Place> likely_endless_loop(const Scene& scene);
-
-// Where the entry function of a pass, by its name, begins; the scene's first line when it is not
-// found.
-Place entry_place(const Scene& scene, const std::string& pass);
-
 }  // namespace glint

@@ -1,0 +1,51 @@
+#include "base/words.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+std::optional<double> parse_decimal(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    if (text.starts_with('+')) return std::nullopt;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\v\f\r\n";
+    const std::size_t begin = text.find_first_not_of(kSpace);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return parse_decimal(text);
+    const auto above = parse_decimal(trimmed(text.substr(0, slash)));
+    const auto below = parse_decimal(trimmed(text.substr(slash + 1)));
+    if (!above || !below || *below == 0.0) return std::nullopt;
+    const double value = *above / *below;
+    if (!std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::string format_number(double value) {
+    char buffer[32];
+    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return {buffer, result.ptr};
+}
+
+std::optional<bool> parse_switch(std::string_view text) {
+    if (text == "on" || text == "true") return true;
+    if (text == "off" || text == "false") return false;
+    return std::nullopt;
+}
+
+}  // namespace glint

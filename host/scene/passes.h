@@ -1,0 +1,40 @@
+// Questions about a scene's passes and samplers, by their numbers and by their names.
+#pragma once
+
+#include "scene/preset.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+// The passes that draw the picture itself and a block of sound; the others are indices into
+// Scene::passes.
+inline constexpr std::size_t kImagePass = static_cast<std::size_t>(-1);
+inline constexpr std::size_t kSoundPass = static_cast<std::size_t>(-2);
+inline bool fills_a_buffer(std::size_t pass) {
+    return pass < kSoundPass;
+}
+
+// Sound comes in blocks of so many pixels, a sample each, row by row; iFrame counts them. A block
+// is 0.19 s: short enough to be made just before it is heard.
+inline constexpr int kSoundBlockWidth = 512, kSoundBlockRows = 16;
+inline constexpr int kSampleRate = 44100;  // Hz
+
+// The name a person knows a pass by: "image", "sound", or that of the first sampler that it fills.
+std::string pass_name(const Scene& scene, std::size_t pass);
+
+// A sampler that some pass may read: one of the scene's, or one of the four channels of a preset.
+const Sampler& sampler_at(const Preset& preset, std::size_t index);  // channels follow the scene's
+std::size_t sampler_count(const Preset& preset);
+// The one that a pass knows by this name.
+std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
+                                        std::string_view name);
+
+// The names of a pass's outputs; the picture has one, "image".
+std::vector<std::string> output_names(const Scene& scene, std::size_t pass);
+
+}  // namespace glint

@@ -1,0 +1,36 @@
+// `glint check`: numerical stability at every extreme.
+#include "measure/check/check.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
+
+namespace glint {
+namespace {
+
+void declare(CLI::App& verb, CheckOptions& check) {
+    add_views(verb, check.files, check.view, "pixels of most cases; 96x54 otherwise");
+    verb.add_option("--inject", check.effort.inject, "texels of a buffer poisoned at once; 0: none")
+        ->check(from(0, 10'000));
+    verb.add_option("--frames", check.effort.frames, "of the long run")->check(from(1, 10'000'000));
+    verb.add_option("--random", check.effort.random, "sets of random tweaks")
+        ->check(from(0, 1'000'000));
+    verb.add_option("--seconds", check.effort.seconds,
+                    "that one file's cases may take, 110 otherwise; 0: no limit")
+        ->check(from(0.0, 1e6));
+    verb.add_option("--case", check.only, "only cases whose name begins so");
+    verb.add_option("--hang", check.hang_seconds,
+                    "s that one frame may take; less where --seconds are nearly over")
+        ->check(from(1.0, 1e5));
+    verb.add_option("-o,--output", check.output, "a folder for the pictures of failures");
+    CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");
+    verb.add_flag("--lines", check.lines, "a JSON object a line, whenever a case ends")
+        ->excludes(json);
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> check_verb() {
+    return std::make_unique<VerbWith<CheckOptions>>(
+        declare, [](const CheckOptions& options, const Stopwatch&) { run_check(options); });
+}
+
+}  // namespace glint

@@ -1,0 +1,21 @@
+// `glint export`: a scene to the tabs of a Shadertoy.
+#include "offline/export.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
+
+namespace glint {
+namespace {
+
+void declare(CLI::App& verb, ExportOptions& options) {
+    add_view(verb, options.view, false);
+    verb.add_option("-o,--output", options.output, "a folder")->required();
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> export_verb() {
+    return std::make_unique<VerbWith<ExportOptions>>(
+        declare, [](const ExportOptions& options, const Stopwatch&) { run_export(options); });
+}
+
+}  // namespace glint

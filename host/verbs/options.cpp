@@ -1,0 +1,51 @@
+#include "verbs/options.h"
+
+namespace glint {
+
+void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
+    verb.add_option("file", view.file, "a preset (.toml), a scene (.frag), or a Shadertoy (.json)")
+        ->required();
+    verb.add_option("--size", view.size, "pixels, such as 1280x720; the preset's otherwise");
+    verb.add_option("--tweak", view.tweaks, "name=value, as often as needed")
+        ->allow_extra_args(false);
+    verb.add_option("--device", view.device,
+                    "which GPU: a number, a part of its name, or surfaceless");
+    verb.add_flag("!--no-specialise", view.specialise,
+                  "feed tweaks as uniforms instead of writing them in as constants");
+    if (takes_json) verb.add_flag("--json", view.json, "one JSON object on stdout");
+}
+
+void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOptions& view,
+               const std::string& size) {
+    verb.add_option("files", files, "presets (.toml), scenes (.frag), or Shadertoys (.json)")
+        ->required();
+    verb.add_option("--size", view.size, size);
+    verb.add_option("--tweak", view.tweaks, "name=value, as often as needed")
+        ->allow_extra_args(false);
+    verb.add_option("--device", view.device,
+                    "which GPU: a number, a part of its name, or surfaceless");
+}
+
+void add_picture(CLI::App& verb, PictureOptions& picture) {
+    add_view(verb, picture.view);
+    verb.add_option("--fps", picture.fps,
+                    "Hz; frame k stands at k / fps, and simulations are played so")
+        ->check(from(0.01, 1e5));
+    verb.add_option("--samples", picture.samples, "sub-pixel positions averaged in linear light")
+        ->check(from(1, 65536));
+    verb.add_option("--shutter", picture.shutter,
+                    "degrees of a frame, 360 all of it, over which --samples are spread in time")
+        ->check(from(0.0, 360.0));
+    verb.add_option("--format", picture.format.values, "of an .exr file: float, or half");
+    verb.add_option("--compression", picture.format.compression,
+                    "of an .exr file: zips, or none, rle, zip, piz, pxr24, b44, b44a, dwaa, dwab; "
+                    "of a .tif file: zip, or none, lzw, packbits");
+    verb.add_option("--quality", picture.format.quality, "of a .jpg file; 95 otherwise")
+        ->check(from(1, 100));
+    verb.add_option("--from-state", picture.state.from,
+                    "go on from this state of the simulation; with %06d: from the newest of use");
+    verb.add_option("--save-state", picture.state.save,
+                    "keep the state that the last frame is drawn from in this file");
+}
+
+}  // namespace glint

@@ -1,0 +1,38 @@
+// Options that several verbs take, each described in this one place.
+#pragma once
+
+#include "offline/picture.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <string>
+#include <type_traits>
+
+namespace glint {
+
+// What an option takes. CLI::Range lets not-a-number pass, and writes its bounds with six zeros.
+template <class Number>
+CLI::Validator from(Number least, Number most) {
+    const std::string bounds = fmt::format("from {} to {}", least, most);
+    const auto check = [least, most, bounds](const std::string& text) {
+        Number value{};
+        const bool fits = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+        const char* kind = std::is_integral_v<Number> ? "whole number" : "number";
+        return fits ? std::string() : fmt::format("'{}' is not a {} {}", text, kind, bounds);
+    };
+    return {check, bounds};
+}
+
+// What is opened, and how: the file, --size, --tweak, --device, --no-specialise and, unless the verb
+// has no such result, --json.
+void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true);
+
+// Several files instead of one, and `size` as the text of --size says it; --tweak and --device.
+void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOptions& view,
+               const std::string& size);
+
+// add_view, how light is gathered over a frame, how a file keeps it, and from which state it goes on.
+void add_picture(CLI::App& verb, PictureOptions& picture);
+
+}  // namespace glint

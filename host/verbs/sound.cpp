@@ -1,0 +1,23 @@
+// `glint sound`: mainSound to a file.
+#include "offline/sound.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
+
+namespace glint {
+namespace {
+
+void declare(CLI::App& verb, SoundOptions& sound) {
+    add_view(verb, sound.view);
+    verb.add_option("-o,--output", sound.output, "a .wav, .flac or .ogg file")->required();
+    verb.add_option("--seconds", sound.seconds, "from the start; 180 otherwise")
+        ->check(from(0.0, 1e5));
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> sound_verb() {
+    return std::make_unique<VerbWith<SoundOptions>>(
+        declare, [](const SoundOptions& options, const Stopwatch&) { run_sound(options); });
+}
+
+}  // namespace glint

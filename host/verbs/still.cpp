@@ -1,0 +1,31 @@
+// `glint still`: one frame to a picture file.
+#include "offline/still.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
+
+namespace glint {
+namespace {
+
+void declare(CLI::App& verb, StillOptions& still) {
+    add_picture(verb, still);
+    verb.add_option("-o,--output", still.output, "a .png, .exr, .jpg, .tif or .hdr file")
+        ->required();
+    verb.add_option("--time", still.time, "s; the preset's otherwise")->check(from(0.0, 1e9));
+    verb.add_option("--frame", still.frame, "instead of --time")->check(from(0, 1 << 30));
+    verb.add_option("--settle", still.settle, "more frames with time held still")
+        ->check(from(0, 1'000'000));
+    verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
+    verb.add_option(
+            "--tile", still.tile,
+            "draw in tiles of at most so many pixels a side; huge pictures do so by themselves")
+        ->check(from(1, 16384));
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> still_verb() {
+    return std::make_unique<VerbWith<StillOptions>>(
+        declare, [](const StillOptions& options, const Stopwatch& since_start) { run_still(options, since_start); });
+}
+
+}  // namespace glint

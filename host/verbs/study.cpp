@@ -1,0 +1,42 @@
+// `glint study`: error against run time.
+#include "measure/study/study.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
+
+#include <map>
+
+namespace glint {
+namespace {
+
+void declare(CLI::App& verb, StudyOptions& study) {
+    add_views(verb, study.files, study.view, "pixels; 640x360 otherwise");
+    verb.add_flag("!--no-specialise", study.view.specialise,
+                  "feed tweaks as uniforms instead of writing them in as constants");
+    verb.add_option("--vary", study.vary,
+                    "name, name=a,b,c or name=a,...,z: instead of all quality tweaks")
+        ->allow_extra_args(false);
+    verb.add_option("--reference", study.reference, "name=value that counts as the truth")
+        ->allow_extra_args(false);
+    verb.add_option("--second", study.second, "name=value to measure the reference by")
+        ->allow_extra_args(false);
+    verb.add_option("--metric", study.time_only, "error, or time alone: cost over size")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, std::string>{{"error", "false"}, {"time", "true"}}));
+    verb.add_option("--pass", study.pass, "compare this buffer instead of the picture");
+    verb.add_option("--frames", study.frames, "timed frames a row")->check(from(15, 100'000));
+    verb.add_option("-o,--output", study.output, "a folder for the report");
+    CLI::Option* csv = verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
+    CLI::Option* json = verb.add_flag("--json", study.view.json, "one JSON object on stdout");
+    verb.add_flag("--lines", study.lines, "a JSON object a line, whenever a picture is drawn")
+        ->excludes(csv)
+        ->excludes(json);
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> study_verb() {
+    return std::make_unique<VerbWith<StudyOptions>>(
+        declare, [](const StudyOptions& options, const Stopwatch&) { run_study(options); });
+}
+
+}  // namespace glint

@@ -1,0 +1,20 @@
+// `glint voice`: the process that plays a scene's sound for the window; for no person to call.
+#include "window/live/voice.h"
+#include "verbs/options.h"
+#include "verbs/verb.h"
+
+namespace glint {
+namespace {
+
+void declare(CLI::App& verb, std::string& device) {
+    verb.add_option("device", device);
+}
+
+}  // namespace
+
+std::unique_ptr<Verb> voice_verb() {
+    return std::make_unique<VerbWith<std::string>>(
+        declare, [](const std::string& options, const Stopwatch&) { run_voice(options); });
+}
+
+}  // namespace glint
