@@ -154,9 +154,10 @@ void add_default_verb(std::vector<std::string>& arguments) {
                                      arguments[0], verb));
     }
     if (std::ranges::find(verbs, "open") == verbs.end()) {
-        throw UsageError(fmt::format("This glint was built without its window; draw a picture by "
-                                     "`glint still {} -o picture.png`.",
-                                     arguments[0]));
+        throw UsageError(
+            fmt::format("This glint was built without its window; draw a picture by "
+                        "`glint still {} -o picture.png`.",
+                        arguments[0]));
     }
     arguments.insert(arguments.begin(), "open");
 }

@@ -1,8 +1,8 @@
 // VS Code's Shader Toy as a scene of ours.
 #include "glsl/foreign_text.h"
 
-#include "glsl/raw_text.h"
 #include "base/words.h"
+#include "glsl/raw_text.h"
 
 #include <fmt/format.h>
 

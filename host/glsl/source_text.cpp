@@ -1,8 +1,8 @@
 // Reading scene texts: includes, and the map back to the files.
 #include "glsl/source_text.h"
 
-#include "glsl/foreign_text.h"
 #include "base/words.h"
+#include "glsl/foreign_text.h"
 
 #include <fmt/format.h>
 

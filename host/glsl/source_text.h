@@ -29,11 +29,12 @@ struct SourceText {
     std::size_t line_index(std::size_t offset) const;  // into origins
 };
 
-// Reads a file with its includes. What is wrong goes to diagnostics; the text is whole all the same.
+// Reads a file with its includes. What is wrong goes to diagnostics; the text is whole all the
+// same.
 SourceText read_source(const std::filesystem::path& file, Diagnostics& diagnostics);
 
-// The same for a text that stands in no file: its places are those that it would have in `file`, and
-// `made_from` is files[0].
+// The same for a text that stands in no file: its places are those that it would have in `file`,
+// and `made_from` is files[0].
 SourceText made_source(const std::filesystem::path& file, const std::filesystem::path& made_from,
                        std::string_view text, Diagnostics& diagnostics);
 

@@ -1,8 +1,8 @@
 #include "measure/bench.h"
 
+#include "base/say.h"
 #include "gl/context.h"
 #include "offline/input_files.h"
-#include "base/say.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/readable_file.h"
-#include "media/image.h"
 #include "base/temporary_file.h"
+#include "media/image.h"
 
 namespace glint {
 

@@ -1,8 +1,8 @@
 // A film, encoded by FFmpeg in another process.
 #pragma once
 
-#include "media/image.h"
 #include "base/temporary_file.h"
+#include "media/image.h"
 
 #include <sys/types.h>
 

@@ -151,18 +151,22 @@ bool is_compression(Codec codec, std::string_view name) {
     return plain || (digits && (name.starts_with("zip") || name.starts_with("dwa")));
 }
 
+// Noise of the largest size takes half of this; nobody searches a hole of 20 GB for its end.
+constexpr std::size_t kLargestJpeg = std::size_t{2} << 30;
+
 Codec codec_by_content(const fs::path& file, const ReadableFile& in) {
     std::array<char, 16> buffer{};
     const std::string_view head(buffer.data(), in.read(buffer, 0));
     if (head.empty()) throw cannot_read(file, "The file is empty");
     for (const auto& [bytes, codec] : kSignatures) {
-        if (head.substr(0, bytes.size()) == bytes) return codec;
+        if (head.substr(0, bytes.size()) != bytes) continue;
+        if (codec == Codec::jpeg && in.size() > kLargestJpeg)
+            throw cannot_read(file,
+                              fmt::format("It is larger than any jpg of {0} x {0}", kMaxSide));
+        return codec;
     }
     throw cannot_read(file, "It is not a png, jpg, exr, hdr or tif picture");
 }
-
-// Noise of the largest size takes half of this; nobody searches a hole of 20 GB for its end.
-constexpr std::size_t kLargestJpeg = std::size_t{2} << 30;
 
 // Where the scans of a JPEG begin, behind the segments of its head. Of these `see` hears the
 // marker.
@@ -356,8 +360,6 @@ ImageFacts read_image_facts(const fs::path& file) {
 Image read_image(const fs::path& file) {
     const ReadableFile in(file);
     const Codec codec = codec_by_content(file, in);
-    if (codec == Codec::jpeg && in.size() > kLargestJpeg)
-        throw cannot_read(file, fmt::format("It is larger than any jpg of {0} x {0}", kMaxSide));
     if (codec == Codec::jpeg && !jpeg_has_end(in)) throw cannot_read(file, "It is cut short");
     return codec == Codec::png ? read_png(file, in) : read_by_oiio(file, in, oiio_name(codec));
 }

@@ -2,8 +2,8 @@
 //
 // OpenImageIO pulls in some 260 shared libraries, 0.2 s of work for the dynamic linker. A program
 // that only writes PNG never pays it; any other loads them while the GPU draws.
-#include "media/codecs.h"
 #include "base/module.h"
+#include "media/codecs.h"
 #include "media/oiio_module.h"
 #include "media/parts.h"
 

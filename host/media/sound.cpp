@@ -1,7 +1,7 @@
 #include "media/sound.h"
 
-#include "base/readable_file.h"
 #include "base/module.h"
+#include "base/readable_file.h"
 #include "base/temporary_file.h"
 #include "media/sound_module.h"
 #include "media/spectrum.h"

@@ -28,10 +28,8 @@ T number_at(const std::array<char, kHeadBytes>& bytes, std::size_t at) {
     return value;
 }
 
-}  // namespace
-
-Volume read_volume(const std::filesystem::path& file, std::size_t memory) {
-    const ReadableFile in(file);
+// What the head says, held against the length of the file.
+VolumeFacts facts_in(const std::filesystem::path& file, const ReadableFile& in) {
     std::array<char, kHeadBytes> head{};
     if (in.read(head, 0) < kHeadBytes) throw cannot_read(file, "It is too short for a volume");
     const glm::uvec3 size(number_at<std::uint32_t>(head, 4), number_at<std::uint32_t>(head, 8),
@@ -55,17 +53,28 @@ Volume read_volume(const std::filesystem::path& file, std::size_t memory) {
                           fmt::format("It holds {} bytes of voxels where its head tells of {}",
                                       in.size() - kHeadBytes, wanted));
     }
-    if (wanted > memory) {
-        throw cannot_read(file, fmt::format("It takes {} MB of memory, and {} MB are free",
-                                            wanted / 1'000'000, memory / 1'000'000));
-    }
-    std::vector<std::byte> voxels(wanted);
-    const std::span room(reinterpret_cast<char*>(voxels.data()), voxels.size());
-    if (in.read(room, kHeadBytes) < room.size())
-        throw cannot_read(file, "It became shorter while it was read");
     return {.size = size,
             .channels = channels,
             .type = format == kFloats ? ChannelType::f32 : ChannelType::u8,
+            .bytes = wanted};
+}
+
+}  // namespace
+
+VolumeFacts read_volume_facts(const std::filesystem::path& file) {
+    return facts_in(file, ReadableFile(file));
+}
+
+Volume read_volume(const std::filesystem::path& file) {
+    const ReadableFile in(file);
+    const VolumeFacts facts = facts_in(file, in);
+    std::vector<std::byte> voxels(facts.bytes);
+    const std::span room(reinterpret_cast<char*>(voxels.data()), voxels.size());
+    if (in.read(room, kHeadBytes) < room.size())
+        throw cannot_read(file, "It became shorter while it was read");
+    return {.size = facts.size,
+            .channels = facts.channels,
+            .type = facts.type,
             .voxels = std::move(voxels)};
 }
 

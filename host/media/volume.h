@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <cstdint>
+#include <cstddef>
 
 namespace glint {
 
@@ -17,8 +17,17 @@ struct Volume {
     std::vector<std::byte> voxels;
 };
 
-// Throws std::runtime_error with a whole sentence when the file is missing, cut short or no volume,
-// or when its voxels take more than `memory` bytes.
-Volume read_volume(const std::filesystem::path& file, std::size_t memory = SIZE_MAX);
+// What a file says of itself.
+struct VolumeFacts {
+    glm::ivec3 size{0};
+    int channels = 0;
+    ChannelType type = ChannelType::u8;
+    std::size_t bytes = 0;  // of its voxels
+};
+
+// Both throw std::runtime_error with a whole sentence when the file is missing, cut short or no
+// volume.
+VolumeFacts read_volume_facts(const std::filesystem::path& file);
+Volume read_volume(const std::filesystem::path& file);
 
 }  // namespace glint

@@ -1,8 +1,8 @@
 #include "offline/common.h"
 
+#include "base/say.h"
 #include "media/image.h"
 #include "scene/blame.h"
-#include "base/say.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,11 +1,11 @@
 #include "offline/export.h"
 
-#include "gl/context.h"
-#include "base/temporary_file.h"
-#include "offline/named_files.h"
 #include "base/say.h"
+#include "base/temporary_file.h"
+#include "gl/context.h"
 #include "glsl/raw_text.h"
 #include "glsl/reachable.h"
+#include "offline/named_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "offline/import.h"
 
-#include "base/temporary_file.h"
 #include "base/say.h"
+#include "base/temporary_file.h"
 #include "scene/preset.h"
 #include "scene/shadertoy.h"
 
@@ -47,7 +47,8 @@ void confine(std::vector<fs::path>& scenes, const ImportOptions& options,
         {Severity::error,
          {options.input.string()},
          fmt::format("its code names {}, which is outside its folder; --anywhere imports it",
-                     in_quotes(outside.front().string()))});
+                     in_quotes(outside.front().string())),
+         true});
     std::error_code error;
     for (const fs::path& scene : scenes) fs::remove(scene, error);
     scenes.clear();

@@ -1,14 +1,13 @@
 #include "offline/input_files.h"
 
+#include "base/temporary_file.h"
+#include "media/analyser.h"
 #include "media/cube.h"
 #include "media/image.h"
-#include "base/temporary_file.h"
 #include "media/volume.h"
 #include "offline/common.h"
 #include "offline/input_room.h"
-#include "base/memory.h"
 #include "render/room.h"
-#include "media/analyser.h"
 
 #include <algorithm>
 #include <new>
@@ -53,7 +52,7 @@ InputContent read_cube_input(const Sampler& sampler) {
 }
 
 InputContent read_volume_input(const Sampler& sampler) {
-    Volume volume = read_volume(sampler.files.front(), available_memory());
+    Volume volume = read_volume(sampler.files.front());
     return {.size = glm::ivec2(volume.size),
             .slices = volume.size.z,
             .channels = volume.channels,

@@ -1,6 +1,7 @@
 #include "offline/input_room.h"
 
 #include "media/image.h"
+#include "media/volume.h"
 #include "render/room.h"
 
 #include <fmt/format.h>
@@ -65,12 +66,10 @@ void require_for_cube(const Sampler& sampler, const TextureLimits& limits) {
             limits);
 }
 
-// Its voxels stand in the file as they are.
 void require_for_volume(const fs::path& file, const TextureLimits& limits) {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(file, error);
-    if (error) return;  // reading it tells why
-    require(file, {.pixel_bytes = bytes}, 0, texture_bytes(bytes, 3), limits);
+    const VolumeFacts facts = read_volume_facts(file);
+    require(file, {.pixel_bytes = facts.bytes}, 0, texture_bytes(facts.bytes, facts.channels),
+            limits);
 }
 
 }  // namespace

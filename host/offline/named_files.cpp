@@ -1,7 +1,7 @@
 #include "offline/named_files.h"
 
-#include "offline/common.h"
 #include "base/numbered_name.h"
+#include "offline/common.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

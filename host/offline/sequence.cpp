@@ -1,15 +1,15 @@
 #include "offline/sequence.h"
 
-#include "gl/context.h"
-#include "offline/frames.h"
 #include "base/hash.h"
+#include "base/say.h"
+#include "gl/context.h"
+#include "media/sound.h"
+#include "offline/frames.h"
 #include "offline/input_files.h"
 #include "offline/sequence_output.h"
 #include "offline/sound.h"
 #include "render/readback.h"
 #include "render/room.h"
-#include "base/say.h"
-#include "media/sound.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,8 +1,8 @@
 #include "offline/sequence_output.h"
 
 #include "base/readable_file.h"
-#include "render/room.h"
 #include "base/say.h"
+#include "render/room.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

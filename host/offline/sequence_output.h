@@ -1,10 +1,10 @@
 // Where the pictures of a sequence go: to files of their own, into a film, or to stdout.
 #pragma once
 
-#include "media/film.h"
 #include "base/numbered_name.h"
-#include "offline/sequence.h"
 #include "base/workers.h"
+#include "media/film.h"
+#include "offline/sequence.h"
 
 namespace glint {
 

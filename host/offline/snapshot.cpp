@@ -1,12 +1,12 @@
 #include "offline/snapshot.h"
 
-#include "base/readable_file.h"
-#include "media/parts.h"
 #include "base/hash.h"
-#include "base/numbered_name.h"
 #include "base/memory.h"
-#include "render/room.h"
+#include "base/numbered_name.h"
+#include "base/readable_file.h"
 #include "base/say.h"
+#include "media/parts.h"
+#include "render/room.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>

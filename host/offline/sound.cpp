@@ -1,11 +1,11 @@
 #include "offline/sound.h"
 
-#include "gl/context.h"
+#include "base/say.h"
 #include "base/temporary_file.h"
+#include "gl/context.h"
+#include "media/sound.h"
 #include "offline/input_files.h"
 #include "offline/named_files.h"
-#include "base/say.h"
-#include "media/sound.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,11 @@
 #include "offline/still.h"
 
+#include "base/say.h"
+#include "base/workers.h"
 #include "gl/context.h"
 #include "media/image.h"
 #include "offline/input_files.h"
-#include "base/workers.h"
 #include "render/room.h"
-#include "base/say.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #include "render/compile_watch.h"
 
-#include "gl/context.h"
 #include "base/memory.h"
+#include "gl/context.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

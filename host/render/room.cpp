@@ -1,7 +1,7 @@
 #include "render/room.h"
 
-#include "gl/context.h"
 #include "base/memory.h"
+#include "gl/context.h"
 
 #include <fmt/format.h>
 

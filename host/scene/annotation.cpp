@@ -1,8 +1,8 @@
 // The `//@` grammar of tweaks and group headings.
 #include "scene/annotation.h"
 
-#include "scene/annotation_words.h"
 #include "base/words.h"
+#include "scene/annotation_words.h"
 
 #include <fmt/format.h>
 

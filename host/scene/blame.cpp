@@ -1,8 +1,8 @@
 #include "scene/blame.h"
 
+#include "base/words.h"
 #include "glsl/declaration.h"
 #include "glsl/raw_text.h"
-#include "base/words.h"
 
 #include <algorithm>
 #include <cctype>

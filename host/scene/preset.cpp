@@ -1,10 +1,10 @@
 // Reading a preset.
 #include "scene/preset.h"
 
-#include "scene/annotation.h"
-#include "glsl/raw_text.h"
-#include "scene/toml.h"
 #include "base/words.h"
+#include "glsl/raw_text.h"
+#include "scene/annotation.h"
+#include "scene/toml.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The `//@` grammar of samplers: who fills them, and how they are read.
+#include "base/words.h"
 #include "scene/annotation.h"
 #include "scene/annotation_words.h"
-#include "base/words.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // A scene file becomes plain data: its uniforms are matched with their annotations.
 #include "scene/scene.h"
 
+#include "base/words.h"
+#include "glsl/declaration.h"
+#include "glsl/source_text.h"
 #include "scene/annotation.h"
 #include "scene/builtin.h"
-#include "glsl/declaration.h"
 #include "scene/shadertoy.h"
-#include "glsl/source_text.h"
-#include "base/words.h"
 
 #include <fmt/format.h>
 
@@ -502,7 +502,8 @@ void refuse_outside(const Scene& scene, const std::filesystem::path& json,
          {json.string()},
          fmt::format("its code names {}, which is outside its folder; `glint import --anywhere` "
                      "makes a scene of it",
-                     in_quotes(outside.front().string()))});
+                     in_quotes(outside.front().string())),
+         true});
 }
 
 }  // namespace
@@ -517,8 +518,8 @@ Place Scene::place(int line, int column) const {
 ReadScene read_scene(const std::filesystem::path& file) {
     ReadScene result;
     const bool is_json = file.extension() == ".json";
-    SourceText source = is_json ? imported_source(file, result.diagnostics)
-                                : read_source(file, result.diagnostics);
+    SourceText source =
+        is_json ? imported_source(file, result.diagnostics) : read_source(file, result.diagnostics);
     result.files = source.files;
     Scene scene = Builder(std::move(source), result.diagnostics).build();
     if (is_json) refuse_outside(scene, file, result.diagnostics);

@@ -1,9 +1,9 @@
 // A shader of the site as a scene file.
-#include "scene/annotation.h"
+#include "base/words.h"
 #include "glsl/raw_text.h"
+#include "scene/annotation.h"
 #include "scene/scene.h"
 #include "scene/shadertoy.h"
-#include "base/words.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Spelling values as TOML.
 #include "scene/toml_text.h"
 
-#include "scene/annotation.h"
 #include "base/words.h"
+#include "scene/annotation.h"
 
 #include <fmt/format.h>
 

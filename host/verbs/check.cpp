@@ -1,5 +1,6 @@
 // `glint check`: numerical stability at every extreme.
 #include "measure/check/check.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

@@ -1,5 +1,6 @@
 // `glint export`: a scene to the tabs of a Shadertoy.
 #include "offline/export.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

@@ -1,5 +1,6 @@
 // `glint import`: from the site's files to scene files.
 #include "offline/import.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

@@ -1,7 +1,7 @@
 // `glint info`: what a scene consists of, and what was left out.
 
-#include "gl/context.h"
 #include "base/say.h"
+#include "gl/context.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

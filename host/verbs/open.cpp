@@ -1,12 +1,12 @@
 // `glint open`: the window, or where there is no display, a still.
 
+#include "base/say.h"
 #include "gl/context.h"
 #include "offline/import.h"
 #include "offline/still.h"
-#include "window/live/window.h"
-#include "base/say.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
+#include "window/live/window.h"
 
 #include <fmt/format.h>
 

@@ -24,15 +24,16 @@ CLI::Validator from(Number least, Number most) {
     return {check, bounds};
 }
 
-// What is opened, and how: the file, --size, --tweak, --device, --no-specialise and, unless the verb
-// has no such result, --json.
+// What is opened, and how: the file, --size, --tweak, --device, --no-specialise and, unless the
+// verb has no such result, --json.
 void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true);
 
 // Several files instead of one, and `size` as the text of --size says it; --tweak and --device.
 void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOptions& view,
                const std::string& size);
 
-// add_view, how light is gathered over a frame, how a file keeps it, and from which state it goes on.
+// add_view, how light is gathered over a frame, how a file keeps it, and from which state it goes
+// on.
 void add_picture(CLI::App& verb, PictureOptions& picture);
 
 }  // namespace glint

@@ -1,5 +1,6 @@
 // `glint sequence`: frames to pictures, a film, or another program.
 #include "offline/sequence.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

@@ -1,5 +1,6 @@
 // `glint sound`: mainSound to a file.
 #include "offline/sound.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

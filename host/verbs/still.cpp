@@ -1,5 +1,6 @@
 // `glint still`: one frame to a picture file.
 #include "offline/still.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
@@ -25,7 +26,9 @@ void declare(CLI::App& verb, StillOptions& still) {
 
 std::unique_ptr<Verb> still_verb() {
     return std::make_unique<VerbWith<StillOptions>>(
-        declare, [](const StillOptions& options, const Stopwatch& since_start) { run_still(options, since_start); });
+        declare, [](const StillOptions& options, const Stopwatch& since_start) {
+            run_still(options, since_start);
+        });
 }
 
 }  // namespace glint

@@ -1,5 +1,6 @@
 // `glint study`: error against run time.
 #include "measure/study/study.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

@@ -1,5 +1,6 @@
 // `glint trial`: the process that tries candidates for the window; for no person to call.
 #include "window/trial/trial.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

@@ -27,7 +27,7 @@ class VerbWith : public Verb {
 public:
     using Declare = void (*)(CLI::App&, Options&);
     using Run = void (*)(const Options&, const Stopwatch& since_start);
-    VerbWith(Declare declare, Run run) : declare_(declare), run_(run) {}
+    VerbWith(Declare declares, Run runs) : declare_(declares), run_(runs) {}
     void declare(CLI::App& app) override { declare_(app, options_); }
     void run(const Stopwatch& since_start) override { run_(options_, since_start); }
 

@@ -1,5 +1,6 @@
 // `glint voice`: the process that plays a scene's sound for the window; for no person to call.
 #include "window/live/voice.h"
+
 #include "verbs/options.h"
 #include "verbs/verb.h"
 

@@ -1,8 +1,8 @@
 // Saving a preset: it reads back as the same, and what the person wrote stays.
 #include "scene/preset_writer.h"
 
-#include "scene/toml_text.h"
 #include "base/words.h"
+#include "scene/toml_text.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>

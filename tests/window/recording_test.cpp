@@ -1,6 +1,6 @@
 // The boat, driven by real keys: what was recorded replays to the same picture in a still.
-#include "media/image.h"
 #include "live.h"
+#include "media/image.h"
 
 #include <fmt/format.h>
 

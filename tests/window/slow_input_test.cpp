@@ -1,7 +1,7 @@
 // An input file that takes as long as it likes: a lease on it, as a file server has them, keeps
 // glint's reading thread waiting until the test gives it up.
-#include "media/image.h"
 #include "live.h"
+#include "media/image.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,8 +1,8 @@
 // Thousands of mixed saves in the window: window_soak [SAVES [EVERY]]. After each EVERY of them it
 // prints what glint and its trial process hold, which saves were never shown, and how long they
 // took. It judges nothing.
-#include "media/image.h"
 #include "live.h"
+#include "media/image.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Time, stills and the window itself, by keys: what is seen, what is written, and what `glint
 // still` writes are the same.
-#include "media/image.h"
 #include "live.h"
+#include "media/image.h"
 
 #include <fmt/format.h>
 

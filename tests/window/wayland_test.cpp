@@ -1,7 +1,7 @@
 // The window under Wayland. The compositor, Weston, has its screen, mouse and keyboard from Xvfb,
 // of which glint knows nothing: without a mouse GLFW 3.3 crashes by itself.
-#include "media/image.h"
 #include "live.h"
+#include "media/image.h"
 
 #include <sys/prctl.h>
 #include <sys/stat.h>

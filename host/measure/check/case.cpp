@@ -1,8 +1,8 @@
 #include "measure/check/case.h"
 
 #include "base/temporary_file.h"
-#include "scene/preset_writer.h"
 #include "base/words.h"
+#include "scene/preset_writer.h"
 
 #include <fmt/format.h>
 

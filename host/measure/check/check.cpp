@@ -1,7 +1,7 @@
 #include "measure/check/check.h"
 
-#include "measure/check/process.h"
 #include "base/say.h"
+#include "measure/check/process.h"
 
 #include <fmt/format.h>
 

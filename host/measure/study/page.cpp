@@ -1,7 +1,7 @@
 #include "measure/study/page.h"
 
-#include "media/image.h"
 #include "measure/study/plot.h"
+#include "media/image.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // What a study has found: rows, and what they say together.
 #pragma once
 
-#include "render/difference.h"
 #include "measure/study/plan.h"
+#include "render/difference.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 #include "measure/study/store.h"
 
-#include "base/temporary_file.h"
 #include "base/hash.h"
 #include "base/say.h"
-#include "glsl/raw_text.h"
+#include "base/temporary_file.h"
 #include "base/words.h"
+#include "glsl/raw_text.h"
 
 #include <fmt/format.h>
 

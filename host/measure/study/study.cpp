@@ -1,10 +1,10 @@
 #include "measure/study/study.h"
 
-#include "offline/named_files.h"
+#include "base/say.h"
 #include "measure/study/measure.h"
 #include "measure/study/page.h"
 #include "measure/study/store.h"
-#include "base/say.h"
+#include "offline/named_files.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // A check of the open scene beside its window: run by another process, followed here.
 #pragma once
 
-#include "window/live/verb_work.h"
 #include "scene/preset.h"
+#include "window/live/verb_work.h"
 #include "window/ui/findings.h"
 
 #include <nlohmann/json_fwd.hpp>

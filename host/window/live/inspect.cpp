@@ -10,11 +10,6 @@ namespace {
 // Smaller pixels have no room for a number.
 constexpr double kSmallestPrinted = 24.0;  // screen pixels a side
 
-// The names of a pass's outputs; the picture has one, "image".
-std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
-    return pass == kImagePass ? std::vector<std::string>{"image"} : scene.passes[pass].outputs;
-}
-
 }  // namespace
 
 Output find_output(Playground& playground, const std::string& sampler) {

@@ -1,8 +1,8 @@
 // What the passes panel is told of the passes, buffers and pixels of an open scene.
 #pragma once
 
-#include "window/live/playground.h"
 #include "render/viewer.h"
+#include "window/live/playground.h"
 #include "window/ui/panels.h"
 
 #include <string>

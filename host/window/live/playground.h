@@ -2,15 +2,15 @@
 // has changed. It knows no window and no panels, so it runs in tests without either.
 #pragma once
 
+#include "base/watcher.h"
 #include "gl/context.h"
 #include "media/image.h"
 #include "offline/common.h"
-#include "window/live/input_loader.h"
-#include "window/trial/trial.h"
-#include "base/watcher.h"
 #include "scene/history.h"
 #include "scene/recording.h"
 #include "scene/transport.h"
+#include "window/live/input_loader.h"
+#include "window/trial/trial.h"
 
 #include <deque>
 #include <memory>

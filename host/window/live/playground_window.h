@@ -4,18 +4,18 @@
 // runs studies and checks beside it, window_work.cpp sees to it that no work is lost.
 #pragma once
 
-#include "window/live/glfw_window.h"
+#include "base/end_signals.h"
+#include "render/viewer.h"
 #include "window/live/browser.h"
+#include "window/live/check.h"
 #include "window/live/crash_mark.h"
 #include "window/live/editor.h"
-#include "base/end_signals.h"
-#include "window/live/check.h"
-#include "window/live/sound.h"
-#include "window/live/study.h"
+#include "window/live/glfw_window.h"
 #include "window/live/picture_shelf.h"
 #include "window/live/playground.h"
+#include "window/live/sound.h"
+#include "window/live/study.h"
 #include "window/live/unsaved_work.h"
-#include "render/viewer.h"
 #include "window/ui/panels.h"
 #include "window/ui/shortcuts.h"
 

@@ -1,7 +1,7 @@
 #include "window/live/sound.h"
 
-#include "window/trial/socket_process.h"
 #include "window/trial/message.h"
+#include "window/trial/socket_process.h"
 
 #include <fmt/format.h>
 #include <sys/socket.h>

@@ -1,9 +1,9 @@
 // The sound of the scene in the window: played by another process, led from here.
 #pragma once
 
+#include "media/feed.h"
 #include "offline/common.h"
 #include "scene/preset.h"
-#include "media/feed.h"
 
 #include <sys/types.h>
 

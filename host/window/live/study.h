@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/scratch_folder.h"
-#include "window/live/verb_work.h"
 #include "scene/preset.h"
+#include "window/live/verb_work.h"
 #include "window/ui/findings.h"
 
 #include <nlohmann/json_fwd.hpp>

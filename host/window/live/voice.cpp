@@ -1,12 +1,12 @@
 #include "window/live/voice.h"
 
 #include "gl/context.h"
-#include "window/live/sound.h"
-#include "window/trial/socket_process.h"
-#include "offline/sound.h"
-#include "window/trial/message.h"
 #include "media/feed.h"
+#include "offline/sound.h"
+#include "window/live/sound.h"
 #include "window/live/speaker.h"
+#include "window/trial/message.h"
+#include "window/trial/socket_process.h"
 
 #include <fmt/format.h>
 #include <poll.h>

@@ -1,9 +1,9 @@
 #include "window/live/window.h"
 
+#include "base/say.h"
 #include "media/image.h"
 #include "window/live/inspect.h"
 #include "window/live/playground_window.h"
-#include "base/say.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>

@@ -1,10 +1,10 @@
 // No work is lost: saving, what is asked before unsaved work would go, and what is kept of it for
 // the next run.
+#include "glsl/raw_text.h"
 #include "media/image.h"
 #include "offline/import.h"
-#include "window/live/playground_window.h"
 #include "scene/preset_writer.h"
-#include "glsl/raw_text.h"
+#include "window/live/playground_window.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>

@@ -2,8 +2,8 @@
 // data as bytes, between two copies of one program.
 #pragma once
 
-#include "window/trial/trial.h"
 #include "media/feed.h"
+#include "window/trial/trial.h"
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 // The process that tries candidates: compiles one, draws it small, and says how far it has come.
 #include "gl/context.h"
-#include "window/trial/socket_process.h"
-#include "window/trial/message.h"
 #include "scene/blame.h"
+#include "window/trial/message.h"
+#include "window/trial/socket_process.h"
 
 #include <fmt/format.h>
 #include <sys/socket.h>

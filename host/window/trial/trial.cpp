@@ -1,8 +1,8 @@
 #include "window/trial/trial.h"
 
-#include "window/trial/socket_process.h"
-#include "window/trial/message.h"
 #include "scene/blame.h"
+#include "window/trial/message.h"
+#include "window/trial/socket_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
