@@ -1,0 +1,196 @@
+// What the programs of a frame are fed with: values by name, sent where they have changed.
+#include "render/renderer.h"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+struct Words {
+    const GLfloat* floats;
+    GLint integer;
+};
+
+void send(GLuint program, const BuiltinUniform& uniform, const Words& value) {
+    const GLfloat* floats = value.floats;
+    const GLint location = uniform.location;
+    switch (uniform.builtin) {
+        case Builtin::time:
+        case Builtin::time_delta:
+        case Builtin::frame_rate:
+        case Builtin::sample_rate:
+            glProgramUniform1fv(program, location, 1, floats);
+            break;
+        case Builtin::channel_time:
+            glProgramUniform1fv(program, location, 4, floats);
+            break;
+        case Builtin::jitter:
+        case Builtin::origin:
+        case Builtin::resolution_2d:
+        case Builtin::mouse_2d:
+            glProgramUniform2fv(program, location, 1, floats);
+            break;
+        case Builtin::resolution:
+            glProgramUniform3fv(program, location, 1, floats);
+            break;
+        case Builtin::channel_resolution:
+            glProgramUniform3fv(program, location, 4, floats);
+            break;
+        case Builtin::mouse:
+        case Builtin::date:
+            glProgramUniform4fv(program, location, 1, floats);
+            break;
+        case Builtin::frame:
+        case Builtin::face:
+            glProgramUniform1i(program, location, value.integer);
+            break;
+        case Builtin::tick:
+            glProgramUniform1ui(program, location, static_cast<GLuint>(value.integer));
+            break;
+        case Builtin::channel_struct:
+            if (uniform.name.ends_with(".size"))
+                glProgramUniform3fv(program, location, 1, floats);
+            else if (uniform.name.ends_with(".time"))
+                glProgramUniform1fv(program, location, 1, floats);
+            else
+                glProgramUniform1i(program, location, value.integer);
+            break;
+    }
+}
+
+void send(GLuint program, GLint location, TweakType type, const TweakValue& value) {
+    const glm::vec4 v(value[0], value[1], value[2], value[3]);
+    switch (type) {
+        case TweakType::float1:
+            glProgramUniform1f(program, location, v.x);
+            break;
+        case TweakType::int1:
+        case TweakType::bool1:
+            glProgramUniform1i(program, location, static_cast<GLint>(value[0]));
+            break;
+        case TweakType::vec2:
+            glProgramUniform2f(program, location, v.x, v.y);
+            break;
+        case TweakType::vec3:
+            glProgramUniform3f(program, location, v.x, v.y, v.z);
+            break;
+        case TweakType::vec4:
+            glProgramUniform4f(program, location, v.x, v.y, v.z, v.w);
+            break;
+    }
+}
+
+}  // namespace
+
+// Sends what has changed since the pass was last drawn, and says whether anything had. The
+// sub-pixel position counts; the face of a cube does not, since all faces are drawn together.
+bool Renderer::update_uniforms(std::size_t index, const Inputs& inputs) {
+    const PassProgram& pass = scene_.programs[index];
+    const GLuint program = pass.program.id();
+    bool changed = false;
+    for (std::size_t i = 0; i < pass.builtins.size(); ++i) {
+        const BuiltinUniform& uniform = pass.builtins[i];
+        const Value value = value_of(uniform, index, inputs);
+        if (drawn_[index].builtins[i] == value) continue;
+        drawn_[index].builtins[i] = value;
+        changed |= uniform.builtin != Builtin::face;
+        send(program, uniform, {value.floats.data(), value.ints[0]});
+    }
+    for (std::size_t i = 0; i < pass.tweaks.size(); ++i) {
+        const TweakUniform& uniform = pass.tweaks[i];
+        const TweakValue& value = preset_.values[uniform.tweak];
+        if (drawn_[index].tweaks[i] == value) continue;
+        drawn_[index].tweaks[i] = value;
+        changed = true;
+        send(program, uniform.location, preset_.scene.tweaks[uniform.tweak].type, value);
+    }
+    return changed;
+}
+
+// What a pass reads as iChannel0..3, in pixels; 0 where nothing is bound.
+glm::ivec3 Renderer::channel_size(std::size_t pass, int channel) const {
+    const auto found = find_sampler(preset_, pass, fmt::format("iChannel{}", channel));
+    if (!found) return glm::ivec3(0);
+    const Sampler& sampler = sampler_at(preset_, *found);
+    if (sampler.source == Source::none) return glm::ivec3(0);
+    if (sampler.source != Source::buffer) return channels_.channel(*found).size;
+    return glm::ivec3(buffer_size(preset_.scene.passes[sampler.pass], options_.size), 1);
+}
+
+// Sounds alone have a time of their own.
+float Renderer::channel_time(std::size_t pass, int channel, double time) const {
+    const auto found = find_sampler(preset_, pass, fmt::format("iChannel{}", channel));
+    return found ? static_cast<float>(channels_.time_of(*found, time)) : 0.0f;
+}
+
+Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t index,
+                                   const Inputs& inputs) const {
+    const Frame& frame = inputs.frame;
+    Value value;
+    auto& f = value.floats;
+    switch (uniform.builtin) {
+        case Builtin::resolution:
+        case Builtin::resolution_2d: {
+            const glm::ivec2 size = is_tile(index) ? options_.size : buffers_[index]->shape().size;
+            f[0] = static_cast<float>(size.x), f[1] = static_cast<float>(size.y), f[2] = 1.0f;
+            break;
+        }
+        case Builtin::time:
+            f[0] = static_cast<float>(frame.time);
+            break;
+        case Builtin::time_delta:
+            f[0] = static_cast<float>(frame.time_delta);
+            break;
+        case Builtin::frame_rate:
+            f[0] = static_cast<float>(frame.frame_rate);
+            break;
+        case Builtin::frame:
+            value.ints[0] = frame.frame;
+            break;
+        case Builtin::mouse:
+        case Builtin::mouse_2d:
+            std::copy_n(&frame.input.mouse.x, 4, f.begin());
+            break;
+        case Builtin::date:
+            std::copy_n(&frame.date.x, 4, f.begin());
+            break;
+        case Builtin::sample_rate:
+            f[0] = 44100.0f;
+            break;
+        case Builtin::tick:
+            value.ints[0] = static_cast<GLint>(tick(frame.time));
+            break;
+        case Builtin::channel_time:
+            for (int i = 0; i < 4; ++i)
+                f[static_cast<std::size_t>(i)] =
+                    channel_time(scene_.programs[index].pass, i, frame.time);
+            break;
+        case Builtin::channel_resolution:
+            for (int i = 0; i < 4; ++i) {
+                const glm::vec3 size(channel_size(scene_.programs[index].pass, i));
+                std::copy_n(&size.x, 3, f.begin() + 3 * i);
+            }
+            break;
+        case Builtin::channel_struct: {
+            const glm::vec3 size(channel_size(scene_.programs[index].pass, uniform.index));
+            if (uniform.name.ends_with(".size")) std::copy_n(&size.x, 3, f.begin());
+            if (uniform.name.ends_with(".time"))
+                f[0] = channel_time(scene_.programs[index].pass, uniform.index, frame.time);
+            if (uniform.name.ends_with(".loaded")) value.ints[0] = size.x > 0.0f;
+            break;
+        }
+        case Builtin::jitter:
+            if (is_jittered(preset_.scene, scene_.graph.passes[index]))
+                f[0] = inputs.jitter.x, f[1] = inputs.jitter.y;
+            break;
+        case Builtin::face:
+            value.ints[0] = inputs.face;
+            break;
+        case Builtin::origin:
+            f[0] = static_cast<float>(tile_origin_.x), f[1] = static_cast<float>(tile_origin_.y);
+            break;
+    }
+    return value;
+}
+
+}  // namespace glint
