@@ -1,6 +1,8 @@
 // What the programs of a frame are fed with: values by name, sent where they have changed.
 #include "render/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace glint {

@@ -440,28 +440,5 @@ TEST(Watcher, KeepsNoDescriptorsAndNoWatches) {
     EXPECT_EQ(descriptors(), before);
 }
 
-// Printed, not judged: the machine may be busy.
-TEST(Watcher, TakesThisLongFromTheSaveToTheNotice) {
-    const Folder folder;
-    const fs::path file = folder.path / "scene.frag";
-    truncate_and_write(file, "first");
-    Watcher watcher({file});
-    std::vector<double> ms;
-    for (int i = 0; i < 200; ++i) {
-        std::this_thread::sleep_for(2ms);
-        watcher.changed();
-        if (i % 2)
-            rename_over(file, fmt::format("save {}", i));
-        else
-            truncate_and_write(file, fmt::format("save {}", i));
-        const auto saved = Clock::now();
-        pollfd descriptor{.fd = watcher.descriptor(), .events = POLLIN, .revents = 0};
-        while (watcher.changed().empty()) poll(&descriptor, 1, 1000);
-        ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - saved).count());
-    }
-    std::sort(ms.begin(), ms.end());
-    fmt::print("notice: median {:.3f} ms, p95 {:.3f} ms\n", ms[100], ms[190]);
-}
-
 }  // namespace
 }  // namespace glint

@@ -2,7 +2,7 @@
 // saves.
 #pragma once
 
-#include "ui/screen.h"
+#include "screen.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/screen.h"
+#include "screen.h"
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>

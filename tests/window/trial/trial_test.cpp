@@ -2,6 +2,8 @@
 // is tried as if nothing had happened.
 #include "window/trial/trial.h"
 
+#include "scene/blame.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -368,23 +370,6 @@ TEST(LikelyEndlessLoop, IsTheOneThatStandsOut) {
         const auto place = likely_endless_loop(preset_of(tested.text).scene);
         EXPECT_EQ(place ? place->line : 0, tested.line) << tested.text;
     }
-}
-
-// Printed, not judged.
-TEST(Trial, TakesThisLongForATrivialScene) {
-    Trial trial(options());
-    wait_until_ready(trial);
-    std::vector<double> fresh, known;
-    for (int i = 0; i < 30; ++i) {
-        const std::string text =
-            fmt::format("void mainImage(out vec4 c, in vec2 p) {{ c = vec4({}.25, p.xyx); }}\n", i);
-        fresh.push_back(try_text(trial, text).total_ms);
-        known.push_back(try_text(trial, text).total_ms);
-    }
-    std::sort(fresh.begin(), fresh.end());
-    std::sort(known.begin(), known.end());
-    fmt::print("a new trivial scene: median {:.2f} ms; once more: median {:.2f} ms\n", fresh[15],
-               known[15]);
 }
 
 }  // namespace
