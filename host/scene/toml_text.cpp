@@ -177,7 +177,9 @@ std::string relative_path(const fs::path& file, const fs::path& folder) {
         return error ? whole.lexically_normal() : found;
     };
     const fs::path target = real(file.parent_path()) / file.filename();
-    return target.lexically_relative(real(folder)).generic_string();
+    const fs::path relative = target.lexically_relative(real(folder));
+    // None where the current folder, from which the file is named, is gone.
+    return (relative.empty() ? file : relative).generic_string();
 }
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <csignal>
@@ -63,6 +64,14 @@ TEST_F(Survival, APresetWithATypoIsShownAndMended) {
     ASSERT_TRUE(glint_->says("look.toml:1:"));
     write(preset, "scene = \"scene.frag\"\n");
     EXPECT_TRUE(shows({50, 60, 70}, kMargin)) << glint_->errors();
+}
+
+TEST_F(Survival, APipeInPlaceOfWhatIsRememberedOfPanelsHoldsNobodyUp) {
+    const fs::path places = folder_->path() / "home/.config/glint/panels.ini";
+    fs::create_directories(places.parent_path());
+    ASSERT_EQ(::mkfifo(places.c_str(), 0600), 0);
+    open(flat({50, 60, 70}));
+    expect_alive({10, 20, 30});
 }
 
 TEST_F(Survival, AFileThatIsMissingAtTheStartMayComeLater) {

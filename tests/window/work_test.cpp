@@ -13,11 +13,13 @@ constexpr glm::ivec2 kMargin{3, 300};
 class Work : public Window {
 protected:
     // A preset whose tweak is the picture's red.
-    void open_look(const std::vector<std::string>& more = {}) {
+    void open_look(const std::vector<std::string>& more = {},
+                   const std::string& blue = "fract(iTime * 0.7)") {
         write(scene(),
               "uniform float level; //@ 0 [0, 1]\n"
               "void mainImage(out vec4 c, in vec2 p) {\n"
-              "    c = vec4(level, 0.2, fract(iTime * 0.7), 1);\n}\n");
+              "    c = vec4(level, 0.2, " +
+                  blue + ", 1);\n}\n");
         if (!fs::exists(look())) write(look(), "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.2\n");
         fs::remove(folder_->path() / "stderr.txt");
         std::vector<std::string> all = {look().string()};
@@ -44,6 +46,13 @@ protected:
     }
     bool asks_no_more() const {
         return eventually([&] { return screen_->pixel(kMargin).g == 51; });
+    }
+    // Dialogs take some frames to hear of keys.
+    bool enter_until(const std::function<bool()>& is_true) const {
+        return eventually([&] {
+            screen_->tap("Return");
+            return eventually(is_true, 0.2);
+        });
     }
     std::string kept() const {
         std::string all;
@@ -112,6 +121,91 @@ TEST_F(Work, ASignalToEndIsNoCrashAndLosesNothing) {
         EXPECT_TRUE(fs::is_empty(marks)) << "the next start is not paused";
         fs::remove_all(folder_->path() / "home/.local/state/glint/unsaved");
     }
+}
+
+TEST_F(Work, IsRestoredIntoATextThatHasOtherTweaksByThen) {
+    open_look();
+    const int changed = change();
+    ASSERT_TRUE(eventually([&] { return !kept().empty(); }));
+    glint_->signal(SIGKILL);
+    glint_->wait();
+    open_look();
+    EXPECT_TRUE(asks());
+    write(scene(), "uniform vec3 first; //@ #102030\n" + read(scene()));
+    ASSERT_TRUE(glint_->says("scene.frag: shown"));
+    screen_->tap("Return");
+    EXPECT_TRUE(asks_no_more());
+    EXPECT_TRUE(eventually([&] { return red() == changed; })) << red();
+}
+
+TEST_F(Work, StaysForLaterWhereTheTextHasNoTweakForIt) {
+    open_look();
+    change();
+    ASSERT_TRUE(eventually([&] { return !kept().empty(); }));
+    glint_->signal(SIGKILL);
+    glint_->wait();
+    const std::string text = read(scene()), work = kept();
+    write(scene(), flat({51, 51, 51}));
+    start({look().string()});
+    ASSERT_TRUE(glint_->says("look.toml: shown", 2)) << glint_->errors();
+    screen_->close_window();
+    EXPECT_EQ(glint_->wait().code, 0);
+    EXPECT_EQ(kept(), work);
+    open_look();
+    EXPECT_TRUE(asks());
+}
+
+// As a person deletes a folder, or an archive's temporary folder goes.
+TEST_F(Work, IsKeptWhereTheFolderThatTheProgramStandsInIsGone) {
+    write(scene(),
+          "uniform float level; //@ 0.2 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(level, 0.2, 0.3, 1); }\n");
+    start({"scene.frag"});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    fs::remove_all(folder_->path());
+    change();
+    EXPECT_TRUE(eventually([&] { return !kept().empty(); }));
+    EXPECT_TRUE(glint_->runs());
+}
+
+TEST_F(Work, NamesThatNoFileCanHaveEndNothing) {
+    const fs::path longest = folder_->path() / (std::string(250, 'x') + ".toml");
+    write(scene(), flat({51, 51, 51}));
+    write(longest, "scene = \"scene.frag\"\n");
+    start({longest.string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    screen_->tap("F12");                  // …-0001.png
+    screen_->tap("Control_L+Shift_L+s");  // …-2.toml
+    ASSERT_TRUE(asks());
+    EXPECT_TRUE(enter_until([&] { return screen_->pixel(kMargin).g == 51; }));
+    EXPECT_TRUE(glint_->runs()) << glint_->errors();
+}
+
+TEST_F(Work, IsSavedAlsoWhereAPictureOfTheSceneIsBroken) {
+    write(folder_->path() / "broken.png", "no picture");
+    write(look(),
+          "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.2\n"
+          "[channels]\niChannel0 = { image = \"broken.png\" }\n");
+    open_look({}, "texture(iChannel0, p).b");
+    ASSERT_TRUE(glint_->says("broken.png")) << glint_->errors();
+    change();
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+}
+
+TEST_F(Work, OnTheSceneBeforeIsAskedForWhereAFileThatWasDroppedCannotBeShown) {
+    open_look();
+    const fs::path photo = folder_->path() / "photo.png";
+    write(photo, "no scene");
+    EXPECT_TRUE(screen_->drop(photo));
+    ASSERT_TRUE(glint_->says("photo.png: not shown")) << glint_->errors();
+    change();
+    screen_->close_window();
+    EXPECT_TRUE(asks());
+    EXPECT_TRUE(glint_->runs());
+    // The name of a new preset is asked for, too.
+    EXPECT_TRUE(enter_until([&] { return !glint_->runs(); }));
+    EXPECT_NE(read(folder_->path() / "photo.toml").find("level"), std::string::npos);
 }
 
 TEST_F(Work, IsSavedWhereTheFileSaysTheSameByAnotherHand) {
@@ -215,6 +309,21 @@ TEST_F(Aspect, OfTheCommandLineWinsAndASceneWithoutOneIsFree) {
     start({look().string()});
     screen_->resize_window({640, 640});
     EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 637}).g == 128; }));
+}
+
+TEST_F(Aspect, TheLineOfAWipeStandsOnThePictureAlone) {
+    write(scene(),
+          "uniform float level; //@ 0.2 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(level, 0.2, 0.3, 1); }\n");
+    write(look(), "scene = \"scene.frag\"\nsize = [1280, 360]\n");
+    start({look().string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    screen_->resize_window({1280, 720});
+    EXPECT_TRUE(shows(kBar, {640, 3}));
+    EXPECT_TRUE(shows({51, 51, 76}, {640, 250}));
+    screen_->click({1249, 61});  // the wipe of the tweaks panel
+    EXPECT_TRUE(shows({255, 255, 255}, {640, 250}));
+    EXPECT_TRUE(shows(kBar, {640, 3}));
 }
 
 TEST_F(Aspect, AWindowIsNoLargerThanTheScreenAndEscLeavesFullScreen) {

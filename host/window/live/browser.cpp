@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <set>
 #include <system_error>
 
 namespace glint {
@@ -20,7 +21,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kThumbnailSize = "192x108";
 
-void append_files(std::vector<fs::path>& list, const fs::path& folder, const char* extension) {
+// A file that is there twice, through a link, is listed once.
+void append_files(std::vector<fs::path>& list, std::set<fs::path>& known, const fs::path& folder,
+                  const char* extension) {
     std::error_code error;
     std::vector<fs::path> found;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -28,10 +31,8 @@ void append_files(std::vector<fs::path>& list, const fs::path& folder, const cha
     }
     std::sort(found.begin(), found.end());
     for (const fs::path& file : found) {
-        const bool known = std::any_of(list.begin(), list.end(), [&](const fs::path& f) {
-            return fs::equivalent(f, file, error);
-        });
-        if (!known) list.push_back(file);
+        const fs::path place = fs::weakly_canonical(file, error);
+        if (known.insert(error ? file : place).second) list.push_back(file);
     }
 }
 
@@ -70,10 +71,11 @@ Texture make_thumbnail(const Image& image) {
 std::vector<fs::path> nearby_files(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::vector<fs::path> list;
+    std::set<fs::path> known;
     for (const fs::path& place : {folder, folder / ".." / "presets"})
-        append_files(list, place, ".toml");
+        append_files(list, known, place, ".toml");
     for (const fs::path& place : {folder, folder / ".." / "fragments"})
-        append_files(list, place, ".frag");
+        append_files(list, known, place, ".frag");
     return list;
 }
 

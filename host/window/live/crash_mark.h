@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <utility>
 
 namespace glint {
 
@@ -9,18 +10,21 @@ class CrashMark {
 public:
     // Kept in a file of this folder, one a process, which is removed when the program ends as it
     // should: not where an exception, such as that of a lost GPU, ends it.
-    explicit CrashMark(std::filesystem::path folder);
+    explicit CrashMark(std::filesystem::path folder) : folder_(std::move(folder)) {}
     ~CrashMark();
     CrashMark(const CrashMark&) = delete;
     CrashMark& operator=(const CrashMark&) = delete;
 
-    // Whether a run that is over ended while this scene was open. Its mark is gone then.
+    // Whether a run that is over ended while this scene was open. Its mark is gone then; those of
+    // other scenes wait for their own next start.
     bool take(const std::filesystem::path& scene);
 
+    // `scene` is one name for it, however it is opened: see place_of().
     void set(const std::filesystem::path& scene);
 
 private:
     std::filesystem::path folder_, file_;
+    int descriptor_ = -1;
 };
 
 }  // namespace glint

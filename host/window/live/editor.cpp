@@ -30,9 +30,14 @@ std::string program_name(const std::vector<std::string>& command) {
     return std::filesystem::path(command.front()).filename().string();
 }
 
-bool needs_terminal(const std::string& name) {
-    return is_one_of(name,
-                     {"vi", "vim", "nvim", "nano", "micro", "hx", "helix", "kak", "joe", "ne"});
+bool needs_terminal(const std::vector<std::string>& command) {
+    const std::string name = program_name(command);
+    const bool asks = is_one_of(name, {"emacs", "emacsclient"}) &&
+                      std::any_of(command.begin(), command.end(), [](const std::string& word) {
+                          return is_one_of(word, {"-nw", "--no-window-system", "-t", "--tty"});
+                      });
+    return asks || is_one_of(name, {"vi", "vim", "nvim", "nano", "micro", "hx", "helix", "kak",
+                                    "joe", "ne"});
 }
 
 std::string chosen_editor() {
@@ -100,7 +105,7 @@ std::string Editor::open(const Place& place) {
     const std::string name = program_name(command);
     if (!is_found(command.front()))
         return fmt::format("No editor is found: there is no {}; set $EDITOR.", command.front());
-    if (needs_terminal(name)) {
+    if (needs_terminal(command)) {
         command.insert(command.begin(), {"x-terminal-emulator", "-e"});
         if (!is_found(command.front()))
             return fmt::format("No terminal is found for {}: there is no {}; set $EDITOR.", name,
@@ -114,7 +119,8 @@ std::string Editor::open(const Place& place) {
     sigset_t all;
     sigfillset(&all);
     posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    // In a session of its own: Ctrl+C in the terminal, or its end, takes no unsaved text along.
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
     pid_t process = 0;
     const int error =
         posix_spawnp(&process, arguments[0], nullptr, &attributes, arguments.data(), environ);

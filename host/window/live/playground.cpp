@@ -114,6 +114,7 @@ void Playground::read_again(const std::filesystem::path& changed) {
     if (!read.preset) {
         candidate_.reset();
         trying_ = false;
+        refused_ = true;
         finish_report(false);
         return;
     }
@@ -176,6 +177,7 @@ void Playground::refuse(const std::string& why) {
         diagnostics_.push_back(
             {.place = {.file = file_.string()}, .text = why, .missing_file = false});
     }
+    refused_ = true;
     finish_report(false);
 }
 
@@ -227,7 +229,7 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
     specialised_ = purpose == Purpose::specialise;
     if (!saved) return;  // the picture is the same; nothing asks for a frame
     written_ = std::move(saved);
-    specialise_failed_ = false;
+    refused_ = specialise_failed_ = false;
     since_tweak_.restart();
     report_.compile_ms = clock.ms();
     report_first_frame_ = touched_ = true;

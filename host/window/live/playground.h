@@ -110,6 +110,8 @@ public:
     void note_saved(const Preset& preset) { *written_ = preset; }
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return diagnostics_; }
+    // The newest text that was tried was refused, for the reasons that the diagnostics tell.
+    bool shows_older_text() const { return refused_; }
     // The last reloads, and how many there were in all.
     const std::deque<ReloadReport>& reports() const { return reports_; }
     std::size_t report_count() const { return report_count_; }
@@ -174,7 +176,7 @@ private:
     std::optional<History> candidate_history_;
     std::unique_ptr<Preset> written_;  // the preset as its file had it when it was last read
     Purpose purpose_ = Purpose::reload;
-    bool trying_ = false;
+    bool trying_ = false, refused_ = false;
     bool specialised_ = false, specialise_failed_ = false;
     Stopwatch since_tweak_;
     Stopwatch since_notice_;

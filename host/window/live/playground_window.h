@@ -78,6 +78,7 @@ private:
     void keep_at_end();
     bool is_keeping_due() const;
     void find_unsaved();
+    ReadPreset read_offer() const;
     void restore();
 
     // Studies and checks
@@ -126,11 +127,14 @@ private:
     LiveSound sound_;
     Editor editor_;
     PictureShelf pictures_;
-    std::filesystem::path file_;
-    bool values_known_ = false;  // the file has been shown
+    std::filesystem::path file_;   // as it was named
+    std::filesystem::path place_;  // the same for every name of it, wherever the program stands
+    bool values_known_ = false;    // the file has been shown
+    // Those of the scene that is on the screen until the file is shown, as they were left.
+    std::vector<TweakValue> left_values_;
     std::vector<Event> recorded_;
-    std::optional<Leaving> leaving_;  // once a person has said what becomes of the unsaved
-    std::optional<Preset> offer_;     // the unsaved work of the last run
+    std::optional<Leaving> leaving_;    // once a person has said what becomes of the unsaved
+    std::optional<std::string> offer_;  // the unsaved work of the last run, as a preset
     // What the state folder holds, and since when.
     struct Kept {
         std::vector<TweakValue> values;

@@ -22,13 +22,6 @@ namespace fs = std::filesystem;
 constexpr const char* kText = "work.toml";  // as the preset would be saved
 constexpr const char* kFile = "file";       // the name of what it is work on
 
-// One name for a file, however it was opened.
-std::string name_of(const fs::path& file) {
-    std::error_code error;
-    const fs::path name = fs::weakly_canonical(fs::absolute(file, error), error);
-    return (error ? file : name).string();
-}
-
 std::string read(const fs::path& file) {
     std::string why_not;
     return read_bytes(file, why_not).value_or("");
@@ -48,6 +41,12 @@ HeldFolder make_folder_in(const fs::path& parent) {
 }
 
 }  // namespace
+
+fs::path place_of(const fs::path& file) {
+    std::error_code error;
+    fs::path place = fs::weakly_canonical(fs::absolute(file, error), error);
+    return error ? file : place;
+}
 
 // The lock is the kernel's, which lifts it when the process ends, and knows no process by a number
 // that another may have by then.
@@ -82,13 +81,13 @@ void UnsavedWork::keep(const fs::path& file, const std::string& text) {
     std::error_code error;
     if (!own_ || !fs::exists(own_.path(), error)) own_ = make_folder_in(folder_);
     if (!own_) throw cannot_write(folder_, "another process holds what was just made");
-    write(own_.path() / kFile, name_of(file));
+    write(own_.path() / kFile, place_of(file).string());
     write(own_.path() / kText, text);
 }
 
 std::optional<std::string> UnsavedWork::find(const fs::path& file) {
     found_ = {};
-    const std::string wanted = name_of(file);
+    const std::string wanted = place_of(file).string();
     fs::file_time_type newest{};
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder_, error)) {

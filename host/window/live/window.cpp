@@ -37,7 +37,9 @@ fs::path home_folder(const char* variable, const char* fallback) {
 fs::path free_picture_name(const fs::path& file) {
     for (int number = 1;; ++number) {
         const fs::path name = fmt::format("{}-{:04}.png", file.stem().string(), number);
-        if (!fs::exists(name)) return name;
+        // One that cannot even be asked for is refused, with the reason, where it is written.
+        std::error_code error;
+        if (!fs::exists(name, error)) return name;
     }
 }
 
@@ -66,7 +68,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
              {.device = options.device, .specialise = options.specialise}),
       check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
       sound_(options.device) {
-    pause_at_open_ = crash_mark_.take(options.file);
+    pause_at_open_ = crash_mark_.take(place_of(options.file));
     if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
     open(options.file);
 }
@@ -237,15 +239,19 @@ void PlaygroundWindow::show_picture() {
 
 // One picture left of the line, another right of it.
 void PlaygroundWindow::show_wipe(const Buffer& left, const Buffer& right, const BufferView& view) {
-    const ScreenArea all{.origin = {0, 0}, .size = window_.size()};
-    const auto line = static_cast<int>(settings_.wipe_position * static_cast<float>(all.size.x));
-    viewer_.show(left, view, view_area());
+    const glm::ivec2 room = window_.size();
+    const ScreenArea area = view_area();
+    const auto line = static_cast<int>(settings_.wipe_position * static_cast<float>(room.x));
+    viewer_.show(left, view, area);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(line, 0, all.size.x - line, all.size.y);
-    viewer_.show(right, view, view_area());
-    glScissor(line, 0, 2, all.size.y);
-    glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    glScissor(line, 0, room.x - line, room.y);
+    viewer_.show(right, view, area);
+    // Bars are not compared.
+    const bool is_on_picture = line >= area.origin.x && line < area.origin.x + area.size.x;
+    glScissor(line, area.origin.y, is_on_picture ? 2 : 0, area.size.y);
+    // By name: the picture of the other set has left a buffer of the scene bound.
+    constexpr float kWhite[] = {1.0f, 1.0f, 1.0f, 1.0f};
+    glClearNamedFramebufferfv(0, GL_COLOR, 0, kWhite);
     glDisable(GL_SCISSOR_TEST);
 }
 

@@ -34,8 +34,8 @@ bool same(std::span<const Event> a, std::span<const Event> b) {
 }
 
 // Unsaved work reads and writes its text as if it stood here.
-fs::path place_beside(const fs::path& file) {
-    return fs::absolute(file).parent_path() / "unsaved.toml";
+fs::path place_beside(const fs::path& place) {
+    return place.parent_path() / "unsaved.toml";
 }
 
 }  // namespace
@@ -45,9 +45,12 @@ std::span<const Event> PlaygroundWindow::unsaved_events() const {
 }
 
 bool PlaygroundWindow::is_unsaved() const {
-    return values_known_ && playground_.as_written() &&
-           (playground_.history.values() != playground_.as_written()->values ||
-            !unsaved_events().empty());
+    const Preset* written = playground_.as_written();
+    if (values_known_ && written)
+        return playground_.history.values() != written->values || !unsaved_events().empty();
+    // A file that cannot be shown leaves the scene before to work on.
+    const bool is_before = !written && playground_.is_open();
+    return is_before && playground_.history.values() != left_values_;
 }
 
 // Does what would take unsaved work away, or asks first.
@@ -107,6 +110,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     }
     file_ = file;
     values_known_ = false;
+    left_values_ = playground_.history.values();
     recorded_.clear();
     unsaved_work_.forget();
     unsaved_work_.leave_found();
@@ -116,7 +120,8 @@ void PlaygroundWindow::open(const fs::path& file) {
     check_.clear();
     settings_.shown = Shown::scene;
     settings_.free_aspect = false;
-    crash_mark_.set(file);
+    place_ = place_of(file);
+    crash_mark_.set(place_);
     playground_.open(file);
     browser_.list(file);
     dirty_ = true;
@@ -146,16 +151,17 @@ Preset PlaygroundWindow::preset_to_save() const {
 bool PlaygroundWindow::save(const fs::path& file) {
     if (!playground_.is_open()) return false;
     // What is on the screen is another scene's, or an older text's.
-    if (file == file_ && (!values_known_ || has_errors(playground_.diagnostics()))) {
+    if (file == file_ && (!values_known_ || playground_.shows_older_text())) {
         notice(fmt::format("{} is not saved while it has errors.", file.filename().string()));
         return false;
     }
     stop_recording();
     const Preset preset = preset_to_save();
+    std::error_code unknown;
     const PresetText text = write_preset(preset, file,
-                                         read_text(fs::exists(file)   ? file
-                                                   : is_preset(file_) ? file_
-                                                                      : fs::path()));
+                                         read_text(fs::exists(file, unknown) ? file
+                                                   : is_preset(file_)        ? file_
+                                                                             : fs::path()));
     if (!text.text) {
         notice(text.diagnostics.empty() ? "The preset cannot be saved."
                                         : to_string(text.diagnostics.front()));
@@ -213,13 +219,14 @@ void PlaygroundWindow::lay_options_over() {
 }
 
 bool PlaygroundWindow::is_keeping_due() const {
+    if (!values_known_) return false;  // what is on the screen is no work on this file
     if (!is_unsaved()) return kept_.has_value();
     return kept_ != Kept{playground_.history.values(), unsaved_events().size()};
 }
 
 // As soon as something changes, and before the frame that shows it, which may be the last one.
 void PlaygroundWindow::keep_unsaved() {
-    if (!values_known_ || !is_keeping_due()) return;
+    if (!is_keeping_due()) return;
     if (!is_unsaved()) {
         unsaved_work_.forget();
         return kept_.reset();
@@ -230,9 +237,10 @@ void PlaygroundWindow::keep_unsaved() {
 void PlaygroundWindow::keep_now() {
     since_kept_.restart();
     kept_ = Kept{playground_.history.values(), unsaved_events().size()};
-    const PresetText text = write_preset(preset_to_save(), place_beside(file_));
+    const PresetText text = write_preset(preset_to_save(), place_beside(place_));
     try {
-        if (text.text) unsaved_work_.keep(file_, *text.text);
+        if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
+        unsaved_work_.keep(place_, *text.text);
     } catch (const std::runtime_error& error) {
         notice(fmt::format("Unsaved work cannot be kept for the next start. {}", error.what()));
     }
@@ -241,27 +249,36 @@ void PlaygroundWindow::keep_now() {
 // Nobody can be asked any more.
 void PlaygroundWindow::keep_at_end() {
     stop_recording();
-    if (is_unsaved()) keep_now();
+    if (values_known_ && is_unsaved()) keep_now();
+}
+
+// The offer as the text on the screen, which may change meanwhile, takes it.
+ReadPreset PlaygroundWindow::read_offer() const {
+    return parse_preset(*offer_, place_beside(place_), playground_.preset()->scene);
 }
 
 // The newest work that a run has left on this file, unless it is what the file says anyway.
 void PlaygroundWindow::find_unsaved() {
-    offer_.reset();
-    while (const std::optional<std::string> text = unsaved_work_.find(file_)) {
-        const Preset& shown = *playground_.preset();
-        ReadPreset read = parse_preset(*text, place_beside(file_), shown.scene);
+    while ((offer_ = unsaved_work_.find(place_))) {
+        const ReadPreset read = read_offer();
         if (read.preset && (read.preset->values != playground_.history.values() ||
-                            !same(read.preset->events, shown.events))) {
-            offer_ = std::move(*read.preset);
+                            !same(read.preset->events, playground_.preset()->events)))
             return;
+        // Of tweaks that the text lacks today, and may have again tomorrow.
+        if (read.preset && !read.diagnostics.empty()) {
+            unsaved_work_.leave_found();
+            return offer_.reset();
         }
         unsaved_work_.discard_found();
     }
 }
 
 void PlaygroundWindow::restore() {
-    if (!same(offer_->events, playground_.as_written()->events)) recorded_ = offer_->events;
-    playground_.history.set_all(offer_->values);
+    const ReadPreset read = read_offer();
+    if (!read.preset) return;
+    if (!same(read.preset->events, playground_.as_written()->events))
+        recorded_ = read.preset->events;
+    playground_.history.set_all(read.preset->values);
     playground_.tweaks_changed();
     if (is_unsaved()) keep_now();  // before what was found goes
 }

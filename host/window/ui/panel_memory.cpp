@@ -55,10 +55,13 @@ void write_section(ImGuiContext*, ImGuiSettingsHandler* handler, ImGuiTextBuffer
 }  // namespace
 
 void remember(Memory& memory, const std::string& file) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = file.empty() ? nullptr : file.c_str();
-    if (file.empty()) return;
-    std::error_code error;  // a folder that cannot be made is noticed by no one: places are no work
+    std::error_code error;  // is noticed by no one: places are no work
+    // ImGui would wait for a pipe.
+    const bool is_other =
+        std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error);
+    const bool remembers = !file.empty() && !is_other;
+    ImGui::GetIO().IniFilename = remembers ? file.c_str() : nullptr;
+    if (!remembers) return;
     std::filesystem::create_directories(std::filesystem::path(file).parent_path(), error);
     ImGuiSettingsHandler handler;
     handler.TypeName = "Glint";

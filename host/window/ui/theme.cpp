@@ -2,6 +2,7 @@
 
 #include <fontconfig/fontconfig.h>
 #include <imgui_freetype.h>
+#include <unistd.h>
 
 #include <string>
 
@@ -39,7 +40,9 @@ ImFont* add_font(const char* name, float size, const ImWchar* ranges) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const std::string file = font_file(name);
     ImFont* font = nullptr;
-    if (!file.empty()) font = atlas.AddFontFromFileTTF(file.c_str(), size, nullptr, ranges);
+    // ImGui ends the program where there is none; fontconfig may know one that has gone.
+    if (::access(file.c_str(), R_OK) == 0)
+        font = atlas.AddFontFromFileTTF(file.c_str(), size, nullptr, ranges);
     if (font) return font;
     ImFontConfig config;
     config.SizePixels = size;

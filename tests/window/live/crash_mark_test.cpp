@@ -41,5 +41,27 @@ TEST(CrashMarks, AreLeftByWhatEndsAgainstItsWill) {
     EXPECT_TRUE(is_marked_after([] { throw std::runtime_error("lost"); }));
 }
 
+TEST(CrashMarks, WaitForTheNextStartOfTheirOwnSceneWhoeverHasTheNumberOfTheProcess) {
+    std::string name = (fs::temp_directory_path() / "glint-mark-XXXXXX").string();
+    ASSERT_TRUE(::mkdtemp(name.data()));
+    const pid_t process = ::fork();
+    if (process == 0) {
+        CrashMark mark(name);
+        mark.set("/b.frag");
+        mark.set("/a.frag");
+        ::_exit(1);
+    }
+    ::waitpid(process, nullptr, 0);
+    // Another process may have that number by now; this one stands for it.
+    for (const auto& entry : fs::directory_iterator(name))
+        fs::rename(entry.path(), fs::path(name) / std::to_string(::getpid()));
+    CrashMark open(name);
+    EXPECT_FALSE(open.take("/b.frag"));
+    open.set("/a.frag");
+    EXPECT_TRUE(CrashMark(name).take("/a.frag")) << "that of the other run";
+    EXPECT_FALSE(CrashMark(name).take("/a.frag")) << "this one still runs";
+    fs::remove_all(name);
+}
+
 }  // namespace
 }  // namespace glint

@@ -51,6 +51,9 @@ TEST_F(Editors, ThatAreNotThereAreNamed) {
     ::setenv("EDITOR", "vim", 1);
     provide("vim", "exit 0");
     EXPECT_NE(editor.open({"a.frag", 1, 1}).find("No terminal"), std::string::npos);
+    ::setenv("EDITOR", "emacs -nw", 1);
+    provide("emacs", "exit 0");
+    EXPECT_NE(editor.open({"a.frag", 1, 1}).find("No terminal"), std::string::npos);
 }
 
 TEST_F(Editors, OfTheDesktopMayBeNone) {
@@ -70,6 +73,21 @@ TEST_F(Editors, AreGivenThePlace) {
     std::getline(std::ifstream(told) >> std::ws, words);
     EXPECT_EQ(words, "-l 3 -c 7 a.frag");
     EXPECT_EQ(editor.problem(), "");
+}
+
+// Ctrl+C in the terminal goes to all that belong to its session.
+TEST_F(Editors, OutliveTheTerminal) {
+    const fs::path told = folder / "told";
+    ::mkfifo(told.c_str(), 0600);
+    provide("kate", ("read -r all < /proc/$$/stat; echo \"$all\" > " + told.string()).c_str());
+    ::setenv("EDITOR", "kate", 1);
+    EXPECT_EQ(editor.open({"a.frag", 3, 7}), "");
+    std::ifstream stat(told);
+    std::string name, state;
+    pid_t process = 0, parent = 0, group = 0, session = 0;
+    stat >> process >> name >> state >> parent >> group >> session;
+    EXPECT_EQ(session, process);
+    EXPECT_NE(session, 0);
 }
 
 }  // namespace
