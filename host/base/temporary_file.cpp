@@ -46,6 +46,10 @@ void make_folder(const fs::path& folder) {
     if (error) throw cannot_write(folder, cause_of(error.value()));
 }
 
+void require_writable(const fs::path& target) {
+    const TemporaryFile goes_away(target);
+}
+
 std::runtime_error cannot_read(const fs::path& file, std::string_view cause) {
     return std::runtime_error(fmt::format("Cannot read {}: {}.", file.string(), cause));
 }
@@ -59,6 +63,7 @@ TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(t
     // Renaming over a device or a pipe would take it away from everybody else.
     struct stat old {};
     const bool replaces = ::stat(target_.c_str(), &old) == 0;
+    if (!replaces && errno == ENAMETOOLONG) throw cannot_write(named_, cause_of(errno));
     if (replaces && S_ISDIR(old.st_mode)) throw cannot_write(named_, cause_of(EISDIR));
     if (replaces && !S_ISREG(old.st_mode)) throw cannot_write(named_, "It is not a regular file");
 

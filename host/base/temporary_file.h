@@ -17,6 +17,9 @@ std::runtime_error cannot_write(const std::filesystem::path& file, std::string_v
 // With all folders above it. Throws cannot_write().
 void make_folder(const std::filesystem::path& folder);
 
+// Throws what a TemporaryFile of this target would; for those who only write after hours of work.
+void require_writable(const std::filesystem::path& target);
+
 // "Cannot read NAME: CAUSE."
 std::runtime_error cannot_read(const std::filesystem::path& file, std::string_view cause);
 
@@ -24,8 +27,8 @@ std::runtime_error cannot_read(const std::filesystem::path& file, std::string_vi
 class TemporaryFile {
 public:
     // Makes an empty file in the folder of `target`. Where `target` is a symbolic link, the file it
-    // points to is the one replaced. Throws std::runtime_error when the folder cannot be written or
-    // `target` is there and not a regular file.
+    // points to is the one replaced. Throws std::runtime_error when the folder cannot be written,
+    // the name is too long, or `target` is there and not a regular file.
     explicit TemporaryFile(const std::filesystem::path& target);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;

@@ -1,5 +1,6 @@
 #include "measure/bench.h"
 
+#include "base/json_text.h"
 #include "base/say.h"
 #include "gl/context.h"
 #include "offline/input_files.h"
@@ -156,7 +157,7 @@ void run_bench(const BenchOptions& options) {
         json["ratio"] = quantile(uniform_fed->frame_ms, 0.5) / quantile(subject.frame_ms, 0.5);
     }
     if (options.view.json)
-        say_result("{}\n", json.dump(2));
+        say_result("{}\n", json_text(json));
     else
         print_table(json);
 }

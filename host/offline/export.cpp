@@ -1,8 +1,10 @@
 #include "offline/export.h"
 
+#include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
+#include "glsl/declaration.h"
 #include "glsl/raw_text.h"
 #include "glsl/reachable.h"
 #include "offline/named_files.h"
@@ -211,7 +213,7 @@ std::string Exporter::unread_defines(
         const Sampler& sampler = scene_.samplers[i];
         if (std::find(channels.begin(), channels.end(), i) != channels.end()) continue;
         if (sampler.name.starts_with("iChannel")) continue;  // the site has all four
-        if (!std::regex_search(code, std::regex("\\b" + sampler.name + "\\b"))) continue;
+        if (find_word(code, sampler.name) == code.npos) continue;
         // What is bound to nothing is a sampler2D on the site.
         for (std::size_t channel = 0; channel < channels.size(); ++channel) {
             const SamplerType type = channels[channel]
@@ -245,12 +247,12 @@ std::string Exporter::tab_text(const Tab& tab) {
     const std::string body =
         std::regex_replace(reachable_text(text_, entry), std::regex("//@ ?"), "// ");
     defines += unread_defines(body, channels);
-    if (std::regex_search(body, std::regex("\\biTick\\b"))) {
+    if (find_word(body, "iTick") != body.npos) {
         // A float's steps are below 1/65536 s for 256 s.
         defines += "#define iTick uint(iTime * 65536.0)\n";
         warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");
     }
-    if (std::regex_search(body, std::regex("\\bPASS_\\w+")))
+    if (body.find("PASS_") != body.npos)
         defines += fmt::format("#define PASS_{} 1\n", pass_name(scene_, tab.pass));
     return head + defines + limits_text(tab) + body + entry_text(tab);
 }
@@ -339,7 +341,7 @@ void Exporter::write(const fs::path& folder) {
         write_whole_file(file, std::as_bytes(std::span(texts[i])));
         say_result("{}\n", file.string());
     }
-    const std::string json = shader.dump(2) + "\n";
+    const std::string json = json_text(shader) + "\n";
     write_whole_file(folder / "shadertoy.json", std::as_bytes(std::span(json)));
     say_result("{}\n", (folder / "shadertoy.json").string());
 }

@@ -2,7 +2,7 @@
 
 #include "base/say.h"
 #include "base/temporary_file.h"
-#include "scene/preset.h"
+#include "scene/scene.h"
 #include "scene/shadertoy.h"
 
 #include <fmt/format.h>
@@ -37,9 +37,7 @@ void confine(std::vector<fs::path>& scenes, const ImportOptions& options,
     std::vector<fs::path> outside;
     for (const fs::path& scene : scenes) {
         // What a scene reads in the end counts: the code may name files, too.
-        const ReadPreset read = read_preset(scene);
-        if (!read.preset) continue;
-        for (const fs::path& file : files_outside(read.preset->scene, folder))
+        for (const fs::path& file : files_outside(read_scene(scene), folder))
             if (file != scene) outside.push_back(file);
     }
     if (outside.empty()) return;

@@ -1,10 +1,13 @@
 #include "offline/picture.h"
 
 #include "base/numbered_name.h"
+#include "base/temporary_file.h"
 
 #include <fmt/format.h>
 
 namespace glint {
+
+namespace fs = std::filesystem;
 
 CompileOptions compile_options(const PictureOptions& options, const PictureKind& kind) {
     return {.root = kind.pass,
@@ -32,6 +35,14 @@ void require_files_apart(const PictureOptions& options, const NamedFile& output,
     require_apart({output}, {from});
     // What goes on from one of numbered states writes that one again, the same to the last bit.
     if (!numbered_name(from.name) && !numbered_name(saved.name)) require_apart({saved}, {from});
+}
+
+void require_files_writable(const PictureOptions& options, const NamedFile& output) {
+    for (const NamedFile& file : {output, NamedFile{"--save-state", options.state.save}}) {
+        if (file.name.empty()) continue;
+        const auto numbered = numbered_name(file.name);
+        require_writable(numbered ? numbered->name(file.first) : fs::path(file.name));
+    }
 }
 
 double exposure_of(const PictureOptions& options, const PassGraph& graph) {

@@ -31,6 +31,10 @@ RenderOptions render_options(const PictureOptions& options, const PictureKind& k
 void require_files_apart(const PictureOptions& options, const NamedFile& output,
                          const NamedFile& pictures, const Preset& preset);
 
+// Throws std::runtime_error where one of them cannot be written; of numbered ones the first is
+// asked.
+void require_files_writable(const PictureOptions& options, const NamedFile& output);
+
 // Seconds that the shutter stays open. Throws UsageError where nothing can be drawn between two
 // frames.
 double exposure_of(const PictureOptions& options, const PassGraph& graph);

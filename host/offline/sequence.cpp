@@ -1,6 +1,7 @@
 #include "offline/sequence.h"
 
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "base/say.h"
 #include "gl/context.h"
 #include "media/sound.h"
@@ -263,7 +264,7 @@ void print_result(const SequenceOptions& options, const Run& run, double ms) {
                            {"specialised", options.view.specialise},
                            {"frames_per_second", rate},
                            {"ms", {{"total", ms}}}};
-        say_result("{}\n", json.dump(2));
+        say_result("{}\n", json_text(json));
         return;
     }
     if (options.output.empty()) {
@@ -287,7 +288,7 @@ void print_joined(const SequenceOptions& options, const Preset& preset, std::int
                            {"frames", frames},
                            {"missing", Json::array()},
                            {"ms", {{"total", ms}}}};
-        say_result("{}\n", json.dump(2));
+        say_result("{}\n", json_text(json));
         return;
     }
     say_line(options, fmt::format("{}  {} frames  {:.1f} s", output, frames, ms / 1000.0));
@@ -328,7 +329,7 @@ void require_folder(const SequenceOptions& options, const NumberedName& pictures
 
 [[noreturn]] void stop_for_missing(const SequenceOptions& options, const std::vector<int>& missing,
                                    std::int64_t wanted) {
-    if (options.view.json) say_result("{}\n", Json({{"missing", missing}}).dump(2));
+    if (options.view.json) say_result("{}\n", json_text(Json({{"missing", missing}})));
     if (!options.view.json && options.output != "-") say_result("{}\n", fmt::join(missing, "\n"));
     say("error: {} of {} pictures are missing, not whole, or of another sequence.\n",
         missing.size(), wanted);
@@ -374,8 +375,10 @@ void run_sequence(const SequenceOptions& options) {
     const Preset preset = open_preset(options.view);
     require_size(options.output, target, preset.size);
     const int first = frames[0];
-    require_files_apart(options, {"-o", options.output == "-" ? "" : options.output, first, last},
-                        {"--from-pictures", options.from_pictures, first, last}, preset);
+    const NamedFile written{"-o", options.output == "-" ? "" : options.output, first, last};
+    require_files_apart(options, written, {"--from-pictures", options.from_pictures, first, last},
+                        preset);
+    require_files_writable(options, written);
     if (target == Target::film) heard_in(options, preset, frames);  // says what is too long
     const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
     const std::string inputs = inputs_of(options, provenance);

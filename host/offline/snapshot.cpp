@@ -1,6 +1,7 @@
 #include "offline/snapshot.h"
 
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "base/memory.h"
 #include "base/numbered_name.h"
 #include "base/readable_file.h"
@@ -258,7 +259,7 @@ void prepare_states(const StateOptions& options) {
 }
 
 void write_snapshot(const fs::path& file, const Snapshot& snapshot) {
-    const std::string json = to_json(snapshot).dump();
+    const std::string json = json_text(to_json(snapshot), -1);
     write_parts(file, {.texts = {{kStateText, json}, {kDigestText, digest_of(json, snapshot)}},
                        .parts = parts_with_pixels(snapshot)});
 }

@@ -1,5 +1,6 @@
 #include "offline/sound.h"
 
+#include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
@@ -103,7 +104,7 @@ void run_sound(const SoundOptions& options) {
                                              {"channels", 2},
                                              {"renderer", context->renderer()},
                                              {"ms", {{"total", clock.ms()}}}};
-        say_result("{}\n", json.dump(2));
+        say_result("{}\n", json_text(json));
     } else {
         say_result("{}  {:.1f} s of sound  {:.0f} ms\n", options.output.string(), options.seconds,
                    clock.ms());

@@ -1,5 +1,6 @@
 #include "offline/still.h"
 
+#include "base/json_text.h"
 #include "base/say.h"
 #include "base/workers.h"
 #include "gl/context.h"
@@ -307,7 +308,7 @@ void print_result(const Still& still) {
                          {"read", ms.read},
                          {"encode", ms.encode},
                          {"total", ms.total}}}};
-    say_result("{}\n", json.dump(2));
+    say_result("{}\n", json_text(json));
 }
 
 }  // namespace
@@ -317,7 +318,9 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     Split ms;
     Stopwatch clock;
     const Preset preset = open_preset(options.view);
-    require_files_apart(options, {"-o", options.output.string()}, {}, preset);
+    const NamedFile output{"-o", options.output.string()};
+    require_files_apart(options, output, {}, preset);
+    require_files_writable(options, output);
     PictureKind kind{.pass = find_pass(preset.scene, options.pass),
                      .floats = holds_floats(options.output)};
     const bool is_picture = kind.pass == kImagePass;

@@ -2,12 +2,12 @@
 
 #include "glsl/declaration.h"
 #include "glsl/raw_text.h"
+#include "render/declared_names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <string_view>
 
 namespace glint {
@@ -67,18 +67,11 @@ std::string channel_declarations(const Preset& preset, std::size_t pass) {
     return text;
 }
 
-// Whether the text declares a name for all of itself. A local variable of that name, which stands
-// indented, is no such declaration.
-bool declares(const Scene& scene, std::string_view type, std::string_view name) {
-    const std::regex declaration(fmt::format(
-        R"((uniform|#\s*define)[^;\n]*\b{1}\b|(^|\n)(const\s+)?{0}\s+{1}\b)", type, name));
-    return std::regex_search(scene.text, declaration);
-}
-
 // A name that older pastes still use.
 std::string old_names(const Scene& scene) {
     const bool used = contains_word(scene.text, "iGlobalTime");
-    return !used || declares(scene, "float", "iGlobalTime") ? "" : "uniform float iGlobalTime;\n";
+    return !used || declares(scene.text, "float", "iGlobalTime") ? ""
+                                                                 : "uniform float iGlobalTime;\n";
 }
 
 // The site has none of these in a sound, so that texts for it may use the names themselves; other
@@ -88,7 +81,7 @@ std::string picture_uniforms(const Scene& scene, bool sound) {
         {"vec3", "iResolution"}, {"float", "iTime"}, {"vec4", "iMouse"}};
     std::string text;
     for (const auto& [type, name] : kThree) {
-        if (sound && declares(scene, type, name)) continue;
+        if (sound && declares(scene.text, type, name)) continue;
         text += fmt::format("uniform {} {};\n", type, name);
     }
     return text;
@@ -108,24 +101,17 @@ precision highp sampler3D;
 constexpr std::array<std::string_view, 6> kOlderFunctions = {
     "texture2D", "texture3D", "textureCube", "texture2DProj", "texture2DLod", "textureCubeLod"};
 
-bool defines_function(const Scene& scene, std::string_view name) {
-    return contains_word(scene.text, name) &&
-           std::regex_search(
-               scene.text,
-               std::regex(fmt::format(R"(\b(float|int|uint|[iu]?vec[234])\s+{}\s*\()", name)));
-}
-
 // `packed` is an ordinary name on the site, and reserved in Mesa.
 std::string renamed_words(const Scene& scene) {
     std::string text;
     for (const std::string_view name : kOlderFunctions) {
-        if (defines_function(scene, name)) text += fmt::format("#define {0} glint_{0}\n", name);
+        if (defines_function(scene.text, name))
+            text += fmt::format("#define {0} glint_{0}\n", name);
     }
     for (const std::string_view word : {"mediump", "lowp"}) {
         if (contains_word(scene.text, word)) text += fmt::format("#define {} highp\n", word);
     }
-    static const std::regex is_macro(R"(#\s*define\s+packed\b)");
-    if (contains_word(scene.text, "packed") && !std::regex_search(scene.text, is_macro)) {
+    if (contains_word(scene.text, "packed") && !defines_macro(scene.text, "packed")) {
         text += "#define packed glint_packed\n";
     }
     return text;
@@ -239,8 +225,7 @@ std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions&
 
 // The site's older form of mainSound takes the time alone.
 std::string sound_main(const Scene& scene) {
-    static const std::regex by_time_alone(R"(\bmainSound\s*\(\s*(in\s+)?float\b)");
-    const bool old = std::regex_search(scene.text, by_time_alone);
+    const bool old = takes_float_first(scene.text, "mainSound");
     return fmt::format(
         "vec2 mainSound({});\n{}layout(location = 0) out vec4 glint_out0;\nvoid main() {{\n"
         "    int samp = (iFrame * {} + int(gl_FragCoord.y)) * {} + int(gl_FragCoord.x);\n"

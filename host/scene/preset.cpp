@@ -5,6 +5,7 @@
 #include "glsl/raw_text.h"
 #include "scene/annotation.h"
 #include "scene/toml.h"
+#include "scene/toml_keys.h"
 
 #include <fmt/format.h>
 
@@ -35,6 +36,7 @@ private:
     using Names = std::vector<std::string>;
 
     Diagnostic syntax_error(const toml::parse_error& error) const;
+    Diagnostic deep_key(std::string_view text, std::size_t at) const;
     void read_scene_key(const toml::table& root);
     void take_scene(Scene scene);
     void read_picture(const toml::table& root);
@@ -90,7 +92,22 @@ Diagnostic Reader::syntax_error(const toml::parse_error& error) const {
     return {Severity::error, place(error.source()), std::move(text)};
 }
 
+Diagnostic Reader::deep_key(std::string_view text, std::size_t at) const {
+    const std::string_view before = text.substr(0, at);
+    const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
+    const auto column = static_cast<int>(at - (before.rfind('\n') + 1)) + 1;
+    return {Severity::error,
+            {preset_.file.string(), line, column},
+            fmt::format("a key of more than {} parts; a preset's have one or two, such as "
+                        "tweaks.ink",
+                        kMostKeyParts)};
+}
+
 void Reader::read(std::string_view text) {
+    if (const auto at = find_deep_key(text)) {
+        result_.diagnostics.push_back(deep_key(text, *at));
+        return;
+    }
     const toml::parse_result parsed = toml::parse(text, preset_.file.string());
     if (!parsed) {
         result_.diagnostics.push_back(syntax_error(parsed.error()));
@@ -140,6 +157,13 @@ void Reader::read_scene_key(const toml::table& root) {
         return;
     }
     fs::path file = preset_.file.parent_path() / *name;
+    if (file.extension() == ".toml") {
+        result_.diagnostics.push_back(
+            {Severity::error, place(node->source()),
+             fmt::format("{} is a preset, and no scene; write scene = \"NAME.frag\"",
+                         in_quotes(*name))});
+        return;
+    }
     std::error_code error;
     if (fs::equivalent(file.lexically_normal(), file, error)) file = file.lexically_normal();
     ReadScene read = read_scene(file);

@@ -346,11 +346,11 @@ PresetText write_preset(const Preset& preset, const fs::path& file, std::string_
     // The second round finds nothing to change, unless the text is laid out in a way not foreseen.
     for (int round = 0; round < 2; ++round) {
         const ReadPreset old = parse_preset(text, file, preset.scene);
-        const toml::parse_result parsed = toml::parse(std::string_view(text));
-        if (!old.preset || !parsed) {
+        if (!old.preset) {
             result.diagnostics = old.diagnostics;
             return result;
         }
+        const toml::parse_result parsed = toml::parse(std::string_view(text));
         const Layout layout(text, parsed.table());
         std::vector<Edit> edits = Editor(preset, *old.preset, folder, layout).edits();
         if (edits.empty()) break;

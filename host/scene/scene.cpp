@@ -493,11 +493,10 @@ SourceText imported_source(const std::filesystem::path& json, Diagnostics& diagn
 }
 
 // A stranger's shader may name files in words that only Glint knows.
-void refuse_outside(const Scene& scene, const std::filesystem::path& json,
-                    Diagnostics& diagnostics) {
-    const auto outside = files_outside(scene, json.parent_path());
+void refuse_outside(const std::filesystem::path& json, ReadScene& read) {
+    const auto outside = files_outside(read, json.parent_path());
     if (outside.empty()) return;
-    diagnostics.push_back(
+    read.diagnostics.push_back(
         {Severity::error,
          {json.string()},
          fmt::format("its code names {}, which is outside its folder; `glint import --anywhere` "
@@ -522,16 +521,17 @@ ReadScene read_scene(const std::filesystem::path& file) {
         is_json ? imported_source(file, result.diagnostics) : read_source(file, result.diagnostics);
     result.files = source.files;
     Scene scene = Builder(std::move(source), result.diagnostics).build();
-    if (is_json) refuse_outside(scene, file, result.diagnostics);
+    result.named = result.files;
+    for (const Sampler& sampler : scene.samplers)
+        result.named.insert(result.named.end(), sampler.files.begin(), sampler.files.end());
+    if (is_json) refuse_outside(file, result);
     if (!has_errors(result.diagnostics)) result.scene = std::move(scene);
     return result;
 }
 
-std::vector<std::filesystem::path> files_outside(const Scene& scene,
+std::vector<std::filesystem::path> files_outside(const ReadScene& read,
                                                  const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files = scene.files;
-    for (const Sampler& sampler : scene.samplers)
-        files.insert(files.end(), sampler.files.begin(), sampler.files.end());
+    std::vector<std::filesystem::path> files = read.named;
     std::erase_if(files, [&](const auto& file) { return is_within(file, folder); });
     return files;
 }

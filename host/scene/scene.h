@@ -151,14 +151,17 @@ struct ReadScene {
     Diagnostics diagnostics;
     // Every text that was read or asked for, also when there are errors: what a reload watches.
     std::vector<std::filesystem::path> files;
+    // These, and the pictures and sounds that it names.
+    std::vector<std::filesystem::path> named{};
 };
 
 // Reads a scene file and its includes, or a .json that holds a shader of the site. Never throws for
 // what the file says.
 ReadScene read_scene(const std::filesystem::path& file);
 
-// The files that a scene is made of or reads, which stand outside this folder or lead out of it.
-std::vector<std::filesystem::path> files_outside(const Scene& scene,
+// Of the files that a scene names, those that stand outside this folder or lead out of it; also
+// when there are errors, which somebody may mend.
+std::vector<std::filesystem::path> files_outside(const ReadScene& read,
                                                  const std::filesystem::path& folder);
 
 }  // namespace glint

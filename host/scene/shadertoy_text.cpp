@@ -228,7 +228,9 @@ std::string Writer::file_beside(const ShadertoyInput& input) {
     if (!*source || !file.has_filename()) return {};
     std::error_code error;
     const auto quoted = [&](const fs::path& local) {
-        return fmt::format(" \"{}\"", fs::proximate(local, folder_, error).generic_string());
+        return fmt::format(
+            " \"{}\"",
+            fs::proximate(local, folder_.empty() ? "." : folder_, error).generic_string());
     };
     for (const fs::path& local :
          {from_.parent_path() / file, from_.parent_path() / file.filename()}) {

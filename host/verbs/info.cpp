@@ -1,5 +1,6 @@
 // `glint info`: what a scene consists of, and what was left out.
 
+#include "base/json_text.h"
 #include "base/say.h"
 #include "gl/context.h"
 #include "verbs/options.h"
@@ -221,7 +222,7 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
     Json json = inspect(seen);
     json["renderer"] = context->renderer();
     if (options.view.json)
-        say_result("{}\n", json.dump(2));
+        say_result("{}\n", json_text(json));
     else
         print_tables(seen, json);
 }

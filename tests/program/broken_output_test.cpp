@@ -1,8 +1,12 @@
 // A picture that cannot be written: exit code 1, the cause, and everything stays as it was.
 #include "command.h"
 
+#include <nlohmann/json.hpp>
+
 namespace glint::cli {
 namespace {
+
+using Json = nlohmann::json;
 
 // Hard to compress, so that its file is as large as its pixels.
 constexpr std::string_view kNoise =
@@ -48,6 +52,59 @@ TEST_F(BrokenOutput, TellsWhyThePlaceCannotBeWritten) {
     }
     EXPECT_EQ(bytes("scene.frag"), kGradient);
     EXPECT_TRUE(fs::is_empty(folder() / "folder.png"));
+}
+
+// Hours may lie between the first frame and the file.
+TEST_F(BrokenOutput, IsToldBeforeAnythingIsDrawn) {
+    fs::create_directory(folder() / "folder.png");
+    fs::create_directory(folder() / "folder.exr");
+    write("file", "precious");
+    const std::vector<std::string> cases[] = {
+        {"still", "scene.frag", "-o", "gone/out.png"},
+        {"still", "scene.frag", "-o", "folder.png"},
+        {"still", "scene.frag", "-o", std::string(252, 'x') + ".png"},
+        {"still", "scene.frag", "-o", "out.png", "--save-state", "gone/state.exr"},
+        {"still", "scene.frag", "-o", "out.png", "--save-state", "folder.exr"},
+        {"sequence", "scene.frag", "-o", "out%d.png", "--save-state", "gone/state.exr"},
+        {"sequence", "scene.frag", "-o", "out%d.png", "--save-state", "gone/state%d.exr"},
+        {"sequence", "scene.frag", "--save-state", "gone/state.exr"},
+        {"sequence", "scene.frag", "-o", "gone/out%d.png"},
+        {"sequence", "scene.frag", "-o", "gone/out.mp4"},
+        {"check", "scene.frag", "-o", "file"},
+    };
+    for (std::vector<std::string> arguments : cases) {
+        SCOPED_TRACE(arguments[0] + " " + arguments[3].substr(0, 20) + " " + arguments.back());
+        // Without a context nothing can be drawn: what is wrong with the place is told before.
+        arguments.insert(arguments.end(), {"--device", "no such GPU"});
+        expect_refused(command(std::move(arguments)), "");
+    }
+    EXPECT_EQ(bytes("file"), "precious");
+}
+
+// What is no UTF-8 in a name cannot stand in JSON as it is: no reason to lose a result.
+TEST_F(BrokenOutput, ANameThatIsNoUtf8LosesNoJson) {
+    write("n\xFF.frag",
+          "uniform float level; //@ 0.5 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(level); }\n");
+    const std::vector<std::string> cases[] = {
+        {"still", "n\xFF.frag", "-o", "o\xFF.png", "--size", "8x8", "--json"},
+        {"sequence", "n\xFF.frag", "-o", "o\xFF%d.png", "--frames", "0:0", "--size", "8x8",
+         "--json"},
+        {"info", "n\xFF.frag", "--json"},
+        {"bench", "n\xFF.frag", "--frames", "1", "--size", "8x8", "--json"},
+        {"study", "n\xFF.frag", "--vary", "level=0.2,0.5", "--frames", "15", "--size", "8x8",
+         "--json", "-o", "study"},
+        {"check", "n\xFF.frag", "--case", "size 1x1", "--json"},
+        {"export", "n\xFF.frag", "-o", "tabs"},
+    };
+    for (const std::vector<std::string>& arguments : cases) {
+        SCOPED_TRACE(arguments[0]);
+        const Outcome outcome = glint(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const bool is_json = arguments[0] != "export";
+        EXPECT_EQ(Json::accept(outcome.out), is_json) << outcome.out;
+    }
+    EXPECT_TRUE(fs::exists(folder() / "study/index.html"));
 }
 
 TEST_F(BrokenOutput, ADiskThatFillsUpKeepsTheOldPicture) {

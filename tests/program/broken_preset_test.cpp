@@ -28,7 +28,17 @@ protected:
     }
 };
 
+std::string times(int count, std::string_view text) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+}
+
 TEST_F(BrokenPreset, WhatCannotBeReadAtAllIsUnreadable) {
+    const std::string scene = "scene = \"scene.frag\" # a.b\n";
+    const std::string parts_of_table = scene + "[a" + times(200'000, ".a") + "]\n";
+    const std::string parts_of_key = scene + "a" + times(200'000, " . a") + " = 1\n";
+    const std::string parts_in_braces = scene + "b = {\"a\"" + times(200'000, ".'a'") + " = 1}\n";
     const Case cases[] = {
         {"an open string", "scene = \"scene.frag\n", "look.toml:1:"},
         {"a bad line below", "scene = \"scene.frag\"\ntime = = 3\n", "look.toml:2:"},
@@ -42,8 +52,18 @@ TEST_F(BrokenPreset, WhatCannotBeReadAtAllIsUnreadable) {
         {"a scene that is not there", "\nscene = \"gone.frag\"\n",
          "look.toml:2:9: error: cannot read 'gone.frag': No such file or directory"},
         {"a scene that is a folder", "scene = \".\"\n", "look.toml:1:9: error: cannot read "},
+        {"itself for a scene", "scene = \"look.toml\"\n",
+         "look.toml:1:9: error: 'look.toml' is a preset, and no scene"},
+        {"another preset for a scene", "scene = \"other.toml\"\n",
+         "look.toml:1:9: error: 'other.toml' is a preset, and no scene"},
+        {"a table of a table of a table", parts_of_table,
+         "look.toml:2:2: error: a key of more than 16 parts"},
+        {"a key of many parts", parts_of_key, "look.toml:2:1: error: a key of more than 16 parts"},
+        {"one in braces and quotes", parts_in_braces,
+         "look.toml:2:6: error: a key of more than 16 parts"},
     };
     write("out.png", "precious");
+    write("other.toml", "scene = \"scene.frag\"\n");
     for (const auto& [what, text, message] : cases) {
         SCOPED_TRACE(what);
         write("look.toml", text);
@@ -56,6 +76,16 @@ TEST_F(BrokenPreset, WhatCannotBeReadAtAllIsUnreadable) {
         EXPECT_EQ(names(), before);
     }
     EXPECT_EQ(glint({"still", "gone.toml", "-o", "out.png"}).code, 4);
+}
+
+// Dots in texts, numbers and comments part no keys.
+TEST_F(BrokenPreset, ManyDotsElsewhereAreNoDeepKeys) {
+    const std::string dots = times(100, "a.b.");
+    write("look.toml", "scene = \"scene.frag\"\ntitle = \"\\\"" + dots + "\" # '" + dots +
+                           "\n[x]\nlist = [" + times(100, "1.5, ") + "]\ntext = '''\n'" + dots +
+                           "'''\nother = \"\"\"\n\"\\\"" + dots + "\"\"\"\nlast = 'a\\'\n");
+    const Outcome outcome = glint({"still", "look.toml", "-o", "out.png", "--size", "8x8"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST_F(BrokenPreset, AMistakeInItsSceneIsToldAtTheScenesPlace) {

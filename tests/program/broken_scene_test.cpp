@@ -71,6 +71,53 @@ TEST_F(BrokenScene, TellsTheLineAndColumnOfASyntaxError) {
     }
 }
 
+// Whatever looks for words in a text takes no stack for its characters.
+TEST_F(BrokenScene, VeryLongLinesAndNamesAreLinesAndNames) {
+    const std::string image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(0); }\n";
+    const std::string sound = "vec2 mainSound(int s, float t) { return vec2(0); }\n" + image;
+    const std::string blanks(300'000, ' '), name(300'000, 'x');
+    const std::pair<std::string, std::string> drawn[] = {
+        {"a macro that nobody uses", "#define LONG " + name + " iGlobalTime\n" + image},
+        {"blanks before a macro's word", "#" + blanks + "define packed 1\n" + image},
+        {"blanks in the head of a function",
+         "vec4" + blanks + "texture2D(vec2 a) { return vec4(0); }\n" + image},
+        {"the name of a condition", "#ifdef PASS_" + name + "\n#endif\n" + image},
+    };
+    for (const auto& [what, text] : drawn) {
+        SCOPED_TRACE(what);
+        write("long.frag", text);
+        const Outcome still = glint({"still", "long.frag", "-o", "long.png", "--size", "8x8"});
+        EXPECT_EQ(still.code, 0) << still.err.substr(0, 2000);
+        const Outcome tabs = glint({"export", "long.frag", "-o", "tabs"});
+        EXPECT_EQ(tabs.code, 0) << tabs.err.substr(0, 2000);
+    }
+    const std::pair<std::string, std::string> heard[] = {
+        {"a macro", "#define LONG " + name + "\n" + sound},
+        {"blanks in a declaration", "const" + blanks + "float" + blanks + "iTime = 1.0;\n" + sound},
+        {"blanks in the old head of a sound",
+         "vec2 mainSound" + blanks + "(" + blanks + "float t) { return vec2(0); }\n" + image},
+    };
+    for (const auto& [what, text] : heard) {
+        SCOPED_TRACE(what);
+        write("long.frag", text);
+        const Outcome outcome = glint({"sound", "long.frag", "-o", "long.wav", "--seconds", "0.1"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err.substr(0, 2000);
+    }
+    const std::pair<std::string, std::string> refused[] = {
+        {"an error of its own", "#error " + name + "\n" + image},
+        {"an unknown name", "void mainImage(out vec4 c, in vec2 p) { c = vec4(" + name + "); }\n"},
+    };
+    for (const auto& [what, text] : refused) {
+        SCOPED_TRACE(what);
+        write("long.frag", text);
+        const Outcome outcome = glint({"still", "long.frag", "-o", "long.png", "--size", "8x8"});
+        EXPECT_EQ(outcome.code, 3);
+        EXPECT_TRUE(outcome.err.starts_with("long.frag:1:")) << outcome.err.substr(0, 2000);
+        EXPECT_EQ(outcome.err.find("driver crashed"), outcome.err.npos);
+        EXPECT_LT(outcome.err.size(), 5000u);
+    }
+}
+
 TEST_F(BrokenScene, TellsTheLineOfTheIncludedFile) {
     write("scene.frag",
           "// one\n#include \"lib/a.glsl\"\n"

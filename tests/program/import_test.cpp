@@ -374,7 +374,10 @@ TEST_F(ImportOfAStranger, ItsCodeNamesNothingElseEither) {
         "#include \"../secret.glsl\"\n" + std::string(kGradient),
         "uniform sampler2D s; //@ image ../outside.png\n" + std::string(kGradient),
         "uniform sampler2D s; //@ image link.png\n" + std::string(kGradient),
-        "#iChannel1 \"file://../outside.png\"\n" + std::string(kGradient)};
+        "#iChannel1 \"file://../outside.png\"\n" + std::string(kGradient),
+        // Somebody may mend the mistake.
+        "uniform float a; //@ 0.5 [1, 0]\nuniform sampler2D s; //@ image ../outside.png\n",
+        "#include \"/dev/null\"\n" + std::string(kGradient)};
     for (const std::string& code : codes) {
         SCOPED_TRACE(code);
         const Outcome refused = import_one("", code);
@@ -389,6 +392,15 @@ TEST_F(ImportOfAStranger, ItsCodeNamesNothingElseEither) {
         EXPECT_EQ(import_one("", code, {"--anywhere"}).code, 0);
         EXPECT_TRUE(fs::exists(folder() / "in/one.frag"));
     }
+}
+
+// So that folder and scene may move together.
+TEST_F(ImportOfAStranger, AFileIsNamedFromTheFolderOfTheScene) {
+    import_one("inside.png", kShowsIt);
+    EXPECT_NE(bytes("in/one.frag").find("//@ image \"inside.png\""), std::string::npos);
+    ASSERT_EQ(glint({"import", "in/one.json", "-o", "one.frag"}).code, 0);
+    EXPECT_NE(bytes("one.frag").find("//@ image \"in/inside.png\""), std::string::npos)
+        << bytes("one.frag");
 }
 
 TEST_F(ImportOfAStranger, ATabThatLeadsOutOfItsFolderIsLeftOut) {

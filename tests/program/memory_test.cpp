@@ -116,8 +116,9 @@ TEST_F(LittleMemory, AVolumeThatTakesTooMuchIsNamed) {
     write("volume.frag",
           "uniform sampler3D a; //@ volume a.bin\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texture(a, vec3(p, 0.0)); }\n");
-    write("a.bin", "");
-    fs::resize_file(folder() / "a.bin", 300 * kMebibyte);  // without a byte on the disk
+    const std::string sides = std::string("\0\2\0\0\0\2\0\0\0\2\0\0", 12);  // 512 of each
+    write("a.bin", "BIN\1" + sides + std::string("\2\0\0\0", 4));           // two bytes a voxel
+    fs::resize_file(folder() / "a.bin", 256 * kMebibyte + 20);  // without a byte on the disk
     expect_refused({"still", "volume.frag", "-o", "b.png", "--size", "16x9"}, "a.bin");
 }
 

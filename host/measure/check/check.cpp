@@ -1,6 +1,8 @@
 #include "measure/check/check.h"
 
+#include "base/json_text.h"
 #include "base/say.h"
+#include "base/temporary_file.h"
 #include "measure/check/process.h"
 
 #include <fmt/format.h>
@@ -56,7 +58,7 @@ void print_lines(const CheckedFile& file, long total, std::size_t& told) {
                            {"of", total},
                            {"renderer", file.renderer},
                            {"case", to_json(file, file.cases[told])}};
-        say_result("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        say_result("{}\n", json_text(line, -1));
     }
     flush_results();
 }
@@ -105,9 +107,17 @@ void require_cases(const std::vector<CheckedFile>& files, const std::string& onl
     }
 }
 
+void require_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
+        throw cannot_write(folder, "It is no folder");
+    }
+}
+
 }  // namespace
 
 void run_check(const CheckOptions& options) {
+    require_folder(options.output);
     std::vector<CheckedFile> files;
     std::set<std::filesystem::path> scenes;
     for (const std::filesystem::path& name : options.files) {
@@ -132,7 +142,7 @@ void run_check(const CheckOptions& options) {
         if (table && files.back().code == ExitCode::done) print_table(files.back());
     }
     if (!options.only.empty()) require_cases(files, options.only);
-    if (options.view.json) say_result("{}\n", to_json(files).dump(2));
+    if (options.view.json) say_result("{}\n", json_text(to_json(files)));
     const ExitCode code = exit_code(files);
     if (code != ExitCode::done) throw Stop(code);
 }

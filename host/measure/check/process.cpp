@@ -1,5 +1,6 @@
 #include "measure/check/process.h"
 
+#include "base/json_text.h"
 #include "base/say.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ constexpr int kNoResult = 99;
 // ---- The child: one line of JSON for everything that the parent has to know ---------------------
 
 void tell(int pipe, const Json& line) {
-    const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = json_text(line, -1) + "\n";
     std::size_t done = 0;
     while (done < text.size()) {
         const ssize_t count = ::write(pipe, text.data() + done, text.size() - done);

@@ -1,6 +1,7 @@
 #include "measure/study/store.h"
 
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/words.h"
@@ -208,7 +209,7 @@ void StudyStore::keep(const StudyKey& key, const StudyRow& row) const {
                        {"is_reference", row.is_reference},
                        {"picture", row.picture},
                        {"map", row.map}};
-    const std::string text = json.dump(1) + "\n";
+    const std::string text = json_text(json, 1) + "\n";
     write_whole_file(cleared(file("data", key, ".json")), std::as_bytes(std::span(text)));
 }
 

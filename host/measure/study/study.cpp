@@ -1,5 +1,6 @@
 #include "measure/study/study.h"
 
+#include "base/json_text.h"
 #include "base/say.h"
 #include "measure/study/measure.h"
 #include "measure/study/page.h"
@@ -31,7 +32,7 @@ public:
         if (!wanted_) return;
         judge(study, more_is_better, on_software);
         const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
-        say_result("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+        say_result("{}\n", json_text(line, -1));
         flush_results();
     }
 
@@ -278,12 +279,12 @@ void run_study(const StudyOptions& options) {
     for (const Study& study : studies) csv += to_csv(study);
     if (!options.output.empty()) {
         write_whole_file(options.output / "study.csv", std::as_bytes(std::span(csv)));
-        const std::string json = to_json(studies, context->renderer()).dump(2) + "\n";
+        const std::string json = json_text(to_json(studies, context->renderer())) + "\n";
         write_whole_file(options.output / "study.json", std::as_bytes(std::span(json)));
         write_page(options.output, studies);
     }
     if (options.csv) say_result("{}", csv);
-    if (options.view.json) say_result("{}\n", to_json(studies, context->renderer()).dump(2));
+    if (options.view.json) say_result("{}\n", json_text(to_json(studies, context->renderer())));
     if (code != ExitCode::done) throw Stop(code);
 }
 
