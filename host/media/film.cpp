@@ -1,11 +1,11 @@
 #include "media/film.h"
 
+#include "base/launch.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,8 +26,6 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kNoProgram = 127;  // the exit code of a shell that finds none
 
 // sRGB pictures as BT.709 video, which is what players expect; odd sides get one more pixel, since
 // colour is kept for squares of four.
@@ -137,51 +135,41 @@ Film::Film(const fs::path& file, glm::ivec2 size, double fps, std::unique_ptr<Te
       frames_shown_(std::min(kind_of(file)->most_fps / fps, 1.0)),
       sound_(std::move(sound)),
       out_(file) {
-    std::array<int, 2> pipe{};
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
-        throw std::system_error(errno, std::generic_category(), "pipe");
-    }
-    ::fcntl(pipe[1], F_SETPIPE_SZ, 1 << 20);
     errors_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
-    std::vector<std::string> words = command_line(file, out_.descriptor(), size, fps, sound_.get());
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    process_ = ::fork();
-    if (process_ == 0) {
-        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-        ::dup2(pipe[0], STDIN_FILENO);
-        ::dup2(errors_, STDOUT_FILENO);
-        ::dup2(errors_, STDERR_FILENO);
-        ::execvp(pointers[0], pointers.data());
-        ::_exit(kNoProgram);
+    const Launched ffmpeg =
+        launch({.words = command_line(file, out_.descriptor(), size, fps, sound_.get()),
+                .input = kPipe,
+                .output = errors_,
+                .messages = errors_});
+    process_ = ffmpeg.process;
+    input_ = ffmpeg.pipe;
+    if (ffmpeg.error == 0) {
+        ::fcntl(input_, F_SETPIPE_SZ, 1 << 20);
+        return;
     }
-    ::close(pipe[0]);
-    input_ = pipe[1];
-    if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    ::close(errors_);
+    throw cannot_write(file_,
+                       ffmpeg.error == ENOENT
+                           ? "There is no ffmpeg, which encodes films; install it"
+                           : fmt::format("FFmpeg does not start: {}", std::strerror(ffmpeg.error)));
 }
 
 Film::~Film() {
     if (input_ >= 0) ::close(input_);
     if (process_ > 0) {
         ::kill(process_, SIGKILL);
-        ::waitpid(process_, nullptr, 0);
+        wait_for(process_);
     }
     ::close(errors_);
 }
 
-// Closes FFmpeg's input and waits until it has ended; its exit code, or -1 after a signal.
+// Closes FFmpeg's input and waits until it has ended; its exit code, or minus a signal.
 int Film::end() {
     if (input_ >= 0) ::close(std::exchange(input_, -1));
-    int status = 0;
-    ::waitpid(std::exchange(process_, 0), &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return wait_for(std::exchange(process_, 0));
 }
 
-std::runtime_error Film::failure(int code) const {
-    if (code == kNoProgram) {
-        return cannot_write(file_, "There is no ffmpeg, which encodes films; install it");
-    }
+std::runtime_error Film::failure() const {
     std::array<char, 1000> text{};
     const ssize_t length = ::pread(errors_, text.data(), text.size(), 0);
     std::string words(text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
@@ -198,7 +186,8 @@ void Film::write(const Image& image) {
     try {
         write_all(input_, raw_frame(image));
     } catch (const std::system_error&) {
-        throw failure(end());
+        end();
+        throw failure();
     }
 }
 
@@ -206,7 +195,7 @@ void Film::finish() {
     const int code = end();
     struct stat facts {};
     const bool is_empty = ::fstat(out_.descriptor(), &facts) != 0 || facts.st_size == 0;
-    if (code != 0 || is_empty) throw failure(code);
+    if (code != 0 || is_empty) throw failure();
     out_.commit();
 }
 

@@ -50,7 +50,7 @@ public:
 
 private:
     int end();
-    std::runtime_error failure(int code) const;
+    std::runtime_error failure() const;
 
     std::filesystem::path file_;
     double frames_shown_;      // of those that are written, as a share

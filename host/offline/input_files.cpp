@@ -104,13 +104,17 @@ InputContent decode_input(const Sampler& sampler, const TextureLimits& limits) t
     throw cannot_read(sampler.files.front(), "There is not enough memory for it");
 }
 
+PixelView view_of(const InputContent& input) {
+    return {.size = input.size,
+            .slices = input.slices,
+            .channels = input.channels,
+            .floats = input.floats,
+            .data = input.bytes};
+}
+
 void give_input(InputContent input, Renderer& renderer, std::size_t sampler) {
     if (input.sound) return renderer.set_sound(sampler, std::move(input.sound));
-    renderer.set_image(sampler, {.size = input.size,
-                                 .slices = input.slices,
-                                 .channels = input.channels,
-                                 .floats = input.floats,
-                                 .data = input.bytes});
+    renderer.set_image(sampler, view_of(input));
 }
 
 void load_inputs(const Preset& preset, Renderer& renderer) {

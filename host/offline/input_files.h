@@ -24,6 +24,9 @@ struct InputContent {
 // file, also where there is no memory for it.
 InputContent decode_input(const Sampler& sampler, const TextureLimits& limits);
 
+// Its pixels; valid while it lives.
+PixelView view_of(const InputContent& input);
+
 // Hands it to the renderer; on its thread. `sampler` is as in sampler_at.
 void give_input(InputContent input, Renderer& renderer, std::size_t sampler);
 

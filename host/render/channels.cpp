@@ -32,16 +32,9 @@ GLenum value_type(const PixelView& pixels) {
 }
 
 Channel make_picture(const PixelView& pixels, bool mipmaps) {
-    const auto [internal, external] = formats(pixels.channels, pixels.floats);
-    Channel channel{
-        .texture = make_texture_2d(internal, pixels.size, mipmaps ? mipmap_levels(pixels.size) : 1),
-        .size = glm::ivec3(pixels.size, 1),
-        .version = 1};
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(channel.texture.id(), 0, 0, 0, pixels.size.x, pixels.size.y, external,
-                        value_type(pixels), pixels.data.data());
-    if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
-    return channel;
+    PictureUpload upload(pixels, mipmaps);
+    upload.send(pixels, pixels.size.y);
+    return upload.take();
 }
 
 Channel make_volume(const PixelView& slices, bool mipmaps) {
@@ -106,6 +99,27 @@ glm::uvec3 hash(glm::uvec3 v) {
 
 }  // namespace
 
+PictureUpload::PictureUpload(const PixelView& form, bool mipmaps)
+    : channel_{.texture = make_texture_2d(formats(form.channels, form.floats).internal, form.size,
+                                          mipmaps ? mipmap_levels(form.size) : 1),
+               .size = glm::ivec3(form.size, 1),
+               .version = 1},
+      mipmaps_(mipmaps) {}
+
+bool PictureUpload::send(const PixelView& pixels, int rows) {
+    const glm::ivec2 size = pixels.size;
+    rows = std::min(rows, size.y - sent_);
+    const std::size_t row_bytes = pixels.data.size() / static_cast<std::size_t>(size.y);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(channel_.texture.id(), 0, 0, sent_, size.x, rows,
+                        formats(pixels.channels, pixels.floats).external, value_type(pixels),
+                        pixels.data.data() + row_bytes * static_cast<std::size_t>(sent_));
+    sent_ += rows;
+    if (sent_ < size.y) return false;
+    if (mipmaps_) glGenerateTextureMipmap(channel_.texture.id());
+    return true;
+}
+
 std::vector<std::byte> noise_bytes(glm::ivec3 size, int channels) {
     std::vector<std::byte> bytes;
     bytes.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
@@ -150,6 +164,13 @@ void Channels::set_image(std::size_t index, const PixelView& pixels) {
     const std::size_t version = channel(index).version;
     Channel& channel = channels_[index];
     channel = make_channel(sampler.type, pixels, sampler.filter == Filter::mipmap);
+    channel.version = version + 1;
+}
+
+void Channels::set_image(std::size_t index, PictureUpload& sent) {
+    const std::size_t version = channel(index).version;
+    Channel& channel = channels_[index];
+    channel = sent.take();
     channel.version = version + 1;
 }
 

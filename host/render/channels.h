@@ -39,6 +39,22 @@ struct Channel {
     std::vector<std::byte> bytes{};  // of a sound: what the texture holds
 };
 
+// A picture on its way to the driver, some rows at a time, for whoever must not wait for a large
+// one. It belongs to no scene until Channels::set_image.
+class PictureUpload {
+public:
+    // Makes room for a picture of this form.
+    PictureUpload(const PixelView& form, bool mipmaps);
+    // Sends the next rows of it. True once all are there; then its mipmaps are made.
+    bool send(const PixelView& pixels, int rows);
+    Channel take() { return std::move(channel_); }
+
+private:
+    Channel channel_;
+    bool mipmaps_;
+    int sent_ = 0;  // rows
+};
+
 class Channels {
 public:
     explicit Channels(const Preset& preset);
@@ -54,6 +70,7 @@ public:
 
     bool has(std::size_t sampler) const { return channels_.contains(sampler); }
     void set_image(std::size_t sampler, const PixelView& pixels);
+    void set_image(std::size_t sampler, PictureUpload& sent);
     void set_sound(std::size_t sampler, std::unique_ptr<SoundTexture> sound);
     void set_keyboard(const Input& input);
     // Brings the textures of the sounds to this time.

@@ -48,6 +48,7 @@ public:
     void set_image(std::size_t sampler, const PixelView& pixels) {
         channels_.set_image(sampler, pixels);
     }
+    void set_image(std::size_t sampler, PictureUpload& sent) { channels_.set_image(sampler, sent); }
     void set_sound(std::size_t sampler, std::unique_ptr<SoundTexture> sound) {
         channels_.set_sound(sampler, std::move(sound));
     }

@@ -1,12 +1,11 @@
 #include "measure/check/process.h"
 
 #include "base/json_text.h"
+#include "base/launch.h"
 #include "base/say.h"
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -140,8 +139,8 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
 }
 
 [[noreturn]] void be_the_child(const FileCheck& wanted, double all_seconds, std::size_t first,
-                               int pipe) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+                               int pipe, pid_t parent) {
+    end_with(parent);
     const auto leave = [](ExitCode code) {
         std::fflush(nullptr);
         _exit(static_cast<int>(code));
@@ -169,29 +168,30 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
 // ---- The parent ---------------------------------------------------------------------------------
 
 // A child and what it tells, until it ends or is silent for too long.
-class Child {
+class CaseProcess {
 public:
-    Child(const FileCheck& wanted, double all_seconds, std::size_t first) {
+    CaseProcess(const FileCheck& wanted, double all_seconds, std::size_t first) {
         std::array<int, 2> ends{};
         if (::pipe(ends.data()) != 0) throw std::runtime_error("There is no pipe to be had.");
         std::fflush(nullptr);
+        const pid_t parent = ::getpid();
         pid_ = ::fork();
         if (pid_ < 0) throw std::runtime_error("There is no process to be had.");
         if (pid_ == 0) {
             ::close(ends[0]);
-            be_the_child(wanted, all_seconds, first, ends[1]);
+            be_the_child(wanted, all_seconds, first, ends[1], parent);
         }
         ::close(ends[1]);
         pipe_ = ends[0];
     }
-    ~Child() {
+    ~CaseProcess() {
         ::close(pipe_);
         if (pid_ <= 0) return;
         ::kill(pid_, SIGKILL);
-        ::waitpid(pid_, nullptr, 0);
+        wait_for(pid_);
     }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
+    CaseProcess(const CaseProcess&) = delete;
+    CaseProcess& operator=(const CaseProcess&) = delete;
 
     // The next line; nothing at the end, or after `seconds` of silence, which ends the child.
     std::optional<Json> next(double seconds) {
@@ -221,11 +221,7 @@ public:
     double worked() const { return worked_; }
 
     // Its exit code, or minus the signal that ended it.
-    int wait() {
-        int status = 0;
-        ::waitpid(std::exchange(pid_, -1), &status, 0);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    }
+    int wait() { return wait_for(std::exchange(pid_, -1)); }
 
 private:
     pid_t pid_ = -1;
@@ -266,7 +262,7 @@ private:
 
 // A frame that never comes is a hang. One that has not come because --seconds were short is one as
 // well where it was worked on for half the time; otherwise the machine may have been busy.
-CaseResult silent_case(const std::string& name, const Child& child, double waited,
+CaseResult silent_case(const std::string& name, const CaseProcess& child, double waited,
                        const FileCheck& wanted) {
     CaseResult result{.name = name};
     if (waited >= wanted.hang_seconds || child.worked() > waited / 2) {
@@ -303,7 +299,7 @@ CheckedFile check_file(const FileCheck& wanted,
     long total = 0;
     for (int start = 0; start <= kMostRestarts; ++start) {
         rest.effort.seconds = seconds.left();
-        Child child(rest, wanted.effort.seconds, file.cases.size());
+        CaseProcess child(rest, wanted.effort.seconds, file.cases.size());
         std::string running;
         bool ended = false, compiling = false;
         double wait = 0.0;

@@ -1,6 +1,9 @@
 #include "measure/study/plot.h"
 
+#include "base/launch.h"
+
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -168,13 +171,15 @@ std::string drawn(const std::string& commands) {
     if (!file) return {};
     std::fputs(commands.c_str(), file);
     std::fflush(file);
-    const std::string call = fmt::format("gnuplot /dev/fd/{} 2>/dev/null", ::fileno(file));
     std::string text;
-    if (std::FILE* output = ::popen(call.c_str(), "r")) {
+    const Launched gnuplot =
+        launch({.words = {"gnuplot", "/dev/stdin"}, .input = ::fileno(file), .output = kPipe});
+    if (gnuplot.error == 0) {
         std::array<char, 4096> chunk;
-        while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), output))
-            text.append(chunk.data(), count);
-        ::pclose(output);
+        for (ssize_t count; (count = ::read(gnuplot.pipe, chunk.data(), chunk.size())) > 0;)
+            text.append(chunk.data(), static_cast<std::size_t>(count));
+        ::close(gnuplot.pipe);
+        wait_for(gnuplot.process);
     }
     std::fclose(file);
     const std::size_t begin = text.find("<svg"), end = text.rfind("</svg>");

@@ -1,12 +1,9 @@
 #include "window/live/browser.h"
 
-#include <fcntl.h>
+#include "base/launch.h"
+
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -40,20 +37,7 @@ void append_files(std::vector<fs::path>& list, std::set<fs::path>& known, const 
 int start_still(const fs::path& file, const fs::path& output) {
     std::vector<std::string> words = {"/proc/self/exe", "still",  file.string(), "-o",
                                       output.string(),  "--size", kThumbnailSize};
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t process = 0;
-    const int error =
-        posix_spawn(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) return 0;
-    setpriority(PRIO_PROCESS, static_cast<id_t>(process), 19);
-    return process;
+    return launch({.words = std::move(words), .ends_with_us = false, .niceness = 19}).process;
 }
 
 Texture make_thumbnail(const Image& image) {
@@ -84,7 +68,7 @@ Browser::Browser(fs::path cache) : cache_(std::move(cache)) {}
 Browser::~Browser() {
     if (rendering_ == 0) return;
     kill(rendering_, SIGKILL);
-    waitpid(rendering_, nullptr, 0);
+    wait_for(rendering_);
 }
 
 // The name changes with the file's path and time, so that a stale picture is never shown.
@@ -123,10 +107,10 @@ void Browser::start_next() {
 
 bool Browser::update() {
     if (rendering_ != 0) {
-        int status = 0;
-        if (waitpid(rendering_, &status, WNOHANG) == 0) return false;
+        const std::optional<int> code = ended(rendering_);
+        if (!code) return false;
         rendering_ = 0;
-        if (status != 0) ++next_;  // no picture of this one
+        if (*code != 0) ++next_;  // no picture of this one
         return false;
     }
     if (!reading_.valid()) {

@@ -1,15 +1,14 @@
 #include "window/live/editor.h"
 
+#include "base/launch.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -111,31 +110,25 @@ std::string Editor::open(const Place& place) {
             return fmt::format("No terminal is found for {}: there is no {}; set $EDITOR.", name,
                                command.front());
     }
-    std::vector<char*> arguments;
-    for (std::string& word : command) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawnattr_t attributes;  // signals that we ignore are not to be ignored by others
-    posix_spawnattr_init(&attributes);
-    sigset_t all;
-    sigfillset(&all);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    // In a session of its own: Ctrl+C in the terminal, or its end, takes no unsaved text along.
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
-    pid_t process = 0;
-    const int error =
-        posix_spawnp(&process, arguments[0], nullptr, &attributes, arguments.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    if (error != 0) {
+    // What we ignore is not ignored by others. In a session of its own: Ctrl+C in the terminal, or
+    // its end, takes no unsaved text along.
+    const Launched launched = launch({.words = command,
+                                      .input = kOurs,
+                                      .output = kOurs,
+                                      .messages = kOurs,
+                                      .group = Launch::Group::session,
+                                      .ends_with_us = false,
+                                      .default_signals = true});
+    if (launched.error != 0) {
         return fmt::format("cannot start {}: {}; set $EDITOR", command.front(),
-                           std::strerror(error));
+                           std::strerror(launched.error));
     }
     // Nobody waits for the editor, but it must not stay behind as a zombie. What editors end with
     // is their own affair; the desktop's choice tells so that there is none.
     const int told = ::fcntl(sockets_[1], F_DUPFD_CLOEXEC, 0);
-    std::thread([process, told, chooses = name == kDesktopsChoice] {
-        int status = 0;
-        waitpid(process, &status, 0);
-        if (chooses && status != 0) ::send(told, "", 1, MSG_NOSIGNAL);
+    std::thread([process = launched.process, told, chooses = name == kDesktopsChoice] {
+        const int code = wait_for(process);
+        if (chooses && code != 0) ::send(told, "", 1, MSG_NOSIGNAL);
         ::close(told);
     }).detach();
     return "";

@@ -92,7 +92,9 @@ public:
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
-    bool is_loading() const { return candidate_ != nullptr || inputs_.is_loading(); }
+    bool is_loading() const { return candidate_ != nullptr || awaits_inputs(); }
+    // A large picture goes to the driver; update() is to be called again at once.
+    bool is_sending() const { return !arriving_.empty(); }
     // Whether another thread still reads an input, wanted or not. It ends with the process.
     bool is_reading_inputs() const { return inputs_.is_reading(); }
     bool is_specialised() const { return specialised_; }
@@ -141,6 +143,10 @@ private:
     void load_missing_inputs();
     void follow_inputs();
     void take_input(InputLoader::Loaded loaded);
+    void send_arriving();
+    void show_arrived();
+    bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
+    std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void watch(const std::vector<std::filesystem::path>& files);
     void start_trial(Purpose purpose);
     void follow_trial();
@@ -166,6 +172,12 @@ private:
     Watcher watcher_;
     Trial trial_;
     InputLoader inputs_;
+    // Read, and on the way to the driver.
+    struct Arriving {
+        InputLoader::Loaded loaded;
+        PictureUpload upload;
+    };
+    std::deque<Arriving> arriving_;
     bool opens_with_inputs_ = false;  // those of a file that was opened are not all there yet
     bool plays_again_ = false;        // from the start, with what was missing
     std::vector<std::filesystem::path> watched_;

@@ -5,6 +5,13 @@
 #include <algorithm>
 
 namespace glint {
+namespace {
+
+constexpr std::size_t kLargePicture = std::size_t{16} << 20;  // bytes; the driver takes 20 ms
+constexpr std::size_t kRowsAtOnce = std::size_t{1} << 20;     // bytes
+constexpr double kSendSlice = 8.0;                            // ms between two frames
+
+}  // namespace
 
 void Playground::reload_inputs(const std::vector<std::filesystem::path>& changed) {
     if (!renderer_) return;
@@ -19,29 +26,38 @@ void Playground::reload_inputs(const std::vector<std::filesystem::path>& changed
 // Small ones are there before the first frame.
 void Playground::load_missing_inputs() {
     inputs_.keep_only(*preset_);
-    for (const std::size_t sampler : renderer_->inputs_needed())
-        inputs_.load(sampler_at(*preset_, sampler));
+    for (const std::size_t index : renderer_->inputs_needed()) {
+        const Sampler& sampler = sampler_at(*preset_, index);
+        const bool arrives = std::ranges::any_of(arriving_, [&](const Arriving& arriving) {
+            return same_input(arriving.loaded.sampler, sampler);
+        });
+        if (!arrives) inputs_.load(sampler);
+    }
     inputs_.glance();
     for (InputLoader::Loaded& loaded : inputs_.take()) take_input(std::move(loaded));
-    opens_with_inputs_ &= inputs_.is_loading();
+    opens_with_inputs_ &= awaits_inputs();
 }
 
 void Playground::follow_inputs() {
     for (InputLoader::Loaded& loaded : inputs_.take()) take_input(std::move(loaded));
-    if (!opens_with_inputs_ || inputs_.is_loading()) return;
+    send_arriving();
+    if (!opens_with_inputs_ || awaits_inputs()) return;
     opens_with_inputs_ = false;
     plays_again_ = renderer_->graph().stateful;  // a simulation began without them
     touched_ |= plays_again_;
 }
 
+std::optional<std::size_t> Playground::index_of(const Sampler& sampler) const {
+    for (std::size_t i = 0; i < sampler_count(*preset_); ++i)
+        if (same_input(sampler_at(*preset_, i), sampler)) return i;
+    return std::nullopt;
+}
+
 // What comes before the first frame of a text is part of its report, anything later has its own.
 void Playground::take_input(InputLoader::Loaded loaded) {
-    std::size_t index = 0;
-    while (index < sampler_count(*preset_) &&
-           !same_input(sampler_at(*preset_, index), loaded.sampler))
-        ++index;
-    if (index == sampler_count(*preset_)) return;
-    const Place& place = sampler_at(*preset_, index).place;
+    const std::optional<std::size_t> index = index_of(loaded.sampler);
+    if (!index) return;
+    const Place& place = sampler_at(*preset_, *index).place;
     std::erase_if(diagnostics_, [&](const Diagnostic& d) {
         return d.missing_file && d.place.file == place.file && d.place.line == place.line;
     });
@@ -51,15 +67,49 @@ void Playground::take_input(InputLoader::Loaded loaded) {
     }
     try {
         if (!loaded.input) throw std::runtime_error(loaded.error);
-        give_input(std::move(*loaded.input), *renderer_, index);
+        const bool is_large = loaded.sampler.type == SamplerType::sampler2D &&
+                              loaded.input->bytes.size() > kLargePicture;
+        if (is_large) {
+            const bool mipmaps = loaded.sampler.filter == Filter::mipmap;
+            PictureUpload upload(view_of(*loaded.input), mipmaps);
+            arriving_.push_back({std::move(loaded), std::move(upload)});
+        } else {
+            give_input(std::move(*loaded.input), *renderer_, *index);
+            touched_ = report_first_frame_ = true;
+        }
         context_.finish();  // now the driver says whether there was memory for it
-        touched_ = report_first_frame_ = true;
     } catch (const ContextLost&) {
         throw;
     } catch (const std::runtime_error& error) {
         diagnostics_.push_back({Severity::error, place, error.what(), true});
         if (has_own_report) finish_report(false);
     }
+}
+
+// Between frames, a few milliseconds at a time: the window goes on.
+void Playground::send_arriving() {
+    if (arriving_.empty()) return;
+    Arriving& first = arriving_.front();
+    const PixelView pixels = view_of(*first.loaded.input);
+    const std::size_t row = pixels.data.size() / static_cast<std::size_t>(pixels.size.y);
+    const int rows = static_cast<int>(std::max<std::size_t>(kRowsAtOnce / row, 1));
+    const Stopwatch clock;
+    bool is_whole = false;
+    while (!is_whole && clock.ms() < kSendSlice) is_whole = first.upload.send(pixels, rows);
+    if (is_whole) show_arrived();
+}
+
+void Playground::show_arrived() {
+    Arriving arrived = std::move(arriving_.front());
+    arriving_.pop_front();
+    const std::optional<std::size_t> index = index_of(arrived.loaded.sampler);
+    if (!index) return;  // the text names it no more
+    if (!report_first_frame_) {
+        report_ = {
+            .file = arrived.loaded.sampler.files.front(), .read_ms = arrived.loaded.ms, .text = {}};
+    }
+    renderer_->set_image(*index, arrived.upload);
+    touched_ = report_first_frame_ = true;
 }
 
 }  // namespace glint

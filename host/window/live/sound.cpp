@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,7 +12,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstring>
 #include <utility>
 
@@ -90,18 +88,11 @@ void LiveSound::follow(const Preset* preset, const PlayState& state) {
 }
 
 bool LiveSound::start() {
-    std::array<int, 2> pair{};
-    int error = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) == 0 ? 0 : errno;
-    if (error == 0) {
-        error = spawn_on_socket("/proc/self/exe", "voice", device_, pair[1], process_);
-        ::close(pair[1]);
-        socket_ = pair[0];
-    }
-    if (error == 0) return true;
-    process_ = 0;
-    end();
-    why_silent_ = std::strerror(error);
-    return false;
+    const Launched launched = launch_on_socket("/proc/self/exe", "voice", device_);
+    process_ = launched.process;
+    socket_ = launched.pipe;
+    if (launched.error != 0) why_silent_ = std::strerror(launched.error);
+    return launched.error == 0;
 }
 
 void LiveSound::end() {
@@ -110,15 +101,7 @@ void LiveSound::end() {
     incoming_.clear();
     sent_.reset();
     answered_ = true;
-    if (process_ == 0) return;
-    ::kill(process_, SIGKILL);
-    dying_.push_back(std::exchange(process_, 0));
-    reap();
-}
-
-// Does not wait: a process that is deep in a driver takes its time to end.
-void LiveSound::reap() {
-    std::erase_if(dying_, [](pid_t process) { return ::waitpid(process, nullptr, WNOHANG) != 0; });
+    dying_.end(process_);
 }
 
 void LiveSound::send(const std::string& message) {
@@ -132,7 +115,7 @@ void LiveSound::send(const std::string& message) {
 }
 
 bool LiveSound::update() {
-    reap();
+    dying_.reap();
     if (socket_ < 0) return false;
     if (!outgoing_.empty()) send({});
     std::array<char, 4096> buffer;

@@ -1,6 +1,7 @@
 // The sound of the scene in the window: played by another process, led from here.
 #pragma once
 
+#include "base/launch.h"
 #include "media/feed.h"
 #include "offline/common.h"
 #include "scene/preset.h"
@@ -54,12 +55,11 @@ private:
 
     bool start();
     void end();
-    void reap();
     void send(const std::string& message);
 
     std::string device_;
     pid_t process_ = 0;
-    std::vector<pid_t> dying_;  // killed, not yet reaped
+    Dying dying_;
     int socket_ = -1;
     std::string outgoing_, incoming_;
     std::optional<Content> content_, sent_;  // what there is; what the process has

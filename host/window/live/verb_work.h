@@ -2,7 +2,7 @@
 // found and how far it is.
 #pragma once
 
-#include "base/child.h"
+#include "base/verb_process.h"
 #include "window/ui/findings.h"
 
 #include <nlohmann/json_fwd.hpp>

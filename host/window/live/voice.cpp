@@ -184,7 +184,7 @@ void Voice::play() {
 }  // namespace
 
 void run_voice(const std::string& device) {
-    depend_on_parent("voice");
+    require_socket("voice");
     ::setenv("JACK_NO_START_SERVER", "1", 1);
     Voice(device).run();
 }

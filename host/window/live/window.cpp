@@ -115,6 +115,7 @@ double PlaygroundWindow::wait_seconds() const {
         return std::max(0.0, frame_due_ - now);
     }
     if (shows_clock()) return std::max(0.0, kClockTick - now);
+    if (playground_.is_sending()) return 0.0;
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          study_.process().is_ending() || check_.process().is_ending() ||
                          (playground_.is_open() && !playground_.is_at_rest());

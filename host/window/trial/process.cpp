@@ -39,9 +39,9 @@ double pixels(glm::ivec2 size) {
     return static_cast<double>(size.x) * static_cast<double>(size.y);
 }
 
-class Child {
+class Trier {
 public:
-    explicit Child(const std::string& device) : context_(make_egl_context(device)) {
+    explicit Trier(const std::string& device) : context_(make_egl_context(device)) {
         software_ = context_->is_software();
         find_overhead();
         answer_.text = context_->renderer();
@@ -87,7 +87,7 @@ private:
     };
 };
 
-void Child::send(const TrialAnswer& answer) {
+void Trier::send(const TrialAnswer& answer) {
     const std::string message = pack(answer);
     for (std::size_t at = 0; at < message.size();) {
         const ssize_t sent =
@@ -97,7 +97,7 @@ void Child::send(const TrialAnswer& answer) {
     }
 }
 
-void Child::tell(TrialStage stage, std::size_t pass) {
+void Trier::tell(TrialStage stage, std::size_t pass) {
     answer_.stage = stage;
     answer_.text = pass_name(*scene_, pass);
     if (stage == TrialStage::drawing) {
@@ -110,14 +110,14 @@ void Child::tell(TrialStage stage, std::size_t pass) {
 // A clock for the cost of a draw. A software renderer's is the process's own processor time: on a
 // busy machine the wall clock also counts everybody else's, and a hiccup of 50 ms, scaled up from a
 // small picture, would look like minutes.
-double Child::spent_ms() const {
+double Trier::spent_ms() const {
     timespec now{};
     clock_gettime(software_ ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
 // Also brings the driver's own start-up behind us.
-void Child::find_overhead() {
+void Trier::find_overhead() {
     Preset preset;
     preset.scene.files = {"nothing"};
     preset.scene.text = "void mainImage(out vec4 c, in vec2 p) { c = vec4(p, iTime, 1.0); }\n";
@@ -137,7 +137,7 @@ void Child::find_overhead() {
 }
 
 // Buffers of a given size become small as well.
-void Child::shrink(TrialOrder& order) {
+void Trier::shrink(TrialOrder& order) {
     sizes_ = {{kImagePass, order.size, small_size(order.size)}};
     auto& passes = order.preset.scene.passes;
     for (std::size_t i = 0; i < passes.size(); ++i) {
@@ -150,7 +150,7 @@ void Child::shrink(TrialOrder& order) {
     for (TrialImage& image : order.images) image.size = small_size(image.size);
 }
 
-bool Child::compile(const TrialOrder& order, CompiledScene& scene) {
+bool Trier::compile(const TrialOrder& order, CompiledScene& scene) {
     compile_ms_.clear();
     Stopwatch clock;
     CompileResult result = compile_scene(
@@ -180,7 +180,7 @@ bool Child::compile(const TrialOrder& order, CompiledScene& scene) {
 
 // What is wrong with the sound alone keeps no picture back, and is told with the rest. Constants
 // change nothing of that.
-void Child::compile_sound(const TrialOrder& order) {
+void Trier::compile_sound(const TrialOrder& order) {
     if (!order.preset.scene.has_sound || order.compile.program.specialise) return;
     const CompileResult sound = compile_scene(
         order.preset, {.root = kSoundPass, .program = order.compile.program},
@@ -189,7 +189,7 @@ void Child::compile_sound(const TrialOrder& order) {
 }
 
 // Grey ones of the right form.
-void Child::set_images(const TrialOrder& order, Renderer& renderer) {
+void Trier::set_images(const TrialOrder& order, Renderer& renderer) {
     for (const std::size_t sampler : renderer.inputs_needed()) {
         const auto image = std::find_if(order.images.begin(), order.images.end(),
                                         [&](const TrialImage& i) { return i.sampler == sampler; });
@@ -207,7 +207,7 @@ void Child::set_images(const TrialOrder& order, Renderer& renderer) {
     }
 }
 
-void Child::draw_once(const TrialOrder& order, Renderer& renderer, int frame) {
+void Trier::draw_once(const TrialOrder& order, Renderer& renderer, int frame) {
     double start_ms = 0.0;
     // Drivers finish compiling inside the first draw call; the pixels are waited for afterwards.
     renderer.before_pass = [&](std::size_t index) {
@@ -244,7 +244,7 @@ void Child::draw_once(const TrialOrder& order, Renderer& renderer, int frame) {
 // The shortest of several draws counts. A small picture is drawn
 // by one thread of a software renderer and by one corner of a GPU, which draws some 16,384 pixels
 // at a time.
-void Child::estimate(PassTrial& trial, std::size_t pass, double draw_ms) {
+void Trier::estimate(PassTrial& trial, std::size_t pass, double draw_ms) {
     const auto& [index, real, small] = sizes(pass);
     const double threads = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
     const double ratio =
@@ -253,7 +253,7 @@ void Child::estimate(PassTrial& trial, std::size_t pass, double draw_ms) {
     trial.expected_ms = trial.expected_ms == 0.0 ? ms : std::min(trial.expected_ms, ms);
 }
 
-void Child::draw(const TrialOrder& order, CompiledScene scene) {
+void Trier::draw(const TrialOrder& order, CompiledScene scene) {
     Renderer renderer(order.preset, std::move(scene),
                       {.size = sizes(kImagePass).small, .picture_format = order.picture_format});
     set_images(order, renderer);
@@ -272,7 +272,7 @@ void Child::draw(const TrialOrder& order, CompiledScene scene) {
     if (verdict.expected_ms > order.slow_ms) warn_of_slowness(order);
 }
 
-void Child::warn_of_slowness(const TrialOrder& order) {
+void Trier::warn_of_slowness(const TrialOrder& order) {
     const auto& passes = answer_.verdict.passes;
     const PassTrial& worst = *std::max_element(
         passes.begin(), passes.end(),
@@ -286,7 +286,7 @@ void Child::warn_of_slowness(const TrialOrder& order) {
 }
 
 // On the watch's thread, while the driver has the other one. The window starts a new process.
-void Child::give_up(const Preset& preset, std::size_t pass, const std::string& why) {
+void Trier::give_up(const Preset& preset, std::size_t pass, const std::string& why) {
     answer_.verdict.state = TrialState::rejected;
     answer_.verdict.diagnostics = {given_up(preset, pass, why)};
     answer_.stage = TrialStage::done;
@@ -294,7 +294,7 @@ void Child::give_up(const Preset& preset, std::size_t pass, const std::string& w
     _exit(0);
 }
 
-void Child::answer(TrialOrder order) {
+void Trier::answer(TrialOrder order) {
     answer_ = {};
     answer_.number = order.number;
     answer_.verdict.state = TrialState::running;
@@ -339,18 +339,18 @@ std::string receive_order() {
 }  // namespace
 
 void run_trial(const std::string& device) {
-    depend_on_parent("trial");
-    std::optional<Child> child;
+    require_socket("trial");
+    std::optional<Trier> trier;
     try {
-        child.emplace(device);
+        trier.emplace(device);
     } catch (const std::exception& error) {
         TrialAnswer answer;
         answer.verdict.state = TrialState::unavailable;
         answer.verdict.diagnostics.emplace_back().text = error.what();
-        Child::send(answer);
+        Trier::send(answer);
         return;
     }
-    for (;;) child->answer(unpack_order(receive_order()));
+    for (;;) trier->answer(unpack_order(receive_order()));
 }
 
 }  // namespace glint

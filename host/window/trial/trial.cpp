@@ -4,17 +4,14 @@
 #include "window/trial/message.h"
 #include "window/trial/socket_process.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <cstring>
 #include <thread>
 
@@ -33,17 +30,10 @@ double seconds(Duration duration) {
     return std::chrono::duration<double>(duration).count();
 }
 
-bool is_reaped(pid_t process) {
-    int status = 0;
-    return waitpid(process, &status, WNOHANG) != 0;  // an error: somebody else has done it
-}
-
-std::string signal_words(int status) {
-    if (WIFSIGNALED(status)) {
-        return fmt::format("ended by signal {} ({})", WTERMSIG(status),
-                           strsignal(WTERMSIG(status)));
-    }
-    return "ended by itself";
+// Of a process that ended like this.
+std::string ending_words(int code) {
+    if (code >= 0) return "ended by itself";
+    return fmt::format("ended by signal {} ({})", -code, strsignal(-code));
 }
 
 }  // namespace
@@ -54,31 +44,18 @@ Trial::Trial(TrialOptions options) : options_(std::move(options)) {
 
 Trial::~Trial() {
     end_process();
-    // A killed process is gone at once, unless it is stuck deep in a driver; that one is left.
-    for (int i = 0; i < 1000 && !dying_.empty(); ++i) {
-        reap();
-        if (!dying_.empty()) std::this_thread::sleep_for(1ms);
-    }
 }
 
 void Trial::spawn() {
     if (!unavailable_.empty()) return;
-    std::array<int, 2> pair{};
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) {
-        unavailable_ = fmt::format("There is no socket for it: {}.", std::strerror(errno));
-        return;
-    }
-    const int error =
-        spawn_on_socket(options_.program, "trial", options_.device, pair[1], process_);
-    close(pair[1]);
-    socket_ = pair[0];
     heard_ = std::make_unique<TrialAnswer>();
     heard_at_ = Clock::now();
-    if (error == 0) return;
-    process_ = 0;
-    end_process();
-    unavailable_ =
-        fmt::format("{} does not start: {}.", options_.program.string(), std::strerror(error));
+    const Launched launched = launch_on_socket(options_.program, "trial", options_.device);
+    process_ = launched.process;
+    socket_ = launched.pipe;
+    if (launched.error == 0) return;
+    unavailable_ = fmt::format("{} does not start: {}.", options_.program.string(),
+                               std::strerror(launched.error));
 }
 
 void Trial::end_process() {
@@ -87,11 +64,7 @@ void Trial::end_process() {
     outgoing_.clear();
     incoming_.clear();
     renderer_.clear();
-    if (process_ == 0) return;
-    kill(process_, SIGKILL);
-    dying_.push_back(process_);
-    process_ = 0;
-    reap();
+    dying_.end(process_);
 }
 
 // A new one, which is told of the candidate that still waits.
@@ -102,10 +75,6 @@ void Trial::replace_process() {
         outgoing_ = order_;
         send_pending();
     }
-}
-
-void Trial::reap() {
-    std::erase_if(dying_, is_reaped);
 }
 
 void Trial::start(const Candidate& candidate) {
@@ -162,23 +131,21 @@ void Trial::hear(TrialAnswer answer) {
 
 // It crashed, was killed by somebody, or has said why it cannot start.
 void Trial::hear_end_of_process() {
-    const pid_t process = std::exchange(process_, 0);
-    int status = 0;
-    pid_t reaped = 0;
-    for (int i = 0; i < 20 && reaped == 0; ++i) {
-        reaped = waitpid(process, &status, WNOHANG);
-        if (reaped == 0) std::this_thread::sleep_for(1ms);
+    std::optional<int> code;
+    for (int i = 0; i < 20 && !code; ++i) {
+        code = ended(process_);
+        if (!code) std::this_thread::sleep_for(1ms);
     }
-    if (reaped == 0) dying_.push_back(process);
+    if (code) process_ = 0;
     const bool was_ready = !renderer_.empty();
     if (!was_ready && ++failed_starts_ == kMostFailedStarts && unavailable_.empty()) {
-        unavailable_ = fmt::format("It was {} when it started.", signal_words(status));
+        unavailable_ = fmt::format("It was {} when it started.", ending_words(code.value_or(0)));
     }
     end_process();
     const bool at_work = heard_->number == number_ && heard_->stage != TrialStage::ready;
     if (is_running() && at_work) {
         fail(TrialState::crashed,
-             fmt::format("{} while {}", reaped == process ? signal_words(status) : "gone",
+             fmt::format("{} while {}", code ? ending_words(*code) : "gone",
                          heard_->stage == TrialStage::compiling ? "compiling" : "drawing"));
     }
     replace_process();
@@ -209,7 +176,7 @@ double Trial::limit_seconds() const {
 }
 
 const Verdict& Trial::poll() {
-    reap();
+    dying_.reap();
     send_pending();
     receive();
     if (!is_running()) return verdict_;

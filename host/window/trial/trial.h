@@ -2,6 +2,7 @@
 // ends or takes the GPU down cannot take the window with it.
 #pragma once
 
+#include "base/launch.h"
 #include "offline/common.h"
 
 #include <sys/types.h>
@@ -112,7 +113,6 @@ private:
     void spawn();
     void end_process();
     void replace_process();
-    void reap();
     void send_pending();
     void receive();
     void hear(TrialAnswer answer);
@@ -123,7 +123,7 @@ private:
 
     TrialOptions options_;
     pid_t process_ = 0;
-    std::vector<pid_t> dying_;  // killed, not yet reaped
+    Dying dying_;
     int socket_ = -1;
     int failed_starts_ = 0;     // in a row
     std::string unavailable_;   // why there can be no process

@@ -2,7 +2,7 @@
 // it goes on drawing.
 #pragma once
 
-#include <sys/types.h>
+#include "base/launch.h"
 
 #include <string>
 #include <vector>
@@ -42,8 +42,8 @@ public:
     int descriptor() const { return out_; }
     bool is_ending() const { return runs() && out_ < 0; }
 
-    // Of the last one, once it has ended by itself: its exit code, -1 after a signal; and why, in
-    // its own words.
+    // Of the last one, once it has ended by itself: its exit code, or minus the signal that ended
+    // it; and why, in its own words.
     int exit_code() const { return exit_code_; }
     std::string complaint() const;
 
@@ -51,7 +51,7 @@ private:
     void reap();
 
     pid_t process_ = 0;
-    std::vector<pid_t> dying_;      // killed, not yet reaped
+    Dying dying_;
     int out_ = -1, messages_ = -1;  // its stdout, and what it wrote to stderr
     std::string heard_;             // no whole line yet
     int exit_code_ = 0;
