@@ -378,7 +378,8 @@ void run_sequence(const SequenceOptions& options) {
     const NamedFile written{"-o", options.output == "-" ? "" : options.output, first, last};
     require_files_apart(options, written, {"--from-pictures", options.from_pictures, first, last},
                         preset);
-    require_files_writable(options, written);
+    // A joined film's folder may come with its last picture.
+    if (options.from_pictures.empty()) require_files_writable(options, written);
     if (target == Target::film) heard_in(options, preset, frames);  // says what is too long
     const Provenance provenance = provenance_of(preset, options.fps, options.view.specialise);
     const std::string inputs = inputs_of(options, provenance);

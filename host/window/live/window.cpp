@@ -108,6 +108,7 @@ bool PlaygroundWindow::shows_clock() const {
 // Nothing to do: wait for events. Something to draw: only until the next frame of the screen is
 // due.
 double PlaygroundWindow::wait_seconds() const {
+    if (playground_.is_sending() && window_.is_visible()) return 0.0;
     if (is_keeping_due()) return kKeepPeriod / 4.0;
     if (!window_.is_visible()) return kLongestWait;
     const double now = since_draw_.ms() / 1000.0;
@@ -115,7 +116,6 @@ double PlaygroundWindow::wait_seconds() const {
         return std::max(0.0, frame_due_ - now);
     }
     if (shows_clock()) return std::max(0.0, kClockTick - now);
-    if (playground_.is_sending()) return 0.0;
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          study_.process().is_ending() || check_.process().is_ending() ||
                          (playground_.is_open() && !playground_.is_at_rest());
