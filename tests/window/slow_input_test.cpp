@@ -83,6 +83,33 @@ TEST_F(SlowInput, SavesAreShownAndPanelsLiveWhileItIsRead) {
     EXPECT_TRUE(glint_->says("paint.png: shown")) << glint_->errors();
 }
 
+// 24 MiB: its rows go to the driver between frames. Whether they all arrived, and none twice, the
+// sum of the first and the last row tells: blue is 100 in the lower half and 200 in the upper.
+TEST_F(SlowInput, ALargePictureIsShownOnceAllOfItIsThere) {
+    constexpr glm::ivec2 kSize(4096, 2048);
+    Image image{.size = kSize, .channels = 3, .type = ChannelType::u8, .pixels = {}};
+    image.pixels.resize(std::size_t{3} * 4096 * 2048);
+    for (std::size_t i = 2; i < image.pixels.size(); i += 3)
+        image.pixels[i] = static_cast<std::byte>(i < image.pixels.size() / 2 ? 100 : 200);
+    write_image(picture(), image);
+    open(
+        "uniform sampler2D paint; //@ image paint.png\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float low = texelFetch(paint, ivec2(p.x, 1023), 0).b;\n"
+        "    float high = texelFetch(paint, ivec2(p.x, 1024), 0).b;\n"
+        "    float ends = texelFetch(paint, ivec2(4095, 0), 0).b - texelFetch(paint, ivec2(0, "
+        "2047), "
+        "0).b;\n"
+        "    c = vec4(low, high, abs(ends), 1);\n}\n");
+    EXPECT_TRUE(shows({100, 200, 100}, kMargin)) << glint_->errors();
+    const fs::path beside = folder_->path() / "beside.png";
+    for (std::byte& value : image.pixels) value = value == std::byte{100} ? std::byte{50} : value;
+    write_image(beside, image);
+    fs::rename(beside, picture());
+    EXPECT_TRUE(shows({50, 200, 150}, kMargin)) << glint_->errors();
+    EXPECT_EQ(glint_->count("error"), 0) << glint_->errors();
+}
+
 TEST_F(SlowInput, ThePictureBeforeStaysUntilTheNewOneIsThereAndTheLastOneStays) {
     write_picture(picture(), {0, 0, 100});
     open(text_of(10));
