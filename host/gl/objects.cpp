@@ -61,14 +61,25 @@ void destroy_buffer(GLuint id) {
     glDeleteBuffers(1, &id);
 }
 
-Texture make_texture_2d(GLenum format, glm::ivec2 size, int levels) {
+Texture make_unfilled_texture_2d(GLenum format, glm::ivec2 size, int levels) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &id);
     glTextureStorage2D(id, levels, format, size.x, size.y);
-    for (int level = 0; level < levels; ++level) {
-        glClearTexImage(id, level, GL_RGBA, GL_FLOAT, nullptr);
-    }
     return Texture(id);
+}
+
+Texture make_texture_2d(GLenum format, glm::ivec2 size, int levels) {
+    Texture texture = make_unfilled_texture_2d(format, size, levels);
+    for (int level = 0; level < levels; ++level) {
+        glClearTexImage(texture.id(), level, GL_RGBA, GL_FLOAT, nullptr);
+    }
+    return texture;
+}
+
+Framebuffer make_framebuffer() {
+    GLuint id = 0;
+    glCreateFramebuffers(1, &id);
+    return Framebuffer(id);
 }
 
 Texture make_texture_3d(GLenum format, int width, int height, int depth, int levels) {

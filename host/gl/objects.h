@@ -49,6 +49,11 @@ Texture make_texture_2d(GLenum format, glm::ivec2 size, int levels = 1);
 Texture make_texture_3d(GLenum format, int width, int height, int depth, int levels = 1);
 Texture make_texture_cube(GLenum format, int size, int levels = 1);
 
+// The same for whoever writes every pixel of it.
+Texture make_unfilled_texture_2d(GLenum format, glm::ivec2 size, int levels = 1);
+
+Framebuffer make_framebuffer();
+
 // The number of levels down to 1x1.
 int mipmap_levels(glm::ivec2 size);
 

@@ -100,14 +100,17 @@ glm::uvec3 hash(glm::uvec3 v) {
 }  // namespace
 
 PictureUpload::PictureUpload(const PixelView& form, bool mipmaps)
-    : channel_{.texture = make_texture_2d(formats(form.channels, form.floats).internal, form.size,
-                                          mipmaps ? mipmap_levels(form.size) : 1),
+    : channel_{.texture =
+                   make_unfilled_texture_2d(formats(form.channels, form.floats).internal, form.size,
+                                            mipmaps ? mipmap_levels(form.size) : 1),
                .size = glm::ivec3(form.size, 1),
                .version = 1},
       mipmaps_(mipmaps) {}
 
 bool PictureUpload::send(const PixelView& pixels, int rows) {
     const glm::ivec2 size = pixels.size;
+    if (sent_ == size.y) return add_mipmaps(rows);
+    const bool is_at_once = rows >= size.y;
     rows = std::min(rows, size.y - sent_);
     const std::size_t row_bytes = pixels.data.size() / static_cast<std::size_t>(size.y);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -115,9 +118,34 @@ bool PictureUpload::send(const PixelView& pixels, int rows) {
                         formats(pixels.channels, pixels.floats).external, value_type(pixels),
                         pixels.data.data() + row_bytes * static_cast<std::size_t>(sent_));
     sent_ += rows;
-    if (sent_ < size.y) return false;
-    if (mipmaps_) glGenerateTextureMipmap(channel_.texture.id());
-    return true;
+    if (mipmaps_ && is_at_once) glGenerateTextureMipmap(channel_.texture.id());
+    return sent_ == size.y && (is_at_once || !mipmaps_);
+}
+
+// The next rows of a level, each the mean of two of the level above. Where a side is odd a mean
+// takes three, and small levels are quick: the driver makes those that are left.
+bool PictureUpload::add_mipmaps(int rows) {
+    constexpr int kQuick = 1 << 20;  // pixels
+    const GLuint texture = channel_.texture.id();
+    const glm::ivec2 above = glm::ivec2(channel_.size) >> (level_ - 1);
+    const Framebuffer from = make_framebuffer(), to = make_framebuffer();
+    glNamedFramebufferTexture(from.id(), GL_COLOR_ATTACHMENT0, texture, level_ - 1);
+    glNamedFramebufferTexture(to.id(), GL_COLOR_ATTACHMENT0, texture, level_);
+    const bool is_drawable =
+        glCheckNamedFramebufferStatus(to.id(), GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    if (above.x % 2 != 0 || above.y % 2 != 0 || above.x * above.y < kQuick || !is_drawable) {
+        glTextureParameteri(texture, GL_TEXTURE_BASE_LEVEL, level_ - 1);
+        glGenerateTextureMipmap(texture);
+        glTextureParameteri(texture, GL_TEXTURE_BASE_LEVEL, 0);
+        return true;
+    }
+    const glm::ivec2 size = above / 2;
+    const int end = std::min(made_ + rows, size.y);
+    glBlitNamedFramebuffer(from.id(), to.id(), 0, 2 * made_, above.x, 2 * end, 0, made_, size.x,
+                           end, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    made_ = end;
+    if (made_ == size.y) ++level_, made_ = 0;
+    return false;
 }
 
 std::vector<std::byte> noise_bytes(glm::ivec3 size, int channels) {

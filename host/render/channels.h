@@ -45,14 +45,17 @@ class PictureUpload {
 public:
     // Makes room for a picture of this form.
     PictureUpload(const PixelView& form, bool mipmaps);
-    // Sends the next rows of it. True once all are there; then its mipmaps are made.
+    // Sends the next rows of it, or makes as much of its mipmaps. True once all are there.
     bool send(const PixelView& pixels, int rows);
     Channel take() { return std::move(channel_); }
 
 private:
+    bool add_mipmaps(int rows);
+
     Channel channel_;
     bool mipmaps_;
-    int sent_ = 0;  // rows
+    int sent_ = 0;              // rows
+    int level_ = 1, made_ = 0;  // of the mipmaps: which one is made, and its rows that are
 };
 
 class Channels {

@@ -95,7 +95,10 @@ void Playground::send_arriving() {
     const int rows = static_cast<int>(std::max<std::size_t>(kRowsAtOnce / row, 1));
     const Stopwatch clock;
     bool is_whole = false;
-    while (!is_whole && clock.ms() < kSendSlice) is_whole = first.upload.send(pixels, rows);
+    while (!is_whole && clock.ms() < kSendSlice) {
+        is_whole = first.upload.send(pixels, rows);
+        context_.finish();  // or the driver would do all of it later, at once
+    }
     if (is_whole) show_arrived();
 }
 
