@@ -107,17 +107,9 @@ void require_cases(const std::vector<CheckedFile>& files, const std::string& onl
     }
 }
 
-void require_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
-        throw cannot_write(folder, "It is no folder");
-    }
-}
-
 }  // namespace
 
 void run_check(const CheckOptions& options) {
-    require_folder(options.output);
     std::vector<CheckedFile> files;
     std::set<std::filesystem::path> scenes;
     for (const std::filesystem::path& name : options.files) {
