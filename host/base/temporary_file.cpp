@@ -139,4 +139,10 @@ void TemporaryFile::commit() {
     temporary_.clear();
 }
 
+void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
+    TemporaryFile out(file);
+    out.append(bytes);
+    out.commit();
+}
+
 }  // namespace glint

@@ -59,4 +59,7 @@ private:
     int error_ = 0;
 };
 
+// Replaces `file` by `bytes` through a temporary file beside it. Throws cannot_write().
+void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
 }  // namespace glint

@@ -364,10 +364,4 @@ Image read_image(const fs::path& file) {
     return codec == Codec::png ? read_png(file, in) : read_by_oiio(file, in, oiio_name(codec));
 }
 
-void write_whole_file(const fs::path& file, std::span<const std::byte> bytes) {
-    TemporaryFile out(file);
-    out.append(bytes);
-    out.commit();
-}
-
 }  // namespace glint

@@ -116,7 +116,4 @@ ImageFacts read_image_facts(const std::filesystem::path& file);
 // file is missing, truncated or not an image.
 Image read_image(const std::filesystem::path& file);
 
-// Replaces `file` by `bytes` through a temporary file beside it. Throws like write_image.
-void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
-
 }  // namespace glint

@@ -1,5 +1,6 @@
 #include "offline/named_files.h"
 
+#include "base/canonical_name.h"
 #include "base/numbered_name.h"
 #include "offline/common.h"
 
@@ -21,14 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a name leads, whether anything is there yet or not.
-fs::path place_of(const fs::path& name) {
-    std::error_code error;
-    const fs::path full = fs::absolute(name, error);
-    const fs::path place = fs::weakly_canonical(full, error);
-    return error ? full.lexically_normal() : place;
-}
-
 // Two names of one file have the same, once it is there.
 using FileNumber = std::pair<dev_t, ino_t>;
 
@@ -46,13 +39,13 @@ bool are_digits(std::string_view text) {
 struct Resolved {
     explicit Resolved(const NamedFile& file) : named(file), numbered(numbered_name(file.name)) {
         if (!numbered) {
-            place = place_of(file.name);
+            place = canonical_name(file.name);
             if (const auto number = file_number(place)) there.push_back(*number);
             return;
         }
         const fs::path before = numbered->before;
         const fs::path folder = before.has_parent_path() ? before.parent_path() : ".";
-        numbered->before = (place_of(folder) / before.filename()).string();
+        numbered->before = (canonical_name(folder) / before.filename()).string();
         for (const int k : numbered->numbers_there()) {
             if (k < file.first || k > file.last) continue;
             if (const auto number = file_number(numbered->name(k))) there.push_back(*number);

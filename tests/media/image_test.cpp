@@ -1,6 +1,8 @@
 // What goes into a file comes back, and a write that fails leaves everything as it was.
 #include "media/image.h"
 
+#include "base/temporary_file.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sched.h>

@@ -1,5 +1,6 @@
 #include "measure/study/page.h"
 
+#include "base/temporary_file.h"
 #include "measure/study/plot.h"
 #include "media/image.h"
 

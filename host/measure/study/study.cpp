@@ -2,6 +2,7 @@
 
 #include "base/json_text.h"
 #include "base/say.h"
+#include "base/temporary_file.h"
 #include "measure/study/measure.h"
 #include "measure/study/page.h"
 #include "measure/study/store.h"

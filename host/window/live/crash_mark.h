@@ -19,7 +19,7 @@ public:
     // other scenes wait for their own next start.
     bool take(const std::filesystem::path& scene);
 
-    // `scene` is one name for it, however it is opened: see place_of().
+    // `scene` is one name for it, however it is opened: see canonical_name().
     void set(const std::filesystem::path& scene);
 
 private:

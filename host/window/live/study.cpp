@@ -1,5 +1,6 @@
 #include "window/live/study.h"
 
+#include "base/temporary_file.h"
 #include "media/image.h"
 #include "scene/preset_writer.h"
 

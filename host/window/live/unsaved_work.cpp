@@ -1,5 +1,6 @@
 #include "window/live/unsaved_work.h"
 
+#include "base/canonical_name.h"
 #include "base/temporary_file.h"
 #include "glsl/raw_text.h"
 
@@ -28,9 +29,7 @@ std::string read(const fs::path& file) {
 }
 
 void write(const fs::path& file, const std::string& text) {
-    TemporaryFile whole(file);
-    whole.append(std::as_bytes(std::span(text)));
-    whole.commit();
+    write_whole_file(file, std::as_bytes(std::span(text)));
 }
 
 HeldFolder make_folder_in(const fs::path& parent) {
@@ -41,12 +40,6 @@ HeldFolder make_folder_in(const fs::path& parent) {
 }
 
 }  // namespace
-
-fs::path place_of(const fs::path& file) {
-    std::error_code error;
-    fs::path place = fs::weakly_canonical(fs::absolute(file, error), error);
-    return error ? file : place;
-}
 
 // The lock is the kernel's, which lifts it when the process ends, and knows no process by a number
 // that another may have by then.
@@ -81,13 +74,13 @@ void UnsavedWork::keep(const fs::path& file, const std::string& text) {
     std::error_code error;
     if (!own_ || !fs::exists(own_.path(), error)) own_ = make_folder_in(folder_);
     if (!own_) throw cannot_write(folder_, "another process holds what was just made");
-    write(own_.path() / kFile, place_of(file).string());
+    write(own_.path() / kFile, canonical_name(file).string());
     write(own_.path() / kText, text);
 }
 
 std::optional<std::string> UnsavedWork::find(const fs::path& file) {
     found_ = {};
-    const std::string wanted = place_of(file).string();
+    const std::string wanted = canonical_name(file).string();
     fs::file_time_type newest{};
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder_, error)) {

@@ -9,9 +9,6 @@
 
 namespace glint {
 
-// One name for a file, however it was named; it stays when the current folder goes.
-std::filesystem::path place_of(const std::filesystem::path& file);
-
 // A folder that this process alone holds: another can take it once this one has ended, however.
 class HeldFolder {
 public:

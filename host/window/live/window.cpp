@@ -1,5 +1,6 @@
 #include "window/live/window.h"
 
+#include "base/canonical_name.h"
 #include "base/say.h"
 #include "media/image.h"
 #include "window/live/inspect.h"
@@ -68,7 +69,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
              {.device = options.device, .specialise = options.specialise}),
       check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
       sound_(options.device) {
-    pause_at_open_ = crash_mark_.take(place_of(options.file));
+    pause_at_open_ = crash_mark_.take(canonical_name(options.file));
     if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
     open(options.file);
 }

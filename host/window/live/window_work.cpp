@@ -1,5 +1,7 @@
 // No work is lost: saving, what is asked before unsaved work would go, and what is kept of it for
 // the next run.
+#include "base/canonical_name.h"
+#include "base/temporary_file.h"
 #include "glsl/raw_text.h"
 #include "media/image.h"
 #include "offline/import.h"
@@ -120,7 +122,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     check_.clear();
     settings_.shown = Shown::scene;
     settings_.free_aspect = false;
-    place_ = place_of(file);
+    place_ = canonical_name(file);
     crash_mark_.set(place_);
     playground_.open(file);
     browser_.list(file);
