@@ -46,10 +46,11 @@ protected:
               R"("void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }"}]}})");
     }
 
-    // As a shell does it: "2>/dev/full", "2>&-", "| head -c 0".
-    int shell(const std::string& words, const std::string& where) const {
-        write("script", fmt::format("cd '{}' && '{}' {} {}\nexit ${{PIPESTATUS[0]}}\n",
-                                    folder().string(), GLINT_BINARY, words, where));
+    // As a shell does it: "2>/dev/full", "2>&-"; what stands in `before` is done first.
+    int shell(const std::string& words, const std::string& where,
+              const std::string& before = "true") const {
+        write("script", fmt::format("cd '{}' && {} && '{}' {} {}\n", folder().string(), before,
+                                    GLINT_BINARY, words, where));
         const int status = std::system(("bash '" + (folder() / "script").string() + "'").c_str());
         return WEXITSTATUS(status);
     }
@@ -90,7 +91,10 @@ TEST_F(Unheard, AReaderThatGoesAwayEndsItOnceItsFilesAreWritten) {
     for (const Call& call : kCalls) {
         if (call.code != 0) continue;
         SCOPED_TRACE(call.words);
-        EXPECT_EQ(shell(call.words, "2>&1 | true"), 128 + SIGPIPE);
+        // A pipe whose only reader has gone before anything is written.
+        EXPECT_EQ(
+            shell(call.words, ">&4 2>&1", "rm -f pipe && mkfifo pipe && exec 3<>pipe 4>pipe 3<&-"),
+            128 + SIGPIPE);
         expect_left(call);
     }
 }
