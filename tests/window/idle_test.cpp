@@ -76,5 +76,26 @@ TEST_F(Idle, AnErrorOnTheScreenCostsNothing) {
     EXPECT_TRUE(uses_at_most(1.0, "paused with an error"));
 }
 
+// The process that takes the place of the one that hung says that it is ready, and nobody has
+// asked.
+TEST_F(Idle, AHangThatWasRefusedCostsNothing) {
+    open(kMoving);
+    screen_->tap("Control_L+space");
+    wait_for_rest();
+    write(scene(),
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float a = p.x;\n"
+          "    for (int i = 0; i < 1000000000; ++i) {\n"
+          "        for (int k = 0; k < 8; ++k)\n"
+          "            a = sin(a * 1.1 + exp(cos(a + float(k)))) + pow(abs(a), 0.3);\n"
+          "        if (a > 100.0) break;\n"
+          "    }\n"
+          "    c = vec4(a);\n"
+          "}\n");
+    ASSERT_TRUE(glint_->says("no frame within"));
+    wait_for_rest();
+    EXPECT_TRUE(uses_at_most(1.0, "paused, after a hang"));
+}
+
 }  // namespace
 }  // namespace glint::window

@@ -3,8 +3,6 @@
 #include "base/readable_file.h"
 #include "media/image.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -17,8 +15,6 @@ constexpr double kLongestCatchUp = 0.25;  // s
 
 // How long a replay may keep the window waiting in one frame.
 constexpr double kReplaySlice = 30.0;  // ms
-
-constexpr std::size_t kKeptReports = 100;
 
 Date local_now() {
     std::timespec now{};
@@ -48,6 +44,7 @@ void apply_saved_changes(const Preset& before, const Preset& now, History& histo
     }
 }
 
+// The files of a text, and those that its samplers name.
 std::vector<std::filesystem::path> watched_files(const std::vector<std::filesystem::path>& texts,
                                                  const Preset* preset) {
     std::vector<std::filesystem::path> files = texts;
@@ -67,15 +64,36 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       options_(options),
       size_(size),
       trial_({.device = options.device}),
+      reloader_(reload_steps(),
+                {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
       inputs_(texture_limits()) {}
 
 Playground::~Playground() = default;
 
+ReloadSteps Playground::reload_steps() {
+    return {.read = read_preset,
+            .watch =
+                [this](const ReadPreset& read) {
+                    const Preset* preset = read.preset ? &*read.preset : preset_.get();
+                    watcher_.set_files(watched_files(read.files, preset));
+                },
+            .start_trial =
+                [this](const Preset& preset, Programs programs) {
+                    const bool specialise = programs == Programs::constants;
+                    trial_.start({.preset = preset,
+                                  .compile = {.program = {.specialise = specialise}},
+                                  .size = size_,
+                                  .time = transport.time(),
+                                  .images = {}});
+                },
+            .trial = [this]() -> const Verdict& { return trial_.poll(); },
+            .put_in_place = [this](const Preset& preset,
+                                   Programs programs) { return put_in_place(preset, programs); }};
+}
+
 void Playground::open(const std::filesystem::path& file) {
-    file_ = file;
-    written_.reset();
     watcher_.about_to_read();
-    read_again(file);
+    reloader_.open(file);
 }
 
 std::vector<int> Playground::descriptors() const {
@@ -83,109 +101,30 @@ std::vector<int> Playground::descriptors() const {
 }
 
 bool Playground::update() {
-    const std::size_t reports = report_count_;
+    const std::size_t reports = report_count();
     const bool was_loading = is_loading();
     notice_saves();
-    follow_trial();
+    if (reloader_.follow()) load_missing_inputs();
     follow_inputs();
     specialise_at_rest();
-    return reports != report_count_ || was_loading != is_loading() || touched_;
+    return reports != report_count() || was_loading != is_loading() || touched_;
 }
 
 void Playground::notice_saves() {
     const std::vector<std::filesystem::path> changed = watcher_.changed();
     if (changed.empty()) return;
-    const auto is_text = [&](const std::filesystem::path& file) {
-        return std::find(watched_.begin(), watched_.end(), file) != watched_.end();
-    };
-    const auto text = std::find_if(changed.begin(), changed.end(), is_text);
-    if (text != changed.end()) read_again(*text);
+    const auto text = std::ranges::find_if(
+        changed, [&](const auto& file) { return reloader_.is_read_from(file); });
+    if (text != changed.end()) reloader_.saved(*text);
     reload_inputs(changed);
 }
 
-void Playground::read_again(const std::filesystem::path& changed) {
-    since_notice_.restart();
-    report_ = {.file = changed, .text = {}};
-    ReadPreset read = read_preset(file_);
-    report_.read_ms = since_notice_.ms();
-    watched_ = read.files;
-    watcher_.set_files(watched_files(read.files, read.preset ? &*read.preset : preset_.get()));
-    diagnostics_ = std::move(read.diagnostics);
-    if (!read.preset) {
-        candidate_.reset();
-        trying_ = false;
-        refused_ = true;
-        finish_report(false);
-        return;
-    }
-    candidate_ = std::make_unique<Preset>(std::move(*read.preset));
-    start_trial(Purpose::reload);
-}
-
-void Playground::start_trial(Purpose purpose) {
-    purpose_ = purpose;
-    trying_ = true;
-    trial_.start({.preset = *candidate_,
-                  .compile = {.program = {.specialise = purpose == Purpose::specialise}},
-                  .size = size_,
-                  .time = transport.time(),
-                  .images = {}});
-}
-
-void Playground::follow_trial() {
-    if (!trying_) return;
-    const Verdict& verdict = trial_.poll();
-    if (verdict.state == TrialState::running) return;
-    trying_ = false;
-    const std::unique_ptr<Preset> candidate = std::move(candidate_);
-    if (purpose_ == Purpose::reload) {
-        report_.trial_ms = verdict.total_ms;
-        diagnostics_.insert(diagnostics_.end(), verdict.diagnostics.begin(),
-                            verdict.diagnostics.end());
-    }
-    switch (verdict.state) {
-        case TrialState::passed:
-            if (verdict.expected_ms > options_.hopeless_ms) {
-                refuse(
-                    fmt::format("a frame would take about {:.0f} s; make it cheaper, or lower the "
-                                "resolution",
-                                verdict.expected_ms / 1000.0));
-                return;
-            }
-            [[fallthrough]];
-        case TrialState::unavailable:
-            take(*candidate, purpose_);
-            return;
-        case TrialState::idle:
-        case TrialState::running:
-        case TrialState::rejected:
-        case TrialState::too_slow:
-        case TrialState::crashed:
-        case TrialState::lost:
-            refuse("");
-            return;
-    }
-}
-
-// The picture stays as it was; the diagnostics say why.
-void Playground::refuse(const std::string& why) {
-    if (purpose_ == Purpose::specialise) {
-        specialise_failed_ = true;  // uniforms do as well
-        return;
-    }
-    if (!why.empty()) {
-        diagnostics_.push_back(
-            {.place = {.file = file_.string()}, .text = why, .missing_file = false});
-    }
-    refused_ = true;
-    finish_report(false);
-}
-
-std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset, bool specialise) {
+std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset, Programs programs,
+                                                    Diagnostics& why_not) const {
+    const bool specialise = programs == Programs::constants;
     CompileResult compiled = compile_scene(preset, {.program = {.specialise = specialise}});
     if (!compiled.scene) {
-        diagnostics_.insert(diagnostics_.end(), compiled.diagnostics.begin(),
-                            compiled.diagnostics.end());
+        why_not = std::move(compiled.diagnostics);
         return nullptr;
     }
     return std::make_unique<Renderer>(
@@ -193,25 +132,26 @@ std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset, bool s
         RenderOptions{.size = size_, .picture_format = picture_format()});
 }
 
-// Puts a candidate on the screen in one step, or leaves all as it was.
-void Playground::take(const Preset& candidate, Purpose purpose) {
-    const Stopwatch clock;
+// In one step, or all is left as it was.
+Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs) {
+    const bool is_text = programs == Programs::uniforms;
+    const Preset* written = reloader_.as_written();
     auto preset = std::make_unique<Preset>(candidate);
-    auto saved = purpose == Purpose::reload ? std::make_unique<Preset>(candidate) : nullptr;
     History next = history;
-    if (saved && !written_) {
+    if (is_text && !written) {
         next = History(preset->scene.tweaks, preset->values);
-    } else if (saved) {
+    } else if (is_text) {
         next.rebase(preset->scene.tweaks);
-        apply_saved_changes(*written_, *saved, next);
+        apply_saved_changes(*written, candidate, next);
     }
     preset->values = next.values();
     std::unique_ptr<Renderer> renderer;
     try {
-        renderer = make_renderer(*preset, purpose == Purpose::specialise);
-        if (!renderer) return refuse("");
-        const bool same_file = preset_ && written_;
-        if (renderer_ && (same_file || !saved)) renderer->adopt(*renderer_);
+        Diagnostics why_not;
+        renderer = make_renderer(*preset, programs, why_not);
+        if (!renderer) return why_not;
+        const bool same_file = preset_ && written;
+        if (renderer_ && (same_file || !is_text)) renderer->adopt(*renderer_);
         // What cannot be opened keeps the scene before; what cannot be decoded is told later.
         for (const std::size_t sampler : renderer->inputs_needed())
             for (const auto& file : sampler_at(*preset, sampler).files) require_readable(file);
@@ -220,72 +160,45 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
         throw;
     } catch (const std::runtime_error& error) {
         if (renderer && renderer_) renderer_->adopt(*renderer);
-        return refuse(error.what());
+        return {{.place = {.file = reloader_.file().string()}, .text = error.what()}};
     }
-    const bool opened = saved && !written_;
     renderer_ = std::move(renderer);
     preset_ = std::move(preset);
     history = std::move(next);
-    specialised_ = purpose == Purpose::specialise;
-    if (!saved) return;  // the picture is the same; nothing asks for a frame
-    written_ = std::move(saved);
-    refused_ = specialise_failed_ = false;
+    if (!is_text) return {};  // the picture is the same; nothing asks for a frame
     since_tweak_.restart();
-    report_.compile_ms = clock.ms();
-    report_first_frame_ = touched_ = true;
-    opens_with_inputs_ |= opened;
-    if (opened) {
+    touched_ = true;
+    if (!written) {
+        opening_ = Opening::awaits_inputs;
         transport = Transport(preset_->time);
         input_ = {};
         extra_frames_ = frame_offset_ = 0;
     }
-    load_missing_inputs();
+    return {};
 }
 
 void Playground::tweaks_changed() {
     if (!preset_) return;
     preset_->values = history.values();
     since_tweak_.restart();
-    specialise_failed_ = false;
     touched_ = true;
-    if (purpose_ == Purpose::specialise && trying_) {
-        trying_ = false;
-        candidate_.reset();
-    }
-    if (specialised_) use_uniforms();
+    reloader_.tweaks_moved();
+    if (is_specialised()) use_uniforms();
 }
 
 void Playground::use_uniforms() {
-    auto renderer = make_renderer(*preset_, false);
+    Diagnostics why_not;
+    auto renderer = make_renderer(*preset_, Programs::uniforms, why_not);
+    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
     if (!renderer) return;
     renderer->adopt(*renderer_);
     renderer_ = std::move(renderer);
-    specialised_ = false;
+    reloader_.uses_uniforms();
 }
 
 void Playground::specialise_at_rest() {
-    if (!options_.specialise || !renderer_ || specialised_ || specialise_failed_ || trying_) return;
-    if (history.is_open() || since_tweak_.ms() < options_.rest_seconds * 1000.0) return;
-    candidate_ = std::make_unique<Preset>(*preset_);
-    start_trial(Purpose::specialise);
-}
-
-void Playground::finish_report(bool shown) {
-    report_.shown = shown;
-    const auto errors = std::count_if(diagnostics_.begin(), diagnostics_.end(),
-                                      [](const auto& d) { return d.severity == Severity::error; });
-    const std::string name = report_.file.filename().string();
-    report_.text =
-        shown ? fmt::format(
-                    "{}: shown; read {:.1f}, trial {:.1f}, compile {:.1f}, first frame {:.1f} ms",
-                    name, report_.read_ms, report_.trial_ms, report_.compile_ms,
-                    report_.first_frame_ms)
-              : fmt::format("{}: not shown, {} error{}; read {:.1f}, trial {:.1f} ms", name, errors,
-                            errors == 1 ? "" : "s", report_.read_ms, report_.trial_ms);
-    reports_.push_back(report_);
-    ++report_count_;
-    if (reports_.size() > kKeptReports) reports_.pop_front();
-    report_first_frame_ = false;
+    if (!renderer_ || history.is_open()) return;
+    if (since_tweak_.ms() >= options_.rest_seconds * 1000.0) reloader_.tweaks_rest(*preset_);
 }
 
 bool Playground::wants_frame() const {
@@ -315,7 +228,7 @@ void Playground::resize(glm::ivec2 size) {
     } catch (const std::runtime_error& error) {
         refused_size_ = size;
         renderer_->resize(size_);
-        diagnostics_.push_back({.place = {.file = file_.string()}, .text = error.what()});
+        reloader_.tell({.place = {.file = reloader_.file().string()}, .text = error.what()});
     }
 }
 
@@ -414,7 +327,8 @@ bool Playground::draw(double wall_seconds) {
     const Stopwatch clock;
     // While a replay is under way, time stands.
     Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
-    const bool plays_again = std::exchange(plays_again_, false);
+    const bool plays_again = opening_ == Opening::plays_again;
+    if (plays_again) opening_ = Opening::done;
     if (instant_.jumped || plays_again) {
         renderer_->reset();
         const bool again = renderer_->graph().stateful && (instant_.time > 0.0 || plays_again);
@@ -438,10 +352,7 @@ bool Playground::draw(double wall_seconds) {
     drawn_input_ = frame.input;
     drawn_date_ = frame.date;
     if (drawn) frame_ms_ = clock.ms();
-    if (report_first_frame_) {
-        report_.first_frame_ms = clock.ms();
-        finish_report(true);
-    }
+    reloader_.drawn(clock.ms());
     return drawn;
 }
 
@@ -462,8 +373,11 @@ std::vector<std::byte> Playground::still() {
     const bool measured = measuring_;
     measure_passes(false);
     std::vector<std::byte> pixels;
-    const bool as_it_is = specialised_ || !options_.specialise;
-    if (const auto special = as_it_is ? nullptr : make_renderer(*preset_, true)) {
+    const bool as_it_is = is_specialised() || !options_.specialise;
+    Diagnostics why_not;
+    const auto special = as_it_is ? nullptr : make_renderer(*preset_, Programs::constants, why_not);
+    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
+    if (special) {
         special->adopt(*renderer_);
         special->draw_root(frame_again());
         pixels = special->read_bytes();
@@ -482,7 +396,7 @@ Metadata Playground::still_metadata() const {
 
 const Buffer* Playground::picture_of(History::Set set) {
     if (!renderer_) return nullptr;
-    if (specialised_) use_uniforms();
+    if (is_specialised()) use_uniforms();
     const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
     if (!other_picture_ || other_picture_->shape() != picture.shape()) {
         other_picture_ = std::make_unique<Buffer>(picture.shape());

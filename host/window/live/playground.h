@@ -10,6 +10,7 @@
 #include "scene/recording.h"
 #include "scene/transport.h"
 #include "window/live/input_loader.h"
+#include "window/live/reloader.h"
 #include "window/trial/trial.h"
 
 #include <deque>
@@ -23,17 +24,6 @@ struct PlaygroundOptions {
     bool specialise = true;        // once the tweaks rest
     double rest_seconds = 0.4;     // how long they rest before that
     double hopeless_ms = 10000.0;  // a frame that would take longer is refused
-};
-
-// How a save, or the first opening, went; one line on stderr each.
-struct ReloadReport {
-    std::filesystem::path file;
-    bool shown = false;       // the new text is on the screen
-    double read_ms = 0.0;     // reading and parsing
-    double trial_ms = 0.0;    // in the other process
-    double compile_ms = 0.0;  // in this one
-    double first_frame_ms = 0.0;
-    std::string text;  // the line
 };
 
 class Playground {
@@ -55,7 +45,7 @@ public:
     bool wants_frame() const;
 
     // Whether that frame is the first of a text that was saved or opened.
-    bool has_unseen_text() const { return report_first_frame_; }
+    bool has_unseen_text() const { return reloader_.has_unseen(); }
 
     // Draws what is due; `wall_seconds` have passed since the last call. True when the picture is
     // new.
@@ -93,31 +83,31 @@ public:
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
-    bool is_loading() const { return candidate_ != nullptr || awaits_inputs(); }
+    bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
     // A large picture goes to the driver; update() is to be called again at once.
     bool is_sending() const { return !arriving_.empty(); }
     // Whether another thread still reads an input, wanted or not. It ends with the process.
     bool is_reading_inputs() const { return inputs_.is_reading(); }
-    bool is_specialised() const { return specialised_; }
+    bool is_specialised() const { return reloader_.programs() == Programs::constants; }
     // Nothing is left to be done in the background.
     bool is_at_rest() const {
-        return !trying_ && (specialised_ || specialise_failed_ || !options_.specialise);
+        return reloader_.programs() != Programs::uniforms && !trial_.is_running();
     }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
 
     const Preset* preset() const { return preset_.get(); }
     // What is shown as its file has it, without what was changed here; null until it is shown.
-    const Preset* as_written() const { return written_.get(); }
+    const Preset* as_written() const { return reloader_.as_written(); }
     // The file has just been given this.
-    void note_saved(const Preset& preset) { *written_ = preset; }
+    void note_saved(const Preset& preset) { reloader_.note_saved(preset); }
     Renderer* renderer() { return renderer_.get(); }
-    const Diagnostics& diagnostics() const { return diagnostics_; }
+    const Diagnostics& diagnostics() const { return reloader_.diagnostics(); }
     // The newest text that was tried was refused, for the reasons that the diagnostics tell.
-    bool shows_older_text() const { return refused_; }
+    bool shows_older_text() const { return reloader_.shows_older_text(); }
     // The last reloads, and how many there were in all.
-    const std::deque<ReloadReport>& reports() const { return reports_; }
-    std::size_t report_count() const { return report_count_; }
+    const std::deque<ReloadReport>& reports() const { return reloader_.reports(); }
+    std::size_t report_count() const { return reloader_.report_count(); }
     const Instant& instant() const { return instant_; }
     double frame_ms() const { return frame_ms_; }
 
@@ -136,10 +126,8 @@ public:
     Recorder recorder;
 
 private:
-    enum class Purpose { reload, specialise };
-
+    ReloadSteps reload_steps();
     void notice_saves();
-    void read_again(const std::filesystem::path& changed);
     void reload_inputs(const std::vector<std::filesystem::path>& changed);
     void load_missing_inputs();
     void follow_inputs();
@@ -148,14 +136,9 @@ private:
     void show_arrived();
     bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
-    void watch(const std::vector<std::filesystem::path>& files);
-    void start_trial(Purpose purpose);
-    void follow_trial();
+    Diagnostics put_in_place(const Preset& candidate, Programs programs);
     void specialise_at_rest();
     void use_uniforms();
-    void take(const Preset& preset, Purpose purpose);
-    void refuse(const std::string& why);
-    void finish_report(bool shown);
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
     Frame frame_again() const;
@@ -164,14 +147,15 @@ private:
     }
     bool replay_slice(Frame& frame);
     bool follows_time() const;
-    std::unique_ptr<Renderer> make_renderer(const Preset& preset, bool specialise);
+    std::unique_ptr<Renderer> make_renderer(const Preset& preset, Programs programs,
+                                            Diagnostics& why_not) const;
 
     Context& context_;
     PlaygroundOptions options_;
     glm::ivec2 size_, refused_size_{0};
-    std::filesystem::path file_;
     Watcher watcher_;
     Trial trial_;
+    Reloader reloader_;
     InputLoader inputs_;
     // Read, and on the way to the driver.
     struct Arriving {
@@ -179,26 +163,14 @@ private:
         PictureUpload upload;
     };
     std::deque<Arriving> arriving_;
-    bool opens_with_inputs_ = false;  // those of a file that was opened are not all there yet
-    bool plays_again_ = false;        // from the start, with what was missing
-    std::vector<std::filesystem::path> watched_;
+    // A file that was opened: its inputs may come after its first frame. A simulation that began
+    // without them is played again from its start.
+    enum class Opening { done, awaits_inputs, plays_again } opening_ = Opening::done;
 
     std::unique_ptr<Preset> preset_;  // what is drawn
     std::unique_ptr<Renderer> renderer_;
-    std::unique_ptr<Preset> candidate_;  // what is tried
-    std::optional<History> candidate_history_;
-    std::unique_ptr<Preset> written_;  // the preset as its file had it when it was last read
-    Purpose purpose_ = Purpose::reload;
-    bool trying_ = false, refused_ = false;
-    bool specialised_ = false, specialise_failed_ = false;
     Stopwatch since_tweak_;
-    Stopwatch since_notice_;
-    ReloadReport report_;
-    bool report_first_frame_ = false;
 
-    Diagnostics diagnostics_;
-    std::deque<ReloadReport> reports_;  // the last ones
-    std::size_t report_count_ = 0;
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;
     Recorder recent_;  // for the steps of simulations

@@ -35,16 +35,15 @@ void Playground::load_missing_inputs() {
     }
     inputs_.glance();
     for (InputLoader::Loaded& loaded : inputs_.take()) take_input(std::move(loaded));
-    opens_with_inputs_ &= awaits_inputs();
+    if (opening_ == Opening::awaits_inputs && !awaits_inputs()) opening_ = Opening::done;
 }
 
 void Playground::follow_inputs() {
     for (InputLoader::Loaded& loaded : inputs_.take()) take_input(std::move(loaded));
     send_arriving();
-    if (!opens_with_inputs_ || awaits_inputs()) return;
-    opens_with_inputs_ = false;
-    plays_again_ = renderer_->graph().stateful;  // a simulation began without them
-    touched_ |= plays_again_;
+    if (opening_ != Opening::awaits_inputs || awaits_inputs()) return;
+    opening_ = renderer_->graph().stateful ? Opening::plays_again : Opening::done;
+    touched_ |= opening_ == Opening::plays_again;
 }
 
 std::optional<std::size_t> Playground::index_of(const Sampler& sampler) const {
@@ -53,18 +52,13 @@ std::optional<std::size_t> Playground::index_of(const Sampler& sampler) const {
     return std::nullopt;
 }
 
-// What comes before the first frame of a text is part of its report, anything later has its own.
 void Playground::take_input(InputLoader::Loaded loaded) {
     const std::optional<std::size_t> index = index_of(loaded.sampler);
     if (!index) return;
     const Place& place = sampler_at(*preset_, *index).place;
-    std::erase_if(diagnostics_, [&](const Diagnostic& d) {
-        return d.missing_file && d.place.file == place.file && d.place.line == place.line;
-    });
-    const bool has_own_report = !report_first_frame_;
-    if (has_own_report) {
-        report_ = {.file = loaded.sampler.files.front(), .read_ms = loaded.ms, .text = {}};
-    }
+    reloader_.forget_missing_file(place);
+    const ReloadReport report{
+        .file = loaded.sampler.files.front(), .read_ms = loaded.ms, .text = {}};
     try {
         if (!loaded.input) throw std::runtime_error(loaded.error);
         const bool is_large = loaded.sampler.type == SamplerType::sampler2D &&
@@ -75,14 +69,14 @@ void Playground::take_input(InputLoader::Loaded loaded) {
             arriving_.push_back({std::move(loaded), std::move(upload)});
         } else {
             give_input(std::move(*loaded.input), *renderer_, *index);
-            touched_ = report_first_frame_ = true;
+            touched_ = true;
+            reloader_.input_arrived(report);
         }
         context_.finish();  // now the driver says whether there was memory for it
     } catch (const ContextLost&) {
         throw;
     } catch (const std::runtime_error& error) {
-        diagnostics_.push_back({Severity::error, place, error.what(), true});
-        if (has_own_report) finish_report(false);
+        reloader_.input_failed(report, {Severity::error, place, error.what(), true});
     }
 }
 
@@ -107,12 +101,10 @@ void Playground::show_arrived() {
     arriving_.pop_front();
     const std::optional<std::size_t> index = index_of(arrived.loaded.sampler);
     if (!index) return;  // the text names it no more
-    if (!report_first_frame_) {
-        report_ = {
-            .file = arrived.loaded.sampler.files.front(), .read_ms = arrived.loaded.ms, .text = {}};
-    }
     renderer_->set_image(*index, arrived.upload);
-    touched_ = report_first_frame_ = true;
+    touched_ = true;
+    reloader_.input_arrived(
+        {.file = arrived.loaded.sampler.files.front(), .read_ms = arrived.loaded.ms, .text = {}});
 }
 
 }  // namespace glint

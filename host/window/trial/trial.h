@@ -106,10 +106,12 @@ public:
     // The process that tries; 0 when there is none.
     pid_t process() const { return process_; }
 
+    // Whether there is no answer yet to the newest candidate.
+    bool is_running() const { return verdict_.state == TrialState::running; }
+
 private:
     using Clock = std::chrono::steady_clock;
 
-    bool is_running() const { return verdict_.state == TrialState::running; }
     void spawn();
     void end_process();
     void replace_process();
