@@ -8,7 +8,7 @@
 // Simulations cannot be played for a year. They run for their first second; then the clock jumps,
 // as when a laptop wakes: time is late, buffers and iFrame go on from where they were.
 #include "measure/check/case.h"
-#include "render/difference.h"
+#include "measure/rows/difference.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // What the host may do to a scene: poison a texel, keep buffers at half the precision, feed tweaks
 // as uniforms.
 #include "measure/check/case.h"
-#include "render/difference.h"
+#include "measure/rows/difference.h"
 
 #include <fmt/format.h>
 

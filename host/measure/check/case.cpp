@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::pair<CaseVerdict, const char*> kCaseVerdicts[] = {{CaseVerdict::fail, "fail"},
-                                                                 {CaseVerdict::report, "report"},
-                                                                 {CaseVerdict::pass, "pass"},
-                                                                 {CaseVerdict::skip, "skip"}};
-
 // A word for the shell.
 std::string quoted(const std::string& word) {
     const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
@@ -138,45 +133,10 @@ void write_picture(const CheckSubject& subject, const fs::path& file) {
 
 }  // namespace
 
-const char* to_string(CaseVerdict verdict) {
-    for (const auto& [value, name] : kCaseVerdicts)
-        if (value == verdict) return name;
-    return "";
-}
-
 std::string command_for_case(const ViewOptions& view, const std::string& name) {
     const std::string size = view.size.empty() ? "" : " --size " + view.size;
     return fmt::format("glint check {}{}{}{} --case {}", quoted(view.file.string()), size,
                        tweak_words(view), device_words(view), quoted(name));
-}
-
-void CaseResult::fail(std::string why) {
-    verdict = CaseVerdict::fail;
-    note = std::move(why);
-}
-
-nlohmann::ordered_json to_json(const CaseResult& result) {
-    nlohmann::ordered_json json = {{"case", result.name}, {"verdict", to_string(result.verdict)},
-                                   {"nan", result.nan},   {"inf", result.infinite},
-                                   {"min", result.min},   {"max", result.max},
-                                   {"note", result.note}};
-    if (!result.reproduce.empty()) json["reproduce"] = result.reproduce;
-    if (!result.picture.empty()) json["picture"] = result.picture;
-    return json;
-}
-
-CaseResult case_from_json(const nlohmann::ordered_json& json) {
-    CaseResult result{.name = json.at("case"),
-                      .nan = json.at("nan"),
-                      .infinite = json.at("inf"),
-                      .min = json.at("min"),
-                      .max = json.at("max"),
-                      .note = json.at("note"),
-                      .reproduce = json.value("reproduce", ""),
-                      .picture = json.value("picture", "")};
-    for (const auto& [value, name] : kCaseVerdicts)
-        if (json.at("verdict") == name) result.verdict = value;
-    return result;
 }
 
 std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {

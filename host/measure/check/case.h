@@ -1,10 +1,9 @@
-// One case of a check: the extreme that a scene was brought to, and what came of it.
+// The cases of a check: the extremes that a scene is brought to, and who draws and judges them.
 #pragma once
 
 #include "measure/check/check.h"
 #include "measure/check/subject.h"
-
-#include <nlohmann/json.hpp>
+#include "measure/rows/case.h"
 
 #include <algorithm>
 #include <functional>
@@ -13,25 +12,6 @@
 #include <vector>
 
 namespace glint {
-
-enum class CaseVerdict { fail, report, pass, skip };  // worst first
-const char* to_string(CaseVerdict verdict);
-
-struct CaseResult {
-    std::string name;
-    CaseVerdict verdict = CaseVerdict::pass;
-    // Pixels of all buffers and of the picture, in the frame where the first were found.
-    std::size_t nan = 0, infinite = 0;
-    float min = 0.0f, max = 0.0f;  // of all finite values in all frames
-    std::string note{};
-    std::string reproduce{};  // the command that shows it again; failures only
-    std::string picture{};    // a file; failures only
-
-    void fail(std::string why);
-};
-
-nlohmann::ordered_json to_json(const CaseResult& result);
-CaseResult case_from_json(const nlohmann::ordered_json& json);
 
 // How a scene moves at an age: see check_age.cpp.
 struct Motion {

@@ -6,6 +6,7 @@
 #include "measure/check/process.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
@@ -14,14 +15,6 @@ namespace glint {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Failures first, and among them those with the most that is not finite.
-void sort_worst_first(std::vector<CaseResult>& cases) {
-    std::stable_sort(cases.begin(), cases.end(), [](const CaseResult& a, const CaseResult& b) {
-        if (a.verdict != b.verdict) return a.verdict < b.verdict;
-        return a.nan + a.infinite > b.nan + b.infinite;
-    });
-}
 
 std::size_t count(const CheckedFile& file, CaseVerdict verdict) {
     return static_cast<std::size_t>(
@@ -129,7 +122,7 @@ void run_check(const CheckOptions& options) {
             if (options.lines) print_lines(so_far, total, told);
         }));
         bar.reset();
-        sort_worst_first(files.back().cases);
+        std::ranges::stable_sort(files.back().cases, is_worse);
         const bool table = !options.view.json && !options.lines;
         if (table && files.back().code == ExitCode::done) print_table(files.back());
     }

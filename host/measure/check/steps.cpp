@@ -1,6 +1,6 @@
 // Frame times from 1/1000 s to the 30 s of a laptop's lid, and thousands of frames.
 #include "measure/check/case.h"
-#include "render/difference.h"
+#include "measure/rows/difference.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "gl/context.h"
-#include "measure/study/result.h"
+#include "measure/rows/study.h"
+#include "measure/study/plan.h"
 
 #include <functional>
 

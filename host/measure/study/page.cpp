@@ -2,6 +2,7 @@
 
 #include "base/temporary_file.h"
 #include "measure/study/plot.h"
+#include "measure/study/result.h"
 #include "media/image.h"
 
 #include <fmt/format.h>
@@ -64,8 +65,8 @@ std::string optional_number(const std::optional<double>& value) {
     return value ? fmt::format("{:.2f}", *value) : "–";
 }
 
-std::string row_text(const Study& study, const StudyRow& row) {
-    const Timing& ms = study.timing(row);
+std::string row_text(const StudyRow& row) {
+    const Timing& ms = row.ms;
     std::string text =
         fmt::format("<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td>{:.3f}",
                     !row.failed.empty() ? " class=failed"
@@ -93,7 +94,7 @@ std::string table(const Study& study) {
         text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>";
     }
     text += "\n";
-    for (const StudyRow& row : study.rows) text += row_text(study, row);
+    for (const StudyRow& row : study.rows) text += row_text(row);
     text += "</table></div>\n";
     if (study.time_only) return text;
     return text +

@@ -2,7 +2,7 @@
 // its pictures beside it.
 #pragma once
 
-#include "measure/study/result.h"
+#include "measure/rows/study.h"
 
 #include <filesystem>
 #include <span>

@@ -22,12 +22,8 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-bool has_floor(const Study& study) {
-    return study.reference_error && study.reference_error->rmse > 0.0;
-}
-
 bool can_be_shown(const Study& study, const StudyRow& row) {
-    if (study.timing(row).median <= 0.0) return false;
+    if (row.ms.median <= 0.0) return false;
     if (study.time_only) return row.work && *row.work > 0.0;
     return row.failed.empty() && row.error && row.error->rmse > 0.0;
 }
@@ -39,13 +35,12 @@ std::string data_block(const Study& study, const char* name, bool only_pareto) {
         if (can_be_shown(study, row) && (!only_pareto || row.pareto)) rows.push_back(&row);
     }
     if (only_pareto) {
-        std::sort(rows.begin(), rows.end(), [&](const StudyRow* a, const StudyRow* b) {
-            return study.timing(*a).median < study.timing(*b).median;
-        });
+        std::sort(rows.begin(), rows.end(),
+                  [](const StudyRow* a, const StudyRow* b) { return a->ms.median < b->ms.median; });
     }
     std::string text = fmt::format("${} << END\n", name);
     for (const StudyRow* row : rows) {
-        const Timing& ms = study.timing(*row);
+        const Timing& ms = row->ms;
         if (study.time_only) {
             text += fmt::format("{} {} {} {} \"{}\"\n", *row->work, ms.median, ms.min, ms.max,
                                 row->value);
@@ -72,13 +67,13 @@ Span span_of(const Study& study, bool of_time) {
     for (const StudyRow& row : study.rows) {
         if (!can_be_shown(study, row)) continue;
         if (of_time) {
-            include(study.timing(row).min);
-            include(study.timing(row).max);
+            include(row.ms.min);
+            include(row.ms.max);
         } else {
             include(study.time_only ? *row.work : row.error->rmse);
         }
     }
-    if (!of_time && has_floor(study)) include(study.reference_error->rmse);
+    if (!of_time && study.reference_rmse() > 0.0) include(study.reference_rmse());
     return span;
 }
 
@@ -152,10 +147,10 @@ std::string script(const Study& study) {
     text += axis("x", span_of(study, true), 1.25) + axis("y", span_of(study, false), 2.0);
     text += fmt::format("set xlabel 'ms{}'\nset ylabel 'RMSE{}'\nplot ", clock_words(study),
                         study.pass == "image" ? " in linear light" : "");
-    if (has_floor(study)) {
+    if (study.reference_rmse() > 0.0) {
         text += fmt::format(
             "{} with lines dt 2 lw 1.5 lc rgb '#a04040' title 'error of the reference', ",
-            study.reference_error->rmse);
+            study.reference_rmse());
     }
     return text +
            "$pareto using 1:2 with lines lw 5 lc rgb '#f0c060' title 'Pareto frontier', "

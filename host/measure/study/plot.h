@@ -1,7 +1,7 @@
 // A study's work-precision diagram, drawn by gnuplot.
 #pragma once
 
-#include "measure/study/result.h"
+#include "measure/rows/study.h"
 
 namespace glint {
 

@@ -8,8 +8,6 @@
 namespace glint {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kNearFactor = 10.0;     // of the reference's own error: rows that are marked
 constexpr double kFitFactor = 3.0;       // beyond, the order is off by at most 5 % of an error
 constexpr double kLeastRmse = 1e-7;      // below, a difference of two pictures is rounding
@@ -55,6 +53,11 @@ void choose_clock(Study& study, bool on_software) {
     study.clock = Clock::wall;
     if (on_software && machine_is_busy(study)) study.clock = Clock::processor;
     if (!on_software && timers_agree(study)) study.clock = Clock::gpu;
+    for (StudyRow& row : study.rows) {
+        row.ms = study.clock == Clock::wall  ? row.wall
+                 : study.clock == Clock::gpu ? row.gpu
+                                             : row.processor;
+    }
 }
 
 void mark_near_reference(Study& study) {
@@ -68,10 +71,10 @@ void mark_near_reference(Study& study) {
 void mark_pareto(Study& study) {
     for (StudyRow& row : study.rows) {
         if (!has_error(row)) continue;
-        const double ms = study.timing(row).median;
+        const double ms = row.ms.median;
         row.pareto = std::none_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& other) {
             if (!has_error(other)) return false;
-            const double other_ms = study.timing(other).median;
+            const double other_ms = other.ms.median;
             const bool as_good = other_ms <= ms && other.error->rmse <= row.error->rmse;
             return as_good && (other_ms < ms || other.error->rmse < row.error->rmse);
         });
@@ -86,8 +89,8 @@ void fit(Study& study, bool more_is_better) {
             work.push_back(*row.work);
             error.push_back(row.error->rmse);
         }
-        if (row.work && *row.work > 0.0 && study.timing(row).median > 0.0) {
-            cost.emplace_back(*row.work, study.timing(row).median);
+        if (row.work && *row.work > 0.0 && row.ms.median > 0.0) {
+            cost.emplace_back(*row.work, row.ms.median);
         }
     }
     const auto slope = log_slope(work, error);
@@ -152,32 +155,6 @@ std::string psnr_text(double psnr) {
     return std::isinf(psnr) ? "inf" : fmt::format("{:.1f}", psnr);
 }
 
-Json finite_or_null(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
-}
-
-Json to_json(const Study& study, const StudyRow& row) {
-    const Timing& ms = study.timing(row);
-    Json json = {{"value", row.value}, {"ms", ms.median}, {"ms_min", ms.min}, {"ms_max", ms.max}};
-    json["wall_ms"] = row.wall.median;
-    json["gpu_timer_ms"] = row.gpu.median;
-    json["processor_ms"] = row.processor.median;
-    json["all_passes_ms"] = row.all_passes_ms;
-    Json error = row.error ? to_json(*row.error) : Json::object();
-    for (const char* key : {"rmse", "max", "psnr", "share_off", "relative_mse"}) {
-        json[key] = row.failed.empty() && error.contains(key) ? error[key] : Json();
-    }
-    json["pareto"] = row.pareto;
-    json["near_reference"] = row.near_reference;
-    json["is_reference"] = row.is_reference;
-    json["is_preset"] = row.is_preset;
-    json["resumed"] = row.resumed;
-    if (!row.failed.empty()) json["failed"] = row.failed;
-    if (!row.picture.empty()) json["picture"] = row.picture;
-    if (!row.map.empty()) json["map"] = row.map;
-    return json;
-}
-
 // One character that tells how to take a row.
 char mark(const StudyRow& row) {
     if (!row.failed.empty()) return '!';
@@ -186,18 +163,6 @@ char mark(const StudyRow& row) {
 }
 
 }  // namespace
-
-const char* to_string(Clock clock) {
-    switch (clock) {
-        case Clock::wall:
-            return "the wall, after glFinish";
-        case Clock::gpu:
-            return "timer queries, which agree with the wall";
-        case Clock::processor:
-            return "the processor, all threads: the machine was busy";
-    }
-    return "";
-}
 
 std::string three_digits(double value) {
     return value == 0.0 ? "0" : fmt::format("{:.3g}", value);
@@ -227,40 +192,6 @@ void judge(Study& study, bool more_is_better, bool on_software) {
     if (!study.time_only) find_what_looks_wrong(study, more_is_better);
 }
 
-Json to_json(const Difference& d) {
-    return {{"rmse", d.rmse},
-            {"max", d.max},
-            {"psnr", finite_or_null(d.psnr)},
-            {"share_off", d.share_off},
-            {"relative_mse", d.relative_mse},
-            {"not_finite", d.not_finite}};
-}
-
-Json to_json(const Study& study) {
-    Json rows = Json::array();
-    for (const StudyRow& row : study.rows) rows.push_back(to_json(study, row));
-    const auto optional = [](const std::optional<double>& v) { return v ? Json(*v) : Json(); };
-    Json json = {
-        {"scene", study.scene},
-        {"knob", study.knob},
-        {"reference", study.reference},
-        {"second_reference", study.second},
-        {"reference_error", study.reference_error ? to_json(*study.reference_error) : Json()},
-        {"renderer", study.renderer},
-        {"machine", study.machine},
-        {"clock", to_string(study.clock)},
-        {"size", {study.size.x, study.size.y}},
-        {"compared", study.pass},
-        {"metric", study.time_only ? "time" : "error"},
-        {"order", optional(study.order)},
-        {"cost_exponent", optional(study.cost_exponent)},
-        {"findings", study.findings},
-        {"notes", study.notes},
-        {"rows", rows}};
-    if (!study.reference_picture.empty()) json["reference_picture"] = study.reference_picture;
-    return json;
-}
-
 std::string to_table(const Study& study) {
     std::size_t widest = study.knob.size();
     for (const StudyRow& row : study.rows) widest = std::max(widest, row.value.size());
@@ -281,7 +212,7 @@ std::string to_table(const Study& study) {
     }
     text += "\n";
     for (const StudyRow& row : study.rows) {
-        const Timing& ms = study.timing(row);
+        const Timing& ms = row.ms;
         text += fmt::format("{} {} {:>{}} {:>10.3f} {:>9.3f} {:>9.3f}", row.pareto ? '*' : ' ',
                             mark(row), row.value, widest, ms.median, ms.min, ms.max);
         if (!row.failed.empty()) text += " " + row.failed;
@@ -315,7 +246,7 @@ std::string to_csv(const Study& study) {
     };
     std::string text;
     for (const StudyRow& row : study.rows) {
-        const Timing& ms = study.timing(row);
+        const Timing& ms = row.ms;
         text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},", quoted(study.scene), study.knob,
                             quoted(row.value), ms.median, ms.min, ms.max);
         if (has_error(row)) {

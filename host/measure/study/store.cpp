@@ -8,13 +8,13 @@
 #include "glsl/raw_text.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace glint {
 namespace {
@@ -35,16 +35,6 @@ Json to_json(const Timing& timing) {
 
 Timing timing_from(const Json& json) {
     return {json.at(0), json.at(1), json.at(2)};
-}
-
-Difference difference_from(const Json& json) {
-    const Json& psnr = json.at("psnr");
-    return {.rmse = json.at("rmse"),
-            .max = json.at("max"),
-            .relative_mse = json.at("relative_mse"),
-            .psnr = psnr.is_null() ? std::numeric_limits<double>::infinity() : psnr.get<double>(),
-            .share_off = json.at("share_off"),
-            .not_finite = json.at("not_finite")};
 }
 
 Image bytes_image(glm::ivec2 size) {
@@ -102,7 +92,7 @@ std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {
     row.gpu = timing_from(json.at("gpu"));
     row.processor = timing_from(json.at("processor"));
     row.all_passes_ms = json.at("all_passes_ms");
-    if (!json.at("error").is_null()) row.error = difference_from(json.at("error"));
+    if (!json.at("error").is_null()) row.error = difference_from_json(json.at("error"));
     if (!json.at("to_previous").is_null()) row.rmse_to_previous = json.at("to_previous");
     row.failed = json.at("failed");
     row.is_reference = json.at("is_reference");

@@ -1,7 +1,8 @@
 // What a study has measured, in its output folder: so that a call that was stopped goes on.
 #pragma once
 
-#include "measure/study/result.h"
+#include "measure/rows/study.h"
+#include "measure/study/plan.h"
 
 #include <filesystem>
 #include <optional>

@@ -5,10 +5,12 @@
 #include "base/temporary_file.h"
 #include "measure/study/measure.h"
 #include "measure/study/page.h"
+#include "measure/study/result.h"
 #include "measure/study/store.h"
 #include "offline/named_files.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <memory>

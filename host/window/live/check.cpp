@@ -14,7 +14,6 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 // Two files of one name in two folders keep apart what they left.
 std::string folder_name(const fs::path& file) {
@@ -40,13 +39,6 @@ std::vector<std::string> unsaved_tweaks(const Preset& preset) {
     return list;
 }
 
-CaseFact::Verdict verdict_from(const std::string& word) {
-    using Verdict = CaseFact::Verdict;
-    if (word == "fail") return Verdict::fail;
-    if (word == "report") return Verdict::report;
-    return word == "skip" ? Verdict::skip : Verdict::pass;
-}
-
 }  // namespace
 
 void LiveCheck::start(const Preset& preset) {
@@ -67,35 +59,21 @@ void LiveCheck::start(const Preset& preset) {
 void LiveCheck::clear() {
     work_.clear();
     cases_.clear();
-    pictures_.clear();
 }
 
 bool LiveCheck::update() {
-    return work_.update([this](const Json& line) { hear(line); });
+    return work_.update([this](const nlohmann::ordered_json& line) { hear(line); });
 }
 
 // A line holds one case.
-void LiveCheck::hear(const Json& json) {
-    const Json& found = json.at("case");
-    CaseFact fact{
-        .name = found.at("case"),
-        .verdict = verdict_from(found.at("verdict")),
-        .not_finite = found.at("nan").get<std::size_t>() + found.at("inf").get<std::size_t>(),
-        .note = found.at("note"),
-        .reproduce = found.value("reproduce", ""),
-        .has_picture = found.contains("picture")};
-    if (fact.has_picture) pictures_.push_back({fact.name, found.at("picture").get<std::string>()});
-    const auto worse = std::upper_bound(
-        cases_.begin(), cases_.end(), fact, [](const CaseFact& a, const CaseFact& b) {
-            return a.verdict != b.verdict ? a.verdict < b.verdict : a.not_finite > b.not_finite;
-        });
-    cases_.insert(worse, std::move(fact));
+void LiveCheck::hear(const nlohmann::ordered_json& json) {
+    CaseResult found = case_from_json(json.at("case"));
+    cases_.insert(std::ranges::upper_bound(cases_, found, is_worse), std::move(found));
 }
 
 fs::path LiveCheck::picture(const std::string& name) const {
-    const auto found = std::find_if(pictures_.begin(), pictures_.end(),
-                                    [&](const Picture& picture) { return picture.name == name; });
-    return found == pictures_.end() ? fs::path() : found->file;
+    const auto found = std::ranges::find(cases_, name, &CaseResult::name);
+    return found == cases_.end() ? fs::path() : fs::path(found->picture);
 }
 
 }  // namespace glint

@@ -1,9 +1,9 @@
 // A check of the open scene beside its window: run by another process, followed here.
 #pragma once
 
+#include "measure/rows/case.h"
 #include "scene/preset.h"
 #include "window/live/verb_work.h"
-#include "window/ui/findings.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -33,23 +33,18 @@ public:
 
     const VerbProcess& process() const { return work_.process(); }
     const WorkFact& work() const { return work_.fact(); }
-    std::span<const CaseFact> cases() const { return cases_; }  // worst first
+    std::span<const CaseResult> cases() const { return cases_; }  // worst first
 
     // Of a case that failed; empty for any other.
     std::filesystem::path picture(const std::string& name) const;
 
 private:
-    struct Picture {
-        std::string name;  // of the case
-        std::filesystem::path file;
-    };
-    void hear(const nlohmann::json& line);
+    void hear(const nlohmann::ordered_json& line);
 
     std::filesystem::path folder_;
     VerbOptions options_;
     VerbWork work_;
-    std::vector<CaseFact> cases_;
-    std::vector<Picture> pictures_;
+    std::vector<CaseResult> cases_;
 };
 
 }  // namespace glint

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/scratch_folder.h"
+#include "measure/rows/study.h"
 #include "scene/preset.h"
 #include "window/live/verb_work.h"
-#include "window/ui/findings.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -33,7 +33,7 @@ public:
 
     const VerbProcess& process() const { return work_.process(); }
     const WorkFact& work() const { return work_.fact(); }
-    std::span<const StudyFact> studies() const { return studies_; }
+    std::span<const Study> studies() const { return studies_; }
 
     // Of a row: its picture, how far that is from the reference, and the reference. Empty where
     // there is none.
@@ -43,7 +43,7 @@ public:
     Pictures pictures(std::size_t study, std::size_t row) const;
 
 private:
-    void hear(const nlohmann::json& line);
+    void hear(const nlohmann::ordered_json& line);
 
     std::filesystem::path run_folder() const { return folder_.path() / std::to_string(runs_); }
 
@@ -51,8 +51,7 @@ private:
     VerbOptions options_;
     VerbWork work_;
     int runs_ = 0;
-    std::vector<StudyFact> studies_;
-    std::vector<std::vector<Pictures>> pictures_;  // by study and row
+    std::vector<Study> studies_;
 };
 
 }  // namespace glint

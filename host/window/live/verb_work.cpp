@@ -8,7 +8,7 @@
 
 namespace glint {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 void VerbWork::start(std::vector<std::string> words) {
     clear();

@@ -22,7 +22,7 @@ public:
     void clear();   // and is forgotten
 
     // Follows the process; does not wait. `hear` gets each line. True when something is new.
-    bool update(const std::function<void(const nlohmann::json& line)>& hear);
+    bool update(const std::function<void(const nlohmann::ordered_json& line)>& hear);
 
     // Why it has found nothing, where it has not said so itself.
     void explain(const std::string& problem);

@@ -9,36 +9,36 @@
 namespace glint {
 namespace {
 
-ImU32 colour_of(CaseFact::Verdict verdict) {
+ImU32 colour_of(CaseVerdict verdict) {
     switch (verdict) {
-        case CaseFact::Verdict::fail:
+        case CaseVerdict::fail:
             return colours::kError;
-        case CaseFact::Verdict::report:
+        case CaseVerdict::report:
             return colours::kWarning;
-        case CaseFact::Verdict::pass:
+        case CaseVerdict::pass:
             return colours::kText;
-        case CaseFact::Verdict::skip:
+        case CaseVerdict::skip:
             return colours::kDim;
     }
     return colours::kText;
 }
 
-const char* word_of(CaseFact::Verdict verdict) {
+const char* word_of(CaseVerdict verdict) {
     switch (verdict) {
-        case CaseFact::Verdict::fail:
+        case CaseVerdict::fail:
             return "fail";
-        case CaseFact::Verdict::report:
+        case CaseVerdict::report:
             return "report";
-        case CaseFact::Verdict::pass:
+        case CaseVerdict::pass:
             return "pass";
-        case CaseFact::Verdict::skip:
+        case CaseVerdict::skip:
             return "left out";
     }
     return "";
 }
 
-std::string count_text(std::span<const CaseFact> cases) {
-    const auto failed = std::ranges::count(cases, CaseFact::Verdict::fail, &CaseFact::verdict);
+std::string count_text(std::span<const CaseResult> cases) {
+    const auto failed = std::ranges::count(cases, CaseVerdict::fail, &CaseResult::verdict);
     if (failed > 0) return fmt::format("{} of {} cases failed", failed, cases.size());
     return fmt::format("no failure in {} cases", cases.size());
 }
@@ -57,55 +57,55 @@ void run_button(Build& build) {
     if (build.facts.cases.empty()) return;
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    const bool fails = build.facts.cases.front().verdict == CaseFact::Verdict::fail;
+    const bool fails = build.facts.cases.front().verdict == CaseVerdict::fail;
     text_in(fails ? colours::kError : colours::kDim, count_text(build.facts.cases));
 }
 
 // Its frame comes into the view, and its command under the line; a second click puts both away.
-void choose(Build& build, const CaseFact& fact) {
+void choose(Build& build, const CaseResult& found) {
     PanelSettings& settings = build.settings;
-    const bool again = settings.shown_case == fact.name;
-    settings.shown_case = again ? "" : fact.name;
-    const bool picture = !again && fact.has_picture;
+    const bool again = settings.shown_case == found.name;
+    settings.shown_case = again ? "" : found.name;
+    const bool picture = !again && !found.picture.empty();
     if (picture || settings.shown == Shown::failure)
         settings.shown = picture ? Shown::failure : Shown::scene;
 }
 
-void case_line(Build& build, const CaseFact& fact) {
+void case_line(Build& build, const CaseResult& found) {
     const Theme& theme = build.theme;
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
     const float height = ImGui::GetTextLineHeight() + theme.px(4);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton("case", {width, height})) choose(build, fact);
+    if (ImGui::InvisibleButton("case", {width, height})) choose(build, found);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool chosen = build.settings.shown_case == fact.name;
+    const bool chosen = build.settings.shown_case == found.name;
     if (chosen || ImGui::IsItemHovered())
         list.AddRectFilled(corner, {corner.x + width, corner.y + height},
                            chosen ? IM_COL32(105, 178, 236, 36) : IM_COL32(255, 255, 255, 14),
                            theme.px(4));
-    tip(theme, fact.note.empty() ? fact.name : fact.name + "\n" + fact.note);
+    tip(theme, found.note.empty() ? found.name : found.name + "\n" + found.note);
     const float y = corner.y + theme.px(2), verdict = theme.px(58);
-    text_within(list, {corner.x + theme.px(4), y}, verdict - theme.px(8), colour_of(fact.verdict),
-                word_of(fact.verdict));
+    text_within(list, {corner.x + theme.px(4), y}, verdict - theme.px(8), colour_of(found.verdict),
+                word_of(found.verdict));
     const float room = width - verdict - theme.px(4);
-    const float name = std::min(ImGui::CalcTextSize(fact.name.c_str()).x, room);
-    const bool fails = fact.verdict == CaseFact::Verdict::fail;
+    const float name = std::min(ImGui::CalcTextSize(found.name.c_str()).x, room);
+    const bool fails = found.verdict == CaseVerdict::fail;
     text_within(list, {corner.x + verdict, y}, room, fails ? colours::kError : colours::kText,
-                fact.name);
+                found.name);
     text_within(list, {corner.x + verdict + name + theme.px(8), y}, room - name - theme.px(8),
-                colours::kDim, fact.note);
+                colours::kDim, found.note);
 }
 
 // Under the line of the chosen case: why, and the command that shows it again.
-void case_details(Build& build, const CaseFact& fact) {
+void case_details(Build& build, const CaseResult& found) {
     const Theme& theme = build.theme;
     ImGui::Indent(theme.px(8));
     ImGui::PushTextWrapPos(0.0f);
-    if (!fact.note.empty()) text_in(colours::kText, fact.note);
-    if (!fact.reproduce.empty()) text_in(colours::kDim, fact.reproduce, theme.mono);
+    if (!found.note.empty()) text_in(colours::kText, found.note);
+    if (!found.reproduce.empty()) text_in(colours::kDim, found.reproduce, theme.mono);
     ImGui::PopTextWrapPos();
-    if (!fact.reproduce.empty() && text_button(theme, "Copy the command", false, ""))
-        ImGui::SetClipboardText(fact.reproduce.c_str());
+    if (!found.reproduce.empty() && text_button(theme, "Copy the command", false, ""))
+        ImGui::SetClipboardText(found.reproduce.c_str());
     ImGui::Unindent(theme.px(8));
     ImGui::Dummy({0, theme.px(2)});
 }
@@ -127,10 +127,10 @@ void check_panel(Build& build) {
     work_line(build.theme, build.facts.check_work);
     begin_body();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {build.theme.px(8), build.theme.px(2)});
-    for (const CaseFact& fact : build.facts.cases) {
-        ImGui::PushID(fact.name.c_str());
-        case_line(build, fact);
-        if (build.settings.shown_case == fact.name) case_details(build, fact);
+    for (const CaseResult& found : build.facts.cases) {
+        ImGui::PushID(found.name.c_str());
+        case_line(build, found);
+        if (build.settings.shown_case == found.name) case_details(build, found);
         ImGui::PopID();
     }
     ImGui::PopStyleVar();

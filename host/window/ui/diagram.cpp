@@ -28,8 +28,8 @@ struct Axis {
     }
 };
 
-bool has_point(const RowFact& row) {
-    return row.failed.empty() && row.rmse && row.ms > 0.0;
+bool has_point(const StudyRow& row) {
+    return row.failed.empty() && row.error && row.ms.median > 0.0;
 }
 
 // Room round what is shown, and never less than a bit of a decade.
@@ -49,7 +49,7 @@ std::string tick_text(const Axis& axis, double value) {
 
 class Diagram {
 public:
-    Diagram(const Theme& theme, const StudyFact& study, const DiagramLook& look, ImVec2 corner)
+    Diagram(const Theme& theme, const Study& study, const DiagramLook& look, ImVec2 corner)
         : theme_(theme),
           study_(study),
           look_(look),
@@ -69,9 +69,9 @@ private:
     void draw_lines();
     void draw_point(std::size_t row);
     void draw_label(std::size_t row);
-    ImVec2 place(const RowFact& row) const {
+    ImVec2 place(const StudyRow& row) const {
         // On a logarithmic axis no error has no place: it stands on the ground.
-        return {x_.at(row.ms), *row.rmse > 0.0 ? y_.at(*row.rmse) : y_.begin};
+        return {x_.at(row.ms.median), row.error->rmse > 0.0 ? y_.at(row.error->rmse) : y_.begin};
     }
     float line() const { return ImGui::GetTextLineHeight(); }
     float end_x() const { return corner_.x + look_.size.x; }
@@ -86,7 +86,7 @@ private:
     };
 
     const Theme& theme_;
-    const StudyFact& study_;
+    const Study& study_;
     const DiagramLook& look_;
     ImVec2 corner_;
     ImDrawList& list_;
@@ -96,12 +96,12 @@ private:
 
 void Diagram::find_axes() {
     std::vector<double> ms, errors;
-    for (const RowFact& row : study_.rows) {
+    for (const StudyRow& row : study_.rows) {
         if (!has_point(row)) continue;
-        ms.push_back(row.ms);
-        if (*row.rmse > 0.0) errors.push_back(*row.rmse);
+        ms.push_back(row.ms.median);
+        if (row.error->rmse > 0.0) errors.push_back(row.error->rmse);
     }
-    if (study_.reference_error.value_or(0.0) > 0.0) errors.push_back(*study_.reference_error);
+    if (study_.reference_rmse() > 0.0) errors.push_back(study_.reference_rmse());
     x_ = axis_over(ms, 1.3);
     y_ = axis_over(errors, 2.5);
     float widest = ImGui::CalcTextSize("10\u207b\u2074").x;
@@ -149,8 +149,8 @@ void Diagram::draw_ticks() {
 
 // What lies in the band cannot be told from the reference.
 void Diagram::draw_reference_error() {
-    if (study_.reference_error.value_or(0.0) <= 0.0) return;
-    const float y = y_.at(*study_.reference_error);
+    if (study_.reference_rmse() <= 0.0) return;
+    const float y = y_.at(study_.reference_rmse());
     list_.AddRectFilled({x_.begin, y}, {x_.end, y_.begin}, kBand);
     list_.AddLine({x_.begin, y}, {x_.end, y}, colours::kError, theme_.px(1));
     const ImVec2 at{x_.begin + theme_.px(6), y + theme_.px(2)};
@@ -160,27 +160,27 @@ void Diagram::draw_reference_error() {
 
 // The order of the values, faint; and over it the frontier that no row beats.
 void Diagram::draw_lines() {
-    std::vector<const RowFact*> frontier;
-    for (const RowFact& row : study_.rows) {
+    std::vector<const StudyRow*> frontier;
+    for (const StudyRow& row : study_.rows) {
         if (!has_point(row)) continue;
         list_.PathLineTo(place(row));
         if (row.pareto) frontier.push_back(&row);
     }
     list_.PathStroke(IM_COL32(160, 166, 175, 90), ImDrawFlags_None, theme_.px(1));
-    std::ranges::sort(frontier, {}, [](const RowFact* row) { return row->ms; });
-    for (const RowFact* row : frontier) list_.PathLineTo(place(*row));
+    std::ranges::sort(frontier, {}, [](const StudyRow* row) { return row->ms.median; });
+    for (const StudyRow* row : frontier) list_.PathLineTo(place(*row));
     list_.PathStroke(colours::kWarning, ImDrawFlags_None, theme_.px(2));
 }
 
 void Diagram::draw_point(std::size_t index) {
-    const RowFact& row = study_.rows[index];
+    const StudyRow& row = study_.rows[index];
     if (!has_point(row)) return;
     const ImVec2 at = place(row);
     const bool hovered = look_.hovered == index;
     const float radius = theme_.px(hovered ? 6 : 4.5f);
     const ImU32 colour = row.pareto ? colours::kAccent : colours::kDim;
-    list_.AddLine({x_.at(row.ms_min), at.y}, {x_.at(row.ms_max), at.y}, colour, theme_.px(1));
-    if (row.is_reference || *row.rmse <= 0.0) {
+    list_.AddLine({x_.at(row.ms.min), at.y}, {x_.at(row.ms.max), at.y}, colour, theme_.px(1));
+    if (row.is_reference || row.error->rmse <= 0.0) {
         const float s = radius + theme_.px(1);
         list_.AddTriangleFilled({at.x - s, at.y - s}, {at.x + s, at.y - s}, {at.x, at.y + s},
                                 colour);
@@ -197,7 +197,7 @@ void Diagram::draw_point(std::size_t index) {
 
 // Beside its point, at the first side where it hides nothing; else it is left to the tooltip.
 void Diagram::draw_label(std::size_t index) {
-    const RowFact& row = study_.rows[index];
+    const StudyRow& row = study_.rows[index];
     if (!has_point(row)) return;
     const ImVec2 at = place(row), size = ImGui::CalcTextSize(row.value.c_str());
     const float away = theme_.px(8);
@@ -266,7 +266,7 @@ std::vector<double> round_ticks(double low, double high) {
     return ticks;
 }
 
-std::optional<std::size_t> diagram(const Theme& theme, const StudyFact& study,
+std::optional<std::size_t> diagram(const Theme& theme, const Study& study,
                                    const DiagramLook& look) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("diagram", look.size);

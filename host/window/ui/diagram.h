@@ -1,7 +1,7 @@
 // A work-precision diagram: milliseconds against error, both in decades.
 #pragma once
 
-#include "window/ui/findings.h"
+#include "measure/rows/study.h"
 #include "window/ui/theme.h"
 
 #include <optional>
@@ -17,8 +17,7 @@ struct DiagramLook {
 };
 
 // Draws it at ImGui's cursor, as an item "diagram". The row whose point is under the mouse.
-std::optional<std::size_t> diagram(const Theme& theme, const StudyFact& study,
-                                   const DiagramLook& look);
+std::optional<std::size_t> diagram(const Theme& theme, const Study& study, const DiagramLook& look);
 
 // Numbers of an axis that stand at round values, few enough to be read; both ends are positive.
 std::vector<double> round_ticks(double low, double high);

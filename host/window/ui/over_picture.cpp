@@ -56,13 +56,13 @@ void shown_labels(Build& build) {
     const Area& free = build.layout.free;
     const float top = free.corner.y + build.theme.px(8);
     const float centre = free.corner.x + 0.5f * free.size.x;
-    const auto shown = std::ranges::find(build.facts.cases, settings.shown_case, &CaseFact::name);
+    const auto shown = std::ranges::find(build.facts.cases, settings.shown_case, &CaseResult::name);
     if (settings.shown == Shown::failure && shown != build.facts.cases.end())
         label(build, centre, top,
-              shown->name + (shown->not_finite > 0 ? ": NaN and Inf are magenta" : ""));
+              shown->name + (shown->not_finite() > 0 ? ": NaN and Inf are magenta" : ""));
     const bool compares = settings.shown == Shown::wipe || settings.shown == Shown::map;
     if (!compares || settings.shown_study >= build.facts.studies.size()) return;
-    const StudyFact& study = build.facts.studies[settings.shown_study];
+    const Study& study = build.facts.studies[settings.shown_study];
     if (!settings.shown_row || *settings.shown_row >= study.rows.size()) return;
     const std::string name = study.knob + " " + study.rows[*settings.shown_row].value;
     if (settings.shown == Shown::map) {

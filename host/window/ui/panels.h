@@ -2,6 +2,8 @@
 // wishes mean is the window's business.
 #pragma once
 
+#include "measure/rows/case.h"
+#include "measure/rows/study.h"
 #include "scene/history.h"
 #include "scene/scene.h"
 #include "scene/transport.h"
@@ -102,8 +104,8 @@ struct Facts {
     std::span<const GridPixel> grid;  // those in view, when the zoom is far enough for numbers
     std::span<const BrowserEntry> browser;
     WorkFact study_work, check_work;
-    std::span<const StudyFact> studies;
-    std::span<const CaseFact> cases;  // worst first
+    std::span<const Study> studies;
+    std::span<const CaseResult> cases;  // worst first
     bool recording = false;
     bool has_sound = false;
     std::string why_silent;  // a cause; "" while the sound can be heard

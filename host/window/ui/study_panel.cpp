@@ -29,7 +29,7 @@ std::size_t index_of(const Build& build, const Tweak& tweak) {
 }
 
 // The row at whose value the tweak stands, as far as the shader can tell.
-std::optional<std::size_t> current_row(const Build& build, const StudyFact& study) {
+std::optional<std::size_t> current_row(const Build& build, const Study& study) {
     const Tweak* tweak = find_tweak(build, study.knob);
     if (!tweak || index_of(build, *tweak) >= build.history.values().size()) return std::nullopt;
     const TweakValue now = tidy(*tweak, build.history.value(index_of(build, *tweak)));
@@ -42,7 +42,7 @@ std::optional<std::size_t> current_row(const Build& build, const StudyFact& stud
 
 // Compares its picture, and sets the tweak to it as a person would; how long a scene settles is no
 // tweak.
-void choose(Build& build, const StudyFact& study, std::size_t row) {
+void choose(Build& build, const Study& study, std::size_t row) {
     build.settings.shown_row = row;
     const Tweak* tweak = find_tweak(build, study.knob);
     const auto value = tweak ? parse_value(*tweak, study.rows[row].value) : std::nullopt;
@@ -98,16 +98,16 @@ void study_choice(Build& build) {
     }
 }
 
-std::string error_text(const RowFact& row) {
-    return row.rmse ? power_text(*row.rmse) : "";
+std::string error_text(const StudyRow& row) {
+    return row.error ? power_text(row.error->rmse) : "";
 }
 
-std::string psnr_text(const RowFact& row) {
-    if (!row.rmse) return "";
-    return std::isfinite(row.psnr) ? fmt::format("{:.1f}", row.psnr) : "\u221e";
+std::string psnr_text(const StudyRow& row) {
+    if (!row.error) return "";
+    return std::isfinite(row.error->psnr) ? fmt::format("{:.1f}", row.error->psnr) : "\u221e";
 }
 
-void row_tip(Build& build, const StudyFact& study, const RowFact& row) {
+void row_tip(Build& build, const Study& study, const StudyRow& row) {
     const Theme& theme = build.theme;
     // Beside the panel, where it hides no other point.
     const Area& panel = build.layout.areas[static_cast<std::size_t>(PanelId::study)];
@@ -120,12 +120,12 @@ void row_tip(Build& build, const StudyFact& study, const RowFact& row) {
     text_in(colours::kText, study.knob + " " + row.value, theme.bold);
     if (!row.failed.empty()) text_in(colours::kError, row.failed);
     text_in(colours::kText,
-            fmt::format("{:.4g} ms, from {:.4g} to {:.4g}", row.ms, row.ms_min, row.ms_max));
-    if (row.rmse) {
-        text_in(colours::kText,
-                fmt::format("RMSE {}, at most {}", power_text(*row.rmse), power_text(row.max)));
+            fmt::format("{:.4g} ms, from {:.4g} to {:.4g}", row.ms.median, row.ms.min, row.ms.max));
+    if (row.error) {
+        text_in(colours::kText, fmt::format("RMSE {}, at most {}", power_text(row.error->rmse),
+                                            power_text(row.error->max)));
         text_in(colours::kText, fmt::format("PSNR {} dB, {:.2f} % off by more than 1/255",
-                                            psnr_text(row), 100.0 * row.share_off));
+                                            psnr_text(row), 100.0 * row.error->share_off));
     }
     if (row.is_reference) text_in(colours::kDim, "the reference");
     if (row.pareto) text_in(colours::kDim, "no other value is both faster and nearer");
@@ -135,8 +135,8 @@ void row_tip(Build& build, const StudyFact& study, const RowFact& row) {
     ImGui::PopStyleVar();
 }
 
-void row_line(Build& build, StudyState& state, const StudyFact& study, std::size_t index) {
-    const RowFact& row = study.rows[index];
+void row_line(Build& build, StudyState& state, const Study& study, std::size_t index) {
+    const StudyRow& row = study.rows[index];
     const ImU32 colour = !row.failed.empty() ? colours::kError
                          : row.pareto        ? colours::kText
                                              : colours::kDim;
@@ -152,14 +152,14 @@ void row_line(Build& build, StudyState& state, const StudyFact& study, std::size
     ImGui::SameLine(0, 0);
     text_in(colour, row.value, current_row(build, study) == index ? build.theme.bold : nullptr);
     for (const std::string& text :
-         {fmt::format("{:.4g}", row.ms), error_text(row), psnr_text(row)}) {
+         {fmt::format("{:.4g}", row.ms.median), error_text(row), psnr_text(row)}) {
         ImGui::TableNextColumn();
         text_in(colour, text);
     }
     ImGui::PopID();
 }
 
-void row_table(Build& build, StudyState& state, const StudyFact& study) {
+void row_table(Build& build, StudyState& state, const Study& study) {
     if (study.rows.empty()) return;
     if (!ImGui::BeginTable("rows", 4, ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableNextRow();
@@ -172,7 +172,7 @@ void row_table(Build& build, StudyState& state, const StudyFact& study) {
 }
 
 // The scene itself, or the pictures that were measured.
-void view_choice(Build& build, const StudyFact& study) {
+void view_choice(Build& build, const Study& study) {
     PanelSettings& settings = build.settings;
     constexpr std::array<std::tuple<const char*, Shown, const char*>, 3> kChoices = {
         {{"Scene", Shown::scene, "The scene itself, live"},
@@ -186,9 +186,9 @@ void view_choice(Build& build, const StudyFact& study) {
     }
 }
 
-void study_facts(const StudyFact& study) {
+void study_facts(const Study& study) {
     ImGui::PushTextWrapPos(0.0f);
-    const double own = study.reference_error.value_or(0.0);
+    const double own = study.reference_rmse();
     text_in(colours::kDim, "Reference " + study.reference +
                                (own > 0.0 ? ", itself within " + power_text(own) : ""));
     if (study.order) text_in(colours::kDim, fmt::format("Order {:.2f}", *study.order));
@@ -196,7 +196,7 @@ void study_facts(const StudyFact& study) {
     ImGui::PopTextWrapPos();
 }
 
-void one_study(Build& build, StudyState& state, const StudyFact& study) {
+void one_study(Build& build, StudyState& state, const Study& study) {
     if (study.rows.empty()) return text_in(colours::kDim, "Drawing the reference\u2026");
     // The height does not hang on whether there is a scroll bar, which hangs on the height.
     const float width = std::max(ImGui::GetContentRegionAvail().x, build.theme.px(120));
@@ -236,7 +236,7 @@ void study_panel(Build& build, StudyState& state) {
     const auto& studies = build.facts.studies;
     state.hovered = std::exchange(state.hovering, std::nullopt);
     if (build.settings.shown_study < studies.size()) {
-        const StudyFact& study = studies[build.settings.shown_study];
+        const Study& study = studies[build.settings.shown_study];
         one_study(build, state, study);
         if (state.hovering && *state.hovering < study.rows.size())
             row_tip(build, study, study.rows[*state.hovering]);

@@ -26,15 +26,13 @@ Tweak steps() {
 }
 
 // Twice the time for half the error.
-StudyFact halving() {
-    StudyFact study{.knob = "steps", .reference = "4096", .reference_error = 1e-5};
+Study halving() {
+    Study study{.knob = "steps", .reference = "4096", .reference_error = Difference{.rmse = 1e-5}};
     double ms = 1.0, rmse = 0.08;
     for (const char* value : {"4", "8", "16", "32", "64"}) {
         study.rows.push_back({.value = value,
-                              .ms = ms,
-                              .ms_min = 0.9 * ms,
-                              .ms_max = 1.2 * ms,
-                              .rmse = rmse,
+                              .error = Difference{.rmse = rmse},
+                              .ms = {ms, 0.9 * ms, 1.2 * ms},
                               .pareto = true});
         ms *= 2.0;
         rmse *= 0.5;
@@ -42,9 +40,9 @@ StudyFact halving() {
     return study;
 }
 
-class Study : public testing::Test {
+class StudyPanel : public testing::Test {
 protected:
-    Study() {
+    StudyPanel() {
         studies_ = {halving()};
         screen_.facts.studies = studies_;
         screen_.settings.study = true;
@@ -73,11 +71,11 @@ protected:
         return values;
     }
 
-    std::vector<StudyFact> studies_;
+    std::vector<Study> studies_;
     Screen screen_{{steps()}};
 };
 
-TEST_F(Study, AClickOnAPointAppliesItsValueAndUndoReturns) {
+TEST_F(StudyPanel, AClickOnAPointAppliesItsValueAndUndoReturns) {
     EXPECT_EQ(click_all_points(), (std::vector<double>{4, 8, 16, 32, 64}));
     EXPECT_TRUE(screen_.changed);
     for (const double value : {32, 16, 8, 4, 8}) {
@@ -87,7 +85,7 @@ TEST_F(Study, AClickOnAPointAppliesItsValueAndUndoReturns) {
     EXPECT_FALSE(screen_.history.can_undo());
 }
 
-TEST_F(Study, ALineOfTheTableDoesTheSame) {
+TEST_F(StudyPanel, ALineOfTheTableDoesTheSame) {
     const ImGuiWindow* body = screen_.window("Study/body");
     ASSERT_TRUE(body);
     const ImRect rect = diagram();
@@ -100,14 +98,14 @@ TEST_F(Study, ALineOfTheTableDoesTheSame) {
     EXPECT_EQ(values, (std::vector<double>{4, 16, 32, 64}));
 }
 
-TEST_F(Study, ARowWithoutAPictureHasNoPoint) {
+TEST_F(StudyPanel, ARowWithoutAPictureHasNoPoint) {
     studies_[0].rows[1].failed = "it does not compile";
-    studies_[0].rows[2].rmse.reset();
+    studies_[0].rows[2].error.reset();
     screen_.history.set(0, {4});
     EXPECT_EQ(click_all_points(), (std::vector<double>{4, 32, 64}));
 }
 
-TEST_F(Study, RunsTheKnobThatIsChosenAndCancels) {
+TEST_F(StudyPanel, RunsTheKnobThatIsChosenAndCancels) {
     const ImGuiWindow* panel = screen_.window("Study");
     ASSERT_TRUE(panel);
     const auto run = screen_.find(ImHashStr("Run", 0, panel->ID), "Study");
@@ -131,7 +129,7 @@ TEST_F(Study, RunsTheKnobThatIsChosenAndCancels) {
     EXPECT_TRUE(screen_.wishes.cancel_study);
 }
 
-TEST_F(Study, ComparesThePictureOfTheRowThatWasClicked) {
+TEST_F(StudyPanel, ComparesThePictureOfTheRowThatWasClicked) {
     const ImGuiWindow* body = screen_.window("Study/body");
     ASSERT_TRUE(body);
     const auto wipe = screen_.find(ImHashStr("Wipe", 0, body->ID), "Study");
@@ -151,14 +149,14 @@ TEST(Diagram, TicksAreRoundAndFew) {
     EXPECT_TRUE(round_ticks(std::numeric_limits<double>::quiet_NaN(), 1.0).empty());
 }
 
-class Check : public testing::Test {
+class CheckPanel : public testing::Test {
 protected:
-    Check() {
+    CheckPanel() {
         cases_ = {{.name = "size 7x3",
-                   .verdict = CaseFact::Verdict::fail,
+                   .verdict = CaseVerdict::fail,
                    .note = "NaN in 3 pixels of image",
                    .reproduce = "glint still scene.frag --size 7x3",
-                   .has_picture = true},
+                   .picture = "size.png"},
                   {.name = "age 1 s", .note = "moves"}};
         screen_.facts.cases = cases_;
         screen_.settings.check = true;
@@ -172,11 +170,11 @@ protected:
         return screen_.find(ImHashStr(name, 0, id), "Check");
     }
 
-    std::vector<CaseFact> cases_;
+    std::vector<CaseResult> cases_;
     Screen screen_{{steps()}};
 };
 
-TEST_F(Check, AClickOnAFailureShowsItsFrameAndItsCommandToCopy) {
+TEST_F(CheckPanel, AClickOnAFailureShowsItsFrameAndItsCommandToCopy) {
     const auto line = item(0, "case");
     ASSERT_TRUE(line);
     screen_.click(at(*line, 0.5f));
@@ -191,14 +189,14 @@ TEST_F(Check, AClickOnAFailureShowsItsFrameAndItsCommandToCopy) {
     EXPECT_EQ(screen_.settings.shown, Shown::scene) << "a second click puts it away";
 }
 
-TEST_F(Check, ACaseThatPassedLeavesTheSceneInTheView) {
+TEST_F(CheckPanel, ACaseThatPassedLeavesTheSceneInTheView) {
     const auto line = item(1, "case");
     ASSERT_TRUE(line);
     screen_.click(at(*line, 0.5f));
     EXPECT_EQ(screen_.settings.shown, Shown::scene);
 }
 
-TEST_F(Check, RunsAndCancels) {
+TEST_F(CheckPanel, RunsAndCancels) {
     const ImGuiWindow* panel = screen_.window("Check");
     ASSERT_TRUE(panel);
     const auto run = screen_.find(ImHashStr("Run", 0, panel->ID), "Check");
@@ -218,19 +216,23 @@ TEST(Findings, StandWithExtremeNumbersAndTexts) {
     constexpr double kMost = std::numeric_limits<double>::max();
     constexpr double kLeast = std::numeric_limits<double>::denorm_min();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    std::vector<StudyFact> studies(3);
-    studies[0].rows = {{.value = "\xff%s##", .ms = kMost, .rmse = kLeast, .psnr = kInfinity},
-                       {.value = "", .ms = kLeast, .ms_min = 0, .ms_max = kInfinity, .rmse = kMost},
-                       {.value = std::string(3000, 'x'), .ms = 1, .rmse = 0.0}};
+    std::vector<Study> studies(3);
+    const auto error = [](double rmse, double psnr = 0.0) {
+        return Difference{.rmse = rmse, .psnr = psnr};
+    };
+    studies[0].rows = {
+        {.value = "\xff%s##", .error = error(kLeast, kInfinity), .ms = {kMost, 0, 0}},
+        {.value = "", .error = error(kMost), .ms = {kLeast, 0, kInfinity}},
+        {.value = std::string(3000, 'x'), .error = error(0.0), .ms = {1, 0, 0}}};
     studies[1] = {.knob = std::string(500, 'k'),
-                  .reference_error = kInfinity,
+                  .reference_error = error(kInfinity),
                   .findings = {std::string(5000, 'f')}};
-    studies[2].rows = {{.value = "1", .ms = 5, .rmse = 1, .pareto = true}};
-    const std::vector<CaseFact> cases{{.name = std::string(4000, 'n')},
-                                      {.name = "\xfe %d",
-                                       .verdict = CaseFact::Verdict::fail,
-                                       .note = std::string(9000, 'w'),
-                                       .reproduce = std::string(9000, 'r')}};
+    studies[2].rows = {{.value = "1", .error = error(1.0), .ms = {5, 0, 0}, .pareto = true}};
+    const std::vector<CaseResult> cases{{.name = std::string(4000, 'n')},
+                                        {.name = "\xfe %d",
+                                         .verdict = CaseVerdict::fail,
+                                         .note = std::string(9000, 'w'),
+                                         .reproduce = std::string(9000, 'r')}};
     for (const ImVec2 size : {ImVec2{40, 30}, {300, 2000}, {1280, 720}}) {
         for (std::size_t shown = 0; shown < 4; ++shown) {
             Screen screen({steps()}, size);

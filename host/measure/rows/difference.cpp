@@ -1,4 +1,4 @@
-#include "render/difference.h"
+#include "measure/rows/difference.h"
 
 #include <algorithm>
 #include <cmath>

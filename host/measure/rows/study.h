@@ -1,0 +1,82 @@
+// What a study has found: one row a value of a knob, and what the rows say together. Plain numbers,
+// and the one JSON that `--json`, `--lines`, study.json and the study panel share.
+#pragma once
+
+#include "measure/rows/difference.h"
+
+#include <glm/vec2.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// Milliseconds of a frame; with settle, of all its frames.
+struct Timing {
+    double median = 0.0, min = 0.0, max = 0.0;
+};
+
+// Which of its clocks a study is told by.
+enum class Clock {
+    wall,       // after glFinish
+    gpu,        // timer queries, where they agree with the wall in all rows
+    processor,  // of all threads of this process: a software renderer on a machine that others use
+};
+const char* to_string(Clock clock);  // a sentence for people, which JSON has, too
+
+struct StudyRow {
+    std::string value{};                // of the knob, as a person types it
+    std::optional<double> work{};       // the number; none for menus and switches. Not in JSON
+    Timing wall{}, gpu{}, processor{};  // JSON has the medians alone
+    // Of a frame in which every pass is drawn, by the clock on the wall; steady frames leave those
+    // out in which nothing has changed.
+    double all_passes_ms = 0.0;
+    // To the reference; none without one. Where `failed` says something it means nothing, and JSON
+    // has none.
+    std::optional<Difference> error{};
+    // To the row before, in the order of values: do the values converge, wherever to? Not in JSON.
+    std::optional<double> rmse_to_previous{};
+    std::string failed{};          // why there is no picture to compare
+    bool is_preset = false;        // the preset's own value
+    bool is_between = false;       // as in KnobValue; not in JSON
+    bool is_reference = false;     // its setting is the reference's
+    bool resumed = false;          // an earlier call measured it
+    std::string picture{}, map{};  // files, seen from the report; "": none
+    // Judged from all rows together.
+    Timing ms{};                  // by the clock of the study
+    bool pareto = false;          // no other row is both faster and nearer
+    bool near_reference = false;  // within ten times of the reference's own error
+};
+
+struct Study {
+    std::string scene{}, knob{};        // a file; a tweak, or "settle"
+    std::string reference{}, second{};  // values; a second one to judge the first by, or ""
+    std::optional<Difference> reference_error{};  // of the second reference to the first
+    std::string renderer{}, machine{};
+    glm::ivec2 size{0};
+    std::string pass{};  // what is compared: "image" or a buffer
+    bool time_only = false;
+    Clock clock = Clock::wall;
+    std::vector<StudyRow> rows{};   // in the order of values
+    std::optional<double> order{};  // of the error: error ~ work^-order
+    std::optional<double>
+        cost_exponent{};                  // ms ~ value^exponent, over the larger half of the values
+    std::vector<std::string> findings{};  // what looks wrong
+    std::vector<std::string> notes{};     // what was assumed, and what was left out
+    std::string reference_picture{};      // a file, seen from the report; "": none
+
+    // RMSE below which nothing can be told from the reference; 0 where that is not known.
+    double reference_rmse() const { return reference_error ? reference_error->rmse : 0.0; }
+};
+
+// What is infinite or not a number is null in JSON; read back, that is an infinite PSNR, and 0 of
+// any other figure. Reading throws nlohmann::json::exception for what is no study.
+nlohmann::ordered_json to_json(const Study& study);
+Study study_from_json(const nlohmann::ordered_json& json);
+
+nlohmann::ordered_json to_json(const Difference& difference);
+Difference difference_from_json(const nlohmann::ordered_json& json);
+
+}  // namespace glint
