@@ -282,13 +282,13 @@ int output_id(const std::string& tab) {
 Json Exporter::input_json(const Sampler& sampler, int channel) const {
     const bool is_buffer = sampler.source == Source::buffer;
     const std::string tab = is_buffer ? tab_of(sampler).name : "";
-    const char* kind = tab == "cubeA"                             ? "cubemap"
-                       : is_buffer                                ? "buffer"
-                       : sampler.source == Source::keyboard       ? "keyboard"
-                       : sampler.source == Source::sound          ? "music"
-                       : sampler.type == SamplerType::sampler3D   ? "volume"
-                       : sampler.type == SamplerType::samplerCube ? "cubemap"
-                                                                  : "texture";
+    const char* kind = tab == "cubeA"                                     ? "cubemap"
+                       : is_buffer                                        ? "buffer"
+                       : sampler.source == Source::keyboard               ? "keyboard"
+                       : sampler.source == Source::sound || sampler.plays ? "music"
+                       : sampler.type == SamplerType::sampler3D           ? "volume"
+                       : sampler.type == SamplerType::samplerCube         ? "cubemap"
+                                                                          : "texture";
     return {{"id", is_buffer                            ? output_id(tab)
                    : sampler.source == Source::keyboard ? 33
                                                         : 0},

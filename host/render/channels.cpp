@@ -243,7 +243,8 @@ void Channels::set_time(double time) {
 
 double Channels::time_of(std::size_t index, double time) const {
     const auto sound = sounds_.find(index);
-    return sound == sounds_.end() ? 0.0 : std::fmod(time, sound->second->seconds());
+    if (sound != sounds_.end()) return std::fmod(time, sound->second->seconds());
+    return sampler_at(preset_, index).plays ? time : 0.0;
 }
 
 void Channels::set_keyboard(const Input& input) {

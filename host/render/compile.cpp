@@ -20,14 +20,16 @@ PassReads reads_of(const Preset& preset, const PassProgram& program) {
             return u.builtin == Builtin::time || u.builtin == Builtin::frame ||
                    u.builtin == Builtin::tick || u.builtin == Builtin::date;
         });
-    const auto plays = [&](std::size_t sampler) {
+    const auto sounds = [&](std::size_t sampler) {
         return sampler_at(preset, sampler).source == Source::sound;
     };
     const std::vector<std::size_t> told_of = channels_told_of(preset, program);
     reads.changes_by_itself |=
         std::any_of(program.samplers.begin(), program.samplers.end(),
-                    [&](const SamplerUniform& uniform) { return plays(uniform.sampler); }) ||
-        std::any_of(told_of.begin(), told_of.end(), plays);
+                    [&](const SamplerUniform& uniform) { return sounds(uniform.sampler); }) ||
+        std::any_of(told_of.begin(), told_of.end(), [&](std::size_t sampler) {
+            return sounds(sampler) || sampler_at(preset, sampler).plays;
+        });
     return reads;
 }
 

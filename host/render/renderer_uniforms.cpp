@@ -119,7 +119,7 @@ glm::ivec3 Renderer::channel_size(std::size_t pass, int channel) const {
     return glm::ivec3(buffer_size(preset_.scene.passes[sampler.pass], options_.size), 1);
 }
 
-// Sounds alone have a time of their own.
+// Sounds, and noise in the place of one, have a time of their own.
 float Renderer::channel_time(std::size_t pass, int channel, double time) const {
     const auto found = find_sampler(preset_, pass, fmt::format("iChannel{}", channel));
     return found ? static_cast<float>(channels_.time_of(*found, time)) : 0.0f;

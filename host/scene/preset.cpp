@@ -326,7 +326,7 @@ void Reader::read_channel(std::size_t index, const toml::table& table) {
     static const Names kSources = {"image", "cube",     "volume", "sound",
                                    "noise", "keyboard", "buffer"};
     Names known = kSources;
-    known.insert(known.end(), {"wrap", "filter", "vflip"});
+    known.insert(known.end(), {"wrap", "filter", "vflip", "plays"});
     check_keys(table, known);
     Sampler sampler;
     sampler.name = fmt::format("iChannel{}", index);
@@ -426,11 +426,14 @@ void Reader::read_channel_options(Sampler& sampler, const toml::table& table) {
         else
             warning(*node, "filter is \"nearest\", \"linear\" or \"mipmap\"");
     }
-    if (const toml::node* node = table.get("vflip")) {
-        if (const auto* vflip = node->as_boolean())
-            sampler.vflip = vflip->get();
+    for (const auto& [key, value] :
+         {std::pair{"vflip", &sampler.vflip}, {"plays", &sampler.plays}}) {
+        const toml::node* node = table.get(key);
+        if (!node) continue;
+        if (const auto* on = node->as_boolean())
+            *value = on->get();
         else
-            warning(*node, "vflip is true or false");
+            warning(*node, fmt::format("{} is true or false", key));
     }
 }
 

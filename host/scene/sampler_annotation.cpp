@@ -207,6 +207,7 @@ std::vector<std::string> SamplerParser::known_options() const {
     if (is_pass) known.insert(known.end(), {"size", "scale", "step", "format"});
     const Source source = result.sampler.source;
     if (source == Source::image || source == Source::cube) known.push_back("vflip");
+    if (source == Source::noise) known.push_back("plays");
     return known;
 }
 
@@ -231,9 +232,9 @@ void SamplerParser::parse_option(std::string_view key, std::size_t at) {
             result.sampler.wrap = *wrap;
         else
             complain("clamp, repeat or mirror");
-    } else if (key == "vflip") {
-        if (const auto vflip = parse_switch(value))
-            result.sampler.vflip = *vflip;
+    } else if (key == "vflip" || key == "plays") {
+        if (const auto on = parse_switch(value))
+            (key == "vflip" ? result.sampler.vflip : result.sampler.plays) = *on;
         else
             complain("on or off");
     } else {

@@ -96,6 +96,7 @@ struct Sampler {
     std::vector<std::filesystem::path> files;
     int noise_channels = 4;    // noise: 1 to 4
     glm::ivec3 noise_size{0};  // noise: pixels; z is 1 for sampler2D
+    bool plays = false;        // noise: its iChannelTime runs with iTime, as a sound's does
     Place place;
 };
 

@@ -120,6 +120,26 @@ ShadertoyInput read_input(const Json& json, const std::map<std::string, std::str
     return input;
 }
 
+// A tab that is there already, word for word, is taken once: some exports write one twice.
+void add_tab(Shadertoy& shader, ShadertoyTab tab, const fs::path& file, Diagnostics& diagnostics) {
+    const auto same = std::find_if(shader.tabs.begin(), shader.tabs.end(),
+                                   [&](const ShadertoyTab& t) { return t.name == tab.name; });
+    if (same == shader.tabs.end())
+        shader.tabs.push_back(std::move(tab));
+    else if (*same == tab)
+        diagnostics.push_back({Severity::warning,
+                               {file.string()},
+                               fmt::format("the tab {} is there twice, word for word; one is taken",
+                                           in_quotes(tab.name))});
+    else
+        diagnostics.push_back(
+            {Severity::error,
+             {file.string()},
+             fmt::format("two tabs are {} and differ; rename one of them, or take it out",
+                         in_quotes(tab.name)),
+             true});
+}
+
 class JsonReader {
 public:
     JsonReader(const fs::path& file, Diagnostics& diagnostics)
@@ -129,6 +149,8 @@ public:
 
 private:
     std::vector<std::string> tab_names(const Json& passes);
+    std::optional<ShadertoyTab> tab(const std::string& name, const Json& pass,
+                                    const std::map<std::string, std::string>& tab_of_id);
     void error(const std::string& text) {
         diagnostics_.push_back({Severity::error, {file_.string()}, text, true});
     }
@@ -148,6 +170,27 @@ std::vector<std::string> JsonReader::tab_names(const Json& passes) {
         }
     }
     return names;
+}
+
+std::optional<ShadertoyTab> JsonReader::tab(const std::string& name, const Json& pass,
+                                            const std::map<std::string, std::string>& tab_of_id) {
+    if (name.empty()) {
+        error(fmt::format("the tab {} is none that the site has; name it Buffer A to D",
+                          in_quotes(word(pass, "name"))));
+        return std::nullopt;
+    }
+    if (!member(pass, "code").is_string()) {
+        error(fmt::format("the tab {} has no \"code\" that is text; export the shader again",
+                          in_quotes(name)));
+        return std::nullopt;
+    }
+    ShadertoyTab tab{.name = name, .code = word(pass, "code"), .inputs = {}};
+    const Json& inputs = member(pass, "inputs");
+    if (inputs.is_array())
+        for (const Json& input : inputs) tab.inputs.push_back(read_input(input, tab_of_id));
+    std::erase_if(tab.inputs,
+                  [](const ShadertoyInput& read) { return read.channel < 0 || read.channel > 3; });
+    return tab;
 }
 
 std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
@@ -171,31 +214,9 @@ std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
         for (const Json& output : outputs)
             if (const std::string id = word(output, "id"); !id.empty()) tab_of_id[id] = names[i];
     }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (std::any_of(shader.tabs.begin(), shader.tabs.end(),
-                        [&](const ShadertoyTab& tab) { return tab.name == names[i]; })) {
-            error(fmt::format("two tabs are {}; rename one of them", in_quotes(names[i])));
-            continue;
-        }
-        if (names[i].empty()) {
-            error(fmt::format("the tab {} is none that the site has; name it Buffer A to D",
-                              in_quotes(word(passes[i], "name"))));
-            continue;
-        }
-        if (!member(passes[i], "code").is_string()) {
-            error(fmt::format("the tab {} has no \"code\" that is text; export the shader again",
-                              in_quotes(names[i])));
-            continue;
-        }
-        ShadertoyTab tab{.name = names[i], .code = word(passes[i], "code"), .inputs = {}};
-        const Json& inputs = member(passes[i], "inputs");
-        if (inputs.is_array())
-            for (const Json& input : inputs) tab.inputs.push_back(read_input(input, tab_of_id));
-        std::erase_if(tab.inputs, [](const ShadertoyInput& read) {
-            return read.channel < 0 || read.channel > 3;
-        });
-        shader.tabs.push_back(std::move(tab));
-    }
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (auto read = tab(names[i], passes[i], tab_of_id))
+            add_tab(shader, std::move(*read), file_, diagnostics_);
     return shader;
 }
 
@@ -299,15 +320,8 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
                                    "it"});
             continue;
         }
-        const auto same = std::find_if(shader.tabs.begin(), shader.tabs.end(),
-                                       [&](const ShadertoyTab& tab) { return tab.name == name; });
-        if (same == shader.tabs.end())
-            shader.tabs.push_back(
-                {.name = name, .code = read_text(file, diagnostics), .inputs = {}});
-        else
-            diagnostics.push_back({Severity::error,
-                                   {file.string()},
-                                   fmt::format("another file is {} already; move one away", name)});
+        add_tab(shader, {.name = name, .code = read_text(file, diagnostics), .inputs = {}}, file,
+                diagnostics);
     }
     sort_tabs(shader);
     if (error || shader.tabs.empty() ||

@@ -19,12 +19,14 @@ struct ShadertoyInput {
     std::string file;          // "/media/a/08b42b….png" on the site
     std::string filter, wrap;  // as the site spells them; empty: the default
     std::optional<bool> vflip;
+    bool operator==(const ShadertoyInput&) const = default;
 };
 
 struct ShadertoyTab {
     std::string name;  // "bufferA" … "bufferD", "cubeA", "image", "sound", "common"
     std::string code;
     std::vector<ShadertoyInput> inputs;
+    bool operator==(const ShadertoyTab&) const = default;
 };
 
 struct Shadertoy {
@@ -33,6 +35,7 @@ struct Shadertoy {
 };
 
 // Every shader of a file. What is wrong goes to diagnostics; with errors there, the list is empty.
+// Of two tabs that are the same word for word, one is taken, with a warning; so in a folder.
 std::vector<Shadertoy> read_shadertoys(const std::filesystem::path& json, Diagnostics& diagnostics);
 
 // Whether a file stands below a folder, and no link on the way leads out of it. Neither need exist.

@@ -21,32 +21,37 @@ namespace fs = std::filesystem;
 struct Medium {
     std::string_view hash, name, noise;
 };
-constexpr std::array<Medium, 26> kMedia = {{{"52d2a8f514c4fd2d", "Abstract 1", "rgb 512"},
-                                            {"bd6464771e47eed8", "Abstract 2", "rgb 512"},
-                                            {"8979352a182bde7c", "Abstract 3", "rgb 512"},
-                                            {"85a6d68622b36995", "Bayer", "r 8"},
-                                            {"cb49c003b454385a", "Blue Noise", "rgba 1024"},
-                                            {"08b42b43ae9d3c06", "Font 1", "rgba 1024"},
-                                            {"0c7bf5fe9462d5bf", "Gray Noise Medium", "r 256"},
-                                            {"0a40562379b63dfb", "Gray Noise Small", "r 64"},
-                                            {"fb918796edc3d222", "Lichen", "rgb 1024"},
-                                            {"8de3a3924cb95bd0", "London", "rgb 512"},
-                                            {"cbcbb5a6cfb55c36", "Nyancat", "rgba 256x32"},
-                                            {"cd4c518bc6ef165c", "Organic 1", "rgb 1024"},
-                                            {"92d7758c402f0927", "Organic 2", "rgb 1024"},
-                                            {"79520a3d3a0f4d3c", "Organic 3", "rgb 1024"},
-                                            {"3871e838723dd6b1", "Organic 4", "rgb 1024"},
-                                            {"ad56fba948dfba9a", "Pebbles", "r 512"},
-                                            {"f735bee5b64ef988", "RGBA Noise Medium", "rgba 256"},
-                                            {"3083c722c0c738ca", "RGBA Noise Small", "rgba 64"},
-                                            {"10eb4fe0ac8a7dc3", "Rock Tiles", "rgb 512"},
-                                            {"95b90082f799f486", "Rusty Metal", "rgb 512"},
-                                            {"e6e5631ce1237ae4", "Stars", "rgb 512"},
-                                            {"1f7dca9c22f32475", "Wood", "rgb 512"},
-                                            {"94284d43be78f00e", "Forest", "rgb 64"},
-                                            {"0681c014f6c88c35", "Forest Blurred", "rgb 64"},
-                                            {"27012b4eadd0c3ce", "Gray Noise 3D", "r 32"},
-                                            {"aea6b99da1d53055", "RGBA Noise 3D", "rgba 32"}}};
+constexpr std::array<Medium, 30> kMedia = {
+    {{"52d2a8f514c4fd2d", "Abstract 1", "rgb 512"},
+     {"bd6464771e47eed8", "Abstract 2", "rgb 512"},
+     {"8979352a182bde7c", "Abstract 3", "rgb 512"},
+     {"85a6d68622b36995", "Bayer", "r 8"},
+     {"cb49c003b454385a", "Blue Noise", "rgba 1024"},
+     {"08b42b43ae9d3c06", "Font 1", "rgba 1024"},
+     {"0c7bf5fe9462d5bf", "Gray Noise Medium", "r 256"},
+     {"0a40562379b63dfb", "Gray Noise Small", "r 64"},
+     {"fb918796edc3d222", "Lichen", "rgb 1024"},
+     {"8de3a3924cb95bd0", "London", "rgb 512"},
+     {"cbcbb5a6cfb55c36", "Nyancat", "rgba 256x32"},
+     {"cd4c518bc6ef165c", "Organic 1", "rgb 1024"},
+     {"92d7758c402f0927", "Organic 2", "rgb 1024"},
+     {"79520a3d3a0f4d3c", "Organic 3", "rgb 1024"},
+     {"3871e838723dd6b1", "Organic 4", "rgb 1024"},
+     {"ad56fba948dfba9a", "Pebbles", "r 512"},
+     {"f735bee5b64ef988", "RGBA Noise Medium", "rgba 256"},
+     {"3083c722c0c738ca", "RGBA Noise Small", "rgba 64"},
+     {"10eb4fe0ac8a7dc3", "Rock Tiles", "rgb 512"},
+     {"95b90082f799f486", "Rusty Metal", "rgb 512"},
+     {"e6e5631ce1237ae4", "Stars", "rgb 512"},
+     {"1f7dca9c22f32475", "Wood", "rgb 512"},
+     {"94284d43be78f00e", "Forest", "rgb 256"},
+     {"0681c014f6c88c35", "Forest Blurred", "rgb 64"},
+     {"488bd40303a2e2b9", "St. Peter's Basilica", "rgb 256"},
+     {"550a8cce1bf40386", "St. Peter's Blurred", "rgb 64"},
+     {"585f9546c092f53d", "Uffizi Gallery", "rgb 512"},
+     {"793a105653fbdada", "Uffizi Gallery Blurred", "rgb 64"},
+     {"27012b4eadd0c3ce", "Gray Noise 3D", "r 32"},
+     {"aea6b99da1d53055", "RGBA Noise 3D", "rgba 32"}}};
 
 std::string stem(const std::string& file) {
     return fs::path(file).stem().string();
@@ -59,21 +64,69 @@ const Medium* find_medium(const std::string& file) {
     return nullptr;
 }
 
+bool is_music(const ShadertoyInput& input) {
+    return input.kind.starts_with("music");
+}
+
+// What has a time of its own, so that its iChannelTime runs.
+bool plays(const ShadertoyInput& input) {
+    return is_music(input) || input.kind == "video";
+}
+
 // Noise that stands in for what the site does not ship.
 std::string stand_in(const ShadertoyInput& input) {
     if (const Medium* medium = find_medium(input.file))
         return fmt::format("noise {}", medium->noise);
     if (input.kind == "volume") return "noise r 32";
     if (input.kind == "cubemap") return "noise rgb 64";
-    if (input.kind == "webcam" || input.kind == "video") return "noise rgb 640x360";
-    if (input.kind.starts_with("music") || input.kind == "mic") return "noise r 512x2";
+    if (input.kind == "webcam") return "noise rgb 640x360";
+    if (input.kind == "video") return "noise rgb 640x360 plays=on";
+    if (is_music(input)) return "noise r 512x2 plays=on";
+    if (input.kind == "mic") return "noise r 512x2";
     return "noise rgba 512";
 }
 
-std::string sampler_type(const ShadertoyInput& input) {
-    return input.kind == "cubemap"  ? "samplerCube"
-           : input.kind == "volume" ? "sampler3D"
-                                    : "sampler2D";
+// As what an input is declared.
+Sampler read_by(const ShadertoyInput& input) {
+    Sampler sampler;
+    sampler.type = input.kind == "cubemap"  ? SamplerType::samplerCube
+                   : input.kind == "volume" ? SamplerType::sampler3D
+                                            : SamplerType::sampler2D;
+    return sampler;
+}
+
+// How the site reads an input of which its file says nothing.
+Sampler defaults_there(const ShadertoyInput& input) {
+    const bool is_picture =
+        input.buffer.empty() &&
+        (input.kind == "texture" || input.kind == "cubemap" || input.kind == "volume");
+    Sampler sampler = read_by(input);
+    set_defaults(sampler, input.kind == "keyboard" ? Source::keyboard
+                          : is_picture             ? Source::image
+                                                   : Source::buffer);
+    return sampler;
+}
+
+// Only what is not the default of this source anyway, so that the line stays short.
+std::string options_of(const ShadertoyInput& input, const std::string& source) {
+    Sampler here = read_by(input);
+    set_defaults(here, source.starts_with("noise")      ? Source::noise
+                       : source.starts_with("keyboard") ? Source::keyboard
+                       : source.starts_with("buffer") || source.starts_with("sound")
+                           ? Source::buffer
+                           : Source::image);
+    const Sampler there = defaults_there(input);
+    const Filter filter = parse_filter(input.filter).value_or(there.filter);
+    const Wrap wrap = input.wrap == "clamp"    ? Wrap::clamp
+                      : input.wrap == "repeat" ? Wrap::repeat
+                                               : there.wrap;
+    std::string options;
+    if (filter != here.filter)
+        options += filter == Filter::nearest  ? " filter=nearest"
+                   : filter == Filter::linear ? " filter=linear"
+                                              : " filter=mipmap";
+    if (wrap != here.wrap) options += wrap == Wrap::clamp ? " wrap=clamp" : " wrap=repeat";
+    return options;
 }
 
 // A line of a comment: no line end in it, and no backslash that would join it with the next.
@@ -104,7 +157,7 @@ private:
     std::string source_of(const ShadertoyTab& tab, const ShadertoyInput& input);
     std::string file_beside(const ShadertoyInput& input);
     bool may_read(const fs::path& file);
-    std::string options_of(const ShadertoyInput& input) const;
+    std::string what_is_missing(const ShadertoyInput& input) const;
     bool is_alone(const ShadertoyTab& tab) const;
     void warn(const std::string& text) {
         diagnostics_.push_back({Severity::warning, {from_.string()}, text});
@@ -177,8 +230,9 @@ void Writer::write_inputs() {
 }
 
 void Writer::write_input(const ShadertoyTab& tab, const ShadertoyInput& input) {
-    text_ += fmt::format("uniform {} iChannel{};  //@ {}{}\n", sampler_type(input), input.channel,
-                         source_of(tab, input), options_of(input));
+    const std::string source = source_of(tab, input);
+    text_ += fmt::format("uniform {} iChannel{};  //@ {}{}\n", glsl_name(read_by(input).type),
+                         input.channel, source, options_of(input, source));
 }
 
 std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& input) {
@@ -188,22 +242,29 @@ std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& inp
                     [&](const ShadertoyTab& other) { return other.name == input.buffer; });
     if (!input.buffer.empty() && has_tab) return "buffer " + input.buffer;
     if (const std::string file = file_beside(input); !file.empty()) return file;
-    Sampler noise;
-    noise.type = input.kind == "cubemap"  ? SamplerType::samplerCube
-                 : input.kind == "volume" ? SamplerType::sampler3D
-                                          : SamplerType::sampler2D;
+    Sampler noise = read_by(input);
     if (input.file.starts_with("noise ") && parse_noise(input.file.substr(6), noise).empty())
-        return input.file;  // written by our own export
+        return input.file + (plays(input) ? " plays=on" : "");  // written by our own export
+    const std::string instead = stand_in(input);
+    warn(fmt::format("{}, iChannel{}: {}; {} stands in its place{}", tab.name, input.channel,
+                     what_is_missing(input), instead,
+                     leaves_                  ? ", and --anywhere takes it"
+                     : input.kind == "webcam" ? "; a picture of yours does with //@ image FILE"
+                     : input.kind == "mic"    ? "; a sound of yours does with //@ sound FILE"
+                                              : ""));
+    return instead;
+}
+
+std::string Writer::what_is_missing(const ShadertoyInput& input) const {
+    if (input.kind == "webcam") return "no camera is read here";
+    if (input.kind == "mic") return "no microphone is read here";
     const Medium* medium = find_medium(input.file);
     const std::string what = !input.buffer.empty() ? input.buffer
                              : medium              ? std::string(medium->name)
                              : input.file.empty()  ? input.kind
                                                    : input.file;
-    const std::string instead = stand_in(input);
-    warn(fmt::format("{}, iChannel{}: {} is {}; {} stands in its place{}", tab.name, input.channel,
-                     in_quotes(what), leaves_ ? "outside this file's folder" : "not in this file",
-                     instead, leaves_ ? ", and --anywhere takes it" : ""));
-    return instead;
+    return fmt::format("{} is {}", in_quotes(what),
+                       leaves_ ? "outside this file's folder" : "not in this file");
 }
 
 // A stranger's file names only what came with it.
@@ -219,11 +280,11 @@ bool Writer::may_read(const fs::path& file) {
 // there; empty when there are none.
 std::string Writer::file_beside(const ShadertoyInput& input) {
     leaves_ = false;
-    const char* source = input.kind == "texture"           ? "image"
-                         : input.kind == "cubemap"         ? "cube"
-                         : input.kind == "volume"          ? "volume"
-                         : input.kind.starts_with("music") ? "sound"
-                                                           : "";
+    const char* source = input.kind == "texture"   ? "image"
+                         : input.kind == "cubemap" ? "cube"
+                         : input.kind == "volume"  ? "volume"
+                         : is_music(input)         ? "sound"
+                                                   : "";
     const fs::path file = fs::path(input.file).relative_path();
     if (!*source || !file.has_filename()) return {};
     std::error_code error;
@@ -253,25 +314,6 @@ std::string Writer::file_beside(const ShadertoyInput& input) {
         return text;
     }
     return {};
-}
-
-// Only what is not the default here anyway, so that the line stays short.
-std::string Writer::options_of(const ShadertoyInput& input) const {
-    const bool is_picture = input.kind == "texture" || input.kind == "cubemap" ||
-                            input.kind == "volume" || input.kind == "video";
-    const bool is_buffer = !input.buffer.empty();
-    const std::string filter = input.kind == "keyboard"   ? "nearest"
-                               : is_picture && !is_buffer ? "mipmap"
-                                                          : "linear";
-    const std::string wrap =
-        is_picture && !is_buffer && input.kind != "cubemap" ? "repeat" : "clamp";
-    const bool known_filter =
-        input.filter == "nearest" || input.filter == "linear" || input.filter == "mipmap";
-    std::string options;
-    if (known_filter && input.filter != filter) options += " filter=" + input.filter;
-    if ((input.wrap == "clamp" || input.wrap == "repeat") && input.wrap != wrap)
-        options += " wrap=" + input.wrap;
-    return options;
 }
 
 void Writer::write_tab(const ShadertoyTab& tab) {

@@ -150,6 +150,7 @@ std::vector<TomlLine> toml_channel(const Sampler& channel, const Scene& scene,
     if (channel.wrap != plain.wrap) lines.push_back({"wrap", spelled(channel.wrap)});
     if (channel.filter != plain.filter) lines.push_back({"filter", spelled(channel.filter)});
     if (channel.vflip != plain.vflip) lines.push_back({"vflip", channel.vflip ? "true" : "false"});
+    if (channel.plays) lines.push_back({"plays", "true"});
     return lines;
 }
 

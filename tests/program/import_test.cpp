@@ -120,6 +120,95 @@ TEST_F(Import, WhatTheSiteDoesNotShipIsNamedAndNoiseOfItsSizeStandsInItsPlace) {
     EXPECT_EQ(draw("media.frag", 0), (std::array{128, 255, 128}));
 }
 
+// A text of one tab with one input.
+Json one_input(const std::string& code, const Json& read) {
+    return {{"renderpass", Json::array({pass("image", "Image", 37, code, Json::array({read}))})}};
+}
+
+TEST_F(Import, TheSitesCubesAreKnownByTheirFiles) {
+    const std::pair<const char*, const char*> cubes[] = {
+        {"585f9546c092f53d", "'Uffizi Gallery' is not in this file; noise rgb 512 "},
+        {"793a105653fbdada", "'Uffizi Gallery Blurred' is not in this file; noise rgb 64 "},
+        {"488bd40303a2e2b9", "'St. Peter's Basilica' is not in this file; noise rgb 256 "},
+        {"550a8cce1bf40386", "'St. Peter's Blurred' is not in this file; noise rgb 64 "}};
+    for (const auto& [hash, said] : cubes) {
+        Json cube = input(0, 30, "cubemap", "mipmap");
+        cube["src"] =
+            fmt::format("/media/a/{}2b343144396c0b2d70d9965f585ebc172080d8aa58.jpg", hash);
+        write("cube.json", one_input("void mainImage(out vec4 c, in vec2 p) {}\n", cube).dump());
+        const Outcome made = glint({"import", "cube.json", "-o", fmt::format("{}.frag", hash)});
+        EXPECT_EQ(made.code, 0);
+        EXPECT_NE(made.err.find(said), std::string::npos) << made.err;
+    }
+}
+
+TEST_F(Import, ACameraAndAMicrophoneAreSaidInWordsWithWhatStandsInTheirPlace) {
+    const std::pair<const char*, const char*> kinds[] = {
+        {"webcam",
+         "warning: image, iChannel0: no camera is read here; noise rgb 640x360 stands in its "
+         "place; a picture of yours does with //@ image FILE\n"},
+        {"mic",
+         "warning: image, iChannel0: no microphone is read here; noise r 512x2 stands in its "
+         "place; a sound of yours does with //@ sound FILE\n"}};
+    for (const auto& [kind, said] : kinds) {
+        write("live.json",
+              one_input("void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n",
+                        input(0, 30, kind, "linear"))
+                  .dump());
+        const Outcome made = glint({"import", "live.json", "-o", fmt::format("{}.frag", kind)});
+        EXPECT_EQ(made.code, 0);
+        EXPECT_NE(made.err.find(said), std::string::npos) << made.err;
+    }
+}
+
+TEST_F(Import, MissingMusicPlaysWithTheTimeThereAndBack) {
+    Json music = input(0, 30, "music", "linear");
+    music["src"] = "https://soundcloud.com/somebody/something";
+    music.erase("sampler");
+    write("song.json", one_input("void mainImage(out vec4 c, in vec2 p) {\n"
+                                 "    c = vec4(iChannelTime[0], texture(iChannel0, vec2(0)).r, 0, "
+                                 "1);\n}\n",
+                                 music)
+                           .dump());
+    ASSERT_EQ(glint({"import", "song.json", "-o", "song.frag"}).code, 0);
+    EXPECT_EQ(draw("song.frag", 30)[0], 128);
+    // The site reads a sound linearly and at its edges, and so is what stands in its place.
+    EXPECT_NE(bytes("song.frag").find("//@ noise r 512x2 plays=on filter=linear wrap=clamp"),
+              std::string::npos)
+        << bytes("song.frag");
+    const Outcome out = glint({"export", "song.frag", "-o", "tabs"});
+    ASSERT_EQ(out.code, 0) << out.err;
+    const Outcome back = glint({"import", "tabs/shadertoy.json", "-o", "back.frag"});
+    ASSERT_EQ(back.code, 0) << back.err;
+    EXPECT_EQ(draw("back.frag", 30), draw("song.frag", 30)) << bytes("back.frag");
+}
+
+TEST_F(Import, ATabThatIsThereTwiceIsTakenOnceWithAWarning) {
+    const Json red = pass("image", "Image", 37,
+                          "void mainImage(out vec4 c, in vec2 p) { c = vec4(RED, 0, 0, 1); }\n");
+    const Json common = pass("common", "Common", "", "const float RED = 0.2;\n");
+    write("twice.json", Json{{"renderpass", Json::array({common, red, common})}}.dump());
+    const Outcome made = glint({"import", "twice.json", "-o", "twice.frag"});
+    EXPECT_EQ(made.code, 0);
+    EXPECT_EQ(
+        made.err,
+        "twice.json: warning: the tab 'common' is there twice, word for word; one is taken\n");
+    EXPECT_EQ(draw("twice.frag", 0), (std::array{51, 0, 0}));
+
+    fs::create_directories(folder() / "tabs");
+    write("tabs/image.glsl", red["code"].get<std::string>());
+    write("tabs/Common.glsl", common["code"].get<std::string>());
+    write("tabs/common.txt", common["code"].get<std::string>());
+    const Outcome folder_made = glint({"import", "tabs", "-o", "folder.frag"});
+    EXPECT_EQ(folder_made.code, 0) << folder_made.err;
+    EXPECT_EQ(draw("folder.frag", 0), (std::array{51, 0, 0}));
+    write("tabs/common.txt", "const float RED = 0.4;\n");
+    const Outcome differs = glint({"import", "tabs", "-o", "differs.frag"});
+    EXPECT_EQ(differs.code, 4);
+    EXPECT_NE(differs.err.find("two tabs are 'common' and differ"), std::string::npos)
+        << differs.err;
+}
+
 TEST_F(Import, AnImageBesideTheFileIsUsed) {
     write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.4, 0.6, 1); }\n");
     fs::create_directories(folder() / "media/a");
@@ -261,7 +350,10 @@ TEST_F(Import, BadJsonOfEveryKindIsSaid) {
          "the tab 'bufferB' has no \"code\""},
         {"a pass is a number", with([](Json& j) { j["renderpass"][0] = 3; }), "error: "},
         {"eight passes", with([](Json& j) {
-             for (int k = 0; k < 4; ++k) j["renderpass"].push_back(j["renderpass"][1]);
+             for (int k = 0; k < 4; ++k) {
+                 j["renderpass"].push_back(j["renderpass"][1]);
+                 j["renderpass"].back()["code"] = fmt::format("// {}\n", k);
+             }
          }),
          "two tabs are 'bufferB'"},
         {"a fifth buffer", with([](Json& j) {

@@ -348,6 +348,8 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         {SamplerType::sampler2D, "image", 5, "path is missing"},
         {SamplerType::sampler2D, "image \"a", 6, "never closed"},
         {SamplerType::sampler2D, "image a vflip=maybe", 14, "on or off"},
+        {SamplerType::sampler2D, "noise 8 plays=now", 14, "on or off"},
+        {SamplerType::sampler2D, "keyboard plays=on", 9, "unknown word 'plays'"},
         {SamplerType::sampler2D, "noise", 5, "size of the noise is missing"},
         {SamplerType::sampler2D, "noise rgba", 6, "size of the noise is missing"},
         {SamplerType::sampler2D, "noise 0", 6, "from 1 to"},

@@ -172,6 +172,7 @@ TEST(Preset, WarnsAtThePlaceAndLoadsTheRest) {
         {"[channels]\niChannel0 = { keyboard = true, wrap = \"x\" }", "wrap is \"clamp\""},
         {"[channels]\niChannel0 = { keyboard = true, filter = 1 }", "filter is \"nearest\""},
         {"[channels]\niChannel0 = { image = \"a\", vflip = 1 }", "vflip is true or false"},
+        {"[channels]\niChannel0 = { noise = \"8\", plays = 1 }", "plays is true or false"},
         {"[channels]\niChannel3 = { keyboard = true }", "3:1: warning: the scene fills iChannel3"},
         {"events = 3", "2:10: warning: events is a list"},
         {"events = [3]", "2:11: warning: an event is a table"},

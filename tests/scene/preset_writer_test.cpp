@@ -323,6 +323,7 @@ TEST_F(PresetWriter, EveryKindOfChannelReadsBack) {
         "image = \"../a b/oak.png\", filter = \"nearest\", vflip = false",
         "noise = \"r 64x32\", wrap = \"mirror\"",
         "noise = \"rgba 32x16x8\"",
+        "noise = \"r 512x2\", filter = \"linear\", plays = true",
         "keyboard = true",
         "buffer = \"waves\", filter = \"mipmap\"",
         "cube = \"../sky.hdr\", vflip = true",

@@ -30,9 +30,9 @@ void members(const auto& all, Is<Tweak> auto& value) {
 }
 void members(const auto& all, Is<Sampler> auto& value) {
     auto& [name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
-           noise_size, place] = value;
+           noise_size, plays, place] = value;
     all(name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
-        noise_size, place);
+        noise_size, plays, place);
 }
 void members(const auto& all, Is<Pass> auto& value) {
     auto& [name, entry, outputs, size, scale, format, cube, step, place] = value;
