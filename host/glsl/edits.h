@@ -1,0 +1,68 @@
+// Changing a text by its tokens, and the way back from the changed text to the user's.
+//
+// A place is named by a token, whether it stands in the text itself or came from a macro. Where a
+// change falls within a macro's expansion, the use is written out: the expansion takes its place,
+// on as many lines. What cannot be touched is left as it is, and the call says false: a macro that
+// is not known for certain, or whose words would be expanded once more.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// A text made of pieces of another one, with words between them.
+struct EditedText {
+    struct Piece {
+        std::size_t at = 0;    // in the new text
+        std::size_t from = 0;  // in the old one
+        bool is_own = false;   // not of the old text: all of it stands for the byte `from`
+    };
+    std::string text;
+    std::vector<Piece> pieces;  // in order; the first begins at 0
+
+    // The place of a byte in the old text.
+    std::size_t origin(std::size_t at) const;
+};
+
+class Edits {
+public:
+    // `reading` must outlive this.
+    explicit Edits(const Reading& reading) : reading_(reading) {}
+
+    // Of several at one place the first named stands first. Words have no line ends, which would
+    // move all lines behind.
+    bool before(std::uint32_t token, std::string words);
+    bool after(std::uint32_t token, std::string words);
+    // Line ends within what is replaced are kept.
+    bool replace(TokenRange range, std::string words);
+    // Bytes of the text itself, whatever they hold.
+    void replace_bytes(Span span, std::string words);
+
+    bool empty() const { return changes_.empty() && within_.empty(); }
+    // Changes that overlap an earlier place are left out.
+    EditedText apply() const;
+
+private:
+    struct Change {
+        Span span;
+        std::string words;
+    };
+    struct Within {  // a macro's expansion
+        enum class Where : std::uint8_t { before, instead, after };
+        std::uint32_t token = 0;
+        Where where = Where::before;
+        std::string words;
+    };
+    bool add_within(Within change);
+    bool may_write_out(const MacroUse& use) const;
+    std::string written_out(const MacroUse& use, const Within*& next, const Within* end) const;
+
+    const Reading& reading_;
+    std::vector<Change> changes_;
+    std::vector<Within> within_;
+};
+
+}  // namespace glint

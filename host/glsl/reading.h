@@ -1,0 +1,56 @@
+// A GLSL text, read once: its tokens, what it declares and does, and questions about both.
+//
+//     const Reading reading = read_glsl(text, known);
+//     for (const Function& function : reading.functions) … reading.word(function.name) …
+//
+// Read for one pass, with its PASS_x among `known.macros`, or for all at once, with "PASS_" among
+// `known.open`: then branches that hang on it may be live, and both sides of an #else are read.
+// Whoever changes a text does so through glsl/edits.h, which knows what stands within macros. What
+// the reader does not understand stands in `not_understood`, and no list has anything of it.
+#pragma once
+
+#include "glsl/syntax.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+struct Reading : Preprocessed, Syntax {
+    std::string_view word(std::uint32_t token) const {
+        return token == kNone ? std::string_view() : tokens[token].text;
+    }
+    // The bytes that a token stands for: of what came from a macro, those of its use.
+    Span place(std::uint32_t token) const {
+        const Token& one = tokens[token];
+        return one.use == kNone ? one.span() : uses[one.use].span;
+    }
+    Span place(TokenRange range) const {
+        if (range.empty()) return {};
+        return {place(range.begin).begin, place(range.end - 1).end};
+    }
+    // As it is spelled, tokens and one space between them.
+    std::string spelled(TokenRange range) const;
+
+    const Struct* find_struct(std::string_view name) const;
+    // The functions of this name, prototypes too, in the order of the text.
+    std::vector<std::uint32_t> functions_named(std::string_view name) const;
+    // Whether a function of this name has a body.
+    bool defines(std::string_view name) const;
+    // The declaration of a global of this name.
+    const Declaration* find_global(std::string_view name) const;
+    // By function: whether these names, and what they call, lead to it. Calls go to all overloads
+    // that take as many arguments; those in the values of globals count.
+    std::vector<bool> reached_from(const std::vector<std::string_view>& names) const;
+    // The arguments of a call.
+    std::vector<TokenRange> arguments_of(const Call& call) const;
+    // The function in whose text a byte stands; kNone for none.
+    std::uint32_t function_at(std::size_t offset) const;
+};
+
+// `text` must outlive the result. Any bytes will do; nothing that a text holds makes it throw, fill
+// the memory or the stack.
+Reading read_glsl(std::string_view text, const Known& known);
+
+}  // namespace glint
