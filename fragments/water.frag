@@ -6,13 +6,13 @@
 //
 // Method   The surface is a height: eight plane waves with exact phases, plus the wave equation in
 //          a buffer (240 steps a second, by what crosses between cells, so that walls and columns
-//          reflect and no water is lost; shallows are slower). `traced` follows the real rays: a march that cannot step over the
-//          surface, then Illinois steps; exact Fresnel shares; refraction first, reflection later
-//          from a one-place queue; ray differentials carry the footprint through every bend, so
-//          that tiles seen through the water are filtered. `planar` is the classic way: one picture
-//          mirrored in the plane of the water, one refracted by it, each shifted as the slope asks.
-//          The shift comes from the distance to what is seen, so it is 0 where a thing meets the
-//          water. Sunlight on the floor: its point of entry by two fixed-point steps, then 1/|J|.
+//          reflect and no water is lost; shallows are slower). `traced` follows the real rays: a
+//          march that cannot step over the surface, then Illinois steps; exact Fresnel shares;
+//          refraction first, reflection later from a one-place queue; ray differentials carry the
+//          footprint through every bend, so that tiles seen through the water are filtered.
+//          `planar` is the classic way: one picture mirrored in the plane of the water, one
+//          refracted by it, each shifted as the slope asks. The shift comes from the distance to
+//          what is seen, so it is 0 where a thing meets the water. Sunlight on the floor: its point of entry by two fixed-point steps, then 1/|J|.
 // Sources  Courant, Friedrichs, Lewy, Math. Ann. 100 (1928): stability. Igehy, SIGGRAPH (1999), eq.
 //          9-18: ray differentials. Dowell and Jarratt, BIT 11 (1971): Illinois. Born and Wolf,
 //          Principles of Optics, 1.5: Fresnel. Bruneton, Neyret, Holzschuch, CGF 29(2) (2010):
@@ -1042,8 +1042,8 @@ vec4 pondAt(ivec2 c) {
     return vec4(clamp(cell.x, -kCeiling, kCeiling), cell.yzw);
 }
 
-// How hard the water is pushed apart, m2/s. By the gradient of exp(-r2/s2) it leaves the middle; the
-// Laplacian of that is a dent and its rim.
+// How hard the water is pushed apart, m2/s. By the gradient of exp(-r2/s2) it leaves the middle;
+// the Laplacian of that is a dent and its rim.
 float pushAt(vec2 p, vec4 hand, vec4 drop) {
     vec2 off = (p - drop.xy) / drop.z;
     float push = drop.w * square(drop.z) * exp(-min(dot(off, off), 80.0));
