@@ -5,23 +5,23 @@
 // stone; `mouse` decides whether a drag turns the camera or draws a wake.
 //
 // Method   The surface is a height: eight plane waves with exact phases, plus the wave equation in
-//          a buffer (240 steps a second, fluxes between cells, so that walls and columns reflect;
-//          shallows are slower). `traced` follows the real rays: a march that cannot step over the
-//          surface, then Illinois steps; exact Fresnel shares; refraction first, reflection later
-//          from a one-place queue; ray differentials carry the footprint through every bend, so
-//          that tiles seen through the water are filtered. `planar` is the classic way: one picture
-//          mirrored in the plane of the water, one refracted by it, each shifted as the slope asks.
-//          The shift comes from the distance to what is seen, so it is 0 where a thing meets the
-//          water. Sunlight on the floor: its point of entry by two fixed-point steps, then 1/|J|.
+//          a buffer (240 steps a second, by what crosses between cells, so that walls and columns
+//          reflect and no water is lost; shallows are slower). `traced` follows the real rays: a
+//          march that cannot step over the surface, then Illinois steps; exact Fresnel shares;
+//          refraction first, reflection later from a one-place queue; ray differentials carry the
+//          footprint through every bend, so that tiles seen through the water are filtered.
+//          `planar` is the classic way: one picture mirrored in the plane of the water, one
+//          refracted by it, each shifted as the slope asks. The shift comes from the distance to
+//          what is seen, so it is 0 where a thing meets the water. Sunlight on the floor: its point of entry by two fixed-point steps, then 1/|J|.
 // Sources  Courant, Friedrichs, Lewy, Math. Ann. 100 (1928): stability. Igehy, SIGGRAPH (1999), eq.
 //          9-18: ray differentials. Dowell and Jarratt, BIT 11 (1971): Illinois. Born and Wolf,
 //          Principles of Optics, 1.5: Fresnel. Bruneton, Neyret, Holzschuch, CGF 29(2) (2010):
 //          filtered waves. Nishita et al., SIGGRAPH (1993): sky. Kasten and Young, Appl. Opt. 28
 //          (1989): air mass. Jarzynski and Olano, JCGT 9(3) (2020): pcg3d.
 // Units    1 unit = 1 m, y up, 0 the water at rest, linear sRGB colour, radiance: noon sun 10.
-// Passes   air, sky: on change of a tweak. wavelets, floats: every frame, tiny. bed, pointer, pond:
-//          the simulation; relief, bend, peaks, crest: its shape once a frame. mirror, below, dudv:
-//          `planar` only.
+// Passes   air, sky: on change of a tweak. wavelets, floats: every frame, tiny. bed, pushes, pond:
+//          the simulation; screen: only its size counts. relief, bend, peaks, crest: the shape of
+//          the rings, once a frame. mirror, below, dudv: `planar` only.
 // Defaults From `glint study presets/water.toml`: traced costs less than planar here, which is
 //          0.040 (RMSE) off; 6 rays are 0.004 from 24; marchSteps 64 draw what 1024 do; overstep
 //          1.4 is 0.002 from 1, in 7 % less time; 3 steps of refinement are 1e-5 from 8.
@@ -82,7 +82,8 @@ uniform sampler2D air;         //@ pass mainAir size=64x128
 uniform sampler2D sky;  //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D wavelets;    //@ pass mainWavelets size=8x1
 uniform sampler2D bed;         //@ pass mainBed size=256x384
-uniform sampler2D pointer;     //@ pass mainPointer scale=0.05 step=1/240
+uniform sampler2D screen;      //@ pass mainScreen format=rgba8
+uniform sampler2D pushes;      //@ pass mainPushes size=2x1 step=1/240
 uniform sampler2D pond;        //@ pass mainPond size=256x384 step=1/240
 uniform sampler2D relief;      //@ pass mainRelief size=256x384
 uniform sampler2D bend;        //@ pass mainRelief
@@ -974,9 +975,10 @@ void mainWavelets(out vec4 colour, in vec2 pixel) {
     }
 }
 
-// Squared wave speed: that of a wave with this speed over deep water; 0 inside what stands there.
-void mainBed(out vec4 colour, in vec2 pixel) {
-    vec2 p = (pixel / iResolution.xy - 0.5) * 2.0 * kPool;
+// Squared wave speed at a point: `waveSpeed` over deep water; 0 inside what stands there and beyond
+// the walls.
+float squaredSpeed(vec2 p) {
+    if (abs(p.x) > kPool.x || abs(p.y) > kPool.y) return 0.0;
     float down = depth;
     if (columns)
         for (int i = 0; i < 6; ++i) {
@@ -989,66 +991,110 @@ void mainBed(out vec4 colour, in vec2 pixel) {
                 down = min(down, max(-stepTop(i), 0.0));
     if (mirrorBall && distance(p, kBallPlace.xz) < kBallPlace.w) down = 0.0;
     float c2 = waveSpeed * waveSpeed;
-    colour = vec4(c2 * tanh(min(kGravity * down / c2, 20.0)));
+    return c2 * tanh(min(kGravity * down / c2, 20.0));
+}
+// The faces of a cell in the order of `bed`, as steps to the cell beyond.
+const vec2 kBeyond[4] = vec2[](vec2(-1, 0), vec2(1, 0), vec2(0, -1), vec2(0, 1));
+
+// Squared wave speed at a cell's faces, west, east, south, north: the harmonic mean of both sides,
+// so that nothing passes into what is solid.
+void mainBed(out vec4 colour, in vec2 pixel) {
+    vec2 size = iResolution.xy;
+    float here = 0.0;
+    for (int i = -1; i < 4; ++i) {
+        vec2 beyond = i < 0 ? vec2(0.0) : kBeyond[max(i, 0)];
+        float c2 = squaredSpeed(((pixel + beyond) / size - 0.5) * 2.0 * kPool);
+        if (i < 0) here = c2;
+        else colour[i] = 2.0 * here * c2 / max(here + c2, 1e-9);
+    }
 }
 
 vec4 previousFrame(vec4 p) {   // NaN compares false
     return mix(vec4(0.0), p, lessThanEqual(abs(p), vec4(6e4)));
 }
 
-// Where on the water the mouse presses, now (xy) and a step ago (zw); 1000 for nowhere.
-void mainPointer(out vec4 colour, in vec2 pixel) {
-    vec2 size = iResolution.xy * 20.0;   // of the picture
-    vec4 old = previousFrame(texelFetch(pointer, ivec2(0), 0));
+// Small buffers know by it how large the picture is, in whose pixels the mouse counts. Drawn once.
+void mainScreen(out vec4 colour, in vec2 pixel) { colour = vec4(0.0); }
+
+// What pushes the water in this step. 0: where the mouse presses, now (xy) and a step ago (zw);
+// 1000 for nowhere. 1: a drop, its place (xy), radius and force; 0 for none.
+void mainPushes(out vec4 colour, in vec2 pixel) {
+    if (pixel.x > 1.0) {
+        vec3 r = random3(ivec3(int(iTick), 17, 5)), s = random3(ivec3(int(iTick), 29, 7));
+        colour = vec4((2.0 * r.xy - 1.0) * kPool, dropSize * (0.8 + 0.5 * s.x),
+                      r.z < rain * iTimeDelta ? dropForce * (0.3 + 0.9 * s.y) : 0.0);
+        return;
+    }
+    vec4 old = previousFrame(texelFetch(pushes, ivec2(0), 0));
     bool pressed = iMouse.w > 0.0, held = iMouse.z > 0.0 && mouse == 1;
     vec2 at = vec2(1e3);
     if (pressed || held) {
-        Ray r = camera(iMouse.xy, size);
+        Ray r = camera(iMouse.xy, vec2(textureSize(screen, 0)));
         float t = r.d.y < -1e-3 ? -r.o.y / r.d.y : kFar;
         if (t < 60.0) at = r.o.xz + t * r.d.xz;
     }
     colour = vec4(at, old.x == 0.0 && old.y == 0.0 || old.x > 500.0 || pressed ? at : old.xy);
 }
 
-vec4 pondAt(ivec2 c) { return previousFrame(texelFetch(pond, c, 0)); }
-float flux(vec4 here, vec4 there) {   // between two cells; none into what is solid
-    return 2.0 * here.z * there.z / max(here.z + there.z, 1e-9) * (there.x - here.x);
+// A texel that went bad is level water.
+vec4 pondAt(ivec2 c) {
+    vec4 cell = previousFrame(texelFetch(pond, c, 0));
+    return vec4(clamp(cell.x, -kCeiling, kCeiling), cell.yzw);
 }
 
-// One step of the wave equation: x height, y its speed half a step earlier, z squared wave speed.
-// Kick, then drift: second order, stable to a Courant number of 0.7; the ranges end at 0.5.
-void mainPond(out vec4 colour, in vec2 pixel) {
-    ivec2 c = ivec2(pixel), last = textureSize(pond, 0) - 1;
-    float cell = 2.0 * kPool.x / float(last.x + 1);
-    vec4 here = pondAt(c);
-    vec4 west = pondAt(max(c - ivec2(1, 0), 0)), east = pondAt(min(c + ivec2(1, 0), last));
-    vec4 south = pondAt(max(c - ivec2(0, 1), 0)), north = pondAt(min(c + ivec2(0, 1), last));
-    float force = (flux(here, west) + flux(here, east) + flux(here, south) + flux(here, north))
-        / (cell * cell);
-    float kept = exp(-damping * iTimeDelta), weight = iTimeDelta * (1.0 + kept) * 0.5, kick = 0.0;
-    vec2 p = (pixel / vec2(last + 1) - 0.5) * 2.0 * kPool;
-    vec3 r = random3(ivec3(int(iTick), 17, 5)), s = random3(ivec3(int(iTick), 29, 7));
-    if (r.z < rain * iTimeDelta) {   // a drop: a dent and a rim that cancel
-        vec2 off = (p - (2.0 * r.xy - 1.0) * kPool) / (dropSize * (0.8 + 0.5 * s.x));
-        float q = min(dot(off, off), 50.0);
-        kick -= dropForce * (0.3 + 0.9 * s.y) * (1.0 - q) * exp(-q);
-    }
-    vec4 hand = texelFetch(pointer, ivec2(0), 0);
+// How hard the water is pushed apart, m2/s. By the gradient of exp(-r2/s2) it leaves the middle;
+// the Laplacian of that is a dent and its rim.
+float pushAt(vec2 p, vec4 hand, vec4 drop) {
+    vec2 off = (p - drop.xy) / drop.z;
+    float push = drop.w * square(drop.z) * exp(-min(dot(off, off), 80.0));
     if (hand.x < 500.0) {
         vec2 way = hand.xy - hand.zw, to = p - hand.zw;
         float along = clamp(dot(to, way) / max(dot(way, way), 1e-9), 0.0, 1.0);
-        vec2 off = (to - along * way) / dropSize;
-        float q = min(dot(off, off), 50.0), strength = mouse == 0 ? 1.0 : 8.0 * iTimeDelta;
-        kick -= dropForce * strength * (1.0 - q) * exp(-q);
+        off = (to - along * way) / dropSize;
+        float strength = dropForce * (mouse == 0 ? 1.0 : 8.0 * iTimeDelta);
+        push += strength * square(dropSize) * exp(-min(dot(off, off), 80.0));
     }
-    float speed = kept * here.y + weight * force + kick;
-    float height = clamp(here.x + iTimeDelta * speed, -kCeiling, kCeiling);
-    float ground = texelFetch(bed, c, 0).x;
-    if (ground <= 0.0) {   // inside what stands there: the water round it, continued
-        height = 0.25 * (west.x + east.x + south.x + north.x);
-        speed = 0.0;
+    return 0.25 * push;
+}
+
+// What crosses a face in a step, as height of a cell (m), from the lower one (west, south) to the
+// upper: kept is the last step's, drive what slopes and pushes add. Both cells reckon it alike, so
+// what one loses the other gains. Waves break at the ceiling: a face takes at most a quarter of
+// what its giver has left, or of what its taker has room for.
+float crossing(float kept, float drive, float c2, float lower, float upper) {
+    float most = 0.25 * min(kCeiling + lower, kCeiling - upper);
+    float least = -0.25 * min(kCeiling + upper, kCeiling - lower);
+    return c2 > 0.0 ? clamp(kept + drive, least, most) : 0.0;
+}
+
+// One step of the wave equation by what crosses the faces between cells: x height; y, z what went
+// east and north half a step earlier. The water that there is stays, whatever pushes it. Kick, then
+// drift: second order, stable to a Courant number of 0.7; the ranges end at 0.5.
+void mainPond(out vec4 colour, in vec2 pixel) {
+    ivec2 c = ivec2(pixel), last = textureSize(pond, 0) - 1;
+    float cell = 2.0 * kPool.x / float(last.x + 1);
+    vec4 here = pondAt(c), c2 = texelFetch(bed, c, 0);
+    vec4 west = pondAt(max(c - ivec2(1, 0), 0)), east = pondAt(min(c + ivec2(1, 0), last));
+    vec4 south = pondAt(max(c - ivec2(0, 1), 0)), north = pondAt(min(c + ivec2(0, 1), last));
+    vec4 hand = texelFetch(pushes, ivec2(0), 0), drop = texelFetch(pushes, ivec2(1, 0), 0);
+    vec4 push = vec4(0.0);   // beyond the faces, less here
+    int pushed = drop.w > 0.0 || hand.x < 500.0 ? 4 : -1;   // most steps leave it out
+    for (int i = -1; i < pushed; ++i) {
+        vec4 face = vec4(equal(ivec4(i), ivec4(0, 1, 2, 3)));
+        vec2 p = (pixel + face.yw - face.xz) / vec2(last + 1) - 0.5;
+        push += (i < 0 ? vec4(-1.0) : face) * pushAt(p * 2.0 * kPool, hand, drop);
     }
-    colour = vec4(height, clamp(speed, -50.0, 50.0), ground, 0.0);
+    float kept = exp(-damping * iTimeDelta), weight = iTimeDelta * (1.0 + kept) * 0.5;
+    vec4 down = here.x - vec4(west.x, east.x, south.x, north.x);
+    vec4 drive = (weight * c2 * down - push) * (iTimeDelta / (cell * cell));
+    float fromWest = crossing(kept * west.y, -drive.x, c2.x, west.x, here.x);
+    float toEast = crossing(kept * here.y, drive.y, c2.y, here.x, east.x);
+    float fromSouth = crossing(kept * south.z, -drive.z, c2.z, south.x, here.x);
+    float toNorth = crossing(kept * here.z, drive.w, c2.w, here.x, north.x);
+    float height = here.x + (fromWest - toEast + fromSouth - toNorth);
+    if (c2 == vec4(0.0))   // inside what stands there: the water round it, continued
+        height = here.x - 0.25 * dot(down, vec4(1.0));
+    colour = vec4(height, toEast, toNorth, 0.0);
 }
 
 // The surface between the cells: a cubic B-spline of heights, for smooth derivatives. x height,
