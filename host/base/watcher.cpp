@@ -23,15 +23,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A write with no close behind it: an editor that keeps the file open, or a save in two chunks.
-constexpr auto kWriteQuiet = 5ms;
-// An empty file is one that was just cut off, far more often than one that shall be empty.
-constexpr auto kEmptyQuiet = 20ms;
-// Nothing there: deleted, to be created again.
-constexpr auto kGoneQuiet = 100ms;
-// A file that is written to all the time is reported this often all the same.
-constexpr auto kLongestQuiet = 250ms;
-
 constexpr auto kPollInterval = 100ms;
 // Where inotify works, what it may miss (a folder mounted over, a write through shared memory).
 constexpr auto kLookInterval = 1000ms;
@@ -152,7 +143,8 @@ void Watcher::set_files(const std::vector<Path>& files) {
         find(file);
         note_stamp(file);
         const std::int64_t lag = file.polled ? kServerLagNs : kClockLagNs;
-        if (file.newest_ns > read_from_ns_ - lag) saved(file);
+        if (file.newest_ns > read_from_ns_ - lag)
+            file.notice.lost_count(file.reported, Clock::now());
     }
     files_ = std::move(next);
     drop_unused_watches();
@@ -170,11 +162,9 @@ std::vector<Watcher::Path> Watcher::changed() {
     }
     std::vector<Path> list;
     for (File& file : files_) {
-        if (file.due && *file.due <= now && !still_growing(file)) file.ready = true;
-        if (!file.ready) continue;
-        file.ready = false;
-        file.due.reset();
-        file.since.reset();
+        if (!file.notice.is_due(now)) continue;
+        if (!file.notice.is_whole() && still_growing(file)) continue;
+        file.notice.reported();
         note_stamp(file);
         list.push_back(file.path);
     }
@@ -190,13 +180,13 @@ void Watcher::find(File& file) {
     // When something was exchanged behind our back on the way, the end differs from what the system
     // finds now; nobody does that many times in a row.
     for (int attempt = 0; attempt < 8; ++attempt) {
-        const Stamp end = walk(file);
-        const Stamp now = stamp_of(file.path);
+        const FileStamp end = walk(file);
+        const FileStamp now = stamp_of(file.path);
         if (end.inode == now.inode && end.device == now.device) return;
     }
 }
 
-Watcher::Stamp Watcher::walk(File& file) {
+FileStamp Watcher::walk(File& file) {
     file.folders.clear();
     file.links.clear();
     file.entry = {-1, {}};
@@ -270,8 +260,8 @@ std::optional<struct stat> Watcher::look_up(File& file, int folder, const std::s
     return found;
 }
 
-Watcher::Stamp Watcher::end_of_way(File& file, int folder, const std::string& name, int watch,
-                                   const std::optional<struct stat>& found) {
+FileStamp Watcher::end_of_way(File& file, int folder, const std::string& name, int watch,
+                              const std::optional<struct stat>& found) {
     if (!tells_of_changes(folder)) file.polled = true;
     if (watch < 0) watch = add_watch(file, folder, kNames);
     file.entry = {watch, name};
@@ -329,91 +319,62 @@ void Watcher::read_events() {
 }
 
 void Watcher::hear(File& file, const Name& name, std::uint32_t mask) {
+    const auto tell = [&](FileEvent event) {
+        file.notice.heard(event, stamp_of(file.path), Clock::now());
+    };
     if (mask & IN_Q_OVERFLOW) {  // too much to be told one by one
         find(file);
-        saved(file);
-        return;
+        return file.notice.lost_count(stamp_of(file.path), Clock::now());
     }
     const bool folder_gone = mask & (kMoves | IN_IGNORED | IN_UNMOUNT);
     if (folder_gone && file.folders.contains(name.first)) {
         find(file);
-        wait_for_more(file, stamp_of(file.path).inode == 0 ? kGoneQuiet : kWriteQuiet);
-        return;
+        return tell(FileEvent::folder_went);
     }
     const bool is_link = file.links.contains(name);
     const bool is_entry = name == file.entry || (name.first == file.itself && file.itself >= 0);
     if (!is_link && !is_entry) return;
     if (mask & kNames) {
-        hear_name(file, name, mask);
+        find(file);
+        tell(mask & (IN_DELETE | IN_MOVED_FROM) ? FileEvent::went
+             : mask & IN_MOVED_TO               ? FileEvent::moved_in
+             : file.links.contains(name)        ? FileEvent::led_away
+                                                : FileEvent::came);
     } else if (is_link) {
         return;
     } else if (mask & IN_CLOSE_WRITE) {
-        saved(file);
+        tell(FileEvent::closed);
     } else if (mask & IN_MODIFY) {
-        wait_for_more(file, kWriteQuiet);
-    } else if ((mask & IN_ATTRIB) && ((stamp_of(file.path).mode ^ file.stamp.mode) & 0444)) {
-        wait_for_more(file, kWriteQuiet);  // it may be readable at last
+        tell(FileEvent::written);
+    } else if ((mask & IN_ATTRIB) && ((stamp_of(file.path).mode ^ file.reported.mode) & 0444)) {
+        tell(FileEvent::readable);
     }
-}
-
-// A name on the way came, went or was replaced.
-void Watcher::hear_name(File& file, const Name& name, std::uint32_t mask) {
-    find(file);
-    if (mask & (IN_DELETE | IN_MOVED_FROM)) {
-        wait_for_more(file, kGoneQuiet);
-    } else if ((mask & IN_MOVED_TO) || file.links.contains(name)) {
-        saved(file);
-    } else {
-        wait_for_more(file, kWriteQuiet);
-    }
-}
-
-// Nothing more is to come, as far as can be told.
-void Watcher::saved(File& file) {
-    const Stamp now = stamp_of(file.path);
-    if (now.inode == 0 || now.size == 0) {
-        wait_for_more(file, now.inode == 0 ? kGoneQuiet : kEmptyQuiet);
-        return;
-    }
-    file.ready = true;
-    file.due.reset();
-}
-
-void Watcher::wait_for_more(File& file, std::chrono::milliseconds quiet) {
-    const auto now = Clock::now();
-    if (!file.since) file.since = now;
-    file.ready = false;
-    file.due = std::min(now + quiet, *file.since + kLongestQuiet);
 }
 
 // Finds what nobody told of.
 void Watcher::look(File& file) {
-    if (file.ready || file.due) return;
-    Stamp now = stamp_of(file.path);
-    if (!file.polled) {  // a change of rights or owner is not a save, and editors do it after one
-        now.status_ns = file.stamp.status_ns;
-        now.mode = file.stamp.mode;
-    }
+    if (file.notice.is_pending()) return;
+    const FileStamp now = stamp_of(file.path);
     const bool fresh = file.polled && now_ns() - now.modified_ns < kServerLagNs;
-    if (now == file.stamp && (!fresh || hash_of(file.path) == file.content)) return;
+    if (!is_another(file.reported, now, !file.polled) &&
+        (!fresh || hash_of(file.path) == file.content))
+        return;
     find(file);
     file.seen = now;
-    wait_for_more(file, now.inode == 0  ? kGoneQuiet
-                        : now.size == 0 ? kEmptyQuiet
-                                        : 2 * kWriteQuiet);
+    file.notice.found(now, Clock::now());
 }
 
 // Where nobody tells of a write, only a second look can.
 bool Watcher::still_growing(File& file) {
     if (!file.polled) return false;
-    const Stamp now = stamp_of(file.path);
+    const FileStamp now = stamp_of(file.path);
     if (now == file.seen) return false;
     file.seen = now;
-    wait_for_more(file, 2 * kWriteQuiet);
-    return *file.due > Clock::now();
+    file.notice.grew(Clock::now());
+    return !file.notice.is_due(Clock::now());
 }
 
-Watcher::Stamp Watcher::stamp_of(const struct stat& status) {
+FileStamp Watcher::stamp_of(const struct stat& status) {
     return {.device = status.st_dev,
             .inode = status.st_ino,
             .size = status.st_size,
@@ -422,14 +383,14 @@ Watcher::Stamp Watcher::stamp_of(const struct stat& status) {
             .mode = status.st_mode};
 }
 
-Watcher::Stamp Watcher::stamp_of(const Path& path) {
+FileStamp Watcher::stamp_of(const Path& path) {
     struct stat status {};
-    return stat(path.c_str(), &status) == 0 ? stamp_of(status) : Stamp{};
+    return stat(path.c_str(), &status) == 0 ? stamp_of(status) : FileStamp{};
 }
 
 // Before the file is read: what happens to it afterwards makes a difference to this.
 void Watcher::note_stamp(File& file) {
-    file.stamp = file.seen = stamp_of(file.path);
+    file.reported = file.seen = stamp_of(file.path);
     if (file.polled) file.content = hash_of(file.path);
 }
 
@@ -437,8 +398,7 @@ void Watcher::set_timer() {
     std::optional<Clock::time_point> next;
     if (!files_.empty()) next = next_look_;
     for (const File& file : files_) {
-        if (file.ready) next = Clock::time_point(1ns);
-        if (file.due) next = std::min(*next, *file.due);
+        if (const auto due = file.notice.due()) next = std::min(*next, *due);
     }
     itimerspec when{};
     if (next) {

@@ -1,6 +1,8 @@
 // Which of a set of files have been saved, however that was done.
 #pragma once
 
+#include "base/save_notice.h"
+
 #include <sys/stat.h>
 
 #include <chrono>
@@ -22,8 +24,9 @@ struct WatcherOptions {
 // Hears of saves through inotify on the folders of the files, of every link that leads to them and
 // of every folder on the way; looks at the files themselves where the system does not tell. A save
 // that is closed or renamed into place is reported at once; a plain write, an empty file or one
-// that is gone after a short quiet time, in case more is to come. Whatever happens after a report
-// is reported again, so whoever reads a file each time ends with its last content.
+// that is gone after a short quiet time, in case more is to come (base/save_notice.h). Whatever
+// happens after a report is reported again, so whoever reads a file each time ends with its last
+// content.
 //
 // Nothing is lost while the set changes either, in this order: make the watcher (or call
 // `about_to_read`), read, `set_files` with what was read; later `changed`, read again, `set_files`.
@@ -54,13 +57,6 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    // What tells one state of a file from another; `inode` 0: there is none.
-    struct Stamp {
-        std::uint64_t device = 0, inode = 0;
-        std::int64_t size = 0, modified_ns = 0, status_ns = 0;
-        std::uint32_t mode = 0;
-        bool operator==(const Stamp&) const = default;
-    };
     using Name = std::pair<int, std::string>;  // in the folder of a watch
     struct File {
         Path path;
@@ -71,32 +67,28 @@ private:
         bool polled = false;         // inotify does not tell of it, or not of everything
         std::int64_t newest_ns = 0;  // the latest change of anything on the way, ns since 1970
 
-        bool ready = false;                      // to be reported
-        std::optional<Clock::time_point> due;    // to be reported then, if nothing more happens
-        std::optional<Clock::time_point> since;  // when what `due` waits for began
-        Stamp stamp;                             // when last reported
-        Stamp seen;                              // when last looked at; polled files only
-        std::uint64_t content = 0;               // hash when last reported; polled files only
+        SaveNotice notice;
+        FileStamp reported;         // when last reported
+        FileStamp seen;             // when last looked at; polled files only
+        std::uint64_t content = 0;  // hash when last reported; polled files only
     };
 
     void find(File& file);
-    Stamp walk(File& file);
+    FileStamp walk(File& file);
     std::optional<struct stat> look_up(File& file, int folder, const std::string& name, bool last,
                                        int& watch);
-    Stamp end_of_way(File& file, int folder, const std::string& name, int watch,
-                     const std::optional<struct stat>& found);
+    FileStamp end_of_way(File& file, int folder, const std::string& name, int watch,
+                         const std::optional<struct stat>& found);
     int add_watch(File& file, int descriptor, std::uint32_t mask);
     void drop_unused_watches();
 
     void read_events();
     void hear(File& file, const Name& name, std::uint32_t mask);
     void hear_name(File& file, const Name& name, std::uint32_t mask);
-    void saved(File& file);
-    void wait_for_more(File& file, std::chrono::milliseconds quiet);
     void look(File& file);
     bool still_growing(File& file);
-    static Stamp stamp_of(const struct stat& status);
-    static Stamp stamp_of(const Path& path);
+    static FileStamp stamp_of(const struct stat& status);
+    static FileStamp stamp_of(const Path& path);
     void note_stamp(File& file);
     void set_timer();
 

@@ -26,6 +26,7 @@ constexpr double kStripSeconds = 0.1;
 
 Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options)
     : preset_(preset),
+      values_(preset.values),
       scene_(std::move(scene)),
       options_(options),
       channels_(preset),

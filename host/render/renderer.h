@@ -34,9 +34,8 @@ struct PassState {
 
 class Renderer {
 public:
-    // Keeps references: preset must outlive the renderer. Its values may change between draws; they
-    // matter where the scene was not specialised. Throws std::runtime_error when the buffers
-    // do not fit (render/room.h).
+    // Keeps references: preset must outlive the renderer. Throws std::runtime_error when the
+    // buffers do not fit (render/room.h).
     Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options);
     ~Renderer();
     Renderer(const Renderer&) = delete;
@@ -52,6 +51,10 @@ public:
     void set_sound(std::size_t sampler, std::unique_ptr<SoundTexture> sound) {
         channels_.set_sound(sampler, std::move(sound));
     }
+
+    // The tweaks from the next draw on, one for each of the scene's; those of the preset before.
+    // They matter where the scene was not specialised.
+    void set_values(std::vector<TweakValue> values) { values_ = std::move(values); }
 
     // Draws only what later frames depend on: how a simulation is brought to a time.
     void advance(const Frame& frame);
@@ -162,6 +165,7 @@ private:
     BufferShape wanted_shape(std::size_t index) const;
 
     const Preset& preset_;
+    std::vector<TweakValue> values_;
     CompiledScene scene_;
     RenderOptions options_;
     mutable Channels channels_;

@@ -100,7 +100,7 @@ bool Renderer::update_uniforms(std::size_t index, const Inputs& inputs) {
     }
     for (std::size_t i = 0; i < pass.tweaks.size(); ++i) {
         const TweakUniform& uniform = pass.tweaks[i];
-        const TweakValue& value = preset_.values[uniform.tweak];
+        const TweakValue& value = values_[uniform.tweak];
         if (drawn_[index].tweaks[i] == value) continue;
         drawn_[index].tweaks[i] = value;
         changed = true;

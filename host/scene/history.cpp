@@ -1,333 +1,49 @@
-// Changes are kept by name and type, so that undo reaches over reloads of the scene.
 #include "scene/history.h"
 
-#include "base/words.h"
-
 #include <algorithm>
-#include <bit>
 #include <cassert>
-#include <charconv>
-#include <cmath>
-#include <iterator>
-#include <optional>
 #include <utility>
 
 namespace glint {
-
 namespace {
 
 constexpr std::size_t kMostEntries = 1000;
 
-bool is_float_type(const Tweak& tweak) {
-    return tweak.type != TweakType::int1 && tweak.type != TweakType::bool1;
-}
-
-bool same_bits(const TweakValue& a, const TweakValue& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
-        return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-    });
-}
-
-// The double with the shortest decimal that rounds to this float.
-double shortest(float value) {
-    char text[32];
-    const char* end = std::to_chars(text, text + sizeof text, value).ptr;
-    double number = value;
-    std::from_chars(text, end, number);
-    return number;
-}
-
-double tidy_component(const Tweak& tweak, double value) {
-    const auto seen = static_cast<float>(value);
-    if (!std::isfinite(seen)) return value;
-    const double byte = std::round(value * 255.0) / 255.0;
-    const bool is_byte = tweak.is_colour && byte >= 0.0 && byte <= 1.0;
-    return is_byte && static_cast<float>(byte) == seen ? byte : shortest(seen);
-}
-
-std::optional<std::size_t> option_index(const Tweak& menu, std::string_view option) {
-    const auto found = std::find(menu.names.begin(), menu.names.end(), option);
-    if (found == menu.names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - menu.names.begin());
-}
-
-// "" if the tweak is no menu.
-std::string option_of(const Tweak& tweak, const TweakValue& value) {
-    const bool is_option = value[0] >= 0.0 && value[0] < static_cast<double>(tweak.names.size());
-    return is_option ? tweak.names[static_cast<std::size_t>(value[0])] : std::string();
-}
-
-// O'Neill's PCG, RXS-M-XS with 32 bits of state (HMC-CS-2014-0905), as a hash of one step.
-std::uint32_t pcg(std::uint32_t input) {
-    const std::uint32_t state = input * 747796405u + 2891336453u;
-    const std::uint32_t word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737u;
-    return (word >> 22) ^ word;
-}
-
-// FNV-1a.
-std::uint32_t hash(std::string_view name) {
-    std::uint32_t sum = 2166136261u;
-    for (const char c : name) sum = (sum ^ static_cast<unsigned char>(c)) * 16777619u;
-    return sum;
-}
-
-// `share` of the way from one end of the range to the other; below 1.
-double at_share(const Tweak& tweak, double share) {
-    const double min = *tweak.min, max = *tweak.max;
-    if (tweak.log && min > 0.0) {
-        const double value = std::exp(std::lerp(std::log(min), std::log(max), share));
-        return tweak.type == TweakType::int1 ? std::round(value) : value;
-    }
-    if (tweak.type == TweakType::int1) return min + std::floor(share * (max - min + 1.0));
-    return std::lerp(min, max, share);
-}
-
-double random_component(const Tweak& tweak, double share) {
-    if (tweak.type == TweakType::bool1) return share < 0.5 ? 0.0 : 1.0;
-    if (!tweak.names.empty()) return std::floor(share * static_cast<double>(tweak.names.size()));
-    if (tweak.is_colour && !tweak.min) return std::floor(share * 256.0) / 255.0;
-    const double value = at_share(tweak, share);
-    if (tweak.step <= 0.0) return value;
-    return *tweak.min + std::round((value - *tweak.min) / tweak.step) * tweak.step;
-}
-
 }  // namespace
 
-TweakValue tidy(const Tweak& tweak, const TweakValue& value) {
-    TweakValue plain = value;
-    if (is_float_type(tweak))
-        for (double& component : plain) component = tidy_component(tweak, component);
-    return clamp_to_range(tweak, plain);
-}
-
-bool is_changed(const Tweak& tweak, const TweakValue& value) {
-    if (!is_float_type(tweak)) return value[0] != tweak.initial[0];
-    return !std::equal(value.begin(), value.end(), tweak.initial.begin(), [](double a, double b) {
-        return static_cast<float>(a) == static_cast<float>(b);
-    });
-}
-
-TweakValue rebased(const Tweak& before, const TweakValue& value, const Tweak& after) {
-    if (before.type != after.type || !is_changed(before, value)) return after.initial;
-    if (before.names.empty() || after.names.empty()) return clamp_to_range(after, value);
-    const auto index = option_index(after, option_of(before, value));
-    return index ? TweakValue{static_cast<double>(*index)} : after.initial;
-}
-
-TweakValue random_value(const Tweak& tweak, const TweakValue& value, std::uint32_t seed) {
-    const bool has_range =
-        tweak.min || tweak.is_colour || !tweak.names.empty() || tweak.type == TweakType::bool1;
-    if (tweak.quality || !has_range) return value;
-    const std::uint32_t first = pcg(seed ^ pcg(hash(tweak.name)));
-    TweakValue random = value;
-    // How opaque a colour is, is no matter of taste.
-    const int components = tweak.is_colour ? 3 : component_count(tweak.type);
-    for (int i = 0; i < components; ++i) {
-        const double share = pcg(first + static_cast<std::uint32_t>(i)) * 0x1p-32;
-        random[static_cast<std::size_t>(i)] = random_component(tweak, share);
-    }
-    return tidy(tweak, random);
-}
-
-History::History(std::span<const Tweak> tweaks, std::span<const TweakValue> values) {
-    assert(values.empty() || values.size() == tweaks.size());
-    for (std::size_t i = 0; i < tweaks.size(); ++i) {
-        const TweakValue value = values.empty() ? tweaks[i].initial : values[i];
-        held_.push_back({tweaks[i], {value, value}});
-    }
-}
-
-std::vector<TweakValue> History::values(Set set) const {
-    std::vector<TweakValue> values;
-    for (const Held& held : held_) values.push_back(held.values[set == Set::a ? 0 : 1]);
-    return values;
-}
-
-const TweakValue& History::value(std::size_t index) const {
-    return held_[index].values[shown_ == Set::a ? 0 : 1];
-}
-
-bool History::changed(std::size_t index) const {
-    return is_changed(held_[index].tweak, value(index));
-}
-
-bool History::any_changed() const {
-    for (std::size_t i = 0; i < held_.size(); ++i)
-        if (changed(i)) return true;
-    return false;
-}
-
-void History::begin() {
-    commit();
+void History::begin(TweakSet set) {
+    assert(!open_);
     open_ = true;
-    current_ = {shown_, {}};
+    entry_ = {set, {}};
+}
+
+void History::note(const std::string& name, const KeptValue& before) {
+    assert(open_);
+    const auto known = std::ranges::find(entry_.changes, name, &HistoryEntry::Change::name);
+    if (known == entry_.changes.end()) entry_.changes.push_back({name, before, {}});
 }
 
 void History::commit() {
-    if (!open_) return;
-    open_ = false;
-    for (Change& change : current_.changes) {
-        Held& held = *find(change.name);
-        change.after = keep(held.tweak, slot(held, current_.set));
-    }
-    std::erase_if(current_.changes, [](const Change& change) {
-        return change.before.type != change.after.type ||
-               same_bits(change.before.value, change.after.value);
-    });
-    if (current_.changes.empty()) return;
+    const HistoryEntry entry = cancel();
+    if (entry.changes.empty()) return;
     entries_.resize(done_);
-    entries_.push_back(std::move(current_));
+    entries_.push_back(entry);
     if (entries_.size() > kMostEntries) entries_.erase(entries_.begin());
     done_ = entries_.size();
 }
 
-void History::cancel() {
-    if (!open_) return;
+HistoryEntry History::cancel() {
+    assert(open_);
     open_ = false;
-    for (const Change& change : current_.changes)
-        restore(*find(change.name), current_.set, change.before);
+    return std::exchange(entry_, {});
 }
 
-template <typename Changes>
-void History::as_one_entry(const Changes& changes) {
-    const bool alone = !open_;
-    if (alone) begin();
-    changes();
-    if (alone) commit();
+const HistoryEntry* History::undo() {
+    return can_undo() ? &entries_[--done_] : nullptr;
 }
 
-void History::set(std::size_t index, const TweakValue& value) {
-    as_one_entry([&] { change(shown_, index, tidy(held_[index].tweak, value)); });
-}
-
-void History::set_all(std::span<const TweakValue> values) {
-    assert(values.size() == held_.size());
-    as_one_entry([&] {
-        for (std::size_t i = 0; i < held_.size(); ++i)
-            change(shown_, i, clamp_to_range(held_[i].tweak, values[i]));
-    });
-}
-
-void History::reset(std::size_t index) {
-    as_one_entry([&] { change(shown_, index, held_[index].tweak.initial); });
-}
-
-void History::reset_all() {
-    as_one_entry([&] {
-        for (std::size_t i = 0; i < held_.size(); ++i) change(shown_, i, held_[i].tweak.initial);
-    });
-}
-
-void History::randomise(std::uint32_t seed) {
-    as_one_entry([&] {
-        for (std::size_t i = 0; i < held_.size(); ++i)
-            if (!held_[i].locked) change(shown_, i, random_value(held_[i].tweak, value(i), seed));
-    });
-}
-
-void History::lock(std::size_t index, bool locked) {
-    held_[index].locked = locked;
-}
-
-bool History::locked(std::size_t index) const {
-    return held_[index].locked;
-}
-
-bool History::undo() {
-    if (open_) return false;
-    while (done_ > 0)
-        if (apply(entries_[--done_], &Change::before)) return true;
-    return false;
-}
-
-bool History::redo() {
-    if (open_) return false;
-    while (done_ < entries_.size())
-        if (apply(entries_[done_++], &Change::after)) return true;
-    return false;
-}
-
-void History::show(Set set) {
-    commit();
-    shown_ = set;
-}
-
-void History::copy_to_other() {
-    begin();
-    current_.set = shown_ == Set::a ? Set::b : Set::a;
-    for (std::size_t i = 0; i < held_.size(); ++i) change(current_.set, i, value(i));
-    commit();
-}
-
-void History::rebase(std::span<const Tweak> tweaks) {
-    std::vector<Held> held;
-    for (const Tweak& tweak : tweaks) {
-        held.push_back({tweak, {tweak.initial, tweak.initial}});
-        const Held* old = find(tweak.name);
-        if (!old) continue;
-        held.back().locked = old->locked;
-        for (std::size_t set = 0; set < 2; ++set)
-            held.back().values[set] = rebased(old->tweak, old->values[set], tweak);
-    }
-    std::move(absent_.begin(), absent_.end(), std::back_inserter(held_));
-    absent_ = std::exchange(held_, std::move(held));
-    std::erase_if(absent_, [&](const Held& old) {
-        return std::any_of(tweaks.begin(), tweaks.end(),
-                           [&](const Tweak& tweak) { return tweak.name == old.tweak.name; });
-    });
-}
-
-History::Kept History::keep(const Tweak& tweak, const TweakValue& value) {
-    return {value, tweak.type, option_of(tweak, value)};
-}
-
-// Puts a value back, as far as type, options and range admit it; whether that changed anything.
-bool History::restore(Held& held, Set set, const Kept& kept) {
-    if (kept.type != held.tweak.type) return false;
-    TweakValue value = kept.value;
-    if (!kept.option.empty() && !held.tweak.names.empty()) {
-        const auto index = option_index(held.tweak, kept.option);
-        if (!index) return false;
-        value[0] = static_cast<double>(*index);
-    }
-    value = clamp_to_range(held.tweak, value);
-    return !same_bits(std::exchange(slot(held, set), value), value);
-}
-
-TweakValue& History::slot(Held& held, Set set) {
-    return held.values[set == Set::a ? 0 : 1];
-}
-
-History::Held* History::find(std::string_view name) {
-    const auto is_it = [name](const Held& held) { return held.tweak.name == name; };
-    for (std::vector<Held>* list : {&held_, &absent_}) {
-        const auto found = std::find_if(list->begin(), list->end(), is_it);
-        if (found != list->end()) return &*found;
-    }
-    return nullptr;
-}
-
-void History::change(Set set, std::size_t index, const TweakValue& value) {
-    Held& held = held_[index];
-    if (same_bits(slot(held, set), value)) return;
-    const auto& changes = current_.changes;
-    if (std::none_of(changes.begin(), changes.end(),
-                     [&](const Change& known) { return known.name == held.tweak.name; }))
-        current_.changes.push_back({held.tweak.name, keep(held.tweak, slot(held, set)), {}});
-    slot(held, set) = value;
-}
-
-// Whether anything that is there has changed.
-bool History::apply(const Entry& entry, Kept Change::*side) {
-    bool visible = false;
-    for (const Change& change : entry.changes) {
-        Held& held = *find(change.name);
-        const bool restored = restore(held, entry.set, change.*side);
-        visible =
-            visible || (restored && &held >= held_.data() && &held < held_.data() + held_.size());
-    }
-    if (visible) shown_ = entry.set;
-    return visible;
+const HistoryEntry* History::redo() {
+    return can_redo() ? &entries_[done_++] : nullptr;
 }
 
 }  // namespace glint

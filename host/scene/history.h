@@ -1,119 +1,66 @@
-// The values of all tweaks over time: undo, defaults, random looks, two sets, and what a reload
-// makes of them.
+// What was done to the tweaks, so that it can be taken back. It knows no current value: those are
+// TweakValues', which tells it what stood before a change and asks it what to put back.
+//
+// Changes are kept by name, and say enough of the tweak to be put back into another text of the
+// scene.
 #pragma once
 
 #include "scene/scene.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace glint {
 
-// The shortest number that the shader, which counts in floats, cannot tell from this one: 0.3 for
-// 0.30000001192092896; a colour's component becomes a whole 255th. In range stays in range.
-TweakValue tidy(const Tweak& tweak, const TweakValue& value);
+// Two sets of values, of which one is shown.
+enum class TweakSet { a, b };
 
-// Whether the shader sees a value other than the default.
-bool is_changed(const Tweak& tweak, const TweakValue& value);
+// A value that outlives its tweak.
+struct KeptValue {
+    TweakValue value{};
+    TweakType type = TweakType::float1;
+    std::string option{};  // the name that stands for it in a menu; "" in others
+};
 
-// The value of `before`, taken over to the same name in a new text of the scene: a value at the old
-// default becomes the new default; another type becomes the default; a menu's value follows the
-// option's name; all else is kept, clamped to the new range.
-TweakValue rebased(const Tweak& before, const TweakValue& value, const Tweak& after);
+// One thing that a person has done: the drag of a slider, a random look.
+struct HistoryEntry {
+    struct Change {
+        std::string name;  // of the tweak
+        KeptValue before, after;
+    };
+    TweakSet set = TweakSet::a;
+    std::vector<Change> changes;
+};
 
-// A random value in the range, the same for the same seed and name: even in the logarithm for log
-// tweaks, on the steps for stepped ones. Tweaks without a range, and those of quality, keep
-// `value`.
-TweakValue random_value(const Tweak& tweak, const TweakValue& value, std::uint32_t seed);
-
-// Holds two sets of values, A and B, of which one is shown and changed. Indices are those of the
-// scene's tweaks.
+// A list of entries with a place in it, and the entry that is being made.
 class History {
 public:
-    enum class Set { a, b };
-
-    // Both sets start with these values, or with the defaults where there are none.
-    explicit History(std::span<const Tweak> tweaks, std::span<const TweakValue> values = {});
-
-    std::vector<TweakValue> values() const { return values(shown_); }
-    std::vector<TweakValue> values(Set set) const;
-    const TweakValue& value(std::size_t index) const;
-    bool changed(std::size_t index) const;  // from its default
-    bool any_changed() const;
-
-    // What happens from begin to commit is one entry of the undo list: the drag of a slider. A
-    // change outside is an entry by itself; what changes nothing is none.
-    void begin();
-    void commit();
-    void cancel();  // takes back what was changed since begin
+    // Begins an entry. One must not be open.
+    void begin(TweakSet set);
     bool is_open() const { return open_; }
+    // The entry that is open.
+    HistoryEntry& entry() { return entry_; }
+    // A tweak has had this value until now; only its first change in an entry counts.
+    void note(const std::string& name, const KeptValue& before);
+    // Ends the entry, whose `after` is filled; an empty one leaves no trace. What was undone before
+    // cannot be redone any more. The last 1000 entries are kept.
+    void commit();
+    // Ends the entry and forgets it.
+    HistoryEntry cancel();
 
-    void set(std::size_t index, const TweakValue& value);  // tidied and clamped
-    void set_all(std::span<const TweakValue> values);      // a preset: exact, only clamped
-    void reset(std::size_t index);
-    void reset_all();
-    void randomise(std::uint32_t seed);  // all that are not locked
-
-    void lock(std::size_t index, bool locked);  // keeps it from randomise; not undone
-    bool locked(std::size_t index) const;
-
-    // Restores values bit for bit, in the set in which they were changed, and shows that set.
-    // False, and nothing happens, when there is nothing left or between begin and commit.
-    bool undo();
-    bool redo();
+    // One step back or on: the entry to be put back, valid until the next call; null where there is
+    // none left, or while one is open.
+    const HistoryEntry* undo();
+    const HistoryEntry* redo();
     bool can_undo() const { return done_ > 0 && !open_; }
     bool can_redo() const { return done_ < entries_.size() && !open_; }
 
-    Set shown() const { return shown_; }
-    void show(Set set);    // commits what is open
-    void copy_to_other();  // the shown values; undo takes it back
-
-    // After a reload. Values and undo list are kept by name (see rebased); those of a tweak that
-    // has gone wait for its return. Undo passes over what no longer exists or has another type.
-    void rebase(std::span<const Tweak> tweaks);
-
 private:
-    struct Held {
-        Tweak tweak;
-        std::array<TweakValue, 2> values;
-        bool locked = false;
-    };
-    // A value that outlives its tweak.
-    struct Kept {
-        TweakValue value{};
-        TweakType type = TweakType::float1;
-        std::string option;  // of a menu
-    };
-    struct Change {
-        std::string name;
-        Kept before, after;
-    };
-    struct Entry {
-        Set set = Set::a;
-        std::vector<Change> changes;
-    };
-
-    static Kept keep(const Tweak& tweak, const TweakValue& value);
-    static bool restore(Held& held, Set set, const Kept& kept);
-    static TweakValue& slot(Held& held, Set set);
-    Held* find(std::string_view name);  // also among the absent
-    void change(Set set, std::size_t index, const TweakValue& value);
-    bool apply(const Entry& entry, Kept Change::*side);
-    template <typename Changes>
-    void as_one_entry(const Changes& changes);
-
-    std::vector<Held> held_;    // in the order of the scene
-    std::vector<Held> absent_;  // of earlier texts
-    std::vector<Entry> entries_;
+    std::vector<HistoryEntry> entries_;
     std::size_t done_ = 0;  // how many of the entries are not undone
-    Entry current_;         // between begin and commit
+    HistoryEntry entry_;    // while open
     bool open_ = false;
-    Set shown_ = Set::a;
 };
 
 }  // namespace glint

@@ -158,10 +158,12 @@ TEST_F(LeftOut, APassRunsAgainOnlyWhenSomethingThatItReadsHasChanged) {
     EXPECT_EQ(counted.take(), (Counts{{"pointed", 1}, {"both", 1}, {"image", 1}}));
 
     player.preset.values[0][0] = 2.0;
+    player.renderer().set_values(player.preset.values);
     EXPECT_TRUE(player.renderer().draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"tweaked", 1}, {"both", 1}, {"image", 1}}));
 
     player.preset.values[1][0] = 2.0;
+    player.renderer().set_values(player.preset.values);
     EXPECT_TRUE(player.renderer().draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"image", 1}}));
 

@@ -64,6 +64,7 @@ void CheckSubject::resize(glm::ivec2 size) {
 }
 
 void CheckSubject::draw_blindly(const Frame& frame) {
+    renderer_->set_values(preset.values);
     renderer_->draw(frame);
     context_.finish();
     if (after_frame) after_frame();

@@ -30,7 +30,7 @@ Date local_now() {
 
 // Tweaks whose value in the file is another than when it was last read: those that a person changed
 // there, and not in the panels.
-void apply_saved_changes(const Preset& before, const Preset& now, History& history) {
+void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& tweaks) {
     for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
         const Tweak& tweak = now.scene.tweaks[i];
         const auto& old = before.scene.tweaks;
@@ -40,7 +40,7 @@ void apply_saved_changes(const Preset& before, const Preset& now, History& histo
         if (same == old.end()) continue;
         const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
         const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
-        if (was != now.values[i] && !default_moved) history.set(i, now.values[i]);
+        if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
     }
 }
 
@@ -59,8 +59,7 @@ std::vector<std::filesystem::path> watched_files(const std::vector<std::filesyst
 }  // namespace
 
 Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options)
-    : history({}),
-      context_(context),
+    : context_(context),
       options_(options),
       size_(size),
       trial_({.device = options.device}),
@@ -137,14 +136,14 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     const bool is_text = programs == Programs::uniforms;
     const Preset* written = reloader_.as_written();
     auto preset = std::make_unique<Preset>(candidate);
-    History next = history;
+    TweakValues next = tweaks;
     if (is_text && !written) {
-        next = History(preset->scene.tweaks, preset->values);
+        next = TweakValues(preset->scene.tweaks, preset->values);
     } else if (is_text) {
         next.rebase(preset->scene.tweaks);
         apply_saved_changes(*written, candidate, next);
     }
-    preset->values = next.values();
+    preset->values = next.values();  // for the compiler and the renderer alone
     std::unique_ptr<Renderer> renderer;
     try {
         Diagnostics why_not;
@@ -164,7 +163,8 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     }
     renderer_ = std::move(renderer);
     preset_ = std::move(preset);
-    history = std::move(next);
+    preset_->values.clear();
+    tweaks = std::move(next);
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame
     since_tweak_.restart();
     touched_ = true;
@@ -179,7 +179,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
 
 void Playground::tweaks_changed() {
     if (!preset_) return;
-    preset_->values = history.values();
+    renderer_->set_values(tweaks.values());
     since_tweak_.restart();
     touched_ = true;
     reloader_.tweaks_moved();
@@ -191,14 +191,16 @@ void Playground::use_uniforms() {
     auto renderer = make_renderer(*preset_, Programs::uniforms, why_not);
     for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
     if (!renderer) return;
+    renderer->set_values(tweaks.values());
     renderer->adopt(*renderer_);
     renderer_ = std::move(renderer);
     reloader_.uses_uniforms();
 }
 
 void Playground::specialise_at_rest() {
-    if (!renderer_ || history.is_open()) return;
-    if (since_tweak_.ms() >= options_.rest_seconds * 1000.0) reloader_.tweaks_rest(*preset_);
+    if (!renderer_ || tweaks.is_open() || !reloader_.wants_constants()) return;
+    if (since_tweak_.ms() < options_.rest_seconds * 1000.0) return;
+    reloader_.tweaks_rest(current_preset());
 }
 
 bool Playground::wants_frame() const {
@@ -374,8 +376,9 @@ std::vector<std::byte> Playground::still() {
     measure_passes(false);
     std::vector<std::byte> pixels;
     const bool as_it_is = is_specialised() || !options_.specialise;
+    const Preset now = current_preset();
     Diagnostics why_not;
-    const auto special = as_it_is ? nullptr : make_renderer(*preset_, Programs::constants, why_not);
+    const auto special = as_it_is ? nullptr : make_renderer(now, Programs::constants, why_not);
     for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
     if (special) {
         special->adopt(*renderer_);
@@ -394,18 +397,17 @@ Metadata Playground::still_metadata() const {
     return picture_metadata(current_preset(), frame_again(), context_.renderer());
 }
 
-const Buffer* Playground::picture_of(History::Set set) {
+const Buffer* Playground::picture_of(TweakSet set) {
     if (!renderer_) return nullptr;
     if (is_specialised()) use_uniforms();
     const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
     if (!other_picture_ || other_picture_->shape() != picture.shape()) {
         other_picture_ = std::make_unique<Buffer>(picture.shape());
     }
-    std::vector<TweakValue> values = history.values(set);
-    preset_->values.swap(values);
+    renderer_->set_values(tweaks.values(set));
     renderer_->draw_root(frame_again());
     other_picture_->copy_from(picture);
-    preset_->values.swap(values);
+    renderer_->set_values(tweaks.values());
     renderer_->draw_root(frame_again());
     context_.finish();
     return other_picture_.get();
@@ -413,7 +415,7 @@ const Buffer* Playground::picture_of(History::Set set) {
 
 Preset Playground::current_preset() const {
     Preset preset = *preset_;
-    preset.values = history.values();
+    preset.values = tweaks.values();
     preset.time = instant_.time;
     return preset;
 }

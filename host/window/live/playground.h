@@ -6,9 +6,9 @@
 #include "gl/context.h"
 #include "media/image.h"
 #include "offline/common.h"
-#include "scene/history.h"
 #include "scene/recording.h"
 #include "scene/transport.h"
+#include "scene/tweak_values.h"
 #include "window/live/input_loader.h"
 #include "window/live/reloader.h"
 #include "window/trial/trial.h"
@@ -70,7 +70,7 @@ public:
 
     // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
     // stand. Null while nothing is open.
-    const Buffer* picture_of(History::Set set);
+    const Buffer* picture_of(TweakSet set);
 
     // Records mouse and keys from now on.
     void start_recording() { recorder.start(instant_.time, input_); }
@@ -96,6 +96,7 @@ public:
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
 
+    // What is drawn, or null; its values are empty: `tweaks` has them.
     const Preset* preset() const { return preset_.get(); }
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
@@ -121,7 +122,7 @@ public:
     // The picture is kept in floats meanwhile: bytes hold no NaN.
     void measure_passes(bool on);
 
-    History history;
+    TweakValues tweaks{{}};
     Transport transport;
     Recorder recorder;
 
@@ -167,7 +168,7 @@ private:
     // without them is played again from its start.
     enum class Opening { done, awaits_inputs, plays_again } opening_ = Opening::done;
 
-    std::unique_ptr<Preset> preset_;  // what is drawn
+    std::unique_ptr<Preset> preset_;  // what is drawn, without values
     std::unique_ptr<Renderer> renderer_;
     Stopwatch since_tweak_;
 

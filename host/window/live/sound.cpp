@@ -52,17 +52,18 @@ LiveSound::~LiveSound() {
     end();
 }
 
-LiveSound::Content LiveSound::content_of(const Preset& preset) {
-    Content content{.text = preset.scene.text, .values = preset.values, .files = {}};
+LiveSound::Content LiveSound::content_of(const Preset& preset, std::vector<TweakValue> values) {
+    Content content{.text = preset.scene.text, .values = std::move(values), .files = {}};
     std::error_code error;
     for (const std::filesystem::path& file : sounds_of(preset))
         content.files.emplace_back(file, std::filesystem::last_write_time(file, error));
     return content;
 }
 
-void LiveSound::follow(const Preset* preset, const PlayState& state) {
+void LiveSound::follow(const Preset* preset, std::vector<TweakValue> values,
+                       const PlayState& state) {
     std::optional<Content> content;
-    if (preset) content = content_of(*preset);
+    if (preset) content = content_of(*preset, std::move(values));
     if (content && content->files.empty() && !preset->scene.has_sound) content.reset();
     if (content != content_) {
         if (!content || !content_ || content->text != content_->text) why_silent_.clear();
@@ -79,6 +80,7 @@ void LiveSound::follow(const Preset* preset, const PlayState& state) {
             if (!start()) return;
         }
         order.scene.push_back(*preset);
+        order.scene.back().values = content_->values;
         sent_ = content_;
         answered_ = false;
     }

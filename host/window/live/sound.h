@@ -30,9 +30,9 @@ public:
     LiveSound(const LiveSound&) = delete;
     LiveSound& operator=(const LiveSound&) = delete;
 
-    // What is on the screen and where its time stands; null for nothing. Tweaks are followed once
-    // they rest.
-    void follow(const Preset* preset, const PlayState& state);
+    // What is on the screen, the values of its tweaks, and where its time stands; null for nothing.
+    // Tweaks are followed once they rest.
+    void follow(const Preset* preset, std::vector<TweakValue> values, const PlayState& state);
 
     // Hears the process; does not wait. True when something is new.
     bool update();
@@ -51,7 +51,7 @@ private:
         std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>> files;
         bool operator==(const Content&) const = default;
     };
-    static Content content_of(const Preset& preset);
+    static Content content_of(const Preset& preset, std::vector<TweakValue> values);
 
     bool start();
     void end();

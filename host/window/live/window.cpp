@@ -189,7 +189,7 @@ void PlaygroundWindow::draw_frame() {
     follow_sound(drawn_at);
     show_picture();
     const Wishes wishes =
-        panels_.update(facts(), playground_.history, playground_.transport, settings_);
+        panels_.update(facts(), playground_.tweaks, playground_.transport, settings_);
     panels_.draw();
     window_.swap();
     print_reports();
@@ -203,11 +203,12 @@ void PlaygroundWindow::follow_sound(double at) {
     // While a replay is under way, or frames have a fixed length, time does not run by the clock.
     const bool runs =
         transport.playing() && !transport.fixed_step() && playground_.replayed() >= 1.0;
-    sound_.follow(playground_.preset(), {.playing = runs,
-                                         .time = playground_.instant().time,
-                                         .rate = transport.rate(),
-                                         .at = at,
-                                         .volume = is_loud ? settings_.volume : 0.0f});
+    sound_.follow(playground_.preset(), playground_.tweaks.values(),
+                  {.playing = runs,
+                   .time = playground_.instant().time,
+                   .rate = transport.rate(),
+                   .at = at,
+                   .volume = is_loud ? settings_.volume : 0.0f});
 }
 
 BufferView PlaygroundWindow::buffer_view() const {
@@ -233,8 +234,7 @@ void PlaygroundWindow::show_picture() {
         viewer_.show(*buffer, view, view_area());
         return;
     }
-    const auto other =
-        playground_.history.shown() == History::Set::a ? History::Set::b : History::Set::a;
+    const auto other = playground_.tweaks.shown() == TweakSet::a ? TweakSet::b : TweakSet::a;
     const Buffer* picture = playground_.picture_of(other);
     show_wipe(*buffer, picture ? *picture : *buffer, view);
 }

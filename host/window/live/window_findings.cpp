@@ -24,7 +24,7 @@ void PlaygroundWindow::start_study(const std::string& knob) {
     pictures_.clear();
     try {
         study_.start(playground_.preset_as_shown(), knob);
-        studied_ = {.values = playground_.history.values()};
+        studied_ = {.values = playground_.tweaks.values()};
     } catch (const std::runtime_error& error) {
         notice(error.what());
     }
@@ -35,7 +35,7 @@ void PlaygroundWindow::start_check() {
     pictures_.clear();
     try {
         check_.start(playground_.current_preset());
-        checked_ = {.values = playground_.history.values()};
+        checked_ = {.values = playground_.tweaks.values()};
     } catch (const std::runtime_error& error) {
         notice(error.what());
     }
@@ -58,7 +58,7 @@ void PlaygroundWindow::tell_findings(Facts& facts) const {
     const bool any_study = settings_.shown_study < facts.studies.size();
     const std::string knob = any_study ? facts.studies[settings_.shown_study].knob : "";
     const auto differs = [&](const Subject& subject, const std::string& but_for) {
-        const std::vector<TweakValue> now = playground_.history.values();
+        const std::vector<TweakValue> now = playground_.tweaks.values();
         bool other = subject.is_other_text || now.size() != subject.values.size();
         for (std::size_t i = 0; !other && i < now.size(); ++i) {
             other = now[i] != subject.values[i] && facts.scene->tweaks[i].name != but_for;

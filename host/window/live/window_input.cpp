@@ -134,7 +134,7 @@ void PlaygroundWindow::toggle_free_aspect() {
 
 void PlaygroundWindow::act(Action action) {
     Transport& transport = playground_.transport;
-    History& history = playground_.history;
+    TweakValues& tweaks = playground_.tweaks;
     switch (action) {
         case Action::play_pause:
             transport.playing() ? transport.pause() : transport.play();
@@ -174,13 +174,13 @@ void PlaygroundWindow::act(Action action) {
             close_one();
             break;
         case Action::undo:
-            if (history.undo()) playground_.tweaks_changed();
+            if (tweaks.undo()) playground_.tweaks_changed();
             break;
         case Action::redo:
-            if (history.redo()) playground_.tweaks_changed();
+            if (tweaks.redo()) playground_.tweaks_changed();
             break;
         case Action::randomise:
-            history.randomise(++random_seed_);
+            tweaks.randomise(++random_seed_);
             playground_.tweaks_changed();
             break;
         case Action::save:

@@ -49,10 +49,10 @@ std::span<const Event> PlaygroundWindow::unsaved_events() const {
 bool PlaygroundWindow::is_unsaved() const {
     const Preset* written = playground_.as_written();
     if (values_known_ && written)
-        return playground_.history.values() != written->values || !unsaved_events().empty();
+        return playground_.tweaks.values() != written->values || !unsaved_events().empty();
     // A file that cannot be shown leaves the scene before to work on.
     const bool is_before = !written && playground_.is_open();
-    return is_before && playground_.history.values() != left_values_;
+    return is_before && playground_.tweaks.values() != left_values_;
 }
 
 // Does what would take unsaved work away, or asks first.
@@ -112,7 +112,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     }
     file_ = file;
     values_known_ = false;
-    left_values_ = playground_.history.values();
+    left_values_ = playground_.tweaks.values();
     recorded_.clear();
     unsaved_work_.forget();
     unsaved_work_.leave_found();
@@ -186,7 +186,7 @@ bool PlaygroundWindow::save(const fs::path& file) {
 
 void PlaygroundWindow::revert() {
     if (!playground_.is_open() || !values_known_) return;
-    playground_.history.set_all(playground_.as_written()->values);
+    playground_.tweaks.set_all(playground_.as_written()->values);
     playground_.tweaks_changed();
     recorded_.clear();
     dirty_ = true;
@@ -210,20 +210,20 @@ void PlaygroundWindow::stop_recording() {
 // The command line's tweaks are changes like those by hand: unsaved, and undo takes them back.
 void PlaygroundWindow::lay_options_over() {
     if (options_.tweaks.empty()) return;
-    Preset preset = *playground_.preset();
+    Preset preset = playground_.current_preset();
     try {
         lay_over(preset, options_);
     } catch (const UsageError& error) {
         return notice(error.what());  // a text that had no such tweak at the start could not tell
     }
-    playground_.history.set_all(preset.values);
+    playground_.tweaks.set_all(preset.values);
     playground_.tweaks_changed();
 }
 
 bool PlaygroundWindow::is_keeping_due() const {
     if (!values_known_) return false;  // what is on the screen is no work on this file
     if (!is_unsaved()) return kept_.has_value();
-    return kept_ != Kept{playground_.history.values(), unsaved_events().size()};
+    return kept_ != Kept{playground_.tweaks.values(), unsaved_events().size()};
 }
 
 // As soon as something changes, and before the frame that shows it, which may be the last one.
@@ -238,7 +238,7 @@ void PlaygroundWindow::keep_unsaved() {
 
 void PlaygroundWindow::keep_now() {
     since_kept_.restart();
-    kept_ = Kept{playground_.history.values(), unsaved_events().size()};
+    kept_ = Kept{playground_.tweaks.values(), unsaved_events().size()};
     const PresetText text = write_preset(preset_to_save(), place_beside(place_));
     try {
         if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
@@ -263,7 +263,7 @@ ReadPreset PlaygroundWindow::read_offer() const {
 void PlaygroundWindow::find_unsaved() {
     while ((offer_ = unsaved_work_.find(place_))) {
         const ReadPreset read = read_offer();
-        if (read.preset && (read.preset->values != playground_.history.values() ||
+        if (read.preset && (read.preset->values != playground_.tweaks.values() ||
                             !same(read.preset->events, playground_.preset()->events)))
             return;
         // Of tweaks that the text lacks today, and may have again tomorrow.
@@ -280,7 +280,7 @@ void PlaygroundWindow::restore() {
     if (!read.preset) return;
     if (!same(read.preset->events, playground_.as_written()->events))
         recorded_ = read.preset->events;
-    playground_.history.set_all(read.preset->values);
+    playground_.tweaks.set_all(read.preset->values);
     playground_.tweaks_changed();
     if (is_unsaved()) keep_now();  // before what was found goes
 }

@@ -49,10 +49,10 @@ Trial::~Trial() {
 void Trial::spawn() {
     if (!unavailable_.empty()) return;
     heard_ = std::make_unique<TrialAnswer>();
-    heard_at_ = Clock::now();
     const Launched launched = launch_on_socket(options_.program, "trial", options_.device);
     process_ = launched.process;
     socket_ = launched.pipe;
+    note_time();
     if (launched.error == 0) return;
     unavailable_ = fmt::format("{} does not start: {}.", options_.program.string(),
                                std::strerror(launched.error));
@@ -81,7 +81,8 @@ void Trial::start(const Candidate& candidate) {
     order_ = pack(++number_, candidate, options_.slow_ms);
     verdict_ = {};
     verdict_.state = TrialState::running;
-    started_ = heard_at_ = Clock::now();
+    started_ = Clock::now();
+    note_time();
     if (process_ == 0) {
         replace_process();
     } else {
@@ -117,7 +118,7 @@ void Trial::receive() {
 
 void Trial::hear(TrialAnswer answer) {
     *heard_ = std::move(answer);
-    heard_at_ = Clock::now();
+    note_time();
     if (heard_->verdict.state == TrialState::unavailable) {
         unavailable_ = heard_->verdict.diagnostics.front().text;
     } else if (heard_->stage == TrialStage::ready) {
@@ -171,6 +172,22 @@ bool Trial::is_at_work() const {
     return heard_->stage == TrialStage::compiling || heard_->stage == TrialStage::drawing;
 }
 
+// What it does from now on is timed.
+void Trial::note_time() {
+    heard_at_ = Clock::now();
+    heard_time_ = time_of(process_);
+}
+
+bool Trial::is_too_slow() const {
+    const double wall = seconds(Clock::now() - heard_at_);
+    if (wall <= limit_seconds()) return false;  // most often, and without a question to the kernel
+    const ProcessTime now = time_of(process_);
+    return had_its_time(
+        limit_seconds(), wall,
+        {.used = now.used - heard_time_.used, .waited = now.waited - heard_time_.waited},
+        std::thread::hardware_concurrency());
+}
+
 double Trial::limit_seconds() const {
     return heard_->stage == TrialStage::drawing ? options_.draw_seconds : options_.compile_seconds;
 }
@@ -187,10 +204,9 @@ const Verdict& Trial::poll() {
         verdict_.diagnostics[0].text = unavailable_;
         return verdict_;
     }
-    const auto now = Clock::now();
-    if (is_at_work() && heard_->number != number_ && now - started_ > kPatience) {
+    if (is_at_work() && heard_->number != number_ && Clock::now() - started_ > kPatience) {
         replace_process();
-    } else if (seconds(now - heard_at_) > limit_seconds()) {
+    } else if (is_too_slow()) {
         const bool drawing = heard_->stage == TrialStage::drawing;
         fail(TrialState::too_slow,
              drawing ? fmt::format("no frame within {:g} s at {}", limit_seconds(), heard_->size)
@@ -204,6 +220,7 @@ int Trial::wait_ms() const {
     if (!is_running()) return dying_.empty() ? -1 : 10;
     if (!outgoing_.empty()) return 1;
     double left = limit_seconds() - seconds(Clock::now() - heard_at_);
+    if (left < 0.0) left = 0.05;  // it waits for the machine
     if (heard_->number != number_) left = std::min(left, seconds(kPatience));
     return std::max(0, static_cast<int>(std::ceil(left * 1000.0)) + 1);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/launch.h"
+#include "base/process_time.h"
 #include "offline/common.h"
 
 #include <sys/types.h>
@@ -43,7 +44,7 @@ enum class TrialState {
     running,      // no answer yet
     passed,       // drawn; `expected_ms` may still be too much for a window
     rejected,     // does not compile, or the driver refused it: see the diagnostics
-    too_slow,     // no frame within the limit
+    too_slow,     // no frame within the limit, though it had the time
     crashed,      // the driver ended the process
     lost,         // the GPU was reset
     unavailable,  // there is no second context to try it in; go on without
@@ -71,9 +72,10 @@ struct Verdict {
 struct TrialOptions {
     std::string device;                               // as for make_egl_context
     std::filesystem::path program{"/proc/self/exe"};  // run as `program trial DEVICE`
-    double draw_seconds = 2.0;                        // for one small draw
-    double compile_seconds = 20.0;                    // for a compile; it holds nobody up
-    double slow_ms = 1000.0;  // a warning names the likely loop from this expected frame on
+    // What the other process has, as far as the machine lets it run (base/process_time.h).
+    double draw_seconds = 2.0;      // for one small draw
+    double compile_seconds = 20.0;  // for a compile; it holds nobody up
+    double slow_ms = 1000.0;        // a warning names the likely loop from this expected frame on
 };
 
 // Keeps a process at hand; a new one is started in the background when one had to be killed. To be
@@ -118,9 +120,11 @@ private:
     void send_pending();
     void receive();
     void hear(TrialAnswer answer);
+    void note_time();
     void fail(TrialState state, const std::string& why);
     void hear_end_of_process();
     bool is_at_work() const;  // the process, as far as it has told
+    bool is_too_slow() const;
     double limit_seconds() const;
 
     TrialOptions options_;
@@ -135,6 +139,7 @@ private:
     std::string outgoing_, incoming_;
     std::unique_ptr<TrialAnswer> heard_;  // the last words, whichever candidate they are about
     Clock::time_point started_, heard_at_;
+    ProcessTime heard_time_;  // of the process, then
     Verdict verdict_;
 };
 

@@ -25,11 +25,11 @@ void close_popup_by_key() {
 
 }  // namespace
 
-Wishes Interface::build(const Facts& facts, History& history, Transport& transport,
+Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, Transport& transport,
                         PanelSettings& settings) {
     Wishes wishes;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    Build build{facts, history, transport, settings, wishes, theme_, layout_};
+    Build build{facts, tweaks, transport, settings, wishes, theme_, layout_};
     layout_before_ = layout_;
     follow_notice(facts);
     close_popup_by_key();
@@ -56,7 +56,7 @@ Wishes Interface::build(const Facts& facts, History& history, Transport& transpo
     dialogs(build, saving_);
     if (screen.x >= 1.0f && notice_age_ < kNoticeStays)
         notice(build, std::clamp((kNoticeStays - notice_age_) / kNoticeFades, 0.0f, 1.0f));
-    tweaks_.edits.follow(history);
+    tweaks_.edits.follow(wishes);
     return wishes;
 }
 

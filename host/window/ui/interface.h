@@ -15,7 +15,7 @@ namespace glint {
 // What one frame's panels share.
 struct Build {
     const Facts& facts;
-    History& history;
+    const TweakValues& tweaks;
     Transport& transport;
     PanelSettings& settings;
     Wishes& wishes;
@@ -23,11 +23,16 @@ struct Build {
     Layout& layout;
 };
 
+inline void wish(Build& build, const TweakEdit& edit) {
+    build.wishes.tweaks.push_back(edit);
+}
+
 // Makes one entry of the undo list of what one widget does while it is held.
 class Edits {
 public:
+    // Wishes for a value; `index` is that of the tweak.
     void set(Build& build, std::size_t index, const TweakValue& value);
-    void follow(History& history);  // at the end of a frame: commits when the widget is let go
+    void follow(Wishes& wishes);  // at the end of a frame: commits when the widget is let go
 
 private:
     unsigned held_ = 0;  // ImGui's id
@@ -99,7 +104,7 @@ public:
     explicit Interface(const Theme& theme) : theme_(theme) {}
 
     // Between ImGui's NewFrame and Render.
-    Wishes build(const Facts& facts, History& history, Transport& transport,
+    Wishes build(const Facts& facts, const TweakValues& tweaks, Transport& transport,
                  PanelSettings& settings);
 
     // Panels learn how large they are by being built. True while this frame was built with sizes

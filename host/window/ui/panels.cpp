@@ -134,7 +134,7 @@ void Panels::rescale(float content_scale) {
     state_->frames_to_settle = 3;
 }
 
-Wishes Panels::update(const Facts& facts, History& history, Transport& transport,
+Wishes Panels::update(const Facts& facts, TweakValues& tweaks, Transport& transport,
                       PanelSettings& settings) {
     ImGui::SetCurrentContext(state_->context);
     ImGuiIO& io = ImGui::GetIO();
@@ -147,10 +147,14 @@ Wishes Panels::update(const Facts& facts, History& history, Transport& transport
     const bool is_touched = input != state_->input || !state_->presses.empty();
     state_->input = input;
     Wishes wishes;
+    bool is_behind = true;
     const auto build = [&] {
         ImGui::NewFrame();
         recall(state_->remembered, state_->interface.places(), settings);
-        add(wishes, state_->interface.build(facts, history, transport, settings));
+        Wishes more = state_->interface.build(facts, tweaks, transport, settings);
+        for (const TweakEdit& edit : more.tweaks) more.tweaks_changed |= tweaks.apply(edit);
+        is_behind = more.tweaks_changed || state_->interface.is_behind();
+        add(wishes, std::move(more));
         note(state_->remembered, state_->interface.places(), settings);
         ImGui::Render();
         for (const int key : tapped) io.KeysDown[key] = false;
@@ -168,13 +172,12 @@ Wishes Panels::update(const Facts& facts, History& history, Transport& transport
     for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button) {
         io.MouseDown[button] = glfwGetMouseButton(state_->window, button) == GLFW_PRESS;
     }
-    bool is_behind = true;
+    is_behind = true;
     // Frames of a slow scene are seconds apart: what stands wrong is mended before it is seen.
     // Later passes see no new events, since the mouse and the keys have not moved in between.
     constexpr int kMostPasses = 6;
     for (int pass = 0; pass < kMostPasses && is_behind; ++pass) {
         build();
-        is_behind = state_->interface.is_behind();
     }
     state_->frames_to_settle =
         is_touched || is_behind ? 2 : std::max(state_->frames_to_settle - 1, 0);

@@ -4,9 +4,9 @@
 
 #include "measure/rows/case.h"
 #include "measure/rows/study.h"
-#include "scene/history.h"
 #include "scene/scene.h"
 #include "scene/transport.h"
+#include "scene/tweak_values.h"
 #include "window/ui/findings.h"
 
 #include <glm/vec2.hpp>
@@ -123,8 +123,9 @@ struct Wishes {
     bool still = false;
     bool toggle_recording = false;
     bool toggle_full_screen = false;
-    bool tweaks_changed = false;
-    std::optional<Diagnostic> edit;    // open the editor at this place
+    std::vector<TweakEdit> tweaks;   // in this order
+    bool tweaks_changed = false;     // what was wished of them has changed a value or the shown set
+    std::optional<Diagnostic> edit;  // open the editor at this place
     std::optional<std::string> study;  // run one of this knob; "" for all
     std::optional<Answer> answer;      // to Facts::question
     bool cancel_study = false;
@@ -164,8 +165,9 @@ public:
     // The window went to a screen of another scale.
     void rescale(float content_scale);
 
-    // Builds the frame's panels; tweaks move in `history`, time in `transport`.
-    Wishes update(const Facts& facts, History& history, Transport& transport,
+    // Builds the frame's panels. What they wish of the tweaks is done to `tweaks` at once, since
+    // the same frame shows it, and told as Wishes::tweaks_changed; time moves in `transport`.
+    Wishes update(const Facts& facts, TweakValues& tweaks, Transport& transport,
                   PanelSettings& settings);
 
     // Draws what update() built over framebuffer 0.

@@ -31,8 +31,8 @@ std::size_t index_of(const Build& build, const Tweak& tweak) {
 // The row at whose value the tweak stands, as far as the shader can tell.
 std::optional<std::size_t> current_row(const Build& build, const Study& study) {
     const Tweak* tweak = find_tweak(build, study.knob);
-    if (!tweak || index_of(build, *tweak) >= build.history.values().size()) return std::nullopt;
-    const TweakValue now = tidy(*tweak, build.history.value(index_of(build, *tweak)));
+    if (!tweak || index_of(build, *tweak) >= build.tweaks.size()) return std::nullopt;
+    const TweakValue now = tidy(*tweak, build.tweaks.value(index_of(build, *tweak)));
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
         const auto value = parse_value(*tweak, study.rows[i].value);
         if (value && tidy(*tweak, *value) == now) return i;
@@ -47,8 +47,7 @@ void choose(Build& build, const Study& study, std::size_t row) {
     const Tweak* tweak = find_tweak(build, study.knob);
     const auto value = tweak ? parse_value(*tweak, study.rows[row].value) : std::nullopt;
     if (!value || current_row(build, study) == row) return;
-    build.history.set(index_of(build, *tweak), *value);
-    build.wishes.tweaks_changed = true;
+    wish(build, {.what = TweakEdit::What::set, .index = index_of(build, *tweak), .value = *value});
 }
 
 void knob_menu(Build& build, StudyState& state) {

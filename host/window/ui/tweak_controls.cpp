@@ -204,7 +204,7 @@ void checkbox(Row& row) {
 
 void tweak_control(Build& build, TweaksState& state, std::size_t index, float width) {
     const Tweak& tweak = build.facts.scene->tweaks[index];
-    Row row{build, state, index, tweak, build.history.value(index), std::max(width, 1.0f)};
+    Row row{build, state, index, tweak, build.tweaks.value(index), std::max(width, 1.0f)};
     for (double& component : row.value)
         if (!std::isfinite(component)) component = 0.0;
     if (!tweak.names.empty()) return menu(row);

@@ -25,23 +25,23 @@ std::string explanation(const Tweak& tweak) {
            "\n\nDouble-click resets, right-click for more; Ctrl+click a slider types a value.";
 }
 
+void wish_lock(Build& build, std::size_t index) {
+    using enum TweakEdit::What;
+    wish(build, {.what = build.tweaks.locked(index) ? unlock : lock, .index = index});
+}
+
 void context_menu(Build& build, std::size_t index) {
     if (!ImGui::BeginPopupContextItem("menu")) return;
-    History& history = build.history;
+    const TweakValues& tweaks = build.tweaks;
     const Tweak& tweak = build.facts.scene->tweaks[index];
-    if (ImGui::MenuItem("Reset", nullptr, false, history.changed(index))) {
-        history.reset(index);
-        build.wishes.tweaks_changed = true;
-    }
-    if (ImGui::MenuItem("Lock", nullptr, history.locked(index)))
-        history.lock(index, !history.locked(index));
+    if (ImGui::MenuItem("Reset", nullptr, false, tweaks.changed(index)))
+        wish(build, {.what = TweakEdit::What::reset, .index = index});
+    if (ImGui::MenuItem("Lock", nullptr, tweaks.locked(index))) wish_lock(build, index);
     if (ImGui::MenuItem("Copy value"))
-        ImGui::SetClipboardText(format_value(tweak, history.value(index)).c_str());
+        ImGui::SetClipboardText(format_value(tweak, tweaks.value(index)).c_str());
     ImGui::Separator();
-    if (ImGui::MenuItem("Reset all", nullptr, false, history.any_changed())) {
-        history.reset_all();
-        build.wishes.tweaks_changed = true;
-    }
+    if (ImGui::MenuItem("Reset all", nullptr, false, tweaks.any_changed()))
+        wish(build, {.what = TweakEdit::What::reset_all});
     ImGui::EndPopup();
 }
 
@@ -53,14 +53,12 @@ float gutter(const Theme& theme) {
 void label(Build& build, std::size_t index, float width) {
     const Theme& theme = build.theme;
     const Tweak& tweak = build.facts.scene->tweaks[index];
-    const bool changed = build.history.changed(index);
+    const bool changed = build.tweaks.changed(index);
     const float height = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("label", {width, height});
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
-        build.history.reset(index);
-        build.wishes.tweaks_changed = true;
-    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
+        wish(build, {.what = TweakEdit::What::reset, .index = index});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = corner.y + 0.5f * height;
     if (changed)
@@ -80,13 +78,13 @@ void label(Build& build, std::size_t index, float width) {
 }
 
 void lock_button(Build& build, std::size_t index) {
-    const bool locked = build.history.locked(index);
+    const bool locked = build.tweaks.locked(index);
     const ImU32 colour = locked ? colours::kAccent : IM_COL32(255, 255, 255, 46);
     const char* text =
         locked ? "Locked: random values leave it alone" : "Lock it from random values";
     if (icon_button(build.theme, "lock", locked ? Icon::locked : Icon::unlocked, text,
                     {.colour = colour}))
-        build.history.lock(index, !locked);
+        wish_lock(build, index);
 }
 
 }  // namespace
@@ -118,19 +116,18 @@ void tweak_row(Build& build, TweaksState& state, std::size_t index) {
 
 void Edits::set(Build& build, std::size_t index, const TweakValue& value) {
     const ImGuiID active = ImGui::GetActiveID();
-    if (held_ && held_ != active) follow(build.history);
+    if (held_ && held_ != active) follow(build.wishes);
     if (active && !held_) {
-        build.history.begin();
+        wish(build, {.what = TweakEdit::What::begin});
         held_ = active;
     }
-    build.history.set(index, value);
-    build.wishes.tweaks_changed = true;
+    wish(build, {.what = TweakEdit::What::set, .index = index, .value = value});
 }
 
-void Edits::follow(History& history) {
+void Edits::follow(Wishes& wishes) {
     if (!held_ || ImGui::GetActiveID() == held_) return;
     held_ = 0;
-    history.commit();
+    wishes.tweaks.push_back({.what = TweakEdit::What::commit});
 }
 
 }  // namespace glint

@@ -29,24 +29,17 @@ bool matches(const Tweak& tweak, const std::string& search) {
 }
 
 void sets(Build& build) {
-    History& history = build.history;
+    using enum TweakEdit::What;
     const Theme& theme = build.theme;
-    const bool is_a = history.shown() == History::Set::a;
-    if (text_button(theme, "A", is_a, "Show and change the first set of values")) {
-        history.show(History::Set::a);
-        build.wishes.tweaks_changed = true;
-    }
+    const bool is_a = build.tweaks.shown() == TweakSet::a;
+    if (text_button(theme, "A", is_a, "Show and change the first set of values"))
+        wish(build, {.what = show, .shown = TweakSet::a});
     ImGui::SameLine(0, theme.px(2));
-    if (text_button(theme, "B", !is_a, "Show and change the second set of values")) {
-        history.show(History::Set::b);
-        build.wishes.tweaks_changed = true;
-    }
+    if (text_button(theme, "B", !is_a, "Show and change the second set of values"))
+        wish(build, {.what = show, .shown = TweakSet::b});
     ImGui::SameLine(0, theme.px(2));
     const char* copy_tip = is_a ? "Copy these values to set B" : "Copy these values to set A";
-    if (icon_button(theme, "copy", Icon::copy, copy_tip)) {
-        history.copy_to_other();
-        build.wishes.tweaks_changed = true;
-    }
+    if (icon_button(theme, "copy", Icon::copy, copy_tip)) wish(build, {.what = copy_to_other});
     ImGui::SameLine(0, theme.px(2));
     bool& wipe = build.settings.wipe;
     if (icon_button(theme, "wipe", Icon::wipe,
@@ -55,26 +48,23 @@ void sets(Build& build) {
 }
 
 void tools(Build& build, TweaksState& state) {
-    History& history = build.history;
+    using enum TweakEdit::What;
+    const TweakValues& tweaks = build.tweaks;
     const Theme& theme = build.theme;
-    if (icon_button(theme, "undo", Icon::undo, "Undo (Ctrl+Z)", {.enabled = history.can_undo()}))
-        build.wishes.tweaks_changed |= history.undo();
+    if (icon_button(theme, "undo", Icon::undo, "Undo (Ctrl+Z)", {.enabled = tweaks.can_undo()}))
+        wish(build, {.what = undo});
     ImGui::SameLine(0, theme.px(2));
     if (icon_button(theme, "redo", Icon::redo, "Redo (Ctrl+Shift+Z)",
-                    {.enabled = history.can_redo()}))
-        build.wishes.tweaks_changed |= history.redo();
+                    {.enabled = tweaks.can_redo()}))
+        wish(build, {.what = redo});
     ImGui::SameLine(0, theme.px(2));
     if (icon_button(theme, "reset all", Icon::revert, "Reset all tweaks to their defaults",
-                    {.enabled = history.any_changed()})) {
-        history.reset_all();
-        build.wishes.tweaks_changed = true;
-    }
+                    {.enabled = tweaks.any_changed()}))
+        wish(build, {.what = reset_all});
     ImGui::SameLine(0, theme.px(2));
     if (icon_button(theme, "random", Icon::dice,
-                    "Random values for all tweaks with a range that are not locked")) {
-        history.randomise(static_cast<std::uint32_t>(state.random()));
-        build.wishes.tweaks_changed = true;
-    }
+                    "Random values for all tweaks with a range that are not locked"))
+        wish(build, {.what = randomise, .seed = static_cast<std::uint32_t>(state.random())});
     const float rest =
         2 * ImGui::GetFrameHeight() + theme.px(4 * 8 + 3 * 2) + ImGui::CalcTextSize("AB").x;
     const float before = ImGui::GetCursorPosY();
@@ -87,7 +77,7 @@ void tools(Build& build, TweaksState& state) {
 
 void wipe_place(Build& build) {
     if (!build.settings.wipe) return;
-    const bool is_a = build.history.shown() == History::Set::a;
+    const bool is_a = build.tweaks.shown() == TweakSet::a;
     number_slider(build.theme, "##wipe place", ImGui::GetContentRegionAvail().x,
                   build.settings.wipe_position, {0.0, 1.0, 0.5}, is_a ? "A | B" : "B | A");
 }
@@ -125,7 +115,7 @@ std::vector<Group> groups_of(const Scene& scene, const std::string& search) {
 bool group_heading(Build& build, const Group& group, bool is_searched) {
     const Theme& theme = build.theme;
     const auto changed = std::ranges::count_if(
-        group.tweaks, [&](std::size_t index) { return build.history.changed(index); });
+        group.tweaks, [&](std::size_t index) { return build.tweaks.changed(index); });
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     if (is_searched) ImGui::SetNextItemOpen(true);
@@ -170,7 +160,7 @@ void rows(Build& build, TweaksState& state) {
 void tweaks_panel(Build& build, TweaksState& state) {
     begin_panel(build, PanelId::tweaks, "Tweaks", build.settings.tweaks);
     const Scene* scene = build.facts.scene;
-    const bool has_scene = scene && scene->tweaks.size() == build.history.values().size();
+    const bool has_scene = scene && scene->tweaks.size() == build.tweaks.size();
     if (has_scene && !scene->tweaks.empty()) {
         tools(build, state);
         wipe_place(build);

@@ -2,6 +2,7 @@
 // is tried as if nothing had happened.
 #include "window/trial/trial.h"
 
+#include "../../crowd.h"
 #include "scene/blame.h"
 
 #include <fcntl.h>
@@ -122,6 +123,29 @@ TEST(Trial, ABusyMachineDoesNotMakeASceneLookSlow) {
         }
         EXPECT_LT(trial.poll().expected_ms, 1000.0) << words(trial.poll());
     }
+}
+
+// As beside a compiler, or other window tests. How long it draws is measured first, so that the
+// limit is one that any machine keeps, and the crowd one that makes it too late on any.
+TEST(Trial, OneThatIsGivenNoProcessorIsWaitedFor) {
+    const std::string text = R"(void mainImage(out vec4 c, in vec2 p) {
+    float a = p.x;
+    for (int i = 0; i < 20000; ++i) a = sin(a * 1.1 + exp(cos(a)));
+    c = vec4(a);
+}
+)";
+    Trial alone(options());
+    const Verdict quiet = try_text(alone, text);
+    ASSERT_EQ(quiet.state, TrialState::passed) << words(quiet);
+    const double draw_ms = quiet.passes[0].second_ms;
+
+    Trial trial(options(4.0 * draw_ms / 1000.0));
+    wait_until_ready(trial);
+    Crowd::bring(trial.process());
+    const Crowd crowd(11);
+    const Verdict result = try_text(trial, text);
+    EXPECT_EQ(result.state, TrialState::passed) << words(result) << draw_ms << " ms when alone";
+    EXPECT_GT(result.total_ms, 8.0 * draw_ms) << "two draws, both late";
 }
 
 // It takes a second at most; the chance in the time of a draw of 600 pixels, scaled up to 67

@@ -64,7 +64,7 @@ protected:
                 screen_.move({x, y});
                 if (!screen_.window("##Tooltip")) continue;
                 screen_.click({x, y});
-                const double value = screen_.history.value(0)[0];
+                const double value = screen_.tweaks.value(0)[0];
                 if (values.empty() || values.back() != value) values.push_back(value);
             }
         }
@@ -79,10 +79,10 @@ TEST_F(StudyPanel, AClickOnAPointAppliesItsValueAndUndoReturns) {
     EXPECT_EQ(click_all_points(), (std::vector<double>{4, 8, 16, 32, 64}));
     EXPECT_TRUE(screen_.changed);
     for (const double value : {32, 16, 8, 4, 8}) {
-        EXPECT_TRUE(screen_.history.undo());
-        EXPECT_EQ(screen_.history.value(0)[0], value);
+        EXPECT_TRUE(screen_.tweaks.undo());
+        EXPECT_EQ(screen_.tweaks.value(0)[0], value);
     }
-    EXPECT_FALSE(screen_.history.can_undo());
+    EXPECT_FALSE(screen_.tweaks.can_undo());
 }
 
 TEST_F(StudyPanel, ALineOfTheTableDoesTheSame) {
@@ -92,7 +92,7 @@ TEST_F(StudyPanel, ALineOfTheTableDoesTheSame) {
     std::vector<double> values;
     for (float y = rect.Max.y + 40; y < body->Rect().Max.y; y += 10) {
         screen_.click({rect.Min.x + 100, y});
-        const double value = screen_.history.value(0)[0];
+        const double value = screen_.tweaks.value(0)[0];
         if (value != 8 && (values.empty() || values.back() != value)) values.push_back(value);
     }
     EXPECT_EQ(values, (std::vector<double>{4, 16, 32, 64}));
@@ -101,7 +101,7 @@ TEST_F(StudyPanel, ALineOfTheTableDoesTheSame) {
 TEST_F(StudyPanel, ARowWithoutAPictureHasNoPoint) {
     studies_[0].rows[1].failed = "it does not compile";
     studies_[0].rows[2].error.reset();
-    screen_.history.set(0, {4});
+    screen_.tweaks.set(0, {4});
     EXPECT_EQ(click_all_points(), (std::vector<double>{4, 32, 64}));
 }
 

@@ -47,12 +47,12 @@ TEST(Tweaks, DraggingASliderIsOneEntryOfTheUndoList) {
     ASSERT_TRUE(slider);
     screen.drag(at(*slider, 0.5f), at(*slider, 0.9f));
     EXPECT_TRUE(screen.changed);
-    EXPECT_NEAR(screen.history.value(1)[0], 0.9, 0.03);
-    EXPECT_EQ(screen.history.value(0)[0], 0.25);
-    EXPECT_FALSE(screen.history.is_open());
-    EXPECT_TRUE(screen.history.undo());
-    EXPECT_EQ(screen.history.value(1)[0], 0.5);
-    EXPECT_FALSE(screen.history.can_undo());
+    EXPECT_NEAR(screen.tweaks.value(1)[0], 0.9, 0.03);
+    EXPECT_EQ(screen.tweaks.value(0)[0], 0.25);
+    EXPECT_FALSE(screen.tweaks.is_open());
+    EXPECT_TRUE(screen.tweaks.undo());
+    EXPECT_EQ(screen.tweaks.value(1)[0], 0.5);
+    EXPECT_FALSE(screen.tweaks.can_undo());
 }
 
 TEST(Tweaks, TheEndsOfASliderAreTheEndsOfTheRange) {
@@ -62,22 +62,22 @@ TEST(Tweaks, TheEndsOfASliderAreTheEndsOfTheRange) {
     const auto slider = screen.find(screen.in_row(0, "##slider"));
     ASSERT_TRUE(slider);
     screen.drag(at(*slider, 0.5f), at(*slider, 1.5f));
-    EXPECT_EQ(screen.history.value(0)[0], 100.0);
+    EXPECT_EQ(screen.tweaks.value(0)[0], 100.0);
     screen.drag(at(*slider, 0.5f), at(*slider, -0.5f));
-    EXPECT_EQ(screen.history.value(0)[0], 0.1);
+    EXPECT_EQ(screen.tweaks.value(0)[0], 0.1);
 }
 
 TEST(Tweaks, ADoubleClickOnTheLabelResets) {
     Screen screen(two_numbers());
-    screen.history.set(0, {0.75});
+    screen.tweaks.set(0, {0.75});
     const auto label = screen.find(screen.in_row(0, "label"));
     ASSERT_TRUE(label);
     screen.click(at(*label, 0.5f));
-    EXPECT_EQ(screen.history.value(0)[0], 0.75);
+    EXPECT_EQ(screen.tweaks.value(0)[0], 0.75);
     screen.click(at(*label, 0.5f));
-    EXPECT_EQ(screen.history.value(0)[0], 0.25);
-    screen.history.undo();
-    EXPECT_EQ(screen.history.value(0)[0], 0.75);
+    EXPECT_EQ(screen.tweaks.value(0)[0], 0.25);
+    screen.tweaks.undo();
+    EXPECT_EQ(screen.tweaks.value(0)[0], 0.75);
 }
 
 TEST(Tweaks, AValueIsTypedAfterCtrlAndClick) {
@@ -88,12 +88,12 @@ TEST(Tweaks, AValueIsTypedAfterCtrlAndClick) {
     screen.click(at(*slider, 0.9f));
     ImGui::GetIO().KeyCtrl = false;
     for (int i = 0; i < 3; ++i) screen.frame();
-    EXPECT_EQ(screen.history.value(0)[0], 0.25) << "the click must not move the slider";
+    EXPECT_EQ(screen.tweaks.value(0)[0], 0.25) << "the click must not move the slider";
     screen.type("0.625");
     screen.press(ImGuiKey_Enter);
-    EXPECT_EQ(screen.history.value(0)[0], 0.625);
-    screen.history.undo();
-    EXPECT_FALSE(screen.history.can_undo()) << "typing is one entry";
+    EXPECT_EQ(screen.tweaks.value(0)[0], 0.625);
+    screen.tweaks.undo();
+    EXPECT_FALSE(screen.tweaks.can_undo()) << "typing is one entry";
 }
 
 TEST(Tweaks, HidingThePanelsEndsADrag) {
@@ -103,11 +103,11 @@ TEST(Tweaks, HidingThePanelsEndsADrag) {
     screen.move(at(*slider, 0.5f));
     screen.button(true);
     screen.move(at(*slider, 0.75f));
-    EXPECT_TRUE(screen.history.is_open());
+    EXPECT_TRUE(screen.tweaks.is_open());
     screen.settings.visible = false;
     for (int i = 0; i < 3; ++i) screen.frame();
-    EXPECT_FALSE(screen.history.is_open());
-    EXPECT_TRUE(screen.history.can_undo());
+    EXPECT_FALSE(screen.tweaks.is_open());
+    EXPECT_TRUE(screen.tweaks.can_undo());
     screen.button(false);
 }
 
@@ -116,8 +116,8 @@ TEST(Tweaks, TheLockKeepsAValueFromChance) {
     const auto lock = screen.find(screen.in_row(1, "lock"));
     ASSERT_TRUE(lock);
     screen.click(at(*lock, 0.5f));
-    EXPECT_TRUE(screen.history.locked(1));
-    EXPECT_FALSE(screen.history.locked(0));
+    EXPECT_TRUE(screen.tweaks.locked(1));
+    EXPECT_FALSE(screen.tweaks.locked(0));
 }
 
 // Every kind of tweak, the control that moves it, and from where to where the mouse drags.
@@ -165,11 +165,11 @@ TEST(Tweaks, EveryKindIsMovedByTheMouse) {
         const auto control = screen.find(screen.in_row(0, kind.control, kind.component));
         ASSERT_TRUE(control);
         screen.drag(at(*control, 0.5f), at(*control, kind.to_x, kind.to_y));
-        EXPECT_TRUE(screen.history.changed(0));
+        EXPECT_TRUE(screen.tweaks.changed(0));
         EXPECT_TRUE(screen.changed);
-        EXPECT_FALSE(screen.history.is_open());
-        EXPECT_TRUE(screen.history.undo());
-        EXPECT_FALSE(screen.history.can_undo());
+        EXPECT_FALSE(screen.tweaks.is_open());
+        EXPECT_TRUE(screen.tweaks.undo());
+        EXPECT_FALSE(screen.tweaks.can_undo());
     }
 }
 
@@ -181,8 +181,8 @@ TEST(Tweaks, APadPointsUpForMore) {
     const auto pad = screen.find(screen.in_row(0, "##pad"));
     ASSERT_TRUE(pad);
     screen.click(at(*pad, 0.75f, 0.25f));
-    EXPECT_NEAR(screen.history.value(0)[0], 0.55, 0.1);
-    EXPECT_NEAR(screen.history.value(0)[1], 0.55, 0.1);
+    EXPECT_NEAR(screen.tweaks.value(0)[0], 0.55, 0.1);
+    EXPECT_NEAR(screen.tweaks.value(0)[1], 0.55, 0.1);
 }
 
 TEST(Tweaks, AMenuIsChosenFrom) {
@@ -196,9 +196,9 @@ TEST(Tweaks, AMenuIsChosenFrom) {
     const ImGuiWindow* list = screen.window("##Combo");
     ASSERT_TRUE(list);
     screen.click(at(list->Rect(), 0.5f, 0.85f));
-    EXPECT_EQ(screen.history.value(0)[0], 2.0);
-    EXPECT_TRUE(screen.history.undo());
-    EXPECT_FALSE(screen.history.can_undo());
+    EXPECT_EQ(screen.tweaks.value(0)[0], 2.0);
+    EXPECT_TRUE(screen.tweaks.undo());
+    EXPECT_FALSE(screen.tweaks.can_undo());
 }
 
 TEST(Tweaks, AColourIsPickedAndThatIsOneEntry) {
@@ -215,10 +215,10 @@ TEST(Tweaks, AColourIsPickedAndThatIsOneEntry) {
         const ImGuiWindow* picker = screen.window("##Popup");
         ASSERT_TRUE(picker);
         screen.drag(at(picker->Rect(), 0.1f, 0.1f), at(picker->Rect(), 0.4f, 0.3f));
-        EXPECT_TRUE(screen.history.changed(0));
-        EXPECT_FALSE(screen.history.is_open());
-        EXPECT_TRUE(screen.history.undo());
-        EXPECT_FALSE(screen.history.can_undo());
+        EXPECT_TRUE(screen.tweaks.changed(0));
+        EXPECT_FALSE(screen.tweaks.is_open());
+        EXPECT_TRUE(screen.tweaks.undo());
+        EXPECT_FALSE(screen.tweaks.can_undo());
     }
 }
 
@@ -316,7 +316,7 @@ TEST(Panels, StandWithHundredsOfTweaksAndNamesOfAnyLength) {
     }
     Screen screen(tweaks);
     open_all(screen);
-    screen.history.randomise(1);
+    screen.tweaks.randomise(1);
     for (float y = 100; y < 600; y += 20) screen.drag({1150, y}, {1200, y + 3});
 }
 
@@ -342,7 +342,7 @@ TEST(Panels, StandWithExtremeNumbers) {
         open_all(screen);
         for (float y = 60; y < 200; y += 10) screen.drag({1100, y}, {1300, y});
         for (std::size_t i = 0; i < screen.scene.tweaks.size(); ++i)
-            for (const double component : screen.history.value(i))
+            for (const double component : screen.tweaks.value(i))
                 EXPECT_FALSE(std::isnan(component) && !std::isnan(tweak.initial[0]));
     }
 }

@@ -14,10 +14,10 @@ namespace glint {
 
 class Screen {
 public:
-    explicit Screen(std::vector<Tweak> tweaks, ImVec2 size = {1280, 720}, float scale = 1.0f)
+    explicit Screen(std::vector<Tweak> declared, ImVec2 size = {1280, 720}, float scale = 1.0f)
         : context_(ImGui::CreateContext()), interface(make_theme(scale)) {
-        scene.tweaks = std::move(tweaks);
-        history = History(scene.tweaks);
+        scene.tweaks = std::move(declared);
+        tweaks = TweakValues(scene.tweaks);
         facts.scene = &scene;
         transport.pause();
         ImGuiIO& io = ImGui::GetIO();
@@ -38,8 +38,9 @@ public:
 
     Wishes frame() {
         ImGui::NewFrame();
-        Wishes now = interface.build(facts, history, transport, settings);
+        Wishes now = interface.build(facts, tweaks, transport, settings);
         ImGui::Render();
+        for (const TweakEdit& edit : now.tweaks) now.tweaks_changed |= tweaks.apply(edit);
         changed = changed || now.tweaks_changed;
         if (now.open) wishes.open = now.open;
         if (now.save_as) wishes.save_as = now.save_as;
@@ -124,7 +125,7 @@ public:
     }
 
     Scene scene;
-    History history{{}};
+    TweakValues tweaks{{}};
     Transport transport;
     PanelSettings settings;
     Facts facts;
