@@ -3,6 +3,7 @@
 #include "base/json_text.h"
 #include "base/say.h"
 #include "gl/context.h"
+#include "offline/common.h"
 #include "offline/input_files.h"
 
 #include <fmt/format.h>

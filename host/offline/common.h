@@ -2,6 +2,7 @@
 #pragma once
 
 #include "media/image.h"
+#include "offline/options.h"
 #include "render/renderer.h"
 #include "scene/preset.h"
 
@@ -35,16 +36,6 @@ struct UsageError : std::runtime_error {
 struct Stop : std::exception {
     explicit Stop(ExitCode exit_code) : code(exit_code) {}
     ExitCode code;
-};
-
-// Options that still, bench and info have in common.
-struct ViewOptions {
-    std::filesystem::path file;
-    std::string size;                 // "1280x720"; empty: the preset's
-    std::vector<std::string> tweaks;  // "name=value"
-    std::string device;
-    bool specialise = true;
-    bool json = false;
 };
 
 // Milliseconds since it was made or restarted.

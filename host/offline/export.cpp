@@ -7,6 +7,7 @@
 #include "glsl/declaration.h"
 #include "glsl/raw_text.h"
 #include "glsl/reachable.h"
+#include "offline/common.h"
 #include "offline/named_files.h"
 
 #include <fmt/format.h>

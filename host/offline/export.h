@@ -1,14 +1,9 @@
 // `glint export`: a scene as the tabs of a Shadertoy.
 #pragma once
 
-#include "offline/common.h"
+#include "offline/options.h"
 
 namespace glint {
-
-struct ExportOptions {
-    ViewOptions view;
-    std::filesystem::path output;  // a folder; made where it is missing
-};
 
 // Writes image.glsl, bufferA.glsl … one text a tab, ready to paste, and all of them as
 // shadertoy.json. A tab holds only what its pass needs, with tweaks as constants. What the site

@@ -2,6 +2,7 @@
 
 #include "base/say.h"
 #include "base/temporary_file.h"
+#include "offline/common.h"
 #include "scene/scene.h"
 #include "scene/shadertoy.h"
 

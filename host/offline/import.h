@@ -1,15 +1,10 @@
 // `glint import`: from the site's files to scene files.
 #pragma once
 
-#include "offline/common.h"
+#include "base/diagnostic.h"
+#include "offline/options.h"
 
 namespace glint {
-
-struct ImportOptions {
-    std::filesystem::path input;   // a .json file of the site, or a folder of tabs
-    std::filesystem::path output;  // a .frag file; of several shaders, the first one's
-    bool anywhere = false;         // the shader may name files outside its folder
-};
 
 // Writes a scene file for every shader of the input (out.frag, out-2.frag, …) and returns their
 // names. What is there already stays: somebody may have worked on it. With errors in `diagnostics`

@@ -1,19 +1,10 @@
-// What a still and the pictures of a sequence have in common: how they are asked for and made.
+// What a still and the pictures of a sequence have in common: how they are made.
 #pragma once
 
 #include "offline/named_files.h"
 #include "offline/snapshot.h"
 
 namespace glint {
-
-struct PictureOptions {
-    ViewOptions view;
-    double fps = 60.0;     // Hz; frame k stands at k / fps, and simulations are played so
-    int samples = 1;       // sub-pixel positions averaged in linear light
-    double shutter = 0.0;  // degrees that it stays open, 360 a frame; over the samples
-    FileFormat format{};
-    StateOptions state{};
-};
 
 // What is drawn for them.
 struct PictureKind {

@@ -7,6 +7,7 @@
 #include "media/sound.h"
 #include "offline/frames.h"
 #include "offline/input_files.h"
+#include "offline/picture.h"
 #include "offline/sequence_output.h"
 #include "offline/sound.h"
 #include "render/readback.h"

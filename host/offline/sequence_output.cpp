@@ -2,6 +2,7 @@
 
 #include "base/readable_file.h"
 #include "base/say.h"
+#include "offline/picture.h"
 #include "render/room.h"
 
 #include <fmt/format.h>

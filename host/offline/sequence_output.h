@@ -4,7 +4,8 @@
 #include "base/numbered_name.h"
 #include "base/workers.h"
 #include "media/film.h"
-#include "offline/sequence.h"
+#include "offline/options.h"
+#include "scene/preset.h"
 
 namespace glint {
 

@@ -37,13 +37,6 @@ void write_snapshot(const std::filesystem::path& file, const Snapshot& snapshot)
 // Throws StateRefused.
 Snapshot read_snapshot(const std::filesystem::path& file);
 
-// What `still` and `sequence` are asked to do with states. Names may hold a frame's number: %06d.
-struct StateOptions {
-    std::string from;  // a file, or a numbered name: the newest of them that is of use
-    std::string save;
-    int save_every = 0;  // frames; 0: once, before the last
-};
-
 // Starts loading what reads and writes states, where they are asked for, as
 // prepare_image_library() does.
 void prepare_states(const StateOptions& options);

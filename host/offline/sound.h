@@ -9,12 +9,6 @@ namespace glint {
 
 constexpr long kMostSoundSamples = 0x7fffffff / 4;  // as a WAV file can hold
 
-struct SoundOptions {
-    ViewOptions view;
-    std::filesystem::path output;
-    double seconds = 180.0;  // the site's length
-};
-
 // Throws what main() turns into exit codes.
 void run_sound(const SoundOptions& options);
 

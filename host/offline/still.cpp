@@ -6,6 +6,7 @@
 #include "gl/context.h"
 #include "media/image.h"
 #include "offline/input_files.h"
+#include "offline/picture.h"
 #include "render/room.h"
 
 #include <fmt/format.h>

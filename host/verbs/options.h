@@ -1,7 +1,7 @@
 // Options that several verbs take, each described in this one place.
 #pragma once
 
-#include "offline/picture.h"
+#include "offline/options.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

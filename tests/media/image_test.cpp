@@ -1,33 +1,17 @@
-// What goes into a file comes back, and a write that fails leaves everything as it was.
-#include "media/image.h"
-
-#include "base/temporary_file.h"
+// What goes into a picture's file comes back.
+#include "image_files.h"
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
-#include <sched.h>
-#include <sys/mount.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
-#include <bit>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <thread>
 
 namespace glint {
 namespace {
-
-namespace fs = std::filesystem;
-
-const char* const kWritable[] = {"a.png", "a.exr", "a.jpg", "a.tif", "a.hdr"};
 
 Image u8_image(glm::ivec2 size, int channels, const std::vector<int>& values) {
     Image image{.size = size, .channels = channels, .type = ChannelType::u8, .pixels = {}};
@@ -46,37 +30,6 @@ std::vector<float> floats_of(const Image& image) {
     std::vector<float> values(image.pixels.size() / sizeof(float));
     std::memcpy(values.data(), image.pixels.data(), values.size() * sizeof(float));
     return values;
-}
-
-// Hard to compress, so that its file is about as large as its pixels.
-Image noise(glm::ivec2 size, ChannelType type) {
-    Image image{.size = size, .channels = 3, .type = type, .pixels = {}};
-    std::uint32_t state = 1;
-    const auto values = static_cast<std::size_t>(size.x * size.y * 3);
-    for (std::size_t i = 0; i < values; ++i) {
-        state = state * 747796405U + 2891336453U;
-        const float value = static_cast<float>(state >> 8) / 16777216.0F;
-        if (type == ChannelType::u8) {
-            image.pixels.push_back(static_cast<std::byte>(state >> 24));
-        } else {
-            const auto bytes = std::bit_cast<std::array<std::byte, 4>>(value);
-            image.pixels.insert(image.pixels.end(), bytes.begin(), bytes.end());
-        }
-    }
-    return image;
-}
-
-Image noise_for(const fs::path& file, glm::ivec2 size) {
-    return noise(size, holds_floats(file) ? ChannelType::f32 : ChannelType::u8);
-}
-
-std::string content_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void put_content(const fs::path& file, std::string_view content) {
-    std::ofstream(file, std::ios::binary) << content;
 }
 
 std::string big_endian(std::uint32_t value) {
@@ -105,62 +58,6 @@ std::string make_png(std::uint32_t width, std::uint32_t height, char bits, char 
            (palette.empty() ? "" : png_chunk("PLTE", palette)) + png_chunk("IDAT", packed) +
            png_chunk("IEND", "");
 }
-
-// What the exception says, or nothing.
-template <class F>
-std::string complaint(F&& action) {
-    try {
-        action();
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-class ImageFile : public testing::Test {
-protected:
-    ImageFile() {
-        std::string pattern = (fs::temp_directory_path() / "glint-image-XXXXXX").string();
-        folder_ = ::mkdtemp(pattern.data());
-    }
-    ~ImageFile() override { fs::remove_all(folder_); }
-
-    fs::path in(const std::string& name) const { return folder_ / name; }
-
-    std::vector<std::string> names() const {
-        std::vector<std::string> found;
-        for (const auto& entry : fs::directory_iterator(folder_)) {
-            found.push_back(entry.path().filename().string());
-        }
-        return found;
-    }
-
-    fs::path folder_;
-};
-
-// No file may grow beyond `bytes` while this lives: what a full disk does, at the byte we choose.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &old_);
-        const rlimit limit{.rlim_cur = bytes, .rlim_max = old_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &old_);
-        std::signal(SIGXFSZ, old_handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    rlimit old_{};
-    void (*old_handler_)(int);
-};
 
 // ---- round trips
 
@@ -523,122 +420,6 @@ TEST_F(ImageFile, DamagedBytesNeverCrash) {
             complaint([&] { read_image(in(name)); });
         }
     }
-}
-
-// ---- what cannot be written
-
-TEST_F(ImageFile, AFolderThatCannotBeWrittenIsToldByName) {
-    // Below a regular file nobody can write, root included.
-    put_content(in("file"), "content");
-    for (const char* name : kWritable) {
-        const auto text = complaint([&] {
-            write_image(in("file") / name, noise_for(name, {4, 4}));
-        });
-        EXPECT_TRUE(contains(text, name) && contains(text, "Not a directory")) << text;
-        const auto missing = complaint([&] {
-            write_image(in("none") / name, noise_for(name, {4, 4}));
-        });
-        EXPECT_TRUE(contains(missing, name) && contains(missing, "No such file")) << missing;
-    }
-    EXPECT_EQ(content_of(in("file")), "content");
-    EXPECT_EQ(names(), std::vector<std::string>{"file"});
-}
-
-TEST_F(ImageFile, ADirectoryOrAPipeIsNotReplaced) {
-    fs::create_directory(in("a.png"));
-    ASSERT_EQ(::mkfifo(in("b.png").c_str(), 0600), 0);
-    const Image image = noise({4, 4}, ChannelType::u8);
-    EXPECT_TRUE(contains(complaint([&] { write_image(in("a.png"), image); }), "Is a directory"));
-    EXPECT_TRUE(contains(complaint([&] { write_image(in("b.png"), image); }), "regular"));
-    EXPECT_TRUE(fs::is_directory(in("a.png")));
-    EXPECT_TRUE(fs::is_fifo(in("b.png")));
-    EXPECT_EQ(names().size(), 2U);
-}
-
-TEST_F(ImageFile, AnImageThatContradictsItselfIsNotWritten) {
-    Image image = noise({4, 4}, ChannelType::u8);
-    EXPECT_TRUE(contains(complaint([&] { write_image(in("a.exr"), image); }), "floats"));
-    image.pixels.pop_back();
-    EXPECT_TRUE(contains(complaint([&] { write_image(in("a.png"), image); }), "bytes"));
-    EXPECT_TRUE(names().empty());
-}
-
-TEST_F(ImageFile, AFullDiskLeavesTheOldFileAndNothingElse) {
-    prepare_image_library("a.jpg");
-    for (const char* name : kWritable) {
-        const Image image = noise_for(name, {128, 128});
-        write_image(in(name), image);
-        const std::string old = content_of(in(name));
-        // At the start, in the middle, and at the very last byte, which is refused at close.
-        for (const std::size_t limit : {std::size_t{0}, old.size() / 2, old.size() - 1}) {
-            std::string text;
-            {
-                const FileSizeLimit full(limit);
-                text = complaint([&] { write_image(in(name), image); });
-            }
-            EXPECT_TRUE(contains(text, name) && contains(text, "File too large"))
-                << name << " with " << limit << " bytes: " << text;
-            EXPECT_EQ(content_of(in(name)), old);
-            EXPECT_EQ(names(), std::vector<std::string>{name});
-        }
-        fs::remove(in(name));
-    }
-}
-
-TEST_F(ImageFile, AFullFileSystemIsToldInItsOwnWords) {
-    // A mount of this process alone, so that no other program sees it.
-    if (::unshare(CLONE_NEWNS) != 0 ||
-        ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
-        ::mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=64k") != 0) {
-        GTEST_SKIP() << "needs the right to mount a tmpfs: " << std::strerror(errno);
-    }
-    for (const char* name : kWritable) {
-        const auto text = complaint([&] { write_image(in(name), noise_for(name, {256, 256})); });
-        EXPECT_TRUE(contains(text, name) && contains(text, "No space left on device")) << text;
-        EXPECT_TRUE(names().empty());
-    }
-    ::umount(folder_.c_str());
-}
-
-// ---- replacing files
-
-TEST_F(ImageFile, ALinkStaysALinkAndItsFileIsReplaced) {
-    fs::create_directory(in("real"));
-    put_content(in("real/a.txt"), "old");
-    fs::create_symlink("real/a.txt", in("link.txt"));
-    write_whole_file(in("link.txt"), std::as_bytes(std::span("new", 3)));
-    EXPECT_TRUE(fs::is_symlink(in("link.txt")));
-    EXPECT_EQ(content_of(in("real/a.txt")), "new");
-}
-
-TEST_F(ImageFile, AReplacedFileKeepsItsRights) {
-    put_content(in("a.txt"), "old");
-    fs::permissions(in("a.txt"), fs::perms::owner_read | fs::perms::owner_write);
-    write_whole_file(in("a.txt"), std::as_bytes(std::span("new", 3)));
-    EXPECT_EQ(fs::status(in("a.txt")).permissions(),
-              fs::perms::owner_read | fs::perms::owner_write);
-}
-
-TEST_F(ImageFile, ANameMayBeAsLongAsTheSystemAllows) {
-    const std::string name = std::string(251, 'n') + ".png";
-    write_image(in(name), noise({2, 2}, ChannelType::u8));
-    EXPECT_EQ(names(), std::vector<std::string>{name});
-}
-
-TEST_F(ImageFile, WritersOfOneFileDoNotMix) {
-    std::vector<std::thread> writers;
-    for (int i = 0; i < 8; ++i) {
-        writers.emplace_back([&, i] {
-            const std::string content(100000, static_cast<char>('a' + i));
-            for (int round = 0; round < 10; ++round) {
-                write_whole_file(in("a.txt"), std::as_bytes(std::span(content)));
-            }
-        });
-    }
-    for (std::thread& writer : writers) writer.join();
-    const std::string content = content_of(in("a.txt"));
-    EXPECT_EQ(content, std::string(100000, content[0]));
-    EXPECT_EQ(names(), std::vector<std::string>{"a.txt"});
 }
 
 }  // namespace

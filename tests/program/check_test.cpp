@@ -1,8 +1,6 @@
 // `glint check` finds what was planted in the scenes of tests/scenes, and nothing in a healthy one.
-#include "command.h"
 #include "media/image.h"
-
-#include <nlohmann/json.hpp>
+#include "report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +12,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-fs::path scene(const std::string& name) {
-    return fs::path(GLINT_REPOSITORY) / "tests/scenes" / (name + ".frag");
-}
-
 class Check : public InAFolder {
 protected:
     // The report on one scene of tests/scenes.
     Json check(const std::string& name, std::vector<std::string> more, int expected_code) const {
-        std::vector<std::string> arguments = {"check", scene(name).string(), "--json"};
+        std::vector<std::string> arguments = {"check", known_scene(name).string(), "--json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Outcome outcome = glint(std::move(arguments));
-        EXPECT_EQ(outcome.code, expected_code) << outcome.out << outcome.err;
         EXPECT_EQ(outcome.err, "");
-        Json json = Json::parse(outcome.out, nullptr, false);
-        EXPECT_TRUE(json.is_object()) << outcome.out;
-        return json;
+        return report_of(outcome, expected_code);
     }
 
     static std::set<std::string> failed(const Json& report) {
@@ -85,7 +76,7 @@ TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
     EXPECT_EQ(case_of(report, "tweaks as uniforms")["verdict"], "report");
     EXPECT_EQ(case_of(report, "long run")["note"], "2000 frames");
     for (const Json& c : report["cases"]) {
-        EXPECT_EQ(c["scene"], scene("healthy").string());
+        EXPECT_EQ(c["scene"], known_scene("healthy").string());
         EXPECT_EQ(c["nan"], 0);
         EXPECT_EQ(c["inf"], 0);
         EXPECT_LE(c["min"].get<double>(), c["max"].get<double>());
@@ -156,10 +147,8 @@ TEST_F(Check, NanOfABufferThatThePictureHidesIsFound) {
           "uniform sampler2D roots; //@ pass mainRoots size=8x8\n"
           "void mainRoots(out vec4 c, in vec2 p) { c = vec4(p.x < 1.0 ? sqrt(-a) : 1.0); }\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(roots, ivec2(5), 0); }\n");
-    const Outcome outcome =
-        glint({"check", "scene.frag", "--json", "--random", "0", "--case", "tweak a=1"});
-    EXPECT_EQ(outcome.code, 6);
-    const Json report = Json::parse(outcome.out);
+    const Json report = report_of(
+        glint({"check", "scene.frag", "--json", "--random", "0", "--case", "tweak a=1"}), 6);
     ASSERT_EQ(report["cases"].size(), 1u);
     const Json& failure = report["cases"][0];
     EXPECT_EQ(failure["nan"], 8) << "one column of the buffer";
@@ -231,9 +220,7 @@ TEST_F(Check, ASizeOfOneColumnIsTried) {
 TEST_F(Check, TheMouseIsReplayedFromAPreset) {
     write("scene.frag",
           "void mainImage(out vec4 c, in vec2 p) { c = vec4(sqrt(iResolution.x - iMouse.x)); }\n");
-    const Outcome outcome = glint({"check", "scene.frag", "--json", "--case", "mouse"});
-    EXPECT_EQ(outcome.code, 6);
-    const Json report = Json::parse(outcome.out);
+    const Json report = report_of(glint({"check", "scene.frag", "--json", "--case", "mouse"}), 6);
     EXPECT_EQ(failed(report), std::set<std::string>{"mouse outside, high"});
     EXPECT_EQ(again(report["cases"][0]).code, 0);
     const Image still = read_image(folder() / "glint-check/scene-mouse-outside-high.exr");
@@ -255,10 +242,8 @@ TEST_F(Check, SeveralFilesAreOneReport) {
     write("scene.frag",
           "uniform float x; //@ 1 [1, 2]\n"
           "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0 / x); }\n");
-    const Outcome outcome =
-        glint({"check", "presets/a.toml", "presets/b.toml", "--json", "--random", "3"});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    const Json report = Json::parse(outcome.out);
+    const Json report =
+        report_of(glint({"check", "presets/a.toml", "presets/b.toml", "--json", "--random", "3"}));
     ASSERT_EQ(report["files"].size(), 2u);
     EXPECT_EQ(report["files"][1]["scene"], "presets/b.toml");
     // Sets of all tweaks are the same for both.
@@ -288,7 +273,7 @@ TEST_F(Check, MistakesHaveTheSameCodesAsAStill) {
 
 TEST_F(Check, LinesTellOfEachCaseAsItEnds) {
     const Outcome outcome =
-        glint({"check", scene("planted_bad_size").string(), "--lines", "--case", "size"});
+        glint({"check", known_scene("planted_bad_size").string(), "--lines", "--case", "size"});
     EXPECT_EQ(outcome.code, 6) << outcome.err;
     std::istringstream lines(outcome.out);
     std::string line;

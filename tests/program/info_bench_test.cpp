@@ -1,7 +1,5 @@
 // `glint info` tells what a scene really needs; `glint bench` how long it takes.
-#include "command.h"
-
-#include <nlohmann/json.hpp>
+#include "report.h"
 
 #include <map>
 
@@ -42,11 +40,8 @@ protected:
     Json json(std::vector<std::string> arguments) const {
         arguments.push_back("--json");
         const Outcome outcome = glint(std::move(arguments));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");
-        const Json parsed = Json::parse(outcome.out, nullptr, false);
-        EXPECT_TRUE(parsed.is_object()) << outcome.out;
-        return parsed;
+        return report_of(outcome);
     }
 
     static std::map<std::string, std::string> left_out(const Json& info) {

@@ -1,9 +1,7 @@
 // What tests of sequences and of their states share: calls of `glint sequence`.
 #pragma once
 
-#include "command.h"
-
-#include <nlohmann/json.hpp>
+#include "report.h"
 
 #include <algorithm>
 
@@ -26,9 +24,7 @@ protected:
     // What --json tells of a call, which must succeed.
     nlohmann::json result(std::vector<std::string> arguments) const {
         arguments.push_back("--json");
-        const Outcome outcome = sequence(std::move(arguments));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return nlohmann::json::parse(outcome.out, nullptr, false);
+        return report_of(sequence(std::move(arguments)));
     }
 
 private:

@@ -326,9 +326,7 @@ TEST_F(Sequence, PicturesOfOthersBecomeTheFilmThatDrawingGives) {
     const std::string fifth = bytes("p05.png");
     const auto missing = [&](std::vector<std::string> more) {
         more.insert(more.end(), {"--from-pictures", "p%02d.png", "--json"});
-        const Outcome outcome = sequence(with(more));
-        EXPECT_EQ(outcome.code, 6);
-        return Json::parse(outcome.out, nullptr, false)["missing"];
+        return report_of(sequence(with(more)), 6)["missing"];
     };
     write("p05.png", fifth.substr(0, fifth.size() / 2));
     EXPECT_EQ(missing({}), Json({5}));

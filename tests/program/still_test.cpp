@@ -1,8 +1,6 @@
 // `glint still` on files that are right: formats, odd text, time, simulations, and what it prints.
-#include "command.h"
 #include "media/image.h"
-
-#include <nlohmann/json.hpp>
+#include "report.h"
 
 #include <bit>
 #include <cmath>
@@ -21,11 +19,7 @@ protected:
     Json result(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), "still");
         arguments.push_back("--json");
-        const Outcome outcome = glint(std::move(arguments));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        const Json json = Json::parse(outcome.out, nullptr, false);
-        EXPECT_TRUE(json.is_object()) << outcome.out;
-        return json;
+        return report_of(glint(std::move(arguments)));
     }
 };
 

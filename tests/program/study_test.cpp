@@ -1,7 +1,6 @@
 // `glint study` on scenes whose error is known, and on planted faults.
-#include "command.h"
+#include "report.h"
 
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -17,22 +16,15 @@ namespace {
 using namespace std::chrono_literals;
 using Json = nlohmann::json;
 
-fs::path scene(const std::string& name) {
-    return fs::path(GLINT_REPOSITORY) / "tests/scenes" / (name + ".frag");
-}
-
 class Study : public InAFolder {
 protected:
     Json study(const std::string& name, std::vector<std::string> more = {}) const {
-        std::vector<std::string> arguments = {"study", scene(name).string(), "--size", "64x36",
-                                              "--json"};
+        std::vector<std::string> arguments = {"study", known_scene(name).string(), "--size",
+                                              "64x36", "--json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Outcome outcome = glint(std::move(arguments));
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");
-        Json json = Json::parse(outcome.out, nullptr, false);
-        EXPECT_TRUE(json.is_object()) << outcome.out;
-        return json;
+        return report_of(outcome);
     }
 
     static std::string findings(const Json& study) { return study["findings"].dump(); }
@@ -117,9 +109,7 @@ TEST_F(Study, AMethodThatAccumulatesCountsAsTheTruthOnlyAfterItHas) {
           "    c = vec4(method == 0 ? 0.5 : 0.6);\n"
           "    if (method == 2) { vec4 s = texelFetch(sums, ivec2(p), 0); c = vec4(s.x / s.a); }\n"
           "}\n");
-    const Outcome outcome = glint({"study", "scene.frag", "--size", "64x36", "--json"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const Json json = Json::parse(outcome.out);
+    const Json json = report_of(glint({"study", "scene.frag", "--size", "64x36", "--json"}));
     EXPECT_EQ(json["studies"].size(), 1u) << "what is drawn accumulates nothing: no settle";
     EXPECT_EQ(json["second_reference"], "noisy, twice the frames");
     EXPECT_NE(json["notes"].dump().find("accumulates 256 more frames"), std::string::npos);
@@ -140,18 +130,16 @@ TEST_F(Study, AMethodsReferenceIsJudgedByQualityThatIsItsAlone) {
           "    float light = shadows == 1 ? 0.5 + 0.01 / float(rays) : 0.6;\n"
           "    c = vec4(vec3(light / float(grain)), 1);\n"
           "}\n");
-    const Outcome outcome =
-        glint({"study", "scene.frag", "--size", "8x8", "--vary", "shadows", "--json"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const Json json = Json::parse(outcome.out);
+    const Json json =
+        report_of(glint({"study", "scene.frag", "--size", "8x8", "--vary", "shadows", "--json"}));
     EXPECT_EQ(json["second_reference"], "soft, its own quality doubled");
     EXPECT_LT(json["reference_error"]["rmse"].get<double>(), 0.001);
     EXPECT_FALSE(json["rows"][0]["near_reference"]);
 }
 
 TEST_F(Study, AFileThatCannotBeStudiedCostsTheOthersNoReport) {
-    const Outcome outcome = glint({"study", "gone.frag", scene("quadrature").string(), "--size",
-                                   "64x36", "-o", "report", "--vary", "steps=1,2"});
+    const Outcome outcome = glint({"study", "gone.frag", known_scene("quadrature").string(),
+                                   "--size", "64x36", "-o", "report", "--vary", "steps=1,2"});
     EXPECT_EQ(outcome.code, 4) << outcome.err;
     EXPECT_NE(outcome.err.find("gone.frag: error:"), std::string::npos) << outcome.err;
     EXPECT_NE(bytes("report/index.html").find("quadrature.frag"), std::string::npos);
@@ -160,7 +148,7 @@ TEST_F(Study, AFileThatCannotBeStudiedCostsTheOthersNoReport) {
 
 TEST_F(Study, AFolderThatCannotBeMadeIsNamed) {
     write("file", "");
-    const Outcome outcome = glint({"study", scene("quadrature").string(), "-o", "file"});
+    const Outcome outcome = glint({"study", known_scene("quadrature").string(), "-o", "file"});
     EXPECT_EQ(outcome.code, 1);
     EXPECT_EQ(outcome.err, "error: Cannot write file/data: Not a directory.\n");
 }
@@ -185,7 +173,8 @@ TEST_F(Study, ADivergedPointIsListed) {
     EXPECT_TRUE(diverged["rmse"].is_null());
     EXPECT_FALSE(diverged["pareto"]);
     EXPECT_NE(findings(json).find("0: diverged"), std::string::npos);
-    const Outcome table = glint({"study", scene("planted_diverged").string(), "--size", "64x36"});
+    const Outcome table =
+        glint({"study", known_scene("planted_diverged").string(), "--size", "64x36"});
     EXPECT_NE(table.out.find("diverged: 2304 pixels"), std::string::npos) << table.out;
 }
 
@@ -205,18 +194,16 @@ TEST_F(Study, ABufferIsComparedAsItIs) {
           "uniform sampler2D light; //@ pass mainLight size=4x4\n"
           "void mainLight(out vec4 c, in vec2 p) { c = vec4(100.0 + 1.0 / float(n)); }\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(light, ivec2(0), 0); }\n");
-    const Outcome outcome =
-        glint({"study", "scene.frag", "--pass", "light", "--vary", "n=1,2", "--json"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const Json json = Json::parse(outcome.out);
+    const Json json =
+        report_of(glint({"study", "scene.frag", "--pass", "light", "--vary", "n=1,2", "--json"}));
     EXPECT_EQ(json["size"], Json({4, 4}));
     EXPECT_NEAR(json["rows"][0]["rmse"].get<double>(), 1.0 - 1.0 / 8.0, 1e-4);
     EXPECT_NEAR(json["rows"][1]["rmse"].get<double>(), 0.5 - 1.0 / 8.0, 1e-4);
 }
 
 TEST_F(Study, LinesTellOfEachPictureAsItIsDrawn) {
-    const Outcome outcome = glint(
-        {"study", scene("quadrature").string(), "--size", "64x36", "--frames", "15", "--lines"});
+    const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "64x36",
+                                   "--frames", "15", "--lines"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     std::istringstream lines(outcome.out);
     std::string line;
@@ -232,7 +219,7 @@ TEST_F(Study, LinesTellOfEachPictureAsItIsDrawn) {
     }
     EXPECT_EQ(done, 9u);
     EXPECT_EQ(rows, 7u);
-    EXPECT_EQ(glint({"study", scene("quadrature").string(), "--lines", "--json"}).code, 2);
+    EXPECT_EQ(glint({"study", known_scene("quadrature").string(), "--lines", "--json"}).code, 2);
 }
 
 TEST_F(Study, AKnobThatIsOnlyNamedHasItsOwnValuesAndThePresets) {
@@ -243,9 +230,8 @@ TEST_F(Study, AKnobThatIsOnlyNamedHasItsOwnValuesAndThePresets) {
         "void mainImage(out vec4 c, in vec2 p) { c = vec4(vec3(0.2 + 0.5 / float(n * m)), 1); }\n");
     // 31 and 32 are more alike than the reference is far: no reason to doubt the reference.
     write("look.toml", "scene = \"scene.frag\"\n[tweaks]\nn = 31\n");
-    const Outcome outcome = glint({"study", "look.toml", "--size", "8x8", "--vary", "n", "--json"});
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const Json json = Json::parse(outcome.out);
+    const Json json =
+        report_of(glint({"study", "look.toml", "--size", "8x8", "--vary", "n", "--json"}));
     ASSERT_EQ(json["studies"].size(), 1u);
     std::string values;
     for (const Json& row : json["rows"]) {
@@ -258,8 +244,8 @@ TEST_F(Study, AKnobThatIsOnlyNamedHasItsOwnValuesAndThePresets) {
 
 TEST_F(Study, SeveralScenesAreOneReportThatOpensOffline) {
     const Outcome outcome =
-        glint({"study", scene("quadrature").string(), scene("planted_diverged").string(), "--size",
-               "64x36", "-o", "report"});
+        glint({"study", known_scene("quadrature").string(),
+               known_scene("planted_diverged").string(), "--size", "64x36", "-o", "report"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const std::string page = bytes("report/index.html");
     EXPECT_NE(page.find("quadrature.frag"), std::string::npos);
@@ -286,7 +272,7 @@ TEST_F(Study, SeveralScenesAreOneReportThatOpensOffline) {
 }
 
 TEST_F(Study, AfterAKillItGoesOnFromWhatIsDone) {
-    const std::vector<std::string> arguments = {"study",  scene("quadrature").string(),
+    const std::vector<std::string> arguments = {"study",  known_scene("quadrature").string(),
                                                 "--size", "256x256",
                                                 "-o",     "report",
                                                 "--json", "--frames",
@@ -309,9 +295,7 @@ TEST_F(Study, AfterAKillItGoesOnFromWhatIsDone) {
     ASSERT_GE(done.size(), 2u);
     ASSERT_LT(done.size(), 7u) << "it was faster than the test";
 
-    const Outcome outcome = glint(arguments);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const Json json = Json::parse(outcome.out);
+    const Json json = report_of(glint(arguments));
     ASSERT_EQ(json["rows"].size(), 7u);
     for (std::size_t i = 0; i < 7; ++i) {
         EXPECT_EQ(json["rows"][i]["resumed"], i < done.size()) << i;
@@ -380,7 +364,7 @@ TEST_F(Study, WhatIsDamagedIsMadeAnewAndTheRestStays) {
 
 TEST_F(Study, MistakesHaveTheSameCodesAsAStill) {
     write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
-    const std::string quadrature = scene("quadrature").string();
+    const std::string quadrature = known_scene("quadrature").string();
     EXPECT_EQ(glint({"study", "wrong.frag"}).code, 3);
     EXPECT_EQ(glint({"study", "gone.frag"}).code, 4);
     EXPECT_EQ(glint({"study", quadrature, "--vary", "none=1,2"}).code, 2);

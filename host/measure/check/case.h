@@ -1,7 +1,7 @@
 // The cases of a check: the extremes that a scene is brought to, and who draws and judges them.
 #pragma once
 
-#include "measure/check/check.h"
+#include "measure/check/options.h"
 #include "measure/check/subject.h"
 #include "measure/rows/case.h"
 

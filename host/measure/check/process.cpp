@@ -3,6 +3,7 @@
 #include "base/json_text.h"
 #include "base/launch.h"
 #include "base/say.h"
+#include "measure/check/budget.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -62,31 +63,6 @@ private:
     Stopwatch since_told_;
 };
 
-// Who may still begin: no group of cases takes the seconds that later ones need.
-class Budget {
-public:
-    explicit Budget(const Effort& effort) : effort_(effort) {}
-
-    bool is_over(const Case& next) {
-        if (effort_.seconds == 0.0) return false;
-        const double ms = clock_.ms(), all_ms = effort_.seconds * 1000.0;
-        if (next.group != group_) {
-            group_ = next.group;
-            group_end_ms_ = ms + kGroupShare * std::max(all_ms - ms, 0.0);
-        }
-        const bool all_wanted = next.tweaks == Case::Tweaks::random && effort_.random;
-        return ms > all_ms || (!all_wanted && ms > group_end_ms_);
-    }
-
-private:
-    static constexpr double kGroupShare = 0.3;  // of the seconds that are left when it begins
-
-    const Effort& effort_;
-    Stopwatch clock_;
-    std::size_t group_ = static_cast<std::size_t>(-1);
-    double group_end_ms_ = 0.0;
-};
-
 // How much of the usual number of frames a scene can afford. Beyond 20 ms a frame the usual number,
 // some 3000, takes more than a minute.
 double pace_of(CheckSubject& subject, const Effort& effort) {
@@ -115,13 +91,14 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
     Check check{
         .subject = subject, .effort = wanted.effort, .pace = pace_of(subject, wanted.effort)};
     Budget budget(wanted.effort);
+    const Stopwatch clock;
     for (std::size_t i = first; i < cases.size(); ++i) {
         const Case& next = cases[i];
         tell(pipe, {{"begin", next.name}});
         CaseResult result{.name = next.name, .verdict = CaseVerdict::skip};
         if (wanted.scene_is_known && next.tweaks >= Case::Tweaks::all) {
             result.note = "the same as with the preset before";
-        } else if (budget.is_over(next)) {
+        } else if (budget.is_over(next, clock.ms())) {
             result.note = fmt::format("left out: --seconds {} were over", all_seconds);
         } else if (next.tweaks == Case::Tweaks::none) {
             result = run_case(check, next, wanted.folder);
@@ -284,12 +261,6 @@ std::string last_words(int code) {
 }
 
 }  // namespace
-
-double frame_wait_seconds(double hang_seconds, double all_seconds, double left_seconds) {
-    constexpr double kLeast = 10.0;  // the largest pictures of the slowest scenes here take 2 s
-    if (all_seconds == 0.0) return hang_seconds;
-    return std::min(hang_seconds, std::max(left_seconds, kLeast));
-}
 
 CheckedFile check_file(const FileCheck& wanted,
                        const std::function<void(const CheckedFile& so_far, long total)>& progress) {

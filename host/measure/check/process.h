@@ -29,10 +29,6 @@ struct FileCheck {
     double hang_seconds = 60.0;  // how long one frame may take
 };
 
-// How long the next frame is waited for: as long as a hang may take, but with a limit on all of it
-// no longer than what is left of that, and 10 s even when nothing is.
-double frame_wait_seconds(double hang_seconds, double all_seconds, double left_seconds);
-
 // `progress` hears what is known so far, and how many cases there are. Call before this process has
 // a GL context: drivers do not survive a fork.
 CheckedFile check_file(const FileCheck& wanted,

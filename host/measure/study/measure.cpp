@@ -1,5 +1,6 @@
 #include "measure/study/measure.h"
 
+#include "offline/common.h"
 #include "offline/input_files.h"
 
 #include <epoxy/gl.h>

@@ -4,6 +4,7 @@
 #include "gl/context.h"
 #include "measure/rows/study.h"
 #include "measure/study/plan.h"
+#include "scene/passes.h"
 
 #include <functional>
 

@@ -1,6 +1,7 @@
 #include "measure/study/plan.h"
 
 #include "base/words.h"
+#include "offline/common.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 // What a study renders: knobs, their values, and the references that count as the truth.
 #pragma once
 
-#include "measure/study/study.h"
+#include "measure/study/options.h"
+#include "scene/preset.h"
 
 #include <functional>
 #include <optional>

@@ -6,6 +6,7 @@
 #include "base/temporary_file.h"
 #include "base/words.h"
 #include "glsl/raw_text.h"
+#include "scene/passes.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

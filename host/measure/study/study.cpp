@@ -7,6 +7,7 @@
 #include "measure/study/page.h"
 #include "measure/study/result.h"
 #include "measure/study/store.h"
+#include "offline/common.h"
 #include "offline/named_files.h"
 
 #include <fmt/format.h>

@@ -216,13 +216,4 @@ const Verdict& Trial::poll() {
     return verdict_;
 }
 
-int Trial::wait_ms() const {
-    if (!is_running()) return dying_.empty() ? -1 : 10;
-    if (!outgoing_.empty()) return 1;
-    double left = limit_seconds() - seconds(Clock::now() - heard_at_);
-    if (left < 0.0) left = 0.05;  // it waits for the machine
-    if (heard_->number != number_) left = std::min(left, seconds(kPatience));
-    return std::max(0, static_cast<int>(std::ceil(left * 1000.0)) + 1);
-}
-
 }  // namespace glint

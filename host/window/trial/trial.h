@@ -98,9 +98,6 @@ public:
     // no process. It changes with the process.
     int descriptor() const { return socket_; }
 
-    // How long to sleep at most before the next poll(); -1 for as long as wanted.
-    int wait_ms() const;
-
     // The renderer of the other process once it is ready, "" before; for telling whether it is the
     // window's.
     const std::string& renderer() const { return renderer_; }

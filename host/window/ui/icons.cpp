@@ -1,6 +1,8 @@
 #include "window/ui/icons.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <numbers>
 
@@ -176,81 +178,91 @@ void flip(const Pen& pen) {
     pen.triangle({-0.35f, 0.8f}, {-0.9f, 0.35f}, {-0.35f, 0.35f});
 }
 
+void play(const Pen& pen) {
+    pen.triangle({-0.55f, -0.85f}, {0.9f, 0.0f}, {-0.55f, 0.85f});
+}
+
+void pause(const Pen& pen) {
+    pen.solid(-0.7f, -0.8f, -0.2f, 0.8f, 0.1f);
+    pen.solid(0.2f, -0.8f, 0.7f, 0.8f, 0.1f);
+}
+
+void step(const Pen& pen) {
+    pen.triangle({-0.8f, -0.75f}, {0.45f, 0.0f}, {-0.8f, 0.75f});
+    pen.solid(0.5f, -0.75f, 0.8f, 0.75f, 0.1f);
+}
+
+void reset(const Pen& pen) {
+    pen.triangle({0.8f, -0.75f}, {-0.45f, 0.0f}, {0.8f, 0.75f});
+    pen.solid(-0.8f, -0.75f, -0.5f, 0.75f, 0.1f);
+}
+
+void copy(const Pen& pen) {
+    pen.line(-0.9f, 0, 0.5f, 0);
+    pen.triangle({0.2f, -0.5f}, {0.9f, 0.0f}, {0.2f, 0.5f});
+}
+
+void cross(const Pen& pen) {
+    pen.line(-0.6f, -0.6f, 0.6f, 0.6f);
+    pen.line(-0.6f, 0.6f, 0.6f, -0.6f);
+}
+
+void search(const Pen& pen) {
+    pen.ring(-0.15f, -0.15f, 0.6f);
+    pen.line(0.3f, 0.3f, 0.85f, 0.85f);
+}
+
+void clock(const Pen& pen) {
+    pen.ring(0, 0, 0.85f);
+    pen.path({{0, -0.5f}, {0, 0}, {0.4f, 0.25f}});
+}
+
+void screen(const Pen& pen) {
+    pen.box(-0.95f, -0.75f, 0.95f, 0.5f, 0.2f);
+    pen.line(-0.45f, 0.85f, 0.45f, 0.85f);
+}
+
+// In the order of Icon.
+constexpr auto kDrawings = std::to_array<void (*)(const Pen&)>({
+    play,
+    pause,
+    step,
+    reset,
+    [](const Pen& pen) { hook(pen, -1); },
+    [](const Pen& pen) { hook(pen, 1); },
+    dice,
+    [](const Pen& pen) { lock(pen, true); },
+    [](const Pen& pen) { lock(pen, false); },
+    copy,
+    flip,
+    wipe,
+    cross,
+    cross,
+    search,
+    sliders,
+    layers,
+    grid,
+    diagram,
+    shield,
+    clock,
+    screen,
+    camera,
+    [](const Pen& pen) { pen.dot(0, 0, 0.62f); },
+    corners,
+    question,
+    loop,
+    [](const Pen& pen) { speaker(pen, true); },
+    [](const Pen& pen) { speaker(pen, false); },
+    turn,
+    save,
+});
+static_assert(kDrawings.size() == static_cast<std::size_t>(Icon::save) + 1);
+
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 colour) {
-    const Pen pen{list, centre, 0.5f * side, colour, std::max(1.0f, side / 10.0f)};
-    switch (icon) {
-        case Icon::play:
-            return pen.triangle({-0.55f, -0.85f}, {0.9f, 0.0f}, {-0.55f, 0.85f});
-        case Icon::pause:
-            pen.solid(-0.7f, -0.8f, -0.2f, 0.8f, 0.1f);
-            return pen.solid(0.2f, -0.8f, 0.7f, 0.8f, 0.1f);
-        case Icon::step:
-            pen.triangle({-0.8f, -0.75f}, {0.45f, 0.0f}, {-0.8f, 0.75f});
-            return pen.solid(0.5f, -0.75f, 0.8f, 0.75f, 0.1f);
-        case Icon::reset:
-            pen.triangle({0.8f, -0.75f}, {-0.45f, 0.0f}, {0.8f, 0.75f});
-            return pen.solid(-0.8f, -0.75f, -0.5f, 0.75f, 0.1f);
-        case Icon::undo:
-            return hook(pen, -1);
-        case Icon::redo:
-            return hook(pen, 1);
-        case Icon::dice:
-            return dice(pen);
-        case Icon::locked:
-            return lock(pen, true);
-        case Icon::unlocked:
-            return lock(pen, false);
-        case Icon::copy:
-            pen.line(-0.9f, 0, 0.5f, 0);
-            return pen.triangle({0.2f, -0.5f}, {0.9f, 0.0f}, {0.2f, 0.5f});
-        case Icon::flip:
-            return flip(pen);
-        case Icon::wipe:
-            return wipe(pen);
-        case Icon::close:
-        case Icon::clear:
-            pen.line(-0.6f, -0.6f, 0.6f, 0.6f);
-            return pen.line(-0.6f, 0.6f, 0.6f, -0.6f);
-        case Icon::search:
-            pen.ring(-0.15f, -0.15f, 0.6f);
-            return pen.line(0.3f, 0.3f, 0.85f, 0.85f);
-        case Icon::tweaks:
-            return sliders(pen);
-        case Icon::passes:
-            return layers(pen);
-        case Icon::browser:
-            return grid(pen);
-        case Icon::study:
-            return diagram(pen);
-        case Icon::check:
-            return shield(pen);
-        case Icon::clock:
-            pen.ring(0, 0, 0.85f);
-            return pen.path({{0, -0.5f}, {0, 0}, {0.4f, 0.25f}});
-        case Icon::screen:
-            pen.box(-0.95f, -0.75f, 0.95f, 0.5f, 0.2f);
-            return pen.line(-0.45f, 0.85f, 0.45f, 0.85f);
-        case Icon::camera:
-            return camera(pen);
-        case Icon::record:
-            return pen.dot(0, 0, 0.62f);
-        case Icon::full_screen:
-            return corners(pen);
-        case Icon::help:
-            return question(pen);
-        case Icon::loop:
-            return loop(pen);
-        case Icon::sound:
-            return speaker(pen, true);
-        case Icon::muted:
-            return speaker(pen, false);
-        case Icon::revert:
-            return turn(pen);
-        case Icon::save:
-            return save(pen);
-    }
+    kDrawings[static_cast<std::size_t>(icon)](
+        {list, centre, 0.5f * side, colour, std::max(1.0f, side / 10.0f)});
 }
 
 }  // namespace glint

@@ -1,0 +1,23 @@
+// What `study` is asked for.
+#pragma once
+
+#include "offline/options.h"
+
+namespace glint {
+
+struct StudyOptions {
+    std::vector<std::filesystem::path> files{};
+    ViewOptions view{};  // but for its file
+    // "NAME=a,b,c", or "NAME" with its own values; empty: every quality tweak, and settle
+    std::vector<std::string> vary{};
+    std::vector<std::string> reference{};  // "NAME=VALUE"; the tweak's own reference otherwise
+    std::vector<std::string> second{};     // "NAME=VALUE"; a reference to judge the reference by
+    std::string pass = "image";            // what is compared; a buffer has no display curve
+    bool time_only = false;                // cost over size: no reference, no errors
+    int frames = 15;                       // timed frames a row
+    std::filesystem::path output{};        // a folder for the report; empty: none
+    bool csv = false;                      // on stdout, instead of tables
+    bool lines = false;                    // of JSON on stdout, as pictures are drawn
+};
+
+}  // namespace glint

@@ -1,0 +1,227 @@
+// What a study renders: which knobs in which order, their values, and the references.
+#include "../scene/temporary_folder.h"
+#include "measure/study/plan.h"
+#include "offline/common.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+using Values = std::vector<std::string>;
+
+Values texts(const Knob& knob) {
+    Values list;
+    for (const KnobValue& value : knob.values) list.push_back(value.text);
+    return list;
+}
+
+Values names(const StudyPlan& plan) {
+    Values list;
+    for (const Knob& knob : plan.knobs) list.push_back(knob.name);
+    return list;
+}
+
+// A preset of a scene that has these tweaks, and what its compiled form would tell: all tweaks are
+// read, nothing accumulates.
+struct Planned {
+    explicit Planned(const std::string& tweaks) : preset(read(tweaks)) {
+        facts.read.assign(preset.scene.tweaks.size(), true);
+        facts.read_with = [this](std::size_t, const TweakValue&) { return facts.read; };
+        facts.accumulates = [](const std::vector<TweakValue>&) { return false; };
+    }
+    Planned(const Planned&) = delete;
+
+    static Preset read(const std::string& tweaks) {
+        const TemporaryFolder folder;
+        const ReadPreset read = read_preset(
+            folder.write("a.frag", tweaks + "void mainImage(out vec4 c, in vec2 p) {}\n"));
+        for (const Diagnostic& diagnostic : read.diagnostics)
+            ADD_FAILURE() << to_string(diagnostic);
+        return *read.preset;
+    }
+
+    StudyPlan plan(const StudyOptions& options = {}) const {
+        return plan_study(preset, facts, options);
+    }
+    Knob only(const StudyOptions& options = {}) const {
+        const StudyPlan found = plan(options);
+        EXPECT_EQ(found.knobs.size(), 1u);
+        return found.knobs.at(0);
+    }
+
+    Preset preset;
+    SceneFacts facts;
+};
+
+TEST(StudyList, GoesOnByTheRatioBeforeTheDotsOrIsDoubled) {
+    EXPECT_EQ(parse_list("1,2,5"), (Values{"1", "2", "5"}));
+    EXPECT_EQ(parse_list("16,...,128"), (Values{"16", "32", "64", "128"}));
+    EXPECT_EQ(parse_list("1,3,...,81"), (Values{"1", "3", "9", "27", "81"}));
+    EXPECT_EQ(parse_list("8,\u2026,60"), (Values{"8", "16", "32", "60"}));
+    EXPECT_EQ(parse_list("8, 4,...,1"), (Values{"8", "4", "1"})) << "nothing lies between";
+    EXPECT_EQ(parse_list("off,traced"), (Values{"off", "traced"}));
+}
+
+TEST(StudyValues, ARangeIsSpreadByItsKind) {
+    const struct {
+        const char* declaration;
+        Values values;
+    } kCases[] = {
+        {"uniform int a; //@ 1 [1, 4] quality\n", {"1", "2", "3", "4"}},
+        {"uniform int a; //@ 1 [1, 64] quality\n", {"1", "2", "4", "8", "16", "32", "64"}},
+        {"uniform int a; //@ 1 [1, 48] quality\n", {"1", "2", "4", "8", "16", "32", "48"}},
+        {"uniform int a; //@ 2 [2, 8] log quality\n", {"2", "4", "8"}},
+        {"uniform int a; //@ 1 [1, 4096] quality\n", {"1", "4", "16", "64", "256", "1024", "4096"}},
+        {"uniform float a; //@ 0 [0, 1] quality\n", {"0", "0.2", "0.4", "0.6", "0.8", "1"}},
+        {"uniform float a; //@ 0.25 [0.25, 1] log quality\n", {"0.25", "0.5", "1"}},
+        {"uniform bool a; //@ on quality\n", {"off", "on"}},
+        {"uniform int a; //@ 0 {off, march, traced} quality\n", {"off", "march", "traced"}},
+    };
+    for (const auto& [declaration, values] : kCases)
+        EXPECT_EQ(texts(Planned(declaration).only()), values) << declaration;
+}
+
+TEST(StudyValues, ThePresetsOwnStandsAmongThemAndIsMarked) {
+    Planned planned("uniform int a; //@ 5 [1, 64] log quality\n");
+    const Knob knob = planned.only();
+    EXPECT_EQ(texts(knob), (Values{"1", "2", "4", "5", "8", "16", "32", "64"}));
+    for (const KnobValue& value : knob.values) EXPECT_EQ(value.is_between, value.text == "5");
+    planned.preset.values[0][0] = 8.0;
+    EXPECT_EQ(texts(planned.only()), (Values{"1", "2", "4", "8", "16", "32", "64"}));
+    EXPECT_EQ(texts(planned.only({.vary = {"a=1,2"}})), (Values{"1", "2"})) << "as it was named";
+}
+
+TEST(StudyValues, TurnOneKnobAndLeaveAllOthersAsThePresetHasThem) {
+    Planned planned(
+        "uniform int a; //@ 2 [1, 4] quality\n"
+        "uniform int b; //@ 3 [1, 4] quality reference=9\n");
+    planned.preset.settle = 7;
+    const StudyPlan plan = planned.plan();
+    ASSERT_EQ(names(plan), (Values{"a", "b"}));
+    for (const KnobValue& value : plan.knobs[0].values) {
+        EXPECT_EQ(value.setting.values[0][0], *value.work);
+        EXPECT_EQ(value.setting.values[1][0], 3.0);
+        EXPECT_EQ(value.setting.settle, 7);
+    }
+    const Setting& reference = plan.knobs[1].reference.setting;
+    EXPECT_EQ(reference.values[0][0], 2.0);
+    EXPECT_EQ(reference.values[1][0], 9.0);
+}
+
+TEST(StudyPlan, HasQualityTweaksInTheirOrderThenFramesThatSettle) {
+    Planned planned(
+        "uniform int b; //@ 1 [1, 4] quality\n"
+        "uniform float taste; //@ 1 [1, 4]\n"
+        "uniform int unread; //@ 1 [1, 4] quality\n"
+        "uniform float endless; //@ 1 quality\n"
+        "uniform bool a; //@ on quality\n");
+    planned.facts.read[2] = false;
+    planned.facts.accumulates = [](const std::vector<TweakValue>&) { return true; };
+    const StudyPlan plan = planned.plan();
+    EXPECT_EQ(names(plan), (Values{"b", "a", "settle"}));
+    EXPECT_EQ(plan.left_out, (Values{"unread: nothing reads it",
+                                     "endless: it has no range; name values with --vary"}));
+    EXPECT_EQ(texts(plan.knobs[2]), (Values{"0", "1", "4", "16", "64"}));
+    EXPECT_EQ(plan.knobs[2].reference.text, "256");
+    EXPECT_EQ(plan.knobs[2].second->text, "513") << "twice the frames, the first one too";
+}
+
+TEST(StudyPlan, VariesWhatIsNamedInThatOrderAndNothingElse) {
+    const Planned planned(
+        "uniform int a; //@ 1 [1, 4] quality\n"
+        "uniform float taste; //@ 1 [1, 4]\n");
+    EXPECT_EQ(names(planned.plan({.vary = {"taste", "a=1,2"}})), (Values{"taste", "a"}));
+}
+
+TEST(StudyPlan, RefusesWhatTheSceneHasNot) {
+    const Planned planned(
+        "uniform int a; //@ 1 [1, 4] quality\n"
+        "uniform vec2 two; //@ 1, 1 [0, 4]\n"
+        "uniform float endless; //@ 1\n");
+    for (const char* vary : {"none", "none=1", "endless", "two=1,2", "a=5", "a=many", "a=", "=1",
+                             "settle", "settle=1,2"}) {
+        EXPECT_THROW(planned.plan({.vary = {vary}}), UsageError) << vary;
+    }
+    EXPECT_THROW(planned.plan({.vary = {"a=1,2"}, .reference = {"a=many"}}), UsageError);
+    EXPECT_THROW(planned.plan({.vary = {"a=1,2"}, .reference = {"a"}}), UsageError);
+    EXPECT_THROW(planned.plan({.vary = {"a=1,2"}, .second = {"a=many"}}), UsageError);
+}
+
+TEST(StudyReference, IsTheOneThatIsNamedElseTheTweaksOwnElseTheLastValue) {
+    const Planned own("uniform int a; //@ 1 [1, 4] quality reference=64\n");
+    EXPECT_EQ(own.only().reference.text, "64");
+    EXPECT_EQ(own.only({.reference = {"a=32", "b=1"}}).reference.text, "32");
+    EXPECT_TRUE(own.only().notes.empty());
+    const Planned none("uniform int a; //@ 1 [1, 4] quality\n");
+    EXPECT_EQ(none.only().reference.text, "4");
+    EXPECT_EQ(none.only().notes,
+              (Values{"a declares no reference: its last value, 4, counts as the truth"}));
+    EXPECT_TRUE(none.only({.time_only = true}).notes.empty()) << "no errors, no truth";
+}
+
+TEST(StudyReference, SaysWhetherMoreIsBetter) {
+    const Knob steps = Planned("uniform int a; //@ 1 [1, 4] quality reference=64\n").only();
+    EXPECT_TRUE(steps.more_is_better);
+    EXPECT_EQ(steps.second->text, "128") << "twice the work";
+    const Knob length =
+        Planned("uniform float a; //@ 0.1 [0.1, 0.8] log quality reference=0.05\n").only();
+    EXPECT_FALSE(length.more_is_better);
+    EXPECT_EQ(length.second->text, "0.025") << "half the step";
+    const Knob least = Planned("uniform int a; //@ 1 [1, 4] quality reference=0\n").only();
+    EXPECT_FALSE(least.second) << "nothing is half of no step";
+}
+
+TEST(StudyReference, IsJudgedByWhatIsNamedElseByAnotherSeed) {
+    Planned planned(
+        "uniform int a; //@ 1 [1, 4] quality reference=64\n"
+        "uniform int seed; //@ 3 [0, 9]\n");
+    const KnobValue seed = *planned.only().second;
+    EXPECT_EQ(seed.text, "64, another seed");
+    EXPECT_EQ(seed.setting.values[0][0], 64.0);
+    EXPECT_EQ(seed.setting.values[1][0], 4.0);
+    EXPECT_EQ(planned.only({.second = {"a=99"}}).second->text, "99");
+    EXPECT_FALSE(planned.only({.time_only = true}).second);
+    planned.facts.read[1] = false;
+    EXPECT_EQ(planned.only().second->text, "128") << "a seed that nothing reads changes nothing";
+}
+
+// Each method reads a quality of its own, and all of them the rays through a pixel.
+TEST(StudyReference, OfAMethodIsJudgedByQualityThatIsItsAlone) {
+    Planned planned(
+        "uniform int method; //@ 0 {hard, soft} quality reference=1\n"
+        "uniform int shadows; //@ 16 [1, 64] quality\n"
+        "uniform int rays; //@ 4 [1, 64] quality\n");
+    planned.facts.read_with = [](std::size_t, const TweakValue& method) {
+        return std::vector<bool>{true, method[0] == 1.0, true};
+    };
+    const KnobValue own = *planned.only({.vary = {"method"}}).second;
+    EXPECT_EQ(own.text, "soft, its own quality doubled");
+    EXPECT_EQ(own.setting.values[1][0], 32.0);
+    EXPECT_EQ(own.setting.values[2][0], 4.0);
+    planned.facts.read_with = [](std::size_t, const TweakValue&) {
+        return std::vector<bool>{true, true, true};
+    };
+    const KnobValue all = *planned.only({.vary = {"method"}}).second;
+    EXPECT_EQ(all.text, "soft, all other quality doubled");
+    EXPECT_EQ(all.setting.values[1][0], 32.0);
+    EXPECT_EQ(all.setting.values[2][0], 8.0);
+}
+
+TEST(StudyReference, OfAMethodThatAccumulatesHasSettled) {
+    Planned planned("uniform int method; //@ 0 {exact, noisy} quality reference=1\n");
+    planned.facts.accumulates = [](const std::vector<TweakValue>& values) {
+        return values[0][0] == 1.0;
+    };
+    const Knob knob = planned.only();
+    EXPECT_EQ(knob.reference.setting.settle, 256);
+    EXPECT_EQ(knob.values[1].setting.settle, 0) << "its own row is one frame of it";
+    EXPECT_EQ(knob.second->text, "noisy, twice the frames");
+    EXPECT_EQ(knob.second->setting.settle, 513);
+    EXPECT_EQ(knob.notes, (Values{"the reference, noisy, accumulates 256 more frames"}));
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,82 @@
+// What a study keeps in its folder, so that a call that was stopped goes on.
+#include "../scene/temporary_folder.h"
+#include "measure/study/store.h"
+
+#include <gtest/gtest.h>
+
+namespace glint {
+namespace {
+
+const StudyKey kKey{.name = "scene-steps-4", .text = "all that it depends on"};
+const StudyKey kOther{.name = "scene-steps-4", .text = "another seed"};
+constexpr glm::ivec2 kSize{2, 1};
+const std::vector<float> kPicture = {0.1f, 0.2f, 0.3f, 1.0f, 4.0f, -1.0f, 1e-9f, 1.0f};
+
+TEST(StudyStore, ARowComesBackWithAllThatWasMeasured) {
+    const TemporaryFolder folder;
+    const StudyRow row{.value = "4",
+                       .work = 4.0,
+                       .wall = {1.0 / 3, 0.1, 0.9},
+                       .gpu = {2.0 / 3, 0.2, 0.8},
+                       .processor = {5.0 / 3, 0.3, 0.7},
+                       .all_passes_ms = 1.0 / 7,
+                       .error = Difference{.rmse = 0.1 / 3, .psnr = 20.0 / 3},
+                       .rmse_to_previous = 0.1 / 7,
+                       .is_reference = true};
+    StudyStore(folder.path()).keep(kKey, row);
+    const auto found = StudyStore(folder.path()).row(kKey, kSize);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->resumed);
+    EXPECT_EQ(found->work, row.work);
+    EXPECT_EQ(found->wall.median, row.wall.median);
+    EXPECT_EQ(found->gpu.min, row.gpu.min);
+    EXPECT_EQ(found->processor.max, row.processor.max);
+    EXPECT_EQ(found->all_passes_ms, row.all_passes_ms);
+    EXPECT_EQ(found->error->rmse, row.error->rmse);
+    EXPECT_EQ(found->rmse_to_previous, row.rmse_to_previous);
+    EXPECT_TRUE(found->is_reference);
+}
+
+TEST(StudyStore, ARowOfAnotherKeyIsNotTakenForIt) {
+    const TemporaryFolder folder;
+    const StudyStore store(folder.path());
+    store.keep(kKey, {.value = "4"});
+    EXPECT_TRUE(store.row(kKey, kSize));
+    EXPECT_FALSE(store.row(kOther, kSize));
+}
+
+TEST(StudyStore, ARowIsAsWholeAsItsPictures) {
+    const TemporaryFolder folder;
+    const StudyStore store(folder.path());
+    StudyRow row{.value = "4"};
+    row.picture = store.keep_picture(kKey, kPicture, kSize);
+    row.map = store.keep_map(kKey, kPicture, kPicture, kSize, true);
+    store.keep(kKey, row);
+    ASSERT_TRUE(store.row(kKey, kSize));
+    EXPECT_EQ(store.row(kKey, kSize)->picture, row.picture);
+    EXPECT_EQ(store.picture(kKey, kSize), kPicture) << "exact";
+    EXPECT_FALSE(store.row(kKey, {1, 1})) << "of another size";
+    std::filesystem::remove(folder.path() / row.map);
+    EXPECT_FALSE(store.row(kKey, kSize)) << "without its map";
+}
+
+TEST(StudyStore, WithoutAFolderNothingIsKept) {
+    const StudyStore store("");
+    store.keep(kKey, {.value = "4"});
+    EXPECT_EQ(store.keep_picture(kKey, kPicture, kSize), "");
+    EXPECT_FALSE(store.row(kKey, kSize));
+    EXPECT_FALSE(store.picture(kKey, kSize));
+}
+
+TEST(StudyKeys, DifferWhereAValueOrTheFramesDo) {
+    Preset preset;
+    preset.scene.tweaks.emplace_back().name = "a";
+    const Setting setting{.values = {{0.5}}, .settle = 0};
+    const std::string key = key_of_setting(preset, setting);
+    EXPECT_EQ(key, key_of_setting(preset, setting));
+    EXPECT_NE(key, key_of_setting(preset, {.values = {{0.5000001}}, .settle = 0}));
+    EXPECT_NE(key, key_of_setting(preset, {.values = {{0.5}}, .settle = 1}));
+}
+
+}  // namespace
+}  // namespace glint
