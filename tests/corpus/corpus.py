@@ -35,17 +35,17 @@ class Failed(Exception):
     """A command of ours that should have worked."""
 
 
-def run_glint(glint, *arguments):
-    done = subprocess.run([glint, *map(str, arguments)], capture_output=True)
+def run_glint(glint, *arguments, env=None):
+    done = subprocess.run([glint, *map(str, arguments)], capture_output=True, env={**os.environ, **(env or {})})
     if done.returncode != 0:
         raise Failed(f"glint {arguments[0]} ended with {done.returncode}: {done.stderr.decode(errors='replace')}")
     return done.stdout
 
 
-def picture(glint, file, frame):
+def picture(glint, file, frame, env=None):
     """The bytes of one frame, RGB, rows from the top."""
     pixels = run_glint(glint, "sequence", file, "-o", "-", "--frames", f"{frame}:{frame}", "--fps", FPS,
-                       "--size", f"{WIDTH}x{HEIGHT}")
+                       "--size", f"{WIDTH}x{HEIGHT}", env=env)
     if len(pixels) != WIDTH * HEIGHT * 3:
         raise Failed(f"{len(pixels)} bytes are no picture of {WIDTH}x{HEIGHT}")
     return pixels
@@ -144,6 +144,16 @@ def site_json(title, tabs, dialect):
     shader = {"ver": "0.1", "info": {"id": "", "name": title, "username": "", "description": ""},
               "renderpass": [render_pass(tab) for tab in reversed(tabs)]}
     return {"Shader": shader} if dialect == 0 else {"shaders": [shader]}
+
+
+def differences():
+    """differences.toml: by whom: why: names"""
+    return tomllib.loads((SHADERS.parent / "differences.toml").read_text())
+
+
+def reason_of(table):
+    """name: why"""
+    return {name: why for why, names in table.items() for name in names}
 
 
 def in_parallel(work, items):
