@@ -575,7 +575,7 @@ Layer plantLayer(int k, vec3 ro, vec3 rd, float level2, float pixel) {
     return Layer(t, cover * smoothstep(0.5, 1.2, t), kWeed, nor);
 }
 void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
-    float level2 = max(dot(rd.xz, rd.xz), 1e-4);
+    float level2 = dot(rd.xz, rd.xz);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
     int groups = 0;
     for (int g = 0; 5 * g < kelp; ++g)
@@ -781,7 +781,7 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
 vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m) {
     vec3 glow = linearColour(jellyColour) * jellyGlow, sum = vec3(0.0);
     vec3 dim = m.absorption + jellyReach * haze;
-    float level2 = max(dot(rd.xz, rd.xz), 1e-3);
+    float level2 = dot(rd.xz, rd.xz);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
     float halo = 0.0;
     int marks = 0;
@@ -893,6 +893,7 @@ Eye camera() {
 
 // Light that arrives at ro against rd; pixel: angle of a pixel, rad.
 vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
+    if (dot(rd.xz, rd.xz) < 1e-12) rd.x = 1e-6;   // upright strips face every ray but an upright one
     Medium m = oceanMedium();
     float least = min(m.extinction.x, min(m.extinction.y, m.extinction.z));
     float sight = min(7.0 / max(least, 0.05), 140.0);
