@@ -674,12 +674,16 @@ vec3 shaftsAlong(vec3 ro, vec3 rd, float t, vec3 once, float jitter, Medium m) {
 
 // The surface from below: sky through the window, outside it the mirrored deep.
 vec3 surfaceLight(vec3 p, vec3 rd, float w, Medium m) {
-    float lod = log2(max(w * inversesqrt(max(rd.y, 0.02)) / kNet * float(kNetTexels), 1.0));
+    float texels = w * inversesqrt(max(rd.y, 0.02)) / kNet * float(kNetTexels);
+    float lod = log2(max(texels, 1.0));
     vec4 a = textureLod(surface, p.xz / kNet, lod);
     vec4 b = textureLod(surface, turn(p.xz, 1.1) / (3.3 * kNet), max(floor(lod - 1.2), 0.0));
     vec2 slope = 0.7 * (a.xy + turn(b.xy, -1.1));
     vec3 nor = normalize(vec3(-slope.x, 1.0, -slope.y));
-    float rough = max(0.5 * (a.z + b.z) - dot(slope, slope), 0.0), cosine = max(dot(rd, nor), 0.02);
+    // Of slopes within the footprint; below a texel what the filter makes up fades away.
+    vec2 spread = max(vec2(a.z - dot(a.xy, a.xy), b.z - dot(b.xy, b.xy)), 0.0)
+        * min(square(texels) * vec2(1.0, 1.0 / square(3.3)), 1.0);
+    float rough = 0.49 * (spread.x + spread.y), cosine = max(dot(rd, nor), 0.02);
     float mirror = fresnel(cosine, 1.0 / kIorWater);
     vec3 through = refract(rd, -nor, kIorWater), back = reflect(rd, nor), once;
     back.y = min(back.y, -0.02);
