@@ -243,16 +243,26 @@ float textbookTorus(vec3 ro, vec3 rd, float large, float small) {   // axis y; F
 }
 
 // ---- Robust forms -------------------------------------------------------------------------------
-// What a * b loses by rounding, itself a float (Dekker's product).
-vec3 lostDigits(vec3 a, vec3 b) {
-    vec3 bigA = 4097.0 * a, highA = bigA - (bigA - a), lowA = a - highA;
-    vec3 bigB = 4097.0 * b, highB = bigB - (bigB - b), lowB = b - highB;
-    return ((highA * highB - a * b) + highA * lowB + lowA * highB) + lowA * lowB;
+// Drivers may fuse a product with a sum into one rounding, and take (a + b) - a for b; GLSL ES cannot
+// forbid it. Both spoil what is built on roundings: splits by subtractions, the lost part of a sum,
+// and that a b - c d is the negative of c d - a b. Masks of bits they leave alone.
+vec3 upperHalf(vec3 v) { return uintBitsToFloat(floatBitsToUint(v) & 0xfffff000u); }
+// A float for sure: it has lost its last bit.
+vec3 settled(vec3 v) { return uintBitsToFloat(floatBitsToUint(v) & 0xfffffffeu); }
+// a * b as a float, and what that lost, itself a float (Dekker's product): products of halves are
+// exact, fused or not.
+vec3 exactProduct(vec3 a, vec3 b, out vec3 lost) {
+    vec3 highA = upperHalf(a), lowA = a - highA, highB = upperHalf(b), lowB = b - highB;
+    vec3 most = highA * highB, rest = (highA * lowB + lowA * highB) + lowA * lowB;
+    vec3 product = settled(most + rest);
+    lost = rest - (product - most);
+    return product;
 }
 // ro + t rd as if in twice the digits (Knuth's sum), rounded once.
 vec3 alongExactly(vec3 ro, vec3 rd, float t) {
-    vec3 product = t * rd, sum = ro + product, part = sum - ro;
-    return sum + ((ro - (sum - part)) + (product - part) + lostDigits(vec3(t), rd));
+    vec3 lost, product = exactProduct(vec3(t), rd, lost);
+    vec3 sum = settled(ro + product), part = settled(sum - ro);
+    return sum + ((ro - (sum - part)) + (product - part) + lost);
 }
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
     vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
@@ -329,7 +339,8 @@ vec3 sheared(vec3 v, Shear q) {
 }
 // Corners sheared, relative to the ray's start; kFar for a miss, negative behind the start.
 float robustTriangle(vec3 a, vec3 b, vec3 c) {
-    vec3 e = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+    vec3 e = settled(vec3(c.x, a.x, b.x) * vec3(b.y, c.y, a.y))
+        - settled(vec3(b.x, c.x, a.x) * vec3(c.y, a.y, b.y));
     if (any(lessThan(e, vec3(0.0))) && any(greaterThan(e, vec3(0.0)))) return kFar;
     float det = e.x + e.y + e.z;
     return det == 0.0 ? kFar : dot(e, vec3(a.z, b.z, c.z)) / det;
@@ -338,7 +349,8 @@ float robustTriangle(vec3 a, vec3 b, vec3 c) {
 // in a sliver that is all there is.
 float exactDistance(vec3 a, vec3 b, vec3 c) {
     vec3 x = vec3(c.x, a.x, b.x), y = vec3(b.y, c.y, a.y), u = vec3(b.x, c.x, a.x);
-    vec3 v = vec3(c.y, a.y, b.y), e = (x * y - u * v) + (lostDigits(x, y) - lostDigits(u, v));
+    vec3 v = vec3(c.y, a.y, b.y), lostXy, lostUv;
+    vec3 e = (exactProduct(x, y, lostXy) - exactProduct(u, v, lostUv)) + (lostXy - lostUv);
     float sense = sign(e.x + e.y + e.z);
     e = max(e * sense, 0.0);   // within the triangle, whatever was rounded
     return dot(e, vec3(a.z, b.z, c.z)) / max(e.x + e.y + e.z, 1e-37);

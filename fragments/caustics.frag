@@ -95,6 +95,7 @@ const vec3  kIorWater = vec3(1.3317, 1.3345, 1.3384);   // at 630, 546 and 465 n
 const int   kVertical = 0, kSnell = 1, kPeriodic = 2, kArea = 3, kPhotons = 4;
 const int   kMap = 256, kSliceMap = 128;   // texels a side: of the floor, of a level above it
 const int   kPhotonCells = 256, kFrameCells = 128, kFrames = 16;   // cells a side
+const int   kShadeSteps = 32;              // towards the sun, over the waves
 const vec2  kLevels = vec2(0.35, 0.7);     // parts of the depth
 const float kFar = 1e9;                    // m, a miss
 const float kSandTile = 2.25;              // m
@@ -110,6 +111,23 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+
+// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8 ...
+// pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020). What it
+// leaves of an error is the finest grain, and no net as of a lattice.
+float shuffledQuarters(ivec2 p) {
+    float sum = 0.0, part = 0.25;
+    for (int k = 0; k < 6; ++k) {
+        uvec3 r = hash3(ivec3(p >> 1, 60 + k)) >> 8u;   // one of the 24 orders of four
+        int a = p.x & 1, b = p.y & 1, kind = int(r.x % 3u);
+        int high = kind == 0 ? a : kind == 1 ? b : a ^ b, low = kind == 0 ? b : a;
+        if ((r.y & 1u) == 1u) low ^= high;
+        sum += part * float((2 * high + low) ^ int(r.z & 3u));
+        part *= 0.25;
+        p >>= 1;
+    }
+    return sum;
+}
 
 vec2 turn(vec2 p, float angle) {
     float c = cos(angle), s = sin(angle);
@@ -201,6 +219,21 @@ float fluxThrough(vec2 slope) {
         / (1.0 - fresnel(sun.y, kIorWater.y));
 }
 
+// 1 where the surface at u sees the sun, 0 where a wave stands before it: a walk to where the ray is
+// above the highest crest, for waves that are steeper than the sun is high.
+float besideWaves(vec2 u, float height, bool now, int frame) {
+    vec3 sun = sunAbove();
+    vec2 most = texelFetch(waves, ivec2(kWaves, 0), 0).xy;   // slope and height that no wave passes
+    float away = length(sun.xz), rise = sun.y / away, reach = (most.y - height) / rise, seen = 1.0;
+    for (int k = 0; k < (most.x > rise ? kShadeSteps : 0) && seen > 0.0; ++k) {
+        float s = reach * (float(k) + 0.5) / float(kShadeSteps);   // m, level
+        vec2 at = u + s / (away * kTile) * sun.xz;
+        float wave = now ? textureLod(surface, at, 0.0).x : waterAt(at, now, frame).height;
+        if (wave > height + s * rise) seen = 0.0;
+    }
+    return seen;
+}
+
 // Where light that enters at u lands, in tiles from where flat water would send it, and its flux.
 // pair: the same for red and blue.
 void landingOf(vec2 u, bool now, int frame, out vec4 middle, out vec4 pair) {
@@ -212,7 +245,7 @@ void landingOf(vec2 u, bool now, int frame, out vec4 middle, out vec4 pair) {
     pair = vec4(fall * bend(water.slope, ior.x), fall * bend(water.slope, ior.z)) - level.xyxy;
     middle = clamp(middle / kTile, -2.0, 2.0);
     pair = clamp(pair / kTile, -2.0, 2.0);
-    middle.z = fluxThrough(water.slope);
+    middle.z = fluxThrough(water.slope) * besideWaves(u, water.height, now, frame);
 }
 
 // Calm water: light that lands at u, at a part `fall` of the depth, has one origin, found by
@@ -639,13 +672,14 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
             }
             return sum + throughput * mattLight(p, nor, albedo, w * inversesqrt(grazing), m);
         }
-        float lod = log2(max(w * inversesqrt(max(rd.y, 0.02)) / kTile * 128.0, 1.0));
+        float texels = w * inversesqrt(max(rd.y, 0.02)) / kTile * 128.0, lod = log2(max(texels, 1.0));
         vec4 wave = textureLod(surface, p.xz / kTile, lod);
         p += rd * (wave.x / max(rd.y, 0.15));   // from the mean level to the wave, one step
         wave = textureLod(surface, p.xz / kTile, lod);
         vec3 level = normalize(vec3(-wave.y, 1.0, -wave.z));
         float cosine = clamp(dot(rd, level), 0.02, 1.0);
-        float rough = max(wave.w - dot(wave.yz, wave.yz), 0.0);
+        // Of slopes within the footprint; below a texel what the filter makes up fades away.
+        float rough = max(wave.w - dot(wave.yz, wave.yz), 0.0) * min(texels * texels, 1.0);
         float mirror = fresnel(cosine, 1.0 / kIorWater.y);
         vec3 through = refract(rd, -level, kIorWater.y);
         sum += throughput * (1.0 - mirror) * skyColour(through, rough);
@@ -671,12 +705,19 @@ vec4 waveShape(int i) {
     float number = 2.0 * kPi / kTile * length(n);
     return vec4(n, exp(-0.5 * square(octave / 0.9)), sqrt(kGravity * number) / (2.0 * kPi));
 }
+// The waves; after them the slope and the height, m, that all together never pass.
 void mainWaves(out vec4 colour, in vec2 pixel) {
     int i = int(pixel.x);
     float sum = 0.0;
-    for (int j = 0; j < kWaves; ++j) sum += square(waveShape(j).z);
+    vec2 most = vec2(0.0);
+    for (int j = 0; j < kWaves; ++j) {
+        vec4 wave = waveShape(j);
+        sum += square(wave.z);
+        most += wave.z * vec2(1.0, kTile / (2.0 * kPi * length(wave.xy)));
+    }
     colour = waveShape(i);
-    colour.z *= i < kWaves ? waveSlope * sqrt(2.0 / sum) : 0.0;
+    colour.z *= waveSlope * sqrt(2.0 / sum);
+    if (i >= kWaves) colour = vec4(most * waveSlope * sqrt(2.0 / sum), 0.0, 0.0);
 }
 
 float tiledNoise(vec2 unit, ivec2 period, int seed) {   // value noise on a torus
@@ -849,8 +890,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float lens = focalLength / 24.0;
     vec3 rd = normalize(uv.x * right + uv.y * up + lens * forward);
     float falloff = square(dot(rd, forward));   // half of a simple lens's cos^4
-    // R2 from pixel to pixel; evenly apart among the samples of one.
-    float jitter = fract(dot(floor(fragCoord), vec2(0.7548777, 0.5698403)) + fragCoord.x);
+    // Evenly apart among the samples of a pixel, too.
+    float jitter = fract(shuffledQuarters(ivec2(fragCoord)) + fragCoord.x);
     vec3 light = render(ro, rd, 1.0 / (lens * iResolution.y), jitter);
     fragColor = vec4(display(exp2(exposure) * falloff * light), 1.0);
 }

@@ -556,10 +556,10 @@ Hit closestHit(vec3 ro, vec3 rd) {
     keepNearer(h, span, fromGift(n.xyz), n.w, kBodyCentre, kBody);
     span = clipBox(toGift(ro - kLidCentre), qd, kLidHalf, 0.0, h.t, n);
     keepNearer(h, span, fromGift(n.xyz), n.w, kLidCentre, kLid);
-    // The room from inside: the nearest of the planes ahead.
-    vec3 ahead = mix(-kRoom, kRoom, greaterThan(rd, vec3(0.0)));
+    // The room from inside: the nearest of the planes ahead, which the inverse knows for a zero too.
+    vec3 inverse = safeInverse(rd), ahead = mix(-kRoom, kRoom, greaterThan(inverse, vec3(0.0)));
     ahead.y = max(ahead.y, 0.0);
-    vec3 far = max((ahead - ro) * safeInverse(rd), 0.0);
+    vec3 far = max((ahead - ro) * inverse, 0.0);
     float t = min(far.x, min(far.y, far.z));
     if (t < h.t) {
         vec3 axis = t == far.y ? vec3(0, 1, 0) : t == far.x ? vec3(1, 0, 0) : vec3(0, 0, 1);

@@ -137,6 +137,23 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 
+// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8 ...
+// pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020). What it
+// leaves of an error is the finest grain, and no net as of a lattice.
+float shuffledQuarters(ivec2 p) {
+    float sum = 0.0, part = 0.25;
+    for (int k = 0; k < 6; ++k) {
+        uvec3 r = hash3(ivec3(p >> 1, 60 + k)) >> 8u;   // one of the 24 orders of four
+        int a = p.x & 1, b = p.y & 1, kind = int(r.x % 3u);
+        int high = kind == 0 ? a : kind == 1 ? b : a ^ b, low = kind == 0 ? b : a;
+        if ((r.y & 1u) == 1u) low ^= high;
+        sum += part * float((2 * high + low) ^ int(r.z & 3u));
+        part *= 0.25;
+        p >>= 1;
+    }
+    return sum;
+}
+
 vec2 turn(vec2 p, float angle) {
     float c = cos(angle), s = sin(angle);
     return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
@@ -575,7 +592,7 @@ Layer plantLayer(int k, vec3 ro, vec3 rd, float level2, float pixel) {
     return Layer(t, cover * smoothstep(0.5, 1.2, t), kWeed, nor);
 }
 void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
-    float level2 = max(dot(rd.xz, rd.xz), 1e-4);
+    float level2 = dot(rd.xz, rd.xz);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
     int groups = 0;
     for (int g = 0; 5 * g < kelp; ++g)
@@ -674,12 +691,16 @@ vec3 shaftsAlong(vec3 ro, vec3 rd, float t, vec3 once, float jitter, Medium m) {
 
 // The surface from below: sky through the window, outside it the mirrored deep.
 vec3 surfaceLight(vec3 p, vec3 rd, float w, Medium m) {
-    float lod = log2(max(w * inversesqrt(max(rd.y, 0.02)) / kNet * float(kNetTexels), 1.0));
+    float texels = w * inversesqrt(max(rd.y, 0.02)) / kNet * float(kNetTexels);
+    float lod = log2(max(texels, 1.0));
     vec4 a = textureLod(surface, p.xz / kNet, lod);
     vec4 b = textureLod(surface, turn(p.xz, 1.1) / (3.3 * kNet), max(floor(lod - 1.2), 0.0));
     vec2 slope = 0.7 * (a.xy + turn(b.xy, -1.1));
     vec3 nor = normalize(vec3(-slope.x, 1.0, -slope.y));
-    float rough = max(0.5 * (a.z + b.z) - dot(slope, slope), 0.0), cosine = max(dot(rd, nor), 0.02);
+    // Of slopes within the footprint; below a texel what the filter makes up fades away.
+    vec2 spread = max(vec2(a.z - dot(a.xy, a.xy), b.z - dot(b.xy, b.xy)), 0.0)
+        * min(square(texels) * vec2(1.0, 1.0 / square(3.3)), 1.0);
+    float rough = 0.49 * (spread.x + spread.y), cosine = max(dot(rd, nor), 0.02);
     float mirror = fresnel(cosine, 1.0 / kIorWater);
     vec3 through = refract(rd, -nor, kIorWater), back = reflect(rd, nor), once;
     back.y = min(back.y, -0.02);
@@ -781,7 +802,7 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
 vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m) {
     vec3 glow = linearColour(jellyColour) * jellyGlow, sum = vec3(0.0);
     vec3 dim = m.absorption + jellyReach * haze;
-    float level2 = max(dot(rd.xz, rd.xz), 1e-3);
+    float level2 = dot(rd.xz, rd.xz);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
     float halo = 0.0;
     int marks = 0;
@@ -893,6 +914,7 @@ Eye camera() {
 
 // Light that arrives at ro against rd; pixel: angle of a pixel, rad.
 vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
+    if (dot(rd.xz, rd.xz) < 1e-12) rd.x = 1e-6;   // upright strips face every ray but an upright one
     Medium m = oceanMedium();
     float least = min(m.extinction.x, min(m.extinction.y, m.extinction.z));
     float sight = min(7.0 / max(least, 0.05), 140.0);
@@ -1141,14 +1163,14 @@ vec3 display(vec3 light) {
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     Eye e = camera();
     vec3 sum = vec3(0.0), dither = vec3(0.0);
+    float order = shuffledQuarters(ivec2(fragCoord));
     for (int k = 0; k < antialias; ++k) {   // an R2 sequence over the pixel
         vec2 at = fragCoord;
         if (antialias > 1) at += fract(0.5 + float(k) * vec2(0.7548777, 0.5698403)) - 0.5;
         vec2 uv = (at - 0.5 * iResolution.xy) / iResolution.y;
         vec3 rd = normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
         vec3 chance = random3(ivec3(ivec2(at * 16.0), 5));
-        // R2 from pixel to pixel; evenly apart among the samples of one.
-        float jitter = fract(dot(floor(at), vec2(0.7548777, 0.5698403)) + at.x);
+        float jitter = fract(order + at.x);   // evenly apart among the samples of a pixel, too
         float falloff = square(dot(rd, e.forward));   // half of a simple lens's cos^4
         vec3 light = render(e.pos, rd, 1.0 / (e.lens * iResolution.y), jitter);
         sum += falloff * light / float(antialias);

@@ -1,14 +1,17 @@
 // The light on the floor in fragments/caustics.frag against photons traced in double precision.
-#include "../render/fixture.h"
+#include "probe.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -301,6 +304,67 @@ TEST_F(Caustics, FoldedLightIsCountedOnceForEverySheet) {
     }
 }
 
+// Light that crosses the surface, relative to flat water: of rays side by side from the sun, each
+// to the first wave that it meets.
+double light_that_enters(const Look& look, const std::vector<Wave>& waves) {
+    constexpr int kSide = 96;
+    const glm::dvec3 sun = look.sun();
+    const double away = std::hypot(sun.x, sun.z);
+    const glm::dvec2 back = -glm::dvec2(sun.x, sun.z) / (away * kTile);
+    double top = 0.0, sum = 0.0;
+    for (const Wave& w : waves) {
+        top += w.slope * kTile / (2.0 * std::numbers::pi * std::hypot(w.nx, w.nz));
+    }
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const glm::dvec2 start(i % kSide + part(random), i / kSide + part(random));
+        const auto over = [&](double s) {  // of the ray over the water after s m, level
+            return top - s * sun.y / away - water(waves, start / double{kSide} + s * back).first;
+        };
+        double above = 0.0, below = 0.02;
+        for (; over(below) > 0.0; below += 0.02) above = below;
+        for (int k = 0; k < 12; ++k) {
+            const double middle = 0.5 * (above + below);
+            (over(middle) > 0.0 ? above : below) = middle;
+        }
+        const glm::dvec2 at = start / double{kSide} + below * back;
+        const auto [height, slope] = water(waves, at);
+        const Landing landing = land(look, at, height, slope);
+        // What crosses is spread over less of the surface where that faces the sun.
+        sum += landing.flux / (1.0 - (sun.x * slope.x + sun.z * slope.y) / sun.y);
+    }
+    return sum / (kSide * kSide);
+}
+
+// Bar: 1 % of the energy, of waves that are steeper than the sun is high, too: the light that a
+// crest takes is not sent from the trough behind it as well.
+void expect_the_light_that_enters(const Look& look, const std::vector<std::string>& methods) {
+    const double truth = light_that_enters(look, waves_of(look));
+    for (const std::string& method : methods) {
+        const std::vector<float> map =
+            buffer("caustics", look.tweaks(fmt::format("method = \"{}\"\n", method)));
+        double sum = 0.0;
+        for (std::size_t i = 1; i < map.size(); i += 4) sum += map[i];
+        sum /= kMap * kMap;
+        fmt::print("sun {} degrees high, slope {}, {}: {:.4f} of {:.4f}\n", look.elevation,
+                   look.slope, method, sum, truth);
+        EXPECT_NEAR(sum / truth, 1.0, 0.01) << method;
+    }
+}
+TEST_F(Caustics, WavesShadeEachOtherUnderTheLowestSun) {
+    expect_the_light_that_enters({.slope = 0.3, .elevation = 15.0}, {"area"});
+}
+TEST_F(Caustics, WavesShadeEachOtherUnderAnyLowSun) {
+    for (const double elevation : {15.0, 20.0, 25.0, 35.0}) {
+        for (const double slope : {0.1, 0.2, 0.3}) {
+            expect_the_light_that_enters(
+                {.slope = slope, .elevation = elevation, .azimuth = 5.0 * elevation},
+                {"area", "photons", "periodic"});
+        }
+    }
+}
+
 // Red and blue are traced with indices of their own; the scene keeps them in a buffer beside green.
 TEST_F(Caustics, ColoursPartByTheirIndices) {
     const Look look = {.dispersion = 4.0};
@@ -315,6 +379,74 @@ TEST_F(Caustics, ColoursPartByTheirIndices) {
         const Error photon = of_method(look, reference, "method = \"photons\"\n", 31, c);
         EXPECT_LE(photon.relative, 1.5e-2) << "two million against four";
         EXPECT_NEAR(photon.energy, 0.0, 1e-3);
+    }
+}
+
+// From below: the surface as its buffer has it is the surface as the waves have it. What the filter
+// makes up between two texels is no roughness, which once cut the sun into squares.
+TEST_F(Caustics, TheSunFromBelowHasNoneOfTheBuffersTexels) {
+    std::ifstream file(GLINT_REPOSITORY "/fragments/caustics.frag");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string exact = text;
+    constexpr std::string_view kFetch = "textureLod(surface, p.xz / kTile, lod)";
+    for (std::size_t at = exact.find(kFetch); at != std::string::npos; at = exact.find(kFetch)) {
+        exact.replace(at, kFetch.size(), "probe_surface(p.xz / kTile)");
+    }
+    ASSERT_NE(exact, text);
+    exact.insert(exact.find("\nvec3 sunAbove()"),
+                 "\nvec4 probe_surface(vec2 u) {\n    Water w = waterAt(u, true, 0);\n"
+                 "    return vec4(w.height, w.slope, dot(w.slope, w.slope));\n}");
+    const std::string preset =
+        "[tweaks]\nwaveSlope = 0.09\nsunElevation = 60.0\nsunAngle = 0.0\nobjects = \"none\"\n"
+        "cameraHeight = 0.1\ncameraDistance = 1.0\ntargetHeight = 2.2\nfocalLength = 60.0\n"
+        "method = \"vertical\"\n";
+    const auto picture = [&preset](const std::string& scene) {
+        Player player(scene, {.size = {160, 90}, .preset = preset});
+        player.still(0.0);
+        return player.floats();
+    };
+    const std::vector<float> shown = picture(text), wanted = picture(exact);
+    float worst = 0.0f;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        worst = std::max(worst, std::abs(shown[i] - wanted[i]));
+    }
+    fmt::print("at most {:.3f} of the screen's white\n", worst);
+    EXPECT_LE(worst, 0.01f) << "of straight lines between slopes 3.5 cm apart; squares were 0.039";
+}
+
+// Where shafts are sampled, from pixel to pixel: every square of 4^k pixels has one of 4^k parts,
+// so that neighbours' errors cancel; and no shift of the picture by a few pixels looks like it,
+// which is what makes a net. (R2's lattice is at 0.79 of itself after four pixels, chance at 0.)
+TEST_F(Caustics, ShaftsAreSampledEvenlyAndWithoutANet) {
+    constexpr int kSide = 64;
+    std::vector<ProbeCase> cases;
+    for (int i = 0; i < kSide * kSide; ++i)
+        cases.push_back({.a = glm::vec4(i % kSide, i / kSide, 0, 0)});
+    const auto order = probe(kScene, "shuffledQuarters(ivec2(a.xy))", cases);
+    for (const int side : {2, 4, 8, 16}) {
+        std::vector<int> counts(kSide * kSide, 0);
+        const int squares = kSide / side, parts = side * side;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const int square = i / kSide / side * squares + i % kSide / side;
+            const int part =
+                static_cast<int>(order[static_cast<std::size_t>(i)].x * static_cast<float>(parts));
+            ++counts[static_cast<std::size_t>(square * parts + part)];
+        }
+        EXPECT_EQ(std::count(counts.begin(), counts.end(), 1), kSide * kSide) << side;
+    }
+    for (int y = 0; y <= 8; ++y) {
+        for (int x = -8; x <= 8; ++x) {
+            if (x * x + y * y < 9) continue;  // nearer ones shall differ
+            double likeness = 0.0;
+            for (int j = 0; j < kSide; ++j) {
+                for (int i = 0; i < kSide; ++i) {
+                    const int other = (j + y) % kSide * kSide + (i + x + kSide) % kSide;
+                    likeness += (order[static_cast<std::size_t>(j * kSide + i)].x - 0.5) *
+                                (order[static_cast<std::size_t>(other)].x - 0.5);
+                }
+            }
+            EXPECT_LE(std::abs(likeness * 12.0 / (kSide * kSide)), 0.15) << x << ", " << y;
+        }
     }
 }
 
