@@ -5,6 +5,8 @@
 
 namespace glint {
 
+// Draws that many frames, times each, and prints a table or JSON. Throws what main() turns into
+// exit codes.
 void run_bench(const BenchOptions& options);
 
 }  // namespace glint

@@ -7,6 +7,8 @@
 namespace glint {
 namespace {
 
+namespace fs = std::filesystem;
+
 const StudyKey kKey{.name = "scene-steps-4", .text = "all that it depends on"};
 const StudyKey kOther{.name = "scene-steps-4", .text = "another seed"};
 constexpr glm::ivec2 kSize{2, 1};
@@ -43,6 +45,15 @@ TEST(StudyStore, ARowOfAnotherKeyIsNotTakenForIt) {
     store.keep(kKey, {.value = "4"});
     EXPECT_TRUE(store.row(kKey, kSize));
     EXPECT_FALSE(store.row(kOther, kSize));
+    // Nor where the digests of both, which name the files, were the same.
+    const fs::directory_iterator only(folder.path() / "data");
+    const fs::path file = only->path();
+    store.keep(kOther, {.value = "4"});
+    fs::path other;
+    for (const auto& entry : fs::directory_iterator(folder.path() / "data"))
+        if (entry.path() != file) other = entry.path();
+    fs::copy_file(file, other, fs::copy_options::overwrite_existing);
+    EXPECT_FALSE(store.row(kOther, kSize));
 }
 
 TEST(StudyStore, ARowIsAsWholeAsItsPictures) {
@@ -56,7 +67,7 @@ TEST(StudyStore, ARowIsAsWholeAsItsPictures) {
     EXPECT_EQ(store.row(kKey, kSize)->picture, row.picture);
     EXPECT_EQ(store.picture(kKey, kSize), kPicture) << "exact";
     EXPECT_FALSE(store.row(kKey, {1, 1})) << "of another size";
-    std::filesystem::remove(folder.path() / row.map);
+    fs::remove(folder.path() / row.map);
     EXPECT_FALSE(store.row(kKey, kSize)) << "without its map";
 }
 

@@ -42,7 +42,7 @@ struct Check {
 };
 
 struct Case {
-    std::string name;
+    std::string name;  // for people and for --case; no two of a scene are the same
     // Draws and judges; what is not finite is found by the subject and needs no words here.
     std::function<void(Check&, CaseResult&)> run;
     // What it changes of the tweaks, for which the subject has to be fed with uniforms.

@@ -10,14 +10,16 @@
 
 namespace glint {
 
+// What came of a file: its cases in the order in which they ran.
 struct CheckedFile {
-    std::string scene;
+    std::string scene;  // the file, as it was named
     std::string renderer{};
     ExitCode code = ExitCode::done;  // why it could not be checked at all
     std::vector<CaseResult> cases{};
-    double seconds = 0.0;
+    double seconds = 0.0;  // that all of it took
 };
 
+// What one file is asked.
 struct FileCheck {
     ViewOptions view;
     Effort effort;

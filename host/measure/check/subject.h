@@ -1,4 +1,4 @@
-// A scene under check: drawn small, every value of every buffer looked at.
+// A scene under check: drawn small, every value of every buffer looked at after every frame.
 #pragma once
 
 #include "gl/context.h"
@@ -29,7 +29,7 @@ struct Observed {
 
 // What `glint still` is told to draw the same frame.
 struct StillPlace {
-    double time = 0.0, fps = 60.0;
+    double time = 0.0, fps = 60.0;  // s, Hz
 };
 
 struct SubjectOptions {
@@ -41,7 +41,7 @@ struct SubjectOptions {
 
 class CheckSubject {
 public:
-    // Compiles; throws Stop.
+    // Compiles; throws Stop. `context` is current and outlives this.
     CheckSubject(const ViewOptions& view, const Preset& opened, Context& context,
                  const SubjectOptions& options = {});
     CheckSubject(const CheckSubject&) = delete;
@@ -80,7 +80,7 @@ public:
     // The largest finite magnitude in what is fed back.
     float largest_state() const;
 
-    std::vector<float> picture() const;
+    std::vector<float> picture() const;  // RGBA, rows bottom up
     Renderer& renderer() { return *renderer_; }
     const Renderer& renderer() const { return *renderer_; }
     Context& context() { return context_; }

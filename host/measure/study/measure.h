@@ -6,25 +6,26 @@
 #include "measure/study/plan.h"
 #include "scene/passes.h"
 
-#include <functional>
+#include <string>
+#include <vector>
 
 namespace glint {
 
 struct Measured {
-    std::vector<float> picture;  // RGBA of what is compared
-    Timing wall{}, gpu{}, processor{};
-    double all_passes_ms = 0.0;
+    std::vector<float> picture;         // RGBA of what is compared, rows bottom up
+    Timing wall{}, gpu{}, processor{};  // by each clock; 0 where only the picture was wanted
+    double all_passes_ms = 0.0;         // of a frame that draws every pass; on the wall
 };
 
 struct MeasureOptions {
-    std::size_t pass = kImagePass;
-    std::size_t output = 0;
-    bool specialise = true;
-    int frames = 0;  // timed ones; 0: the picture alone
+    std::size_t pass = kImagePass;  // what is compared
+    std::size_t output = 0;         // which of its outputs
+    bool specialise = true;         // tweaks written in as constants
+    int frames = 0;                 // timed ones, after three that are not; 0: the picture alone
 };
 
 // Compiles the scene with this setting, plays it to the preset's time and draws. With settle, the
-// time is that of all its frames together. Throws what a still throws.
+// time is that of all its frames together. `context` is current. Throws what a still throws.
 Measured measure(const Preset& preset, const Setting& setting, Context& context,
                  const MeasureOptions& options);
 

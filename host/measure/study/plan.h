@@ -17,6 +17,7 @@ struct Setting {
     int settle = 0;                  // frames with time held
 };
 
+// One value of a knob, with all that a picture of it follows from.
 struct KnobValue {
     std::string text{};            // as a person types it
     std::optional<double> work{};  // the number; none for menus and switches
@@ -26,10 +27,11 @@ struct KnobValue {
     bool is_between = false;
 };
 
+// What is turned while everything else stays as the preset has it.
 struct Knob {
-    std::string name{};  // of a tweak, or "settle"
-    std::vector<KnobValue> values{};
-    KnobValue reference{};
+    std::string name{};               // of a tweak, or "settle"
+    std::vector<KnobValue> values{};  // as they are drawn: from the least, or as they were named
+    KnobValue reference{};            // counts as the truth; may lie beyond the values
     // To measure the reference by: more work, a second seed, another method.
     std::optional<KnobValue> second{};
     // Whether a larger number is nearer to the reference.
@@ -38,7 +40,7 @@ struct Knob {
 };
 
 struct StudyPlan {
-    std::vector<Knob> knobs;
+    std::vector<Knob> knobs;            // in the order in which they are studied
     std::vector<std::string> left_out;  // what is not studied, and why
 };
 
@@ -53,7 +55,9 @@ struct SceneFacts {
 // Compiles the scene; throws Stop where that fails. The facts keep the preset by reference.
 SceneFacts scene_facts(const Preset& preset, std::size_t root_pass);
 
-// Throws UsageError for what the options name and the scene has not.
+// Every quality tweak with its own values and the preset's, then settle; or what the options name,
+// in that order. Throws UsageError for what they name and the scene has not. `facts` are only
+// asked.
 StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options);
 
 // "16,...,4096" is doubled or goes on by the ratio of the two numbers before the dots; other lists

@@ -13,16 +13,17 @@ namespace glint {
 // Knob; timer queries of a renderer `on_software` lie.
 void judge(Study& study, bool more_is_better, bool on_software);
 
-// Slope of log y over log x by least squares; nothing for fewer than two points.
+// Slope of log y over log x by least squares; nothing for fewer than two points. Both are positive
+// and of one length.
 std::optional<double> log_slope(std::span<const double> x, std::span<const double> y);
 
-// What was judged, as aligned lines that end with findings and notes.
+// What was judged, as aligned lines that end with findings and notes; for a terminal.
 std::string to_table(const Study& study);
 // Lines of comma-separated values: the names, and a line a row.
 std::string csv_header();
 std::string to_csv(const Study& study);
 
-// A number as reports write it.
+// A number as tables and pages write it: "0.0123".
 std::string three_digits(double value);
 
 }  // namespace glint

@@ -22,6 +22,8 @@ std::string key_of_preset(const Preset& preset, const std::string& renderer,
                           const std::string& pass, bool specialise);
 std::string key_of_setting(const Preset& preset, const Setting& setting);
 
+// The folder of one report: data/ has what goes on, pictures/ what people look at. Writing throws
+// std::runtime_error; what is written stands whole or not at all.
 class StudyStore {
 public:
     // Without a folder nothing is kept and nothing is found.
