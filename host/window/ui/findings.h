@@ -16,15 +16,16 @@ struct WorkFact {
     bool stale = false;     // the scene or its tweaks have changed since it began
 };
 
-// One value of a knob, as a study has measured it.
+// One value of a knob, as a study has measured it. Times are milliseconds a frame; errors are of
+// values from 0 to 1, as in docs/study-and-check.md.
 struct RowFact {
-    std::string value{};
-    double ms = 0.0, ms_min = 0.0, ms_max = 0.0;
+    std::string value{};                          // as it is written behind --tweak
+    double ms = 0.0, ms_min = 0.0, ms_max = 0.0;  // the median, and the least and the most
     std::optional<double> rmse{};  // to the reference; none where there is no picture to compare
     double max = 0.0, psnr = 0.0, share_off = 0.0;  // psnr: dB, infinite for equal pictures
-    bool is_reference = false, pareto = false;
-    bool near_reference = false;  // within ten times of the reference's own error
-    std::string failed{};         // why there is no picture
+    bool is_reference = false, pareto = false;      // pareto: no row is both faster and better
+    bool near_reference = false;                    // within ten times of the reference's own error
+    std::string failed{};                           // why there is no picture
 };
 
 // A knob with its rows, in the order of its values.

@@ -176,81 +176,103 @@ void flip(const Pen& pen) {
     pen.triangle({-0.35f, 0.8f}, {-0.9f, 0.35f}, {-0.35f, 0.35f});
 }
 
+void play(const Pen& pen) {
+    pen.triangle({-0.55f, -0.85f}, {0.9f, 0.0f}, {-0.55f, 0.85f});
+}
+
+void pause(const Pen& pen) {
+    pen.solid(-0.7f, -0.8f, -0.2f, 0.8f, 0.1f);
+    pen.solid(0.2f, -0.8f, 0.7f, 0.8f, 0.1f);
+}
+
+void step(const Pen& pen) {
+    pen.triangle({-0.8f, -0.75f}, {0.45f, 0.0f}, {-0.8f, 0.75f});
+    pen.solid(0.5f, -0.75f, 0.8f, 0.75f, 0.1f);
+}
+
+void reset(const Pen& pen) {
+    pen.triangle({0.8f, -0.75f}, {-0.45f, 0.0f}, {0.8f, 0.75f});
+    pen.solid(-0.8f, -0.75f, -0.5f, 0.75f, 0.1f);
+}
+
+void copy(const Pen& pen) {
+    pen.line(-0.9f, 0, 0.5f, 0);
+    pen.triangle({0.2f, -0.5f}, {0.9f, 0.0f}, {0.2f, 0.5f});
+}
+
+void cross(const Pen& pen) {
+    pen.line(-0.6f, -0.6f, 0.6f, 0.6f);
+    pen.line(-0.6f, 0.6f, 0.6f, -0.6f);
+}
+
+void search(const Pen& pen) {
+    pen.ring(-0.15f, -0.15f, 0.6f);
+    pen.line(0.3f, 0.3f, 0.85f, 0.85f);
+}
+
+void clock(const Pen& pen) {
+    pen.ring(0, 0, 0.85f);
+    pen.path({{0, -0.5f}, {0, 0}, {0.4f, 0.25f}});
+}
+
+void screen(const Pen& pen) {
+    pen.box(-0.95f, -0.75f, 0.95f, 0.5f, 0.2f);
+    pen.line(-0.45f, 0.85f, 0.45f, 0.85f);
+}
+
+struct Drawing {
+    Icon icon;
+    void (*draw)(const Pen& pen);
+};
+
+// In the order of Icon.
+constexpr Drawing kDrawings[] = {
+    {Icon::play, play},
+    {Icon::pause, pause},
+    {Icon::step, step},
+    {Icon::reset, reset},
+    {Icon::undo, [](const Pen& pen) { hook(pen, -1); }},
+    {Icon::redo, [](const Pen& pen) { hook(pen, 1); }},
+    {Icon::dice, dice},
+    {Icon::locked, [](const Pen& pen) { lock(pen, true); }},
+    {Icon::unlocked, [](const Pen& pen) { lock(pen, false); }},
+    {Icon::copy, copy},
+    {Icon::flip, flip},
+    {Icon::wipe, wipe},
+    {Icon::close, cross},
+    {Icon::clear, cross},
+    {Icon::search, search},
+    {Icon::tweaks, sliders},
+    {Icon::passes, layers},
+    {Icon::browser, grid},
+    {Icon::study, diagram},
+    {Icon::check, shield},
+    {Icon::clock, clock},
+    {Icon::screen, screen},
+    {Icon::camera, camera},
+    {Icon::record, [](const Pen& pen) { pen.dot(0, 0, 0.62f); }},
+    {Icon::full_screen, corners},
+    {Icon::help, question},
+    {Icon::loop, loop},
+    {Icon::sound, [](const Pen& pen) { speaker(pen, true); }},
+    {Icon::muted, [](const Pen& pen) { speaker(pen, false); }},
+    {Icon::revert, turn},
+    {Icon::save, save},
+};
+
+constexpr bool has_all_in_order() {
+    std::size_t next = 0;
+    for (const Drawing& drawing : kDrawings)
+        if (static_cast<std::size_t>(drawing.icon) != next++) return false;
+    return next == static_cast<std::size_t>(Icon::save) + 1;  // the last one
+}
+static_assert(has_all_in_order());
+
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 colour) {
     const Pen pen{list, centre, 0.5f * side, colour, std::max(1.0f, side / 10.0f)};
-    switch (icon) {
-        case Icon::play:
-            return pen.triangle({-0.55f, -0.85f}, {0.9f, 0.0f}, {-0.55f, 0.85f});
-        case Icon::pause:
-            pen.solid(-0.7f, -0.8f, -0.2f, 0.8f, 0.1f);
-            return pen.solid(0.2f, -0.8f, 0.7f, 0.8f, 0.1f);
-        case Icon::step:
-            pen.triangle({-0.8f, -0.75f}, {0.45f, 0.0f}, {-0.8f, 0.75f});
-            return pen.solid(0.5f, -0.75f, 0.8f, 0.75f, 0.1f);
-        case Icon::reset:
-            pen.triangle({0.8f, -0.75f}, {-0.45f, 0.0f}, {0.8f, 0.75f});
-            return pen.solid(-0.8f, -0.75f, -0.5f, 0.75f, 0.1f);
-        case Icon::undo:
-            return hook(pen, -1);
-        case Icon::redo:
-            return hook(pen, 1);
-        case Icon::dice:
-            return dice(pen);
-        case Icon::locked:
-            return lock(pen, true);
-        case Icon::unlocked:
-            return lock(pen, false);
-        case Icon::copy:
-            pen.line(-0.9f, 0, 0.5f, 0);
-            return pen.triangle({0.2f, -0.5f}, {0.9f, 0.0f}, {0.2f, 0.5f});
-        case Icon::flip:
-            return flip(pen);
-        case Icon::wipe:
-            return wipe(pen);
-        case Icon::close:
-        case Icon::clear:
-            pen.line(-0.6f, -0.6f, 0.6f, 0.6f);
-            return pen.line(-0.6f, 0.6f, 0.6f, -0.6f);
-        case Icon::search:
-            pen.ring(-0.15f, -0.15f, 0.6f);
-            return pen.line(0.3f, 0.3f, 0.85f, 0.85f);
-        case Icon::tweaks:
-            return sliders(pen);
-        case Icon::passes:
-            return layers(pen);
-        case Icon::browser:
-            return grid(pen);
-        case Icon::study:
-            return diagram(pen);
-        case Icon::check:
-            return shield(pen);
-        case Icon::clock:
-            pen.ring(0, 0, 0.85f);
-            return pen.path({{0, -0.5f}, {0, 0}, {0.4f, 0.25f}});
-        case Icon::screen:
-            pen.box(-0.95f, -0.75f, 0.95f, 0.5f, 0.2f);
-            return pen.line(-0.45f, 0.85f, 0.45f, 0.85f);
-        case Icon::camera:
-            return camera(pen);
-        case Icon::record:
-            return pen.dot(0, 0, 0.62f);
-        case Icon::full_screen:
-            return corners(pen);
-        case Icon::help:
-            return question(pen);
-        case Icon::loop:
-            return loop(pen);
-        case Icon::sound:
-            return speaker(pen, true);
-        case Icon::muted:
-            return speaker(pen, false);
-        case Icon::revert:
-            return turn(pen);
-        case Icon::save:
-            return save(pen);
-    }
+    kDrawings[static_cast<std::size_t>(icon)].draw(pen);
 }
 
 }  // namespace glint
