@@ -26,26 +26,22 @@ protected:
     }
 };
 
+// One loop alone Mesa's software renderer ends by itself, after 65,535 rounds; two take it hours.
 TEST_F(Survival, ALoopThatNeverEndsIsNamedAndThePictureBeforeStays) {
     open(flat({10, 20, 30}));
-    for (const char* loop : {"for (;;) { c.x += sin(c.x); if (c.x > 1e9) break; }",
-                             "for (int i = 0; i < 1000000000; ++i) c.x += sin(c.x + float(i));"}) {
-        const int refused = glint_->count("not shown");
-        write(scene(),
-              fmt::format("void mainImage(out vec4 c, in vec2 p) {{\n    c = vec4(p.x, 0, 0, 1);\n"
-                          "    {}\n}}\n",
-                          loop));
-        // Mesa's software renderer ends loops by itself after 65,535 rounds; then there is a
-        // picture, and a word about it.
-        ASSERT_TRUE(eventually([&] {
-            return glint_->count("not shown") > refused || glint_->count("loop") > 0;
-        })) << glint_->errors();
-        if (glint_->count("not shown") > refused) {
-            EXPECT_TRUE(shows({10, 20, 30}, kMargin, 1.0));
-            EXPECT_GE(glint_->count("scene.frag:3:"), 1) << glint_->errors();
-        }
-        expect_alive({10, 20, 30});
-    }
+    write(scene(),
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(p.x, 0, 0, 1);\n"
+          "    for (;;) {\n"
+          "        for (int i = 0; i < 65000; ++i) c.x += sin(c.x + float(i));\n"
+          "        if (c.x > 1e9) break;\n"
+          "    }\n"
+          "}\n");
+    ASSERT_TRUE(glint_->says("not shown")) << glint_->errors();
+    EXPECT_TRUE(shows({10, 20, 30}, kMargin, 1.0));
+    EXPECT_EQ(glint_->count("scene.frag:3:"), 1) << glint_->errors();
+    EXPECT_EQ(glint_->count("does this loop ever end?"), 1) << glint_->errors();
+    expect_alive({11, 20, 30});
 }
 
 TEST_F(Survival, ATypoAtTheStartIsShownAndMended) {

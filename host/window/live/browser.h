@@ -20,16 +20,19 @@ struct Look {
 };
 
 // The presets and scenes in the folder of `file`, and in fragments/ and presets/ beside that
-// folder; presets first, by name.
+// folder; presets first, by name. A folder that cannot be read counts as empty.
 std::vector<std::filesystem::path> nearby_files(const std::filesystem::path& file);
 
 class Browser {
 public:
+    // Thumbnails lie below `cache`, by the name and the time of their file; where it cannot be
+    // written, there are none. A GL context is current as long as this lives.
     explicit Browser(std::filesystem::path cache);
-    ~Browser();
+    ~Browser();  // ends the process that draws
     Browser(const Browser&) = delete;
     Browser& operator=(const Browser&) = delete;
 
+    // Lists anew what lies near this file; thumbnails that are there are kept.
     void list(const std::filesystem::path& near_file);
 
     // One thumbnail at a time, at the lowest priority; does not wait. True when one has arrived.
@@ -38,6 +41,7 @@ public:
     // Whether a thumbnail is being made.
     bool is_busy() const { return rendering_ != 0 || reading_.valid(); }
 
+    // In the order of nearby_files(); valid until the next list() or update().
     const std::vector<Look>& looks() const { return looks_; }
 
 private:

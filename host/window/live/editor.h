@@ -14,13 +14,15 @@ std::vector<std::string> editor_command(const std::string& editor, const Place& 
 
 class Editor {
 public:
+    // Throws std::runtime_error when the process has no descriptor left.
     Editor();
     ~Editor();
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
-    // Starts $VISUAL, $EDITOR or the desktop's choice at the place; an editor for terminals gets a
-    // terminal of its own. Returns what went wrong, or "".
+    // Starts $VISUAL, $EDITOR or the desktop's choice at the place, and does not wait for it: it
+    // outlives the program. An editor for terminals gets a terminal of its own. Returns what went
+    // wrong as a sentence, or "".
     std::string open(const Place& place);
 
     // Readable when problem() has something to tell.

@@ -200,12 +200,21 @@ void Window::set_full_screen(bool full_screen) {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+// A Wayland compositor that goes while events of it wait to be handled leaves GLFW in a loop for
+// ever: it cannot handle them, and does not wait while there are any. Nobody can be asked any more.
+void Window::take_events() {
+    pollfd display{.fd = is_wayland_ ? display_ : -1, .events = 0, .revents = 0};
+    ::poll(&display, 1, 0);
+    if (display.revents & (POLLHUP | POLLERR)) return close();
+    glfwPollEvents();
+}
+
 // GLFW can wait for the display alone. Its way to end that wait from another thread touches Xlib
 // there and has lost wake-ups (GLFW before 3.4), so the display's descriptor and the others are
 // waited for together, on this thread. Polling first takes what Xlib has read already and keeps to
 // itself.
 std::vector<WindowEvent> Window::events(double wait_seconds, std::span<const int> descriptors) {
-    glfwPollEvents();
+    take_events();
     if (events_.empty() && wait_seconds > 0.0) {
         // Under Wayland a key that is held repeats by a clock of GLFW's own, which wakes nobody.
         constexpr double kFrame = 1.0 / 60.0;
@@ -218,7 +227,7 @@ std::vector<WindowEvent> Window::events(double wait_seconds, std::span<const int
         const timespec wait{seconds,
                             std::lround((wait_seconds - static_cast<double>(seconds)) * 1e9)};
         ::ppoll(polled.data(), polled.size(), &wait, nullptr);
-        glfwPollEvents();
+        take_events();
     }
     return std::exchange(events_, {});
 }

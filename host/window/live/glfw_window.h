@@ -70,6 +70,7 @@ private:
     glm::ivec4 windowed_{0};  // position and size to return to from full screen
 
     void listen();
+    void take_events();
     void push(WindowEvent event) { events_.push_back(std::move(event)); }
     void count_key(bool down) { held_keys_ = std::max(0, held_keys_ + (down ? 1 : -1)); }
     glm::dvec2 to_pixels(double x, double y) const;

@@ -18,9 +18,11 @@ struct Output {
 // The output that this sampler reads; the picture when nothing of that name is drawn.
 Output find_output(Playground& playground, const std::string& sampler);
 
+// In drawing order, with sizes in pixels and times in milliseconds; none while nothing is open. The
+// other functions are for an open scene, and those that read pixels wait for the GPU.
 std::vector<PassFact> pass_facts(Playground& playground);
 
-// Exact counts over one output.
+// Exact counts over one output: of all its pixels.
 PixelFacts pixel_facts(Playground& playground, const Output& output);
 
 // The pixels of one output that lie in the area, once they are large enough to hold numbers.

@@ -11,8 +11,9 @@ namespace glint {
 
 class PictureShelf {
 public:
-    // Null where there is no file, or no picture of bytes in it. Valid until the next few calls
-    // for other files.
+    // Reads a file when it is asked for first, in the GL context that is current. The shelf owns
+    // the buffer, and keeps the last few. Null where there is no file, or no picture of bytes in
+    // it; that is remembered too.
     const Buffer* find(const std::filesystem::path& file);
 
     // Files may have changed.

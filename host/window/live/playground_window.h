@@ -41,6 +41,8 @@ private:
     void release_keys();
     bool run_shortcut(int key, int modifiers);
     void act(Action action);
+    void save_or_ask();
+    void edit_first();
     bool is_over_scene() const {
         return settings_.view.sampler.empty() && settings_.view.zoom == 0.0 &&
                settings_.shown == Shown::scene;

@@ -13,10 +13,12 @@ public:
 
     double latency() const;  // s from writing to hearing
 
-    // To be called round a stretch of writing. False when the device is gone.
+    // To be called round a stretch of writing. False when the device is gone: then nothing is heard
+    // any more, and a new speaker has to be made.
     bool start();
     bool stop();
-    // Pairs of left and right at 44.1 kHz; waits until there is room for them.
+    // Pairs of left and right, -1 to 1, at 44.1 kHz; waits until there is room for them. False as
+    // above.
     bool write(std::span<const float> pairs);
 
 private:

@@ -21,7 +21,9 @@ public:
     void cancel();  // what is known stays
     void clear();   // and is forgotten
 
-    // Follows the process; does not wait. `hear` gets each line. True when something is new.
+    // Follows the process; does not wait. `hear` gets each line that is JSON; others are passed
+    // over. What it says on stderr when it fails becomes the fact's problem. True when something is
+    // new.
     bool update(const std::function<void(const nlohmann::ordered_json& line)>& hear);
 
     // Why it has found nothing, where it has not said so itself.

@@ -134,87 +134,77 @@ void PlaygroundWindow::toggle_free_aspect() {
 
 void PlaygroundWindow::act(Action action) {
     Transport& transport = playground_.transport;
-    TweakValues& tweaks = playground_.tweaks;
+    const auto flip = [](bool& setting) { setting = !setting; };
+    const auto changed = [this](bool any) {
+        if (any) playground_.tweaks_changed();
+    };
     switch (action) {
         case Action::play_pause:
-            transport.playing() ? transport.pause() : transport.play();
-            break;
+            return transport.playing() ? transport.pause() : transport.play();
         case Action::step:
-            transport.step();
-            break;
+            return transport.step();
         case Action::reset:
-            transport.reset();
-            break;
+            return transport.reset();
         case Action::mute:
-            settings_.muted = !settings_.muted;
-            break;
+            return flip(settings_.muted);
         case Action::tweaks:
-            settings_.tweaks = !settings_.tweaks;
-            break;
+            return flip(settings_.tweaks);
         case Action::passes:
-            settings_.passes = !settings_.passes;
-            break;
+            return flip(settings_.passes);
         case Action::browser:
-            settings_.browser = !settings_.browser;
-            break;
+            return flip(settings_.browser);
         case Action::transport:
-            settings_.transport = !settings_.transport;
-            break;
+            return flip(settings_.transport);
         case Action::study:
-            settings_.study = !settings_.study;
-            break;
+            return flip(settings_.study);
         case Action::check:
-            settings_.check = !settings_.check;
-            break;
+            return flip(settings_.check);
+        case Action::help:
+            return flip(settings_.help);
         case Action::hide_panels:
-            settings_.visible = !settings_.visible;
-            notice(settings_.visible ? "" : "Panels are hidden; Tab shows them again");
-            break;
+            flip(settings_.visible);
+            return notice(settings_.visible ? "" : "Panels are hidden; Tab shows them again");
         case Action::close_panels:
-            close_one();
-            break;
+            return close_one();
         case Action::undo:
-            if (tweaks.undo()) playground_.tweaks_changed();
-            break;
+            return changed(playground_.tweaks.undo());
         case Action::redo:
-            if (tweaks.redo()) playground_.tweaks_changed();
-            break;
+            return changed(playground_.tweaks.redo());
         case Action::randomise:
-            tweaks.randomise(++random_seed_);
-            playground_.tweaks_changed();
-            break;
+            playground_.tweaks.randomise(++random_seed_);
+            return changed(true);
         case Action::save:
-            if (file_.extension() == ".toml")
-                save(file_);
-            else
-                settings_.save_as = true;
-            break;
+            return save_or_ask();
         case Action::save_as:
             settings_.save_as = true;
-            break;
+            return;
         case Action::still:
-            take_still();
-            break;
+            return take_still();
         case Action::record:
-            toggle_recording();
-            break;
+            return toggle_recording();
         case Action::edit:
-            edit(playground_.diagnostics().empty() ? Diagnostic{}
-                                                   : playground_.diagnostics().front());
-            break;
+            return edit_first();
         case Action::full_screen:
-            window_.set_full_screen(!window_.is_full_screen());
-            break;
+            return window_.set_full_screen(!window_.is_full_screen());
         case Action::free_aspect:
-            toggle_free_aspect();
-            break;
-        case Action::help:
-            settings_.help = !settings_.help;
-            break;
+            return toggle_free_aspect();
         case Action::quit:
-            leave({Leaving::For::quit, {}});
-            break;
+            return leave({Leaving::For::quit, {}});
     }
+}
+
+// A scene alone has no place for values: they go to a preset, whose name is asked for.
+void PlaygroundWindow::save_or_ask() {
+    if (file_.extension() == ".toml")
+        save(file_);
+    else
+        settings_.save_as = true;
+}
+
+// Where something is wrong, or else the scene itself.
+void PlaygroundWindow::edit_first() {
+    const Diagnostics& diagnostics = playground_.diagnostics();
+    edit(diagnostics.empty() ? Diagnostic{} : diagnostics.front());
 }
 
 }  // namespace glint

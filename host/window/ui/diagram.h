@@ -16,7 +16,8 @@ struct DiagramLook {
     std::optional<std::size_t> chosen{};   // whose picture is compared
 };
 
-// Draws it at ImGui's cursor, as an item "diagram". The row whose point is under the mouse.
+// Draws it at ImGui's cursor, as an item "diagram". The row whose point is under the mouse. Rows
+// without a picture, or without a time, have no point.
 std::optional<std::size_t> diagram(const Theme& theme, const Study& study, const DiagramLook& look);
 
 // Numbers of an axis that stand at round values, few enough to be read; both ends are positive.

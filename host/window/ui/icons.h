@@ -39,7 +39,8 @@ enum class Icon {
     save,
 };
 
-// Draws into the square of this side round the centre.
+// Draws into the square of this side, in screen units, round the centre. Lines are a tenth of it
+// thick, and at least one unit.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 colour);
 
 }  // namespace glint

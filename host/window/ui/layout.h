@@ -45,7 +45,9 @@ struct Layout {
 
     bool operator==(const Layout&) const = default;
 
-    // Puts those that are open into their columns of a screen of this size.
+    // Puts those that are open into their columns of a screen of this size (screen units): fills
+    // their `areas`, and `free`. Where a column has no room for what they want, the tallest are cut
+    // to one height, and scroll.
     void arrange(const Theme& theme, ImVec2 screen, const std::array<bool, kPanelCount>& open);
 
 private:
