@@ -12,6 +12,8 @@ void declare(CLI::App& verb, BenchOptions& bench) {
     verb.add_option("--frames", bench.frames, "how many frames are timed")
         ->check(from(1, 1'000'000));
     verb.add_flag("--compare", bench.compare, "time uniform-fed frames in turn as well");
+    add_examples(verb, {"glint bench presets/magic.toml --size 640x360",
+                        "glint bench presets/magic.toml --size 640x360 --compare"});
 }
 
 }  // namespace
