@@ -45,8 +45,9 @@ void declare(CLI::App& verb, ViewOptions& options) {
     verb.get_option("file")->required(false)->description(
         "a preset (.toml), a scene (.frag), a Shadertoy (.json), or a folder to "
         "choose from; the browser otherwise");
-    add_examples(verb, {"glint presets/christmas.toml", "glint presets", "glint",
-                        "glint open presets/sea.toml --size 1280x720 --tweak reflections=screen-space"});
+    add_examples(verb,
+                 {"glint presets/christmas.toml", "glint presets", "glint",
+                  "glint open presets/sea.toml --size 1280x720 --tweak reflections=screen-space"});
 }
 
 }  // namespace

@@ -11,13 +11,19 @@ protected:
     bool has_title(std::string_view title) const {
         return eventually([&] { return screen_->title() == title; });
     }
+    // The page stands: the button for a new scene has its colour in a corner without letters.
+    static constexpr Colour kButton{48, 94, 132};
+    static constexpr glm::ivec2 kCorner{100, 64};
+    void start_page(const std::vector<std::string>& arguments) {
+        start(arguments);
+        ASSERT_TRUE(shows(kButton, kCorner));
+        EXPECT_EQ(screen_->title(), "Glint");
+    }
 };
 
 TEST_F(Start, AloneItShowsWhatThereIsToOpenAndRemembersIt) {
     write(folder_->path() / "red.frag", flat({200, 30, 20}));
-    start({});
-    ASSERT_TRUE(has_title("Glint"));
-    settle();
+    start_page({});
     EXPECT_EQ(glint_->errors(), "");
     ASSERT_TRUE(screen_->drop((folder_->path() / "red.frag").string()));
     ASSERT_TRUE(glint_->says("red.frag: shown"));
@@ -31,9 +37,7 @@ TEST_F(Start, AloneItShowsWhatThereIsToOpenAndRemembersIt) {
 TEST_F(Start, AFolderIsShownToChooseFrom) {
     fs::create_directory(folder_->path() / "looks");
     write(folder_->path() / "looks/red.frag", flat({200, 30, 20}));
-    start({(folder_->path() / "looks").string()});
-    ASSERT_TRUE(has_title("Glint"));
-    settle();
+    start_page({(folder_->path() / "looks").string()});
     // The only card stands below the bar, the invitation and a heading, from the left edge on.
     screen_->click({120, 200});
     ASSERT_TRUE(glint_->says("red.frag: shown")) << glint_->errors();
@@ -69,10 +73,10 @@ TEST_F(Start, NewWritesASceneAndOpensIt) {
 }
 
 TEST_F(Start, TheNewButtonWritesASceneAndOpensIt) {
-    start({});
-    ASSERT_TRUE(has_title("Glint"));
-    settle();
+    start_page({});
     screen_->click({140, 70});  // New scene…
+    // Behind the dialog the page is dim.
+    ASSERT_TRUE(eventually([&] { return screen_->pixel(kCorner) != kButton; }));
     settle();
     screen_->tap("Control_L+a");
     screen_->type("pond");
