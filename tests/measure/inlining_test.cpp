@@ -65,6 +65,13 @@ TEST_F(Inlining, WhatAConstantSwitchesOffDoesNotCount) {
     EXPECT_EQ(named(off, "branch").copies, 0u);
 }
 
+TEST_F(Inlining, WordsOfLaterLanguagesAreNamesHere) {
+    const ProgramSize size = size_of(
+        "void main() { float buffer = leaf(1.0), shared = 2.0; colour = vec4(buffer * shared); "
+        "}\n");
+    EXPECT_EQ(named(size, "leaf").copies, 1u);
+}
+
 TEST_F(Inlining, ATextThatIsNotTakenHasNoSize) {
     std::string why_not;
     EXPECT_FALSE(program_size("#version 300 es\nvoid main() { wrong; }\n", why_not));

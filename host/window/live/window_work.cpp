@@ -135,7 +135,7 @@ void PlaygroundWindow::open(const fs::path& file) {
 // Shows what there is to choose from. What is open stays.
 void PlaygroundWindow::browse(const fs::path& folder) {
     folder_ = folder;
-    settings_.browser = true;
+    if (!file_.empty()) settings_.browser = true;  // else it fills the window
     list_files();
     dirty_ = true;
 }
