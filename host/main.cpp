@@ -1,7 +1,9 @@
 // The command line: a table of verbs, and errors as exit codes.
 #include "base/diagnostic.h"
 #include "base/say.h"
+#include "base/terminal.h"
 #include "gl/context.h"
+#include "verbs/show.h"
 #include "verbs/verb.h"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +33,7 @@ constexpr VerbEntry kVerbs[] = {
 #ifdef GLINT_WINDOW
     {"open", "show a scene or preset (the default verb)", open_verb},
 #endif
+    {"new", "a commented scene to begin with", new_verb},
     {"still", "one frame to a picture file", still_verb},
     {"sequence", "frames to pictures, a film, or another program", sequence_verb},
     {"sound", "mainSound to a wav, flac or ogg file", sound_verb},
@@ -48,11 +51,6 @@ constexpr VerbEntry kVerbs[] = {
 
 int code(ExitCode exit_code) {
     return static_cast<int>(exit_code);
-}
-
-int fail(ExitCode exit_code, const std::string& text) {
-    say("error: {}\n", text);
-    return code(exit_code);
 }
 
 // A file that is opened while stdin, stdout or stderr is closed would get its number, and messages
@@ -74,11 +72,31 @@ SignalHandler ignore_signals_of_writes() {
     return std::signal(SIGPIPE, SIG_IGN);
 }
 
+// An option that the verb does not have; it explains whatever else is missing, and comes first.
+std::string unknown_option(const CLI::App& app) {
+    const std::vector<std::string> left = app.remaining(true);
+    const auto word = std::ranges::find_if(
+        left, [](const std::string& text) { return text.starts_with("--") && text.size() > 2; });
+    if (word == left.end()) return {};
+    const auto parsed = app.get_subcommands();
+    const CLI::App& asked = parsed.empty() ? app : *parsed.front();
+    std::vector<std::string> known;
+    for (const CLI::Option* option : asked.get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    const std::string name = word->substr(0, word->find('='));
+    const std::string verb = parsed.empty() ? "" : parsed.front()->get_name() + " ";
+    const std::string meant = did_you_mean(name, known);
+    return fmt::format(
+        "There is no option {} here{}", name,
+        meant.empty() ? fmt::format("; `glint {}--help` lists those there are.", verb) : meant);
+}
+
 // CLI11's complaints in the words of all others.
-std::string usage_text(const CLI::ParseError& error) {
+std::string usage_text(const CLI::App& app, const CLI::ParseError& error) {
+    if (const std::string unknown = unknown_option(app); !unknown.empty()) return unknown;
     std::string text = error.what();
-    if (text.starts_with("A subcommand")) text = "There is nothing to do";
     if (!text.empty() && text.back() == '.') text.pop_back();
+    if (text.ends_with('?')) return text;
     return text + "; --help tells what there is.";
 }
 
@@ -117,11 +135,11 @@ int guarded(SignalHandler pipe_without_reader, const std::function<void()>& run)
         std::signal(SIGPIPE, SIG_DFL);
         std::raise(SIGPIPE);
     }
-    if (!ending.sentence.empty()) return fail(ending.code, ending.sentence);
-    if (result_error() == 0) return code(ending.code);
-    return fail(ending.code == ExitCode::done ? ExitCode::failure : ending.code,
-                fmt::format("Cannot write to stdout: {}.",
-                            std::generic_category().message(result_error())));
+    if (!ending.sentence.empty()) say_error(ending.sentence);
+    if (!ending.sentence.empty() || result_error() == 0) return code(ending.code);
+    say_error(fmt::format("Cannot write to stdout: {}.",
+                          std::generic_category().message(result_error())));
+    return code(ending.code == ExitCode::done ? ExitCode::failure : ending.code);
 }
 
 // One verb of the table on the command line.
@@ -141,9 +159,11 @@ std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
     return verbs;
 }
 
-// `glint FILE` is `glint open FILE`. Throws UsageError where a verb was meant.
+// `glint FILE` is `glint open FILE`, `glint` alone `glint open`. Throws UsageError where a verb was
+// meant.
 void add_default_verb(std::vector<std::string>& arguments) {
-    if (arguments.empty() || arguments[0].starts_with('-')) return;
+    if (arguments.empty()) return arguments.push_back("open");
+    if (arguments[0].starts_with('-')) return;
     std::vector<std::string> verbs;
     for (const VerbEntry& entry : kVerbs) verbs.emplace_back(entry.name);
     if (std::ranges::find(verbs, arguments[0]) != verbs.end()) return;
@@ -170,14 +190,21 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", "glint " GLINT_VERSION);
     app.require_subcommand(1);
     const std::vector<DeclaredVerb> verbs = declare_verbs(app);
+    app.footer(
+        "Examples:\n  glint\n  glint presets/christmas.toml\n  glint new rings\n"
+        "  glint still presets/christmas.toml -o christmas.png\n"
+        "`glint VERB --help` has more.");
     std::vector<std::string> arguments(argv + 1, argv + argc);
     return guarded(pipe_without_reader, [&] {
+#ifndef GLINT_WINDOW
+        if (arguments.empty()) return say_first_commands({});
+#endif
         add_default_verb(arguments);
         std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
         try {
             app.parse(std::move(arguments));
         } catch (const CLI::ParseError& error) {
-            if (error.get_exit_code() != 0) throw UsageError(usage_text(error));
+            if (error.get_exit_code() != 0) throw UsageError(usage_text(app, error));
             std::ostringstream text;  // of --help, --version
             app.exit(error, text, text);
             return say_result("{}", text.str());

@@ -5,23 +5,27 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace glint {
 
 namespace {
 
-// Letters to insert, delete or change to turn one word into the other (Levenshtein).
+// Letters to insert, delete, change or swap with the next to turn one word into the other
+// (Damerau and Levenshtein; optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
+    std::vector<std::size_t> above(b.size() + 1), row(b.size() + 1), below(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
+        below[0] = i + 1;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, changed});
+            const std::size_t changed = row[j] + (a[i] == b[j] ? 0 : 1);
+            below[j + 1] = std::min({below[j] + 1, row[j + 1] + 1, changed});
+            const bool swapped = i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j];
+            if (swapped) below[j + 1] = std::min(below[j + 1], above[j - 1] + 1);
         }
+        std::swap(above, row);
+        std::swap(row, below);
     }
     return row.back();
 }
@@ -83,9 +87,13 @@ std::string nearest(std::string_view word, std::span<const std::string> known) {
     return best;
 }
 
+std::string did_you_mean(const std::string& meant) {
+    return fmt::format("; did you mean {}?", in_quotes(meant));
+}
+
 std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
     const std::string meant = nearest(word, known);
-    return meant.empty() ? std::string() : fmt::format("; did you mean {}?", in_quotes(meant));
+    return meant.empty() ? std::string() : did_you_mean(meant);
 }
 
 }  // namespace glint

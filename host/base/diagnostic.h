@@ -47,7 +47,10 @@ std::string in_quotes(std::string_view words);
 // The known word that was probably meant, or "" when none is near.
 std::string nearest(std::string_view word, std::span<const std::string> known);
 
-// "; did you mean 'size'?", or "" when no known word is near.
+// "; did you mean 'size'?"
+std::string did_you_mean(const std::string& meant);
+
+// The same of the nearest word, or "" when no known word is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 }  // namespace glint

@@ -1,5 +1,8 @@
 #include "base/readable_file.h"
 
+#include "base/diagnostic.h"
+#include "base/nearest_file.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,6 +20,11 @@ using namespace std::chrono_literals;
 
 std::string words_of(int error) {
     return std::generic_category().message(error);
+}
+
+std::string why_missing(const fs::path& file, int error) {
+    const fs::path meant = error == ENOENT ? nearest_file(file) : fs::path();
+    return words_of(error) + (meant.empty() ? "" : did_you_mean(meant));
 }
 
 void require_regular(const fs::path& file, const struct stat& status) {
@@ -43,13 +51,14 @@ int open_without_waiting(const fs::path& file) {
 }  // namespace
 
 Unreadable::Unreadable(const fs::path& file, std::string why)
-    : std::runtime_error("Cannot read " + file.string() + ": " + why + "."),
+    : std::runtime_error("Cannot read " + file.string() + ": " + why +
+                         (why.ends_with('?') ? "" : ".")),
       cause(std::move(why)) {}
 
 // Asked by name first, so that a device is not even opened.
 void require_readable(const fs::path& file) {
     struct stat status {};
-    if (::stat(file.c_str(), &status) != 0) throw Unreadable(file, words_of(errno));
+    if (::stat(file.c_str(), &status) != 0) throw Unreadable(file, why_missing(file, errno));
     require_regular(file, status);
     if (::access(file.c_str(), R_OK) != 0) throw Unreadable(file, words_of(errno));
 }

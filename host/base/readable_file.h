@@ -13,7 +13,8 @@
 
 namespace glint {
 
-// "Cannot read NAME: CAUSE."
+// "Cannot read NAME: CAUSE." The cause of a missing file ends with the nearest name, if there is
+// one.
 struct Unreadable : std::runtime_error {
     Unreadable(const std::filesystem::path& file, std::string why);
     std::string cause;

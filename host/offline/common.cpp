@@ -1,6 +1,8 @@
 #include "offline/common.h"
 
 #include "base/say.h"
+#include "base/terminal.h"
+#include "base/words.h"
 #include "media/image.h"
 #include "scene/blame.h"
 
@@ -33,12 +35,6 @@ glm::ivec2 parse_size(const std::string& text) {
     return size;
 }
 
-std::string tweak_names(const Scene& scene) {
-    std::string names;
-    for (const Tweak& tweak : scene.tweaks) names += (names.empty() ? "" : ", ") + tweak.name;
-    return names.empty() ? "it has none" : "it has " + names;
-}
-
 void apply_tweak(Preset& preset, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string name = assignment.substr(0, equals);
@@ -46,25 +42,35 @@ void apply_tweak(Preset& preset, const std::string& assignment) {
     const auto found = std::find_if(tweaks.begin(), tweaks.end(),
                                     [&](const Tweak& tweak) { return tweak.name == name; });
     if (found == tweaks.end()) {
-        throw UsageError(fmt::format("--tweak {}: the scene has no tweak '{}'; {}.", assignment,
-                                     name, tweak_names(preset.scene)));
+        throw UsageError(
+            fmt::format("--tweak {}: {}", assignment, no_such_tweak(preset.scene, name)));
     }
-    const auto value = equals == std::string::npos
-                           ? std::nullopt
-                           : parse_value(*found, std::string_view(assignment).substr(equals + 1));
+    const std::string_view written =
+        std::string_view(assignment).substr(std::min(name.size() + 1, assignment.size()));
+    const auto value = parse_value(*found, written);
     if (!value) {
-        throw UsageError(fmt::format("--tweak {}: write {}=VALUE with a value such as {}.",
-                                     assignment, name, format_value(*found, found->initial)));
+        const std::string meant = did_you_mean(trimmed(written), found->names);
+        throw UsageError(fmt::format("--tweak {}: write {}=VALUE with {}{}", assignment, name,
+                                     expected_value(*found), meant.empty() ? "." : meant));
     }
     TweakValue& kept = preset.values[static_cast<std::size_t>(found - tweaks.begin())];
     kept = clamp_to_range(*found, *value);
     if (kept != *value) {
-        say("warning: --tweak {}: outside its range, taken as {}\n", assignment,
-            format_value(*found, kept));
+        say_warning(fmt::format("--tweak {}: outside its range, taken as {}", assignment,
+                                format_value(*found, kept)));
     }
 }
 
 }  // namespace
+
+std::string no_such_tweak(const Scene& scene, const std::string& name) {
+    std::vector<std::string> names;
+    for (const Tweak& tweak : scene.tweaks) names.push_back(tweak.name);
+    const std::string meant = did_you_mean(name, names);
+    return fmt::format("the scene has no tweak {} (it has {}){}", in_quotes(name),
+                       names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                       meant.empty() ? "." : meant);
+}
 
 Progress::Progress(std::string what, long total, Unit unit)
     : what_(std::move(what)), total_(total), unit_(unit), enabled_(isatty(STDERR_FILENO) != 0) {}
@@ -92,7 +98,7 @@ void Progress::update(long done) {
 void report(const Diagnostics& diagnostics) {
     bool missing = false;
     for (const Diagnostic& diagnostic : diagnostics) {
-        say("{}\n", to_string(diagnostic));
+        say_diagnostic(diagnostic);
         // No shader is at fault where a preset cannot be read.
         const bool unreadable = diagnostic.missing_file || diagnostic.place.file.ends_with(".toml");
         missing |= diagnostic.severity == Severity::error && unreadable;
@@ -120,14 +126,16 @@ Preset open_preset(const ViewOptions& options) {
 
 std::size_t find_pass(const Scene& scene, const std::string& name) {
     if (name == "image") return kImagePass;
-    std::string names = "image";
+    std::vector<std::string> names = {"image"};
     for (std::size_t i = 0; i < scene.passes.size(); ++i) {
         for (const std::string& output : scene.passes[i].outputs) {
             if (output == name) return i;
-            names += ", " + output;
+            names.push_back(output);
         }
     }
-    throw UsageError(fmt::format("The scene has no pass '{}'; it has {}.", name, names));
+    const std::string meant = did_you_mean(name, names);
+    throw UsageError(fmt::format("The scene has no pass {}; it has {}{}", in_quotes(name),
+                                 fmt::join(names, ", "), meant.empty() ? "." : meant));
 }
 
 Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why) {
@@ -143,7 +151,7 @@ namespace {
 // The driver works on, so that nothing is taken down in order: the process ends. What is written
 // has its name only when it is whole.
 void end_compiling(const Preset& preset, std::size_t pass, const std::string& why) {
-    const std::string line = to_string(given_up(preset, pass, why)) + "\n";
+    const std::string line = shown(given_up(preset, pass, why), terminal_at_stderr()) + "\n";
     std::fflush(stdout);
     if (::write(STDERR_FILENO, line.data(), line.size()) < 0) {
         // Nobody listens; the exit code tells.

@@ -81,6 +81,10 @@ void report(const Diagnostics& diagnostics);
 // Lays the options' size and tweaks over a preset. Throws UsageError.
 void lay_over(Preset& preset, const ViewOptions& options);
 
+// "the scene has no tweak 'wave' (it has waves, wind); did you mean 'waves'?", for a sentence's
+// end.
+std::string no_such_tweak(const Scene& scene, const std::string& name);
+
 // The --size of the options; the preset's where there is none. Throws UsageError.
 glm::ivec2 size_of(const ViewOptions& options, glm::ivec2 otherwise);
 

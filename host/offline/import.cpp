@@ -2,6 +2,7 @@
 
 #include "base/say.h"
 #include "base/temporary_file.h"
+#include "base/terminal.h"
 #include "offline/common.h"
 #include "scene/scene.h"
 #include "scene/shadertoy.h"
@@ -84,7 +85,8 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostic
 
 bool is_shadertoy(const fs::path& file) {
     std::error_code error;
-    return file.extension() == ".json" || fs::is_directory(file, error);
+    return file.extension() == ".json" ||
+           (fs::is_directory(file, error) && is_shadertoy_folder(file));
 }
 
 ImportedBeside import_beside(const fs::path& input) {
@@ -98,7 +100,7 @@ ImportedBeside import_beside(const fs::path& input) {
     } catch (const std::exception& problem) {
         return {{}, problem.what()};
     }
-    for (const Diagnostic& diagnostic : diagnostics) say("{}\n", to_string(diagnostic));
+    for (const Diagnostic& diagnostic : diagnostics) say_diagnostic(diagnostic);
     if (has_errors(diagnostics)) return {{}, diagnostics.front().text};
     if (diagnostics.empty()) return {scene, fmt::format("{} written", name)};
     return {scene, fmt::format("{}: {}", name, diagnostics.front().text)};

@@ -13,7 +13,7 @@ namespace glint {
 std::vector<std::filesystem::path> import_shadertoys(const ImportOptions& options,
                                                      Diagnostics& diagnostics);
 
-// Whether a dropped file or folder is to be imported.
+// Whether a file or folder that is opened or dropped is to be imported.
 bool is_shadertoy(const std::filesystem::path& file);
 
 // As import_shadertoys, to NAME.frag beside NAME.json; one that was made before is kept. Prints the

@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "base/json_text.h"
 #include "base/say.h"
+#include "base/terminal.h"
 #include "gl/context.h"
 #include "media/sound.h"
 #include "offline/frames.h"
@@ -323,8 +324,8 @@ void require_folder(const SequenceOptions& options, const NumberedName& pictures
     const fs::path folder = pictures.name(frames[0]).parent_path();
     std::error_code error;
     if (options.view.json || folder.empty() || fs::is_directory(folder, error)) return;
-    say("error: all {} pictures are missing: there is no folder {}.\n", frames.count,
-        folder.string());
+    say_error(fmt::format("all {} pictures are missing: there is no folder {}.", frames.count,
+                          folder.string()));
     throw Stop(ExitCode::check_failed);
 }
 
@@ -332,8 +333,8 @@ void require_folder(const SequenceOptions& options, const NumberedName& pictures
                                    std::int64_t wanted) {
     if (options.view.json) say_result("{}\n", json_text(Json({{"missing", missing}})));
     if (!options.view.json && options.output != "-") say_result("{}\n", fmt::join(missing, "\n"));
-    say("error: {} of {} pictures are missing, not whole, or of another sequence.\n",
-        missing.size(), wanted);
+    say_error(fmt::format("{} of {} pictures are missing, not whole, or of another sequence.",
+                          missing.size(), wanted));
     throw Stop(ExitCode::check_failed);
 }
 

@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/numbered_name.h"
 #include "base/readable_file.h"
-#include "base/say.h"
+#include "base/terminal.h"
 #include "media/parts.h"
 #include "render/room.h"
 
@@ -234,7 +234,7 @@ void tell(Severity severity, const fs::path& file, const std::string& text) {
     diagnostic.severity = severity;
     diagnostic.place.file = file.string();
     diagnostic.text = text;
-    say("{}\n", to_string(diagnostic));
+    say_diagnostic(diagnostic);
 }
 
 }  // namespace

@@ -184,8 +184,9 @@ std::optional<TweakValue> TweakParser::resolve(const Written& written, std::stri
         any.min = any.max = std::nullopt;
         words.complain(
             written.at,
-            fmt::format("{} is {}; this {} is {}", what, in_quotes(written.text),
-                        tweak.names.empty() ? glsl_name(tweak.type) : "menu", expected_value(any)));
+            fmt::format("{} is {}; this {} is {}{}", what, in_quotes(written.text),
+                        tweak.names.empty() ? glsl_name(tweak.type) : "menu", expected_value(any),
+                        did_you_mean(unquoted(written.text), tweak.names)));
     }
     return value;
 }

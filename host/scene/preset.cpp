@@ -262,8 +262,9 @@ void Reader::read_tweak(const toml::key& key, const toml::node& node) {
     const auto value = tweak_value(*tweak, node);
     if (!value)
         return warning(node,
-                       fmt::format("{} takes {}; it keeps its default {}", tweak->name,
-                                   expected_value(*tweak), format_value(*tweak, tweak->initial)));
+                       fmt::format("{} takes {}; it keeps its default {}{}", tweak->name,
+                                   expected_value(*tweak), format_value(*tweak, tweak->initial),
+                                   did_you_mean(node.value_or(""), tweak->names)));
     const TweakValue clamped = clamp_to_range(*tweak, *value);
     if (clamped != *value) {
         const bool one = component_count(tweak->type) == 1;

@@ -298,6 +298,25 @@ bool is_within(const fs::path& file, const fs::path& folder) {
     return !inner.empty() && !outer.empty() && !way.empty() && *way.begin() != "..";
 }
 
+namespace {
+
+// The tab that a file of a folder is; "" for any other file.
+std::string tab_of_file(const fs::path& file) {
+    const std::string extension = lower(file.extension().string());
+    const bool is_text =
+        extension == ".glsl" || extension == ".frag" || extension == ".fs" || extension == ".txt";
+    return is_text ? tab_of_name(file.stem().string()) : std::string();
+}
+
+}  // namespace
+
+bool is_shadertoy_folder(const fs::path& folder) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (tab_of_file(entry.path()) == "image") return true;
+    return false;
+}
+
 std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnostics& diagnostics,
                                                bool anywhere) {
     Shadertoy shader;
@@ -307,11 +326,7 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
     for (const auto& entry : fs::directory_iterator(folder, error)) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) {
-        const std::string extension = lower(file.extension().string());
-        if (extension != ".glsl" && extension != ".frag" && extension != ".fs" &&
-            extension != ".txt")
-            continue;
-        const std::string name = tab_of_name(file.stem().string());
+        const std::string name = tab_of_file(file);
         if (name.empty()) continue;
         if (!anywhere && !is_within(file, folder)) {
             diagnostics.push_back({Severity::warning,

@@ -41,6 +41,9 @@ std::vector<Shadertoy> read_shadertoys(const std::filesystem::path& json, Diagno
 // Whether a file stands below a folder, and no link on the way leads out of it. Neither need exist.
 bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder);
 
+// Whether a folder holds a shader's tabs, in any spelling of their names.
+bool is_shadertoy_folder(const std::filesystem::path& folder);
+
 // One shader from `common.glsl bufferA.glsl … image.glsl`, in any spelling of these names. A folder
 // does not say what a tab reads: iChannel0 to 3 become the buffers A to D that are there. Links
 // that lead out of the folder are left out with a warning each, unless they may lead `anywhere`.

@@ -25,6 +25,8 @@ void declare(CLI::App& verb, CheckOptions& check) {
     CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");
     verb.add_flag("--lines", check.lines, "a JSON object a line, whenever a case ends")
         ->excludes(json);
+    add_examples(verb, {"glint check fragments/water.frag",
+                        "glint check fragments/*.frag presets/*.toml --seconds 20 -o failures"});
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ void declare(CLI::App& verb, ImportOptions& import) {
     verb.add_option("-o,--output", import.output, "a .frag file")->required();
     verb.add_flag("--anywhere", import.anywhere,
                   "let it name files outside its folder, such as ../wood.png");
+    add_examples(verb,
+                 {"glint import shader.json -o shader.frag", "glint import tabs -o shader.frag"});
 }
 
 }  // namespace

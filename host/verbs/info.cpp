@@ -2,7 +2,9 @@
 
 #include "base/json_text.h"
 #include "base/say.h"
+#include "base/workers.h"
 #include "gl/context.h"
+#include "measure/inlining.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <set>
+#include <thread>
 
 namespace glint {
 namespace {
@@ -174,6 +177,48 @@ Json inspect(const Inspection& seen) {
     return json;
 }
 
+// The function of all passes whose copies cost most. Every pass has the whole text to go through:
+// as many at a time as there are processors.
+Json costliest_copies(const Preset& preset, const CompiledScene& compiled, bool specialise) {
+    const auto& programs = compiled.programs;
+    std::vector<std::optional<ProgramSize>> sizes(programs.size());
+    std::vector<std::string> why_not(programs.size());
+    Workers workers(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        workers.run([&, i] {
+            const PassText text = pass_text(preset, programs[i].pass, {.specialise = specialise});
+            sizes[i] = program_size(text.text, why_not[i]);
+        });
+    workers.finish();
+    Json worst = {{"function", nullptr}};
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        if (!sizes[i]) worst["why_not"] = why_not[i];
+        if (!sizes[i] || sizes[i]->functions.empty()) continue;
+        const InlinedFunction& function = sizes[i]->functions.front();
+        if (function.saved_by_one_call() <= most) continue;
+        most = function.saved_by_one_call();
+        worst = {
+            {"function", function.name},        {"pass", pass_name(preset.scene, programs[i].pass)},
+            {"copies", function.copies},        {"words", function.words},
+            {"program_words", sizes[i]->words}, {"saved_by_one_call", most}};
+    }
+    return worst;
+}
+
+void print_copies(const Json& worst) {
+    say_result("\ncopies that drivers make of a function, one a call\n");
+    if (worst["function"].is_null())
+        return say_result("  {}\n", worst.contains("why_not") ? worst["why_not"].get<std::string>()
+                                                              : "none is called twice");
+    say_result(
+        "  the costliest: {}, {} of {} words each, in {} of {} words; one call site would save "
+        "{}\n",
+        worst["function"].get<std::string>(), worst["copies"].get<std::size_t>(),
+        worst["words"].get<std::size_t>(), worst["pass"].get<std::string>(),
+        worst["program_words"].get<std::size_t>(), worst["saved_by_one_call"].get<std::size_t>());
+}
+
 std::string joined(const Json& list) {
     std::string text;
     for (const auto& item : list) text += (text.empty() ? "" : ", ") + item.get<std::string>();
@@ -203,6 +248,7 @@ void print_tables(const Inspection& seen, const Json& json) {
         say_result("  {:<32} {}\n", item["what"].get<std::string>(),
                    item["why"].get<std::string>());
     }
+    print_copies(json["copies"]);
 }
 
 void run_info(const InfoOptions& options, const Stopwatch&) {
@@ -221,6 +267,7 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
             compile_or_stop(preset, {.program = {.specialise = options.view.specialise}})};
     Json json = inspect(seen);
     json["renderer"] = context->renderer();
+    json["copies"] = costliest_copies(preset, seen.specialised, options.view.specialise);
     if (options.view.json)
         say_result("{}\n", json_text(json));
     else
@@ -230,6 +277,8 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
 void declare(CLI::App& verb, InfoOptions& info) {
     add_view(verb, info.view);
     verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
+    add_examples(verb, {"glint info presets/christmas.toml",
+                        "glint info presets/water.toml --source image"});
 }
 
 }  // namespace

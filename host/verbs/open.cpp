@@ -1,27 +1,17 @@
 // `glint open`: the window, or where there is no display, a still.
 
 #include "base/say.h"
-#include "gl/context.h"
+#include "offline/examples.h"
 #include "offline/import.h"
 #include "offline/still.h"
 #include "verbs/options.h"
+#include "verbs/show.h"
 #include "verbs/verb.h"
-#include "window/live/window.h"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 namespace glint {
 namespace {
-
-bool has_display() {
-    for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY"}) {
-        const char* value = std::getenv(variable);
-        if (value && *value) return true;
-    }
-    return false;
-}
 
 // A shader of the site is imported, as where it is dropped on the window: a person wants to work on
 // it. Where that fails the window shows why.
@@ -35,13 +25,14 @@ ViewOptions shown_in_window(const ViewOptions& options) {
 }
 
 void run_open(const ViewOptions& options, const Stopwatch& since_start) {
-    if (has_display()) {
-        try {
-            return run_window(shown_in_window(options));
-        } catch (const NoContext& error) {
-            say("{}\n", error.what());
-        }
-    }
+    std::error_code error;
+    const bool browses =
+        options.file.empty() ||
+        (std::filesystem::is_directory(options.file, error) && !is_shadertoy(options.file));
+    // A window that waits for a file to appear would keep silent about a name that was mistyped.
+    if (!browses && !std::filesystem::exists(options.file, error)) open_preset(options);
+    if (show_in_window(shown_in_window(options))) return;
+    if (browses) return say_first_commands(options.file);
     StillOptions still;
     still.view = options;
     still.output = options.file.stem().string() + ".png";
@@ -51,6 +42,12 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
 
 void declare(CLI::App& verb, ViewOptions& options) {
     add_view(verb, options);
+    verb.get_option("file")->required(false)->description(
+        "a preset (.toml), a scene (.frag), a Shadertoy (.json), or a folder to "
+        "choose from; the browser otherwise");
+    add_examples(verb,
+                 {"glint presets/christmas.toml", "glint presets", "glint",
+                  "glint open presets/sea.toml --size 1280x720 --tweak reflections=screen-space"});
 }
 
 }  // namespace

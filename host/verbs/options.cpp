@@ -1,6 +1,30 @@
 #include "verbs/options.h"
 
+#include "base/diagnostic.h"
+
+#include <algorithm>
+
 namespace glint {
+
+CLI::Validator one_of(std::vector<std::string> words) {
+    const std::string all = fmt::format("{}", fmt::join(words, ", "));
+    const auto check = [words = std::move(words), all](const std::string& text) {
+        if (std::ranges::find(words, text) != words.end()) return std::string();
+        return fmt::format("{} is none of {}{}", in_quotes(text), all, did_you_mean(text, words));
+    };
+    return {check, all};
+}
+
+void add_off_switch(CLI::App& verb, const std::string& name, bool& value, const std::string& help) {
+    verb.add_flag_callback(
+        name, [&value] { value = false; }, help);
+}
+
+void add_examples(CLI::App& verb, std::initializer_list<std::string_view> lines) {
+    std::string text = "Examples:";
+    for (const std::string_view line : lines) text += fmt::format("\n  {}", line);
+    verb.footer(std::move(text));
+}
 
 void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
     verb.add_option("file", view.file, "a preset (.toml), a scene (.frag), or a Shadertoy (.json)")
@@ -10,8 +34,8 @@ void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
         ->allow_extra_args(false);
     verb.add_option("--device", view.device,
                     "which GPU: a number, a part of its name, or surfaceless");
-    verb.add_flag("!--no-specialise", view.specialise,
-                  "feed tweaks as uniforms instead of writing them in as constants");
+    add_off_switch(verb, "--no-specialise", view.specialise,
+                   "feed tweaks as uniforms instead of writing them in as constants");
     if (takes_json) verb.add_flag("--json", view.json, "one JSON object on stdout");
 }
 

@@ -6,8 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace glint {
 
@@ -23,6 +26,16 @@ CLI::Validator from(Number least, Number most) {
     };
     return {check, bounds};
 }
+
+// One of a few words.
+CLI::Validator one_of(std::vector<std::string> words);
+
+// A switch that turns off what is on: `--no-NAME`.
+void add_off_switch(CLI::App& verb, const std::string& name, bool& value, const std::string& help);
+
+// Command lines that stand below a verb's --help. Each is one that works in the repository's
+// folder.
+void add_examples(CLI::App& verb, std::initializer_list<std::string_view> lines);
 
 // What is opened, and how: the file, --size, --tweak, --device, --no-specialise and, unless the
 // verb has no such result, --json.

@@ -23,6 +23,11 @@ void declare(CLI::App& verb, SequenceOptions& sequence) {
     verb.add_option("--save-state-every", sequence.state.save_every,
                     "keep the state before each frame that is a multiple of this")
         ->check(from(1, 1 << 30));
+    add_examples(verb, {"glint sequence presets/sea.toml -o sea.mp4 --frames 0:599 --samples 4",
+                        "glint sequence presets/magic.toml -o magic.%04d.png --frames 0:59 --size "
+                        "640x360 --resume",
+                        "glint sequence presets/magic.toml -o - | ffplay -f rawvideo -pixel_format "
+                        "rgb24 -video_size 1280x720 -"});
 }
 
 }  // namespace

@@ -20,6 +20,11 @@ void declare(CLI::App& verb, StillOptions& still) {
             "--tile", still.tile,
             "draw in tiles of at most so many pixels a side; huge pictures do so by themselves")
         ->check(from(1, 16384));
+    add_examples(verb,
+                 {"glint still presets/christmas.toml -o wall.png --size 3840x2160 --samples 16",
+                  "glint still presets/christmas.toml -o x.png --tweak ornaments=256 --tweak "
+                  "snow=1 --time 3",
+                  "glint still presets/water.toml -o pond.exr --pass pond --frame 240"});
 }
 
 }  // namespace

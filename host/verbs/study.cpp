@@ -4,15 +4,13 @@
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
-#include <map>
-
 namespace glint {
 namespace {
 
 void declare(CLI::App& verb, StudyOptions& study) {
     add_views(verb, study.files, study.view, "pixels; 640x360 otherwise");
-    verb.add_flag("!--no-specialise", study.view.specialise,
-                  "feed tweaks as uniforms instead of writing them in as constants");
+    add_off_switch(verb, "--no-specialise", study.view.specialise,
+                   "feed tweaks as uniforms instead of writing them in as constants");
     verb.add_option("--vary", study.vary,
                     "name, name=a,b,c or name=a,...,z: instead of all quality tweaks")
         ->allow_extra_args(false);
@@ -20,9 +18,10 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->allow_extra_args(false);
     verb.add_option("--second", study.second, "name=value to measure the reference by")
         ->allow_extra_args(false);
-    verb.add_option("--metric", study.time_only, "error, or time alone: cost over size")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, std::string>{{"error", "false"}, {"time", "true"}}));
+    verb.add_option_function<std::string>(
+            "--metric", [&study](const std::string& word) { study.time_only = word == "time"; },
+            "error against time, or time alone: cost over size")
+        ->check(one_of({"error", "time"}));
     verb.add_option("--pass", study.pass, "compare this buffer instead of the picture");
     verb.add_option("--frames", study.frames, "timed frames a row")->check(from(15, 100'000));
     verb.add_option("-o,--output", study.output, "a folder for the report");
@@ -31,6 +30,9 @@ void declare(CLI::App& verb, StudyOptions& study) {
     verb.add_flag("--lines", study.lines, "a JSON object a line, whenever a picture is drawn")
         ->excludes(csv)
         ->excludes(json);
+    add_examples(verb,
+                 {"glint study presets/christmas.toml -o report",
+                  "glint study presets/caustics.toml --vary shaftSamples=4,...,64 --size 320x180"});
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ struct Command {
     std::vector<std::pair<std::string, std::string>> environment{};  // added to ours
     std::optional<rlim_t> largest_file{};  // bytes; a write beyond fails as on a full disk
     std::string out_to{};                  // a file for stdout; empty: captured
+    std::string err_to{};                  // and for stderr, such as a terminal
     std::chrono::seconds limit{120};       // for what hangs; killed then
 };
 
@@ -117,9 +118,11 @@ private:
             ::signal(SIGXFSZ, SIG_IGN);
         }
         const int out = command.out_to.empty() ? out_[1] : ::open(command.out_to.c_str(), O_WRONLY);
+        const int err =
+            command.err_to.empty() ? err_[1] : ::open(command.err_to.c_str(), O_WRONLY | O_NOCTTY);
         const int in = ::open("/dev/null", O_RDONLY);
         const bool ready = (command.folder.empty() || ::chdir(command.folder.c_str()) == 0) &&
-                           ::dup2(in, 0) == 0 && ::dup2(out, 1) == 1 && ::dup2(err_[1], 2) == 2;
+                           ::dup2(in, 0) == 0 && ::dup2(out, 1) == 1 && ::dup2(err, 2) == 2;
         if (ready) ::execv(words[0], words);
         ::_exit(127);
     }

@@ -168,5 +168,62 @@ TEST_F(InfoAndBench, MistakesHaveTheSameCodesAsAStill) {
     }
 }
 
+// Whether glslang and spirv-opt are there to count words.
+bool counts_words() {
+    return std::system(
+               "glslangValidator --version >/dev/null 2>&1 && "
+               "spirv-opt --version >/dev/null 2>&1") == 0;
+}
+
+constexpr std::string_view kCopies =
+    "float heavy(vec2 p) { float s = 0.0; for (int i = 0; i < 9; ++i) s += sin(p.x * s + p.y); "
+    "return s; }\n"
+    "float light(vec2 p) { return heavy(p) + heavy(p.yx); }\n"
+    "void mainImage(out vec4 c, in vec2 p) { c = vec4(light(p), heavy(2.0 * p), 0, 1); }\n";
+
+TEST_F(InfoAndBench, InfoNamesTheFunctionWhoseCopiesCostMost) {
+    if (!counts_words()) GTEST_SKIP() << "no glslangValidator or spirv-opt";
+    write("copies.frag", kCopies);
+    const Json copies = json({"info", "copies.frag"})["copies"];
+    EXPECT_EQ(copies["function"], "heavy");
+    EXPECT_EQ(copies["pass"], "image");
+    EXPECT_EQ(copies["copies"], 3);
+    EXPECT_EQ(copies["saved_by_one_call"], 2 * copies["words"].get<int>());
+    EXPECT_NE(glint({"info", "copies.frag"}).out.find("the costliest: heavy, 3 of "),
+              std::string::npos);
+}
+
+TEST_F(InfoAndBench, WithoutGlslangOnlyTheWordsAreMissing) {
+    write("copies.frag", kCopies);
+    Command command = this->command({"info", "copies.frag", "--json"});
+    command.environment = {{"PATH", "/nowhere"}};
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.code, 0);
+    const Json copies = Json::parse(outcome.out, nullptr, false)["copies"];
+    EXPECT_TRUE(copies["function"].is_null());
+    EXPECT_NE(copies["why_not"].get<std::string>().find("not installed"), std::string::npos);
+}
+
+TEST_F(InfoAndBench, CompileTellsOfEveryPassWithTheCacheEmptyAndFull) {
+    const Json bench = json({"bench", "scene.frag", "--compile", "--size", "32x18"});
+    ASSERT_EQ(bench["passes"].size(), 4u);
+    for (const Json& pass : bench["passes"]) {
+        for (const char* key : {"cold_ms", "warm_ms", "first_draw_ms", "first_draw_warm_ms"})
+            EXPECT_GT(pass[key].get<double>(), 0.0) << key;
+        EXPECT_EQ(pass["words"].is_number(), counts_words()) << pass;
+    }
+    EXPECT_EQ(bench["passes"].back()["name"], "image");
+    EXPECT_GT(bench["rounds"].get<int>(), 0);
+}
+
+TEST_F(InfoAndBench, CompileSaysOnceWhatDoesNotCompile) {
+    write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
+    const Outcome outcome = glint({"bench", "wrong.frag", "--compile"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.err.find("error:"), outcome.err.rfind("error:")) << outcome.err;
+    EXPECT_EQ(glint({"bench", "gone.frag", "--compile"}).code, 4);
+    EXPECT_EQ(glint({"bench", "scene.frag", "--compile", "--device", "none such"}).code, 5);
+}
+
 }  // namespace
 }  // namespace glint::cli

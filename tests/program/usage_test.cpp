@@ -1,6 +1,8 @@
 // A command line that makes no sense: exit code 2, one sentence, and no picture.
 #include "command.h"
 
+#include <sstream>
+
 namespace glint::cli {
 namespace {
 
@@ -12,6 +14,7 @@ protected:
         write(
             "scene.frag",
             "uniform float a; //@ 0.5 [0, 1]\n"
+            "uniform int wide; //@ 0 {off, traced} quality\n"
             "uniform sampler2D waves; //@ pass mainWaves\n"
             "void mainWaves(out vec4 c, in vec2 p) { c = vec4(1); }\n"
             "void mainImage(out vec4 c, in vec2 p) { c = a * texelFetch(waves, ivec2(p), 0); }\n");
@@ -20,11 +23,23 @@ protected:
 
 TEST_F(Usage, IsRefusedWithASentenceThatNamesTheOption) {
     const std::pair<Words, std::string_view> cases[] = {
-        {{}, "error: "},
         {{"still"}, "error: "},
         {{"still", "scene.frag"}, "--output"},
         {{"still", "-o", "out.png"}, "file"},
         {{"still", "scene.frag", "-o", "out.png", "--bogus"}, "--bogus"},
+        {{"still", "scene.frag", "-o", "out.png", "--siz", "8x8"}, "did you mean '--size'?"},
+        {{"still", "--siz=8x8", "scene.frag", "-o", "out.png"}, "did you mean '--size'?"},
+        {{"still", "scene.frag", "--outptu", "out.png"}, "did you mean '--output'?"},
+        {{"still", "scene.frag", "-o", "out.png", "--tweak", "wdie=1"}, "did you mean 'wide'?"},
+        {{"still", "scene.frag", "-o", "out.png", "--tweak", "wide=tracd"},
+         "off, traced or an index from 0 to 1; did you mean 'traced'?"},
+        {{"still", "scene.frag", "-o", "out.png", "--pass", "wvaes"}, "did you mean 'waves'?"},
+        {{"study", "scene.frag", "--vary", "wdie"}, "did you mean 'wide'?"},
+        {{"study", "scene.frag", "--vary", "wide=tracd"}, "did you mean 'traced'?"},
+        {{"study", "scene.frag", "--vary", "wide", "--reference", "wdie=1"},
+         "did you mean 'wide'?"},
+        {{"study", "scene.frag", "--metric", "tmie"}, "did you mean 'time'?"},
+        {{"new", "other", "--from", "raymach"}, "did you mean 'raymarch'?"},
         {{"still", "scene.frag", "scene.frag", "-o", "out.png"}, "scene.frag"},
         {{"still", "scene.frag", "-o"}, "--output"},
         {{"still", "scene.frag", "-o", "out.png", "--size", "0x5"}, "--size 0x5"},
@@ -66,6 +81,7 @@ TEST_F(Usage, IsRefusedWithASentenceThatNamesTheOption) {
         {{"info", "scene.frag", "--source", "wave"}, "it has image, waves"},
         {{"stil", "scene.frag", "-o", "out.png"}, "did you mean 'still'?"},
         {{"--bogus"}, "--help"},
+        {{"--hepl"}, "did you mean '--help'?"},
     };
     const auto before = names();
     for (const auto& [arguments, part] : cases) {
@@ -111,6 +127,99 @@ TEST_F(Usage, HelpAndVersionAreResults) {
         EXPECT_NE(outcome.out, "");
         EXPECT_EQ(outcome.err, "");
     }
+}
+
+TEST_F(Usage, AMistypedFileEndsWith4AndTheNearestName) {
+    write("fragments/rings.frag", kGradient);
+    const std::pair<Words, std::string_view> cases[] = {
+        {{"still", "scnee.frag", "-o", "out.png"}, "did you mean 'scene.frag'?"},
+        {{"info", "scene.fra"}, "did you mean 'scene.frag'?"},
+        {{"scene"}, "did you mean 'scene.frag'?"},
+        {{"open", "ring.frag"}, "cannot read 'ring.frag'"},
+        {{"rings.frag"}, "did you mean 'fragments/rings.frag'?"},
+        {{"check", "fragment/rings.frag"}, "did you mean 'fragments/rings.frag'?"},
+        {{"import", "scene.jsn", "-o", "new.frag"}, "No such file"},
+    };
+    for (const auto& [arguments, part] : cases) {
+        SCOPED_TRACE(arguments.back());
+        const Outcome outcome = glint(arguments);
+        EXPECT_EQ(outcome.code, 4);
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    }
+}
+
+TEST_F(Usage, AMenuInAPresetIsToldTheNearestName) {
+    write("look.toml", "scene = \"scene.frag\"\n[tweaks]\nwide = \"tracd\"\n");
+    const Outcome outcome = glint({"info", "look.toml"});
+    EXPECT_NE(outcome.err.find("did you mean 'traced'?"), std::string::npos) << outcome.err;
+}
+
+// The verbs that `glint --help` lists.
+Words verbs_in(const std::string& help) {
+    Words verbs;
+    std::istringstream lines(help.substr(help.find("Subcommands:")));
+    for (std::string line; std::getline(lines, line) && line.rfind("Examples", 0) != 0;)
+        if (line.starts_with("  ") && line[2] != ' ')
+            verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
+    return verbs;
+}
+
+TEST_F(Usage, EveryHelpHasExamplesWhoseOptionsItListsAndLeaksNoDefault) {
+    const Words verbs = verbs_in(glint({"--help"}).out);
+    ASSERT_GE(verbs.size(), 11u);
+    for (const std::string& verb : verbs) {
+        SCOPED_TRACE(verb);
+        const std::string help = glint({verb, "--help"}).out;
+        EXPECT_EQ(help.find('{'), std::string::npos) << help;
+        const std::size_t examples = help.find("Examples:\n");
+        ASSERT_NE(examples, std::string::npos) << help;
+        std::istringstream words(help.substr(examples));
+        std::string word;
+        words >> word >> word;
+        EXPECT_EQ(word, "glint");
+        for (; words >> word && word != "|";) {
+            const bool is_file = word.starts_with("presets/") || word.starts_with("fragments/");
+            const bool is_option = word.starts_with("--");
+            EXPECT_TRUE(!is_option || help.find("  " + word) < examples) << word;
+            EXPECT_TRUE(!is_file || word.find('*') != word.npos ||
+                        fs::exists(fs::path(GLINT_REPOSITORY) / word))
+                << word;
+        }
+    }
+}
+
+TEST_F(Usage, AloneAndWithoutADisplayItNamesThreeCommandsThatWork) {
+    Command alone = command({});
+    alone.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+    const Outcome outcome = run(alone);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    std::istringstream lines(outcome.out);
+    int commands = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("  ")) continue;
+        ++commands;
+        std::istringstream words(line);
+        Words arguments;
+        for (std::string word; words >> word;) arguments.push_back(word);
+        EXPECT_TRUE(fs::exists(folder() / arguments[0])) << arguments[0];
+        arguments.erase(arguments.begin());
+        if (arguments[0] == "still") arguments.back() = "64x36";
+        Command next = command(arguments);
+        next.environment = alone.environment;
+        EXPECT_EQ(run(next).code, 0) << line;
+    }
+    EXPECT_EQ(commands, 3) << outcome.out;
+    EXPECT_TRUE(names().contains("rings.frag"));
+}
+
+TEST_F(Usage, AFolderWithoutADisplayIsToldWithAFileOfIts) {
+    write("looks/rings.frag", kGradient);
+    Command folder = command({"looks"});
+    folder.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+    const Outcome outcome = run(folder);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.out.find("still looks/rings.frag -o "), std::string::npos) << outcome.out;
 }
 
 TEST_F(Usage, WithoutADriverItSaysWhatToInstall) {

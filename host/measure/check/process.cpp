@@ -2,7 +2,7 @@
 
 #include "base/json_text.h"
 #include "base/launch.h"
-#include "base/say.h"
+#include "base/terminal.h"
 #include "measure/check/budget.h"
 
 #include <fmt/format.h>
@@ -129,15 +129,15 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
     } catch (const Stop& stop) {
         leave(stop.code);
     } catch (const UsageError& error) {
-        say("error: {}\n", error.what());
+        say_error(error.what());
         leave(ExitCode::usage);
     } catch (const NoContext& error) {
-        say("error: {}\n", error.what());
+        say_error(error.what());
         leave(ExitCode::no_context);
     } catch (const ContextLost&) {
         leave(ExitCode::context_lost);
     } catch (const std::exception& error) {
-        say("error: {}\n", error.what());
+        say_error(error.what());
     }
     leave(ExitCode::failure);
     std::abort();

@@ -94,8 +94,9 @@ private:
 TweakValue Planner::parse(const Tweak& tweak, const std::string& text, const char* option) const {
     const auto value = parse_value(tweak, text);
     if (!value) {
-        throw UsageError(
-            fmt::format("{} {}: '{}' is not {}.", option, tweak.name, text, expected_value(tweak)));
+        const std::string meant = did_you_mean(text, tweak.names);
+        throw UsageError(fmt::format("{} {}: '{}' is not {}{}", option, tweak.name, text,
+                                     expected_value(tweak), meant.empty() ? "." : meant));
     }
     return *value;
 }
@@ -282,11 +283,12 @@ Knob named_knob(const Planner& planner, const Preset& preset, const SceneFacts& 
     const Tweak* tweak = find_tweak(preset.scene, name);
     if (!tweak && name == kSettle && facts.accumulates(preset.values))
         return planner.settle_and_own(kSettleValues);
-    const std::vector<TweakValue> values = tweak ? values_of(*tweak) : std::vector<TweakValue>();
+    if (!tweak) throw UsageError("--vary: " + no_such_tweak(preset.scene, name));
+    const std::vector<TweakValue> values = values_of(*tweak);
     if (values.empty()) {
         throw UsageError(
-            fmt::format("--vary {}: the scene has no such tweak with a range or a menu; name its "
-                        "values with --vary {}=a,b,c.",
+            fmt::format("--vary {}: it has neither a range nor a menu; name its values with "
+                        "--vary {}=a,b,c.",
                         name, name));
     }
     return planner.knob_and_own(*tweak, values);
@@ -307,11 +309,10 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
         }
         return planner.settle_knob(frames);
     }
-    if (!tweak || component_count(tweak->type) > 1) {
-        throw UsageError(
-            fmt::format("--vary {}: the scene has no such tweak of one number, or "
-                        "menu.",
-                        vary.name));
+    if (!tweak) throw UsageError("--vary: " + no_such_tweak(preset.scene, vary.name));
+    if (component_count(tweak->type) > 1) {
+        throw UsageError(fmt::format(
+            "--vary {}: only a tweak of one number, or a menu, can be varied.", vary.name));
     }
     std::vector<TweakValue> values;
     for (const std::string& word : words) {
@@ -322,6 +323,15 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
         }
     }
     return planner.knob(*tweak, values);
+}
+
+// A name that no knob has would say nothing.
+void require_known(const Scene& scene, const std::vector<std::string>& list, const char* option) {
+    for (const std::string& text : list) {
+        const std::string name = split(text, option).name;
+        if (name != kSettle && !find_tweak(scene, name))
+            throw UsageError(fmt::format("{}: {}", option, no_such_tweak(scene, name)));
+    }
 }
 
 }  // namespace
@@ -389,6 +399,8 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
 }
 
 StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options) {
+    require_known(preset.scene, options.reference, "--reference");
+    require_known(preset.scene, options.second, "--second");
     const Planner planner(preset, facts, options);
     StudyPlan plan;
     for (const std::string& text : options.vary) {

@@ -3,6 +3,7 @@
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
+#include "base/terminal.h"
 #include "measure/study/measure.h"
 #include "measure/study/page.h"
 #include "measure/study/result.h"
@@ -229,9 +230,9 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
         .key = key_of_preset(preset, context.renderer(), options.pass, view.specialise),
         .lines = lines};
     if (plan.knobs.empty()) {
-        say("warning: {} has no quality tweaks and accumulates nothing; name a tweak with "
-            "--vary\n",
-            file.string());
+        say_warning(fmt::format(
+            "{} has no quality tweaks and accumulates nothing; name a tweak with --vary",
+            file.string()));
     }
     for (const Knob& knob : plan.knobs) {
         studies.push_back(study_knob(scenery, knob));

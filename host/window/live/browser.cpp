@@ -1,6 +1,7 @@
 #include "window/live/browser.h"
 
 #include "base/launch.h"
+#include "offline/examples.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -31,6 +32,11 @@ void append_files(std::vector<fs::path>& list, std::set<fs::path>& known, const 
         const fs::path place = fs::weakly_canonical(file, error);
         if (known.insert(error ? file : place).second) list.push_back(file);
     }
+}
+
+// A scene has its ending, which tells it from the preset of its name.
+std::string shown_name(const fs::path& file) {
+    return (file.extension() == ".toml" ? file.stem() : file.filename()).string();
 }
 
 // Lowest priority, and silent: a scene that does not compile simply has no thumbnail.
@@ -79,12 +85,16 @@ fs::path Browser::cached(const fs::path& file) const {
     return cache_ / fmt::format("{:016x}.png", std::hash<std::string>()(key));
 }
 
-void Browser::list(const fs::path& near_file) {
+void Browser::list(const std::vector<Shelf>& shelves) {
     std::vector<Look> looks;
-    for (const fs::path& file : nearby_files(near_file)) {
-        looks.push_back({.file = file, .title = file.stem().string(), .thumbnail = {}});
-        for (Look& known : looks_) {
-            if (known.file == file) looks.back().thumbnail = std::move(known.thumbnail);
+    for (const Shelf& shelf : shelves) {
+        for (const fs::path& file : shelf.files) {
+            looks.push_back(
+                {.file = file, .shelf = shelf.heading, .title = shown_name(file), .thumbnail = {}});
+            for (Look& known : looks_) {
+                if (known.file == file && known.shelf == shelf.heading)
+                    looks.back().thumbnail = std::move(known.thumbnail);
+            }
         }
     }
     looks_ = std::move(looks);
@@ -96,8 +106,10 @@ void Browser::start_next() {
     if (next_ >= looks_.size()) return;
     const fs::path output = cached(looks_[next_].file);
     std::error_code error;
-    if (fs::exists(output, error)) {
-        reading_ = std::async(std::launch::async, [output] { return read_image(output); });
+    const bool is_drawn = fs::exists(output, error);
+    const fs::path picture = is_drawn ? output : gallery_picture(looks_[next_].file);
+    if (!picture.empty()) {
+        reading_ = std::async(std::launch::async, [picture] { return read_image(picture); });
         return;
     }
     fs::create_directories(cache_, error);

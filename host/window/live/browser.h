@@ -15,6 +15,7 @@ namespace glint {
 
 struct Look {
     std::filesystem::path file;
+    std::string shelf;  // as BrowserEntry::shelf
     std::string title;
     Texture thumbnail;  // empty until it is there
 };
@@ -32,8 +33,12 @@ public:
     Browser(const Browser&) = delete;
     Browser& operator=(const Browser&) = delete;
 
-    // Lists anew what lies near this file; thumbnails that are there are kept.
-    void list(const std::filesystem::path& near_file);
+    // In this order, under these headings.
+    struct Shelf {
+        std::string heading;
+        std::vector<std::filesystem::path> files;
+    };
+    void list(const std::vector<Shelf>& shelves);
 
     // One thumbnail at a time, at the lowest priority; does not wait. True when one has arrived.
     bool update();

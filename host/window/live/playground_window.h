@@ -13,6 +13,7 @@
 #include "window/live/glfw_window.h"
 #include "window/live/picture_shelf.h"
 #include "window/live/playground.h"
+#include "window/live/recent.h"
 #include "window/live/sound.h"
 #include "window/live/study.h"
 #include "window/live/unsaved_work.h"
@@ -66,6 +67,9 @@ private:
     void take_answer(Answer answer);
     void open(const std::filesystem::path& file);
     void import_or_open(const std::filesystem::path& file);
+    void browse(const std::filesystem::path& folder);
+    void list_files();
+    void make_new_scene(const NewScene& wanted);
     void save_as(const std::filesystem::path& file);
     bool save(const std::filesystem::path& file);
     void revert();
@@ -124,12 +128,14 @@ private:
     PanelSettings settings_;
     Panels panels_;
     Browser browser_;
+    Recent recent_;
     LiveStudy study_;
     LiveCheck check_;
     LiveSound sound_;
     Editor editor_;
     PictureShelf pictures_;
-    std::filesystem::path file_;   // as it was named
+    std::filesystem::path file_;         // as it was named; empty while nothing is open
+    std::filesystem::path folder_{"."};  // whose files the browser lists
     std::filesystem::path place_;  // the same for every name of it, wherever the program stands
     bool values_known_ = false;    // the file has been shown
     // Those of the scene that is on the screen until the file is shown, as they were left.

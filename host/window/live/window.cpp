@@ -2,7 +2,9 @@
 
 #include "base/canonical_name.h"
 #include "base/say.h"
+#include "base/terminal.h"
 #include "media/image.h"
+#include "offline/new_scene.h"
 #include "window/live/inspect.h"
 #include "window/live/playground_window.h"
 
@@ -53,6 +55,15 @@ glm::ivec2 size_at_start(const ViewOptions& options) {
     return read.preset->size;
 }
 
+std::span<const std::string_view> template_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> list;
+        for (const SceneTemplate& each : scene_templates()) list.push_back(each.name);
+        return list;
+    }();
+    return names;
+}
+
 }  // namespace
 
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
@@ -65,10 +76,16 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       panels_(window_.handle(), window_.content_scale(),
               home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
       browser_(home_folder("XDG_CACHE_HOME", ".cache")),
+      recent_(home_folder("XDG_STATE_HOME", ".local/state") / "recent"),
       study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
              {.device = options.device, .specialise = options.specialise}),
       check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
       sound_(options.device) {
+    std::error_code error;
+    if (options.file.empty() || fs::is_directory(options.file, error)) {
+        browse(options.file.empty() ? "." : options.file);
+        return;
+    }
     pause_at_open_ = crash_mark_.take(canonical_name(options.file));
     if (pause_at_open_) notice("The last run ended while this scene was open; it starts paused.");
     open(options.file);
@@ -278,7 +295,7 @@ Facts PlaygroundWindow::facts() {
     if (sees_scene && settings_.visible && settings_.passes) gather_pixels();
     browser_entries_.clear();
     for (const Look& look : browser_.looks()) {
-        browser_entries_.push_back({look.file, look.title, look.thumbnail.id(), {}});
+        browser_entries_.push_back({look.file, look.title, look.shelf, look.thumbnail.id(), {}});
     }
     const Preset* preset = playground_.preset();
     Facts facts;
@@ -302,12 +319,16 @@ Facts PlaygroundWindow::facts() {
     facts.pixel_values = pixel_values_;
     facts.grid = grid_;
     facts.browser = browser_entries_;
+    facts.folder = folder_;
+    facts.templates = template_names();
     facts.recording = playground_.recorder.recording();
     facts.has_sound = sound_.has_sound();
     facts.why_silent = sound_.why_silent();
     facts.notice = notice_;
     tell_findings(facts);
-    const std::string title = fmt::format("{}{} - Glint", facts.title, facts.unsaved ? " *" : "");
+    const std::string title =
+        file_.empty() ? "Glint"
+                      : fmt::format("{}{} - Glint", facts.title, facts.unsaved ? " *" : "");
     if (title != title_) window_.set_title(title_ = title);
     return facts;
 }
@@ -320,10 +341,11 @@ void PlaygroundWindow::print_reports() {
         last_reload_ = reports[i].text;
         say("{}\n", last_reload_);
         for (const Diagnostic& diagnostic : playground_.diagnostics()) {
-            say("{}\n", to_string(diagnostic));
+            say_diagnostic(diagnostic);
         }
         if (reports[i].shown && !values_known_) {
             values_known_ = true;
+            recent_.add(file_);
             if (pause_at_open_) playground_.transport.pause();
             pause_at_open_ = false;
             lay_options_over();
@@ -355,6 +377,7 @@ void PlaygroundWindow::take_still() {
 }
 
 void PlaygroundWindow::edit(const Diagnostic& diagnostic) {
+    if (file_.empty()) return notice("Nothing is open.");
     Place place = diagnostic.place;
     const Preset* preset = playground_.preset();
     if (place.file.empty()) place.file = (preset ? preset->scene.files.front() : file_).string();
@@ -367,6 +390,7 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.open) leave({Leaving::For::open, *wishes.open});
     if (wishes.save && file_.extension() == ".toml") save(file_);
     if (wishes.save_as) save_as(*wishes.save_as);
+    if (wishes.new_scene) make_new_scene(*wishes.new_scene);
     if (wishes.revert) leave({Leaving::For::revert, {}});
     if (wishes.still) take_still();
     if (wishes.toggle_recording) toggle_recording();

@@ -4,7 +4,9 @@
 #include "base/temporary_file.h"
 #include "glsl/raw_text.h"
 #include "media/image.h"
+#include "offline/examples.h"
 #include "offline/import.h"
+#include "offline/new_scene.h"
 #include "scene/preset_writer.h"
 #include "window/live/playground_window.h"
 
@@ -125,11 +127,47 @@ void PlaygroundWindow::open(const fs::path& file) {
     place_ = canonical_name(file);
     crash_mark_.set(place_);
     playground_.open(file);
-    browser_.list(file);
+    folder_ = file.has_parent_path() ? file.parent_path() : ".";
+    list_files();
     dirty_ = true;
 }
 
+// Shows what there is to choose from. What is open stays.
+void PlaygroundWindow::browse(const fs::path& folder) {
+    folder_ = folder;
+    if (!file_.empty()) settings_.browser = true;  // else it fills the window
+    list_files();
+    dirty_ = true;
+}
+
+void PlaygroundWindow::list_files() {
+    constexpr std::size_t kMostRecent = 6;
+    std::vector<fs::path> recent = recent_.files();
+    std::erase(recent, place_);
+    recent.resize(std::min(recent.size(), kMostRecent));
+    std::vector<fs::path> near = nearby_files(folder_ / "file"), shipped;
+    // Who names neither a file nor a folder may have none yet.
+    if (options_.file.empty() && file_.empty()) shipped = examples();
+    std::erase_if(shipped, [&](const fs::path& example) {
+        return std::ranges::any_of(near, [&](const fs::path& file) {
+            return canonical_name(file) == canonical_name(example);
+        });
+    });
+    browser_.list(
+        {{"Recent", std::move(recent)}, {"Examples", std::move(shipped)}, {"", std::move(near)}});
+}
+
+void PlaygroundWindow::make_new_scene(const NewScene& wanted) {
+    try {
+        leave({Leaving::For::open, write_new_scene(wanted.file, wanted.from)});
+    } catch (const std::runtime_error& error) {
+        notice(error.what());
+    }
+}
+
 void PlaygroundWindow::import_or_open(const fs::path& file) {
+    std::error_code error;
+    if (!is_shadertoy(file) && fs::is_directory(file, error)) return browse(file);
     if (!is_shadertoy(file)) return open(file);
     const ImportedBeside imported = import_beside(file);
     notice(imported.notice);

@@ -39,6 +39,9 @@ void saving(Build& build) {
     if (text_button(theme, "Revert", false, "Back to what the file says; undo takes it back"))
         build.wishes.revert = true;
     ImGui::EndDisabled();
+    ImGui::SameLine(0, theme.px(4));
+    if (text_button(theme, "New\u2026", false, "A commented scene to begin with"))
+        build.settings.new_scene = true;
 }
 
 void draw_card(Build& build, const BrowserEntry& entry, ImVec2 corner, float width, float picture) {
@@ -74,10 +77,10 @@ void card(Build& build, const BrowserEntry& entry, float width) {
     tip(build.theme, entry.title + "\n" + entry.file.string());
 }
 
-void cards(Build& build, const std::vector<std::size_t>& entries) {
+void cards(Build& build, const std::vector<std::size_t>& entries, float least) {
     const Theme& theme = build.theme;
     const float whole = ImGui::GetContentRegionAvail().x, gap = theme.px(8);
-    const int columns = std::max(1, static_cast<int>((whole + gap) / (theme.px(130) + gap)));
+    const int columns = std::max(1, static_cast<int>((whole + gap) / (theme.px(least) + gap)));
     const float width =
         std::floor((whole - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -88,30 +91,35 @@ void cards(Build& build, const std::vector<std::size_t>& entries) {
     }
 }
 
-void shelves(Build& build) {
-    std::vector<std::pair<fs::path, std::vector<std::size_t>>> groups;
-    for (std::size_t i = 0; i < build.facts.browser.size(); ++i) {
-        const fs::path scene = scene_of(build.facts.browser[i], build.facts.browser);
-        auto found =
-            std::ranges::find(groups, scene, [](const auto& group) { return group.first; });
-        if (found == groups.end()) found = groups.insert(found, {scene, {}});
-        found->second.push_back(i);
-    }
-    for (const auto& [scene, entries] : groups) {
-        text_in(colours::kText, scene.empty() ? "Presets" : scene.stem().string(),
-                build.theme.bold);
-        cards(build, entries);
-        ImGui::Dummy({0, build.theme.px(4)});
-    }
+std::string shelf_of(const BrowserEntry& entry, std::span<const BrowserEntry> all) {
+    if (!entry.shelf.empty()) return entry.shelf;
+    const fs::path scene = scene_of(entry, all);
+    return scene.empty() ? "Presets" : scene.stem().string();
 }
 
 }  // namespace
+
+void shelves(Build& build, float card_width) {
+    std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
+    for (std::size_t i = 0; i < build.facts.browser.size(); ++i) {
+        const std::string shelf = shelf_of(build.facts.browser[i], build.facts.browser);
+        auto found =
+            std::ranges::find(groups, shelf, [](const auto& group) { return group.first; });
+        if (found == groups.end()) found = groups.insert(found, {shelf, {}});
+        found->second.push_back(i);
+    }
+    for (const auto& [shelf, entries] : groups) {
+        text_in(colours::kText, shelf, build.theme.bold);
+        cards(build, entries, card_width);
+        ImGui::Dummy({0, build.theme.px(4)});
+    }
+}
 
 void browser_panel(Build& build) {
     begin_panel(build, PanelId::browser, "Browser", build.settings.browser);
     saving(build);
     begin_body();
-    shelves(build);
+    shelves(build, 130.0f);
     if (build.facts.browser.empty()) {
         ImGui::PushTextWrapPos(0.0f);
         text_in(colours::kDim, "Nothing is here yet. Drop a .frag file or a preset on the window.");

@@ -1,6 +1,6 @@
 // What is wrong with the text, over the last good picture: place, message, the line and a caret.
+#include "base/source_line.h"
 #include "window/ui/interface.h"
-#include "window/ui/source_line.h"
 #include "window/ui/widgets.h"
 
 #include <fmt/format.h>

@@ -2,9 +2,11 @@
 #include "window/ui/interface.h"
 #include "window/ui/widgets.h"
 
+#include <fmt/format.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -67,6 +69,55 @@ void ask_path(Build& build, SavingState& state) {
     ImGui::EndPopup();
 }
 
+// In the folder that is open, under the first name that is free.
+fs::path proposed_scene(const fs::path& folder) {
+    for (int number = 1;; ++number) {
+        const std::string name = number == 1 ? "new.frag" : fmt::format("new-{}.frag", number);
+        std::error_code error;
+        if (!fs::exists(folder / name, error)) return folder / name;
+    }
+}
+
+void choose_template(Build& build, NewSceneState& state) {
+    const auto& names = build.facts.templates;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) ImGui::SameLine();
+        const std::string name(names[i]);
+        if (ImGui::RadioButton(name.c_str(), state.from == i)) state.from = i;
+    }
+}
+
+void ask_new_scene(Build& build, NewSceneState& state) {
+    constexpr const char* kNewScene = "New scene";
+    const Theme& theme = build.theme;
+    const bool begins = std::exchange(build.settings.new_scene, false);
+    if (begins) state.path = proposed_scene(build.facts.folder).string();
+    if (begins) ImGui::OpenPopup(kNewScene);
+    if (!begin_dialog(kNewScene)) return;
+    text_in(colours::kText, "A new scene", theme.bold);
+    const float widest = ImGui::GetIO().DisplaySize.x - theme.px(60);
+    ImGui::SetNextItemWidth(std::min(theme.px(480), widest));
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        ImGui::InputText("##path", &state.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    choose_template(build, state);
+    fs::path path(state.path);
+    if (!path.empty() && path.extension() != ".frag") path += ".frag";
+    std::error_code error;
+    const bool exists = fs::exists(path, error);
+    text_in(exists ? colours::kWarning : colours::kDim,
+            exists ? "This file is there already; name another." : "It is written, and opened.");
+    ImGui::BeginDisabled(exists);
+    const bool create = (ImGui::Button("Create") || entered) && !exists && path.has_filename();
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    const bool cancel = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
+    if (create && state.from < build.facts.templates.size())
+        build.wishes.new_scene = {path, std::string(build.facts.templates[state.from])};
+    if (create || cancel) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 // A button that Enter or Esc presses too; that of Enter is lit.
 bool choice(const char* text, ImGuiKey key = ImGuiKey_COUNT) {
     const ImU32 rest = ImGui::GetColorU32(ImGuiCol_Button);
@@ -120,9 +171,10 @@ void ask(Build& build) {
 
 }  // namespace
 
-void dialogs(Build& build, SavingState& saving) {
+void dialogs(Build& build, SavingState& saving, NewSceneState& new_scene) {
     ask(build);
     ask_path(build, saving);
+    ask_new_scene(build, new_scene);
 }
 
 }  // namespace glint

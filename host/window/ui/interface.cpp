@@ -38,26 +38,33 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, Transport
         shown_labels(build);
         wipe_handle(build);
         top_bar(build, diagnostics_);
-        if (!settings.transport) layout_.transport = {};
-        if (settings.transport) transport_panel(build, transport_);
-        layout_.arrange(
-            theme_, screen,
-            {settings.tweaks, settings.passes, settings.browser, settings.study, settings.check});
-        if (!facts.scene) empty_hint(build);
-        if (settings.tweaks) tweaks_panel(build, tweaks_);
-        if (settings.passes) passes_panel(build);
-        if (settings.browser) browser_panel(build);
-        if (settings.study) study_panel(build, study_);
-        if (settings.check) check_panel(build);
-        diagnostics_panel(build, diagnostics_);
+        if (!facts.scene && facts.file.empty())
+            start_page(build);
+        else
+            panels(build);
         if (settings.help) help_panel(build);
     }
     if (screen.x >= 1.0f && !settings.visible) error_line(build);
-    dialogs(build, saving_);
+    dialogs(build, saving_, new_scene_);
     if (screen.x >= 1.0f && notice_age_ < kNoticeStays)
         notice(build, std::clamp((kNoticeStays - notice_age_) / kNoticeFades, 0.0f, 1.0f));
     tweaks_.edits.follow(wishes);
     return wishes;
+}
+
+void Interface::panels(Build& build) {
+    const PanelSettings& settings = build.settings;
+    if (!settings.transport) layout_.transport = {};
+    if (settings.transport) transport_panel(build, transport_);
+    layout_.arrange(
+        theme_, ImGui::GetIO().DisplaySize,
+        {settings.tweaks, settings.passes, settings.browser, settings.study, settings.check});
+    if (settings.tweaks) tweaks_panel(build, tweaks_);
+    if (settings.passes) passes_panel(build);
+    if (settings.browser) browser_panel(build);
+    if (settings.study) study_panel(build, study_);
+    if (settings.check) check_panel(build);
+    diagnostics_panel(build, diagnostics_);
 }
 
 void Interface::follow_notice(const Facts& facts) {
@@ -103,30 +110,6 @@ void notice(Build& build, float alpha) {
     ImGui::PopTextWrapPos();
     ImGui::End();
     ImGui::PopStyleVar();
-}
-
-void empty_hint(Build& build) {
-    if (build.facts.loading || has_errors(build.facts.diagnostics)) return;
-    const Theme& theme = build.theme;
-    const Area& free = build.layout.free;
-    const ImVec2 centre{free.corner.x + 0.5f * free.size.x, free.corner.y + 0.5f * free.size.y};
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const char* big = "Drop a .frag file here";
-    const char* small = "or choose one in the browser (Ctrl+O)";
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float width = std::min(ImGui::CalcTextSize(small).x, free.size.x);
-    const ImVec2 half{0.5f * width + theme.px(32), line + theme.px(24)};
-    list.AddRectFilled({centre.x - half.x, centre.y - half.y},
-                       {centre.x + half.x, centre.y + half.y}, colours::kPanel, theme.px(6));
-    list.AddRect({centre.x - half.x, centre.y - half.y}, {centre.x + half.x, centre.y + half.y},
-                 colours::kFaint, theme.px(6), 0, theme.px(1));
-    ImGui::PushFont(theme.bold);
-    const float big_width = ImGui::CalcTextSize(big).x;
-    text_within(list, {centre.x - 0.5f * big_width, centre.y - line}, big_width + 1.0f,
-                colours::kText, big);
-    ImGui::PopFont();
-    text_within(list, {centre.x - 0.5f * width, centre.y + theme.px(4)}, width + 1.0f,
-                colours::kDim, small);
 }
 
 }  // namespace glint

@@ -66,6 +66,11 @@ struct SavingState {
     std::string path;  // of save as
 };
 
+struct NewSceneState {
+    std::string path;
+    std::size_t from = 0;  // of Facts::templates
+};
+
 struct StudyState {
     std::string knob;  // to be studied; "" for all
     // The row under the mouse, in the diagram or in the table; in the frame before, and in this.
@@ -77,14 +82,15 @@ void tweaks_panel(Build& build, TweaksState& state);
 void transport_panel(Build& build, TransportState& state);
 void passes_panel(Build& build);
 void browser_panel(Build& build);
+void shelves(Build& build, float card_width);  // of scenes and presets; points, at least
+void start_page(Build& build);                 // instead of the panels while nothing is open
 void study_panel(Build& build, StudyState& state);
 void check_panel(Build& build);
 void diagnostics_panel(Build& build, DiagnosticsState& state);
 void diagnostics_button(Build& build, DiagnosticsState& state);  // in the bar: how many
 void help_panel(Build& build);
-void dialogs(Build& build, SavingState& saving);
+void dialogs(Build& build, SavingState& saving, NewSceneState& new_scene);
 void error_line(Build& build);  // where the panels are hidden
-void empty_hint(Build& build);
 void wipe_handle(Build& build);
 void shown_labels(Build& build);
 void pixel_grid(Build& build);
@@ -119,6 +125,7 @@ public:
     Places& places() { return layout_.places; }
 
 private:
+    void panels(Build& build);
     void follow_notice(const Facts& facts);
 
     Theme theme_;
@@ -128,6 +135,7 @@ private:
     TransportState transport_;
     DiagnosticsState diagnostics_;
     SavingState saving_;
+    NewSceneState new_scene_;
     StudyState study_;
     std::string notice_;
     float notice_age_ = 1e9f;  // s

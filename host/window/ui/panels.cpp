@@ -59,6 +59,7 @@ std::vector<int> press_tapped(GLFWwindow* window) {
 void add(Wishes& all, Wishes more) {
     if (more.open) all.open = std::move(more.open);
     if (more.save_as) all.save_as = std::move(more.save_as);
+    if (more.new_scene) all.new_scene = std::move(more.new_scene);
     if (more.edit) all.edit = std::move(more.edit);
     if (more.answer) all.answer = more.answer;
     if (more.study) all.study = std::move(more.study);

@@ -19,6 +19,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct GLFWwindow;
@@ -29,6 +30,7 @@ namespace glint {
 struct BrowserEntry {
     std::filesystem::path file;
     std::string title;
+    std::string shelf;  // the heading it stands under; "" is its scene's name
     std::uint32_t thumbnail = 0;
     std::filesystem::path scene;  // of a preset, under which it stands; "" is guessed by name
 };
@@ -103,6 +105,8 @@ struct Facts {
     std::span<const PixelValue> pixel_values;
     std::span<const GridPixel> grid;  // those in view, when the zoom is far enough for numbers
     std::span<const BrowserEntry> browser;
+    std::filesystem::path folder;                 // where a new scene would go
+    std::span<const std::string_view> templates;  // what it may begin with
     WorkFact study_work, check_work;
     std::span<const Study> studies;
     std::span<const CaseResult> cases;  // worst first
@@ -116,9 +120,15 @@ struct Facts {
 
 enum class Answer { save, discard, cancel, restore };
 
+struct NewScene {
+    std::filesystem::path file;
+    std::string from;  // of Facts::templates
+};
+
 // What a person asked for in one frame.
 struct Wishes {
     std::optional<std::filesystem::path> open, save_as;
+    std::optional<NewScene> new_scene;
     bool save = false, revert = false;
     bool still = false;
     bool toggle_recording = false;
@@ -138,7 +148,8 @@ struct PanelSettings {
     bool visible = true;  // Tab hides all
     bool tweaks = true, transport = true, passes = false, browser = false, help = false;
     bool study = false, check = false;
-    bool save_as = false;  // ask for the path; the panels answer with Wishes::save_as
+    bool save_as = false;    // ask for the path; the panels answer with Wishes::save_as
+    bool new_scene = false;  // ask for its name; answered with Wishes::new_scene
     PassView view;
     bool free_aspect = false;       // the picture fills the window, whatever Facts::frame_size
     float resolution_scale = 1.0f;  // 0.25 to 2

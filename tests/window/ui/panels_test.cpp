@@ -284,6 +284,7 @@ void open_all(Screen& screen) {
 TEST(Panels, StandWithoutAScene) {
     Screen screen({});
     screen.facts.scene = nullptr;
+    screen.facts.file = "wrong.frag";
     open_all(screen);
     EXPECT_TRUE(screen.window("Tweaks"));
 }

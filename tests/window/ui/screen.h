@@ -44,6 +44,7 @@ public:
         changed = changed || now.tweaks_changed;
         if (now.open) wishes.open = now.open;
         if (now.save_as) wishes.save_as = now.save_as;
+        if (now.new_scene) wishes.new_scene = now.new_scene;
         if (now.edit) wishes.edit = now.edit;
         if (now.answer) wishes.answer = now.answer;
         if (now.study) wishes.study = now.study;

@@ -1,8 +1,7 @@
-// What the panels write and where they stand: numbers, source lines, keys, columns.
+// What the panels write and where they stand: numbers, keys, columns.
 #include "window/ui/layout.h"
 #include "window/ui/number_text.h"
 #include "window/ui/shortcuts.h"
-#include "window/ui/source_line.h"
 
 #include <gtest/gtest.h>
 
@@ -48,27 +47,6 @@ TEST(NumberText, AFractionOfTheRangeLeadsBack) {
             EXPECT_NEAR(fraction_of(tweak, value), t, 0.001);
             EXPECT_EQ(value_at(tweak, fraction_of(tweak, value)), value);
         }
-}
-
-TEST(SourceLine, TheCaretStandsUnderTheColumn) {
-    const SourceLine plain = shown_line("float a = b;", 11, 80);
-    EXPECT_EQ(plain.text, "float a = b;");
-    EXPECT_EQ(plain.text.at(static_cast<std::size_t>(plain.caret)), 'b');
-    const SourceLine tabs = shown_line("\tx\ty;", 4, 80);
-    EXPECT_EQ(tabs.text, "    x   y;");
-    EXPECT_EQ(tabs.caret, 8);
-    EXPECT_EQ(shown_line("\xc3\xa9 = b", 5, 80).caret, 4) << "columns count characters";
-    EXPECT_EQ(shown_line("ab", 9, 80).caret, 2) << "past the end is the end";
-    EXPECT_EQ(shown_line("ab", 0, 80).caret, -1);
-}
-
-TEST(SourceLine, ALongLineIsCutRoundTheColumn) {
-    const std::string line = std::string(300, 'a') + "HERE" + std::string(300, 'b');
-    const SourceLine shown = shown_line(line, 301, 60);
-    EXPECT_NE(shown.text.find("HERE"), std::string::npos);
-    EXPECT_TRUE(shown.text.starts_with("\u2026") && shown.text.ends_with("\u2026"));
-    // The mark of the cut takes three bytes and one character.
-    EXPECT_EQ(shown.text.at(static_cast<std::size_t>(shown.caret) + 2), 'H');
 }
 
 TEST(Shortcuts, NoKeyMeansTwoThingsAndNoneIsTheScenes) {

@@ -1,0 +1,213 @@
+#include "measure/compile_bench.h"
+
+#include "base/json_text.h"
+#include "base/launch.h"
+#include "base/say.h"
+#include "base/scratch_folder.h"
+#include "base/temporary_file.h"
+#include "gl/context.h"
+#include "measure/inlining.h"
+#include "offline/input_files.h"
+#include "render/pass_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSize = "160x90";
+constexpr int kRounds = 3;
+constexpr int kMostFrames = 120;  // until every pass has been drawn, those with long steps too
+
+// The driver keeps what it has compiled here, and nowhere else.
+void use_cache(const std::string& folder) {
+    for (const char* variable :
+         {"MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR", "__GL_SHADER_DISK_CACHE_PATH"})
+        ::setenv(variable, folder.c_str(), 1);
+    for (const char* variable : {"MESA_SHADER_CACHE_DISABLE", "MESA_GLSL_CACHE_DISABLE"})
+        ::unsetenv(variable);
+    ::setenv("__GL_SHADER_DISK_CACHE", "1", 1);
+}
+
+// Milliseconds by pass.
+using PassTimes = std::map<std::size_t, double>;
+
+CompiledScene compile_timed(const Preset& preset, bool specialise, PassTimes& ms) {
+    std::optional<std::size_t> compiling;
+    Stopwatch clock;
+    const auto note = [&](std::size_t next) {
+        const double elapsed = clock.restart();
+        if (compiling) ms[*compiling] = elapsed;
+        compiling = next;
+    };
+    CompileResult result = compile_scene(preset, {.program = {.specialise = specialise}}, note);
+    note(kImagePass);
+    report(result.diagnostics);
+    if (!result.scene) throw Stop(ExitCode::shader);
+    return std::move(*result.scene);
+}
+
+// The first draw of every pass; its pixels take their part of it.
+PassTimes draw_timed(const Preset& preset, Context& context, Renderer& renderer) {
+    PassTimes ms;
+    Stopwatch clock;
+    const auto& passes = renderer.graph().passes;
+    renderer.after_pass = [&](std::size_t index) {
+        context.finish();
+        ms.try_emplace(passes[index].pass, clock.ms());
+        clock.restart();
+    };
+    for (int k = 0; k < kMostFrames && ms.size() < passes.size(); ++k) {
+        const Playback playback{.end = k / 60.0};
+        const Frame frame = playback.frame(preset, playback.last_frame());
+        clock.restart();
+        renderer.draw(frame);
+    }
+    renderer.after_pass = nullptr;
+    return ms;
+}
+
+std::vector<std::string> words_of(const BenchOptions& options, const std::string& cache) {
+    const ViewOptions& view = options.view;
+    std::vector<std::string> words = {"/proc/self/exe", "bench", view.file.string(), "--size",
+                                      view.size.empty() ? kSize : view.size};
+    for (const std::string& tweak : view.tweaks) words.insert(words.end(), {"--tweak", tweak});
+    if (!view.device.empty()) words.insert(words.end(), {"--device", view.device});
+    if (!view.specialise) words.push_back("--no-specialise");
+    words.insert(words.end(), {"--compile-cache", cache});
+    return words;
+}
+
+std::string read_to_end(int descriptor) {
+    std::string text;
+    std::array<char, 4096> chunk;
+    for (;;) {
+        const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) break;
+        text.append(chunk.data(), static_cast<std::size_t>(got));
+    }
+    ::close(descriptor);
+    return text;
+}
+
+// A process that failed is silent, for it is one of six: what was wrong is found once more, aloud.
+[[noreturn]] void explain(const Preset& preset, const BenchOptions& options) {
+    const auto context = make_egl_context(options.view.device);
+    compile_or_stop(preset, {.program = {.specialise = options.view.specialise}});
+    throw std::runtime_error("The process that compiles ended without a result.");
+}
+
+// What a process with this cache has measured.
+Json measure(const Preset& preset, const BenchOptions& options, const std::string& cache) {
+    const Launched child = launch({.words = words_of(options, cache), .output = kPipe});
+    if (child.process == 0) throw std::runtime_error("No process could be started to measure in.");
+    const std::string text = read_to_end(child.pipe);
+    Json json = Json::parse(text, nullptr, false);
+    if (wait_for(child.process) != 0 || json.is_discarded()) explain(preset, options);
+    return json;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+// One key of one pass in all rounds.
+double median_of(const std::vector<Json>& rounds, std::size_t pass, const char* key) {
+    std::vector<double> values;
+    for (const Json& round : rounds) values.push_back(round["passes"][pass][key].get<double>());
+    return median(values);
+}
+
+Json passes_json(const Preset& preset, bool specialise, const std::vector<Json>& cold,
+                 const std::vector<Json>& warm) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < cold.front()["passes"].size(); ++i) {
+        const std::string name = cold.front()["passes"][i]["name"];
+        std::string why_not;
+        const PassText text =
+            pass_text(preset, find_pass(preset.scene, name), {.specialise = specialise});
+        const auto size = program_size(text.text, why_not);
+        list.push_back({{"name", name},
+                        {"cold_ms", median_of(cold, i, "compile_ms")},
+                        {"warm_ms", median_of(warm, i, "compile_ms")},
+                        {"first_draw_ms", median_of(cold, i, "first_draw_ms")},
+                        {"first_draw_warm_ms", median_of(warm, i, "first_draw_ms")},
+                        {"words", size ? Json(size->words) : Json()}});
+        if (!size) list.back()["why_no_words"] = why_not;
+    }
+    return list;
+}
+
+void print_table(const Json& json) {
+    say_result("{}, {}, {}, medians of {} rounds\n", json["renderer"].get<std::string>(),
+               json["size"].get<std::string>(), json["specialised"] ? "specialised" : "uniform-fed",
+               json["rounds"].get<int>());
+    say_result("{:<22} {:>22} {:>22} {:>10}\n", "", "cache empty", "cache full", "");
+    say_result("{:<22} {:>10} {:>11} {:>10} {:>11} {:>10}\n", "pass", "compile", "first draw",
+               "compile", "first draw", "words");
+    for (const Json& pass : json["passes"]) {
+        const Json& words = pass["words"];
+        say_result("{:<22} {:>7.1f} ms {:>8.1f} ms {:>7.1f} ms {:>8.1f} ms {:>10}\n",
+                   pass["name"].get<std::string>(), pass["cold_ms"].get<double>(),
+                   pass["first_draw_ms"].get<double>(), pass["warm_ms"].get<double>(),
+                   pass["first_draw_warm_ms"].get<double>(),
+                   words.is_null() ? "-" : fmt::format("{}", words.get<std::size_t>()));
+    }
+}
+
+}  // namespace
+
+void run_compile_once(const BenchOptions& options) {
+    use_cache(options.compile_cache.string());
+    const Preset preset = open_preset(options.view);
+    const auto context = make_egl_context(options.view.device);
+    PassTimes compile_ms;
+    Renderer renderer(preset, compile_timed(preset, options.view.specialise, compile_ms),
+                      {.size = preset.size});
+    load_inputs(preset, renderer);
+    context->finish();
+    PassTimes first_draw_ms = draw_timed(preset, *context, renderer);
+    Json json = {{"renderer", context->renderer()}, {"passes", Json::array()}};
+    for (const GraphPass& pass : renderer.graph().passes)
+        json["passes"].push_back({{"name", pass_name(preset.scene, pass.pass)},
+                                  {"compile_ms", compile_ms[pass.pass]},
+                                  {"first_draw_ms", first_draw_ms[pass.pass]}});
+    say_result("{}\n", json_text(json));
+}
+
+void run_compile_bench(const BenchOptions& options) {
+    const Preset preset = open_preset(options.view);
+    const ScratchFolder scratch(std::filesystem::temp_directory_path() / "glint-compile");
+    std::vector<Json> cold, warm;
+    Progress progress("rounds", kRounds);
+    for (int round = 0; round < kRounds; ++round) {
+        const auto cache = scratch.path() / fmt::format("{}", round);
+        make_folder(cache);
+        cold.push_back(measure(preset, options, cache.string()));
+        warm.push_back(measure(preset, options, cache.string()));
+        progress.update(round + 1);
+    }
+    const Json json = {{"scene", options.view.file.string()},
+                       {"renderer", cold.front()["renderer"]},
+                       {"size", options.view.size.empty() ? kSize : options.view.size},
+                       {"rounds", kRounds},
+                       {"specialised", options.view.specialise},
+                       {"passes", passes_json(preset, options.view.specialise, cold, warm)}};
+    if (options.view.json)
+        say_result("{}\n", json_text(json));
+    else
+        print_table(json);
+}
+
+}  // namespace glint

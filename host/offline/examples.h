@@ -1,0 +1,19 @@
+// Scenes and presets that lie about: those of a folder, and those that come with the program.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace glint {
+
+// Presets, then scenes, each by name.
+std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder);
+
+// The presets that come with the program, one a scene: from presets/ in the nearest folder above
+// the program that has one. Empty where it was taken elsewhere alone.
+std::vector<std::filesystem::path> examples();
+
+// The picture that comes with a preset, of the repository's gallery. Empty where there is none.
+std::filesystem::path gallery_picture(const std::filesystem::path& preset);
+
+}  // namespace glint
