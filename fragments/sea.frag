@@ -171,7 +171,8 @@ float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wav
 
 // Adds four waves, averaged over a Gaussian footprint with covariance blur (xx, zz, xz; m^2): a
 // cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread.
-void addWaves(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
+// varied: mean square of the gain over the square of its mean.
+void addWaves(int g, vec2 p, vec3 blur, float gain, float varied, inout Sea s) {
     vec4 x, z;
     waveVectors(g, x, z);
     vec4 k = sqrt(x * x + z * z), a = gain * kWaveSteep[g] / k;
@@ -179,24 +180,26 @@ void addWaves(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
     vec4 keep = exp(-0.5 * (x * x * blur.x + z * z * blur.y + 2.0 * x * z * blur.z));
     vec4 keep2 = keep * keep, harmonic = crest() * keep2 * keep2;
     vec4 c = cos(phase), n = sin(phase), down = a * n * (keep + 4.0 * harmonic * c);
-    vec4 lost = 0.5 * a * a * (1.0 - keep2 + 4.0 * (crest() * crest() - harmonic * harmonic));
+    vec4 lost = 0.5 * a * a * (varied * (1.0 + 4.0 * crest() * crest())
+                               - keep2 - 4.0 * harmonic * harmonic);
     s.height += dot(a, keep * c + harmonic * (2.0 * c * c - 1.0));
     s.slope -= vec2(dot(down, x), dot(down, z));
     s.spread += vec3(dot(lost, x * x), dot(lost, z * z), dot(lost, x * z));
 }
-// Ripples come in patches, where gusts touch the water.
-float gust(vec2 p, vec3 blur) {
+// Ripples come in patches, where gusts touch the water. y: the variance that the footprint hides.
+vec2 gust(vec2 p, vec3 blur) {
     vec2 a = turn(p, radians(windAngle));
     float keep = exp(-0.03 * (blur.x + blur.y));
     float u = sin(0.21 * a.x + 0.9 * sin(0.13 * a.y) - 2.0 * kPi * cycles(0.14));
     float v = sin(0.11 * a.x - 0.17 * a.y - 2.0 * kPi * cycles(0.11));
-    return 1.0 + 0.45 * keep * u * v;
+    return vec2(1.0 + 0.45 * keep * u * v, square(0.225) * (1.0 - keep * keep));
 }
 Sea sea(vec2 p, vec3 blur) {
     Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
-    for (int g = 0; g < kMovers; ++g) addWaves(g, p, blur, waveHeight, s);
-    float gain = ripples * gust(p, blur);
-    for (int g = kMovers; g < 6; ++g) addWaves(g, p, blur, gain, s);
+    for (int g = 0; g < kMovers; ++g) addWaves(g, p, blur, waveHeight, 1.0, s);
+    vec2 gain = gust(p, blur);
+    float varied = 1.0 + gain.y / (gain.x * gain.x);
+    for (int g = kMovers; g < 6; ++g) addWaves(g, p, blur, ripples * gain.x, varied, s);
     return s;
 }
 // Covariance of the footprint on the sea of a pixel of width w that is seen along rd.
@@ -683,7 +686,7 @@ vec4 reachOfRay(vec3 ro, vec3 rd) {
         if (clusterThere(c) && span.x < span.y) all = vec2(min(all.x, span.x), max(all.y, span.y));
     }
     vec2 wet = (ro.y - vec2(0.4, -0.4) * waveHeight) / max(-rd.y, 1e-5);
-    wet = clamp(wet * vec2(0.95, 1.05) + vec2(-0.05, 0.05), 0.0, 60.0);   // a calm sea has width, too
+    wet = clamp(wet * vec2(0.95, 1.05) + vec2(-0.05, 0.05), 0.0, 60.0);   // a calm one is wide, too
     return vec4(all, rd.y < 0.0 ? wet : vec2(kFar, -1.0));
 }
 

@@ -546,6 +546,67 @@ TEST_F(SeaScene, GlitterIsFilteredFarOff) {
     }
 }
 
+// The same bar over suns, eyes, winds and seas; the truth is the scene's own bare waves, many a
+// pixel.
+class Glitter {
+public:
+    // The mean against the truth's, less 1, of pixels round the sun's azimuth at a distance.
+    glm::dvec2 error(const std::string& tweaks, double far, double time) {
+        const ScratchFolder folder;
+        const ReadPreset read =
+            read_scene_text(folder, with_picture(""), {.preset = "[tweaks]\n" + tweaks});
+        if (!read.preset) throw std::runtime_error(to_text(read.diagnostics));
+        player_.preset.values = read.preset->values;
+        Frame frame = player_.frame(0);
+        frame.time = time;
+        frame.input.mouse = {static_cast<float>(far), 0, 0, 0};
+        player_.draw(frame);
+        glm::dvec3 sum(0.0);
+        const auto pixels = pixels_of(player_);
+        for (const glm::vec4& p : pixels) sum += glm::dvec3(p.x, p.y, (p.x - p.y) * (p.x - p.y));
+        const double count = static_cast<double>(pixels.size());
+        return {sum.x / sum.y - 1.0, std::sqrt(sum.z / count) / (sum.y / count)};
+    }
+
+private:
+    Player player_{
+        with_picture(
+            "    float eye = cameraHeight, far = iMouse.x, w = 0.002 * far;\n"
+            "    float a = radians(sunAngle + (p.x - 16.0) * 0.56), y = -eye / far;\n"
+            "    vec2 ahead = vec2(sin(a), -cos(a)), aside = vec2(-ahead.y, ahead.x), slope;\n"
+            "    vec3 d = vec3(sqrt(1.0 - y * y) * ahead, y).xzy;\n"
+            "    vec2 at = far * d.xz + 300.0 * floor(p.y);\n"
+            "    Sea s = sea(at, seaFootprint(d, w));\n"
+            "    float got = seaGlitter(d, s, shownSlope(d, s, slope)), light = 0.0, all = 0.0;\n"
+            "    for (int k = 0; k < 4096; ++k) {\n"
+            "        float u = (float(k) + 0.5) / 4096.0, v = fract(kGolden * float(k));\n"
+            "        float r = 0.35 * w * sqrt(-2.0 * log(1.0 - u)), t = 2.0 * kPi * v;\n"
+            "        vec2 q = at + r * cos(t) / -y * ahead + r * sin(t) * aside;\n"
+            "        Sea one = sea(q, vec3(0.0));\n"
+            "        float area = shownSlope(d, one, slope);\n"
+            "        light += area * seaGlitter(d, one, area);\n"
+            "        all += area;\n"
+            "    }\n"
+            "    c = vec4(got, light / all, 0.0, 1.0);\n"),
+        {.size = {32, 8}, .specialise = false}};
+};
+TEST_F(SeaScene, GlitterKeepsItsMeanOverSunsAndSeas) {
+    Glitter glitter;
+    for (const char* look :
+         {"cameraHeight = 6.0\nsunHeight = 30.0\n", "windAngle = 150.0\n", "ripples = 0.0\n",
+          "cameraHeight = 3.0\nwindAngle = 150.0\n", "sunHeight = 15.0\n",
+          "waveHeight = 2.0\nchoppiness = 1.0\n", "waveHeight = 0.0\n"}) {
+        for (const double far : {320.0, 1280.0}) {
+            SCOPED_TRACE(fmt::format("{}, {} m", look, far));
+            const glm::dvec2 error = glitter.error(look, far, 0.0);
+            fmt::print("{:.0f} m: mean {:+.1f} %, error/mean {:.3f}\n", far, 100.0 * error.x,
+                       error.y);
+            EXPECT_LE(std::abs(error.x), 0.05);
+            EXPECT_LE(error.y, 0.4);
+        }
+    }
+}
+
 // All motion comes from iTick, which wraps after 65536 s: a year later the picture is the same.
 TEST_F(SeaScene, LooksTheSameAfterAYear) {
     Player player(fmt::format("#include \"{}\"\n", kSeaFile), {.size = {96, 54}});
