@@ -10,7 +10,8 @@
 //          meet the sea by steps that its slope bounds, then Illinois steps. Rabbits are ellipsoids
 //          in a smooth union whose field never exceeds the distance: a step cannot be too long.
 //          Screen-space rays are clipped to what can be hit, to the near plane and to the picture,
-//          and walked in pixels with depth interpolated in perspective.
+//          and walked in pixels with depth interpolated in perspective. They know where the picture
+//          does not tell: past the edge of a thing, or where they graze it. Those are traced.
 // Sources  McGuire and Mara, JCGT 3(4) (2014): the line walk. Bruneton, Neyret, Holzschuch, CGF 29
 //          (2010), and Ross, Dion, Potvin, JOSA A 22 (2005): glitter of a filtered sea. Cox and
 //          Munk, JOSA 44 (1954): slopes. Nishita et al., SIGGRAPH (1993): single scattering.
@@ -170,7 +171,8 @@ float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wav
 
 // Adds four waves, averaged over a Gaussian footprint with covariance blur (xx, zz, xz; m^2): a
 // cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread.
-void addWaves(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
+// varied: mean square of the gain over the square of its mean.
+void addWaves(int g, vec2 p, vec3 blur, float gain, float varied, inout Sea s) {
     vec4 x, z;
     waveVectors(g, x, z);
     vec4 k = sqrt(x * x + z * z), a = gain * kWaveSteep[g] / k;
@@ -178,24 +180,26 @@ void addWaves(int g, vec2 p, vec3 blur, float gain, inout Sea s) {
     vec4 keep = exp(-0.5 * (x * x * blur.x + z * z * blur.y + 2.0 * x * z * blur.z));
     vec4 keep2 = keep * keep, harmonic = crest() * keep2 * keep2;
     vec4 c = cos(phase), n = sin(phase), down = a * n * (keep + 4.0 * harmonic * c);
-    vec4 lost = 0.5 * a * a * (1.0 - keep2 + 4.0 * (crest() * crest() - harmonic * harmonic));
+    vec4 lost = 0.5 * a * a * (varied * (1.0 + 4.0 * crest() * crest())
+                               - keep2 - 4.0 * harmonic * harmonic);
     s.height += dot(a, keep * c + harmonic * (2.0 * c * c - 1.0));
     s.slope -= vec2(dot(down, x), dot(down, z));
     s.spread += vec3(dot(lost, x * x), dot(lost, z * z), dot(lost, x * z));
 }
-// Ripples come in patches, where gusts touch the water.
-float gust(vec2 p, vec3 blur) {
+// Ripples come in patches, where gusts touch the water. y: the variance that the footprint hides.
+vec2 gust(vec2 p, vec3 blur) {
     vec2 a = turn(p, radians(windAngle));
     float keep = exp(-0.03 * (blur.x + blur.y));
     float u = sin(0.21 * a.x + 0.9 * sin(0.13 * a.y) - 2.0 * kPi * cycles(0.14));
     float v = sin(0.11 * a.x - 0.17 * a.y - 2.0 * kPi * cycles(0.11));
-    return 1.0 + 0.45 * keep * u * v;
+    return vec2(1.0 + 0.45 * keep * u * v, square(0.225) * (1.0 - keep * keep));
 }
 Sea sea(vec2 p, vec3 blur) {
     Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
-    for (int g = 0; g < kMovers; ++g) addWaves(g, p, blur, waveHeight, s);
-    float gain = ripples * gust(p, blur);
-    for (int g = kMovers; g < 6; ++g) addWaves(g, p, blur, gain, s);
+    for (int g = 0; g < kMovers; ++g) addWaves(g, p, blur, waveHeight, 1.0, s);
+    vec2 gain = gust(p, blur);
+    float varied = 1.0 + gain.y / (gain.x * gain.x);
+    for (int g = kMovers; g < 6; ++g) addWaves(g, p, blur, ripples * gain.x, varied, s);
     return s;
 }
 // Covariance of the footprint on the sea of a pixel of width w that is seen along rd.
@@ -681,10 +685,19 @@ vec4 reachOfRay(vec3 ro, vec3 rd) {
         vec2 span = clusterSpan(c, (ro - frames[c].at) * frames[c].axes, rd * frames[c].axes, 0.02);
         if (clusterThere(c) && span.x < span.y) all = vec2(min(all.x, span.x), max(all.y, span.y));
     }
-    vec2 wet = clamp((ro.y - vec2(0.4, -0.4) * waveHeight) / max(-rd.y, 1e-5), 0.0, 60.0);
+    vec2 wet = (ro.y - vec2(0.4, -0.4) * waveHeight) / max(-rd.y, 1e-5);
+    wet = clamp(wet * vec2(0.95, 1.05) + vec2(-0.05, 0.05), 0.0, 60.0);   // a calm one is wide, too
     return vec4(all, rd.y < 0.0 ? wet : vec2(kFar, -1.0));
 }
 
+// Normal and depth that a texel shows, and the depth between texels.
+vec4 shownIn(ivec2 pixel) {
+    vec4 texel = texelFetch(normalDepth, pixel, 0);
+    return vec4(texel.xyz, 1.0 / max(texel.w, 1e-9));
+}
+float smoothAt(vec2 pixel) {
+    return 1.0 / max(textureLod(smoothDepth, pixel / iResolution.xy, 0.0).w, 1e-9);
+}
 int walkFetches = 0;   // of the depth buffer, for measurements
 // How far behind what a texel shows a point at a depth lies, beyond what the thing there is deep.
 float behindThing(vec4 texel, float depth) {
@@ -696,9 +709,11 @@ struct Line { vec2 pa, pb; float ka, kb; };
 vec3 onLine(Line l, float s) { return vec3(mix(l.pa, l.pb, s), 1.0 / mix(l.ka, l.kb, s)); }
 
 // Walks the depth buffer along a ray. found: the pixel that it meets; the value: how sure, for soft
-// edges; 0 is a miss.
-float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 found) {
+// edges; 0 is a miss. doubtful: the picture does not tell for certain.
+float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 found,
+                 out bool doubtful) {
     found = vec2(0.0);
+    doubtful = false;
     walkFetches = 0;
     vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
     vec4 parts = reachOfRay(ro, rd);
@@ -706,7 +721,8 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     if (!wanted || a.z <= kNear) return 0.0;
     if (a.z + reach.y * d.z < kNear) reach.y = (kNear - a.z) / d.z;   // towards the camera
     if (reach.x >= reach.y) return 0.0;
-    vec3 b = a + reach.y * d;
+    vec3 own = texelFetch(normalDepth, ivec2(toPixel(e, a)), 0).xyz, b = a + reach.y * d;
+    own *= inversesqrt(max(dot(own, own), 1e-12));
     a += reach.x * d;
     Line l = Line(toPixel(e, a), toPixel(e, b), 1.0 / a.z, 1.0 / b.z);
     vec2 dp = l.pb - l.pa, size = iResolution.xy;
@@ -716,59 +732,64 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     vec2 gap = clamp((parts.yz - reach.x) / (reach.y - reach.x), 0.0, 1.0);   // nothing is there
     gap = min(gap * b.z / mix(vec2(a.z), vec2(b.z), gap), inside);   // as shares of the line
     float perPixel = 1.0 / max(max(abs(dp.x), abs(dp.y)), 1.0);
-    float perStep = reflections == 1 ? max(inside - max(gap.y - gap.x, 0.0), 0.01) / 32.0
-        : min(stride * perPixel, 1.0);
+    float part = max(inside - max(gap.y - gap.x, 0.0), 0.01);   // what may be met
+    float perStep = reflections == 1 ? part / 32.0
+        : max(min(stride * perPixel, max(part / 32.0, perPixel)), part * sqrt(stride) / 60.0);
     float s = perStep * (1.0 - jitter * chance), start = reach.x > 0.0 ? 0.0 : 0.7 * perPixel;
-    float before = min(start, s), sure = 0.0;
+    float before = min(start, s), edge = kFar;
     int left = reflections == 1 ? 34 : 2048;
     bool open = before < inside, hit = false;
-    for (int turn = 0; turn < 4 && open; ++turn) {   // again where a hit does not hold
-        for (; left > 0 && open; --left) {
-            s = min(s, inside);
-            vec3 q = onLine(l, s);
-            vec2 z = vec2(onLine(l, before).z, q.z);
-            vec4 texel = texelFetch(normalDepth, ivec2(q.xy), 0);
-            ++walkFetches;
-            float slack = reflections == 1 ? abs(z.y - z.x) : 0.0;
-            hit = max(z.x, z.y) > texel.w + bias && behindThing(texel, min(z.x, z.y)) < slack
-                && dot(texel.xyz, rd) < 0.7 * length(texel.xyz);
-            open = !hit && s < inside;
-            if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
-        }
-        // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water.
-        vec2 rough = vec2(before, s), fine = rough + vec2(-6.0, 2.0) * perPixel;
-        fine = vec2(max(fine.x, min(start, s)), min(fine.y, inside));
-        for (int j = 0; j < 6; ++j) {
-            float m = 0.5 * (fine.x + fine.y);
-            vec3 q = onLine(l, m);
-            if (q.z > textureLod(smoothDepth, q.xy / size, 0.0).w) fine.y = m; else fine.x = m;
-        }
-        vec3 q = onLine(l, fine.y);
-        vec4 texel = texelFetch(normalDepth, ivec2(q.xy), 0);
-        bool astray = behindThing(texel, q.z) > 0.0 || dot(texel.xyz, rd) > 0.0;
-        for (int j = 0; j < 5 && astray && hit; ++j) {   // over an edge: by whole pixels
-            float m = 0.5 * (rough.x + rough.y);
-            q = onLine(l, m);
-            if (q.z > texelFetch(normalDepth, ivec2(q.xy), 0).w) rough.y = m; else rough.x = m;
-            ++walkFetches;
-        }
-        if (astray) {
-            q = onLine(l, rough.y);
-            texel = texelFetch(normalDepth, ivec2(q.xy), 0);
-            astray = q.z - texel.w > 0.025 || dot(texel.xyz, rd) > 0.3 * length(texel.xyz);
-        }
-        if (hit) walkFetches += 7;
-        vec2 rim = min(q.xy, size - q.xy) / size;
-        if (hit && !astray) {
-            sure = smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
-            found = q.xy;
-        }
-        open = hit && astray && s < inside && left > 0;
-        before = s;
-        s += perStep;
-        --left;
+    for (; left > 0 && open; --left) {
+        s = min(s, inside);
+        vec3 q = onLine(l, s);
+        vec2 z = vec2(onLine(l, before).z, q.z);
+        vec4 texel = shownIn(ivec2(q.xy));
+        ++walkFetches;
+        float slack = abs(z.y - z.x), deep = length(texel.xyz);
+        bool facing = dot(texel.xyz, own) < 0.999 * deep;   // as the start does: never met
+        hit = max(z.x, z.y) > texel.w + bias && behindThing(texel, min(z.x, z.y)) < slack
+            && facing && dot(texel.xyz, rd) < 0.7 * deep;
+        // It was close before a thing, and there the thing ends, or the line.
+        float least = abs(z.y - z.x) + (rd.y < 0.0 ? 0.05 * z.y : 0.0);   // m, over water
+        bool close = texel.w - z.y < (facing && deep < 10.0 ? 0.3 : least);
+        doubtful = doubtful || !hit && (texel.w > edge || s >= inside && close);
+        edge = close && deep < 10.0 ? texel.w + 0.1 : kFar;
+        open = !hit && s < inside;
+        if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
     }
-    return sure;
+    // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water.
+    vec2 rough = vec2(before, s), fine = rough + vec2(-6.0, 2.0) * perPixel;
+    fine = vec2(max(fine.x, min(start, s)), min(fine.y, inside));
+    for (int j = 0; j < 6; ++j) {
+        float m = 0.5 * (fine.x + fine.y);
+        vec3 q = onLine(l, m);
+        if (q.z > smoothAt(q.xy)) fine.y = m; else fine.x = m;
+    }
+    vec3 q = onLine(l, fine.y);
+    vec4 texel = shownIn(ivec2(q.xy));
+    bool astray = behindThing(texel, q.z) > 0.0 || dot(texel.xyz, rd) > 0.0;
+    for (int j = 0; j < 5 && astray && hit; ++j) {   // over an edge: by whole pixels
+        float m = 0.5 * (rough.x + rough.y);
+        q = onLine(l, m);
+        if (q.z > shownIn(ivec2(q.xy)).w) rough.y = m; else rough.x = m;
+        ++walkFetches;
+    }
+    if (astray) {
+        q = onLine(l, rough.y);
+        texel = shownIn(ivec2(q.xy));
+        float deep = length(texel.xyz);
+        astray = q.z - texel.w > 0.025 || dot(texel.xyz, rd) > 0.3 * deep
+            || dot(texel.xyz, own) > 0.999 * deep;
+    }
+    if (!hit) return 0.0;
+    // How far below what is shown the ray is two pixels on: too little, and the place is vague.
+    vec3 on = onLine(l, min(fine.y + 2.0 * perPixel, 1.0));
+    vec2 shown = vec2(smoothAt(q.xy), smoothAt(on.xy));
+    walkFetches += 9;
+    doubtful = doubtful || astray || on.z - shown.y < 2.0 * abs(shown.y - shown.x);
+    found = q.xy;
+    vec2 rim = min(q.xy, size - q.xy) / size;
+    return smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
 }
 
 // ---- Passes and sound ---------------------------------------------------------------------------
@@ -842,7 +863,8 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
 
 // albedo: colour, for water the lost slope variance; in w the kind of surface + a share of 1 of the
 // light that comes through. normalDepth: the normal, as long as the thing is deep behind the pixel,
-// and the depth along the view's axis.
+// and 1 over the depth along the view's axis, which is linear over the picture of a plane: so half
+// a pixel of a calm sea is exact, however grazing the view.
 void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
     readFrames();
     Eye e = camera();
@@ -852,24 +874,24 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
     Hit h = hitThings(e.pos, rd, angle, t > 0.0 ? t : kFar);
     vec3 p = e.pos + h.t * rd;
     colour = vec4(0.0);
-    normal = vec4(0.0, 1.0, 0.0, kFar);
+    normal = vec4(0.0, 1.0, 0.0, 0.0);
     if (h.id != kSky) {
         vec4 c = h.id == kGlass ? vec4(0.9) : paint(h.id, p, angle * h.t);
         colour = vec4(c.rgb, float(h.id) + 0.5 + 0.5 * clamp(c.w, -0.9, 0.9));
         float deep = depthOfThing(h.id, p, rd) * dot(rd, e.forward);
-        normal = vec4(h.nor * deep, h.t * dot(rd, e.forward));
+        normal = vec4(h.nor * deep, 1.0 / (h.t * dot(rd, e.forward)));
     } else if (t > 0.0) {
         p = e.pos + t * rd;
         Sea s = sea(p.xz, seaFootprint(rd, angle * t));
         colour = vec4(s.spread, float(kWater) + 0.5);
-        normal = vec4(20.0 * normalize(vec3(-s.slope, 1.0).xzy), t * dot(rd, e.forward));
+        normal = vec4(20.0 * normalize(vec3(-s.slope, 1.0).xzy), 1.0 / (t * dot(rd, e.forward)));
     }
 }
 
 // What a pixel shows first, and where it mirrors to with what share.
 struct Surface { int id; float t; vec3 pos, nor, away; float mirrored; Sea sea; };
 Surface surfaceAt(Eye e, vec3 rd, ivec2 pixel) {
-    vec4 stuff = texelFetch(albedo, pixel, 0), facing = texelFetch(normalDepth, pixel, 0);
+    vec4 stuff = texelFetch(albedo, pixel, 0), facing = shownIn(pixel);
     vec3 nor = normalize(facing.xyz);
     Surface u;
     u.id = int(stuff.w);
@@ -911,7 +933,7 @@ void mainLight(out vec4 colour, in vec2 pixel) {
     Eye e = camera();
     vec3 rd = viewRay(e, pixel), upWeight;
     vec4 stuff = texelFetch(albedo, ivec2(pixel), 0);
-    vec4 facing = texelFetch(normalDepth, ivec2(pixel), 0);
+    vec4 facing = shownIn(ivec2(pixel));
     int id = int(stuff.w);
     stuff.w = codeShare(stuff.w);
     vec3 nor = normalize(facing.xyz), p = e.pos + rd * (min(facing.w, 1e4) / dot(rd, e.forward));
@@ -995,7 +1017,10 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         bool wet = onGlass && away.y < -1e-3 && u.pos.y > 0.0;
         vec3 thing = vec3(0.0), glass = vec3(0.0), upWeight = vec3(1.0);
         vec2 found = vec2(0.0);
-        if (reflections == 3) {
+        bool exact = reflections == 3;
+        if (reflections == 1 || reflections == 2)
+            sure = walkScreen(e, from, away, chance.x, onSea || onGlass, found, exact);
+        for (int j = 0; j < (exact ? 1 : 0); ++j) {   // skipped where the picture tells
             Hit h = hitAll(from, away, angle, onGlass, u.id == kSky || u.id > kGlass);
             vec3 q = from + min(h.t, 1e4) * away;
             vec4 stuff = paint(h.id, q, angle * u.t + (angle + cone) * h.t);
@@ -1006,13 +1031,11 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
             wet = h.id == kWater;
             far = h.t;
             if (h.id == kGlass) glass = h.nor;
-        } else if (reflections > 0) {
-            sure = walkScreen(e, from, away, chance.x, onSea || onGlass, found);
         }
         far = min(far, 1e5);
         vec3 q = u.pos + far * away;
         Sea s = sea(q.xz, seaFootprint(away, angle * u.t + (angle + cone) * far));
-        if (reflections < 3) {
+        if (!exact) {
             vec4 stuff = texelFetch(albedo, ivec2(found), 0);
             vec3 nor = texelFetch(normalDepth, ivec2(found), 0).xyz;
             nor = normalize(nor + vec3(0.0, 1e-6, 0.0));

@@ -12,7 +12,8 @@
 //          footprint through every bend, so that tiles seen through the water are filtered.
 //          `planar` is the classic way: one picture mirrored in the plane of the water, one
 //          refracted by it, each shifted as the slope asks. The shift comes from the distance to
-//          what is seen, so it is 0 where a thing meets the water. Sunlight on the floor: its point of entry by two fixed-point steps, then 1/|J|.
+//          what is seen, so it is 0 where a thing meets the water. Sunlight on the floor: its point
+//          of entry by two fixed-point steps, then 1/|J|.
 // Sources  Courant, Friedrichs, Lewy, Math. Ann. 100 (1928): stability. Igehy, SIGGRAPH (1999), eq.
 //          9-18: ray differentials. Dowell and Jarratt, BIT 11 (1971): Illinois. Born and Wolf,
 //          Principles of Optics, 1.5: Fresnel. Bruneton, Neyret, Holzschuch, CGF 29(2) (2010):
