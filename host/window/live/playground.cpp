@@ -73,6 +73,7 @@ Playground::~Playground() = default;
 
 void Playground::open(const std::filesystem::path& file) {
     file_ = file;
+    fills_ = {};
     written_.reset();
     watcher_.about_to_read();
     read_again(file);
@@ -119,6 +120,7 @@ void Playground::read_again(const std::filesystem::path& changed) {
         return;
     }
     candidate_ = std::make_unique<Preset>(std::move(*read.preset));
+    lay_fills_over(*candidate_);
     start_trial(Purpose::reload);
 }
 
@@ -228,6 +230,8 @@ void Playground::take(const Preset& candidate, Purpose purpose) {
     history = std::move(next);
     specialised_ = purpose == Purpose::specialise;
     if (!saved) return;  // the picture is the same; nothing asks for a frame
+    for (std::size_t i = 0; i < fills_.size(); ++i)
+        fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
     written_ = std::move(saved);
     refused_ = specialise_failed_ = false;
     since_tweak_.restart();

@@ -74,6 +74,13 @@ public:
     // A tweak was moved: the next frame shows it.
     void tweaks_changed();
 
+    // Fills the channel of this name, where the scene and its preset fill it by nothing, until the
+    // file is left: reads it again, and tries it.
+    void fill(const Sampler& channel);
+    // Leaves the channels to what the file says.
+    void forget_fills();
+    bool has_fills() const;
+
     // The picture as a still would write it, RGBA: drawn anew with the tweaks as constants.
     std::vector<std::byte> still();
     Metadata still_metadata() const;
@@ -110,7 +117,10 @@ public:
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return written_.get(); }
     // The file has just been given this.
-    void note_saved(const Preset& preset) { *written_ = preset; }
+    void note_saved(const Preset& preset) {
+        *written_ = preset;
+        fills_ = {};
+    }
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return diagnostics_; }
     // The newest text that was tried was refused, for the reasons that the diagnostics tell.
@@ -149,6 +159,7 @@ private:
     bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void watch(const std::vector<std::filesystem::path>& files);
+    void lay_fills_over(Preset& candidate);
     void start_trial(Purpose purpose);
     void follow_trial();
     void specialise_at_rest();
@@ -188,6 +199,9 @@ private:
     std::unique_ptr<Preset> candidate_;  // what is tried
     std::optional<History> candidate_history_;
     std::unique_ptr<Preset> written_;  // the preset as its file had it when it was last read
+    // Of iChannel0..3, by a person here; the buffers that they name are those of preset_.
+    std::array<Sampler, 4> fills_;
+    std::array<bool, 4> laid_over_{};  // those that the candidate has
     Purpose purpose_ = Purpose::reload;
     bool trying_ = false, refused_ = false;
     bool specialised_ = false, specialise_failed_ = false;
