@@ -161,9 +161,14 @@ void end_compiling(const Preset& preset, std::size_t pass, const std::string& wh
 
 }  // namespace
 
-CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options) {
+CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options,
+                              Diagnostics* told) {
     CompileResult result = compile_scene(preset, options, nullptr, end_compiling);
-    report(result.diagnostics);
+    Diagnostics all = told ? *told : Diagnostics();
+    const auto known = static_cast<std::ptrdiff_t>(all.size());
+    append_once(all, result.diagnostics);
+    report({all.begin() + known, all.end()});
+    if (told) *told = std::move(all);
     if (!result.scene) throw Stop(ExitCode::shader);
     return std::move(*result.scene);
 }

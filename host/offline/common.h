@@ -99,8 +99,9 @@ std::size_t find_pass(const Scene& scene, const std::string& name);
 Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& why);
 
 // Links what `options` asks for. Throws Stop with exit code 3. Ends the process with it where the
-// driver would never finish, be it at the first draw.
-CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options);
+// driver would never finish, be it at the first draw. What is told already is not told again.
+CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options,
+                              Diagnostics* told = nullptr);
 
 // What a picture's file tells of where it comes from. File names only: the same scene gives the
 // same bytes in every folder.

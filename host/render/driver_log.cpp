@@ -73,6 +73,39 @@ std::vector<std::string> lines_of(const std::string& log) {
     return lines;
 }
 
+constexpr std::string_view kCandidates = "candidates are:";
+
+// The type of the first of what stands between brackets: `texture(sampler2D, vec3)'.
+std::string_view first_type(std::string_view call) {
+    const std::size_t open = std::min(call.find('('), call.size() - 1);
+    return call.substr(open + 1, call.find_first_of(",)", open) - open - 1);
+}
+
+// Mesa makes an error of its own of each function that a call could have meant, whatever its
+// samplers: 47 for texture(). They join the call's, those alone that take what it gives first.
+Diagnostics with_candidates_joined(Diagnostics list) {
+    Diagnostics joined;
+    for (std::size_t i = 0; i < list.size();) {
+        const std::size_t call = i++;
+        const Place& place = list[call].place;
+        const auto is_candidate = [&](const Diagnostic& one) {
+            return one.place.line == place.line && one.place.column == place.column &&
+                   one.text.ends_with(')');
+        };
+        if (list[call].text.ends_with(kCandidates))
+            while (i < list.size() && is_candidate(list[i])) ++i;
+        const auto begin = list.begin() + static_cast<std::ptrdiff_t>(call) + 1;
+        const auto end = list.begin() + static_cast<std::ptrdiff_t>(i);
+        const std::string given(first_type(list[call].text));
+        const auto fits = [&](const Diagnostic& one) { return first_type(one.text) == given; };
+        const bool any_fits = std::any_of(begin, end, fits);
+        joined.push_back(std::move(list[call]));
+        for (auto one = begin; one != end; ++one)
+            if (!any_fits || fits(*one)) joined.back().text += "\n    " + one->text;
+    }
+    return joined;
+}
+
 }  // namespace
 
 Diagnostic link_diagnostic(const Scene& scene, std::string text) {
@@ -120,7 +153,7 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
             list.push_back(link_diagnostic(scene, m[1]));
         }
     }
-    return list;
+    return with_candidates_joined(std::move(list));
 }
 
 }  // namespace glint

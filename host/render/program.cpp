@@ -1,6 +1,7 @@
 #include "render/program.h"
 
 #include "render/driver_log.h"
+#include "scene/blame.h"
 
 #include <fmt/format.h>
 
@@ -53,11 +54,10 @@ std::optional<BuiltinUniform> builtin_uniform(const std::string& name, GLint loc
 }
 
 // "iCh2.sampler" reads what iChannel2 reads.
-std::optional<std::size_t> sampler_index(const Preset& preset, std::size_t pass,
-                                         const std::string& name) {
+std::string sampler_name(const std::string& uniform) {
     const bool is_member =
-        name.size() == 12 && name.starts_with("iCh") && name.ends_with(".sampler");
-    return find_sampler(preset, pass, is_member ? fmt::format("iChannel{}", name[3]) : name);
+        uniform.size() == 12 && uniform.starts_with("iCh") && uniform.ends_with(".sampler");
+    return is_member ? fmt::format("iChannel{}", uniform[3]) : uniform;
 }
 
 // Whether a uniform is a sampler, and of which of the types that textures here have.
@@ -109,11 +109,12 @@ void find_uniforms(const Preset& preset, PassProgram& pass) {
             const auto unit = static_cast<GLint>(pass.samplers.size() + pass.unfilled.size());
             const std::vector<GLint> units(static_cast<std::size_t>(size), unit);
             glProgramUniform1iv(program, location, size, units.data());
-            const auto sampler = sampler_index(preset, pass.pass, name);
+            const std::string known = sampler_name(name);
+            const auto sampler = find_sampler(preset, pass.pass, known);
             if (sampler && sampler_at(preset, *sampler).source != Source::none)
                 pass.samplers.push_back({*sampler, unit});
             else
-                pass.unfilled.push_back({kind.type, unit});
+                pass.unfilled.push_back({known, kind.type, unit});
         } else {
             // A tweak may bear a name that other programs feed.
             const auto& tweaks = preset.scene.tweaks;
@@ -145,6 +146,26 @@ std::vector<std::size_t> channels_told_of(const Preset& preset, const PassProgra
     return list;
 }
 
+namespace {
+
+// What a pass reads of iChannel0..3 and nothing fills. Of other samplers the scene has spoken.
+Diagnostics empty_channels(const Preset& preset, const PassProgram& program) {
+    Diagnostics list;
+    for (const UnfilledSampler& unfilled : program.unfilled) {
+        if (!unfilled.name.starts_with("iChannel") || !unfilled.type) continue;
+        const std::string pass = pass_name(preset.scene, program.pass);
+        list.push_back(
+            {Severity::warning, reading_place(preset.scene, pass, unfilled.name),
+             fmt::format("nothing fills {0}, which is read here, so it is 0; fill it in a preset's "
+                         "[channels], or write uniform {1} {0}; //@ noise {2}",
+                         unfilled.name, glsl_name(*unfilled.type),
+                         *unfilled.type == SamplerType::sampler2D ? "rgba 256" : "rgba 32")});
+    }
+    return list;
+}
+
+}  // namespace
+
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const PassText source = pass_text(preset, pass, options);
     LinkedProgram linked = make_program(source.text);
@@ -164,6 +185,7 @@ CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramO
                                        .samplers = {},
                                        .unfilled = {}});
     find_uniforms(preset, *result.program);
+    append_once(result.diagnostics, empty_channels(preset, *result.program));
     return result;
 }
 

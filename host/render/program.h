@@ -50,6 +50,7 @@ struct SamplerUniform {
 // A sampler that nothing fills; it reads 0. It has a unit of its own: those that are not told
 // otherwise all share unit 0, and would read what stands there.
 struct UnfilledSampler {
+    std::string name;
     std::optional<SamplerType> type;  // none: one of GLSL's other types, which no texture here fits
     GLint unit = 0;
 };

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace glint {
@@ -84,6 +85,15 @@ BufferShape Renderer::wanted_shape(std::size_t index) const {
     }
     require_drawable({pass_name(preset_.scene, wanted), shape});
     return shape;
+}
+
+std::vector<std::size_t> Renderer::empty_channels() const {
+    std::set<std::size_t> channels;
+    for (const PassProgram& program : scene_.programs)
+        for (const UnfilledSampler& unfilled : program.unfilled)
+            if (unfilled.name.starts_with("iChannel") && unfilled.type)
+                channels.insert(static_cast<std::size_t>(unfilled.name.back() - '0'));
+    return {channels.begin(), channels.end()};
 }
 
 std::vector<std::size_t> Renderer::inputs_needed() const {

@@ -44,6 +44,8 @@ public:
     // The samplers (as in sampler_at) that something reads and whose files are not here yet; hand
     // each its content.
     std::vector<std::size_t> inputs_needed() const;
+    // Which of iChannel0..3 something reads and nothing fills.
+    std::vector<std::size_t> empty_channels() const;
     void set_image(std::size_t sampler, const PixelView& pixels) {
         channels_.set_image(sampler, pixels);
     }

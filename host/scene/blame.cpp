@@ -4,6 +4,8 @@
 #include "glsl/declaration.h"
 #include "glsl/raw_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -83,6 +85,27 @@ std::optional<Place> likely_endless_loop(const Scene& scene) {
     }
     if (worst < kSuspicious) return std::nullopt;
     return place_of(scene, worst_at);
+}
+
+Place reading_place(const Scene& scene, const std::string& pass, std::string_view sampler) {
+    const std::string code = find_comments(scene.text).code;
+    const std::vector<Tab> tabs = find_tabs(code);
+    const std::vector<Declaration> uniforms = find_uniforms(code);
+    // The site's Image tab may call a channel by its struct.
+    const std::string member = sampler.size() == 9 ? fmt::format("iCh{}", sampler.back()) : "";
+    for (const std::string_view name : {sampler, std::string_view(member)}) {
+        for (std::size_t at = name.empty() ? code.npos : find_word(code, name); at != code.npos;
+             at = find_word(code, name, at + 1)) {
+            const auto holds = [&](Span span) { return span.begin <= at && at < span.end; };
+            const bool is_elsewhere =
+                std::any_of(tabs.begin(), tabs.end(),
+                            [&](const Tab& tab) { return holds(tab.span) && tab.pass != pass; }) ||
+                std::any_of(uniforms.begin(), uniforms.end(),
+                            [&](const Declaration& uniform) { return holds(uniform.span); });
+            if (!is_elsewhere) return place_of(scene, at);
+        }
+    }
+    return entry_place(scene, pass);
 }
 
 Place entry_place(const Scene& scene, const std::string& pass) {

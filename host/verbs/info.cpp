@@ -260,11 +260,12 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
         return;
     }
     const auto context = make_egl_context(options.view.device);
+    Diagnostics told;  // by one form, and not again by the other
     const Inspection seen{
         .preset = preset,
-        .uniform_fed = compile_or_stop(preset, {.program = {.specialise = false}}),
+        .uniform_fed = compile_or_stop(preset, {.program = {.specialise = false}}, &told),
         .specialised =
-            compile_or_stop(preset, {.program = {.specialise = options.view.specialise}})};
+            compile_or_stop(preset, {.program = {.specialise = options.view.specialise}}, &told)};
     Json json = inspect(seen);
     json["renderer"] = context->renderer();
     json["copies"] = costliest_copies(preset, seen.specialised, options.view.specialise);

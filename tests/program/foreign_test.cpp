@@ -187,5 +187,18 @@ TEST_F(Foreign, AMainOfTheBookOfShadersDraws) {
               std::string::npos);
 }
 
+TEST_F(Foreign, AnEmptyChannelIsToldOnceWithItsLine) {
+    write(
+        "a.glsl",
+        "// pasted\nvoid mainImage(out vec4 c, in vec2 p) {\n    c = texture(iChannel0, p);\n}\n");
+    const std::string said = "a.glsl:3:17: warning: nothing fills iChannel0, which is read here";
+    EXPECT_EQ(draw(), (std::array{0, 0, 0}));
+    EXPECT_TRUE(errors_.starts_with(said)) << errors_;
+    const Outcome info = glint({"info", "a.glsl"});
+    EXPECT_EQ(info.code, 0);
+    EXPECT_TRUE(info.err.starts_with(said)) << info.err;
+    EXPECT_EQ(info.err.find(said, 1), std::string::npos) << info.err;
+}
+
 }  // namespace
 }  // namespace glint::cli

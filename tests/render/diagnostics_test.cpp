@@ -132,6 +132,70 @@ TEST_F(Complaints, TellOfMoreOutputsThanAPassCanFill) {
     }
 }
 
+TEST_F(Complaints, OfAnEmptyChannelStandWhereItsPassReadsIt) {
+    const std::string read =
+        "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n";
+    struct {
+        const char* what;
+        std::string text;
+        int line, column;  // 0: nothing is said
+    } const cases[] = {
+        {"read", read, 1, 53},
+        {"behind a comment that names it", "// iChannel0 is wood\n" + read, 2, 53},
+        {"declared and not filled", "uniform sampler2D iChannel0;\n" + read, 2, 53},
+        {"called by a macro", "#define TEX iChannel0\n" + read, 1, 13},
+        {"as the struct of its channel",
+         "void mainImage(out vec4 c, in vec2 p) { c = texture(iCh0.sampler, p); }\n", 1, 53},
+        {"never read", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n", 0, 0},
+        {"read by what nobody calls",
+         "vec4 f() { return texture(iChannel0, vec2(0)); }\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n",
+         0, 0},
+        {"filled", "uniform sampler2D iChannel0; //@ noise 8\n" + read, 0, 0},
+        {"filled in one tab and not in the other",
+         "uniform sampler2D bufferA; //@ pass mainBufferA\n"
+         "#ifdef PASS_bufferA\nuniform sampler2D iChannel0; //@ noise 8\n" +
+             read +
+             "#endif\n#ifdef PASS_image\nuniform sampler2D iChannel1; //@ buffer bufferA\n"
+             "void mainImage(out vec4 c, in vec2 p) {\n"
+             "    c = texture(iChannel0, p) + texture(iChannel1, p);\n}\n#endif\n",
+         9, 17},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.what);
+        const Diagnostics list = complaints(c.text);
+        if (c.line == 0) {
+            EXPECT_TRUE(list.empty()) << to_text(list);
+            continue;
+        }
+        ASSERT_EQ(list.size(), 1u) << to_text(list);
+        EXPECT_EQ(list[0].severity, Severity::warning);
+        EXPECT_EQ(list[0].place.line, c.line) << to_text(list);
+        EXPECT_EQ(list[0].place.column, c.column) << to_text(list);
+        EXPECT_TRUE(list[0].text.starts_with("nothing fills iChannel0, which is read here"))
+            << to_text(list);
+    }
+}
+
+// Mesa lists each texture() that there is.
+TEST_F(Complaints, OfACallNameTheFunctionsOfItsSamplerAlone) {
+    const Diagnostics list = complaints(
+        "void mainImage(out vec4 c, in vec2 p) {\n    c = texture(iChannel0, vec3(p, 0));\n}\n");
+    ASSERT_FALSE(list.empty());
+    EXPECT_EQ(list[0].place.line, 2) << to_text(list);
+    EXPECT_EQ(list[0].text,
+              "no matching function for call to `texture(sampler2D, vec3)'; candidates are:\n"
+              "    vec4 texture(sampler2D, vec2)\n    vec4 texture(sampler2D, vec2, float)");
+    EXPECT_LE(list.size(), 2u) << to_text(list);
+    // Where none takes what the call gives first, all are told.
+    const Diagnostics others = complaints(
+        "float f(vec2 p) { return p.x; }\nfloat f(vec3 p) { return p.x; }\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(f(mat2(1))); }\n");
+    ASSERT_FALSE(others.empty());
+    EXPECT_TRUE(others[0].text.ends_with("candidates are:\n    float f(vec2)\n    float f(vec3)"))
+        << to_text(others);
+}
+
 TEST_F(Complaints, ComeOnceHoweverManyPassesShareTheText) {
     const Diagnostics list = complaints(
         "uniform sampler2D a; //@ pass mainA\n"

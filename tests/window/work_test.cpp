@@ -65,6 +65,35 @@ protected:
     }
 };
 
+// The scene's buffer, offered for its empty channel, in a window of 1280x720.
+constexpr glm::ivec2 kOfferedBuffer{313, 641};
+
+TEST_F(Work, AClickFillsAnEmptyChannelAndACrashKeepsIt) {
+    write(scene(),
+          "uniform sampler2D trail; //@ pass mainTrail\n"
+          "void mainTrail(out vec4 c, in vec2 p) { c = vec4(0.4); }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(texture(iChannel0, p / iResolution.xy).r, 0.2, 0.3, 1);\n}\n");
+    write(look(), "scene = \"scene.frag\"\n");
+    start({look().string()});
+    ASSERT_TRUE(glint_->says(":4:22: warning: nothing fills iChannel0")) << glint_->errors();
+    EXPECT_TRUE(eventually([&] { return red() == 0; }));
+    settle();
+    screen_->click(kOfferedBuffer);
+    EXPECT_TRUE(eventually([&] { return red() == 102; })) << red();
+    EXPECT_TRUE(becomes_unsaved(true));
+    EXPECT_TRUE(eventually([&] { return kept().find("trail") != std::string::npos; })) << kept();
+    glint_->signal(SIGKILL);
+    glint_->wait();
+    start({look().string()});
+    EXPECT_TRUE(enter_until([&] { return red() == 102; })) << red();
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_NE(read(look()).find("iChannel0 = { buffer = \"trail\" }"), std::string::npos)
+        << read(look());
+    EXPECT_EQ(red(), 102);
+}
+
 TEST_F(Work, EveryWayOutAsksFirst) {
     open_look();
     change();

@@ -70,7 +70,12 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
 Playground::~Playground() = default;
 
 ReloadSteps Playground::reload_steps() {
-    return {.read = read_preset,
+    return {.read =
+                [this](const std::filesystem::path& file) {
+                    ReadPreset read = read_preset(file);
+                    if (read.preset) lay_fills_over(*read.preset);
+                    return read;
+                },
             .watch =
                 [this](const ReadPreset& read) {
                     const Preset* preset = read.preset ? &*read.preset : preset_.get();
@@ -91,6 +96,7 @@ ReloadSteps Playground::reload_steps() {
 }
 
 void Playground::open(const std::filesystem::path& file) {
+    fills_ = {};
     watcher_.about_to_read();
     reloader_.open(file);
 }
@@ -166,6 +172,8 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     preset_->values.clear();
     tweaks = std::move(next);
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame
+    for (std::size_t i = 0; i < fills_.size(); ++i)
+        fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
     since_tweak_.restart();
     touched_ = true;
     if (!written) {

@@ -64,6 +64,13 @@ public:
     // A tweak was moved: the next frame shows it.
     void tweaks_changed();
 
+    // Fills the channel of this name, where the scene and its preset fill it by nothing, until the
+    // file is left: reads it again, and tries it.
+    void fill(const Sampler& channel);
+    // Leaves the channels to what the file says.
+    void forget_fills();
+    bool has_fills() const;
+
     // The picture as a still would write it, RGBA: drawn anew with the tweaks as constants.
     std::vector<std::byte> still();
     Metadata still_metadata() const;
@@ -101,7 +108,10 @@ public:
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
     // The file has just been given this.
-    void note_saved(const Preset& preset) { reloader_.note_saved(preset); }
+    void note_saved(const Preset& preset) {
+        reloader_.note_saved(preset);
+        fills_ = {};
+    }
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return reloader_.diagnostics(); }
     // The newest text that was tried was refused, for the reasons that the diagnostics tell.
@@ -137,6 +147,7 @@ private:
     void show_arrived();
     bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
+    void lay_fills_over(Preset& candidate);
     Diagnostics put_in_place(const Preset& candidate, Programs programs);
     void specialise_at_rest();
     void use_uniforms();
@@ -170,6 +181,9 @@ private:
 
     std::unique_ptr<Preset> preset_;  // what is drawn, without values
     std::unique_ptr<Renderer> renderer_;
+    // Of iChannel0..3, by a person here; the buffers that they name are those of preset_.
+    std::array<Sampler, 4> fills_;
+    std::array<bool, 4> laid_over_{};  // those that the newest text that was read has
     Stopwatch since_tweak_;
 
     std::unique_ptr<Buffer> other_picture_;

@@ -107,4 +107,45 @@ void Playground::show_arrived() {
         {.file = arrived.loaded.sampler.files.front(), .read_ms = arrived.loaded.ms, .text = {}});
 }
 
+void Playground::fill(const Sampler& channel) {
+    if (!preset_ || channel.source == Source::none) return;
+    fills_[static_cast<std::size_t>(channel.name.back() - '0')] = channel;
+    reloader_.saved(reloader_.file());
+}
+
+void Playground::forget_fills() {
+    if (!has_fills()) return;
+    fills_ = {};
+    reloader_.saved(reloader_.file());
+}
+
+bool Playground::has_fills() const {
+    return std::ranges::any_of(fills_,
+                               [](const Sampler& filler) { return filler.source != Source::none; });
+}
+
+// What the file fills by now is the file's. A buffer is the one of its name, where there still is.
+void Playground::lay_fills_over(Preset& candidate) {
+    laid_over_ = {};
+    for (std::size_t i = 0; i < fills_.size(); ++i) {
+        Sampler filler = fills_[i];
+        const auto& type = candidate.scene.channel_types[i];
+        if (filler.source == Source::none || candidate.channels[i].source != Source::none ||
+            (type && *type != filler.type))
+            continue;
+        if (filler.source == Source::buffer) {
+            const auto& declared = candidate.scene.samplers;
+            const std::string& name = preset_->scene.passes[filler.pass].outputs[filler.output];
+            const auto same = std::ranges::find_if(declared, [&](const Sampler& sampler) {
+                return sampler.name == name && sampler.source == Source::buffer &&
+                       sampler.tab.empty();
+            });
+            if (same == declared.end()) continue;
+            filler.pass = same->pass, filler.output = same->output;
+        }
+        candidate.channels[i] = filler;
+        laid_over_[i] = true;
+    }
+}
+
 }  // namespace glint

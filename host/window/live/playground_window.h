@@ -86,6 +86,8 @@ private:
     void find_unsaved();
     ReadPreset read_offer() const;
     void restore();
+    struct Kept;
+    Kept work() const;
 
     // Studies and checks
     bool follow_findings();
@@ -147,6 +149,7 @@ private:
     struct Kept {
         std::vector<TweakValue> values;
         std::size_t events = 0;
+        std::vector<std::string> channels;  // as TOML
         bool operator==(const Kept&) const = default;
     };
     std::optional<Kept> kept_;
@@ -159,6 +162,7 @@ private:
         bool is_other_text = false;
     };
     Subject studied_, checked_;
+    std::vector<EmptyChannel> empty_channels_;
     Shown shown_before_ = Shown::scene;
     glm::ivec2 finding_size_{1};  // of the picture in the view that is not the scene's
 

@@ -6,6 +6,7 @@
 #include "media/image.h"
 #include "offline/new_scene.h"
 #include "window/live/inspect.h"
+#include "window/live/offers.h"
 #include "window/live/playground_window.h"
 
 #include <fmt/format.h>
@@ -307,6 +308,7 @@ Facts PlaygroundWindow::facts() {
     facts.specialised = playground_.is_specialised();
     facts.replayed = playground_.replayed();
     facts.diagnostics = playground_.diagnostics();
+    facts.empty_channels = empty_channels_;
     facts.last_reload = last_reload_;
     facts.instant = playground_.instant();
     facts.frame_ms = playground_.frame_ms();
@@ -353,6 +355,7 @@ void PlaygroundWindow::print_reports() {
         } else if (reports[i].shown && reports[i].file.extension() != ".toml") {
             stop_findings();  // they are about another text
         }
+        empty_channels_ = empty_channels(playground_);
         dirty_ = true;
     }
     printed_reports_ = total;
@@ -397,6 +400,7 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.answer) take_answer(*wishes.answer);
     if (wishes.toggle_full_screen) window_.set_full_screen(!window_.is_full_screen());
     if (wishes.edit) edit(*wishes.edit);
+    if (wishes.fill) playground_.fill(*wishes.fill);
     grant_findings(wishes);
     if (wishes.quit) leave({Leaving::For::quit, {}});
 }

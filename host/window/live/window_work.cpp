@@ -8,6 +8,7 @@
 #include "offline/import.h"
 #include "offline/new_scene.h"
 #include "scene/preset_writer.h"
+#include "scene/toml_text.h"
 #include "window/live/playground_window.h"
 
 #include <fmt/format.h>
@@ -37,6 +38,15 @@ bool same(std::span<const Event> a, std::span<const Event> b) {
     });
 }
 
+// The channels as a preset spells them.
+std::vector<std::string> channel_texts(const Preset& preset) {
+    std::vector<std::string> texts;
+    for (const Sampler& channel : preset.channels)
+        texts.push_back(
+            toml_braces(toml_channel(channel, preset.scene, preset.file.parent_path())));
+    return texts;
+}
+
 // Unsaved work reads and writes its text as if it stood here.
 fs::path place_beside(const fs::path& place) {
     return place.parent_path() / "unsaved.toml";
@@ -51,7 +61,8 @@ std::span<const Event> PlaygroundWindow::unsaved_events() const {
 bool PlaygroundWindow::is_unsaved() const {
     const Preset* written = playground_.as_written();
     if (values_known_ && written)
-        return playground_.tweaks.values() != written->values || !unsaved_events().empty();
+        return playground_.tweaks.values() != written->values || !unsaved_events().empty() ||
+               playground_.has_fills();
     // A file that cannot be shown leaves the scene before to work on.
     const bool is_before = !written && playground_.is_open();
     return is_before && playground_.tweaks.values() != left_values_;
@@ -226,6 +237,7 @@ void PlaygroundWindow::revert() {
     if (!playground_.is_open() || !values_known_) return;
     playground_.tweaks.set_all(playground_.as_written()->values);
     playground_.tweaks_changed();
+    playground_.forget_fills();
     recorded_.clear();
     dirty_ = true;
 }
@@ -261,7 +273,12 @@ void PlaygroundWindow::lay_options_over() {
 bool PlaygroundWindow::is_keeping_due() const {
     if (!values_known_) return false;  // what is on the screen is no work on this file
     if (!is_unsaved()) return kept_.has_value();
-    return kept_ != Kept{playground_.tweaks.values(), unsaved_events().size()};
+    return kept_ != work();
+}
+
+PlaygroundWindow::Kept PlaygroundWindow::work() const {
+    return {playground_.tweaks.values(), unsaved_events().size(),
+            channel_texts(*playground_.preset())};
 }
 
 // As soon as something changes, and before the frame that shows it, which may be the last one.
@@ -276,7 +293,7 @@ void PlaygroundWindow::keep_unsaved() {
 
 void PlaygroundWindow::keep_now() {
     since_kept_.restart();
-    kept_ = Kept{playground_.tweaks.values(), unsaved_events().size()};
+    kept_ = work();
     const PresetText text = write_preset(preset_to_save(), place_beside(place_));
     try {
         if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
@@ -302,7 +319,8 @@ void PlaygroundWindow::find_unsaved() {
     while ((offer_ = unsaved_work_.find(place_))) {
         const ReadPreset read = read_offer();
         if (read.preset && (read.preset->values != playground_.tweaks.values() ||
-                            !same(read.preset->events, playground_.preset()->events)))
+                            !same(read.preset->events, playground_.preset()->events) ||
+                            channel_texts(*read.preset) != channel_texts(*playground_.preset())))
             return;
         // Of tweaks that the text lacks today, and may have again tomorrow.
         if (read.preset && !read.diagnostics.empty()) {
@@ -318,6 +336,10 @@ void PlaygroundWindow::restore() {
     if (!read.preset) return;
     if (!same(read.preset->events, playground_.as_written()->events))
         recorded_ = read.preset->events;
+    const std::vector<std::string> mine = channel_texts(*playground_.preset());
+    const std::vector<std::string> found = channel_texts(*read.preset);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i] != mine[i]) playground_.fill(read.preset->channels[i]);
     playground_.tweaks.set_all(read.preset->values);
     playground_.tweaks_changed();
     if (is_unsaved()) keep_now();  // before what was found goes

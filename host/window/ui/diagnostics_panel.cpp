@@ -26,9 +26,10 @@ std::string summary(std::span<const Diagnostic> diagnostics) {
 void follow(const Facts& facts, DiagnosticsState& state) {
     std::string told;
     for (const Diagnostic& diagnostic : facts.diagnostics) told += to_string(diagnostic) + "\n";
+    for (const EmptyChannel& channel : facts.empty_channels) told += channel.name + "\n";
     if (told == state.told) return;
     state.told = std::move(told);
-    state.open = has_errors(facts.diagnostics);
+    state.open = has_errors(facts.diagnostics) || !facts.empty_channels.empty();
     state.shown.clear();
     for (const Diagnostic& diagnostic : facts.diagnostics)
         state.shown.push_back({diagnostic, read_source_line(diagnostic.place)});
@@ -134,6 +135,20 @@ void heading(Build& build, DiagnosticsState& state) {
     ImGui::PopTextWrapPos();
 }
 
+// One click fills a channel that the scene reads and nothing fills.
+void offers(Build& build, const EmptyChannel& channel) {
+    const Theme& theme = build.theme;
+    ImGui::Indent(theme.px(12));
+    ImGui::AlignTextToFramePadding();
+    text_in(colours::kDim, fmt::format("Fill {} with", channel.name));
+    for (const EmptyChannel::Offer& offer : channel.offers) {
+        same_line_if_fits(ImGui::CalcTextSize(offer.label.c_str()).x + theme.px(16));
+        if (text_button(theme, offer.label.c_str(), false, "Saving the preset keeps it"))
+            build.wishes.fill = offer.filler;
+    }
+    ImGui::Unindent(theme.px(12));
+}
+
 // Between the columns, or over their lower parts where too little is left between them.
 Area place(const Build& build) {
     const Theme& theme = build.theme;
@@ -200,6 +215,11 @@ void diagnostics_panel(Build& build, DiagnosticsState& state) {
         ImGui::PushID(static_cast<int>(i));
         ImGui::Dummy({0, 0});
         entry(build, state.shown[i]);
+        ImGui::PopID();
+    }
+    for (const EmptyChannel& channel : build.facts.empty_channels) {
+        ImGui::PushID(channel.name.c_str());
+        offers(build, channel);
         ImGui::PopID();
     }
     ImGui::End();

@@ -61,6 +61,7 @@ void add(Wishes& all, Wishes more) {
     if (more.save_as) all.save_as = std::move(more.save_as);
     if (more.new_scene) all.new_scene = std::move(more.new_scene);
     if (more.edit) all.edit = std::move(more.edit);
+    if (more.fill) all.fill = std::move(more.fill);
     if (more.answer) all.answer = more.answer;
     if (more.study) all.study = std::move(more.study);
     all.save |= more.save;

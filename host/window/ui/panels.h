@@ -79,6 +79,16 @@ struct PassView {
     bool inspect = false;    // counts, histogram and the pixel inspector are wanted
 };
 
+// A channel that the scene reads and nothing fills, and what a click fills it with.
+struct EmptyChannel {
+    struct Offer {
+        std::string label;  // "noise", "wood.png", or a buffer's name
+        Sampler filler;     // of the channel's name
+    };
+    std::string name;  // "iChannel0"
+    std::vector<Offer> offers;
+};
+
 // What has to be answered before anything else is done.
 enum class Question {
     none,
@@ -94,6 +104,7 @@ struct Facts {
     bool unsaved = false, loading = false, specialised = false;
     double replayed = 1.0;  // fraction of a replay that is under way
     std::span<const Diagnostic> diagnostics;
+    std::span<const EmptyChannel> empty_channels;
     std::string last_reload;  // one line
     Instant instant;
     double frame_ms = 0.0;
@@ -136,6 +147,7 @@ struct Wishes {
     std::vector<TweakEdit> tweaks;   // in this order
     bool tweaks_changed = false;     // what was wished of them has changed a value or the shown set
     std::optional<Diagnostic> edit;  // open the editor at this place
+    std::optional<Sampler> fill;     // the channel of this name
     std::optional<std::string> study;  // run one of this knob; "" for all
     std::optional<Answer> answer;      // to Facts::question
     bool cancel_study = false;

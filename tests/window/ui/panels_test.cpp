@@ -272,6 +272,27 @@ TEST(Errors, AClickOpensTheEditorThere) {
     EXPECT_EQ(screen.wishes.edit->place.line, 9);
 }
 
+TEST(Errors, OneClickWishesForWhatFillsAnEmptyChannel) {
+    Screen screen({});
+    const Diagnostics diagnostics{{Severity::warning, {"none.frag", 3, 1}, "nothing fills it"}};
+    std::vector<EmptyChannel> channels{{"iChannel2", {{"noise", {}}, {"wood.png", {}}}}};
+    for (EmptyChannel::Offer& offer : channels[0].offers) offer.filler.name = "iChannel2";
+    channels[0].offers[1].filler.source = Source::image;
+    screen.facts.diagnostics = diagnostics;
+    screen.frame();
+    screen.facts.empty_channels = channels;  // once the text is drawn
+    for (int i = 0; i < 4; ++i) screen.frame();
+    const ImGuiWindow* list = screen.window("diagnostics");
+    ASSERT_TRUE(list) << "a picture that is black for this reason says so by itself";
+    const ImGuiID id = ImHashStr("wood.png", 0, ImHashStr("iChannel2", 0, list->ID));
+    const auto button = screen.find(id, "diagnostics");
+    ASSERT_TRUE(button);
+    screen.click(at(*button, 0.5f));
+    ASSERT_TRUE(screen.wishes.fill);
+    EXPECT_EQ(screen.wishes.fill->name, "iChannel2");
+    EXPECT_EQ(screen.wishes.fill->source, Source::image);
+}
+
 // All panels open, over what a person may meet.
 void open_all(Screen& screen) {
     PanelSettings& settings = screen.settings;

@@ -46,6 +46,7 @@ public:
         if (now.save_as) wishes.save_as = now.save_as;
         if (now.new_scene) wishes.new_scene = now.new_scene;
         if (now.edit) wishes.edit = now.edit;
+        if (now.fill) wishes.fill = now.fill;
         if (now.answer) wishes.answer = now.answer;
         if (now.study) wishes.study = now.study;
         wishes.cancel_study = wishes.cancel_study || now.cancel_study;
