@@ -74,7 +74,10 @@ Number computed(std::string_view op, std::int64_t a, std::int64_t b) {
 
 class Evaluator {
 public:
-    explicit Evaluator(const std::vector<Token>& tokens) : tokens_(tokens) {}
+    using ValueOf = std::function<Number(std::string_view)>;
+
+    explicit Evaluator(const std::vector<Token>& tokens, ValueOf value_of = nullptr)
+        : tokens_(tokens), value_of_(std::move(value_of)) {}
 
     // Nothing where it is not known, or not understood.
     Number value() {
@@ -138,10 +141,11 @@ private:
             return value;
         }
         is_broken_ |= !token.is_word();
-        return {};
+        return token.is_word() && value_of_ ? value_of_(token.text) : Number();
     }
 
     const std::vector<Token>& tokens_;
+    ValueOf value_of_;
     std::size_t at_ = 0;
     bool is_broken_ = false;
 };
@@ -194,6 +198,11 @@ Live opposite(Live live) {
 }
 
 }  // namespace
+
+Number whole_number(const std::vector<Token>& tokens,
+                    const std::function<Number(std::string_view)>& value_of) {
+    return Evaluator(tokens, value_of).value();
+}
 
 Live condition_holds(const Macros& macros, const std::vector<Token>& tokens, TokenRange line,
                      std::uint32_t first) {

@@ -1,9 +1,11 @@
-// `#if` and what belongs to it: which branches are compiled.
+// `#if` and what belongs to it: which branches are compiled, and what constants come to.
 #pragma once
 
 #include "glsl/macro.h"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +15,12 @@ namespace glint {
 // understood. Computes in 64 bits, as deep as brackets are nested in any text.
 Live condition_holds(const Macros& macros, const std::vector<Token>& tokens, TokenRange line,
                      std::uint32_t first);
+
+// What a constant expression of whole numbers comes to, where it is understood; `value_of` says
+// what a name stands for.
+std::optional<std::int64_t> whole_number(
+    const std::vector<Token>& tokens,
+    const std::function<std::optional<std::int64_t>(std::string_view)>& value_of);
 
 // Follows the conditions of a text, line by line.
 class Conditions {

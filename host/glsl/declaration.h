@@ -10,6 +10,9 @@
 
 namespace glint {
 
+// The reader's own words, of another shape, must not be taken for these by a linker.
+inline namespace uniforms {
+
 // One name of a declaration: `iChannelTime[4]`.
 struct Declarator {
     std::string_view name;
@@ -28,6 +31,8 @@ struct Declaration {
     bool is_block = false;   // `uniform Name { … }`, or a struct
     bool is_broken = false;  // no semicolon, or something else that the compiler will explain
 };
+
+}  // namespace uniforms
 
 // `code` is a text without comments. Preprocessor lines are passed over. Views point into `code`.
 std::vector<Declaration> find_uniforms(std::string_view code);

@@ -130,7 +130,8 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
         const int line = parse_count(number);
         int wider = 0;
         for (const PassText::Widened& widened : text.widened) {
-            if (widened.line == line && column > widened.column) wider += widened.by;
+            if (widened.line == line && column > widened.column)
+                wider += std::min(widened.by, column - widened.column);
         }
         return scene.place(line - text.prologue_lines, column - wider);
     };

@@ -3,6 +3,7 @@
 #include "glsl/declaration.h"
 #include "glsl/raw_text.h"
 #include "render/declared_names.h"
+#include "render/pass_zeros.h"
 
 #include <fmt/format.h>
 
@@ -326,6 +327,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     for (PassText::Widened& widened : result.widened) widened.line += result.prologue_lines;
     result.text.insert(0, text);
     if (!result.text.ends_with('\n')) result.text += '\n';
+    write_zeros(result, options.marked);
     return result;
 }
 

@@ -39,6 +39,20 @@ TEST_F(Complaints, StandAtTheUsersLineAndColumn) {
         {"behind blank lines", "\n\n\r\n  float f = undeclared;\n" + body, 4, 13},
         {"behind the entry's out on its line",
          "void mainImage(out vec4 c, in vec2 p) { c = undeclared; }\n", 1, 45},
+        {"behind a zero on its line",
+         "void mainImage(out vec4 c, in vec2 p) { float x, y[2]; c = vec4(x + y[1]) + undeclared; "
+         "}\n",
+         1, 77},
+        {"between zeros",
+         "/* größer */ float g; void mainImage(out vec4 c, in vec2 p) { float x; c += g + "
+         "undeclared "
+         "+ x; }\n",
+         1, 81},
+        {"behind a macro that was written out",
+         "#define VARIABLES(t) t a; t b;\n"
+         "void mainImage(out vec4 c, in vec2 p) { VARIABLES(\nfloat) c = vec4(a + b, undeclared); "
+         "}\n",
+         3, 24},
         {"before it", "float g = undeclared; " + body, 1, 11},
         {"in a syntax error", body + "\nfloat f() {\n    return 1.0 +;\n}\n", 4, 17},
         {"behind host uniforms of its own",
@@ -200,7 +214,7 @@ TEST_F(Complaints, ComeOnceHoweverManyPassesShareTheText) {
     const Diagnostics list = complaints(
         "uniform sampler2D a; //@ pass mainA\n"
         "uniform sampler2D b; //@ pass mainB\n"
-        "float half_used() { float x; return x; }\n"
+        "float half_used() { return float(4294967295); }\n"
         "void mainA(out vec4 c, vec2 p) { c = vec4(half_used()); }\n"
         "void mainB(out vec4 c, vec2 p) { c = texture(a, p) + half_used(); }\n"
         "void mainImage(out vec4 c, vec2 p) { c = texture(b, p) + half_used(); }\n");
@@ -208,6 +222,7 @@ TEST_F(Complaints, ComeOnceHoweverManyPassesShareTheText) {
         for (std::size_t k = 0; k < i; ++k) EXPECT_NE(to_string(list[i]), to_string(list[k]));
     }
     EXPECT_FALSE(has_errors(list)) << to_text(list);
+    EXPECT_FALSE(list.empty()) << "a warning was meant to be told";
 }
 
 TEST_F(Complaints, OfATextThatDoesNotCompileLeaveTheContextWell) {

@@ -34,8 +34,8 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
     for (Pass& pass : preset.scene.passes) {
         if (pass.format == PixelFormat::rgba32f) pass.format = options.buffers;
     }
-    CompiledScene compiled =
-        compile_or_stop(preset, {.program = {.specialise = options.specialise}});
+    CompiledScene compiled = compile_or_stop(
+        preset, {.program = {.specialise = options.specialise, .marked = options.marked}});
     for (const PassProgram& program : compiled.programs) {
         for (const BuiltinUniform& uniform : program.builtins) {
             builtins_.push_back(uniform.builtin);

@@ -37,6 +37,8 @@ struct SubjectOptions {
     // Tweaks written in as constants, as a still draws them, and passes left out that they switch
     // off; the preset's values cannot be changed then.
     bool specialise = true;
+    // What is unset and gets values that show.
+    std::optional<UnsetRange> marked{};
 };
 
 class CheckSubject {

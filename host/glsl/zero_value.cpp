@@ -1,0 +1,177 @@
+#include "glsl/zero_value.h"
+
+#include "glsl/condition.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace glint {
+namespace {
+
+constexpr int kMostNumbers = 1024;
+
+struct Scalar {
+    std::string_view zero, mark;
+};
+constexpr Scalar kFloat = {"0.", "uintBitsToFloat(0x7FC0DEADu)"}, kInt = {"0", "0x7FC0DEAD"},
+                 kUint = {"0u", "0x7FC0DEADu"}, kBool = {"false", "true"};
+
+const Scalar* scalar_of(std::string_view type) {
+    if (type == "float") return &kFloat;
+    if (type == "int") return &kInt;
+    if (type == "uint") return &kUint;
+    if (type == "bool") return &kBool;
+    return nullptr;
+}
+
+bool is_length(std::string_view digits) {
+    return digits == "2" || digits == "3" || digits == "4";
+}
+
+const Scalar* scalar_of_vector(std::string_view type) {
+    const std::size_t begin = type.find("vec");
+    if (begin > 1 || !is_length(type.substr(begin + 3))) return nullptr;
+    const std::string_view kind = type.substr(0, begin);
+    if (kind.empty()) return &kFloat;
+    return kind == "i" ? &kInt : kind == "u" ? &kUint : kind == "b" ? &kBool : nullptr;
+}
+
+// "mat2x3" has 2 columns of 3.
+bool is_matrix(std::string_view type) {
+    return type.starts_with("mat") && type.size() > 3 && is_length(type.substr(3, 1)) &&
+           (type.size() == 4 ||
+            (type.size() == 6 && type[4] == 'x' && is_length(type.substr(5, 1))));
+}
+
+std::string basic_value(std::string_view type, bool is_marked) {
+    if (const Scalar* scalar = scalar_of(type))
+        return std::string(is_marked ? scalar->mark : scalar->zero);
+    if (const Scalar* scalar = scalar_of_vector(type))
+        return fmt::format("{}({})", type, is_marked ? scalar->mark : scalar->zero);
+    if (!is_matrix(type)) return "";
+    if (!is_marked) return fmt::format("{}(0)", type);
+    std::string columns;
+    for (char i = '0'; i < type[3]; ++i)
+        columns += fmt::format("{}vec{}({})", i == '0' ? "" : ",", type.back(), kFloat.mark);
+    return fmt::format("{}({})", type, columns);
+}
+
+}  // namespace
+
+ZeroValues::ZeroValues(const Reading& reading) : reading_(reading) {
+    for (const Macro& macro : reading.macros) taken_[macro.name] = true;
+    for (const Declaration& declaration : reading.declarations) {
+        if (declaration.scope == Scope::member) continue;
+        const std::string_view type = reading.word(declaration.type);
+        for (const Declarator& one : declaration.names) {
+            const std::string_view name = reading.word(one.name);
+            taken_[name] = true;
+            if (!declaration.is_const || (type != "int" && type != "uint")) continue;
+            const auto [found, is_new] = constants_.try_emplace(name, Constant{one.initial});
+            found->second.is_only &= is_new;
+        }
+    }
+}
+
+std::string ZeroValues::made_name(std::uint32_t structure) {
+    return fmt::format("glint_unnamed{}", structure);
+}
+
+bool ZeroValues::may_be_written(std::string_view word) const {
+    return !taken_.contains(word);
+}
+
+std::optional<std::int64_t> ZeroValues::constant(std::string_view name, int depth) const {
+    constexpr int kDeepest = 16;
+    const auto found = constants_.find(name);
+    if (found == constants_.end() || !found->second.is_only || depth > kDeepest) return {};
+    const TokenRange value = found->second.value;
+    const auto begin = reading_.tokens.begin();
+    return whole_number(std::vector<Token>(begin + value.begin, begin + value.end),
+                        [&](std::string_view other) { return constant(other, depth + 1); });
+}
+
+// Of `[4]` or `[N + 1]`.
+std::optional<std::int64_t> ZeroValues::length(TokenRange array) const {
+    if (reading_.close_of(array.begin) + 1 != array.end) return {};  // arrays of arrays
+    const auto begin = reading_.tokens.begin();
+    return whole_number(std::vector<Token>(begin + array.begin + 1, begin + array.end - 1),
+                        [&](std::string_view name) { return constant(name, 0); });
+}
+
+// The one that is seen from where the type is spelled; kNone where that is not certain.
+std::uint32_t ZeroValues::find_struct(std::string_view name, const SpelledType& type) const {
+    std::uint32_t found = kNone;
+    for (std::uint32_t i = 0; i < reading_.structs.size(); ++i) {
+        const Struct& one = reading_.structs[i];
+        if (one.name == kNone || reading_.word(one.name) != name) continue;
+        if (one.function != kNone && one.function != type.function) continue;
+        if (found != kNone) return kNone;
+        found = i;
+    }
+    return found;
+}
+
+std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool is_marked,
+                                                 int& count) const {
+    const Struct& one = reading_.structs[structure];
+    std::string name = made_name(structure), members;
+    if (one.name != kNone) {
+        name = reading_.word(one.name);
+        if (!may_be_written(name)) return {};
+    }
+    for (const std::uint32_t index : one.members) {
+        const Declaration& member = reading_.declarations[index];
+        for (const Declarator& declarator : member.names) {
+            const auto value = whole({.type = member.type,
+                                      .structure = member.structure,
+                                      .array = declarator.array,
+                                      .type_array = member.type_array,
+                                      .function = one.function},
+                                     is_marked, count);
+            if (!value) return {};
+            members += (members.empty() ? "" : ",") + *value;
+        }
+    }
+    if (members.empty()) return {};
+    return name + "(" + members + ")";
+}
+
+std::optional<std::string> ZeroValues::element(const SpelledType& type, bool is_marked,
+                                               int& count) const {
+    if (++count > kMostNumbers) return {};
+    const std::string_view name = reading_.word(type.type);
+    if (!may_be_written(name)) return {};
+    if (std::string value = basic_value(name, is_marked); !value.empty()) return value;
+    if (type.structure != kNone) return of_struct(type.structure, is_marked, count);
+    const std::uint32_t structure = find_struct(name, type);
+    // One that holds itself is none.
+    if (structure == kNone || reading_.structs[structure].tokens.end > type.type) return {};
+    return of_struct(structure, is_marked, count);
+}
+
+std::optional<std::string> ZeroValues::whole(const SpelledType& type, bool is_marked,
+                                             int& count) const {
+    if (type.array.empty() && type.type_array.empty()) return element(type, is_marked, count);
+    if (!type.array.empty() && !type.type_array.empty()) return {};
+    const auto size = length(type.array.empty() ? type.type_array : type.array);
+    if (!size || *size < 1 || *size > kMostNumbers) return {};
+    const int before = count;
+    const auto value = element(type, is_marked, count);
+    count = before + (count - before) * static_cast<int>(*size);
+    if (!value || count > kMostNumbers) return {};
+    std::string values = *value;
+    for (std::int64_t i = 1; i < *size; ++i) values += "," + *value;
+    const std::string name =
+        type.type == kNone ? made_name(type.structure) : std::string(reading_.word(type.type));
+    return fmt::format("{}[{}]({})", name, *size, values);
+}
+
+std::optional<std::string> ZeroValues::value(const SpelledType& type, bool is_marked) const {
+    int count = 0;
+    return whole(type, is_marked, count);
+}
+
+}  // namespace glint

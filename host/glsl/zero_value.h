@@ -1,0 +1,50 @@
+// Constructors of values: 0 of any type, or a mark that shows in a picture.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+namespace glint {
+
+// A type with its lengths, as it is spelled for one name.
+struct SpelledType {
+    std::uint32_t type = kNone;       // token; kNone of a struct without a name
+    std::uint32_t structure = kNone;  // that is defined there
+    TokenRange array, type_array;
+    std::uint32_t function = kNone;  // where it is spelled; kNone: outside of all
+};
+
+class ZeroValues {
+public:
+    // `reading` must outlive this.
+    explicit ZeroValues(const Reading& reading);
+
+    // `vec3(0)`, `Hit(0.,vec3(0))`, `float[2](0.,0.)`; nothing where there is no such constructor.
+    std::optional<std::string> value(const SpelledType& type, bool is_marked) const;
+
+    // What a struct without a name is called in these constructors.
+    static std::string made_name(std::uint32_t structure);
+
+private:
+    std::optional<std::string> element(const SpelledType& type, bool is_marked, int& count) const;
+    std::optional<std::string> whole(const SpelledType& type, bool is_marked, int& count) const;
+    std::optional<std::string> of_struct(std::uint32_t structure, bool is_marked, int& count) const;
+    std::uint32_t find_struct(std::string_view name, const SpelledType& type) const;
+    std::optional<std::int64_t> length(TokenRange array) const;
+    std::optional<std::int64_t> constant(std::string_view name, int depth) const;
+    bool may_be_written(std::string_view word) const;
+
+    struct Constant {
+        TokenRange value;
+        bool is_only = true;  // of that name
+    };
+    const Reading& reading_;
+    std::unordered_map<std::string_view, Constant> constants_;
+    std::unordered_map<std::string_view, bool> taken_;  // names of macros and variables
+};
+
+}  // namespace glint

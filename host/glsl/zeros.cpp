@@ -1,0 +1,154 @@
+#include "glsl/zeros.h"
+
+#include "glsl/first_use.h"
+#include "glsl/zero_value.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace glint {
+namespace {
+
+// A place where a value is written, and how.
+struct Site {
+    enum class Kind : std::uint8_t { initial, head, result };
+    Kind kind = Kind::initial;
+    Unset unset;
+    SpelledType type;
+    std::uint32_t token = kNone;  // behind which, or before which for a result
+};
+
+class Finder {
+public:
+    explicit Finder(const Reading& reading) : reading_(reading), uses_(reading) {}
+
+    // In the order of the text.
+    std::vector<Site> find() {
+        for (const Declaration& declaration : reading_.declarations)
+            if (declaration.scope == Scope::local || declaration.scope == Scope::global)
+                find_in(declaration);
+        for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
+            if (reading_.functions[i].first_statement != kNone) find_in_function(i);
+        std::ranges::stable_sort(sites_, {}, [](const Site& site) { return site.unset.at; });
+        return std::move(sites_);
+    }
+
+private:
+    // Whatever else qualifies it, such as `const` or `in`, has a value or is an error.
+    bool is_plain(const Declaration& declaration) const {
+        constexpr std::array<std::string_view, 4> kPrecisions = {"highp", "mediump", "lowp",
+                                                                 "precise"};
+        for (std::uint32_t at = declaration.qualifiers.begin; at < declaration.qualifiers.end; ++at)
+            if (std::ranges::find(kPrecisions, reading_.word(at)) == kPrecisions.end())
+                return false;
+        return true;
+    }
+
+    void add(Site::Kind kind, std::uint32_t name, std::uint32_t token, const SpelledType& type) {
+        sites_.push_back({kind,
+                          {.name = std::string(reading_.word(name)),
+                           .is_result = kind == Site::Kind::result,
+                           .at = reading_.place(name).begin},
+                          type,
+                          token});
+    }
+
+    void find_in(const Declaration& declaration) {
+        if (!is_plain(declaration)) return;
+        for (const Declarator& one : declaration.names) {
+            if (!one.initial.empty()) continue;
+            const bool is_read = declaration.scope == Scope::global
+                                     ? uses_.is_mentioned_again(reading_.word(one.name))
+                                     : uses_.local_is_read(declaration, one);
+            if (!is_read) continue;
+            add(Site::Kind::initial, one.name, one.tokens.end - 1,
+                {.type = declaration.type,
+                 .structure = declaration.structure,
+                 .array = one.array,
+                 .type_array = declaration.type_array,
+                 .function = declaration.owner});
+        }
+    }
+
+    void find_in_function(std::uint32_t index) {
+        const Function& function = reading_.functions[index];
+        for (const std::uint32_t parameter : function.parameters) {
+            const Declaration& declaration = reading_.declarations[parameter];
+            if (!declaration.is_out || declaration.is_in || declaration.names.empty()) continue;
+            const Declarator& one = declaration.names.front();
+            if (!uses_.out_is_read(index, reading_.word(one.name))) continue;
+            add(Site::Kind::head, one.name, function.body.begin,
+                {.type = declaration.type,
+                 .structure = declaration.structure,
+                 .array = one.array,
+                 .type_array = declaration.type_array,
+                 .function = index});
+        }
+        if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;
+        add(Site::Kind::result, function.name, function.body.end - 1,
+            {.type = function.type, .array = {}, .type_array = function.type_array});
+    }
+
+    const Reading& reading_;
+    FirstUses uses_;
+    std::vector<Site> sites_;
+};
+
+class Writer {
+public:
+    explicit Writer(const Reading& reading)
+        : reading_(reading), values_(reading), edits_(reading), is_named_(reading.structs.size()) {}
+
+    // Gives a struct without a name one, which the constructor needs.
+    bool can_write(const Site& site) {
+        const bool needs_name = site.type.type == kNone && !is_named_[site.type.structure];
+        if (!values_.value(site.type, false) || !edits_.may_change(site.token)) return false;
+        if (!needs_name) return true;
+        is_named_[site.type.structure] =
+            edits_.after(reading_.structs[site.type.structure].tokens.begin,
+                         " " + ZeroValues::made_name(site.type.structure));
+        return is_named_[site.type.structure];
+    }
+
+    void write(const Site& site, bool is_marked) {
+        const std::string value = *values_.value(site.type, is_marked);
+        switch (site.kind) {
+            case Site::Kind::initial:
+                edits_.after(site.token, " = " + value);
+                break;
+            case Site::Kind::head:
+                edits_.after(site.token, " " + site.unset.name + " = " + value + ";");
+                break;
+            case Site::Kind::result:
+                edits_.before(site.token, " return " + value + "; ");
+                break;
+        }
+    }
+
+    EditedText apply() const { return edits_.apply(); }
+
+private:
+    const Reading& reading_;
+    ZeroValues values_;
+    Edits edits_;
+    std::vector<bool> is_named_;
+};
+
+}  // namespace
+
+Zeroed write_zeros(const Reading& reading, const std::function<bool(const Unset&)>& is_marked) {
+    Zeroed result;
+    Writer writer(reading);
+    if (reading.is_balanced) {
+        for (Site& site : Finder(reading).find()) {
+            if (!writer.can_write(site)) continue;
+            writer.write(site, is_marked && is_marked(site.unset));
+            result.unset.push_back(std::move(site.unset));
+        }
+    }
+    result.edited = writer.apply();
+    return result;
+}
+
+}  // namespace glint

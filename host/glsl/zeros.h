@@ -1,0 +1,35 @@
+// Zeros for what a text reads before it has given it a value, as browsers have them.
+//
+// GLSL leaves such values undefined; golfed texts count on 0, and drivers give anything. So the
+// zeros are written into the text: a local or global gets a first value, an `out` parameter one at
+// the head of its function, and a function that ends without a `return` returns one. What certainly
+// has a value before it is read stays as it is (glsl/first_use.h), and so does what no value can be
+// written for: samplers, more than 1024 numbers at once, what stands within a macro that
+// glsl/edits.h leaves alone. A variable whose declaration in a `switch` is jumped over has none.
+#pragma once
+
+#include "glsl/edits.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct Unset {
+    std::string name;        // of the variable
+    bool is_result = false;  // the name is that of a function which may end without a `return`
+    std::size_t at = 0;      // byte of the text where the name is declared
+};
+
+struct Zeroed {
+    EditedText edited;
+    std::vector<Unset> unset;  // in the order of the text
+};
+
+// With `is_marked`, what it says true to gets values that show in a picture instead: NaN, in
+// integers 0x7FC0DEAD, true.
+Zeroed write_zeros(const Reading& reading,
+                   const std::function<bool(const Unset&)>& is_marked = nullptr);
+
+}  // namespace glint

@@ -1,0 +1,106 @@
+// What a scene reads before setting it: is the picture another one where that is not 0?
+//
+// Drivers owe such values nothing. Glint and browsers write zeros (glsl/zeros.h); here they are
+// NaN, 0x7FC0DEAD and true instead. Where that shows, halves of what was unset are tried until the
+// first is found that shows on its own.
+#include "measure/check/case.h"
+#include "measure/rows/difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace glint {
+namespace {
+
+constexpr double kPlayed = 0.5;  // s of a simulation
+constexpr UnsetPlace kEnd = {.line = std::numeric_limits<int>::max()};
+
+using UnsetValue = PassText::UnsetValue;
+
+// Of all passes that are drawn, each once, in the order of the text.
+std::vector<UnsetValue> unset_values(const CheckSubject& subject) {
+    std::vector<UnsetValue> list;
+    for (const GraphPass& pass : subject.renderer().graph().passes) {
+        const PassText text =
+            pass_text(subject.opened(), pass.pass, {.specialise = subject.specialised()});
+        list.insert(list.end(), text.unset.begin(), text.unset.end());
+    }
+    std::ranges::stable_sort(list, {}, &UnsetValue::place);
+    const auto same = std::ranges::unique(list, {}, &UnsetValue::place);
+    list.erase(same.begin(), same.end());
+    return list;
+}
+
+// The pictures with and without marks.
+class Comparison {
+public:
+    explicit Comparison(CheckSubject& subject)
+        : subject_(subject),
+          time_(subject.stateful() ? std::min(subject.preset.time, kPlayed) : subject.preset.time) {
+    }
+
+    // False where the scene is not finite by itself.
+    bool draw_usual() {
+        const bool finite = subject_.show(time_, kPlayed);
+        usual_ = subject_.picture();
+        return finite;
+    }
+
+    bool shows(const UnsetRange& range) const {
+        CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
+                            {.specialise = subject_.specialised(), .marked = range});
+        marked.after_frame = subject_.after_frame;
+        if (!marked.show(time_, kPlayed)) return true;
+        const Difference found = difference(marked.picture(), usual_);
+        return found.not_finite > 0 || found.share_off > 0.0;
+    }
+
+private:
+    CheckSubject& subject_;
+    double time_;
+    std::vector<float> usual_;
+};
+
+// `list` shows as a whole. Of two that show only together it is the first.
+const UnsetValue& first_that_shows(const Comparison& comparison,
+                                   const std::vector<UnsetValue>& list) {
+    std::size_t begin = 0, end = list.size();
+    while (end - begin > 1) {
+        const std::size_t middle = begin + (end - begin) / 2;
+        if (comparison.shows({list[begin].place, list[middle].place}))
+            end = middle;
+        else
+            begin = middle;
+    }
+    return list[begin];
+}
+
+void run_unset(Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    const std::vector<UnsetValue> list = unset_values(subject);
+    Comparison comparison(subject);
+    if (!comparison.draw_usual()) return;
+    if (!comparison.shows({{}, kEnd})) {
+        result.note = fmt::format("{} values, none shows", list.size());
+        return;
+    }
+    const UnsetValue& first = first_that_shows(comparison, list);
+    const Place place = subject.scene().place(first.place.line, first.column);
+    subject.still.reset();
+    result.fail(fmt::format(
+        "counts on uninitialised values: {}:{}:{}: {}", place.file, place.line, place.column,
+        first.is_result
+            ? fmt::format("the function `{}` may end without a return", first.name)
+            : fmt::format("`{}` is read where nothing has set it; give it a first value",
+                          first.name)));
+}
+
+}  // namespace
+
+void add_unset_case(std::vector<Case>& list, const CheckSubject& subject) {
+    if (!unset_values(subject).empty()) list.push_back({"uninitialised values", run_unset});
+}
+
+}  // namespace glint

@@ -1,0 +1,212 @@
+// Zeros for what is read before it has a value.
+#include "glsl/zeros.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace glint {
+namespace {
+
+std::string zeroed(const std::string& text) {
+    const Reading reading = read_glsl(text, known_of_driver());
+    return write_zeros(reading).edited.text;
+}
+
+// What becomes of a function's body.
+std::string in_function(const std::string& body) {
+    const std::string head =
+        "struct Hit { float t; vec3 n; }; void put(out float a, float b); void f() { ";
+    const std::string text = zeroed(head + body + " }");
+    EXPECT_TRUE(text.starts_with(head)) << text;
+    return text.substr(head.size(), text.size() - head.size() - 2);
+}
+
+TEST(Zeros, AreOfEveryType) {
+    const std::pair<std::string, std::string> cases[] = {{"float", "0."},
+                                                         {"int", "0"},
+                                                         {"uint", "0u"},
+                                                         {"bool", "false"},
+                                                         {"vec2", "vec2(0.)"},
+                                                         {"vec4", "vec4(0.)"},
+                                                         {"ivec3", "ivec3(0)"},
+                                                         {"uvec2", "uvec2(0u)"},
+                                                         {"bvec4", "bvec4(false)"},
+                                                         {"mat2", "mat2(0)"},
+                                                         {"mat4", "mat4(0)"},
+                                                         {"mat2x3", "mat2x3(0)"},
+                                                         {"mat3x3", "mat3x3(0)"},
+                                                         {"highp vec3", "vec3(0.)"},
+                                                         {"Hit", "Hit(0.,vec3(0.))"}};
+    for (const auto& [type, zero] : cases) {
+        const std::string text = type + " a", use = "; g(a);";
+        EXPECT_EQ(in_function(text + use), text + " = " + zero + use);
+    }
+}
+
+TEST(Zeros, AreOfArrays) {
+    EXPECT_EQ(in_function("float a[3]; g(a);"), "float a[3] = float[3](0.,0.,0.); g(a);");
+    EXPECT_EQ(in_function("int[2] a; g(a);"), "int[2] a = int[2](0,0); g(a);");
+    EXPECT_EQ(in_function("Hit a[2]; g(a);"),
+              "Hit a[2] = Hit[2](Hit(0.,vec3(0.)),Hit(0.,vec3(0.))); g(a);");
+    EXPECT_EQ(in_function("const int N = 3; float a[N * 2 - (1 + 3)]; g(a);"),
+              "const int N = 3; float a[N * 2 - (1 + 3)] = float[2](0.,0.); g(a);");
+    EXPECT_EQ(zeroed("#define N 2\nconst int M = N - 1; bool a[M]; void f() { g(a); }"),
+              "#define N 2\nconst int M = N - 1; bool a[M] = bool[1](false); void f() { g(a); }");
+}
+
+TEST(Zeros, AreOfStructsWithinOneAnother) {
+    const std::string structs =
+        "struct A { vec2 p, q[2]; }; struct B { A a[2]; int n; };\nvoid f() { ";
+    EXPECT_EQ(zeroed(structs + "B b; g(b); }"),
+              structs +
+                  "B b = B(A[2](A(vec2(0.),vec2[2](vec2(0.),vec2(0.))),"
+                  "A(vec2(0.),vec2[2](vec2(0.),vec2(0.)))),0); g(b); }");
+    EXPECT_EQ(in_function("struct L { int i; } l, m; g(l, m);"),
+              "struct L { int i; } l = L(0), m = L(0); g(l, m);");
+    EXPECT_EQ(zeroed("struct { float a; } box, two[2]; void f() { g(box, two); }"),
+              "struct glint_unnamed0 { float a; } box = glint_unnamed0(0.), "
+              "two[2] = glint_unnamed0[2](glint_unnamed0(0.),glint_unnamed0(0.)); "
+              "void f() { g(box, two); }");
+    // Of two with one name the one is meant that is seen.
+    EXPECT_EQ(
+        zeroed("void e() { struct L { int i; }; } void f() { struct L { bool b; }; L l; g(l); }"),
+        "void e() { struct L { int i; }; } void f() { struct L { bool b; }; L l = L(false); "
+        "g(l); }");
+}
+
+TEST(Zeros, AreOfEachNameOfADeclaration) {
+    EXPECT_EQ(in_function("float a, b = 1., c[2]; a += b; g(c);"),
+              "float a = 0., b = 1., c[2] = float[2](0.,0.); a += b; g(c);");
+    EXPECT_EQ(in_function("float a, b = a;"), "float a = 0., b = a;");
+    EXPECT_EQ(in_function("for (float i, d; i++ < 9.; d += 1.) g(i);"),
+              "for (float i = 0., d = 0.; i++ < 9.; d += 1.) g(i);");
+    EXPECT_EQ(in_function("for (int i; i < 3; ) { vec2 p; p.x += 1.; }"),
+              "for (int i = 0; i < 3; ) { vec2 p = vec2(0.); p.x += 1.; }");
+    EXPECT_EQ(in_function("switch (n) { case 0: float x; g(x); }"),
+              "switch (n) { case 0: float x = 0.; g(x); }");
+}
+
+TEST(Zeros, AreOfGlobals) {
+    EXPECT_EQ(
+        zeroed("float a; vec2 b[2]; uniform float u; out vec4 o; const float c = 1.; in vec2 i;\n"
+               "int unused; void f() { a += b[0].x * u; o = vec4(c); }"),
+        "float a = 0.; vec2 b[2] = vec2[2](vec2(0.),vec2(0.)); uniform float u; out vec4 o; "
+        "const float c = 1.; in vec2 i;\n"
+        "int unused; void f() { a += b[0].x * u; o = vec4(c); }");
+}
+
+TEST(Zeros, AreOfOutParameters) {
+    EXPECT_EQ(zeroed("void f(out vec3 c, inout float a, out float n[2], out int) { a += c.x; }"),
+              "void f(out vec3 c, inout float a, out float n[2], out int) { c = vec3(0.); "
+              "n = float[2](0.,0.); a += c.x; }");
+    EXPECT_EQ(zeroed("bool f(out float t) { if (x) return false; t = 1.; return true; }"),
+              "bool f(out float t) { t = 0.; if (x) return false; t = 1.; return true; }");
+    for (const char* whole :
+         {"bool f(out float t) { t = 1.; if (x) return false; return true; }",
+          "bool f(out float t) { if (x) { t = 2.; return false; } t = 1.; return true; }",
+          "void f(out float t) { if (x) t = 2.; else { t = 3.; } }", "void f(out float t);"})
+        EXPECT_EQ(zeroed(whole), whole);
+    EXPECT_EQ(zeroed("void f(out float t) { for (int i = 0; i < n; ++i) t = 1.; }"),
+              "void f(out float t) { t = 0.; for (int i = 0; i < n; ++i) t = 1.; }");
+}
+
+TEST(Zeros, AreReturnedWhereAPathLacksAReturn) {
+    EXPECT_EQ(zeroed("float f() { if (x) return 1.; }"),
+              "float f() { if (x) return 1.;  return 0.; }");
+    EXPECT_EQ(zeroed("mat2x3 f() { for (;;) { if (x) break; return m; } // end\n}"),
+              "mat2x3 f() { for (;;) { if (x) break; return m; } // end\n return mat2x3(0); }");
+    for (const char* whole :
+         {"float f() { if (x) return 1.; else return 2.; }",
+          "float f() { for (;;) { return 1.; } }", "float f() { while (true) if (x) return 1.; }",
+          "void f() { if (x) return; }",
+          "float f() { g(); }"})  // without any, which a driver refuses
+        EXPECT_EQ(zeroed(whole), whole);
+}
+
+TEST(Zeros, AreNotWrittenForWhatHasAValueBeforeItIsRead) {
+    for (const char* body :
+         {"float a; a = 1.; g(a);", "float a, b; a = b = 1.; g(a, b);",
+          "float a; g(); a = x, g(a);", "float a; if (x) a = 1.; else a = 2.; g(a);",
+          "float a; if (x) return; a = 1.; g(a);",
+          "float a; if (x) { a = 1.; } else { return; } g(a);", "float a; put(a, 1.); g(a);",
+          "float a; float b = h(put(a, 1.)) + a;", "float a; do { a = 1.; } while (a < x);",
+          "float a; for (int i = 0; i < 3; ++i) { a = 1.; g(a); }", "float a; { a = 1.; } g(a);",
+          "for (int i = 0; i < 3; ++i) { float a; a = x; g(a); }", "float a;", "const float a;",
+          "float a; g(b.a); a = 1.;", "Hit a; a = h(); g(a.t);",
+          "float a; for (int i = 0; i < 3; g(a)) { a = 1.; }"})
+        EXPECT_EQ(in_function(body), body);
+}
+
+TEST(Zeros, AreWrittenWhereAValueIsNotCertain) {
+    for (const char* rest :
+         {"if (x) a = 1.; g(a);", "a += 1.;", "a = a + 1.;", "x && (a = 1.) > 0.; g(a);",
+          "for (int i = 0; i < n; ++i) a = 1.; g(a);", "while (x) { a = 1.; } g(a);", "put(b, a);",
+          "switch (n) { case 0: a = 1.; break; default: a = 2.; } g(a);",
+          "for (int i = 0; i < n; ++i) { if (i > 0) g(a); a = 1.; }", "x ? put(a, 1.) : y; g(a);",
+          "for (int i = 0; i < n; g(a)) { if (x) continue; a = 1.; }",
+          "do { if (x) break; a = 1.; } while (y); g(a);", "put(a, a);", "h(a);",
+          "{ float a = 1.; } g(a);", "\n#ifdef GL_some\na = 1.;\n#endif\ng(a);"})
+        EXPECT_EQ(in_function(std::string("float a; ") + rest),
+                  std::string("float a = 0.; ") + rest);
+    EXPECT_EQ(in_function("vec2 a; a.x = 1.; g(a);"), "vec2 a = vec2(0.); a.x = 1.; g(a);");
+    EXPECT_EQ(in_function("Hit a; a.t = 1.; g(a);"), "Hit a = Hit(0.,vec3(0.)); a.t = 1.; g(a);");
+}
+
+TEST(Zeros, LeaveAloneWhatNoValueCanBeWrittenFor) {
+    for (const char* body :
+         {"sampler2D s; g(s);", "float a[]; g(a);", "float a[h()]; g(a);", "float a[2][2]; g(a);",
+          "float a[2000]; g(a);", "Nothing a; g(a);", "int Hit = 1; struct Q { Hit h; } q; g(q);"})
+        EXPECT_EQ(in_function(body), body);
+    for (const char* text :
+         {"struct S { S s; }; void f() { S s; g(s); }",
+          "struct S { sampler2D s; }; void f(S p) { S s; g(s); }", "void f() { float a; g(a); "})
+        EXPECT_EQ(zeroed(text), text);
+}
+
+TEST(Zeros, AreWrittenWithinMacros) {
+    EXPECT_EQ(zeroed("#define V vec3 a\nvoid f() { V; g(a); }"),
+              "#define V vec3 a\nvoid f() { V = vec3(0.); g(a); }");
+    EXPECT_EQ(zeroed("#define V(t) t a; t b\nvoid f() { V(vec3); g(a, b); }"),
+              "#define V(t) t a; t b\nvoid f() { vec3 a = vec3(0.); vec3 b = vec3(0.); g(a, b); }");
+    EXPECT_EQ(zeroed("#define vec3 vec2\nvoid f() { vec3 a; g(a); }"),
+              "#define vec3 vec2\nvoid f() { vec3 a = vec2(0.); g(a); }");
+}
+
+TEST(Zeros, KeepTheWayBackAndNameWhatWasUnset) {
+    const std::string text = "float f() { float a, b = 2.; if (b > a) return nowhere; }\n";
+    const Reading reading = read_glsl(text, {});
+    const Zeroed zeroed = write_zeros(reading);
+    EXPECT_EQ(zeroed.edited.origin(zeroed.edited.text.find("nowhere")), text.find("nowhere"));
+    ASSERT_EQ(zeroed.unset.size(), 2u);
+    EXPECT_EQ(zeroed.unset[0].name, "f");
+    EXPECT_TRUE(zeroed.unset[0].is_result);
+    EXPECT_EQ(zeroed.unset[1].name, "a");
+    EXPECT_EQ(zeroed.unset[1].at, text.find("a,"));
+}
+
+TEST(Zeros, AreMarksWhereTheyAreWantedToShow) {
+    const std::string text =
+        "void f() { float a; int b; bool c; mat2x3 d; ivec2 e; g(a, b, c, d, e); }\n";
+    const Reading reading = read_glsl(text, {});
+    const auto marked = write_zeros(reading, [](const Unset& unset) { return unset.name != "e"; });
+    EXPECT_EQ(
+        marked.edited.text,
+        "void f() { float a = uintBitsToFloat(0x7FC0DEADu); int b = 0x7FC0DEAD; bool c = true; "
+        "mat2x3 d = mat2x3(vec3(uintBitsToFloat(0x7FC0DEADu)),"
+        "vec3(uintBitsToFloat(0x7FC0DEADu))); ivec2 e = ivec2(0); g(a, b, c, d, e); }\n");
+}
+
+TEST(Zeros, TakeNoSecondsForAVastText) {
+    std::string text = "void f() {\n", uses;
+    for (int i = 0; i < 20000; ++i) {
+        text += "float a" + std::to_string(i) + ";\n";
+        uses.insert(0, "g(a" + std::to_string(i) + ");\n");
+    }
+    text += uses + "}\n";
+    const Reading reading = read_glsl(text, {});
+    EXPECT_EQ(write_zeros(reading).unset.size(), 20000u);
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,69 @@
+// `glint check` says which value a scene counts on that nothing has set.
+#include "command.h"
+
+#include <nlohmann/json.hpp>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+class CheckUnset : public InAFolder {
+protected:
+    // The cases for what is unset; none where there is nothing.
+    Json cases(const std::string& file, int expected_code) const {
+        const Outcome outcome = glint({"check", file, "--json", "--size", "32x18", "--random", "0",
+                                       "--case", "uninitialised"});
+        EXPECT_EQ(outcome.code, expected_code) << outcome.out << outcome.err;
+        const Json json = Json::parse(outcome.out, nullptr, false);
+        return json.is_object() ? json["cases"] : Json::array();
+    }
+    static std::string planted(const std::string& name) {
+        return (fs::path(GLINT_REPOSITORY) / "tests/scenes" / (name + ".frag")).string();
+    }
+};
+
+TEST_F(CheckUnset, ThePlantedValueIsNamedAndItsSoundTwinPasses) {
+    const Json found = cases(planted("planted_unset"), 6);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0]["note"], "counts on uninitialised values: " + planted("planted_unset") +
+                                    ":17:10: `light` is read where nothing has set it; give it a "
+                                    "first value");
+    const Json twin = cases(planted("sound_unset"), 0);
+    ASSERT_EQ(twin.size(), 1u);
+    EXPECT_EQ(twin[0]["verdict"], "pass");
+    EXPECT_EQ(twin[0]["note"], "3 values, none shows");
+}
+
+TEST_F(CheckUnset, EveryKindOfValueIsFound) {
+    const std::pair<const char*, const char*> kinds[] = {
+        {"float i; for (; i++ < 3.;) c += 0.1;", "scene.frag:2:59: `i`"},
+        {"int n; c = vec4(n == 0);", "scene.frag:2:57: `n`"},
+        {"bool b; c = vec4(b);", "scene.frag:2:58: `b`"},
+        {"vec2 used; used.x = 0.5; float a[3]; c = vec4(used.x + a[1]);", "scene.frag:2:84: `a`"},
+        {"c = vec4(half_(p.x));", "scene.frag:1:7: the function `half_` may end without a return"},
+    };
+    for (const auto& [body, words] : kinds) {
+        SCOPED_TRACE(body);
+        write("scene.frag", std::string("float half_(float x) { if (x < 9.0) return 0.5; }\n"
+                                        "void mainImage(out vec4 c, in vec2 p) { c = p.xyxy; ") +
+                                body + " }\n");
+        const Json found = cases("scene.frag", 6);
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_NE(found[0]["note"].get<std::string>().find(words), std::string::npos) << found;
+    }
+}
+
+TEST_F(CheckUnset, AValueOfABufferIsFoundWhereThePictureHidesIt) {
+    write("scene.frag",
+          "uniform sampler2D sums; //@ pass mainSums size=8x8\n"
+          "void mainSums(out vec4 c, in vec2 p) { vec4 s; if (p.x > 1.0) s = vec4(1); c = s; }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(sums, ivec2(5), 0); }\n");
+    const Json found = cases("scene.frag", 6);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0]["note"].get<std::string>().find("scene.frag:2:45: `s`"), std::string::npos)
+        << found;
+}
+
+}  // namespace
+}  // namespace glint::cli
