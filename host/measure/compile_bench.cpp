@@ -7,6 +7,7 @@
 #include "base/temporary_file.h"
 #include "gl/context.h"
 #include "measure/inlining.h"
+#include "offline/common.h"
 #include "offline/input_files.h"
 #include "render/pass_text.h"
 

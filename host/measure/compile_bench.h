@@ -2,7 +2,7 @@
 // full.
 #pragma once
 
-#include "measure/bench.h"
+#include "measure/options.h"
 
 namespace glint {
 

@@ -13,6 +13,7 @@
 #include "window/live/reloader.h"
 #include "window/trial/trial.h"
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <optional>
