@@ -1,12 +1,12 @@
 // The GLSL text of one pass: prologue, `main`, then the user's text.
 #pragma once
 
+#include "glsl/edits.h"
 #include "scene/passes.h"
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace glint {
 
@@ -18,20 +18,18 @@ struct ProgramOptions {
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
 };
 
-// The scene's text with every tweak, or one alone, as a constant, on the same lines. A declaration
-// may span lines; its line ends are kept.
-std::string specialised_text(const Preset& preset, std::optional<std::size_t> only = {});
+// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
+// its line ends are kept.
+std::string specialised_text(const Preset& preset);
 
 // The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {
-    // A place of the text, behind which its line is longer than the user's.
-    struct Widened {
-        int line = 0, column = 0;  // from 1
-        int by = 0;                // characters
-    };
     std::string text;
-    int prologue_lines = 0;  // the user's text starts on the next line
-    std::vector<Widened> widened{};
+    std::size_t user_begin = 0, user_end = 0;  // bytes of it that are the user's
+    EditMap map;                               // from these to Scene::text
+
+    // The byte of Scene::text that one of these stands for; nothing for the host's own text.
+    std::optional<std::size_t> origin(std::size_t at) const;
 };
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options);
 
