@@ -1,19 +1,20 @@
 // The GLSL text of one pass: prologue, `main`, then the user's text.
 #pragma once
 
+#include "glsl/edits.h"
 #include "scene/passes.h"
 
 #include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace glint {
 
-// Which of the values that nothing sets: the how manieth on which line of the user's text.
+// Which of the values that nothing sets: the how manieth of a byte of Scene::text, at which a macro
+// may stand that declares several.
 struct UnsetPlace {
-    int line = 0;    // from 1
+    std::size_t at = 0;
     int number = 0;  // from 0
     auto operator<=>(const UnsetPlace&) const = default;
 };
@@ -31,29 +32,26 @@ struct ProgramOptions {
     std::optional<UnsetRange> marked{};
 };
 
-// The scene's text with every tweak, or one alone, as a constant, on the same lines. A declaration
-// may span lines; its line ends are kept.
-std::string specialised_text(const Preset& preset, std::optional<std::size_t> only = {});
+// The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
+// its line ends are kept.
+std::string specialised_text(const Preset& preset);
 
 // The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {
-    // A place of the text, behind which its line is longer than the user's. What stands in these
-    // characters stands for the place itself.
-    struct Widened {
-        int line = 0, column = 0;  // from 1
-        int by = 0;                // characters; less than 0 where a macro's use was written out
-    };
     // A value that the text reads before setting it.
     struct UnsetValue {
         UnsetPlace place;
-        int column = 0;  // in the user's text, in characters from 1
         std::string name;
         bool is_result = false;  // of the function of that name
     };
     std::string text;
-    int prologue_lines = 0;  // the user's text starts on the next line
-    std::vector<Widened> widened{};
-    std::vector<UnsetValue> unset{};  // in the order of the text
+    std::size_t user_begin = 0, user_end = 0;  // bytes of it that are the user's
+    EditMap zeros;                             // from these to the text before write_zeros()
+    EditMap map;                               // and from that, less user_begin, to Scene::text
+    std::vector<UnsetValue> unset{};           // in the order of the text
+
+    // The byte of Scene::text that one of these stands for; nothing for the host's own text.
+    std::optional<std::size_t> origin(std::size_t at) const;
 };
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options);
 

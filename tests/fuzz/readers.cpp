@@ -1,6 +1,11 @@
 // What a person may hand to Glint, broken in every way that libFuzzer finds: scene files, presets,
-// and the site's JSON. FUZZ_AS in the environment says which: scene, preset or json.
+// the site's JSON, and bare texts for the reader of GLSL. FUZZ_AS in the environment says which:
+// scene, preset, json or glsl.
+#include "glsl/division.h"
+#include "glsl/raw_text.h"
+#include "glsl/reachable.h"
 #include "scene/preset.h"
+#include "scene/scene_text.h"
 #include "scene/shadertoy.h"
 
 #include <unistd.h>
@@ -36,11 +41,41 @@ void import_all(const fs::path& file) {
         glint::scene_text(shader, file, folder(), diagnostics);
 }
 
+// Everything that is asked of a text, for all passes and for one.
+void read_text(std::string_view raw) {
+    using namespace glint;
+    const std::string text = clean_text(raw).text;
+    for (const Known& known :
+         {known_of_scene(), known_of_pass(std::vector<std::string>{"image"})}) {
+        const Reading reading = read_glsl(text, known);
+        find_uniforms(reading);
+        find_tabs(reading);
+        reachable_text(reading, "mainImage", kPassPrefix);
+        Edits edits(reading);
+        mend_division_by_zero(reading, edits);
+        for (const Declaration& declaration : reading.declarations)
+            for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");
+        for (const Statement& statement : reading.statements)
+            edits.before(statement.tokens.begin, "/**/");
+        for (const Call& call : reading.calls) {
+            reading.arguments_of(call);
+            edits.replace({call.name, call.name + 1}, "f");
+        }
+        const EditedText edited = edits.apply();
+        for (std::size_t at = 0; at <= edited.text.size(); ++at)
+            if (edited.map.origin(at) > text.size()) std::abort();
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const char* wanted = std::getenv("FUZZ_AS");
     const std::string_view kind = wanted ? wanted : "scene";
+    if (kind == "glsl") {
+        read_text({reinterpret_cast<const char*>(data), size});
+        return 0;
+    }
     const fs::path file = folder() / (kind == "preset" ? "input.toml"
                                       : kind == "json" ? "input.json"
                                                        : "input.frag");

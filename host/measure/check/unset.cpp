@@ -15,7 +15,7 @@ namespace glint {
 namespace {
 
 constexpr double kPlayed = 0.5;  // s of a simulation
-constexpr UnsetPlace kEnd = {.line = std::numeric_limits<int>::max()};
+constexpr UnsetPlace kEnd = {.at = std::numeric_limits<std::size_t>::max()};
 
 using UnsetValue = PassText::UnsetValue;
 
@@ -87,7 +87,7 @@ void run_unset(Check& check, CaseResult& result) {
         return;
     }
     const UnsetValue& first = first_that_shows(comparison, list);
-    const Place place = subject.scene().place(first.place.line, first.column);
+    const Place place = subject.scene().place_at(first.place.at);
     subject.still.reset();
     result.fail(fmt::format(
         "counts on uninitialised values: {}:{}:{}: {}", place.file, place.line, place.column,
