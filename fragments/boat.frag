@@ -182,7 +182,12 @@ vec3 sunColour() {
     vec3 tau = vec3(0.042, 0.098, 0.24) + vec3(0.030, 0.036, 0.044) * haze;
     return 10.0 * smoothstep(-1.0, 1.5, sunHeight) * exp(-tau * mass);
 }
-vec3 sunLight() { return sunColour() * square(1.0 - overcast); }
+// Fog lies 150 m deep on the sea where one sees less than 900 m: its optical depth straight up.
+float fogAbove() { return max(150.0 / visibility - 1.0 / 6.0, 0.0); }
+float throughFog(float up) { return exp(-min(fogAbove() / max(up, 0.01), 60.0)); }
+vec3 sunLight() {
+    return sunColour() * (square(1.0 - overcast) * throughFog(sunDirection().y));
+}
 vec3 sunBleached() { return mix(sunLight(), vec3(maxComponent(sunLight())), 0.3); }   // as on film
 
 // ---- The float ----------------------------------------------------------------------------------
@@ -957,7 +962,11 @@ void mainSky(out vec4 colour, in vec2 pixel) {
         light = mix(light, light * (vec3(0.60, 0.70, 0.80) - vec3(0.09, 0.07, 0.09) * n), there);
         hills = max(hills, there);
     }
-    colour = vec4(min(light, 6e4), (1.0 - hills) * (1.0 - 0.85 * thick) * (1.0 - overcast));
+    vec3 fog = 0.3 * low + 0.7 * dot(low + clear, vec3(1.0 / 6.0))
+        + 0.05 * sunColour() * max(sun.y, 0.0);
+    float seen = throughFog(up);
+    light = mix(fog * (1.0 - 0.3 * overcast), light, seen);
+    colour = vec4(min(light, 6e4), seen * (1.0 - hills) * (1.0 - 0.85 * thick) * (1.0 - overcast));
 }
 
 // What must not be computed at each pixel: clouds of noise, foam's lace, slope of the sand's
