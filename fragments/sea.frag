@@ -18,8 +18,8 @@
 //          Hart, Visual Computer 12 (1996): sphere tracing. Jarzynski and Olano, JCGT 9(3) (2020):
 //          pcg3d. Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel (1979): phyllotaxis.
 // Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
-// Passes   sky, ambient: on change of a tweak. Every frame: poses (tiny), albedo + normalDepth,
-//          lightBuffer, the picture.
+// Passes   sky, ambient: on change of a tweak; screen: only its size counts. Every frame: poses
+//          (tiny), albedo + normalDepth, lightBuffer, the picture.
 // Bounds   Slopes of the long waves sum to 0.77 at most. The loops of a pixel stay below 12,000
 //          turns with every reference on.
 // Defaults From `glint study presets/sea.toml`: seaSteps 64 would draw what 512 do, but at 1.5
@@ -75,6 +75,7 @@ uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D sky;         //@ pass mainSky size=256x128
 uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
+uniform sampler2D screen;      //@ pass mainScreen format=rgba8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
 uniform sampler2D albedo;      //@ pass mainGBuffer filter=nearest
 uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
@@ -835,12 +836,14 @@ void mainAmbient(out vec4 colour, in vec2 pixel) {
     }
     colour = vec4(sum, 1.0);
 }
+// Small buffers know by it how large the picture is, in whose pixels the mouse counts. Drawn once.
+void mainScreen(out vec4 colour, in vec2 pixel) { colour = vec4(0.0); }
 // 0 to 5: place and heading, then tilt, of the clusters. A float follows the waves averaged over
 // its size. 6, 7: the eye and what it looks at.
 void mainPoses(out vec4 colour, in vec2 pixel) {
     int k = int(pixel.x), c = k / 2;
     bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
-    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    vec2 orbit = dragged ? iMouse.xy / vec2(textureSize(screen, 0)) - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
     vec2 at = c == 0 ? vec2(-0.1, 0.0) : c == 1 ? vec2(-0.95, 0.75) : kMirrorAt.xz;
     if (c == 3) at = cameraDistance * vec2(sin(angle), cos(angle));

@@ -441,6 +441,18 @@ TEST_F(BoatScene, FogHidesTheSkyAsWellAsTheSea) {
         EXPECT_LT(sky.w, 0.1f) << "nor does one see the sun's disc";
 }
 
+// A drag over a quarter of the picture, to the right of its middle, is a quarter turn back.
+TEST_F(BoatScene, TheMouseTurnsTheCameraByTheShareOfThePictureThatItIsDragged) {
+    const auto eye = [](const std::string& preset) {
+        return texels(scene_text(), preset, 0.1, {96, 54}, "poses")[3];
+    };
+    const glm::vec4 turned =
+        eye("[tweaks]\ncameraAngle = 30.0\n" +
+            std::string("[[events]]\nt = 0\nmouse = [0.75, 0.5]\ndown = true\n"));
+    const glm::vec4 same = eye("[tweaks]\ncameraAngle = -60.0\n");
+    for (glm::length_t i = 0; i < 3; ++i) EXPECT_NEAR(turned[i], same[i], 0.02);
+}
+
 // Beyond 240 m she comes in on the other side of the world's square of 480 m.
 TEST_F(BoatScene, KeepsHerPlaceInTheWorldHoweverFarSheGoes) {
     const auto far = texels(scene_text(), "[tweaks]\ntopSpeed = 7.0\n" + event(0.0, "up", true),
