@@ -787,7 +787,7 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     vec3 on = onLine(l, min(fine.y + 2.0 * perPixel, 1.0));
     vec2 shown = vec2(smoothAt(q.xy), smoothAt(on.xy));
     walkFetches += 9;
-    doubtful = doubtful || astray || on.z - shown.y < 2.0 * abs(shown.y - shown.x);
+    doubtful = doubtful || astray || on.z - shown.y < 1.2 * abs(shown.y - shown.x);
     found = q.xy;
     vec2 rim = min(q.xy, size - q.xy) / size;
     return smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
