@@ -21,7 +21,8 @@
 //          Olano, JCGT 9(3) (2020): pcg3d.
 // Units    1 unit = 1 m, y up, 0 the water at rest, the boat at x = z = 0; linear sRGB colour, noon
 //          sun 10. In the boat's frame x is to port, y up, z forward.
-// Passes   air, sky, motif: on change of a tweak. boat, wake: the simulation, 240 a second.
+// Passes   air, sky, motif: on change of a tweak; screen: only its size counts. boat, wake: the
+//          simulation, 240 a second.
 //          Every frame: wavelets, poses (tiny), relief (the wake's slopes), the picture.
 // Bounds   Slopes of the long waves sum to 0.95. The loops of a pixel stay below 45,000 turns.
 // Defaults From `glint study presets/boat.toml`: boatSteps 128 draw what 256 do, in the time of 64.
@@ -91,6 +92,7 @@ uniform sampler2D sky; //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat
 uniform sampler2D boat;        //@ pass mainBoat size=5x1 step=1/240 filter=nearest
 uniform sampler2D wake;        //@ pass mainWake size=192x192 step=1/240 filter=nearest
 uniform sampler2D wavelets;    //@ pass mainWavelets size=23x1 filter=nearest
+uniform sampler2D screen;      //@ pass mainScreen format=rgba8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
 uniform sampler2D motif; //@ pass mainMotif size=512x512 format=rgba8 wrap=repeat filter=mipmap
 uniform sampler2D relief;      //@ pass mainRelief size=192x192 wrap=repeat filter=linear
@@ -182,7 +184,12 @@ vec3 sunColour() {
     vec3 tau = vec3(0.042, 0.098, 0.24) + vec3(0.030, 0.036, 0.044) * haze;
     return 10.0 * smoothstep(-1.0, 1.5, sunHeight) * exp(-tau * mass);
 }
-vec3 sunLight() { return sunColour() * square(1.0 - overcast); }
+// Fog lies 150 m deep on the sea where one sees less than 900 m: its optical depth straight up.
+float fogAbove() { return max(150.0 / visibility - 1.0 / 6.0, 0.0); }
+float throughFog(float up) { return exp(-min(fogAbove() / max(up, 0.01), 60.0)); }
+vec3 sunLight() {
+    return sunColour() * (square(1.0 - overcast) * throughFog(sunDirection().y));
+}
 vec3 sunBleached() { return mix(sunLight(), vec3(maxComponent(sunLight())), 0.3); }   // as on film
 
 // ---- The float ----------------------------------------------------------------------------------
@@ -957,7 +964,11 @@ void mainSky(out vec4 colour, in vec2 pixel) {
         light = mix(light, light * (vec3(0.60, 0.70, 0.80) - vec3(0.09, 0.07, 0.09) * n), there);
         hills = max(hills, there);
     }
-    colour = vec4(min(light, 6e4), (1.0 - hills) * (1.0 - 0.85 * thick) * (1.0 - overcast));
+    vec3 fog = 0.3 * low + 0.7 * dot(low + clear, vec3(1.0 / 6.0))
+        + 0.05 * sunColour() * max(sun.y, 0.0);
+    float seen = throughFog(up);
+    light = mix(fog * (1.0 - 0.3 * overcast), light, seen);
+    colour = vec4(min(light, 6e4), seen * (1.0 - hills) * (1.0 - 0.85 * thick) * (1.0 - overcast));
 }
 
 // What must not be computed at each pixel: clouds of noise, foam's lace, slope of the sand's
@@ -1120,6 +1131,9 @@ void mainWavelets(out vec4 colour, in vec2 pixel) {
     }
 }
 
+// Small buffers know by it how large the picture is, in whose pixels the mouse counts. Drawn once.
+void mainScreen(out vec4 colour, in vec2 pixel) { colour = vec4(0.0); }
+
 // 0 to 2: the boat's axes, with heave, boom and rudder; 3 to 6: the eye: place, right, up, forward;
 // 7: her place in the world, heading.
 void mainPoses(out vec4 colour, in vec2 pixel) {
@@ -1143,7 +1157,7 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
     boom += 0.01 * sin(2.0 * kPi * cycles(0.75));
 
     bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
-    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    vec2 orbit = dragged ? iMouse.xy / vec2(textureSize(screen, 0)) - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x - (chase ? place.z - way.z : 0.0);
     vec3 eye = cameraDistance * vec3(sin(angle), 0.0, cos(angle));
     eye.y = max(clamp(cameraHeight - 6.0 * orbit.y, 0.3, 20.0), moversAt(eye.xz) + 0.25);

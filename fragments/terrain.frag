@@ -22,7 +22,7 @@
 //          (1979): phyllotaxis. Potmesil and Chakravarty, SIGGRAPH (1981): circles of confusion.
 // Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
 // Passes   tile, cloudTile, bare, land, peaks, sky, ambient, lightMap: on change of a tweak. Every
-//          frame: waves, gathered, colours + normalDepth, picture; the lens is in the image.
+//          frame: waves, gathered, colours + normalDepth; picture where `tiltShift` blurs it.
 // Bounds   Biased: waves tilt the water and do not move it; light that leaves the water meets the
 //          sky, and land where reflections are traced, but never water again. The loops of a
 //          pixel stay below 30,000 turns with every reference on.
@@ -959,7 +959,7 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
 }
 
 // Light to the eye, and in w 1 / depth.
-void mainPicture(out vec4 colour, in vec2 pixel) {
+void pictureAt(out vec4 colour, in vec2 pixel) {
     Eye e = camera();
     vec3 rd = viewRay(e, pixel);
     float angle = 1.0 / (e.lens * iResolution.y), width = angle;
@@ -999,6 +999,12 @@ void mainPicture(out vec4 colour, in vec2 pixel) {
     if (id != kSky && id < kWater) sum = stuff.rgb;
     colour = vec4(sum, id == kSky ? 0.0 : 1.0 / facing.w);
 }
+// Drawn and kept where a lens blurs it; else the image is it, without a buffer. Loops, for nothing
+// else is skipped where tweaks are uniforms.
+void mainPicture(out vec4 colour, in vec2 pixel) {
+    colour = vec4(0.0);
+    for (int k = tiltShift > 0.0 ? 0 : 1; k < 1; ++k) pictureAt(colour, pixel);
+}
 
 // ---- Image --------------------------------------------------------------------------------------
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
@@ -1037,8 +1043,9 @@ vec3 throughLens(vec2 pixel) {
 }
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    vec3 light = tiltShift > 0.0 ? throughLens(fragCoord)
-        : texelFetch(picture, ivec2(fragCoord), 0).rgb;
+    vec4 sharp = vec4(0.0);
+    for (int k = tiltShift > 0.0 ? 1 : 0; k < 1; ++k) pictureAt(sharp, fragCoord);
+    vec3 light = tiltShift > 0.0 ? throughLens(fragCoord) : sharp.rgb;
     vec3 chance = random3(ivec3(ivec2(fragCoord * 16.0), 3));
     vec3 dither = (chance + chance.yzx - 1.0) / 255.0;
     fragColor = vec4(display(exp2(exposure) * light) + 0.5 * dither, 1.0);

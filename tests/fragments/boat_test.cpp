@@ -424,6 +424,35 @@ TEST_F(BoatScene, GoesWhereTheKeysTellHer) {
     EXPECT_LT(coasting[0].w, 0.4 * speed);
 }
 
+// Where the sea is lost after 60 m the sky is not blue: overhead one looks through 150 m of fog.
+TEST_F(BoatScene, FogHidesTheSkyAsWellAsTheSea) {
+    const auto bluest = [](const char* visibility) {
+        double most = 0.0;
+        for (const glm::vec4& sky : texels(
+                 scene_text(), fmt::format("[tweaks]\nvisibility = {}\nclouds = 0.0\n", visibility),
+                 0.0, {8, 8}, "sky"))
+            most = std::max(most, static_cast<double>(sky.z / sky.x));
+        return most;
+    };
+    EXPECT_GT(bluest("9000.0"), 3.0) << "a clear day";
+    EXPECT_LT(bluest("60.0"), 1.3);
+    for (const glm::vec4& sky :
+         texels(scene_text(), "[tweaks]\nvisibility = 60.0\n", 0.0, {8, 8}, "sky"))
+        EXPECT_LT(sky.w, 0.1f) << "nor does one see the sun's disc";
+}
+
+// A drag over a quarter of the picture, to the right of its middle, is a quarter turn back.
+TEST_F(BoatScene, TheMouseTurnsTheCameraByTheShareOfThePictureThatItIsDragged) {
+    const auto eye = [](const std::string& preset) {
+        return texels(scene_text(), preset, 0.1, {96, 54}, "poses")[3];
+    };
+    const glm::vec4 turned =
+        eye("[tweaks]\ncameraAngle = 30.0\n" +
+            std::string("[[events]]\nt = 0\nmouse = [0.75, 0.5]\ndown = true\n"));
+    const glm::vec4 same = eye("[tweaks]\ncameraAngle = -60.0\n");
+    for (glm::length_t i = 0; i < 3; ++i) EXPECT_NEAR(turned[i], same[i], 0.02);
+}
+
 // Beyond 240 m she comes in on the other side of the world's square of 480 m.
 TEST_F(BoatScene, KeepsHerPlaceInTheWorldHoweverFarSheGoes) {
     const auto far = texels(scene_text(), "[tweaks]\ntopSpeed = 7.0\n" + event(0.0, "up", true),

@@ -210,7 +210,10 @@ TEST_F(Water, ThePoolNeitherSinksNorRises) {
     expect_full_pools(std::span(kExtremes).first(2), 4, 10.0);
 }
 TEST_F(Water, ThePoolIsFullAfterTenMinutes) {
-    expect_full_pools(kExtremes, 2, 600.0);
+    expect_full_pools(std::span(kExtremes).first(3), 4, 600.0);
+}
+TEST_F(Water, ThePoolIsFullAfterTenOtherMinutes) {
+    expect_full_pools(std::span(kExtremes).last(3), 4, 600.0);
 }
 
 // Once the hand is gone, and with no rain, the motion dies away, from one frame to the next.

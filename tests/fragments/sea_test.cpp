@@ -607,6 +607,20 @@ TEST_F(SeaScene, GlitterKeepsItsMeanOverSunsAndSeas) {
     }
 }
 
+// A drag over a quarter of the picture, to the right of its middle, is a quarter turn back.
+TEST_F(SeaScene, TheMouseTurnsTheCameraByTheShareOfThePictureThatItIsDragged) {
+    const auto eye = [](const std::string& preset) {
+        Player player(fmt::format("#include \"{}\"\n", kSeaFile),
+                      {.size = {96, 54}, .preset = preset, .pass = "poses"});
+        player.still(0.1);
+        return player.pixel(6, 0);
+    };
+    const glm::vec4 turned =
+        eye("[tweaks]\ncameraAngle = 30.0\n[[events]]\nt = 0\nmouse = [0.75, 0.5]\ndown = true\n");
+    const glm::vec4 same = eye("[tweaks]\ncameraAngle = -60.0\n");
+    for (glm::length_t i = 0; i < 3; ++i) EXPECT_NEAR(turned[i], same[i], 1e-3);
+}
+
 // All motion comes from iTick, which wraps after 65536 s: a year later the picture is the same.
 TEST_F(SeaScene, LooksTheSameAfterAYear) {
     Player player(fmt::format("#include \"{}\"\n", kSeaFile), {.size = {96, 54}});
