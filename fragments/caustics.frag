@@ -61,7 +61,6 @@ uniform float focalLength;     //@ 22 [12, 120] log unit=mm "of a lens on 36 x 2
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
 uniform int   cells;           //@ 192 [64, 256] log quality reference=256 "of the mesh, a side"
-uniform int   rootSteps;       //@ 2 [0, 16] quality reference=16 "1/|J|: steps of the search"
 uniform int   shaftSamples;    //@ 16 [1, 256] log quality reference=256 "along one view ray"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
@@ -96,6 +95,7 @@ const int   kVertical = 0, kSnell = 1, kPeriodic = 2, kArea = 3, kPhotons = 4;
 const int   kMap = 256, kSliceMap = 128;   // texels a side: of the floor, of a level above it
 const int   kPhotonCells = 256, kFrameCells = 128, kFrames = 16;   // cells a side
 const int   kShadeSteps = 32;              // towards the sun, over the waves
+const int   kRootSteps = 2;                // of 1/|J|, to 1e-4 of the light where water is calm
 const vec2  kLevels = vec2(0.35, 0.7);     // parts of the depth
 const float kFar = 1e9;                    // m, a miss
 const float kSandTile = 2.25;              // m
@@ -168,7 +168,8 @@ struct Water { float height; vec2 slope; vec3 curve; };   // m; 1; xx, xz and zz
 // The water over a point of the tile, in tiles; now, or in a frame of the loop.
 Water waterAt(vec2 u, bool now, int frame) {
     Water water = Water(0.0, vec2(0.0), vec3(0.0));
-    for (int i = 0; i < kWaves; ++i) {
+    int count = int(texelFetch(waves, ivec2(kWaves, 0), 0).z);   // a loop that drivers leave one
+    for (int i = 0; i < count; ++i) {
         vec4 wave = texelFetch(waves, ivec2(i, 0), 0);   // whole waves in the tile, slope, Hz
         float turns = now ? cycles(wave.w)
             : fract(max(floor(wave.w * loopSeconds + 0.5), 1.0) * float(frame) / float(kFrames));
@@ -253,7 +254,7 @@ void landingOf(vec2 u, bool now, int frame, out vec4 middle, out vec4 pair) {
 float inverseLight(vec2 u, float fall) {
     vec2 level = fall * depth * levelBend(), at = u;
     Water water = waterAt(at, true, 0);
-    for (int i = 0; i < rootSteps; ++i) {
+    for (int i = 0; i < kRootSteps; ++i) {
         at = u - (bend(water.slope, kIorWater.y) * (fall * depth + water.height) - level) / kTile;
         water = waterAt(at, true, 0);
     }
@@ -360,13 +361,13 @@ vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, s
         }
         if (!met) break;
         int hits = 0;
-        for (int k = 0; k < 16; ++k)
+        for (int k = 0; k < (met ? 16 : 0); ++k)
             if (boxMeets(boxes1, frame, 4 * super + ivec2(k & 3, k >> 2), count / 4, fall, texel))
                 hits |= 1 << k;
         for (; hits != 0; hits &= hits - 1) {
             int block = lowestBit(hits), cellHits = 0;
             ivec2 low = 4 * (4 * super + ivec2(block & 3, block >> 2));
-            for (int k = 0; k < 16; ++k)
+            for (int k = 0; k < (met ? 16 : 0); ++k)
                 if (boxMeets(boxes0, frame, low + ivec2(k & 3, k >> 2), count, fall, texel))
                     cellHits |= 1 << k;
             for (; cellHits != 0; cellHits &= cellHits - 1) {
@@ -717,7 +718,7 @@ void mainWaves(out vec4 colour, in vec2 pixel) {
     }
     colour = waveShape(i);
     colour.z *= waveSlope * sqrt(2.0 / sum);
-    if (i >= kWaves) colour = vec4(most * waveSlope * sqrt(2.0 / sum), 0.0, 0.0);
+    if (i >= kWaves) colour = vec4(most * waveSlope * sqrt(2.0 / sum), float(kWaves), 0.0);
 }
 
 float tiledNoise(vec2 unit, ivec2 period, int seed) {   // value noise on a torus

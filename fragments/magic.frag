@@ -4,7 +4,7 @@
 // fall round them, small cubes and fill-lit golden balls go round on orbits, and a red, a blue and
 // a violet lamp wander in thin haze: coloured shadows cross, light gathers under the glass.
 //
-// Method   A tree of mirrored and refracted rays, brightest first, `waiting` of them kept. Shadows
+// Method   A tree of mirrored and refracted rays, brightest first; one waits. Shadows
 //          are cones to `shadowSamples` sub-discs of a lamp: the share of a sub-disc that one
 //          occluder hides has a closed form, several multiply; smooth with one cone, exact in the
 //          limit of many. A light buffer names the few things that can shade a direction from a
@@ -74,7 +74,6 @@ uniform float focalLength;     //@ 21 [12, 120] log unit=mm "of a lens on 36 x 2
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
 uniform int   bounces;         //@ 6 [1, 24] quality reference=24 "rays followed for a pixel"
-uniform int   waiting;         //@ 2 [1, 6] quality reference=6 "rays kept for later"
 uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to each lamp"
 uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points along a ray's glow"
 
@@ -90,7 +89,6 @@ const float kFar = 1e9;                    // m, a miss
 const float kIorVarnish = 1.62;            // hard lacquer
 const float kIorStone = 1.9;              // polished floor
 const float kLeastThroughput = 0.01;       // a ray that carries less is not followed
-const int   kMostWaiting = 6;
 const float kSphereRing = 3.9, kSphereRadius = 0.49;     // m
 const float kBallRadius = 0.25, kCubeHalf = 0.16;        // m
 const vec2  kBipyramidHalf = vec2(0.62, 1.08);           // m, to the corners: across, up
@@ -127,6 +125,23 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+
+// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8 ...
+// pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020). What it
+// leaves of an error is the finest grain, and no net as of a lattice.
+float shuffledQuarters(ivec2 p) {
+    float sum = 0.0, part = 0.25;
+    for (int k = 0; k < 6; ++k) {
+        uvec3 r = hash3(ivec3(p >> 1, 60 + k)) >> 8u;   // one of the 24 orders of four
+        int a = p.x & 1, b = p.y & 1, kind = int(r.x % 3u);
+        int high = kind == 0 ? a : kind == 1 ? b : a ^ b, low = kind == 0 ? b : a;
+        if ((r.y & 1u) == 1u) low ^= high;
+        sum += part * float((2 * high + low) ^ int(r.z & 3u));
+        part *= 0.25;
+        p >>= 1;
+    }
+    return sum;
+}
 
 float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
 float square(float x) { return x * x; }
@@ -387,10 +402,10 @@ vec3 lampsLight(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
 }
 
 // What glows along a ray before tMax: haze round the lamps, and their faces. The ray's footprint is
-// width0 + width * t; nothing shines narrower than that.
-vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width) {
+// width0 + width * t; nothing shines narrower than that. jitter: where between its points, 0 to 1.
+vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width, float jitter) {
     vec3 sum = vec3(0.0);
-    float jitter = shafts ? random3(floatBitsToInt(rd)).x : 0.5;
+    if (!shafts) jitter = 0.5;
     for (int k = 0; k < 3; ++k) {
         vec3 f = thing(kLamps + k).xyz - ro;
         float t = dot(f, rd), foot = width0 + width * max(t, 0.0);
@@ -515,11 +530,10 @@ void camera(out vec3 ro, out vec3 right, out vec3 forward) {
 }
 
 // Light that arrives at ro against rd. pixel: angle of a pixel, rad.
-vec3 render(vec3 ro, vec3 rd, float pixel) {
+vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
     vec3 sum = vec3(0.0);
     Ray ray = Ray(ro, rd, vec3(1.0), 0.0, pixel, -1, kEye);
-    Ray later[kMostWaiting];
-    for (int k = 0; k < waiting; ++k) later[k] = Ray(ro, rd, vec3(0.0), 0.0, pixel, -1, kNowhere);
+    Ray later = Ray(ro, rd, vec3(0.0), 0.0, pixel, -1, kNowhere);
     for (int n = 0; n < bounces; ++n) {
         Ray one = ray, other = ray;   // what leaves this surface: mirrored, and refracted
         other.weight = vec3(0.0);
@@ -543,7 +557,8 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
             Hit h = intersect(ray.ro, ray.rd, ray.map);
             vec3 p = ray.ro + h.t * ray.rd, nor = h.face.xyz;
             float w = ray.width0 + ray.width * h.t, clear = exp(-haze * h.t);
-            sum += ray.weight * lampGlow(ray.ro, ray.rd, h.t, ray.width0, ray.width);
+            sum += ray.weight * lampGlow(ray.ro, ray.rd, h.t, ray.width0, ray.width,
+                                         fract(jitter + kGolden * float(n)));
             ray.weight *= clear;
             vec4 c = thing(min(h.id, kFloor - 1));
             if (h.id < kCubes) {   // back onto the surface, whatever the rounding of a long ray
@@ -616,20 +631,16 @@ vec3 render(vec3 ro, vec3 rd, float pixel) {
                             kNowhere);
             }
         }
-        // On with the brighter one; the other waits, instead of the faintest that does.
+        // On with the brightest of these and the one that waits; the next bright one waits. (That the
+        // third is lost changes no pixel, not even where all is glass of an index of 2.4.)
         bool swap = maxComponent(other.weight) > maxComponent(one.weight);
         ray = swap ? other : one;
         if (swap) other = one;
         float best = maxComponent(ray.weight);
-        for (int k = 0; k < waiting; ++k) {   // keeps `later` sorted, brightest first
-            if (maxComponent(other.weight) <= maxComponent(later[k].weight)) continue;
-            Ray moved = later[k];
-            later[k] = other;
-            other = moved;
-        }
-        if (best < maxComponent(later[0].weight)) {
-            Ray moved = later[0];
-            later[0] = ray;
+        if (maxComponent(other.weight) > maxComponent(later.weight)) later = other;
+        if (best < maxComponent(later.weight)) {
+            Ray moved = later;
+            later = ray;
             ray = moved;
         }
         if (maxComponent(ray.weight) < kLeastThroughput) break;
@@ -767,6 +778,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float lens = focalLength / 24.0;
     vec3 rd = normalize(uv.x * right + uv.y * up + lens * forward);
     float falloff = square(dot(rd, forward));   // half of a simple lens's cos^4
-    vec3 light = render(ro, rd, 1.0 / (lens * iResolution.y));
+    float jitter = fract(shuffledQuarters(ivec2(fragCoord)) + fragCoord.x);
+    vec3 light = render(ro, rd, 1.0 / (lens * iResolution.y), jitter);
     fragColor = vec4(display(exp2(exposure) * falloff * light), 1.0);
 }
