@@ -328,13 +328,21 @@ float besideConvex(vec2 inner, vec2 outer) {
 // Share of one sub-disc of a lamp that a point sees.
 float visibility(vec3 ro, vec3 rd, float rim, float tMax) {
     vec4 n;
-    vec3 q = toGift(ro - kBodyCentre), qd = toGift(rd);
-    float free = besideConvex(clipTrunk(ro, rd, -rim, tMax, n), clipTrunk(ro, rd, rim, tMax, n));
-    free *= besideConvex(clipBox(q, qd, kBodyHalf, -rim, tMax, n),
-                         clipBox(q, qd, kBodyHalf, rim, tMax, n));
-    q.y -= kLidCentre.y - kBodyCentre.y;
-    free *= besideConvex(clipBox(q, qd, kLidHalf, -rim, tMax, n),
-                         clipBox(q, qd, kLidHalf, rim, tMax, n));
+    vec3 body = toGift(ro - kBodyCentre), lid = toGift(ro - kLidCentre), qd = toGift(rd);
+    vec2 inner, outer;
+    float free = 1.0;
+    // Trunk, body, lid; each against the inner and the outer rim. Drivers unroll loops whose end they
+    // know, and compile each copy.
+    int solids = tMax > 0.0 ? 3 : 0, rims = tMax > 0.0 ? 2 : 0;
+    for (int k = 0; k < solids; ++k) {
+        for (int side = 0; side < rims; ++side) {
+            float widen = side == 0 ? -rim : rim;
+            outer = k == 0 ? clipTrunk(ro, rd, widen, tMax, n)
+                : clipBox(k == 1 ? body : lid, qd, k == 1 ? kBodyHalf : kLidHalf, widen, tMax, n);
+            if (side == 0) inner = outer;
+        }
+        free *= besideConvex(inner, outer);
+    }
     for (int k = 0; k < orbitingBalls; ++k)
         free *= besideSphere(ro, rd, rim, tMax, texelFetch(moving, ivec2(k, 1), 0));
     free = besideOrnaments(ro, rd, rim, tMax, free);
