@@ -356,8 +356,8 @@ TEST_F(Caustics, WavesShadeEachOtherUnderTheLowestSun) {
     expect_the_light_that_enters({.slope = 0.3, .elevation = 15.0}, {"area"});
 }
 TEST_F(Caustics, WavesShadeEachOtherUnderAnyLowSun) {
-    for (const double elevation : {15.0, 20.0, 25.0, 35.0}) {
-        for (const double slope : {0.1, 0.2, 0.3}) {
+    for (const double elevation : {15.0, 20.0, 30.0}) {
+        for (const double slope : {0.15, 0.3}) {
             expect_the_light_that_enters(
                 {.slope = slope, .elevation = elevation, .azimuth = 5.0 * elevation},
                 {"area", "photons", "periodic"});
