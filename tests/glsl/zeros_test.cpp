@@ -177,7 +177,7 @@ TEST(Zeros, KeepTheWayBackAndNameWhatWasUnset) {
     const std::string text = "float f() { float a, b = 2.; if (b > a) return nowhere; }\n";
     const Reading reading = read_glsl(text, {});
     const Zeroed zeroed = write_zeros(reading);
-    EXPECT_EQ(zeroed.edited.origin(zeroed.edited.text.find("nowhere")), text.find("nowhere"));
+    EXPECT_EQ(zeroed.edited.map.origin(zeroed.edited.text.find("nowhere")), text.find("nowhere"));
     ASSERT_EQ(zeroed.unset.size(), 2u);
     EXPECT_EQ(zeroed.unset[0].name, "f");
     EXPECT_TRUE(zeroed.unset[0].is_result);
