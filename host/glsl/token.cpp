@@ -10,6 +10,9 @@ namespace {
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
+bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_';
+}
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r';
 }
@@ -183,9 +186,9 @@ void Scanner::take_token() {
     }
     if (is_digit(c) || (c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1])))
         return add(number_end(text_, at_), TokenKind::number);
-    if (glint::is_word(c)) {
+    if (is_word(c)) {
         std::size_t end = at_;
-        while (end < text_.size() && glint::is_word(text_[end])) ++end;
+        while (end < text_.size() && is_word(text_[end])) ++end;
         add(end, TokenKind::word);
         const auto& directives = result_.directives;
         if (in_directive_ && result_.tokens.size() == directives.back().tokens.begin + 2)

@@ -68,9 +68,4 @@ struct ScannedText {
 // backslashes join lines, into `spellings`, to which a copy is added.
 ScannedText scan(std::string_view text, std::deque<std::string>& spellings);
 
-// Whether a character may stand in a name.
-inline bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 }  // namespace glint

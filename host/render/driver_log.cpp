@@ -28,9 +28,7 @@ class ReadText {
 public:
     ReadText(const Scene& scene, const PassText& pass)
         : scene_(scene), pass_(pass), read_(preprocess(pass.text, known_of_driver())) {
-        line_begins_.push_back(0);
-        for (std::size_t at = 0; (at = pass.text.find('\n', at)) != pass.text.npos;)
-            line_begins_.push_back(++at);
+        find_lines();
     }
 
     // What the driver says of a line and a column, in characters from 1. Expanded: where it counts
@@ -39,6 +37,7 @@ public:
                          std::string words) const;
 
 private:
+    void find_lines();
     std::size_t offset(int line, int column) const;
     Spot expanded_spot(int line, int column) const;
     Place place(std::size_t at) const {
@@ -49,13 +48,38 @@ private:
     const Scene& scene_;
     const PassText& pass_;
     Preprocessed read_;
-    std::vector<std::size_t> line_begins_;
+    std::vector<std::size_t> line_begins_;           // by the line's number - 1
+    std::vector<std::size_t> expanded_line_begins_;  // the same, as Mesa counts
 };
+
+std::size_t at_line(const std::vector<std::size_t>& begins, int line) {
+    return begins[static_cast<std::size_t>(std::clamp(line, 1, static_cast<int>(begins.size())) -
+                                           1)];
+}
+
+// Mesa's preprocessor puts lines that a backslash joins into the first of them, and makes up for it
+// with empty ones; lines that a macro's arguments stand on it joins for good.
+void ReadText::find_lines() {
+    const std::string& text = pass_.text;
+    line_begins_ = expanded_line_begins_ = {0};
+    auto use = read_.uses.begin();
+    std::size_t joined = 0;
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
+        line_begins_.push_back(at + 1);
+        while (use != read_.uses.end() && use->span.end <= at) ++use;
+        if (use != read_.uses.end() && use->span.begin <= at) continue;
+        if (at > 0 && text[at - 1] == '\\') {
+            ++joined;
+            continue;
+        }
+        expanded_line_begins_.insert(expanded_line_begins_.end(), joined + 1, at + 1);
+        joined = 0;
+    }
+}
 
 std::size_t ReadText::offset(int line, int column) const {
     const std::string& text = pass_.text;
-    const auto last = static_cast<int>(line_begins_.size());
-    std::size_t at = line_begins_[static_cast<std::size_t>(std::clamp(line, 1, last) - 1)];
+    std::size_t at = at_line(line_begins_, line);
     for (; column > 1 && at < text.size() && text[at] != '\n'; --column)
         for (++at; at < text.size() && !begins_character(text[at]);) ++at;
     return at;
@@ -64,7 +88,8 @@ std::size_t ReadText::offset(int line, int column) const {
 // Mesa counts bytes of what its preprocessor makes of a line: macros expanded, and one space for a
 // run of spaces and comments.
 Spot ReadText::expanded_spot(int line, int column) const {
-    const std::size_t begin = offset(line, 1), end = std::max(offset(line + 1, 1), begin + 1);
+    const std::size_t begin = at_line(expanded_line_begins_, line);
+    const std::size_t end = std::max(at_line(expanded_line_begins_, line + 1), begin + 1);
     Spot spot{begin};
     int at = 1;
     bool is_first = true;

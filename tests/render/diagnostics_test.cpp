@@ -86,6 +86,13 @@ TEST_F(Complaints, StandBehindMacrosAtTheUsersColumn) {
          "`undeclared' undeclared"},
         {"in an argument", "float f = TWICE(undeclared);\n", 3, 17, "`undeclared' undeclared"},
         {"in a definition", "  float f = A;\n", 3, 13, "(in what A stands for, "},
+        {"behind an argument that ends a line", "float f = TWICE(1.0\n) + undeclared;\n", 4, 5,
+         "`undeclared' undeclared"},
+        {"lines below", "float g = TWICE(\n1.0);\n\nfloat f = undeclared;\n", 6, 11,
+         "`undeclared' undeclared"},
+        {"on a joined line", "float f = \\\n  undeclared;\n", 4, 3, "`undeclared' undeclared"},
+        {"below a joined line", "float g = \\\n\\\n1.0;\nfloat f = undeclared;\n", 6, 11,
+         "`undeclared' undeclared"},
         {"behind comments", "/* \xC3\xA4 */ float f = TWICE(1.)/**/+ undeclared;\n", 3, 34,
          "`undeclared' undeclared"},
     };
