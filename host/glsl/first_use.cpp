@@ -221,7 +221,7 @@ bool FirstUses::local_is_read(const Declaration& declaration, const Declarator& 
     const auto& statements = reading_.statements;
     if (declaration.statement == kNone) return true;
     const Statement& statement = statements[declaration.statement];
-    mentions_ = &mentions_of_.at(name);
+    mentions_ = &mentions_of_[name];
     is_out_ = false;
     const bool is_head = statement.kind == StatementKind::for_;
     const std::uint32_t block = is_head ? declaration.statement : statement.parent;
@@ -248,7 +248,7 @@ bool FirstUses::out_is_read(std::uint32_t index, std::string_view name) {
     if (const auto found = locals_.find(name);
         found != locals_.end() && any(found->second, function.body))
         return true;
-    mentions_ = &mentions_of_.at(name);
+    mentions_ = &mentions_of_[name];
     is_out_ = true;
     return over_statement(function.first_statement) != Flow::given;
 }

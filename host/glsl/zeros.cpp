@@ -102,9 +102,8 @@ public:
 
     // Gives a struct without a name one, which the constructor needs.
     bool can_write(const Site& site) {
-        const bool needs_name = site.type.type == kNone && !is_named_[site.type.structure];
         if (!values_.value(site.type, false) || !edits_.may_change(site.token)) return false;
-        if (!needs_name) return true;
+        if (site.type.type != kNone || is_named_[site.type.structure]) return true;
         is_named_[site.type.structure] =
             edits_.after(reading_.structs[site.type.structure].tokens.begin,
                          " " + ZeroValues::made_name(site.type.structure));

@@ -1,5 +1,6 @@
 // What a person may hand to Glint, broken in every way that libFuzzer finds: scene files, presets,
 // and the site's JSON. FUZZ_AS in the environment says which: scene, preset or json.
+#include "glsl/zeros.h"
 #include "scene/preset.h"
 #include "scene/shadertoy.h"
 
@@ -30,6 +31,10 @@ const fs::path& folder() {
     return made;
 }
 
+void write_zeros(std::string_view text) {
+    glint::write_zeros(glint::read_glsl(text, glint::known_of_driver()));
+}
+
 void import_all(const fs::path& file) {
     glint::Diagnostics diagnostics;
     for (const glint::Shadertoy& shader : glint::read_shadertoys(file, diagnostics))
@@ -50,5 +55,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         import_all(file);
     else
         glint::read_preset(file);
+    if (kind == "scene") write_zeros({reinterpret_cast<const char*>(data), size});
     return 0;
 }
