@@ -18,6 +18,11 @@ std::string format_number(double value);
 // "on" or "true", "off" or "false".
 std::optional<bool> parse_switch(std::string_view text);
 
+// Whether a byte of UTF-8 is a character's first: columns count these.
+inline bool begins_character(char byte) {
+    return (byte & '\xC0') != '\x80';
+}
+
 // Without the white space at both ends.
 std::string_view trimmed(std::string_view text);
 

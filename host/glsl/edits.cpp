@@ -20,7 +20,7 @@ std::string line_ends_in(std::string_view text) {
 
 }  // namespace
 
-std::size_t EditedText::origin(std::size_t at) const {
+std::size_t EditMap::origin(std::size_t at) const {
     const auto after = std::ranges::upper_bound(pieces, at, {}, &Piece::at);
     if (after == pieces.begin()) return at;
     const Piece& piece = *std::prev(after);
@@ -46,16 +46,14 @@ bool Edits::after(std::uint32_t token, std::string words) {
 }
 
 bool Edits::replace(TokenRange range, std::string words) {
-    if (range.empty()) return false;
-    const std::uint32_t first = reading_.tokens[range.begin].use;
-    const std::uint32_t last = reading_.tokens[range.end - 1].use;
-    const bool begins_whole = first == kNone || reading_.uses[first].tokens.begin == range.begin;
-    const bool ends_whole = last == kNone || reading_.uses[last].tokens.end == range.end;
-    if (begins_whole && ends_whole) {
+    if (reading_.stands_alone(range)) {
         replace_bytes(reading_.place(range), std::move(words));
         return true;
     }
-    if (first != last || !may_write_out(reading_.uses[first])) return false;
+    const std::uint32_t use = range.empty() ? kNone : reading_.tokens[range.begin].use;
+    if (use == kNone || reading_.tokens[range.end - 1].use != use ||
+        !may_write_out(reading_.uses[use]))
+        return false;
     for (std::uint32_t token = range.begin; token < range.end; ++token)
         add_within({token, Within::Where::instead, token == range.begin ? words : ""});
     return true;
@@ -76,13 +74,6 @@ bool Edits::may_write_out(const MacroUse& use) const {
             return false;
     }
     return true;
-}
-
-bool Edits::may_change(std::uint32_t token) const {
-    const std::uint32_t use = reading_.tokens[token].use;
-    if (use == kNone) return true;
-    const bool is_all = reading_.uses[use].tokens.size() == 1;
-    return is_all || may_write_out(reading_.uses[use]);
 }
 
 bool Edits::add_within(Within change) {
@@ -128,7 +119,7 @@ EditedText Edits::apply() const {
     std::size_t done = 0;
     const auto add = [&](std::string_view words, std::size_t from, bool is_own) {
         if (words.empty()) return;
-        result.pieces.push_back({result.text.size(), from, is_own});
+        result.map.pieces.push_back({result.text.size(), from, is_own});
         result.text += words;
     };
     for (const auto& [span, words] : changes) {

@@ -13,18 +13,22 @@
 
 namespace glint {
 
-// A text made of pieces of another one, with words between them.
-struct EditedText {
+// The way back from a text that is made of pieces of another one, with words between them.
+struct EditMap {
     struct Piece {
         std::size_t at = 0;    // in the new text
         std::size_t from = 0;  // in the old one
         bool is_own = false;   // not of the old text: all of it stands for the byte `from`
     };
-    std::string text;
-    std::vector<Piece> pieces;  // in order; the first begins at 0
+    std::vector<Piece> pieces;  // in order; the first begins at 0. None: both texts are the same
 
     // The place of a byte in the old text.
     std::size_t origin(std::size_t at) const;
+};
+
+struct EditedText {
+    std::string text;
+    EditMap map;
 };
 
 class Edits {
@@ -40,9 +44,6 @@ public:
     bool replace(TokenRange range, std::string words);
     // Bytes of the text itself, whatever they hold.
     void replace_bytes(Span span, std::string words);
-
-    // Whether both sides of a token can be changed.
-    bool may_change(std::uint32_t token) const;
 
     bool empty() const { return changes_.empty() && within_.empty(); }
     // Changes that overlap an earlier place are left out.

@@ -1,5 +1,7 @@
 #include "glsl/first_use.h"
 
+#include "glsl/stack.h"
+
 #include <algorithm>
 
 namespace glint {
@@ -240,7 +242,11 @@ bool FirstUses::local_is_read(const Declaration& declaration, const Declarator& 
     if (statements[block].kind != StatementKind::block ||
         (holder != kNone && statements[holder].kind == StatementKind::switch_))
         return next_mention(scope) != kNone;
-    return over_statements(statement.next, statements[block].next) == Flow::read;
+    if (over_statements(statement.next, statements[block].next) != Flow::read) return false;
+    const auto first = std::ranges::upper_bound(*mentions_, one.name);
+    const auto end = std::ranges::lower_bound(*mentions_, scope.end);
+    const bool is_array = !one.array.empty() || !declaration.type_array.empty();
+    return !is_array || has_maybe_ || !Stack(reading_, {first, end}, scope, block).is_certain();
 }
 
 bool FirstUses::out_is_read(std::uint32_t index, std::string_view name) {

@@ -2,15 +2,15 @@
 #include "glsl/foreign_text.h"
 
 #include "base/words.h"
+#include "glsl/foreign_file.h"
 #include "glsl/raw_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <regex>
 #include <set>
 #include <utility>
 
@@ -38,50 +38,8 @@ const std::vector<std::pair<std::string, int>>& key_codes() {
     return kCodes;
 }
 
-std::vector<std::string> lines_of(std::string_view text) {
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines.emplace_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return lines;
-}
-
-// Matching a regular expression takes stack for every character, so lines are short.
-bool is_directive(std::string_view line, std::string_view directive) {
-    constexpr std::size_t kLongestLine = 2000;
-    return line.size() <= kLongestLine && trimmed(line).starts_with(directive);
-}
-
 // The buffer that remembers which keys were held.
 constexpr const char* kKeyStates = "glintKeyStates";
-
-// What a channel's lines say, gathered from the whole file.
-struct ForeignChannel {
-    int line = 0;        // of `#iChannelN "…"`; 0: there is none
-    std::string source;  // "self", "keyboard", a path
-    std::string min_filter, mag_filter, wrap, type;
-};
-using ForeignChannels = std::array<ForeignChannel, 4>;
-
-ForeignChannels find_channels(const std::vector<std::string>& lines) {
-    static const std::regex kLine(R"(^\s*#iChannel([0-3])(?:::(\w+))?\s+"([^"]*)\".*$)");
-    ForeignChannels channels;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        std::smatch match;
-        if (!is_directive(lines[i], "#iChannel") || !std::regex_match(lines[i], match, kLine))
-            continue;
-        ForeignChannel& channel = channels[static_cast<std::size_t>(match[1].str()[0] - '0')];
-        const std::string option = match[2], value = match[3];
-        if (option.empty()) channel.line = static_cast<int>(i) + 1, channel.source = value;
-        if (option == "MinFilter") channel.min_filter = value;
-        if (option == "MagFilter") channel.mag_filter = value;
-        if (option == "WrapMode") channel.wrap = value;
-        if (option == "Type") channel.type = value;
-    }
-    return channels;
-}
 
 std::string without_scheme(const std::string& source) {
     return source.starts_with("file://") ? source.substr(7) : source;
@@ -139,10 +97,11 @@ std::string buffer_name(const fs::path& file) {
 
 class Rewriter {
 public:
-    Rewriter(fs::path file, std::string_view text, Diagnostics& diagnostics)
+    Rewriter(fs::path file, std::string_view text, const Known& known, Diagnostics& diagnostics)
         : file_(std::move(file)),
-          lines_(lines_of(text)),
-          channels_(find_channels(lines_)),
+          known_(known),
+          text_(text, known),
+          channels_(text_.channels()),
           diagnostics_(diagnostics) {}
 
     ForeignText root();
@@ -154,7 +113,7 @@ private:
     void add_buffers(const fs::path& file, const ForeignChannels& channels, int line,
                      std::set<fs::path>& known);
     void add_text(const std::string& own_buffer);
-    void add_uniform(const std::string& line, int number);
+    void add_uniform(const Directive& directive, int number);
     void add_channel(std::size_t index, const std::string& own_buffer);
     void add_keyboard(int number);
     void add_key_states();
@@ -168,7 +127,8 @@ private:
     }
 
     fs::path file_;
-    std::vector<std::string> lines_;
+    const Known& known_;
+    ForeignFile text_;
     ForeignChannels channels_;
     Diagnostics& diagnostics_;
     ForeignText result_;
@@ -188,9 +148,7 @@ bool Rewriter::reads_itself() const {
 // A picture that reads itself becomes a buffer, which the picture shows.
 ForeignText Rewriter::root() {
     std::set<fs::path> known = {file_.lexically_normal()};
-    asks_for_releases_ = std::any_of(lines_.begin(), lines_.end(), [](const std::string& line) {
-        return line.find("isKeyReleased") != std::string::npos;
-    });
+    asks_for_releases_ = text_.mentions("isKeyReleased");
     add_buffers(file_, channels_, 1, known);
     if (asks_for_releases_) add_key_states();
     const bool is_tab = known.size() > 1 || asks_for_releases_;
@@ -205,11 +163,11 @@ ForeignText Rewriter::root() {
         add("#endif", 1);
         add(fmt::format("#ifdef PASS_{}", name), 1);
         add_text(name);
-        add("#endif", static_cast<int>(lines_.size()));
+        add("#endif", text_.line_count());
     } else {
         if (is_tab) add("#ifdef PASS_image", 1);
         add_text({});
-        if (is_tab) add("#endif", static_cast<int>(lines_.size()));
+        if (is_tab) add("#endif", text_.line_count());
     }
     return std::move(result_);
 }
@@ -229,8 +187,11 @@ void Rewriter::add_buffers(const fs::path& file, const ForeignChannels& channels
         const int at = file == file_ ? channel.line : line;
         std::string why_not;
         const auto bytes = read_bytes(path, why_not);
-        asks_for_releases_ |= bytes && bytes->find("isKeyReleased") != std::string::npos;
-        if (bytes) add_buffers(path, find_channels(lines_of(clean_text(*bytes).text)), at, known);
+        if (bytes) {
+            const ForeignFile other(clean_text(*bytes).text, known_);
+            asks_for_releases_ |= other.mentions("isKeyReleased");
+            add_buffers(path, other.channels(), at, known);
+        }
         const std::string name = buffer_name(path);
         add(fmt::format("uniform sampler2D {0};  //@ pass main_{0}", name), at);
         add(fmt::format("#ifdef PASS_{}", name), at);
@@ -242,67 +203,56 @@ void Rewriter::add_buffers(const fs::path& file, const ForeignChannels& channels
 }
 
 void Rewriter::add_text(const std::string& own_buffer) {
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-        const std::string_view line = trimmed(lines_[i]);
-        const int number = static_cast<int>(i) + 1;
+    const auto& directives = text_.directives();
+    for (int number = 1; number <= text_.line_count(); ++number) {
+        const auto directive = directives.find(number);
+        const std::string_view word =
+            directive == directives.end() ? std::string_view() : directive->second->word;
         const auto channel = std::find_if(channels_.begin(), channels_.end(),
                                           [&](const auto& c) { return c.line == number; });
         if (channel != channels_.end())
             add_channel(static_cast<std::size_t>(channel - channels_.begin()), own_buffer);
-        else if (line.starts_with("#iUniform"))
-            add_uniform(lines_[i], number);
-        else if (line.starts_with("#iKeyboard"))
+        else if (word == "iUniform")
+            add_uniform(*directive->second, number);
+        else if (word == "iKeyboard")
             add_keyboard(number);
-        else if (line.starts_with("#iChannel") || line.starts_with("#StrictCompatibility"))
+        else if (is_channel(word) || word == "StrictCompatibility")
             add("", number);
         else
-            add(lines_[i], number);
+            add(text_.line(number), number);
     }
 }
 
-// `#iUniform float speed = 1.0 in { 0.0, 5.0 } step 0.5 // how fast`, with or without what follows
-// the value.
-void Rewriter::add_uniform(const std::string& line, int number) {
-    static const std::regex kLine(
-        R"(^\s*#iUniform\s+(\w+)\s+(\w+)\s*=\s*([^{/]*?)\s*;?\s*)"
-        R"((?:in\s*\{\s*([^,{}]+?)\s*,\s*([^,{}]+?)\s*\})?\s*(?:step\s+([0-9.eE+-]+))?\s*;?\s*(?://\s*(.*))?$)");
-    static const std::regex kConstructor(R"(^\w+\s*\(([^()]*)\)$)");
-    std::smatch match;
-    if (!is_directive(line, "#iUniform") || !std::regex_match(line, match, kLine)) {
+// A colour's components as an annotation has them.
+std::string hex_colour(const std::vector<std::string>& components) {
+    std::string hex = "#";
+    for (const std::string& component : components) {
+        const double value = std::clamp(parse_number(component).value_or(0), 0.0, 1.0);
+        hex += fmt::format("{:02x}", static_cast<int>(std::lround(value * 255)));
+    }
+    return hex;
+}
+
+void Rewriter::add_uniform(const Directive& directive, int number) {
+    auto uniform = text_.uniform(directive);
+    if (!uniform) {
         add("", number);
         return error(number,
                      "this #iUniform is not understood; write #iUniform float speed = 1.0 "
                      "in { 0.0, 5.0 }");
     }
-    const std::string type = match[1], name = match[2];
-    std::string value = match[3];
+    auto& [type, name, value, range, step, description] = *uniform;
     const bool is_colour = type.starts_with("color");
     const std::string ours = is_colour ? "vec" + type.substr(5) : type;
-    std::smatch constructor;
-    if (std::regex_match(value, constructor, kConstructor)) value = constructor[1];
-    const auto count = ours.starts_with("vec") && ours.size() == 4 ? ours[3] - '0' : 1;
-    if (count > 1 && value.find(',') == std::string::npos) {
-        const std::string one = value;
-        for (int i = 1; i < count; ++i) value += ", " + one;
-    }
-    if (is_colour) {
-        std::string hex = "#";
-        for (std::size_t begin = 0; begin <= value.size();) {
-            const std::size_t end = std::min(value.find(',', begin), value.size());
-            const auto part = parse_number(trimmed(value.substr(begin, end - begin)));
-            hex += fmt::format(
-                "{:02x}",
-                static_cast<int>(std::lround(std::clamp(part.value_or(0), 0.0, 1.0) * 255)));
-            begin = end + 1;
-        }
-        value = hex;
-    }
-    std::string annotation = value;
-    if (match[4].matched) annotation += fmt::format(" [{}, {}]", match[4].str(), match[5].str());
-    if (match[6].matched) annotation += " step=" + match[6].str();
-    std::string words = match[7];
-    std::replace(words.begin(), words.end(), '"', '\'');
-    if (!words.empty()) annotation += fmt::format(" \"{}\"", words);
+    const int count = ours.starts_with("vec") && ours.size() == 4 ? ours[3] - '0' : 1;
+    if (count > 1 && value.size() == 1)
+        value.resize(static_cast<std::size_t>(count), std::string(value.front()));
+    std::string annotation =
+        is_colour ? hex_colour(value) : fmt::format("{}", fmt::join(value, ", "));
+    if (!range.empty()) annotation += fmt::format(" [{}, {}]", range[0], range[1]);
+    if (!step.empty()) annotation += " step=" + step;
+    std::replace(description.begin(), description.end(), '"', '\'');
+    if (!description.empty()) annotation += fmt::format(" \"{}\"", description);
     add(fmt::format("uniform {} {};  //@ {}", ours, name, annotation), number);
 }
 
@@ -370,12 +320,10 @@ void Rewriter::add_keyboard(int number) {
                         "0.5; }}",
                         kRows[row], row),
             number);
-    std::string all;
-    for (const std::string& line : lines_) all += line + "\n";
     for (const auto& [name, code] : key_codes())
-        if (std::regex_search(all, std::regex(fmt::format("\\bKey_{}\\b", name))))
+        if (text_.mentions("Key_" + name))
             add(fmt::format("const int Key_{} = {};", name, code), number);
-    if (all.find("isKeyReleased") != std::string::npos)
+    if (text_.mentions("isKeyReleased"))
         add(fmt::format("bool isKeyReleased(int key) {{ return texelFetch({}, ivec2(key, 0), 0).y "
                         "> 0.5; }}",
                         kKeyStates),
@@ -384,19 +332,20 @@ void Rewriter::add_keyboard(int number) {
 
 }  // namespace
 
-bool is_foreign(std::string_view text) {
-    for (std::size_t at = text.find("#i"); at != text.npos; at = text.find("#i", at + 1)) {
-        const std::size_t begin = text.rfind('\n', at) + 1;
-        if (!trimmed(text.substr(begin, at - begin)).empty()) continue;
-        for (const std::string_view word : {"#iUniform", "#iChannel", "#iKeyboard"})
-            if (text.substr(at).starts_with(word)) return true;
-    }
-    return false;
+bool is_foreign(const ScannedText& text) {
+    return std::ranges::any_of(text.directives, [&](const DirectiveLine& line) {
+        if (line.tokens.size() < 2) return false;
+        const std::string_view word = text.tokens[line.tokens.begin + 1].text;
+        return word == "iUniform" || is_channel(word) || word == "iKeyboard";
+    });
 }
 
-ForeignText rewrite_foreign(const fs::path& file, std::string_view text, bool is_root,
-                            Diagnostics& diagnostics) {
-    Rewriter rewriter(file, text, diagnostics);
+ForeignText rewrite_foreign(const fs::path& file, std::string_view text, const Known& known,
+                            bool is_root, Diagnostics& diagnostics) {
+    // What includes a file may have defined any name.
+    Known any = known;
+    if (!is_root) any.open.emplace_back();
+    Rewriter rewriter(file, text, is_root ? known : any, diagnostics);
     return is_root ? rewriter.root() : rewriter.part(buffer_name(file));
 }
 

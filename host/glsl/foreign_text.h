@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "glsl/macro.h"
 
 #include <filesystem>
 #include <string>
@@ -17,12 +18,13 @@ struct ForeignText {
 };
 
 // Whether a text has any of these directives.
-bool is_foreign(std::string_view text);
+bool is_foreign(const ScannedText& text);
 
 // Rewrites one file. The scene's own file (`is_root`) also gets the passes of all shaders that it
 // and they name as channels: each becomes a tab that includes that file. What is wrong, or has no
 // counterpart here, goes to diagnostics.
-ForeignText rewrite_foreign(const std::filesystem::path& file, std::string_view text, bool is_root,
-                            Diagnostics& diagnostics);
+// Directives in branches that are not compiled are left as they are.
+ForeignText rewrite_foreign(const std::filesystem::path& file, std::string_view text,
+                            const Known& known, bool is_root, Diagnostics& diagnostics);
 
 }  // namespace glint

@@ -52,6 +52,7 @@ private:
     bool skip_array(TokenRange& array);
 
     void parse_item();
+    void pass_over();
     bool parse_function(std::uint32_t begin, const Declaration& head, std::uint32_t name);
     void parse_parameters(std::uint32_t function);
     void parse_qualifiers(Declaration& declaration);

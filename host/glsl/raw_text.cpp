@@ -1,4 +1,4 @@
-// Odd bytes, odd line ends, and comments.
+// Odd bytes and odd line ends.
 #include "glsl/raw_text.h"
 
 #include "base/readable_file.h"
@@ -26,15 +26,6 @@ std::size_t utf8_length(std::string_view text) {
     const bool surrogate = lead == 0xED && byte(1) > 0x9F;
     const bool too_far = lead == 0xF4 && byte(1) > 0x8F;
     return overlong || surrogate || too_far ? 0 : length;
-}
-
-// The end of a `//` comment: the line's end, or a later one's where a backslash joins the lines.
-std::size_t line_comment_end(std::string_view text, std::size_t begin) {
-    std::size_t end = begin;
-    do {
-        end = text.find('\n', end + 1);
-    } while (end != std::string_view::npos && text[end - 1] == '\\');
-    return end == std::string_view::npos ? text.size() : end;
 }
 
 }  // namespace
@@ -80,42 +71,6 @@ CleanText clean_text(std::string_view raw) {
     if (!text.empty() && text.back() == '\\') text.back() = ' ';
     if (!text.empty() && text.back() != '\n') text += '\n';
     return cleaned;
-}
-
-Comments find_comments(std::string_view text) {
-    Comments comments{std::string(text), {}, {}};
-    // The first characters of the line that are neither space nor comment: the name in
-    // `#include "a//b"` holds no comment.
-    std::string head;
-    const std::string_view include = "#include";
-    const auto blank = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (text[i] != '\n') comments.code[i] = ' ';
-    };
-    for (std::size_t i = 0; i < text.size();) {
-        const std::string_view here = text.substr(i, 2);
-        std::size_t end = i + 1;
-        if (here == "//") {
-            end = line_comment_end(text, i + 1);
-            if (text.substr(i + 2, 1) == "@") comments.notes.push_back({i + 3, end});
-            blank(i, end);
-        } else if (here == "/*") {
-            const std::size_t close = text.find("*/", i + 2);
-            if (close == std::string_view::npos) comments.unclosed = i;
-            end = close == std::string_view::npos ? text.size() : close + 2;
-            blank(i, end);
-        } else if (here[0] == '\n') {
-            if (i == 0 || text[i - 1] != '\\') head.clear();
-        } else if ((here[0] == '"' || here[0] == '<') && head == include) {
-            const std::size_t close = text.find_first_of(here[0] == '<' ? ">\n" : "\"\n", i + 1);
-            if (close != std::string_view::npos && text[close] != '\n') end = close + 1;
-            head += here[0];
-        } else if (here[0] != ' ' && here[0] != '\t' && head.size() <= include.size()) {
-            head += here[0];
-        }
-        i = end;
-    }
-    return comments;
 }
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// One file's text, before includes: its bytes made even, and comments told from code.
+// One file's text, its bytes made even.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace glint {
 
@@ -26,13 +25,5 @@ struct CleanText {
 // Takes off a byte order mark, makes every line end '\n' and every byte printable in a message:
 // what is not UTF-8 (an old comment in Latin-1) becomes '?', a byte for a byte.
 CleanText clean_text(std::string_view raw);
-
-struct Comments {
-    std::string code;  // the text with spaces for comments
-    std::vector<Span> notes;
-    std::optional<std::size_t> unclosed;  // where a block comment begins that never ends
-};
-
-Comments find_comments(std::string_view text);
 
 }  // namespace glint

@@ -1,128 +1,195 @@
 #include "glsl/reachable.h"
 
-#include "glsl/declaration.h"
-#include "glsl/raw_text.h"
-
 #include <algorithm>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 namespace glint {
 namespace {
 
-// Something that stands outside all braces, or a preprocessor line, with the comments before it.
-// What has a preprocessor line in its midst, outside braces, counts as one itself.
-struct Item {
+// Something that stands outside all braces, or a preprocessor line, with what is before it:
+// comments and branches that are not compiled.
+struct Piece {
     Span span;
-    bool is_directive = false, is_uniform = false, kept = false;
-    std::unordered_set<std::string_view> names, words;  // what it declares, and all it speaks of
+    bool is_wanted = false, is_uniform = false;
+    std::vector<std::string_view> names;  // that it declares
 };
 
-// The name of a function or struct, or the names of variables: words outside brackets that an
-// operator, a bracket or the end follows.
-std::unordered_set<std::string_view> declared_names(std::string_view code) {
-    std::unordered_set<std::string_view> names;
-    int depth = 0;
-    bool in_value = false;
-    for (std::size_t i = 0; i < code.size();) {
-        if (!is_word(code[i])) {
-            const char c = code[i++];
-            if (c == '(' || c == '[' || c == '{') ++depth;
-            if (c == ')' || c == ']' || c == '}') --depth;
-            if (c == '=' && depth == 0) in_value = true;
-            if (c == ',' && depth == 0) in_value = false;
-            continue;
-        }
-        std::size_t end = i;
-        while (end < code.size() && is_word(code[end])) ++end;
-        const std::size_t next = code.find_first_not_of(" \t\n", end);
-        const bool ends_name = next == code.npos || std::string_view("=,;[({").find(code[next]) !=
-                                                        std::string_view::npos;
-        if (depth == 0 && !in_value && ends_name) names.insert(code.substr(i, end - i));
-        i = end;
+class Cutter {
+public:
+    Cutter(const Reading& reading, std::string_view decided) : reading_(reading) {
+        find_decided(decided);
+        find_pieces();
     }
-    return names;
+
+    std::string cut(std::string_view entry);
+
+private:
+    void find_decided(std::string_view decided);
+    void find_pieces();
+    void add(Piece piece, Span span);
+    void add_wanted(Span span) {
+        Piece piece;
+        piece.is_wanted = true;
+        add(std::move(piece), span);
+    }
+    Piece piece_of(const Item& item) const;
+    std::vector<std::string_view> words_of(const Piece& piece) const;
+    std::size_t line_end(std::size_t at) const {
+        return std::min(reading_.text.find('\n', at), reading_.text.size() - 1) + 1;
+    }
+    // The first of what is dropped that ends behind a byte.
+    std::vector<Span>::const_iterator dropped_behind(std::size_t at) const {
+        return std::ranges::upper_bound(dropped_, at, {}, &Span::end);
+    }
+    bool is_dropped(std::size_t at) const {
+        const auto span = dropped_behind(at);
+        return span != dropped_.end() && span->begin <= at;
+    }
+    void append(Span span, std::string& result) const;
+
+    const Reading& reading_;
+    std::vector<Span> dropped_;  // apart from each other, in order
+    std::vector<Piece> pieces_;
+    std::size_t done_ = 0;
+};
+
+// The directives of groups that ask for what is decided, and the branches of these that are dead.
+void Cutter::find_decided(std::string_view decided) {
+    std::unordered_map<std::uint32_t, bool> asks, is_open;  // by group
+    for (const Branch& branch : reading_.branches) {
+        const Directive& begins = reading_.directives[branch.begins];
+        for (std::uint32_t at = begins.rest.begin; at < begins.rest.end; ++at)
+            asks[branch.group] |= reading_.written[at].text.starts_with(decided);
+        is_open[branch.group] |= branch.live == Live::maybe;
+    }
+    for (const Branch& branch : reading_.branches) {
+        if (!asks[branch.group] || is_open[branch.group]) continue;
+        const Span begins = reading_.directives[branch.begins].span;
+        const Span ends = reading_.directives[branch.ends].span;
+        dropped_.push_back({begins.begin, line_end(begins.end)});
+        dropped_.push_back({ends.begin, line_end(ends.end)});
+        if (branch.live == Live::no) dropped_.push_back({begins.begin, ends.begin});
+    }
+    std::ranges::sort(dropped_, {}, &Span::begin);
+    std::vector<Span> apart;
+    for (const Span span : dropped_) {
+        if (apart.empty() || apart.back().end < span.begin)
+            apart.push_back(span);
+        else
+            apart.back().end = std::max(apart.back().end, span.end);
+    }
+    dropped_ = std::move(apart);
 }
 
-// Cuts the text into items. A function ends with its brace, everything else with a semicolon.
-std::vector<Item> find_items(std::string_view text, std::string_view code) {
-    std::vector<Item> items;
-    std::size_t begin = 0;
-    int depth = 0;
-    bool has_parameters = false, is_blank = true, holds_directive = false;
-    const auto add = [&](std::size_t end, bool is_directive) {
-        // The rest of the line belongs to it: a comment behind it.
-        const std::size_t line_end = std::min(text.find('\n', end), text.size() - 1) + 1;
-        if (code.substr(end, line_end - end).find_first_not_of(" \t\n") == code.npos)
-            end = line_end;
-        Item item{.span = {begin, end},
-                  .is_directive = is_directive || holds_directive,
-                  .names = {},
-                  .words = {}};
-        const std::string_view own = code.substr(begin, end - begin);
-        item.words = find_identifiers(own);
-        item.is_uniform = item.words.contains("uniform");
-        if (!is_directive) item.names = declared_names(own);
-        items.push_back(std::move(item));
-        begin = end;
-        has_parameters = false;
-        is_blank = true;
-        holds_directive = false;
-        return end;
-    };
-    for (std::size_t i = 0; i < code.size();) {
-        const char c = code[i];
-        const bool line_begins = i == 0 || code[i - 1] == '\n';
-        if (line_begins && depth == 0) {
-            const std::size_t first = code.find_first_not_of(" \t", i);
-            if (first != code.npos && code[first] == '#') {
-                std::size_t end = std::min(code.find('\n', first), code.size());
-                while (end < code.size() && code[end - 1] == '\\')
-                    end = std::min(code.find('\n', end + 1), code.size());
-                holds_directive = true;
-                i = is_blank ? add(end, true) : end;
-                continue;
-            }
-        }
-        if (c != ' ' && c != '\t' && c != '\n') is_blank = false;
-        if (c == '(' && depth == 0) has_parameters = true;
-        if (c == '{') ++depth;
-        if (c == '}') --depth;
-        ++i;
-        if (depth == 0 && (c == ';' || (c == '}' && has_parameters))) i = add(i, false);
+Piece Cutter::piece_of(const Item& item) const {
+    Piece piece;
+    if (item.kind == Item::Kind::function) {
+        piece.names.push_back(reading_.word(reading_.functions[item.index].name));
+    } else if (item.kind == Item::Kind::declaration) {
+        const Declaration& declaration = reading_.declarations[item.index];
+        piece.is_uniform = declaration.is_uniform;
+        if (declaration.structure != kNone)
+            piece.names.push_back(reading_.word(reading_.structs[declaration.structure].name));
+        for (const Declarator& one : declaration.names)
+            piece.names.push_back(reading_.word(one.name));
+        piece.is_wanted = declaration.names.empty() && declaration.structure == kNone;
+    } else {
+        piece.is_wanted = true;
     }
-    if (begin < text.size()) add(text.size(), true);
-    return items;
+    return piece;
+}
+
+// The rest of the line belongs to it: a comment behind it.
+void Cutter::add(Piece piece, Span span) {
+    const std::size_t end = line_end(span.end);
+    const auto next = std::ranges::lower_bound(reading_.written, span.end, {},
+                                               [](const Token& token) { return token.begin; });
+    const bool is_last = next == reading_.written.end() || next->begin >= end;
+    piece.span = {done_, is_last ? end : span.end};
+    done_ = piece.span.end;
+    pieces_.push_back(std::move(piece));
+}
+
+void Cutter::find_pieces() {
+    auto directive = reading_.directives.begin();
+    const auto add_directives = [&](std::size_t up_to) {
+        for (; directive != reading_.directives.end() && directive->span.begin < up_to; ++directive)
+            if (directive->span.begin >= done_) add_wanted(directive->span);
+    };
+    for (const Item& item : reading_.items) {
+        const Span span = reading_.place(item.tokens);
+        Piece piece = piece_of(item);
+        if (span.begin < done_) {  // of the same macro as the one before
+            Piece& before = pieces_.back();
+            before.names.insert(before.names.end(), piece.names.begin(), piece.names.end());
+            before.is_wanted |= piece.is_wanted;
+            if (span.end > before.span.end) before.span.end = done_ = span.end;
+            continue;
+        }
+        add_directives(span.begin);
+        add(std::move(piece), span);
+    }
+    add_directives(reading_.text.size());
+    if (done_ < reading_.text.size()) add_wanted({done_, reading_.text.size()});
+}
+
+std::vector<std::string_view> Cutter::words_of(const Piece& piece) const {
+    std::vector<std::string_view> words;
+    auto token = std::ranges::lower_bound(reading_.written, piece.span.begin, {},
+                                          [](const Token& one) { return one.begin; });
+    for (; token != reading_.written.end() && token->begin < piece.span.end; ++token)
+        if (token->is_word() && !is_dropped(token->begin)) words.push_back(token->text);
+    return words;
+}
+
+void Cutter::append(Span span, std::string& result) const {
+    std::size_t at = span.begin;
+    for (auto next = dropped_behind(at); next != dropped_.end() && next->begin < span.end; ++next) {
+        if (next->begin > at) result += reading_.text.substr(at, next->begin - at);
+        at = std::min(next->end, span.end);
+    }
+    result += reading_.text.substr(at, span.end - at);
+}
+
+std::string Cutter::cut(std::string_view entry) {
+    const bool keeps_all = !reading_.is_balanced || !reading_.not_understood.empty();
+    std::unordered_multimap<std::string_view, std::size_t> named;
+    std::vector<std::size_t> fresh;
+    const auto want = [&](std::size_t piece) {
+        if (!pieces_[piece].is_wanted && !pieces_[piece].is_uniform) fresh.push_back(piece);
+        pieces_[piece].is_wanted = !pieces_[piece].is_uniform;
+    };
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        for (const std::string_view name : pieces_[i].names) named.emplace(name, i);
+        if (pieces_[i].is_wanted) fresh.push_back(i);
+        if (keeps_all) want(i);
+    }
+    std::unordered_set<std::string_view> seen;
+    const auto want_named = [&](std::string_view name) {
+        if (!seen.insert(name).second) return;
+        const auto [begin, end] = named.equal_range(name);
+        for (auto i = begin; i != end; ++i) want(i->second);
+    };
+    want_named(entry);
+    while (!fresh.empty()) {
+        const std::size_t piece = fresh.back();
+        fresh.pop_back();
+        for (const std::string_view word : words_of(pieces_[piece])) want_named(word);
+    }
+    std::string result;
+    for (const Piece& piece : pieces_) {
+        if (piece.is_wanted) append(piece.span, result);
+    }
+    return result;
 }
 
 }  // namespace
 
-std::string reachable_text(std::string_view text, std::string_view entry) {
-    const std::string code = find_comments(text).code;
-    std::vector<Item> items = find_items(text, code);
-    std::vector<std::string_view> wanted = {entry};
-    std::unordered_set<std::string_view> seen = {entry};
-    const auto want = [&](const Item& item) {
-        for (const std::string_view word : item.words)
-            if (seen.insert(word).second) wanted.push_back(word);
-    };
-    for (Item& item : items) {
-        item.kept = item.is_directive;
-        if (item.is_directive) want(item);
-    }
-    while (!wanted.empty()) {
-        const std::string_view name = wanted.back();
-        wanted.pop_back();
-        for (Item& item : items) {
-            if (item.kept || item.is_uniform || !item.names.contains(name)) continue;
-            item.kept = true;
-            want(item);
-        }
-    }
-    std::string result;
-    for (const Item& item : items)
-        if (item.kept) result.append(text, item.span.begin, item.span.end - item.span.begin);
-    return result;
+std::string reachable_text(const Reading& reading, std::string_view entry,
+                           std::string_view decided) {
+    return Cutter(reading, decided).cut(entry);
 }
 
 }  // namespace glint

@@ -5,6 +5,19 @@
 
 namespace glint {
 
+bool Reading::is_plain(TokenRange range) const {
+    for (std::uint32_t at = range.begin; at < range.end; ++at)
+        if (tokens[at].use != kNone) return false;
+    return true;
+}
+
+bool Reading::stands_alone(TokenRange range) const {
+    if (range.empty()) return false;
+    const std::uint32_t first = tokens[range.begin].use, last = tokens[range.end - 1].use;
+    return (first == kNone || uses[first].tokens.begin == range.begin) &&
+           (last == kNone || uses[last].tokens.end == range.end);
+}
+
 std::string Reading::spelled(TokenRange range) const {
     std::string result;
     for (std::uint32_t at = range.begin; at < range.end; ++at) {
@@ -31,6 +44,11 @@ bool Reading::defines(std::string_view name) const {
     return std::ranges::any_of(functions, [&](const Function& function) {
         return function.is_defined() && word(function.name) == name;
     });
+}
+
+bool Reading::defines_macro(std::string_view name) const {
+    return std::ranges::any_of(
+        macros, [&](const Macro& macro) { return macro.name == name && macro.definition.end > 0; });
 }
 
 const Declaration* Reading::find_global(std::string_view name) const {

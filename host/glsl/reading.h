@@ -30,6 +30,10 @@ struct Reading : Preprocessed, Syntax {
         if (range.empty()) return {};
         return {place(range.begin).begin, place(range.end - 1).end};
     }
+    // Whether all of it stands in the text itself.
+    bool is_plain(TokenRange range) const;
+    // Whether no macro's use reaches beyond its ends, so that place() is its own.
+    bool stands_alone(TokenRange range) const;
     // As it is spelled, tokens and one space between them.
     std::string spelled(TokenRange range) const;
 
@@ -38,6 +42,8 @@ struct Reading : Preprocessed, Syntax {
     std::vector<std::uint32_t> functions_named(std::string_view name) const;
     // Whether a function of this name has a body.
     bool defines(std::string_view name) const;
+    // Whether the text itself has a macro of this name, at any place.
+    bool defines_macro(std::string_view name) const;
     // The declaration of a global of this name.
     const Declaration* find_global(std::string_view name) const;
     // By function: whether these names, and what they call, lead to it. Calls go to all overloads

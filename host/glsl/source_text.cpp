@@ -2,11 +2,13 @@
 #include "glsl/source_text.h"
 
 #include "base/words.h"
+#include "glsl/condition.h"
 #include "glsl/foreign_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -23,44 +25,6 @@ constexpr std::size_t kLargestText = 64u << 20;
 constexpr int kMostIncludes = 4096;
 constexpr std::size_t kDeepestInclude = 200;
 
-// A line that begins with '#', taken apart.
-struct Directive {
-    std::size_t hash = 0;   // offset in the line
-    std::string_view word;  // "include", "version", …
-    std::size_t rest = 0;   // offset in the line of what follows the word
-};
-
-std::optional<Directive> parse_directive(std::string_view code) {
-    const std::size_t hash = code.find_first_not_of(" \t\v\f");
-    if (hash == std::string_view::npos || code[hash] != '#') return std::nullopt;
-    const std::size_t word = std::min(code.find_first_not_of(" \t", hash + 1), code.size());
-    const std::size_t end =
-        std::min(code.find_first_not_of("abcdefghijklmnopqrstuvwxyz", word), code.size());
-    return Directive{hash, code.substr(word, end - word), end};
-}
-
-// What stands between `#if 0` and its #else or #endif is put aside: nothing in it counts. Other
-// conditions are the compiler's; both their sides count. Returns the depth after this line.
-int dead_depth(int depth, std::string_view line, const std::optional<Directive>& directive) {
-    if (!directive) return depth;
-    const std::string_view word = directive->word;
-    const bool opens = word == "if" || word == "ifdef" || word == "ifndef";
-    if (depth == 0) return word == "if" && trimmed(line.substr(directive->rest)) == "0" ? 1 : 0;
-    if (opens) return depth + 1;
-    if (word == "endif" || (depth == 1 && (word == "else" || word == "elif"))) return depth - 1;
-    return depth;
-}
-
-// The name between quotes or angle brackets, as a range of the line.
-std::optional<Span> parse_include_name(std::string_view line, std::size_t rest) {
-    const std::size_t open = line.find_first_not_of(" \t", rest);
-    if (open == std::string_view::npos || (line[open] != '"' && line[open] != '<'))
-        return std::nullopt;
-    const std::size_t close = line.find(line[open] == '<' ? '>' : '"', open + 1);
-    if (close == std::string_view::npos || close == open + 1) return std::nullopt;
-    return Span{open + 1, close};
-}
-
 // A path without "x/.." in it, where that names the same file.
 fs::path tidied(const fs::path& path) {
     std::error_code error;
@@ -74,24 +38,20 @@ fs::path identity(const fs::path& path) {
     return error ? path : canonical;
 }
 
-std::size_t characters(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    }));
-}
-
 int column_of(std::string_view text, std::size_t line_begin, std::size_t offset) {
     // Counting characters from the start of a very long line for each complaint would be quadratic.
     constexpr std::size_t kLongLine = 4096;
     const std::size_t bytes = offset - line_begin;
-    const std::size_t column =
-        bytes > kLongLine ? bytes : characters(text.substr(line_begin, bytes));
+    const auto column =
+        bytes > kLongLine ? static_cast<std::ptrdiff_t>(bytes)
+                          : std::ranges::count_if(text.substr(line_begin, bytes), begins_character);
     return static_cast<int>(column) + 1;
 }
 
 class Reader {
 public:
-    explicit Reader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+    Reader(const Known& known, Diagnostics& diagnostics)
+        : known_(known), diagnostics_(diagnostics), macros_(known, spellings_) {}
 
     // Appends a text that would stand in `path`, and is made from another file.
     void take_text(const fs::path& path, const fs::path& made_from, std::string_view raw);
@@ -107,31 +67,38 @@ private:
         fs::path identity;
         std::string text;
         std::vector<int> lines;  // of rewritten text: which line of the file each stands for
-        Comments comments;
-        std::size_t next_note = 0;
-        int dead_depth = 0;  // how many #if are open, from an `#if 0` on
+        ScannedText scanned;
+        std::size_t done = 0;  // bytes that are appended already
+        std::size_t line = 0;  // the number of lines among them
     };
 
-    std::optional<File> open(const fs::path& path, const std::optional<Place>& named_at);
-    File file_of(const fs::path& path, std::string_view raw);
-    void append(File file, const Place& named_at);
-    void append_lines(File& file);
-    void include(File& file, Span line, int number, const Directive& directive);
-    void emit(File& file, Span line, int number, Span blanked);
+    File* open(const fs::path& path, const std::optional<Place>& named_at);
+    File& file_of(const fs::path& path, std::string_view raw);
+    void append(File& file, const Place& named_at);
+    void obey(File& file, const DirectiveLine& directive);
+    void include(File& file, const DirectiveLine& directive);
+    void append_up_to(File& file, std::size_t end);
+    void append_line(const File& file, std::string_view text);
+    void append_blanked(File& file, const DirectiveLine& directive);
     bool may_include(const fs::path& path, const Place& place);
+    Place place_in(const File& file, std::size_t offset) const;
     void error(Place place, std::string text) {
         diagnostics_.push_back({Severity::error, std::move(place), std::move(text)});
     }
 
+    const Known& known_;
     Diagnostics& diagnostics_;
     SourceText source_;
+    std::deque<std::string> spellings_;
+    Macros macros_;
+    Conditions conditions_;
+    std::deque<File> files_;  // all that were read, as macros have their words from there
     std::vector<std::pair<fs::path, std::string>> chain_;  // identity and name of the open files
     std::set<fs::path> once_;                              // files that say #pragma once
     int includes_ = 0;
 };
 
-std::optional<Reader::File> Reader::open(const fs::path& path,
-                                         const std::optional<Place>& named_at) {
+Reader::File* Reader::open(const fs::path& path, const std::optional<Place>& named_at) {
     if (std::ranges::find(source_.files, path) == source_.files.end())
         source_.files.push_back(path);
     std::string why_not;
@@ -140,14 +107,14 @@ std::optional<Reader::File> Reader::open(const fs::path& path,
         diagnostics_.push_back(
             {Severity::error, named_at.value_or(Place{path.string()}),
              fmt::format("cannot read {}: {}", in_quotes(path.string()), why_not), true});
-        return std::nullopt;
+        return nullptr;
     }
-    return file_of(path, *raw);
+    return &file_of(path, *raw);
 }
 
 // Of a file that stands in source_.files.
-Reader::File Reader::file_of(const fs::path& path, std::string_view raw) {
-    File file;
+Reader::File& Reader::file_of(const fs::path& path, std::string_view raw) {
+    File& file = files_.emplace_back();
     const auto known = std::ranges::find(source_.files, path);
     file.index = static_cast<std::size_t>(known - source_.files.begin());
     file.identity = identity(path);
@@ -157,26 +124,18 @@ Reader::File Reader::file_of(const fs::path& path, std::string_view raw) {
               "a NUL byte stands here: this is no text, or not UTF-8; save it as UTF-8");
     }
     file.text = std::move(cleaned.text);
-    if (is_foreign(file.text)) {
-        ForeignText ours = rewrite_foreign(path, file.text, chain_.empty(), diagnostics_);
+    file.scanned = scan(file.text, spellings_);
+    if (is_foreign(file.scanned)) {
+        ForeignText ours = rewrite_foreign(path, file.text, known_, chain_.empty(), diagnostics_);
         file.text = std::move(ours.text);
         file.lines = std::move(ours.lines);
+        file.scanned = scan(file.text, spellings_);
     }
-    file.comments = find_comments(file.text);
     return file;
 }
 
 void Reader::read(const fs::path& path, const std::optional<Place>& named_at) {
-    if (auto file = open(path, named_at))
-        append(std::move(*file), named_at.value_or(Place{path.string()}));
-}
-
-void Reader::append(File file, const Place& named_at) {
-    if (file.text.size() + source_.text.size() > kLargestText)
-        return error(named_at, "the text with its includes is larger than 64 MiB; include less");
-    chain_.emplace_back(file.identity, source_.files[file.index].string());
-    append_lines(file);
-    chain_.pop_back();
+    if (File* file = open(path, named_at)) append(*file, named_at.value_or(Place{path.string()}));
 }
 
 void Reader::take_text(const fs::path& path, const fs::path& made_from, std::string_view raw) {
@@ -184,67 +143,73 @@ void Reader::take_text(const fs::path& path, const fs::path& made_from, std::str
     append(file_of(path, raw), {path.string()});
 }
 
-void Reader::append_lines(File& file) {
-    const std::string_view text = file.text, code = file.comments.code;
-    bool joined = false;  // the line before ends with a backslash
-    bool blanking = false;
-    std::size_t index = 0;
-    for (std::size_t begin = 0; begin < text.size(); ++index) {
-        const int number = file.lines.empty() ? static_cast<int>(index) + 1 : file.lines[index];
-        const std::size_t end = text.find('\n', begin);
-        const Span line{begin, end};
-        if (file.comments.unclosed && *file.comments.unclosed >= begin &&
-            *file.comments.unclosed < end) {
-            error({source_.files[file.index].string(), number,
-                   column_of(text, begin, *file.comments.unclosed)},
-                  "this comment is never closed; end it with */");
-        }
-        const auto directive =
-            joined ? std::nullopt : parse_directive(code.substr(begin, end - begin));
-        file.dead_depth = dead_depth(file.dead_depth, code.substr(begin, end - begin), directive);
-        if (!joined) {
-            const bool once = directive && directive->word == "pragma" &&
-                              trimmed(code.substr(begin + directive->rest,
-                                                  end - begin - directive->rest)) == "once";
-            if (once && file.dead_depth == 0) once_.insert(file.identity);
-            blanking =
-                once || (directive && (directive->word == "version" || directive->word == "line"));
-        }
-        if (directive && directive->word == "include" && file.dead_depth == 0)
-            include(file, line, number, *directive);
-        else
-            emit(file, line, number, blanking ? line : Span{begin, begin});
-        joined = end > begin && code[end - 1] == '\\';
-        begin = end + 1;
-    }
+void Reader::append(File& file, const Place& named_at) {
+    if (file.text.size() + source_.text.size() > kLargestText)
+        return error(named_at, "the text with its includes is larger than 64 MiB; include less");
+    chain_.emplace_back(file.identity, source_.files[file.index].string());
+    for (const DirectiveLine& directive : file.scanned.directives) obey(file, directive);
+    append_up_to(file, file.text.size());
+    if (file.scanned.unclosed)
+        error(place_in(file, *file.scanned.unclosed),
+              "this comment is never closed; end it with */");
+    chain_.pop_back();
+}
+
+// What a driver would obey is left to it, but for what counts lines or names files.
+void Reader::obey(File& file, const DirectiveLine& directive) {
+    const auto& tokens = file.scanned.tokens;
+    const TokenRange line = directive.tokens;
+    if (conditions_.take(macros_, tokens, line) || conditions_.live() == Live::no) return;
+    const std::string_view word = line.size() > 1 ? tokens[line.begin + 1].text : "";
+    const std::string_view what = line.size() > 2 ? tokens[line.begin + 2].text : "";
+    if (word == "define") macros_.define(tokens, line, directive.span);
+    if (word == "undef") macros_.undefine(what);
+    if (word == "pragma" && what == "once" && line.size() == 3) once_.insert(file.identity);
+    if (word == "include")
+        include(file, directive);
+    else if (word == "version" || word == "line" || word == "pragma")
+        append_blanked(file, directive);
+}
+
+Place Reader::place_in(const File& file, std::size_t offset) const {
+    const std::string_view before = std::string_view(file.text).substr(0, offset);
+    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+    return {source_.files[file.index].string(),
+            file.lines.empty() ? static_cast<int>(line) + 1 : file.lines[line],
+            column_of(file.text, before.rfind('\n') + 1, offset)};
 }
 
 // The file's text stands between what is before the #include (the end of a comment) and what is
 // after it (the start of one), each on a line of its own at its own columns.
-void Reader::include(File& file, Span line, int number, const Directive& directive) {
-    const std::string_view text =
-        std::string_view(file.text).substr(line.begin, line.end - line.begin);
-    const fs::path from = source_.files[file.index];
-    const Place place{from.string(), number,
-                      column_of(file.text, line.begin, line.begin + directive.hash)};
-    const auto name = parse_include_name(text, directive.rest);
-    if (!name) {
+void Reader::include(File& file, const DirectiveLine& directive) {
+    const auto& tokens = file.scanned.tokens;
+    const Place place = place_in(file, directive.span.begin);
+    const std::uint32_t at = directive.tokens.begin + 2;
+    if (at >= directive.tokens.end || tokens[at].kind != TokenKind::quoted ||
+        tokens[at].text.size() < 3) {
         error(place, "the file's name is missing; write #include \"file.glsl\"");
-        return emit(file, line, number, line);
+        return append_blanked(file, directive);
     }
-    const std::size_t after = line.begin + name->end + 1;
-    const auto rest = trimmed(std::string_view(file.comments.code).substr(after, line.end - after));
-    if (!rest.empty())
-        error(place,
-              fmt::format("{} after the file's name; put it on the next line", in_quotes(rest)));
+    if (at + 1 < directive.tokens.end)
+        error(place, fmt::format("{} after the file's name; put it on the next line",
+                                 in_quotes(tokens[at + 1].text)));
+    const std::size_t line = file.text.rfind('\n', directive.span.begin) + 1;
+    const std::string_view before =
+        std::string_view(file.text).substr(line, directive.span.begin - line);
+    append_up_to(file, line);
+    if (!trimmed(before).empty()) append_line(file, before);
 
-    const std::size_t hash = line.begin + directive.hash;
-    if (!trimmed(text.substr(0, directive.hash)).empty())
-        emit(file, {line.begin, hash}, number, {line.begin, line.begin});
-    const fs::path path =
-        tidied(from.parent_path() / text.substr(name->begin, name->end - name->begin));
+    const std::string_view name = tokens[at].text.substr(1, tokens[at].text.size() - 2);
+    const fs::path path = tidied(source_.files[file.index].parent_path() / name);
     if (may_include(path, place)) read(path, place);
-    emit(file, line, number, {line.begin, after});
+    const std::size_t end = file.text.find('\n', tokens[at].end);
+    const std::size_t last_line = file.text.rfind('\n', tokens[at].end - 1) + 1;
+    append_line(file, std::string(tokens[at].end - last_line, ' ') +
+                          file.text.substr(tokens[at].end, end - tokens[at].end));
+    const auto begin = file.text.begin();
+    file.line += static_cast<std::size_t>(
+        std::count(begin + static_cast<long>(line), begin + static_cast<long>(end) + 1, '\n'));
+    file.done = end + 1;
 }
 
 bool Reader::may_include(const fs::path& path, const Place& place) {
@@ -268,29 +233,34 @@ bool Reader::may_include(const fs::path& path, const Place& place) {
     return true;
 }
 
-// Appends one line. The code in `blanked` (offsets in the file) becomes spaces.
-void Reader::emit(File& file, Span line, int number, Span blanked) {
-    SourceText& out = source_;
-    const std::size_t begin = out.text.size();
-    out.line_begins.push_back(begin);
-    out.origins.push_back({file.index, number});
-    out.text.append(file.text, line.begin, line.end - line.begin);
-    if (file.dead_depth > 0)
-        out.code.append(line.end - line.begin, ' ');
-    else
-        out.code.append(file.comments.code, line.begin, line.end - line.begin);
-    for (std::size_t i = blanked.begin; i < blanked.end; ++i) {
-        const std::size_t at = begin + i - line.begin;
-        if (out.code[at] != ' ') out.text[at] = out.code[at] = ' ';
+// Appends whole lines.
+void Reader::append_up_to(File& file, std::size_t end) {
+    while (file.done < end) {
+        const std::size_t line_end = file.text.find('\n', file.done);
+        append_line(file, std::string_view(file.text).substr(file.done, line_end - file.done));
+        file.done = line_end + 1;
+        ++file.line;
     }
-    out.text += '\n';
-    out.code += '\n';
-    const auto& notes = file.comments.notes;
-    for (; file.next_note < notes.size() && notes[file.next_note].begin <= line.end;
-         ++file.next_note) {
-        const Span note = notes[file.next_note];
-        const std::size_t at = begin + note.begin - line.begin;
-        if (file.dead_depth == 0) out.notes.push_back({at, at + note.end - note.begin});
+}
+
+void Reader::append_line(const File& file, std::string_view text) {
+    source_.line_begins.push_back(source_.text.size());
+    const int number = file.lines.empty() ? static_cast<int>(file.line) + 1 : file.lines[file.line];
+    source_.origins.push_back({file.index, number});
+    source_.text += text;
+    source_.text += '\n';
+}
+
+// Appends the lines of a directive, and takes its words out.
+void Reader::append_blanked(File& file, const DirectiveLine& directive) {
+    append_up_to(file, directive.span.end);
+    const std::size_t moved = source_.text.size() - file.done;  // may wrap around, and back
+    for (std::uint32_t at = directive.tokens.begin; at < directive.tokens.end; ++at) {
+        const Token& token = file.scanned.tokens[at];
+        for (std::size_t i = token.begin; i < token.end; ++i) {
+            char& c = source_.text[i + moved];
+            if (c != '\n' && c != '\\') c = ' ';
+        }
     }
 }
 
@@ -311,15 +281,15 @@ Place SourceText::place(std::size_t offset) const {
             column_of(text, line_begins[line], offset)};
 }
 
-SourceText read_source(const fs::path& file, Diagnostics& diagnostics) {
-    Reader reader(diagnostics);
+SourceText read_source(const fs::path& file, const Known& known, Diagnostics& diagnostics) {
+    Reader reader(known, diagnostics);
     reader.read(file, std::nullopt);
     return reader.take();
 }
 
 SourceText made_source(const fs::path& file, const fs::path& made_from, std::string_view text,
-                       Diagnostics& diagnostics) {
-    Reader reader(diagnostics);
+                       const Known& known, Diagnostics& diagnostics) {
+    Reader reader(known, diagnostics);
     reader.take_text(file, made_from, text);
     return reader.take();
 }

@@ -129,13 +129,20 @@ void Parser::parse_item() {
     at_ = begin;
     const std::uint32_t index = parse_declaration(Scope::global, kNone, count_);
     if (index != kNone) return add(Item::Kind::declaration, index);
-    // Up to where something else may begin: behind a semicolon or a closing brace.
-    at_ = skip_to(begin, count_, ";{");
-    if (const std::uint32_t close = is(at_, "{") ? close_of(at_) : kNone; close != kNone)
-        at_ = close;
-    at_ = std::min(at_ + 1, count_);
+    at_ = begin;
+    pass_over();
     add(Item::Kind::unknown, kNone);
     complain({begin, at_}, "this declaration is not understood");
+}
+
+// Up to where something else may begin: behind a semicolon or a closing brace, before a `uniform`.
+void Parser::pass_over() {
+    bool ends = false;
+    do {
+        ends = is(at_, ";") || is(at_, "{");
+        if (const std::uint32_t close = close_of(at_); close != kNone) at_ = close;
+        ++at_;
+    } while (!ends && at_ < count_ && !is(at_, "uniform"));
 }
 
 // At its name. False where it turns out to be no function.
@@ -190,7 +197,9 @@ void Parser::parse_parameters(std::uint32_t function) {
 }
 
 void Parser::parse_qualifiers(Declaration& declaration) {
-    for (; at_ < count_ && tokens_[at_].is_word() && is_qualifier(tokens_[at_].text); ++at_) {
+    constexpr std::uint32_t kMost = 32;  // so that no token is read over and over
+    const std::uint32_t stop = std::min(at_ + kMost, count_);
+    for (; at_ < stop && tokens_[at_].is_word() && is_qualifier(tokens_[at_].text); ++at_) {
         const std::string_view word = tokens_[at_].text;
         declaration.is_const |= word == "const";
         declaration.is_uniform |= word == "uniform";

@@ -4,17 +4,16 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
-#include "glsl/declaration.h"
-#include "glsl/raw_text.h"
+#include "glsl/edits.h"
 #include "glsl/reachable.h"
 #include "offline/named_files.h"
+#include "scene/scene_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <regex>
 
 namespace glint {
 namespace {
@@ -46,7 +45,8 @@ private:
     const PassProgram& program_of(const Tab& tab) const;
     std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
     std::string tab_text(const Tab& tab);
-    std::string unread_defines(const std::string& body,
+    std::string body_text(const Tab& tab) const;
+    std::string unread_defines(const Reading& body,
                                const std::array<std::optional<std::size_t>, 4>& channels) const;
     std::string entry_text(const Tab& tab) const;
     std::string limits_text(const Tab& tab);
@@ -204,16 +204,40 @@ std::string Exporter::entry_text(const Tab& tab) const {
         variables, pass.entry, arguments);
 }
 
+// The part of the text that draws this tab. An annotation means nothing there; its words still
+// describe the constant.
+std::string Exporter::body_text(const Tab& tab) const {
+    const std::string entry = tab.pass == kSoundPass   ? "mainSound"
+                              : tab.pass == kImagePass ? scene_.image_entry
+                                                       : scene_.passes[tab.pass].entry;
+    const Known known = known_of_pass(output_names(scene_, tab.pass));
+    const std::string body = reachable_text(read_glsl(text_, known), entry, kPassPrefix);
+    const Reading reading = read_glsl(body, known);
+    Edits edits(reading);
+    for (const Comment& comment : reading.comments) {
+        const std::size_t begin = comment.span.begin;
+        if (body.compare(begin, 4, "//@ ") == 0)
+            edits.replace_bytes({begin, begin + 4}, "// ");
+        else if (body.compare(begin, 3, "//@") == 0)
+            edits.replace_bytes({begin, begin + 3}, "// ");
+    }
+    return edits.apply().text;
+}
+
+// Whether a word stands in the text, in branches that are not compiled too.
+bool speaks_of(const Reading& reading, std::string_view word) {
+    return std::ranges::any_of(reading.written, [&](const Token& token) { return token.is(word); });
+}
+
 // Code that is switched off still speaks of samplers; any of their type will do.
 std::string Exporter::unread_defines(
-    const std::string& body, const std::array<std::optional<std::size_t>, 4>& channels) const {
+    const Reading& body, const std::array<std::optional<std::size_t>, 4>& channels) const {
     std::string defines;
-    const std::string code = find_comments(body).code;
     for (std::size_t i = 0; i < scene_.samplers.size(); ++i) {
         const Sampler& sampler = scene_.samplers[i];
         if (std::find(channels.begin(), channels.end(), i) != channels.end()) continue;
         if (sampler.name.starts_with("iChannel")) continue;  // the site has all four
-        if (find_word(code, sampler.name) == code.npos) continue;
+        if (!speaks_of(body, sampler.name)) continue;
         // What is bound to nothing is a sampler2D on the site.
         for (std::size_t channel = 0; channel < channels.size(); ++channel) {
             const SamplerType type = channels[channel]
@@ -240,20 +264,17 @@ std::string Exporter::tab_text(const Tab& tab) {
         if (!sampler.name.starts_with("iChannel"))
             defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
     }
-    const std::string entry = tab.pass == kSoundPass   ? "mainSound"
-                              : tab.pass == kImagePass ? scene_.image_entry
-                                                       : scene_.passes[tab.pass].entry;
-    // An annotation means nothing there; its words still describe the constant.
-    const std::string body =
-        std::regex_replace(reachable_text(text_, entry), std::regex("//@ ?"), "// ");
-    defines += unread_defines(body, channels);
-    if (find_word(body, "iTick") != body.npos) {
+    const std::string body = body_text(tab);
+    const Reading reading = read_glsl(body, known_of_pass(output_names(scene_, tab.pass)));
+    defines += unread_defines(reading, channels);
+    if (speaks_of(reading, "iTick")) {
         // A float's steps are below 1/65536 s for 256 s.
         defines += "#define iTick uint(iTime * 65536.0)\n";
         warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");
     }
-    if (body.find("PASS_") != body.npos)
-        defines += fmt::format("#define PASS_{} 1\n", pass_name(scene_, tab.pass));
+    if (std::ranges::any_of(reading.written,
+                            [](const Token& token) { return token.text.starts_with(kPassPrefix); }))
+        defines += fmt::format("#define {}{} 1\n", kPassPrefix, pass_name(scene_, tab.pass));
     return head + defines + limits_text(tab) + body + entry_text(tab);
 }
 

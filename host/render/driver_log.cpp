@@ -1,10 +1,14 @@
 #include "render/driver_log.h"
 
+#include "base/words.h"
+#include "glsl/preprocess.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <optional>
 #include <regex>
 #include <string_view>
 #include <vector>
@@ -12,41 +16,92 @@
 namespace glint {
 namespace {
 
-// The end of the spaces and comments that begin at a place of a line.
-std::size_t after_space(std::string_view line, std::size_t at) {
-    while (at < line.size()) {
-        if (line[at] == ' ' || line[at] == '\t') {
-            ++at;
-        } else if (line.substr(at, 2) == "/*") {
-            const std::size_t end = line.find("*/", at + 2);
-            at = end == line.npos ? line.size() : end + 2;
-        } else {
-            break;
-        }
+// Where a complaint stands in the text that the driver read.
+struct Spot {
+    std::size_t at = 0;  // of what a person wrote: where a macro is used, not where it is defined
+    std::uint32_t use = kNone;  // the macro's use that the complaint is of
+    std::size_t defined = 0;    // and the place in its definition
+};
+
+// The text as the driver read it, taken apart.
+class ReadText {
+public:
+    ReadText(const Scene& scene, const PassText& pass)
+        : scene_(scene), pass_(pass), read_(preprocess(pass.text, known_of_driver())) {
+        line_begins_.push_back(0);
+        for (std::size_t at = 0; (at = pass.text.find('\n', at)) != pass.text.npos;)
+            line_begins_.push_back(++at);
     }
+
+    // What the driver says of a line and a column, in characters from 1. Expanded: where it counts
+    // behind its preprocessor.
+    Diagnostic complaint(Severity severity, int line, int column, bool is_expanded,
+                         std::string words) const;
+
+private:
+    std::size_t offset(int line, int column) const;
+    Spot expanded_spot(int line, int column) const;
+    Place place(std::size_t at) const {
+        const auto origin = pass_.origin(at);
+        return origin ? scene_.place_at(*origin) : Place{scene_.files.front().string()};
+    }
+
+    const Scene& scene_;
+    const PassText& pass_;
+    Preprocessed read_;
+    std::vector<std::size_t> line_begins_;
+};
+
+std::size_t ReadText::offset(int line, int column) const {
+    const std::string& text = pass_.text;
+    const auto last = static_cast<int>(line_begins_.size());
+    std::size_t at = line_begins_[static_cast<std::size_t>(std::clamp(line, 1, last) - 1)];
+    for (; column > 1 && at < text.size() && text[at] != '\n'; --column)
+        for (++at; at < text.size() && !begins_character(text[at]);) ++at;
     return at;
 }
 
-// Mesa counts bytes after its preprocessor, for which a run of spaces and comments is one space.
-// This is the column of the text itself, in characters from 1. Macros move columns too, by what
-// cannot be known here.
-int column_before_preprocessing(std::string_view line, int column) {
-    std::size_t at = 0;
-    for (int seen = 1; seen < column && at < line.size(); ++seen) {
-        const std::size_t code = after_space(line, at);
-        at = code > at ? code : at + 1;
+// Mesa counts bytes of what its preprocessor makes of a line: macros expanded, and one space for a
+// run of spaces and comments.
+Spot ReadText::expanded_spot(int line, int column) const {
+    const std::size_t begin = offset(line, 1), end = std::max(offset(line + 1, 1), begin + 1);
+    Spot spot{begin};
+    int at = 1;
+    bool is_first = true;
+    for (const Token& token : read_.tokens) {
+        const Span place = token.use == kNone ? token.span() : read_.uses[token.use].span;
+        if (place.begin < begin) continue;
+        if (place.begin >= end) break;
+        at += (is_first ? place.begin > begin : token.space_before) ? 1 : 0;
+        is_first = false;
+        if (at > column) break;
+        const bool in_text =
+            token.use == kNone || (place.begin <= token.begin && token.end <= place.end);
+        spot = in_text ? Spot{token.begin} : Spot{place.begin, token.use, token.begin};
+        const auto within = static_cast<std::size_t>(column - at);
+        if (in_text && within < token.text.size()) spot.at += within;
+        at += static_cast<int>(token.text.size());
     }
-    return static_cast<int>(std::count_if(line.begin(), line.begin() + static_cast<long>(at),
-                                          [](char c) { return (c & 0xC0) != 0x80; })) +
-           1;
+    return spot;
 }
 
-std::string_view line_of(std::string_view text, int number) {
-    std::size_t begin = 0;
-    for (int line = 1; line < number && begin < text.size(); ++line) {
-        begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_expanded,
+                               std::string words) const {
+    const Spot spot = is_expanded ? expanded_spot(line, column) : Spot{offset(line, column)};
+    Place where = place(spot.at);
+    if (spot.at >= pass_.user_end) {
+        const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);
+        const auto host_lines = std::count(pass_.text.begin(), user, '\n');
+        where = scene_.place(line - static_cast<int>(host_lines), column);
     }
-    return text.substr(begin, text.find('\n', begin) - begin);
+    if (column == 0) where.column = 0;
+    if (spot.use != kNone && pass_.origin(spot.defined)) {
+        const Place defined = place(spot.defined);
+        words += fmt::format(" (in what {} stands for, {}:{}:{})",
+                             read_.macros[read_.uses[spot.use].macro].name, defined.file,
+                             defined.line, defined.column);
+    }
+    return {severity, where, std::move(words)};
 }
 
 // A number of a log, however many digits it has.
@@ -56,6 +111,8 @@ int parse_count(const std::string& digits) {
     const bool fits = std::from_chars(digits.data(), end, count).ec == std::errc();
     return fits ? count : std::numeric_limits<int>::max();
 }
+
+constexpr int kLastLine = 1 << 30;  // no text has as many
 
 // The lines of a log, without white space and zeros at their ends. One that quotes a name of 300 kB
 // is cut: nobody reads it, and matching a regular expression takes stack for every character.
@@ -88,35 +145,28 @@ Diagnostic link_diagnostic(const Scene& scene, std::string text) {
 
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text) {
     static const std::regex mesa(
-        R"(^\d+:(\d+)\((\d+)\):\s*(?:preprocessor )?(error|warning):\s*(.*)$)");
+        R"(^\d+:(\d+)\((\d+)\):\s*(preprocessor )?(error|warning):\s*(.*)$)");
     static const std::regex nvidia(R"(^\d+\((\d+)\) ?: (error|warning) (?:C\d+: )?(.*)$)");
     static const std::regex angle(R"(^(ERROR|WARNING): \d+:(\d+): (.*)$)");
     static const std::regex unplaced(R"(^(?:error|ERROR):\s*(.*)$)");
     static const std::regex total(R"(^ERROR: .*\d+ compilation errors?\..*$)");
-    const auto place = [&](const std::string& number, int column) {
-        const int line = parse_count(number);
-        int wider = 0;
-        for (const PassText::Widened& widened : text.widened) {
-            if (widened.line == line && column > widened.column)
-                wider += std::min(widened.by, column - widened.column);
-        }
-        return scene.place(line - text.prologue_lines, column - wider);
-    };
     Diagnostics list;
+    std::optional<ReadText> read;  // most texts compile
+    const auto add = [&](bool is_error, const std::string& line, int column, bool is_expanded,
+                         std::string words) {
+        if (!read) read.emplace(scene, text);
+        list.push_back(read->complaint(is_error ? Severity::error : Severity::warning,
+                                       std::min(parse_count(line), kLastLine), column, is_expanded,
+                                       std::move(words)));
+    };
     for (const std::string& line : lines_of(log)) {
         std::smatch m;
         if (std::regex_match(line, m, mesa)) {
-            list.push_back(
-                {m[3] == "error" ? Severity::error : Severity::warning,
-                 place(m[1], column_before_preprocessing(line_of(text.text, parse_count(m[1])),
-                                                         parse_count(m[2]))),
-                 m[4]});
+            add(m[4] == "error", m[1], parse_count(m[2]), !m[3].matched, m[5]);
         } else if (std::regex_match(line, m, nvidia)) {
-            list.push_back(
-                {m[2] == "error" ? Severity::error : Severity::warning, place(m[1], 0), m[3]});
+            add(m[2] == "error", m[1], 0, false, m[3]);
         } else if (std::regex_match(line, m, angle)) {
-            list.push_back(
-                {m[1] == "ERROR" ? Severity::error : Severity::warning, place(m[2], 0), m[3]});
+            add(m[1] == "ERROR", m[2], 0, false, m[3]);
         } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
             list.push_back(link_diagnostic(scene, m[1]));
         }

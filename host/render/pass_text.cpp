@@ -1,9 +1,8 @@
 #include "render/pass_text.h"
 
-#include "glsl/declaration.h"
-#include "glsl/raw_text.h"
-#include "render/declared_names.h"
-#include "render/pass_zeros.h"
+#include "glsl/division.h"
+#include "render/own_overloads.h"
+#include "scene/scene_text.h"
 
 #include <fmt/format.h>
 
@@ -43,11 +42,12 @@ constexpr std::string_view kDecode = R"(vec3 glint_decode(vec3 c) {
 }
 )";
 
-bool contains_word(std::string_view text, std::string_view word) {
-    return find_word(text, word) != text.npos;
+// Whether the text declares a name for all of itself: as a global or a macro.
+bool declares(const Reading& reading, std::string_view name) {
+    return reading.find_global(name) || reading.defines_macro(name);
 }
 
-std::string channel_declarations(const Preset& preset, std::size_t pass) {
+std::string channel_declarations(const Preset& preset, std::size_t pass, const Reading& reading) {
     const Scene& scene = preset.scene;
     std::string text;
     for (std::size_t i = 0; i < preset.channels.size(); ++i) {
@@ -59,7 +59,7 @@ std::string channel_declarations(const Preset& preset, std::size_t pass) {
                                : scene.channel_types[i].value_or(preset.channels[i].type));
         if (!by_scene) text += fmt::format("uniform {} {};\n", type, name);
         // A struct of samplers costs a declaration in every shader, so only where it is used.
-        if (pass == kImagePass && contains_word(scene.text, fmt::format("iCh{}", i))) {
+        if (pass == kImagePass && reading.mentions(fmt::format("iCh{}", i))) {
             text += fmt::format(
                 "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
                 type, i);
@@ -69,20 +69,19 @@ std::string channel_declarations(const Preset& preset, std::size_t pass) {
 }
 
 // A name that older pastes still use.
-std::string old_names(const Scene& scene) {
-    const bool used = contains_word(scene.text, "iGlobalTime");
-    return !used || declares(scene.text, "float", "iGlobalTime") ? ""
-                                                                 : "uniform float iGlobalTime;\n";
+std::string old_names(const Reading& reading) {
+    const bool is_wanted = reading.mentions("iGlobalTime") && !declares(reading, "iGlobalTime");
+    return is_wanted ? "uniform float iGlobalTime;\n" : "";
 }
 
 // The site has none of these in a sound, so that texts for it may use the names themselves; other
 // passes of the same text may want them.
-std::string picture_uniforms(const Scene& scene, bool sound) {
+std::string picture_uniforms(const Reading& reading, bool sound) {
     constexpr std::pair<std::string_view, std::string_view> kThree[] = {
         {"vec3", "iResolution"}, {"float", "iTime"}, {"vec4", "iMouse"}};
     std::string text;
     for (const auto& [type, name] : kThree) {
-        if (sound && declares(scene.text, type, name)) continue;
+        if (sound && declares(reading, name)) continue;
         text += fmt::format("uniform {} {};\n", type, name);
     }
     return text;
@@ -103,58 +102,32 @@ constexpr std::array<std::string_view, 6> kOlderFunctions = {
     "texture2D", "texture3D", "textureCube", "texture2DProj", "texture2DLod", "textureCubeLod"};
 
 // `packed` is an ordinary name on the site, and reserved in Mesa.
-std::string renamed_words(const Scene& scene) {
+std::string renamed_words(const Reading& reading) {
     std::string text;
     for (const std::string_view name : kOlderFunctions) {
-        if (defines_function(scene.text, name))
+        if (!reading.functions_named(name).empty())
             text += fmt::format("#define {0} glint_{0}\n", name);
     }
     for (const std::string_view word : {"mediump", "lowp"}) {
-        if (contains_word(scene.text, word)) text += fmt::format("#define {} highp\n", word);
+        if (reading.mentions(word)) text += fmt::format("#define {} highp\n", word);
     }
-    if (contains_word(scene.text, "packed") && !defines_macro(scene.text, "packed")) {
+    if (reading.mentions("packed") && !reading.defines_macro("packed")) {
         text += "#define packed glint_packed\n";
     }
     return text;
 }
 
-// Where a list of `out` parameters of this function begins and ends, from `at` on; npos for none.
-struct Range {
-    std::size_t begin = std::string::npos, end = std::string::npos;
-};
-Range find_out_parameters(std::string_view text, std::string_view function, std::size_t at) {
-    constexpr std::string_view kSpace = " \t\n";
-    for (at = text.find(function, at); at != text.npos; at = text.find(function, at + 1)) {
-        if (at > 0 && is_word(text[at - 1])) continue;
-        const std::size_t open = text.find_first_not_of(kSpace, at + function.size());
-        if (open == text.npos || text[open] != '(') continue;
-        const std::size_t close = text.find_first_of("()", open + 1);
-        if (close == text.npos || text[close] != ')') continue;
-        if (contains_word(text.substr(open, close - open), "out")) return {open, close};
-    }
-    return {};
-}
-
 // An `out` parameter is undefined on entry. Browsers make it 0, on which `color += light` relies,
 // whatever value the site hands in; drivers make anything of it. So the entry's parameters become
 // `inout`, and start at 0. Says whether there were any.
-bool make_colour_defined(PassText& pass, const std::string& entry) {
-    std::string& text = pass.text;
-    std::string code = find_comments(text).code;
+bool make_colour_defined(const Reading& reading, std::string_view entry, Edits& edits) {
     bool found = false;
-    for (Range list = find_out_parameters(code, entry, 0); list.begin != code.npos;
-         list = find_out_parameters(code, entry, list.end)) {
-        found = true;
-        for (std::size_t at = list.begin; (at = code.find("out", at)) < list.end; at += 5) {
-            if (is_word(code[at - 1]) || is_word(code[at + 3])) continue;
-            text.insert(at, "in");
-            code.insert(at, "in");
-            list.end += 2;
-            const auto begin = text.begin(), here = begin + static_cast<std::ptrdiff_t>(at);
-            const std::size_t line_begin = text.rfind('\n', at) + 1;
-            pass.widened.push_back({.line = static_cast<int>(std::count(begin, here, '\n')) + 1,
-                                    .column = static_cast<int>(at - line_begin) + 1,
-                                    .by = 2});
+    for (const std::uint32_t function : reading.functions_named(entry)) {
+        for (const std::uint32_t parameter : reading.functions[function].parameters) {
+            const TokenRange words = reading.declarations[parameter].qualifiers;
+            for (std::uint32_t at = words.begin; at < words.end; ++at)
+                found |= reading.tokens[at].is("inout") ||
+                         (reading.tokens[at].is("out") && edits.replace({at, at + 1}, "inout"));
         }
     }
     return found;
@@ -184,28 +157,22 @@ std::string image_main(const char* out, const ProgramOptions& options) {
     return text + "    glint_out0 = vec4(color.rgb, 1.0);\n}\n";
 }
 
-// Both are of the same length.
-void put_in_place_of(std::string_view theirs, std::string_view ours, std::string& text) {
-    for (std::size_t at = text.find(theirs); at != text.npos; at = text.find(theirs, at)) {
-        text.replace(at, ours.size(), ours);
-    }
+void put_in_place_of(std::string_view theirs, const char* ours, const Reading& reading,
+                     Edits& edits) {
+    for (const Token& token : reading.written)
+        if (token.is(theirs)) edits.replace_bytes(token.span(), ours);
 }
 
 // A text with a main() of its own, for GLSL of the web, is called from the site's mainImage. Names
-// of GLSL itself cannot be macros; others, as long, stand for them so that no column moves.
-void adapt_plain_main(std::string& text, std::string& prologue) {
-    put_in_place_of("gl_FragColor", "glFragColor_", text);
-    put_in_place_of("gl_FragCoord", "glFragCoord_", text);
-    prologue +=
-        "#undef glFragCoord_\n"
-        "vec4 glFragColor_ = vec4(0.0), glFragCoord_ = vec4(0.0);\n"
-        "#define texture2D texture\n#define textureCube texture\n#define main glint_main\n";
-    if (!text.ends_with('\n')) text += '\n';
-    text +=
-        "void mainImage(inout vec4 color, in vec2 coord) {\n"
-        "    glFragColor_ = color;\n    glFragCoord_ = vec4(coord, gl_FragCoord.zw);\n"
-        "    main();\n    color = glFragColor_;\n}\n";
-}
+// of GLSL itself cannot be macros; others stand for them.
+constexpr std::string_view kBeforePlainMain =
+    "#undef glFragCoord_\n"
+    "vec4 glFragColor_ = vec4(0.0), glFragCoord_ = vec4(0.0);\n"
+    "#define texture2D texture\n#define textureCube texture\n#define main glint_main\n";
+constexpr std::string_view kBehindPlainMain =
+    "void mainImage(inout vec4 color, in vec2 coord) {\n"
+    "    glFragColor_ = color;\n    glFragCoord_ = vec4(coord, gl_FragCoord.zw);\n"
+    "    main();\n    color = glFragColor_;\n}\n";
 
 std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions& options) {
     std::string parameters, outputs, variables, arguments, results;
@@ -225,8 +192,13 @@ std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions&
 }
 
 // The site's older form of mainSound takes the time alone.
-std::string sound_main(const Scene& scene) {
-    const bool old = takes_float_first(scene.text, "mainSound");
+std::string sound_main(const Reading& reading) {
+    bool old = false;
+    for (const std::uint32_t function : reading.functions_named("mainSound")) {
+        const auto& parameters = reading.functions[function].parameters;
+        old |= !parameters.empty() &&
+               reading.word(reading.declarations[parameters.front()].type) == "float";
+    }
     return fmt::format(
         "vec2 mainSound({});\n{}layout(location = 0) out vec4 glint_out0;\nvoid main() {{\n"
         "    int samp = (iFrame * {} + int(gl_FragCoord.y)) * {} + int(gl_FragCoord.x);\n"
@@ -277,57 +249,77 @@ std::string constant(const Tweak& tweak, const TweakValue& value) {
                       : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
 }
 
-}  // namespace
-
-std::string specialised_text(const Preset& preset, std::optional<std::size_t> only) {
-    const std::string& text = preset.scene.text;
-    std::string result;
-    std::size_t done = 0;
+// Every tweak, or one alone, as a constant.
+void specialise(const Preset& preset, std::optional<std::size_t> only, Edits& edits) {
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
         if (only && *only != i) continue;
         const Tweak& tweak = preset.scene.tweaks[i];
-        result.append(text, done, tweak.declaration_begin - done);
-        result += constant(tweak, preset.values[i]);
-        for (std::size_t at = tweak.declaration_begin; at < tweak.declaration_end; ++at) {
-            if (text[at] == '\n') result += '\n';
-        }
-        done = tweak.declaration_end;
+        edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
+                            constant(tweak, preset.values[i]));
     }
-    return result.append(text, done);
+}
+
+// What the driver reads before the user's text.
+std::string prologue(const Preset& preset, std::size_t pass, const ProgramOptions& options,
+                     const Reading& reading, bool colour_is_defined) {
+    const Scene& scene = preset.scene;
+    const bool image = pass == kImagePass, sound = pass == kSoundPass;
+    const char* out = colour_is_defined ? "inout" : "out";
+    std::string text = "#version 300 es\n" + definitions_of_pass(output_names(scene, pass));
+    text += renamed_words(reading);
+    text += kPrecision;
+    text += picture_uniforms(reading, sound);
+    text += kUniforms;
+    text += old_names(reading);
+    text += channel_declarations(preset, pass, reading);
+    text += sound                     ? sound_main(reading)
+            : image                   ? image_main(out, options)
+            : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
+                                      : buffer_main(scene.passes[pass], out, options);
+    return text + own_overloads(reading);
+}
+
+}  // namespace
+
+std::optional<std::size_t> PassText::origin(std::size_t at) const {
+    if (at < user_begin || at >= user_end) return std::nullopt;
+    return map.origin(at - user_begin);
+}
+
+std::string specialised_text(const Preset& preset) {
+    const Reading reading = read_glsl(preset.scene.text, known_of_scene());
+    Edits edits(reading);
+    specialise(preset, {}, edits);
+    return edits.apply().text;
 }
 
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
-    PassText result{.text = options.specialise || options.constant
-                                ? specialised_text(preset, options.constant)
-                                : scene.text};
-    const bool defined =
-        !sound && make_colour_defined(result, image ? scene.image_entry : scene.passes[pass].entry);
     const bool plain_main = image && scene.image_entry == "main";
-    const char* out = defined || plain_main ? "inout" : "out";
-    std::string text = "#version 300 es\n#define HW_PERFORMANCE 1\n" + renamed_words(scene);
-    if (!fills_a_buffer(pass))
-        text += fmt::format("#define PASS_{} 1\n", pass_name(scene, pass));
-    else
-        for (const std::string& output : scene.passes[pass].outputs)
-            text += fmt::format("#define PASS_{} 1\n", output);
-    text += kPrecision;
-    text += picture_uniforms(scene, sound);
-    text += kUniforms;
-    text += old_names(scene);
-    text += channel_declarations(preset, pass);
-    text += sound                     ? sound_main(scene)
-            : image                   ? image_main(out, options)
-            : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
-                                      : buffer_main(scene.passes[pass], out, options);
-    if (plain_main) adapt_plain_main(result.text, text);
-    if (image && options.tiles) put_in_place_of("gl_FragCoord", "glFragCoord_", result.text);
-    result.prologue_lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-    for (PassText::Widened& widened : result.widened) widened.line += result.prologue_lines;
-    result.text.insert(0, text);
+    const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
+    Edits edits(reading);
+    if (options.specialise || options.constant) specialise(preset, options.constant, edits);
+    const std::string_view entry = image   ? scene.image_entry
+                                   : sound ? ""
+                                           : scene.passes[pass].entry;
+    const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
+    if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);
+    if (plain_main || (image && options.tiles))
+        put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
+    mend_division_by_zero(reading, edits);
+
+    PassText result;
+    result.unset = write_zeros(reading, edits, entry, options.marked);
+    result.text = prologue(preset, pass, options, reading, defined);
+    if (plain_main) result.text += kBeforePlainMain;
+    result.user_begin = result.text.size();
+    EditedText edited = edits.apply();
+    result.text += edited.text;
+    result.user_end = result.text.size();
+    result.map = std::move(edited.map);
     if (!result.text.ends_with('\n')) result.text += '\n';
-    write_zeros(result, options.marked);
+    if (plain_main) result.text += kBehindPlainMain;
     return result;
 }
 

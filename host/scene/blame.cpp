@@ -1,102 +1,66 @@
 #include "scene/blame.h"
 
-#include "base/words.h"
-#include "glsl/declaration.h"
-#include "glsl/raw_text.h"
+#include "scene/scene_text.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
+#include <charconv>
 
 namespace glint {
 namespace {
 
-std::size_t skip_space(std::string_view text, std::size_t at) {
-    while (at < text.size() && std::isspace(static_cast<unsigned char>(text[at])) != 0) ++at;
-    return at;
+double number_of(std::string_view text) {
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
 }
 
-// What stands in the brackets that open at `at`, nested ones included.
-std::string_view in_brackets(std::string_view text, std::size_t at, char opening, char closing) {
-    int depth = 0;
-    for (std::size_t i = at; i < text.size(); ++i) {
-        if (text[i] == opening) ++depth;
-        if (text[i] == closing && --depth == 0) return text.substr(at + 1, i - at - 1);
+// How suspicious a loop is: the largest constant of its condition; more than any without one, most
+// of all where nothing in it leaves it.
+double suspicion(const Reading& reading, const Statement& loop) {
+    const std::string condition = reading.spelled(loop.condition);
+    const auto tokens = std::span(reading.tokens);
+    if (!condition.empty() && condition != "true" && condition != "1") {
+        double largest = 0.0;
+        for (const Token& token : tokens.subspan(loop.condition.begin, loop.condition.size()))
+            if (token.kind == TokenKind::number) largest = std::max(largest, number_of(token.text));
+        return largest;
     }
-    return text.substr(std::min(at + 1, text.size()));
-}
-
-double largest_number(std::string_view condition) {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < condition.size(); ++i) {
-        const bool begins = std::isdigit(static_cast<unsigned char>(condition[i])) != 0 &&
-                            (i == 0 || !is_word(condition[i - 1]));
-        if (begins) {
-            largest = std::max(largest, std::strtod(std::string(condition.substr(i)).c_str(), {}));
-        }
-    }
-    return largest;
-}
-
-// How suspicious a loop is: its largest constant; more than any without a condition, most of all
-// where nothing in it leaves it.
-double suspicion(std::string_view code, std::size_t keyword_end, bool is_for) {
-    const std::size_t open = skip_space(code, keyword_end);
-    if (open >= code.size() || code[open] != '(') return 0.0;
-    const std::string_view head = in_brackets(code, open, '(', ')');
-    std::string_view condition = head;
-    if (is_for) {
-        const std::size_t first = head.find(';');
-        if (first == head.npos) return 0.0;
-        condition = head.substr(first + 1, head.find(';', first + 1) - first - 1);
-    }
-    const std::string_view bare = trimmed(condition);
-    if (!bare.empty() && bare != "true" && bare != "1") return largest_number(condition);
-    const std::size_t body = skip_space(code, open + head.size() + 2);
-    if (body >= code.size() || code[body] != '{') return 1e30;
-    const std::string_view inside = in_brackets(code, body, '{', '}');
-    const bool leaves = find_word(inside, "break", 0) != inside.npos ||
-                        find_word(inside, "return", 0) != inside.npos;
+    const bool leaves =
+        std::ranges::any_of(tokens.subspan(loop.tokens.begin, loop.tokens.size()),
+                            [](const Token& t) { return t.is("break") || t.is("return"); });
     return leaves ? 1e20 : 1e30;
 }
 
-Place place_of(const Scene& scene, std::size_t at) {
-    const auto end = scene.text.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto line = 1 + std::count(scene.text.begin(), end, '\n');
-    const std::size_t begin = at == 0 ? 0 : scene.text.rfind('\n', at - 1) + 1;
-    return scene.place(static_cast<int>(line), static_cast<int>(at - begin) + 1);
+bool is_loop(StatementKind kind) {
+    return kind == StatementKind::for_ || kind == StatementKind::while_ ||
+           kind == StatementKind::do_;
 }
 
 }  // namespace
 
 std::optional<Place> likely_endless_loop(const Scene& scene) {
     constexpr double kSuspicious = 10'000.0;
-    const std::string code = find_comments(scene.text).code;
+    const Reading reading = read_glsl(scene.text, known_of_scene());
     double worst = 0.0;
-    std::size_t worst_at = 0;
-    for (const std::string_view keyword : {"for", "while"}) {
-        for (std::size_t at = find_word(code, keyword, 0); at != code.npos;
-             at = find_word(code, keyword, at + 1)) {
-            const double found = suspicion(code, at + keyword.size(), keyword == "for");
-            if (found > worst || (found == worst && at < worst_at)) worst = found, worst_at = at;
-        }
+    std::uint32_t worst_at = 0;
+    for (const Statement& statement : reading.statements) {
+        const double found = is_loop(statement.kind) ? suspicion(reading, statement) : 0.0;
+        if (found > worst) worst = found, worst_at = statement.tokens.begin;
     }
     if (worst < kSuspicious) return std::nullopt;
-    return place_of(scene, worst_at);
+    return scene.place_at(reading.place(worst_at).begin);
 }
 
 Place entry_place(const Scene& scene, const std::string& pass) {
     std::string entry = scene.image_entry;
+    std::vector<std::string> outputs = {pass};
     for (const Pass& known : scene.passes) {
-        if (known.name == pass) entry = known.entry;
+        if (known.name == pass) entry = known.entry, outputs = known.outputs;
     }
-    const std::string code = find_comments(scene.text).code;
-    for (std::size_t at = find_word(code, entry, 0); at != code.npos;
-         at = find_word(code, entry, at + 1)) {
-        const std::size_t before = code.find_last_not_of(" \t\n", at - (at > 0));
-        const bool defined =
-            before != code.npos && before >= 3 && code.compare(before - 3, 4, "void") == 0;
-        if (defined) return place_of(scene, at);
+    const Reading reading = read_glsl(scene.text, known_of_pass(outputs));
+    for (const std::uint32_t function : reading.functions_named(entry)) {
+        if (reading.functions[function].is_defined())
+            return scene.place_at(reading.place(reading.functions[function].name).begin);
     }
     return scene.place(1, 1);
 }

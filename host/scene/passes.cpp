@@ -33,7 +33,8 @@ std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
 }
 
 std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {
-    return pass == kImagePass ? std::vector<std::string>{"image"} : scene.passes[pass].outputs;
+    return fills_a_buffer(pass) ? scene.passes[pass].outputs
+                                : std::vector<std::string>{pass_name(scene, pass)};
 }
 
 }  // namespace glint

@@ -34,7 +34,7 @@ std::size_t sampler_count(const Preset& preset);
 std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
                                         std::string_view name);
 
-// The names of a pass's outputs; the picture has one, "image".
+// The names of a pass's outputs; the picture has one, "image", and a sound "sound".
 std::vector<std::string> output_names(const Scene& scene, std::size_t pass);
 
 }  // namespace glint

@@ -2,10 +2,11 @@
 #include "scene/scene.h"
 
 #include "base/words.h"
-#include "glsl/declaration.h"
+#include "glsl/reading.h"
 #include "glsl/source_text.h"
 #include "scene/annotation.h"
 #include "scene/builtin.h"
+#include "scene/scene_text.h"
 #include "scene/shadertoy.h"
 
 #include <fmt/format.h>
@@ -36,23 +37,25 @@ std::optional<SamplerType> sampler_type(std::string_view type) {
 class Builder {
 public:
     Builder(SourceText source, Diagnostics& diagnostics)
-        : source_(std::move(source)), diagnostics_(diagnostics) {}
+        : source_(std::move(source)),
+          diagnostics_(diagnostics),
+          reading_(read_glsl(source_.text, known_of_scene())) {}
 
     Scene build();
 
 private:
-    void add_declaration(const Declaration& declaration, std::size_t next_begin);
-    void add_annotated(const Declaration& declaration, Span note);
-    void add_tweak(const Declaration& declaration, TweakType type, Span note);
-    void add_sampler(const Declaration& declaration, SamplerType type, Span note);
+    void add_declaration(const Uniform& declaration, std::size_t next_begin);
+    void add_annotated(const Uniform& declaration, Span note);
+    void add_tweak(const Uniform& declaration, TweakType type, Span note);
+    void add_sampler(const Uniform& declaration, SamplerType type, Span note);
     void add_pass_output(const SamplerAnnotation& annotation, Span note);
     void add_pass(const SamplerAnnotation& annotation, Span note);
     void check_pass_options(const SamplerAnnotation& annotation, const Pass& pass, Span note);
-    void check_builtin(const Declaration& declaration, const Declarator& declarator);
-    void blank_builtins(const Declaration& declaration);
-    bool claim_name(const Declarator& declarator, const std::string& tab);
-    std::string tab_of(const Declaration& declaration, Span note) const;
-    void warn_unannotated(const Declaration& declaration);
+    void check_builtin(const Uniform& declaration, const UniformName& declarator);
+    void blank_builtins(const Uniform& declaration);
+    bool claim_name(const UniformName& declarator, const std::string& tab);
+    std::string tab_of(const Uniform& declaration, Span note) const;
+    void warn_unannotated(const Uniform& declaration);
     void use_note(Span note);
     void resolve_readers();
     bool stands_in_tab(const Pass& pass) const;
@@ -61,10 +64,11 @@ private:
     bool misses_a_file() const;
     void check_image();
 
-    std::optional<Span> note_of(const Declaration& declaration, std::size_t next_begin);
+    std::optional<Span> note_of(const Uniform& declaration, std::size_t next_begin);
     std::string note_text(Span note) const;
     bool report(const std::vector<Complaint>& complaints, Span note);
-    void blank(std::size_t begin, std::size_t end);
+    void blank(std::size_t begin, std::size_t end) { blanked_.push_back({begin, end}); }
+    bool puts_names_together() const;
     void error(std::size_t offset, std::string text) {
         diagnostics_.push_back({Severity::error, source_.place(offset), std::move(text)});
     }
@@ -80,6 +84,9 @@ private:
 
     SourceText source_;
     Diagnostics& diagnostics_;
+    Reading reading_;  // of source_.text
+    std::vector<Span> notes_;
+    std::vector<Span> blanked_;  // bytes that the driver does not see
     Scene scene_;
     std::unordered_set<std::string_view> identifiers_;
     std::size_t next_note_ = 0;
@@ -93,20 +100,24 @@ private:
 };
 
 Scene Builder::build() {
-    identifiers_ = find_identifiers(source_.code);
-    tabs_ = find_tabs(source_.code);
+    identifiers_ = find_words(reading_);
+    tabs_ = find_tabs(reading_);
+    notes_ = find_notes(reading_);
     scene_.files = source_.files;
-    const auto declarations = find_uniforms(source_.code);
+    const auto declarations = find_uniforms(reading_);
     for (std::size_t i = 0; i < declarations.size(); ++i) {
         const bool last = i + 1 == declarations.size();
         add_declaration(declarations[i],
-                        last ? source_.code.size() : declarations[i + 1].span.begin);
+                        last ? source_.text.size() : declarations[i + 1].span.begin);
     }
-    while (next_note_ < source_.notes.size()) use_note(source_.notes[next_note_++]);
+    while (next_note_ < notes_.size()) use_note(notes_[next_note_++]);
     resolve_readers();
     find_entries();
     scene_.has_sound = identifiers_.contains("mainSound");
     check_image();
+    for (const Span span : blanked_)
+        for (std::size_t i = span.begin; i < span.end; ++i)
+            if (source_.text[i] != '\n') source_.text[i] = ' ';
     scene_.text = std::move(source_.text);
     scene_.origins = std::move(source_.origins);
     return std::move(scene_);
@@ -123,7 +134,7 @@ void Builder::check_image() {
         scene_.image_entry = "main";  // plain GLSL of the web, as in the Book of Shaders
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
     if (misses_a_file()) return;
-    const bool is_empty = trimmed(source_.code).empty();
+    const bool is_empty = reading_.written.empty();
     diagnostics_.push_back(
         {Severity::error, Place{source_.files.front().string()},
          fmt::format("{}; write void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ "
@@ -154,8 +165,8 @@ void Builder::use_note(Span note) {
 
 // The note behind a declaration, on its last line (or within it). Notes before it are used up. Of
 // several declarations on one line the last one has the note.
-std::optional<Span> Builder::note_of(const Declaration& declaration, std::size_t next_begin) {
-    const auto& notes = source_.notes;
+std::optional<Span> Builder::note_of(const Uniform& declaration, std::size_t next_begin) {
+    const auto& notes = notes_;
     while (next_note_ < notes.size() && notes[next_note_].begin < declaration.span.begin)
         use_note(notes[next_note_++]);
     if (next_note_ == notes.size() || notes[next_note_].begin > next_begin) return std::nullopt;
@@ -166,18 +177,18 @@ std::optional<Span> Builder::note_of(const Declaration& declaration, std::size_t
     return notes[next_note_];
 }
 
-void Builder::add_declaration(const Declaration& declaration, std::size_t next_begin) {
+void Builder::add_declaration(const Uniform& declaration, std::size_t next_begin) {
     const auto note = note_of(declaration, next_begin);
     const bool has_builtin =
         std::any_of(declaration.names.begin(), declaration.names.end(),
-                    [](const Declarator& d) { return find_builtin(d.name) != nullptr; });
+                    [](const UniformName& d) { return find_builtin(d.name) != nullptr; });
     if (note) return add_annotated(declaration, *note);
     if (has_builtin && !declaration.is_broken) blank_builtins(declaration);
     warn_unannotated(declaration);
 }
 
-void Builder::warn_unannotated(const Declaration& declaration) {
-    for (const Declarator& declarator : declaration.names) {
+void Builder::warn_unannotated(const Uniform& declaration) {
+    for (const UniformName& declarator : declaration.names) {
         if (find_builtin(declarator.name) || is_old_name(declaration.type, declarator.name))
             continue;
         const bool is_sampler = declaration.type.find("sampler") != std::string_view::npos;
@@ -193,7 +204,7 @@ void Builder::warn_unannotated(const Declaration& declaration) {
                 "of their own");
 }
 
-void Builder::add_annotated(const Declaration& declaration, Span note) {
+void Builder::add_annotated(const Uniform& declaration, Span note) {
     ++next_note_;
     const std::size_t at = declaration.span.begin;
     if (declaration.is_block)
@@ -203,7 +214,7 @@ void Builder::add_annotated(const Declaration& declaration, Span note) {
     if (declaration.names.size() > 1)
         return error(declaration.names[1].span.begin,
                      "an annotation is for one uniform; declare each on a line of its own");
-    const Declarator& declarator = declaration.names.front();
+    const UniformName& declarator = declaration.names.front();
     if (declarator.is_array)
         return error(declarator.span.begin,
                      "an annotation is for one plain uniform, not for an array");
@@ -230,7 +241,7 @@ void Builder::add_annotated(const Declaration& declaration, Span note) {
 
 // Each tab of pasted text has an iChannel0 of its own. A buffer has one name for all, wherever the
 // pass that fills it is written.
-std::string Builder::tab_of(const Declaration& declaration, Span note) const {
+std::string Builder::tab_of(const Uniform& declaration, Span note) const {
     if (trimmed(note_text(note)).starts_with("pass ")) return {};
     for (const Tab& tab : tabs_)
         if (tab.span.begin <= declaration.span.begin && declaration.span.begin < tab.span.end)
@@ -238,7 +249,7 @@ std::string Builder::tab_of(const Declaration& declaration, Span note) const {
     return {};
 }
 
-bool Builder::claim_name(const Declarator& declarator, const std::string& tab) {
+bool Builder::claim_name(const UniformName& declarator, const std::string& tab) {
     const std::string name(declarator.name);
     const auto everywhere = declared_.find(name);
     const auto [entry, is_new] =
@@ -260,8 +271,8 @@ bool Builder::report(const std::vector<Complaint>& complaints, Span note) {
     return complaints.empty();
 }
 
-void Builder::add_tweak(const Declaration& declaration, TweakType type, Span note) {
-    const Declarator& declarator = declaration.names.front();
+void Builder::add_tweak(const Uniform& declaration, TweakType type, Span note) {
+    const UniformName& declarator = declaration.names.front();
     Tweak tweak;
     tweak.name = declarator.name;
     tweak.type = type;
@@ -274,8 +285,8 @@ void Builder::add_tweak(const Declaration& declaration, TweakType type, Span not
     if (report(complaints, note)) scene_.tweaks.push_back(std::move(tweak));
 }
 
-void Builder::add_sampler(const Declaration& declaration, SamplerType type, Span note) {
-    const Declarator& declarator = declaration.names.front();
+void Builder::add_sampler(const Uniform& declaration, SamplerType type, Span note) {
+    const UniformName& declarator = declaration.names.front();
     Sampler sampler;
     sampler.name = declarator.name;
     sampler.tab = tab_of(declaration, note);
@@ -313,14 +324,20 @@ void Builder::find_entries() {
         if (stands_in_tab(pass))
             pass.entry =
                 pass.cube && identifiers_.contains("mainCubemap") ? "mainCubemap" : "mainImage";
-        else if (!misses_a_file() && source_.code.find("##") == std::string::npos)
+        else if (!misses_a_file() && !puts_names_together())
             error(entries_[i], no_function(pass));
     }
 }
 
+// As `a##b`, which GLSL ES does not have.
+bool Builder::puts_names_together() const {
+    return std::any_of(reading_.written.begin(), reading_.written.end(),
+                       [](const Token& token) { return token.is("##"); });
+}
+
 std::string Builder::no_function(const Pass& pass) const {
     constexpr std::size_t kMostNames = 12;
-    const std::vector<std::string> functions = find_pass_functions(source_.code);
+    const std::vector<std::string> functions = find_pass_functions(reading_);
     const std::size_t named = std::min(functions.size(), kMostNames);
     std::string names;
     for (std::size_t i = 0; i < named; ++i) names += (i > 0 ? ", " : "") + functions[i];
@@ -425,7 +442,7 @@ void Builder::resolve_readers() {
     }
 }
 
-void Builder::check_builtin(const Declaration& declaration, const Declarator& declarator) {
+void Builder::check_builtin(const Uniform& declaration, const UniformName& declarator) {
     const HostUniform& builtin = *find_builtin(declarator.name);
     const bool type_fits = builtin.type == "sampler" ? sampler_type(declaration.type).has_value()
                                                      : declaration.type == builtin.type;
@@ -446,18 +463,14 @@ void Builder::check_builtin(const Declaration& declaration, const Declarator& de
                       array));
 }
 
-void Builder::blank(std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-        if (source_.text[i] != '\n') source_.text[i] = ' ';
-}
-
 // Takes the host's own uniforms out of a declaration, with the comma that goes with each.
-void Builder::blank_builtins(const Declaration& declaration) {
+void Builder::blank_builtins(const Uniform& declaration) {
     bool keeps_any = false;
     std::size_t before = 0;  // the end of the name before
-    for (const Declarator& declarator : declaration.names) {
+    for (const UniformName& declarator : declaration.names) {
         if (find_builtin(declarator.name)) {
             check_builtin(declaration, declarator);
+            if (!declaration.is_plain) continue;
             if (keeps_any)
                 blank(before, declarator.span.end);
             else
@@ -489,7 +502,7 @@ SourceText imported_source(const std::filesystem::path& json, Diagnostics& diagn
                          shaders.size())});
     }
     const std::string text = scene_text(shaders.front(), json, scene.parent_path(), diagnostics);
-    return made_source(scene, json, text, diagnostics);
+    return made_source(scene, json, text, known_of_scene(), diagnostics);
 }
 
 // A stranger's shader may name files in words that only Glint knows.
@@ -514,11 +527,19 @@ Place Scene::place(int line, int column) const {
     return {files[origins[index].file].string(), origins[index].line, column};
 }
 
+Place Scene::place_at(std::size_t offset) const {
+    const std::string_view before = std::string_view(text).substr(0, offset);
+    const auto line = std::count(before.begin(), before.end(), '\n');
+    const std::string_view head = before.substr(before.rfind('\n') + 1);
+    const auto column = std::count_if(head.begin(), head.end(), begins_character);
+    return place(static_cast<int>(line) + 1, static_cast<int>(column) + 1);
+}
+
 ReadScene read_scene(const std::filesystem::path& file) {
     ReadScene result;
     const bool is_json = file.extension() == ".json";
-    SourceText source =
-        is_json ? imported_source(file, result.diagnostics) : read_source(file, result.diagnostics);
+    SourceText source = is_json ? imported_source(file, result.diagnostics)
+                                : read_source(file, known_of_scene(), result.diagnostics);
     result.files = source.files;
     Scene scene = Builder(std::move(source), result.diagnostics).build();
     result.named = result.files;

@@ -145,6 +145,8 @@ struct Scene {
 
     // The user's place of a line (from 1) and column of `text`.
     Place place(int line, int column) const;
+    // That of a byte of `text`.
+    Place place_at(std::size_t offset) const;
 };
 
 struct ReadScene {

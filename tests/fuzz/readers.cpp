@@ -1,7 +1,12 @@
 // What a person may hand to Glint, broken in every way that libFuzzer finds: scene files, presets,
-// and the site's JSON. FUZZ_AS in the environment says which: scene, preset or json.
+// the site's JSON, and bare texts for the reader of GLSL. FUZZ_AS in the environment says which:
+// scene, preset, json or glsl.
+#include "glsl/division.h"
+#include "glsl/raw_text.h"
+#include "glsl/reachable.h"
 #include "glsl/zeros.h"
 #include "scene/preset.h"
+#include "scene/scene_text.h"
 #include "scene/shadertoy.h"
 
 #include <unistd.h>
@@ -31,14 +36,37 @@ const fs::path& folder() {
     return made;
 }
 
-void write_zeros(std::string_view text) {
-    glint::write_zeros(glint::read_glsl(text, glint::known_of_driver()));
-}
-
 void import_all(const fs::path& file) {
     glint::Diagnostics diagnostics;
     for (const glint::Shadertoy& shader : glint::read_shadertoys(file, diagnostics))
         glint::scene_text(shader, file, folder(), diagnostics);
+}
+
+// Everything that is asked of a text, for all passes and for one.
+void read_text(std::string_view raw) {
+    using namespace glint;
+    const std::string text = clean_text(raw).text;
+    for (const Known& known :
+         {known_of_scene(), known_of_pass(std::vector<std::string>{"image"})}) {
+        const Reading reading = read_glsl(text, known);
+        find_uniforms(reading);
+        find_tabs(reading);
+        reachable_text(reading, "mainImage", kPassPrefix);
+        Edits edits(reading);
+        mend_division_by_zero(reading, edits);
+        write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
+        for (const Declaration& declaration : reading.declarations)
+            for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");
+        for (const Statement& statement : reading.statements)
+            edits.before(statement.tokens.begin, "/**/");
+        for (const Call& call : reading.calls) {
+            reading.arguments_of(call);
+            edits.replace({call.name, call.name + 1}, "f");
+        }
+        const EditedText edited = edits.apply();
+        for (std::size_t at = 0; at <= edited.text.size(); ++at)
+            if (edited.map.origin(at) > text.size()) std::abort();
+    }
 }
 
 }  // namespace
@@ -46,6 +74,10 @@ void import_all(const fs::path& file) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const char* wanted = std::getenv("FUZZ_AS");
     const std::string_view kind = wanted ? wanted : "scene";
+    if (kind == "glsl") {
+        read_text({reinterpret_cast<const char*>(data), size});
+        return 0;
+    }
     const fs::path file = folder() / (kind == "preset" ? "input.toml"
                                       : kind == "json" ? "input.json"
                                                        : "input.frag");
@@ -55,6 +87,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         import_all(file);
     else
         glint::read_preset(file);
-    if (kind == "scene") write_zeros({reinterpret_cast<const char*>(data), size});
     return 0;
 }

@@ -23,9 +23,9 @@ TEST(Edits, KeepAllElseAndTheWayBack) {
     EXPECT_TRUE(edits.before(find(reading, "b"), "c, "));
     const EditedText edited = edits.apply();
     EXPECT_EQ(edited.text, "float a = 0.; // one\nfloat c, b;\n");
-    EXPECT_EQ(edited.origin(edited.text.find("one")), text.find("one"));
-    EXPECT_EQ(edited.origin(edited.text.find("b;")), text.find("b;"));
-    EXPECT_EQ(edited.origin(edited.text.find("= 0.")), text.find("; //"));
+    EXPECT_EQ(edited.map.origin(edited.text.find("one")), text.find("one"));
+    EXPECT_EQ(edited.map.origin(edited.text.find("b;")), text.find("b;"));
+    EXPECT_EQ(edited.map.origin(edited.text.find("= 0.")), text.find("; //"));
 }
 
 TEST(Edits, WriteOutAMacroThatTheyFallInto) {
@@ -39,8 +39,8 @@ TEST(Edits, WriteOutAMacroThatTheyFallInto) {
     EXPECT_EQ(edited.text,
               "#define TWO(t) t a; \\\n  t b\nfloat a = 0.; float b\n = 1.; // two\nint c = 2;\n")
         << "on as many lines; what stands at its edge stands outside";
-    EXPECT_EQ(edited.origin(edited.text.find("a = 0.")), text.find("TWO(\n"));
-    EXPECT_EQ(edited.origin(edited.text.find("c = 2")), text.find("c;"));
+    EXPECT_EQ(edited.map.origin(edited.text.find("a = 0.")), text.find("TWO(\n"));
+    EXPECT_EQ(edited.map.origin(edited.text.find("c = 2")), text.find("c;"));
 }
 
 TEST(Edits, StandBesideAMacro) {

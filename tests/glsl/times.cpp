@@ -31,12 +31,13 @@ double median_ms(Work work) {
 int main(int count, char** files) {
     for (int i = 1; i < count; ++i) {
         glint::Diagnostics diagnostics;
-        const glint::SourceText source = glint::read_source(files[i], diagnostics);
         const glint::Known known = glint::known_of_driver();
+        const glint::SourceText source = glint::read_source(files[i], known, diagnostics);
         const auto whole = glint::read_glsl(source.text, known);
         const double all = median_ms([&] { glint::read_glsl(source.text, known); });
         const double tokens = median_ms([&] { glint::preprocess(source.text, known); });
-        const double files_read = median_ms([&] { glint::read_source(files[i], diagnostics); });
+        const double files_read =
+            median_ms([&] { glint::read_source(files[i], known, diagnostics); });
         fmt::print(
             "{:7} bytes {:6} tokens {:4} functions {:2} not understood  {:6.3f} ms ({:6.3f} "
             "tokens, {:6.3f} files)  {}\n",

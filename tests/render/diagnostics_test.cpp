@@ -73,6 +73,38 @@ TEST_F(Complaints, StandAtTheUsersLineAndColumn) {
     }
 }
 
+TEST_F(Complaints, StandBehindMacrosAtTheUsersColumn) {
+    const std::string macros =
+        "#define TWICE(x) (x   +  x)\n#define A  TWICE(1.0) /* a */ + nowhere\n";
+    struct {
+        const char* what;
+        std::string text;
+        int line, column;
+        const char* words;
+    } const cases[] = {
+        {"behind a use", "float f =  TWICE( 2.0 )  + undeclared;\n", 3, 28,
+         "`undeclared' undeclared"},
+        {"in an argument", "float f = TWICE(undeclared);\n", 3, 17, "`undeclared' undeclared"},
+        {"in a definition", "  float f = A;\n", 3, 13, "(in what A stands for, "},
+        {"behind comments", "/* \xC3\xA4 */ float f = TWICE(1.)/**/+ undeclared;\n", 3, 34,
+         "`undeclared' undeclared"},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.what);
+        const Diagnostics list = complaints(
+            macros + c.text + "void mainImage(out vec4 c, in vec2 p) { c = vec4(f); }\n");
+        const Diagnostic* error = first_error(list);
+        ASSERT_TRUE(error) << to_text(list);
+        EXPECT_EQ(error->place.line, c.line) << to_text(list);
+        EXPECT_EQ(error->place.column, c.column) << to_text(list);
+        EXPECT_NE(error->text.find(c.words), std::string::npos) << to_text(list);
+    }
+    const Diagnostics list =
+        complaints(macros + "float f = A;\n" + "void mainImage(out vec4 c, in vec2 p) {}\n");
+    ASSERT_TRUE(first_error(list));
+    EXPECT_NE(first_error(list)->text.find("scene.frag:2:33)"), std::string::npos) << to_text(list);
+}
+
 TEST_F(Complaints, NameTheIncludedFile) {
     const std::string scene =
         "// one\n#include \"lib.glsl\"\nfloat g() { return f(); }\n"
@@ -169,8 +201,12 @@ TEST_F(Complaints, OfATextThatDoesNotCompileLeaveTheContextWell) {
 
 // What the driver read: a prologue of ten lines, and four of a scene, each of sixty characters.
 PassText fourteen_lines() {
-    PassText text{.text = "", .prologue_lines = 10};
-    for (int line = 0; line < 14; ++line) text.text += std::string(60, 'x') + "\n";
+    PassText text;
+    for (int line = 0; line < 14; ++line) {
+        if (line == 10) text.user_begin = text.text.size();
+        text.text += std::string(60, 'x') + "\n";
+    }
+    text.user_end = text.text.size();
     return text;
 }
 
@@ -178,7 +214,7 @@ PassText fourteen_lines() {
 Scene four_lines() {
     Scene scene;
     scene.files = {"wave.frag", "lib.glsl"};
-    scene.text = "1\n2\n3\n4\n";
+    for (int line = 0; line < 4; ++line) scene.text += std::string(60, 'x') + "\n";
     scene.origins = {{0, 1}, {1, 1}, {1, 2}, {0, 3}};
     return scene;
 }
@@ -242,7 +278,10 @@ TEST(DriverLog, OfEachDriverIsRead) {
 
 TEST(DriverLog, ColumnsForgetWhatTheHostInserted) {
     PassText text = fourteen_lines();
-    text.widened = {{11, 16, 2}, {11, 30, 2}};
+    for (const std::size_t column : {29u, 15u}) text.text.insert(text.user_begin + column, "in");
+    text.user_end += 4;
+    text.map.pieces = {
+        {0, 0, false}, {15, 15, true}, {17, 15, false}, {31, 29, true}, {33, 29, false}};
     struct {
         int line, column, expected;
     } const cases[] = {{11, 5, 5}, {11, 16, 16}, {11, 20, 18}, {11, 40, 36}, {12, 40, 40}};

@@ -527,6 +527,56 @@ TEST(Include, AMissingFileIsReportedWhereItIsNamed) {
     EXPECT_EQ(result.files.size(), 3u);
 }
 
+TEST(Branches, ThatAreNotTakenSayNothing) {
+    const std::string text =
+        "#define IN_SHADERTOY\n"
+        "#ifdef NOPE\n#include \"none.glsl\"\nuniform float a; //@ 1\n#endif\n"
+        "#ifndef IN_SHADERTOY\n#include \"none.glsl\"\n#endif\n"
+        "#ifndef HW_PERFORMANCE\nuniform vec4 iResolution;\n//@ nonsense\n#endif\n"
+        "#if __VERSION__ < 300 || defined(IN_SHADERTOY) && 0\nuniform int iTime;\n#endif\n" +
+        kImage;
+    const Scene scene = good(text);
+    EXPECT_EQ(scene.text, text) << "what is not compiled stays as it is";
+    EXPECT_TRUE(scene.tweaks.empty());
+}
+
+TEST(Branches, OfWhatIsDefinedInAnIncludeAreKnown) {
+    const TemporaryFolder folder;
+    folder.write("b.glsl", "#ifndef GUARD\n#define GUARD\nuniform float a; //@ 1\n#endif\n");
+    const ReadScene result =
+        read_scene(folder.write("a.frag",
+                                "#include \"b.glsl\"\n#include \"b.glsl\"\n#ifndef GUARD\n#include "
+                                "\"none.glsl\"\n#endif\n" +
+                                    kImage));
+    ASSERT_TRUE(result.scene) << all(result.diagnostics);
+    EXPECT_EQ(tweak_names(*result.scene), "a ");
+}
+
+TEST(Branches, OfAPassMayBeTaken) {
+    const std::string text =
+        "uniform sampler2D a; //@ pass mainA\n"
+        "#ifdef PASS_a\nuniform sampler2D iChannel0; //@ noise rgba 64\n"
+        "void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }\n#else\nuniform float b; //@ 1\n" +
+        kImage + "#endif\n";
+    const Scene scene = good(text);
+    EXPECT_EQ(scene.samplers.at(1).tab, "a");
+    EXPECT_EQ(tweak_names(scene), "b ");
+}
+
+TEST(Blanked, ArePragmas) {
+    const Scene scene = good("#pragma optimize(off);  // fast\n" + kImage);
+    EXPECT_EQ(scene.text, "                        // fast\n" + kImage);
+}
+
+TEST(Uniforms, MayComeFromMacros) {
+    const Scene scene = good("#define KNOB uniform float\nKNOB a; //@ 1\n" + kImage);
+    EXPECT_EQ(tweak_names(scene), "a ");
+    EXPECT_EQ(scene.text.substr(scene.tweaks.at(0).declaration_begin, 7), "KNOB a;");
+    const ReadScene both =
+        read("#define KNOBS uniform float a; uniform float b\nKNOBS; //@ 1\n" + kImage);
+    EXPECT_FALSE(both.scene) << "nothing tells which of them is meant";
+}
+
 TEST(Include, ACircleIsAnErrorThatNamesIt) {
     const TemporaryFolder folder;
     folder.write("b.glsl", "#include \"c.glsl\"\n");

@@ -1,0 +1,16 @@
+// Functions of a text's own by the names of some that GLSL has.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <string>
+
+namespace glint {
+
+// Chromium lets a text define `mix`, `texture`, `textureLod`, `texelFetch` and `textureSize` for
+// types of its own choice; Mesa refuses any function of these names, as GLSL ES 3.00 says. What
+// stands before the text then makes functions of another name of the known ones, and a macro gives
+// that name to the text's own as well. Empty where the text defines none.
+std::string own_overloads(const Reading& reading);
+
+}  // namespace glint

@@ -1,0 +1,129 @@
+#include "scene/scene_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint {
+Known known_of_scene() {
+    Known known = known_of_driver();
+    known.macros.push_back({"HW_PERFORMANCE", "1"});
+    known.open.emplace_back(kPassPrefix);
+    return known;
+}
+
+Known known_of_pass(std::span<const std::string> outputs) {
+    Known known = known_of_driver();
+    known.macros.push_back({"HW_PERFORMANCE", "1"});
+    for (const std::string& output : outputs)
+        known.macros.push_back({fmt::format("{}{}", kPassPrefix, output), "1"});
+    return known;
+}
+
+std::string definitions_of_pass(std::span<const std::string> outputs) {
+    std::string text = "#define HW_PERFORMANCE 1\n";
+    for (const std::string& output : outputs)
+        text += fmt::format("#define {}{} 1\n", kPassPrefix, output);
+    return text;
+}
+
+std::vector<Tab> find_tabs(const Reading& reading) {
+    std::vector<Tab> tabs;
+    for (const Branch& branch : reading.branches) {
+        const Directive& directive = reading.directives[branch.begins];
+        if (directive.word != "ifdef" && directive.word != "if") continue;
+        TokenRange rest = directive.rest;
+        while (!rest.empty() &&
+               (reading.written[rest.begin].is("defined") || reading.written[rest.begin].is("(")))
+            ++rest.begin;
+        const std::string_view name = rest.empty() ? "" : reading.written[rest.begin].text;
+        if (name.starts_with(kPassPrefix))
+            tabs.push_back({reading.inside(branch), name.substr(kPassPrefix.size())});
+    }
+    return tabs;
+}
+
+namespace {
+
+UniformName name_of(const Reading& reading, const Declaration& declaration, const Declarator& one) {
+    // `float[4] name` makes each name an array.
+    const TokenRange array = one.array.empty() ? declaration.type_array : one.array;
+    UniformName name;
+    name.name = reading.word(one.name);
+    name.is_array = !array.empty();
+    if (name.is_array) name.array = reading.spelled({array.begin + 1, array.end - 1});
+    name.has_initial = !one.initial.empty();
+    name.span = {reading.place(one.name).begin, reading.place(one.tokens.end).begin};
+    return name;
+}
+
+Uniform uniform_of(const Reading& reading, const Declaration& declaration) {
+    Uniform uniform;
+    uniform.span = reading.place(declaration.tokens);
+    uniform.is_plain = reading.is_plain(declaration.tokens);
+    uniform.is_block = declaration.structure != kNone;
+    uniform.is_broken = !reading.stands_alone(declaration.tokens);
+    uniform.type = reading.word(declaration.type);
+    uniform.type_at =
+        declaration.type == kNone ? uniform.span.begin : reading.place(declaration.type).begin;
+    for (const Declarator& one : declaration.names)
+        uniform.names.push_back(name_of(reading, declaration, one));
+    return uniform;
+}
+
+}  // namespace
+
+std::vector<Uniform> find_uniforms(const Reading& reading) {
+    std::vector<Uniform> uniforms;
+    for (const Item& item : reading.items) {
+        if (item.kind == Item::Kind::declaration) {
+            const Declaration& declaration = reading.declarations[item.index];
+            if (declaration.is_uniform) uniforms.push_back(uniform_of(reading, declaration));
+            continue;
+        }
+        for (std::uint32_t at = item.tokens.begin;
+             item.kind == Item::Kind::unknown && at < item.tokens.end; ++at) {
+            if (!reading.tokens[at].is("uniform")) continue;
+            Uniform broken;
+            broken.span = reading.place({at, item.tokens.end});
+            broken.type_at = broken.span.begin;
+            broken.is_broken = true;
+            uniforms.push_back(broken);
+            break;
+        }
+    }
+    return uniforms;
+}
+
+std::vector<Span> find_notes(const Reading& reading) {
+    std::vector<Span> notes;
+    for (const Comment& comment : reading.comments) {
+        const auto [begin, end] = comment.span;
+        if (comment.is_line && reading.text.substr(begin, 3) == "//@" &&
+            reading.live_at(begin) != Live::no)
+            notes.push_back({begin + 3, end});
+    }
+    return notes;
+}
+
+std::vector<std::string> find_pass_functions(const Reading& reading) {
+    std::vector<std::string> names;
+    for (const Function& function : reading.functions) {
+        if (reading.word(function.type) != "void" || function.parameters.empty()) continue;
+        const Declaration& first = reading.declarations[function.parameters.front()];
+        const std::string name(reading.word(function.name));
+        if (first.is_out && reading.word(first.type) == "vec4" &&
+            std::ranges::find(names, name) == names.end())
+            names.push_back(name);
+    }
+    return names;
+}
+
+std::unordered_set<std::string_view> find_words(const Reading& reading) {
+    std::unordered_set<std::string_view> words;
+    for (const Token& token : reading.written)
+        if (token.is_word() && reading.live_at(token.begin) != Live::no) words.insert(token.text);
+    return words;
+}
+
+}  // namespace glint

@@ -1,0 +1,64 @@
+// What a scene's text is read with: the names that Glint defines, and its tabs.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+namespace glint {
+
+// How the names begin that say which pass a text is compiled for.
+inline constexpr std::string_view kPassPrefix = "PASS_";
+
+// For all passes at once: what hangs on a PASS_x may be compiled.
+Known known_of_scene();
+// For one pass, by the names of its outputs, "image" or "sound".
+Known known_of_pass(std::span<const std::string> outputs);
+// The lines that say so to a driver.
+std::string definitions_of_pass(std::span<const std::string> outputs);
+
+// `#ifdef PASS_bufferA … #endif`: text that is compiled for one pass alone, a tab of the site.
+struct Tab {
+    Span span;
+    std::string_view pass;  // "bufferA"
+};
+
+// In the order of their ends. What stands behind an #else or #elif is no tab.
+std::vector<Tab> find_tabs(const Reading& reading);
+
+// One name of a uniform's declaration: `iChannelTime[4]`.
+struct UniformName {
+    std::string_view name;
+    std::string array;  // what stands between the brackets
+    bool is_array = false;
+    bool has_initial = false;  // `= 0.5`, which GLSL ES forbids for uniforms
+    Span span;                 // from the name up to the comma or semicolon
+};
+
+// `uniform … ;`
+struct Uniform {
+    Span span;  // from its first word through the semicolon
+    std::string_view type;
+    std::size_t type_at = 0;
+    std::vector<UniformName> names;
+    bool is_plain = true;    // no macro has a part in it
+    bool is_block = false;   // `uniform Name { … }`, or a struct
+    bool is_broken = false;  // no semicolon, or something else that the compiler will explain; also
+                             // one within a macro that holds more
+};
+std::vector<Uniform> find_uniforms(const Reading& reading);
+
+// What follows each `//@` in live text, up to the comment's end.
+std::vector<Span> find_notes(const Reading& reading);
+
+// The functions that fill a buffer or are the picture, `void NAME(out vec4 …`, each once, in order.
+std::vector<std::string> find_pass_functions(const Reading& reading);
+
+// The words that stand in live text, those of directives too.
+std::unordered_set<std::string_view> find_words(const Reading& reading);
+
+}  // namespace glint

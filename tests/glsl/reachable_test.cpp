@@ -1,0 +1,85 @@
+// What one function needs of a text.
+#include "glsl/reachable.h"
+
+#include "glsl/division.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace glint {
+namespace {
+
+std::string reached(std::string_view text, Known known = known_of_driver()) {
+    return reachable_text(read_glsl(text, known), "mainImage", "PASS_");
+}
+
+const std::string kImage = "void mainImage(out vec4 c, in vec2 p) { c = f(p.x); }\n";
+
+TEST(Reachable, IsWhatTheEntryNames) {
+    EXPECT_EQ(
+        reached("// a file\n\nuniform float u; //@ 1\nconst float kA = 1.0; // a\n"
+                "float unused() { return kB; }\nconst float kB = 2.0;\n"
+                "/* of f */ vec4 f(float x) { return vec4(kA); }\n" +
+                kImage),
+        "const float kA = 1.0; // a\n/* of f */ vec4 f(float x) { return vec4(kA); }\n" + kImage);
+}
+
+TEST(Reachable, FollowsMacrosAndStructs) {
+    const std::string text =
+        "#define F(x) g(x)\nstruct S { float x; };\nS g(float x) { return S(x); }\n"
+        "vec4 f(float x) { return vec4(F(x).x); }\n" +
+        kImage;
+    EXPECT_EQ(reached(text), text);
+}
+
+TEST(Reachable, KeepsFunctionsWithHalfABracketInAMacro) {
+    const std::string text = "#define S max(0.,\nvec4 f(float x) { return vec4(S x)); }\n" + kImage;
+    EXPECT_EQ(reached(text), text);
+}
+
+TEST(Reachable, KeepsAllWhereBracketsDoNotBalance) {
+    const std::string text =
+        "#ifdef GL_x\nfloat a() {\n#endif\nfloat unused;\nvec4 f(float x) { return vec4(1); }\n" +
+        kImage;
+    EXPECT_EQ(reached(text), text);
+    EXPECT_EQ(reached("uniform float u;\n" + text), text);
+}
+
+TEST(Reachable, KeepsWhatMayBeSwitchedOnAgain) {
+    const std::string text =
+        "const float kA = 1.0;\n#define LEVEL 1\n#if LEVEL > 1\nvec4 f(float x) { return vec4(kA); "
+        "}\n#else\n"
+        "vec4 f(float x) { return vec4(2.0); }\n#endif\n" +
+        kImage;
+    EXPECT_EQ(reached(text), text);
+}
+
+TEST(Reachable, LeavesOutOtherTabs) {
+    const std::string text =
+        "#ifdef PASS_bufferB\nfloat only_b() { return 1.0; }\nvoid mainImage(out vec4 c) { c = "
+        "vec4(only_b()); }\n"
+        "#endif\n#ifdef PASS_image // the picture\nvec4 f(float x) { return vec4(x); }\n" +
+        kImage + "#endif // image\n";
+    Known known = known_of_driver();
+    known.macros.push_back({"PASS_image", "1"});
+    EXPECT_EQ(reached(text, known), "vec4 f(float x) { return vec4(x); }\n" + kImage);
+}
+
+TEST(Division, ByAFloatingZeroIsMultiplication) {
+    const auto mended = [](std::string_view text) {
+        const Reading reading = read_glsl(text, {});
+        Edits edits(reading);
+        mend_division_by_zero(reading, edits);
+        return edits.apply().text;
+    };
+    EXPECT_EQ(mended("a / 0.0 * b / .0 / 0.0f"), "a * 1e39 * b * 1e39 * 1e39");
+    EXPECT_EQ(mended("a /= (0.); b / vec3(0.0);"), "a *= (1e39); b * vec3 (1e39);")
+        << "with what stands between";
+    EXPECT_EQ(mended("a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0"),
+              "a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0");
+    EXPECT_EQ(mended("#define NONE 0.\na / NONE;"), "#define NONE 0.\na * 1e39;");
+}
+
+}  // namespace
+}  // namespace glint
