@@ -76,13 +76,6 @@ bool Edits::may_write_out(const MacroUse& use) const {
     return true;
 }
 
-bool Edits::may_change(std::uint32_t token) const {
-    const std::uint32_t use = reading_.tokens[token].use;
-    if (use == kNone) return true;
-    const bool is_all = reading_.uses[use].tokens.size() == 1;
-    return is_all || may_write_out(reading_.uses[use]);
-}
-
 bool Edits::add_within(Within change) {
     if (!may_write_out(reading_.uses[reading_.tokens[change.token].use])) return false;
     within_.push_back(std::move(change));

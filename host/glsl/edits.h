@@ -45,9 +45,6 @@ public:
     // Bytes of the text itself, whatever they hold.
     void replace_bytes(Span span, std::string words);
 
-    // Whether both sides of a token can be changed.
-    bool may_change(std::uint32_t token) const;
-
     bool empty() const { return changes_.empty() && within_.empty(); }
     // Changes that overlap an earlier place are left out.
     EditedText apply() const;

@@ -1,5 +1,7 @@
 #include "glsl/first_use.h"
 
+#include "glsl/stack.h"
+
 #include <algorithm>
 
 namespace glint {
@@ -221,7 +223,7 @@ bool FirstUses::local_is_read(const Declaration& declaration, const Declarator& 
     const auto& statements = reading_.statements;
     if (declaration.statement == kNone) return true;
     const Statement& statement = statements[declaration.statement];
-    mentions_ = &mentions_of_.at(name);
+    mentions_ = &mentions_of_[name];
     is_out_ = false;
     const bool is_head = statement.kind == StatementKind::for_;
     const std::uint32_t block = is_head ? declaration.statement : statement.parent;
@@ -240,7 +242,11 @@ bool FirstUses::local_is_read(const Declaration& declaration, const Declarator& 
     if (statements[block].kind != StatementKind::block ||
         (holder != kNone && statements[holder].kind == StatementKind::switch_))
         return next_mention(scope) != kNone;
-    return over_statements(statement.next, statements[block].next) == Flow::read;
+    if (over_statements(statement.next, statements[block].next) != Flow::read) return false;
+    const auto first = std::ranges::upper_bound(*mentions_, one.name);
+    const auto end = std::ranges::lower_bound(*mentions_, scope.end);
+    const bool is_array = !one.array.empty() || !declaration.type_array.empty();
+    return !is_array || has_maybe_ || !Stack(reading_, {first, end}, scope, block).is_certain();
 }
 
 bool FirstUses::out_is_read(std::uint32_t index, std::string_view name) {
@@ -248,7 +254,7 @@ bool FirstUses::out_is_read(std::uint32_t index, std::string_view name) {
     if (const auto found = locals_.find(name);
         found != locals_.end() && any(found->second, function.body))
         return true;
-    mentions_ = &mentions_of_.at(name);
+    mentions_ = &mentions_of_[name];
     is_out_ = true;
     return over_statement(function.first_statement) != Flow::given;
 }

@@ -2,7 +2,8 @@
 //
 // Goes over statements as they would run (definite assignment, as in the Java Language
 // Specification, chapter 16), and is careful: what it does not see through counts as read. A value
-// is given by `x = …` outside of conditions, or by a call that hands x to an `out` parameter. In a
+// is given by `x = …` outside of conditions, or by a call that hands x to an `out` parameter; an
+// array has values where it is a stack (glsl/stack.h). In a
 // text so large that this would take seconds, the rest counts as read.
 #pragma once
 

@@ -21,7 +21,8 @@ struct Site {
 
 class Finder {
 public:
-    explicit Finder(const Reading& reading) : reading_(reading), uses_(reading) {}
+    Finder(const Reading& reading, std::string_view entry)
+        : reading_(reading), uses_(reading), entry_(entry) {}
 
     // In the order of the text.
     std::vector<Site> find() {
@@ -76,6 +77,7 @@ private:
         for (const std::uint32_t parameter : function.parameters) {
             const Declaration& declaration = reading_.declarations[parameter];
             if (!declaration.is_out || declaration.is_in || declaration.names.empty()) continue;
+            if (reading_.word(function.name) == entry_) continue;
             const Declarator& one = declaration.names.front();
             if (!uses_.out_is_read(index, reading_.word(one.name))) continue;
             add(Site::Kind::head, one.name, function.body.begin,
@@ -92,63 +94,58 @@ private:
 
     const Reading& reading_;
     FirstUses uses_;
+    std::string_view entry_;
     std::vector<Site> sites_;
 };
 
 class Writer {
 public:
-    explicit Writer(const Reading& reading)
-        : reading_(reading), values_(reading), edits_(reading), is_named_(reading.structs.size()) {}
+    Writer(const Reading& reading, Edits& edits)
+        : reading_(reading), values_(reading), edits_(edits), is_named_(reading.structs.size()) {}
 
-    // Gives a struct without a name one, which the constructor needs.
-    bool can_write(const Site& site) {
-        const bool needs_name = site.type.type == kNone && !is_named_[site.type.structure];
-        if (!values_.value(site.type, false) || !edits_.may_change(site.token)) return false;
-        if (!needs_name) return true;
-        is_named_[site.type.structure] =
-            edits_.after(reading_.structs[site.type.structure].tokens.begin,
-                         " " + ZeroValues::made_name(site.type.structure));
-        return is_named_[site.type.structure];
-    }
-
-    void write(const Site& site, bool is_marked) {
-        const std::string value = *values_.value(site.type, is_marked);
+    // False where it cannot be done.
+    bool write(const Site& site, bool is_marked) {
+        const auto value = values_.value(site.type, is_marked);
+        if (!value || !name_struct(site.type)) return false;
         switch (site.kind) {
             case Site::Kind::initial:
-                edits_.after(site.token, " = " + value);
-                break;
+                return edits_.after(site.token, " = " + *value);
             case Site::Kind::head:
-                edits_.after(site.token, " " + site.unset.name + " = " + value + ";");
-                break;
+                return edits_.after(site.token, " " + site.unset.name + " = " + *value + ";");
             case Site::Kind::result:
-                edits_.before(site.token, " return " + value + "; ");
-                break;
+                return edits_.before(site.token, " return " + *value + "; ");
         }
+        return false;
     }
 
-    EditedText apply() const { return edits_.apply(); }
-
 private:
+    // A constructor needs the name that a struct has not got.
+    bool name_struct(const SpelledType& type) {
+        if (type.type != kNone || is_named_[type.structure]) return true;
+        is_named_[type.structure] = edits_.after(reading_.structs[type.structure].tokens.begin,
+                                                 " " + ZeroValues::made_name(type.structure));
+        return is_named_[type.structure];
+    }
+
     const Reading& reading_;
     ZeroValues values_;
-    Edits edits_;
+    Edits& edits_;
     std::vector<bool> is_named_;
 };
 
 }  // namespace
 
-Zeroed write_zeros(const Reading& reading, const std::function<bool(const Unset&)>& is_marked) {
-    Zeroed result;
-    Writer writer(reading);
-    if (reading.is_balanced) {
-        for (Site& site : Finder(reading).find()) {
-            if (!writer.can_write(site)) continue;
-            writer.write(site, is_marked && is_marked(site.unset));
-            result.unset.push_back(std::move(site.unset));
-        }
+std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry,
+                               std::optional<Span> marked) {
+    std::vector<Unset> unset;
+    if (!reading.is_balanced) return unset;
+    Writer writer(reading, edits);
+    for (Site& site : Finder(reading, entry).find()) {
+        const std::size_t at = site.unset.at;
+        if (writer.write(site, marked && marked->begin <= at && at < marked->end))
+            unset.push_back(std::move(site.unset));
     }
-    result.edited = writer.apply();
-    return result;
+    return unset;
 }
 
 }  // namespace glint

@@ -10,8 +10,9 @@
 
 #include "glsl/edits.h"
 
-#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -22,14 +23,10 @@ struct Unset {
     std::size_t at = 0;      // byte of the text where the name is declared
 };
 
-struct Zeroed {
-    EditedText edited;
-    std::vector<Unset> unset;  // in the order of the text
-};
-
-// With `is_marked`, what it says true to gets values that show in a picture instead: NaN, in
-// integers 0x7FC0DEAD, true.
-Zeroed write_zeros(const Reading& reading,
-                   const std::function<bool(const Unset&)>& is_marked = nullptr);
+// What was unset, in the order of the text. The outputs of `entry` start at 0 anyway. What is
+// declared in the bytes `marked` gets values that show in a picture instead: NaN, in integers
+// 0x7FC0DEAD, true.
+std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry = {},
+                               std::optional<Span> marked = {});
 
 }  // namespace glint

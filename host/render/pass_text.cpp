@@ -2,7 +2,6 @@
 
 #include "glsl/division.h"
 #include "render/own_overloads.h"
-#include "render/pass_zeros.h"
 #include "scene/scene_text.h"
 
 #include <fmt/format.h>
@@ -284,7 +283,7 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
 
 std::optional<std::size_t> PassText::origin(std::size_t at) const {
     if (at < user_begin || at >= user_end) return std::nullopt;
-    return map.origin(zeros.origin(at) - user_begin);
+    return map.origin(at - user_begin);
 }
 
 std::string specialised_text(const Preset& preset) {
@@ -311,6 +310,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     mend_division_by_zero(reading, edits);
 
     PassText result;
+    result.unset = write_zeros(reading, edits, entry, options.marked);
     result.text = prologue(preset, pass, options, reading, defined);
     if (plain_main) result.text += kBeforePlainMain;
     result.user_begin = result.text.size();
@@ -320,7 +320,6 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.map = std::move(edited.map);
     if (!result.text.ends_with('\n')) result.text += '\n';
     if (plain_main) result.text += kBehindPlainMain;
-    write_zeros(result, options.marked);
     return result;
 }
 

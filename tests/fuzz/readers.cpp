@@ -4,6 +4,7 @@
 #include "glsl/division.h"
 #include "glsl/raw_text.h"
 #include "glsl/reachable.h"
+#include "glsl/zeros.h"
 #include "scene/preset.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
@@ -53,6 +54,7 @@ void read_text(std::string_view raw) {
         reachable_text(reading, "mainImage", kPassPrefix);
         Edits edits(reading);
         mend_division_by_zero(reading, edits);
+        write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
         for (const Declaration& declaration : reading.declarations)
             for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");
         for (const Statement& statement : reading.statements)

@@ -10,7 +10,9 @@ namespace {
 
 std::string zeroed(const std::string& text) {
     const Reading reading = read_glsl(text, known_of_driver());
-    return write_zeros(reading).edited.text;
+    Edits edits(reading);
+    write_zeros(reading, edits);
+    return edits.apply().text;
 }
 
 // What becomes of a function's body.
@@ -138,6 +140,25 @@ TEST(Zeros, AreNotWrittenForWhatHasAValueBeforeItIsRead) {
         EXPECT_EQ(in_function(body), body);
 }
 
+TEST(Zeros, AreNotWrittenForStacks) {
+    const std::string stack =
+        "float a[4]; int n = 0; for (;;) { if (x) { a[n] = y; ++n; } if (n == 0) break; ";
+    EXPECT_EQ(in_function(stack + "--n; z = a[n]; if (w) { g(a[n]); } }"),
+              stack + "--n; z = a[n]; if (w) { g(a[n]); } }");
+    for (const char* rest :
+         {"z = a[n]; --n; }", "--n; if (y) ++n; z = a[n]; }", "++n; --n; z = a[n]; }",
+          "n -= 1; z = a[n]; }", "--n; z = a[n + 1]; }", "--n; for (;;) { z = a[n]; --n; } }",
+          "--n; z = a[n]; g(n); }", "--n; z = a[n]; } g(a);", "n = 3; --n; z = a[n]; }",
+          "a[n].x = 1.; ++n; --n; z = a[n]; }", "if (y) a[n] = 1.; ++n; --n; z = a[n]; }",
+          "{ int n = 2; --n; z = a[n]; } }", "--n; y < n++ ? z : x; z = a[n]; }",
+          "while (n > 0) { --n; } z = a[n]; }"})
+        EXPECT_TRUE(in_function(stack + rest).starts_with("float a[4] = float[4](")) << rest;
+    for (const char* other : {"int n = 1; float a[4]; for (;;) { a[n] = y; ++n; --n; z = a[n]; }",
+                              "int n = 0; for (;;) { float a[4]; a[n] = y; ++n; --n; z = a[n]; }",
+                              "float a[4]; for (int n = 0;;) { a[n] = y; ++n; --n; z = a[n]; }"})
+        EXPECT_NE(in_function(other).find("a[4] = float[4]("), std::string::npos) << other;
+}
+
 TEST(Zeros, AreWrittenWhereAValueIsNotCertain) {
     for (const char* rest :
          {"if (x) a = 1.; g(a);", "a += 1.;", "a = a + 1.;", "x && (a = 1.) > 0.; g(a);",
@@ -173,25 +194,36 @@ TEST(Zeros, AreWrittenWithinMacros) {
               "#define vec3 vec2\nvoid f() { vec3 a = vec2(0.); g(a); }");
 }
 
-TEST(Zeros, KeepTheWayBackAndNameWhatWasUnset) {
+TEST(Zeros, NameWhatWasUnset) {
     const std::string text = "float f() { float a, b = 2.; if (b > a) return nowhere; }\n";
     const Reading reading = read_glsl(text, {});
-    const Zeroed zeroed = write_zeros(reading);
-    EXPECT_EQ(zeroed.edited.map.origin(zeroed.edited.text.find("nowhere")), text.find("nowhere"));
-    ASSERT_EQ(zeroed.unset.size(), 2u);
-    EXPECT_EQ(zeroed.unset[0].name, "f");
-    EXPECT_TRUE(zeroed.unset[0].is_result);
-    EXPECT_EQ(zeroed.unset[1].name, "a");
-    EXPECT_EQ(zeroed.unset[1].at, text.find("a,"));
+    Edits edits(reading);
+    const std::vector<Unset> unset = write_zeros(reading, edits);
+    const EditedText edited = edits.apply();
+    EXPECT_EQ(edited.map.origin(edited.text.find("nowhere")), text.find("nowhere"));
+    ASSERT_EQ(unset.size(), 2u);
+    EXPECT_EQ(unset[0].name, "f");
+    EXPECT_TRUE(unset[0].is_result);
+    EXPECT_EQ(unset[1].name, "a");
+    EXPECT_EQ(unset[1].at, text.find("a,"));
+}
+
+TEST(Zeros, LeaveTheOutputsOfTheEntryToTheHost) {
+    const std::string text = "void f(out vec4 c) {} void g(out vec4 c) {}\n";
+    const Reading reading = read_glsl(text, {});
+    Edits edits(reading);
+    EXPECT_EQ(write_zeros(reading, edits, "f").size(), 1u);
+    EXPECT_EQ(edits.apply().text, "void f(out vec4 c) {} void g(out vec4 c) { c = vec4(0.);}\n");
 }
 
 TEST(Zeros, AreMarksWhereTheyAreWantedToShow) {
     const std::string text =
         "void f() { float a; int b; bool c; mat2x3 d; ivec2 e; g(a, b, c, d, e); }\n";
     const Reading reading = read_glsl(text, {});
-    const auto marked = write_zeros(reading, [](const Unset& unset) { return unset.name != "e"; });
+    Edits edits(reading);
+    write_zeros(reading, edits, {}, Span{0, text.find("e;")});
     EXPECT_EQ(
-        marked.edited.text,
+        edits.apply().text,
         "void f() { float a = uintBitsToFloat(0x7FC0DEADu); int b = 0x7FC0DEAD; bool c = true; "
         "mat2x3 d = mat2x3(vec3(uintBitsToFloat(0x7FC0DEADu)),"
         "vec3(uintBitsToFloat(0x7FC0DEADu))); ivec2 e = ivec2(0); g(a, b, c, d, e); }\n");
@@ -205,7 +237,8 @@ TEST(Zeros, TakeNoSecondsForAVastText) {
     }
     text += uses + "}\n";
     const Reading reading = read_glsl(text, {});
-    EXPECT_EQ(write_zeros(reading).unset.size(), 20000u);
+    Edits edits(reading);
+    EXPECT_EQ(write_zeros(reading, edits).size(), 20000u);
 }
 
 }  // namespace

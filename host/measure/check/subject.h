@@ -38,7 +38,7 @@ struct SubjectOptions {
     // off; the preset's values cannot be changed then.
     bool specialise = true;
     // What is unset and gets values that show.
-    std::optional<UnsetRange> marked{};
+    std::optional<Span> marked{};
 };
 
 class CheckSubject {

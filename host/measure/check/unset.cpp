@@ -9,26 +9,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace glint {
 namespace {
 
 constexpr double kPlayed = 0.5;  // s of a simulation
-constexpr UnsetPlace kEnd = {.at = std::numeric_limits<std::size_t>::max()};
-
-using UnsetValue = PassText::UnsetValue;
 
 // Of all passes that are drawn, each once, in the order of the text.
-std::vector<UnsetValue> unset_values(const CheckSubject& subject) {
-    std::vector<UnsetValue> list;
+std::vector<Unset> unset_values(const CheckSubject& subject) {
+    std::vector<Unset> list;
     for (const GraphPass& pass : subject.renderer().graph().passes) {
         const PassText text =
             pass_text(subject.opened(), pass.pass, {.specialise = subject.specialised()});
         list.insert(list.end(), text.unset.begin(), text.unset.end());
     }
-    std::ranges::stable_sort(list, {}, &UnsetValue::place);
-    const auto same = std::ranges::unique(list, {}, &UnsetValue::place);
+    std::ranges::stable_sort(list, {}, &Unset::at);
+    const auto same = std::ranges::unique(list, {}, &Unset::at);
     list.erase(same.begin(), same.end());
     return list;
 }
@@ -48,7 +44,7 @@ public:
         return finite;
     }
 
-    bool shows(const UnsetRange& range) const {
+    bool shows(Span range) const {
         CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
                             {.specialise = subject_.specialised(), .marked = range});
         marked.after_frame = subject_.after_frame;
@@ -64,12 +60,11 @@ private:
 };
 
 // `list` shows as a whole. Of two that show only together it is the first.
-const UnsetValue& first_that_shows(const Comparison& comparison,
-                                   const std::vector<UnsetValue>& list) {
+const Unset& first_that_shows(const Comparison& comparison, const std::vector<Unset>& list) {
     std::size_t begin = 0, end = list.size();
     while (end - begin > 1) {
         const std::size_t middle = begin + (end - begin) / 2;
-        if (comparison.shows({list[begin].place, list[middle].place}))
+        if (comparison.shows({list[begin].at, list[middle].at}))
             end = middle;
         else
             begin = middle;
@@ -79,15 +74,15 @@ const UnsetValue& first_that_shows(const Comparison& comparison,
 
 void run_unset(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    const std::vector<UnsetValue> list = unset_values(subject);
+    const std::vector<Unset> list = unset_values(subject);
     Comparison comparison(subject);
     if (!comparison.draw_usual()) return;
-    if (!comparison.shows({{}, kEnd})) {
+    if (!comparison.shows({0, subject.scene().text.size()})) {
         result.note = fmt::format("{} values, none shows", list.size());
         return;
     }
-    const UnsetValue& first = first_that_shows(comparison, list);
-    const Place place = subject.scene().place_at(first.place.at);
+    const Unset& first = first_that_shows(comparison, list);
+    const Place place = subject.scene().place_at(first.at);
     subject.still.reset();
     result.fail(fmt::format(
         "counts on uninitialised values: {}:{}:{}: {}", place.file, place.line, place.column,
