@@ -3,6 +3,8 @@
 namespace glint {
 namespace {
 
+using Names = std::unordered_set<std::string_view>;
+
 // `0.`, `.0`, `0.0f`, `0e0`; not the integer 0.
 bool is_float_zero(const Token& token) {
     const std::string_view text = token.text;
@@ -12,24 +14,50 @@ bool is_float_zero(const Token& token) {
            digits.find_first_of("123456789") == digits.npos;
 }
 
-// Where the zero stands that a divisor is; kNone where it is another one. `0.`, `(0.)`, `vec2(0.)`.
-std::uint32_t zero_in(const Reading& reading, std::uint32_t at) {
-    const auto& tokens = reading.tokens;
-    if (at < tokens.size() && tokens[at].is_word() && tokens[at].text.starts_with("vec")) ++at;
-    if (at < tokens.size() && tokens[at].is("(")) {
-        const bool closes = at + 2 < tokens.size() && tokens[at + 2].is(")");
-        return closes && is_float_zero(tokens[at + 1]) ? at + 1 : kNone;
+// `const float NOTHING = 0.0;` and uniforms that become such, where nothing else has that name.
+Names zero_constants(const Reading& reading, const Names& zero_uniforms) {
+    Names zeros, others;
+    for (const Declaration& declaration : reading.declarations) {
+        for (const Declarator& one : declaration.names) {
+            const std::string_view name = reading.word(one.name);
+            const bool is_const = declaration.is_const && declaration.scope != Scope::member &&
+                                  one.initial.size() == 1 &&
+                                  is_float_zero(reading.tokens[one.initial.begin]);
+            const bool is_zero =
+                is_const || (declaration.is_uniform && zero_uniforms.contains(name));
+            if (!is_zero || !zeros.insert(name).second) others.insert(name);
+        }
     }
-    return at < tokens.size() && is_float_zero(tokens[at]) ? at : kNone;
+    std::erase_if(zeros, [&](std::string_view name) { return others.contains(name); });
+    return zeros;
+}
+
+// Where the zero stands that a divisor is; kNone where it is another one. `0.`, `(0.)`, `vec2(0.)`,
+// and a constant's name.
+std::uint32_t zero_in(const Reading& reading, const Names& constants, std::uint32_t at) {
+    const auto& tokens = reading.tokens;
+    const auto is_zero = [&](std::uint32_t token) {
+        if (token >= tokens.size()) return false;
+        if (is_float_zero(tokens[token])) return true;
+        // Not a call's name, and not what is only begun by it.
+        const bool goes_on =
+            token + 1 < tokens.size() && (tokens[token + 1].is("(") || tokens[token + 1].is("."));
+        return constants.contains(tokens[token].text) && !goes_on;
+    };
+    if (is_zero(at)) return at;
+    if (at < tokens.size() && tokens[at].is_word() && tokens[at].text.starts_with("vec")) ++at;
+    const bool is_alone = at + 2 < tokens.size() && tokens[at].is("(") && tokens[at + 2].is(")");
+    return is_alone && is_zero(at + 1) ? at + 1 : kNone;
 }
 
 }  // namespace
 
-void mend_division_by_zero(const Reading& reading, Edits& edits) {
+void mend_division_by_zero(const Reading& reading, const Names& zero_uniforms, Edits& edits) {
+    const Names constants = zero_constants(reading, zero_uniforms);
     for (std::uint32_t at = 0; at < reading.tokens.size(); ++at) {
         const bool assigns = reading.tokens[at].is("/=");
         if (!assigns && !reading.tokens[at].is("/")) continue;
-        const std::uint32_t zero = zero_in(reading, at + 1);
+        const std::uint32_t zero = zero_in(reading, constants, at + 1);
         if (zero == kNone) continue;
         const std::string before = reading.spelled({at + 1, zero});  // `vec3 (`
         edits.replace({at, zero + 1}, (assigns ? "*= " : "* ") + before + "1e39");

@@ -3,10 +3,15 @@
 
 #include "glsl/edits.h"
 
+#include <string_view>
+#include <unordered_set>
+
 namespace glint {
 
-// Mesa 22.3 makes garbage of `w / 0.0` where the zero is a literal and `w` is not; browsers, and
+// Mesa 22.3 makes garbage of `w / 0.0` where the zero is a constant and `w` is not; browsers, and
 // IEEE 754, make it infinite. `w * 1e39` says the same: the factor is beyond all floats.
-void mend_division_by_zero(const Reading& reading, Edits& edits);
+// `zero_uniforms` are names of floats that are declared as uniforms and become constants of 0.
+void mend_division_by_zero(const Reading& reading,
+                           const std::unordered_set<std::string_view>& zero_uniforms, Edits& edits);
 
 }  // namespace glint

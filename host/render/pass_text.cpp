@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <unordered_set>
 
 namespace glint {
 namespace {
@@ -259,6 +260,20 @@ void specialise(const Preset& preset, std::optional<std::size_t> only, Edits& ed
     }
 }
 
+// Those of specialise() that become a 0.
+std::unordered_set<std::string_view> zero_tweaks(const Preset& preset,
+                                                 const ProgramOptions& options) {
+    std::unordered_set<std::string_view> names;
+    for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        const bool is_constant = options.specialise || options.constant == i;
+        if (is_constant && tweak.type == TweakType::float1 &&
+            static_cast<float>(preset.values[i][0]) == 0.0f)
+            names.insert(tweak.name);
+    }
+    return names;
+}
+
 // What the driver reads before the user's text.
 std::string prologue(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                      const Reading& reading, bool colour_is_defined) {
@@ -307,7 +322,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
-    mend_division_by_zero(reading, edits);
+    mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
 
     PassText result;
     result.unset = write_zeros(reading, edits, entry, options.marked);

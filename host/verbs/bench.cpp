@@ -1,5 +1,6 @@
 // `glint bench`: milliseconds a frame and a pass.
 #include "measure/bench.h"
+
 #include "measure/compile_bench.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"

@@ -53,7 +53,7 @@ void read_text(std::string_view raw) {
         find_tabs(reading);
         reachable_text(reading, "mainImage", kPassPrefix);
         Edits edits(reading);
-        mend_division_by_zero(reading, edits);
+        mend_division_by_zero(reading, {}, edits);
         write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
         for (const Declaration& declaration : reading.declarations)
             for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");
