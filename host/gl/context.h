@@ -44,8 +44,9 @@ public:
     void check();
 
     // Before a driver is loaded: variables without a first value start at 0, as in every browser,
-    // where golfed shaders count on it. Mesa can be told, and then forgets arrays, structs and
-    // scalars that are assigned in one place alone; other drivers do what they do.
+    // where golfed shaders count on it. That is a net below the zeros that are written into texts
+    // (glsl/zeros.h), for what these leave alone: Mesa can be told, and then forgets arrays,
+    // structs and scalars that are assigned in one place alone; other drivers do what they do.
     static void start_variables_at_zero();
 
 protected:

@@ -246,7 +246,9 @@ bool FirstUses::local_is_read(const Declaration& declaration, const Declarator& 
     const auto first = std::ranges::upper_bound(*mentions_, one.name);
     const auto end = std::ranges::lower_bound(*mentions_, scope.end);
     const bool is_array = !one.array.empty() || !declaration.type_array.empty();
-    return !is_array || has_maybe_ || !Stack(reading_, {first, end}, scope, block).is_certain();
+    if (!is_array || has_maybe_) return true;
+    steps_ += scope.size() + reading_.declarations.size();
+    return steps_ > kMostSteps || !Stack(reading_, {first, end}, scope, block).is_certain();
 }
 
 bool FirstUses::out_is_read(std::uint32_t index, std::string_view name) {

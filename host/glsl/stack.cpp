@@ -30,8 +30,8 @@ bool Stack::is_local_from_zero() const {
     int count = 0;
     bool is_good = false;
     for (const Declaration& declaration : reading_.declarations) {
-        if (declaration.scope != Scope::local || declaration.tokens.begin < block.begin ||
-            declaration.tokens.end > block.end)
+        if (declaration.scope != Scope::local || declaration.statement == kNone ||
+            declaration.tokens.begin < block.begin || declaration.tokens.end > block.end)
             continue;
         for (const Declarator& one : declaration.names) {
             if (reading_.word(one.name) != counter_) continue;

@@ -2,6 +2,8 @@
 #include "fixture.h"
 #include "render/driver_log.h"
 
+#include <unistd.h>
+
 namespace glint {
 namespace {
 
@@ -250,13 +252,15 @@ TEST_F(Complaints, OfACallNameTheFunctionsOfItsSamplerAlone) {
 }
 
 TEST_F(Complaints, ComeOnceHoweverManyPassesShareTheText) {
-    const Diagnostics list = complaints(
-        "uniform sampler2D a; //@ pass mainA\n"
-        "uniform sampler2D b; //@ pass mainB\n"
-        "float half_used() { return float(4294967295); }\n"
-        "void mainA(out vec4 c, vec2 p) { c = vec4(half_used()); }\n"
-        "void mainB(out vec4 c, vec2 p) { c = texture(a, p) + half_used(); }\n"
-        "void mainImage(out vec4 c, vec2 p) { c = texture(b, p) + half_used(); }\n");
+    // Of a text that its cache on disk has, Mesa does not warn: this one is new each time.
+    const Diagnostics list =
+        complaints(fmt::format("const int kNew = {};\n", ::getpid()) +
+                   "uniform sampler2D a; //@ pass mainA\n"
+                   "uniform sampler2D b; //@ pass mainB\n"
+                   "float half_used() { return float(4294967295) + float(kNew); }\n"
+                   "void mainA(out vec4 c, vec2 p) { c = vec4(half_used()); }\n"
+                   "void mainB(out vec4 c, vec2 p) { c = texture(a, p) + half_used(); }\n"
+                   "void mainImage(out vec4 c, vec2 p) { c = texture(b, p) + half_used(); }\n");
     for (std::size_t i = 0; i < list.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) EXPECT_NE(to_string(list[i]), to_string(list[k]));
     }
