@@ -40,7 +40,7 @@ fs::path gallery_picture(const fs::path& preset) {
     const fs::path home = home_of_examples();
     std::error_code error;
     if (home.empty() ||
-        !fs::equivalent(fs::absolute(preset).parent_path(), home / "presets", error))
+        !fs::equivalent(fs::absolute(preset, error).parent_path(), home / "presets", error))
         return {};
     const fs::path picture = home / "docs" / "pictures" / (preset.stem().string() + ".jpg");
     return fs::exists(picture, error) ? picture : fs::path();

@@ -151,7 +151,9 @@ TEST(StudyPlan, RefusesWhatTheSceneHasNot) {
 }
 
 TEST(StudyReference, IsTheOneThatIsNamedElseTheTweaksOwnElseTheLastValue) {
-    const Planned own("uniform int a; //@ 1 [1, 4] quality reference=64\n");
+    const Planned own(
+        "uniform int a; //@ 1 [1, 4] quality reference=64\n"
+        "uniform int b; //@ 1 [0, 9]\n");
     EXPECT_EQ(own.only().reference.text, "64");
     EXPECT_EQ(own.only({.reference = {"a=32", "b=1"}}).reference.text, "32");
     EXPECT_TRUE(own.only().notes.empty());

@@ -146,8 +146,10 @@ TEST_F(Sound, ASceneHearsAFileAndLoadsItsLibraryForThatAlone) {
           "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(song, ivec2(p), 0); }\n");
     const Outcome gone = glint({"still", "gone.frag", "-o", "b.png", "--size", "8x2"});
     EXPECT_EQ(gone.code, 4);
-    EXPECT_EQ(gone.err,
-              "gone.frag:1:19: error: Cannot read gone.ogg: No such file or directory.\n");
+    EXPECT_EQ(
+        gone.err,
+        "gone.frag:1:19: error: Cannot read gone.ogg: No such file or directory; did you mean "
+        "'song.ogg'?\n");
 }
 
 TEST_F(Sound, WhatCannotBeIsSaid) {

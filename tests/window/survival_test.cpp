@@ -70,12 +70,6 @@ TEST_F(Survival, APipeInPlaceOfWhatIsRememberedOfPanelsHoldsNobodyUp) {
     expect_alive({10, 20, 30});
 }
 
-TEST_F(Survival, AFileThatIsMissingAtTheStartMayComeLater) {
-    start({scene().string()});
-    ASSERT_TRUE(glint_->says("scene.frag"));
-    expect_alive({80, 81, 82});
-}
-
 TEST_F(Survival, ADeletedSceneStaysOnTheScreenAndMayComeBack) {
     open(flat({90, 91, 92}));
     fs::remove(scene());

@@ -383,7 +383,7 @@ TEST(LikelyEndlessLoop, IsTheOneThatStandsOut) {
          5},
         {"void mainImage(out vec4 c, in vec2 p) {\nint i = 0;\ndo { ++i; }\n"
          "while (i < 1000000);\n}\n",
-         4},
+         3},
         {"// for(;;)\nvoid mainImage(out vec4 c, in vec2 p) { int waitfor = 3; c = vec4(1); }\n",
          0},
         {"void mainImage(out vec4 c, in vec2 p) {\nfor (int i = 0; i < 20000; ++i)\n"
