@@ -38,6 +38,7 @@ TEST_F(Survival, ALoopThatNeverEndsIsNamedAndThePictureBeforeStays) {
           "    }\n"
           "}\n");
     ASSERT_TRUE(glint_->says("not shown")) << glint_->errors();
+    ASSERT_TRUE(glint_->says("does this loop ever end?")) << "the reasons are told behind it";
     EXPECT_TRUE(shows({10, 20, 30}, kMargin, 1.0));
     EXPECT_EQ(glint_->count("scene.frag:3:"), 1) << glint_->errors();
     EXPECT_EQ(glint_->count("does this loop ever end?"), 1) << glint_->errors();
