@@ -3,8 +3,8 @@
 #include "base/json_text.h"
 #include "base/launch.h"
 #include "base/say.h"
-#include "base/scratch_folder.h"
 #include "base/temporary_file.h"
+#include "base/temporary_folder.h"
 #include "gl/context.h"
 #include "measure/inlining.h"
 #include "offline/common.h"
@@ -189,7 +189,7 @@ void run_compile_once(const BenchOptions& options) {
 
 void run_compile_bench(const BenchOptions& options) {
     const Preset preset = open_preset(options.view);
-    const ScratchFolder scratch(std::filesystem::temp_directory_path() / "glint-compile");
+    const TemporaryFolder scratch;
     std::vector<Json> cold, warm;
     Progress progress("rounds", kRounds);
     for (int round = 0; round < kRounds; ++round) {

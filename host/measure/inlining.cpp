@@ -5,12 +5,12 @@
 #include "base/launch.h"
 #include "base/readable_file.h"
 #include "base/temporary_file.h"
+#include "base/temporary_folder.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <map>
@@ -117,14 +117,6 @@ Words read_module(const fs::path& file) {
     return words;
 }
 
-struct Removed {
-    fs::path folder;
-    ~Removed() {
-        std::error_code error;
-        fs::remove_all(folder, error);
-    }
-};
-
 // SPIR-V is made of GLSL ES 3.10 and later, which has a few words more.
 std::string as_310(std::string_view text) {
     constexpr std::string_view kOurs = "#version 300 es\n";
@@ -153,11 +145,8 @@ ProgramSize inlined_size(const Words& words) {
 }
 
 std::optional<ProgramSize> program_size(std::string_view text, std::string& why_not) {
-    // A folder for each call; several threads may be here.
-    std::string folder = (fs::temp_directory_path() / "glint-inlining-XXXXXX").string();
-    if (!::mkdtemp(folder.data())) throw std::runtime_error("No temporary folder can be made.");
-    const Removed removed{folder};
-    const auto file = [&](const char* name) { return (fs::path(folder) / name).string(); };
+    const TemporaryFolder folder;  // for each call; several threads may be here
+    const auto file = [&](const char* name) { return (folder.path() / name).string(); };
     const std::string later = as_310(text);
     write_whole_file(file("pass.frag"), std::as_bytes(std::span(later)));
     // Relaxed rules let uniforms stand outside of blocks; nothing is ever drawn by this module.

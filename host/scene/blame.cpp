@@ -38,23 +38,6 @@ bool is_loop(StatementKind kind) {
            kind == StatementKind::do_;
 }
 
-}  // namespace
-
-std::optional<Place> likely_endless_loop(const Scene& scene) {
-    constexpr double kSuspicious = 10'000.0;
-    const Reading reading = read_glsl(scene.text, known_of_scene());
-    double worst = 0.0;
-    std::uint32_t worst_at = 0;
-    for (const Statement& statement : reading.statements) {
-        const double found = is_loop(statement.kind) ? suspicion(reading, statement) : 0.0;
-        if (found > worst) worst = found, worst_at = statement.tokens.begin;
-    }
-    if (worst < kSuspicious) return std::nullopt;
-    return scene.place_at(reading.place(worst_at).begin);
-}
-
-namespace {
-
 struct PassReading {
     std::string entry;  // the function that draws it
     Reading reading;    // the text as that pass has it
@@ -78,6 +61,19 @@ Place entry_of(const Scene& scene, const PassReading& pass) {
 }
 
 }  // namespace
+
+std::optional<Place> likely_endless_loop(const Scene& scene) {
+    constexpr double kSuspicious = 10'000.0;
+    const Reading reading = read_glsl(scene.text, known_of_scene());
+    double worst = 0.0;
+    std::uint32_t worst_at = 0;
+    for (const Statement& statement : reading.statements) {
+        const double found = is_loop(statement.kind) ? suspicion(reading, statement) : 0.0;
+        if (found > worst) worst = found, worst_at = statement.tokens.begin;
+    }
+    if (worst < kSuspicious) return std::nullopt;
+    return scene.place_at(reading.place(worst_at).begin);
+}
 
 Place reading_place(const Scene& scene, const std::string& pass, std::string_view sampler) {
     const PassReading read = read_for(scene, pass);

@@ -1,6 +1,6 @@
 #include "base/memory.h"
 
-#include "../scene/temporary_folder.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
-std::size_t left(const TemporaryFolder& root, const std::string& groups) {
+std::size_t left(const TestFolder& root, const std::string& groups) {
     std::istringstream in(groups);
     return memory_left_by_groups(root.path(), in);
 }
 
 TEST(Memory, TheNarrowestGroupCountsAndWhatCanBeGivenBackIsFree) {
-    const TemporaryFolder root;
+    const TestFolder root;
     root.write("farm/memory.max", "9000\n");
     root.write("farm/memory.current", "6000\n");
     root.write("farm/memory.stat", "anon 5000\ninactive_file 500\nactive_file 500\n");
@@ -32,7 +32,7 @@ TEST(Memory, TheNarrowestGroupCountsAndWhatCanBeGivenBackIsFree) {
 }
 
 TEST(Memory, AContainersOwnGroupStandsAtTheRoot) {
-    const TemporaryFolder root;
+    const TestFolder root;
     root.write("memory.max", "9000\n");
     root.write("memory.current", "6000\n");
     EXPECT_EQ(left(root, "0::/\n"), 3000u);
@@ -40,7 +40,7 @@ TEST(Memory, AContainersOwnGroupStandsAtTheRoot) {
 }
 
 TEST(Memory, TheFirstVersionOfGroupsIsReadToo) {
-    const TemporaryFolder root;
+    const TestFolder root;
     root.write("memory/job/memory.limit_in_bytes", "9000\n");
     root.write("memory/job/memory.usage_in_bytes", "6000\n");
     root.write("memory/job/memory.stat", "inactive_file 1\ntotal_inactive_file 500\n");
@@ -48,7 +48,7 @@ TEST(Memory, TheFirstVersionOfGroupsIsReadToo) {
 }
 
 TEST(Memory, WhereThereIsNoGroupThereIsNoLimit) {
-    const TemporaryFolder root;
+    const TestFolder root;
     EXPECT_EQ(left(root, ""), kNoLimit);
     EXPECT_EQ(left(root, "nonsense\n4:cpu:/a\n0::/b\n"), kNoLimit);
     EXPECT_GT(available_memory(), 0u);

@@ -2,11 +2,10 @@
 #include "base/nearest_file.h"
 
 #include "base/diagnostic.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <initializer_list>
 #include <string>
@@ -20,23 +19,19 @@ namespace fs = std::filesystem;
 class NearestFile : public testing::Test {
 protected:
     NearestFile() {
-        std::string name = (fs::temp_directory_path() / "glint-near-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
         for (const char* file :
              {"presets/boat.toml", "presets/boat-storm.toml", "presets/sea.toml",
-              "fragments/boat.frag", "fragments/water.frag", "wood.png", "notes.txt"}) {
-            fs::create_directories((folder_ / file).parent_path());
-            std::ofstream(folder_ / file) << "x";
-        }
+              "fragments/boat.frag", "fragments/water.frag", "wood.png", "notes.txt"})
+            made_.write(file, "x");
     }
-    ~NearestFile() override { fs::remove_all(folder_); }
 
     std::string meant(const fs::path& name) const {
         const fs::path found = nearest_file(folder_ / name);
         return found.empty() ? "" : found.lexically_relative(folder_).string();
     }
 
-    fs::path folder_;
+    TestFolder made_;
+    fs::path folder_ = made_.path();
 };
 
 TEST_F(NearestFile, IsFoundByLettersEndingAndFolder) {

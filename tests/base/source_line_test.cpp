@@ -2,11 +2,10 @@
 #include "base/source_line.h"
 
 #include "base/terminal.h"
+#include "test_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -72,19 +71,12 @@ TEST(SourceLine, ACutThroughAWideCharacterKeepsTheCaretInPlace) {
 
 class OnATerminal : public testing::Test {
 protected:
-    OnATerminal() {
-        std::string name = (fs::temp_directory_path() / "glint-line-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-        file_ = folder_ / "a.frag";
-        std::ofstream(file_) << "one\n\tfloat x = y;\n";
-    }
-    ~OnATerminal() override { fs::remove_all(folder_); }
-
     Diagnostic complaint() const {
         return {Severity::error, {file_.string(), 2, 12}, "'y' is unknown"};
     }
 
-    fs::path folder_, file_;
+    TestFolder folder_;
+    fs::path file_ = folder_.write("a.frag", "one\n\tfloat x = y;\n");
 };
 
 TEST_F(OnATerminal, TheLineAndACaretFollowTheMessage) {

@@ -51,7 +51,7 @@ inline std::vector<glm::vec4> probe(std::string_view functions, std::string_view
         inputs[i + cases.size() * 3] = cases[i].d;
     }
 
-    const ScratchFolder folder;
+    const TestFolder folder;
     const ReadPreset read = read_scene_text(folder, text, {});
     if (!read.preset) throw std::runtime_error(to_text(read.diagnostics));
     CompileResult compiled = compile_scene(

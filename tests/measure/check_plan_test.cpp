@@ -1,6 +1,6 @@
 // What a check plans: which cases in which order, who may begin, how long a frame is waited for.
+#include "../base/test_folder.h"
 #include "../render/fixture.h"
-#include "../scene/temporary_folder.h"
 #include "measure/check/budget.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(CheckBudget, HasNoEndWithoutALimit) {
 class CheckPlan : public GlTest {
 protected:
     std::vector<Case> plan(std::string_view scene, const Effort& effort = {}) {
-        const TemporaryFolder folder;
+        const TestFolder folder;
         ViewOptions view;
         view.file = folder.write("scene.frag", scene);
         view.size = "8x4";

@@ -1,5 +1,5 @@
 // What a study renders: which knobs in which order, their values, and the references.
-#include "../scene/temporary_folder.h"
+#include "../base/test_folder.h"
 #include "measure/study/plan.h"
 #include "offline/common.h"
 
@@ -35,7 +35,7 @@ struct Planned {
     Planned(const Planned&) = delete;
 
     static Preset read(const std::string& tweaks) {
-        const TemporaryFolder folder;
+        const TestFolder folder;
         const ReadPreset read = read_preset(
             folder.write("a.frag", tweaks + "void mainImage(out vec4 c, in vec2 p) {}\n"));
         for (const Diagnostic& diagnostic : read.diagnostics)

@@ -1,5 +1,5 @@
 // What a study keeps in its folder, so that a call that was stopped goes on.
-#include "../scene/temporary_folder.h"
+#include "../base/test_folder.h"
 #include "measure/study/store.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ constexpr glm::ivec2 kSize{2, 1};
 const std::vector<float> kPicture = {0.1f, 0.2f, 0.3f, 1.0f, 4.0f, -1.0f, 1e-9f, 1.0f};
 
 TEST(StudyStore, ARowComesBackWithAllThatWasMeasured) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const StudyRow row{.value = "4",
                        .work = 4.0,
                        .wall = {1.0 / 3, 0.1, 0.9},
@@ -40,7 +40,7 @@ TEST(StudyStore, ARowComesBackWithAllThatWasMeasured) {
 }
 
 TEST(StudyStore, ARowOfAnotherKeyIsNotTakenForIt) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const StudyStore store(folder.path());
     store.keep(kKey, {.value = "4"});
     EXPECT_TRUE(store.row(kKey, kSize));
@@ -57,7 +57,7 @@ TEST(StudyStore, ARowOfAnotherKeyIsNotTakenForIt) {
 }
 
 TEST(StudyStore, ARowIsAsWholeAsItsPictures) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const StudyStore store(folder.path());
     StudyRow row{.value = "4"};
     row.picture = store.keep_picture(kKey, kPicture, kSize);

@@ -1,5 +1,5 @@
 // What a file says of its picture before the pixels are read.
-#include "../scene/temporary_folder.h"
+#include "../base/test_folder.h"
 #include "media/image.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace glint {
 namespace {
 
 TEST(ImageFacts, AgreeWithThePictureOfEveryKindOfFile) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     for (const std::string name : {"a.png", "a.jpg", "a.exr", "a.tif", "a.hdr"}) {
         SCOPED_TRACE(name);
         const bool floats = holds_floats(name);
@@ -31,7 +31,7 @@ TEST(ImageFacts, AgreeWithThePictureOfEveryKindOfFile) {
 }
 
 TEST(ImageFacts, RefuseWhatIsNoPicture) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     folder.write("text.png", "no picture");
     EXPECT_THROW(read_image_facts(folder.path() / "text.png"), std::runtime_error);
     EXPECT_THROW(read_image_facts(folder.path() / "gone.png"), std::runtime_error);

@@ -21,7 +21,7 @@ std::string content_of(const std::filesystem::path& file) {
 }
 
 std::string encoded(const char* name, const Image& image) {
-    const ScratchFolder folder;
+    const TestFolder folder;
     write_image(folder.path() / name, image);
     return content_of(folder.path() / name);
 }
@@ -174,7 +174,7 @@ TEST_F(InputFiles, APresetNamesCubesAndVolumesForPastedText) {
 
 // Half a second of a square wave, half a second of silence.
 File sound_file() {
-    const ScratchFolder folder;
+    const TestFolder folder;
     const std::filesystem::path file = folder.path() / "song.wav";
     const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     std::vector<std::int16_t> samples(2 * 44100, 0);

@@ -52,7 +52,7 @@ TEST_F(WrappedProgram, HardwareCountsAsFast) {
 }
 
 TEST_F(WrappedProgram, AnUndefinedNameInAnIfIsAnError) {
-    ScratchFolder folder;
+    TestFolder folder;
     const ReadPreset read = read_scene_text(folder,
                                             "// first line\n"
                                             "#if NEVER_DEFINED\n"

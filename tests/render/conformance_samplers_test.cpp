@@ -15,7 +15,7 @@ using Samplers = GlTest;
 std::string png(glm::ivec2 size, int channels, const std::vector<int>& values) {
     Image image{.size = size, .channels = channels, .type = ChannelType::u8, .pixels = {}};
     for (const int value : values) image.pixels.push_back(static_cast<std::byte>(value));
-    const ScratchFolder folder;
+    const TestFolder folder;
     write_image(folder.path() / "image.png", image);
     std::ifstream in(folder.path() / "image.png", std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};

@@ -11,7 +11,7 @@ using Complaints = GlTest;
 
 // The diagnostics of a text that may not compile.
 Diagnostics complaints(const std::string& text, PlayerOptions options = {}) {
-    const ScratchFolder folder;
+    const TestFolder folder;
     const ReadPreset read = read_scene_text(folder, text, options);
     if (!read.preset) return read.diagnostics;
     return compile_scene(*read.preset,

@@ -3,6 +3,7 @@
 // A scene that shows one sentence stands beside its expected value, as text in the test.
 #pragma once
 
+#include "../base/test_folder.h"
 #include "gl/context.h"
 #include "offline/common.h"
 #include "offline/input_files.h"
@@ -15,7 +16,6 @@
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -71,31 +71,6 @@ protected:
     }
 };
 
-// A folder that goes with its owner.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = testing::TempDir() + "/glint-gl-XXXXXX";
-        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder " + name);
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path write(std::string_view name, std::string_view content) const {
-        std::ofstream(path_ / name, std::ios::binary) << content;
-        return path_ / name;
-    }
-
-private:
-    std::filesystem::path path_;
-};
-
 struct File {
     std::string name, content;
 };
@@ -120,7 +95,7 @@ inline std::string to_text(const Diagnostics& diagnostics) {
 }
 
 // A scene, or a preset of it, with its files in a folder of its own.
-inline ReadPreset read_scene_text(const ScratchFolder& folder, std::string_view text,
+inline ReadPreset read_scene_text(const TestFolder& folder, std::string_view text,
                                   const PlayerOptions& options) {
     for (const File& file : options.files) folder.write(file.name, file.content);
     const auto scene = folder.write("scene.frag", text);
@@ -202,7 +177,7 @@ public:
     Preset preset;
 
 private:
-    ScratchFolder folder_;
+    TestFolder folder_;
     PlayerOptions options_;
     std::size_t output_ = 0;
     std::optional<Renderer> renderer_;

@@ -111,7 +111,7 @@ std::vector<std::uint32_t> bits_in_shader(const std::string& declaration, const 
             "}}\n"
             "void mainImage(out vec4 c, vec2 p) {{ c = texelFetch(bytes, ivec2(p), 0); }}\n",
             words);
-    const ScratchFolder folder;
+    const TestFolder folder;
     ReadPreset read = read_scene_text(folder, text, {});
     if (!read.preset) throw std::runtime_error(to_text(read.diagnostics));
     Preset& preset = *read.preset;

@@ -1,7 +1,7 @@
 // Presets: what they set, and what they say about each thing that a person may get wrong.
 #include "scene/preset.h"
 
-#include "temporary_folder.h"
+#include "../base/test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ std::string all(const Diagnostics& diagnostics) {
 }
 
 ReadPreset read(std::string_view text) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     folder.write("fragments/a.frag", kScene);
     return read_preset(folder.write("presets/a.toml", text));
 }
@@ -41,7 +41,7 @@ ReadPreset read(std::string_view text) {
 const std::string kHead = "scene = \"../fragments/a.frag\"\n";
 
 TEST(Preset, ABareSceneOpensWithItsDefaults) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const auto file = folder.write("a.frag", kScene);
     const ReadPreset result = read_preset(file);
     ASSERT_TRUE(result.preset) << all(result.diagnostics);
@@ -239,7 +239,7 @@ TEST(Preset, AMissingSceneIsReportedWhereItIsNamed) {
 }
 
 TEST(Preset, AMissingPresetIsMissing) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const ReadPreset result = read_preset(folder.path() / "none.toml");
     EXPECT_FALSE(result.preset);
     ASSERT_EQ(result.diagnostics.size(), 1u);
@@ -248,7 +248,7 @@ TEST(Preset, AMissingPresetIsMissing) {
 }
 
 TEST(Preset, PassesOnWhatTheSceneSays) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     folder.write("a.frag", "uniform float a; //@ x\n" + kScene);
     const ReadPreset result =
         read_preset(folder.write("a.toml", "scene = \"a.frag\"\n[tweaks]\na = 1\nnone = 1\n"));

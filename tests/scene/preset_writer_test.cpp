@@ -1,9 +1,9 @@
 // Saving a preset: it reads back as the same, and what the person wrote stays.
 #include "scene/preset_writer.h"
 
+#include "../base/test_folder.h"
 #include "base/words.h"
 #include "scene/toml_text.h"
-#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ protected:
             EXPECT_EQ(toml_braces(toml_event(a.events[i])), toml_braces(toml_event(b.events[i])));
     }
 
-    TemporaryFolder folder_;
+    TestFolder folder_;
     std::filesystem::path scene_ = folder_.write("fragments/boat.frag", kScene);
     std::filesystem::path file_ = folder_.path() / "presets" / "look.toml";
 };

@@ -1,9 +1,5 @@
 // Whole files: what they declare, what is blanked, and what they say when something is wrong.
-#include "scene/scene.h"
-
-#include "temporary_folder.h"
-
-#include <gtest/gtest.h>
+#include "read_text.h"
 
 #include <algorithm>
 #include <string>
@@ -11,38 +7,6 @@
 
 namespace glint {
 namespace {
-
-const std::string kImage = "void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }\n";
-
-std::string all(const Diagnostics& diagnostics) {
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics) text += to_string(diagnostic) + "\n";
-    return text;
-}
-
-ReadScene read(std::string_view text) {
-    const TemporaryFolder folder;
-    return read_scene(folder.write("a.frag", text));
-}
-
-// The scene of a text that is right; an empty one, and a failure, when it is not.
-Scene good(std::string_view text) {
-    ReadScene result = read(text);
-    EXPECT_EQ(all(result.diagnostics), "") << text;
-    return result.scene.value_or(Scene{});
-}
-
-std::string tweak_names(const Scene& scene) {
-    std::string names;
-    for (const Tweak& tweak : scene.tweaks) names += tweak.name + " ";
-    return names;
-}
-
-std::string lines(int count, std::string_view line) {
-    std::string text;
-    for (int i = 0; i < count; ++i) text += line;
-    return text;
-}
 
 TEST(Scene, TheSmallestIsMainImageAlone) {
     const Scene scene = good(kImage);
@@ -235,7 +199,7 @@ TEST(Scene, AFunctionThatAMacroMakesIsLeftToTheDriver) {
 }
 
 TEST(Scene, AFunctionMayStandInAnIncludedFile) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     folder.write("waves.glsl", "void mainWaves(out vec4 c, in vec2 f) { c = vec4(1); }\n");
     const char* text = "#include \"waves.glsl\"\nuniform sampler2D waves; //@ pass mainWaves\n";
     const ReadScene read = read_scene(folder.write("a.frag", text + kImage));
@@ -348,7 +312,7 @@ TEST(Scene, AFileWithoutAShaderSaysWhatToWrite) {
 }
 
 TEST(Scene, AMissingFileAndAFolderAreMissing) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     for (const auto& path : {folder.path() / "none.frag", folder.path()}) {
         const ReadScene result = read_scene(path);
         EXPECT_FALSE(result.scene);
@@ -391,256 +355,6 @@ TEST(Scene, ATabHasSamplersOfItsOwn) {
                       "uniform sampler2D a; //@ keyboard\n#endif\n" +
                       std::string(kImage))
                      .scene);
-}
-
-TEST(OddText, EveryKindOfLineEndIsOne) {
-    const std::string plain = "// one\n\nuniform float a; //@ 0.5 [0, 1] \"x\"\n" + kImage;
-    const std::string expected = good(plain).text;
-    for (const std::string& end : {std::string("\r\n"), std::string("\r")}) {
-        std::string text;
-        for (const char c : plain) text += c == '\n' ? end : std::string(1, c);
-        const Scene scene = good(text);
-        EXPECT_EQ(scene.text, expected);
-        EXPECT_EQ(scene.origins.size(), 4u);
-        EXPECT_EQ(scene.tweaks.at(0).place.line, 3);
-        EXPECT_EQ(scene.tweaks.at(0).description, "x");
-    }
-    EXPECT_EQ(good("\xEF\xBB\xBF" + plain).text, expected);
-    EXPECT_EQ(good(plain.substr(0, plain.size() - 1)).text, expected);
-}
-
-TEST(OddText, IsReadWithoutHarm) {
-    const struct {
-        const char* name;
-        std::string text;
-        const char* tweaks;
-    } cases[] = {
-        {"a note in a block comment", "/*\nuniform float a; //@ 1\n*/", ""},
-        {"a comment in a comment", "// /*\nuniform float a; //@ 1\n// */", "a "},
-        {"a comment within a declaration", "uniform /* // */ float // x\n a; //@ 1", "a "},
-        {"a note within a declaration", "uniform float //@ 1\n a;", "a "},
-        {"a joined comment", "// \\\nuniform float a; //@ 1", ""},
-        {"a joined note", "uniform vec2 a; //@ 1, \\\n 2 [0, \\\n 3]", "a "},
-        {"a joined declaration", "uniform \\\n float a; //@ 1", "a "},
-        {"a macro's body", "#define U uniform float a; \\\n uniform float b; //@ 1\n", ""},
-        {"a dead branch", "#if 0\nuniform float a; //@ 1\n#include \"none\"\n#endif", ""},
-        {"Latin-1 in a comment", "// gr\xFC\xDF\nuniform float a; //@ 1 \"gr\xFC\xDF\"", "a "},
-        {"a precision statement", "precision mediump float;\nuniform float a; //@ 1", "a "},
-        {"a block's members", "struct S { float uniformity; }; uniform float a; //@ 1", "a "},
-        {"tabs and form feeds", "\tuniform\tfloat\fa\v;\t//@\t1\t[0,\t1]", "a "},
-    };
-    for (const auto& c : cases) {
-        ReadScene result = read(c.text + "\n" + kImage);
-        ASSERT_TRUE(result.scene) << c.name << "\n" << all(result.diagnostics);
-        EXPECT_EQ(tweak_names(*result.scene), c.tweaks) << c.name;
-    }
-}
-
-TEST(OddText, ANulByteIsAnErrorAtItsPlace) {
-    const ReadScene result = read(std::string("// ab\nx\0y\n", 10) + kImage);
-    EXPECT_FALSE(result.scene);
-    EXPECT_NE(all(result.diagnostics).find("a.frag:2:2: error: a NUL byte"), std::string::npos)
-        << all(result.diagnostics);
-}
-
-TEST(OddText, MainImageMayStandBehindAMacro) {
-    good("#define main_image mainImage\nvoid main_image(out vec4 c, in vec2 f) { c = vec4(1); }\n");
-}
-
-// What is quadratic would take minutes here.
-TEST(OddText, AnEndlessLineIsReadInLinearTime) {
-    const std::string endless(1 << 20, 'x');
-    for (const std::string& text :
-         {endless, "// " + endless, "//@ " + endless, "/*" + endless + "*/",
-          "uniform float a; //@ 1 " + endless, "uniform float a; //@ 1 \"" + endless + "\"",
-          "uniform float a; //@ " + lines(1 << 16, "1, "), "#include " + lines(1 << 16, "< \" "),
-          lines(1 << 14, "uniform float a;"), lines(1 << 14, "uniform "), lines(1 << 16, "/**/ "),
-          lines(1 << 14, "//@ 1\n"), "uniform float " + lines(1 << 16, "a, ") + "b;",
-          "uniform int a; //@ 0 {" + lines(1 << 16, "a, ") + "b}", lines(1 << 17, "\\\n"),
-          lines(1 << 17, "{ "), "uniform float a" + lines(1 << 17, "["),
-          lines(1 << 14, "#if 0\n")}) {
-        const ReadScene result = read(text + "\n" + kImage);
-        EXPECT_EQ(result.scene.has_value(), !has_errors(result.diagnostics));
-    }
-}
-
-TEST(Include, StandsInPlaceAndKeepsEveryLinesOrigin) {
-    const TemporaryFolder folder;
-    folder.write("lib/noise.glsl", "float n;\n#include \"hash.glsl\"\nuniform float a; //@ x");
-    folder.write("lib/hash.glsl", "float h;\n");
-    const auto file =
-        folder.write("a.frag", "int one;\n  #include <lib/noise.glsl> // hi\n" + kImage);
-    const ReadScene wrong = read_scene(file);
-    EXPECT_EQ(wrong.diagnostics.size(), 1u);
-    EXPECT_EQ(wrong.diagnostics.at(0).place.file, (folder.path() / "lib/noise.glsl").string());
-    EXPECT_EQ(wrong.diagnostics.at(0).place.line, 3);
-    EXPECT_EQ(wrong.diagnostics.at(0).place.column, 22);
-
-    folder.write("lib/noise.glsl", "float n;\n#include \"hash.glsl\"\nuniform float a; //@ 1");
-    const ReadScene result = read_scene(file);
-    ASSERT_TRUE(result.scene) << all(result.diagnostics);
-    const Scene& scene = *result.scene;
-    EXPECT_EQ(scene.text,
-              "int one;\nfloat n;\nfloat h;\n                    \n"
-              "uniform float a; //@ 1\n                            // hi\n" +
-                  kImage);
-    ASSERT_EQ(scene.files.size(), 3u);
-    EXPECT_EQ(scene.files[2], folder.path() / "lib/hash.glsl");
-    const struct {
-        std::size_t file;
-        int line;
-    } origins[] = {{0, 1}, {1, 1}, {2, 1}, {1, 2}, {1, 3}, {0, 2}, {0, 3}};
-    ASSERT_EQ(scene.origins.size(), std::size(origins));
-    for (std::size_t i = 0; i < std::size(origins); ++i) {
-        EXPECT_EQ(scene.origins[i].file, origins[i].file) << i;
-        EXPECT_EQ(scene.origins[i].line, origins[i].line) << i;
-    }
-    EXPECT_EQ(scene.place(5, 9).file, (folder.path() / "lib/noise.glsl").string());
-    EXPECT_EQ(scene.place(5, 9).line, 3);
-    EXPECT_EQ(scene.place(5, 9).column, 9);
-    EXPECT_EQ(scene.place(999, 1).line, 3);
-    EXPECT_EQ(scene.place(0, 0).line, 0);
-    const Tweak& tweak = scene.tweaks.at(0);
-    EXPECT_EQ(scene.text.substr(tweak.declaration_begin, 16), "uniform float a;");
-}
-
-TEST(Include, ImagesAreNamedFromTheFileThatNamesThem) {
-    const TemporaryFolder folder;
-    folder.write("lib/wood.glsl", "uniform sampler2D wood; //@ image wood.png\n");
-    const ReadScene result =
-        read_scene(folder.write("a.frag", "#include \"lib/wood.glsl\"\n" + kImage));
-    ASSERT_TRUE(result.scene) << all(result.diagnostics);
-    EXPECT_EQ(result.scene->samplers.at(0).files.at(0), folder.path() / "lib/wood.png");
-}
-
-TEST(Include, AMissingFileIsReportedWhereItIsNamed) {
-    const TemporaryFolder folder;
-    folder.write("b.glsl", "int b;\n   #include \"none.glsl\"\n");
-    const ReadScene result = read_scene(folder.write("a.frag", "#include \"b.glsl\"\n"));
-    EXPECT_FALSE(result.scene);
-    ASSERT_EQ(result.diagnostics.size(), 1u) << all(result.diagnostics);
-    EXPECT_TRUE(result.diagnostics[0].missing_file);
-    EXPECT_EQ(result.diagnostics[0].place.file, (folder.path() / "b.glsl").string());
-    EXPECT_EQ(result.diagnostics[0].place.line, 2);
-    EXPECT_EQ(result.diagnostics[0].place.column, 4);
-    // A reload watches for the missing file too.
-    EXPECT_EQ(result.files.size(), 3u);
-}
-
-TEST(Branches, ThatAreNotTakenSayNothing) {
-    const std::string text =
-        "#define IN_SHADERTOY\n"
-        "#ifdef NOPE\n#include \"none.glsl\"\nuniform float a; //@ 1\n#endif\n"
-        "#ifndef IN_SHADERTOY\n#include \"none.glsl\"\n#endif\n"
-        "#ifndef HW_PERFORMANCE\nuniform vec4 iResolution;\n//@ nonsense\n#endif\n"
-        "#if __VERSION__ < 300 || defined(IN_SHADERTOY) && 0\nuniform int iTime;\n#endif\n" +
-        kImage;
-    const Scene scene = good(text);
-    EXPECT_EQ(scene.text, text) << "what is not compiled stays as it is";
-    EXPECT_TRUE(scene.tweaks.empty());
-}
-
-TEST(Branches, OfWhatIsDefinedInAnIncludeAreKnown) {
-    const TemporaryFolder folder;
-    folder.write("b.glsl", "#ifndef GUARD\n#define GUARD\nuniform float a; //@ 1\n#endif\n");
-    const ReadScene result =
-        read_scene(folder.write("a.frag",
-                                "#include \"b.glsl\"\n#include \"b.glsl\"\n#ifndef GUARD\n#include "
-                                "\"none.glsl\"\n#endif\n" +
-                                    kImage));
-    ASSERT_TRUE(result.scene) << all(result.diagnostics);
-    EXPECT_EQ(tweak_names(*result.scene), "a ");
-}
-
-TEST(Branches, OfAPassMayBeTaken) {
-    const std::string text =
-        "uniform sampler2D a; //@ pass mainA\n"
-        "#ifdef PASS_a\nuniform sampler2D iChannel0; //@ noise rgba 64\n"
-        "void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }\n#else\nuniform float b; //@ 1\n" +
-        kImage + "#endif\n";
-    const Scene scene = good(text);
-    EXPECT_EQ(scene.samplers.at(1).tab, "a");
-    EXPECT_EQ(tweak_names(scene), "b ");
-}
-
-TEST(Blanked, ArePragmas) {
-    const Scene scene = good("#pragma optimize(off);  // fast\n" + kImage);
-    EXPECT_EQ(scene.text, "                        // fast\n" + kImage);
-}
-
-TEST(Uniforms, MayComeFromMacros) {
-    const Scene scene = good("#define KNOB uniform float\nKNOB a; //@ 1\n" + kImage);
-    EXPECT_EQ(tweak_names(scene), "a ");
-    EXPECT_EQ(scene.text.substr(scene.tweaks.at(0).declaration_begin, 7), "KNOB a;");
-    const ReadScene both =
-        read("#define KNOBS uniform float a; uniform float b\nKNOBS; //@ 1\n" + kImage);
-    EXPECT_FALSE(both.scene) << "nothing tells which of them is meant";
-}
-
-TEST(Include, ACircleIsAnErrorThatNamesIt) {
-    const TemporaryFolder folder;
-    folder.write("b.glsl", "#include \"c.glsl\"\n");
-    folder.write("c.glsl", "\n#include \"./b.glsl\"\n");
-    const ReadScene result = read_scene(folder.write("a.frag", "#include \"b.glsl\"\n" + kImage));
-    ASSERT_EQ(result.diagnostics.size(), 1u) << all(result.diagnostics);
-    EXPECT_EQ(result.diagnostics[0].place.file, (folder.path() / "c.glsl").string());
-    EXPECT_EQ(result.diagnostics[0].place.line, 2);
-    EXPECT_NE(result.diagnostics[0].text.find("c.glsl -> "), std::string::npos);
-}
-
-TEST(Include, TwiceIsTwiceUnlessPragmaOnce) {
-    const TemporaryFolder folder;
-    const auto file = folder.write("a.frag", "#include \"b\"\n#include \"b\"\n" + kImage);
-    folder.write("b", "int b;\n");
-    EXPECT_EQ(read_scene(file).scene->origins.size(), 5u);
-    folder.write("b", "#pragma once\n#include \"b\"\nuniform float a; //@ 1\n");
-    const ReadScene result = read_scene(file);
-    ASSERT_TRUE(result.scene) << all(result.diagnostics);
-    EXPECT_EQ(result.scene->tweaks.size(), 1u);
-    EXPECT_EQ(result.scene->files.size(), 2u);
-}
-
-TEST(Include, FilesThatDoubleThemselvesEnd) {
-    const TemporaryFolder folder;
-    for (int i = 0; i < 30; ++i) {
-        const std::string next = "#include \"" + std::to_string(i + 1) + "\"\n";
-        folder.write(std::to_string(i), next + next);
-    }
-    folder.write("30", "");
-    const ReadScene result = read_scene(folder.write("a.frag", "#include \"0\"\n" + kImage));
-    EXPECT_EQ(result.diagnostics.size(), 1u);
-    EXPECT_NE(all(result.diagnostics).find("too many includes"), std::string::npos);
-}
-
-TEST(Include, IsReadOnlyWhereItIsOne) {
-    const TemporaryFolder folder;
-    folder.write("b", "int b;\n");
-    folder.write("c//d", "int d;\n");
-    const struct {
-        const char* text;
-        bool expanded;
-        bool error;
-    } cases[] = {
-        {"// #include \"none\"\n", false, false},
-        {"/*\n#include \"none\"\n*/\n", false, false},
-        {"/*\n*/ #include \"b\" /* x\n */\n", true, false},
-        {"#define X \\\n#include \"none\"\n", false, false},
-        {"#  include \"b\"\n", true, false},
-        {"#include \"c//d\"\n", true, false},
-        {"#include \"b\" int x;\n", true, true},
-        {"#include\n", false, true},
-        {"#include \"\"\n", false, true},
-        {"#include \"b\n", false, true},
-        {"#include \".\"\n", false, true},
-    };
-    for (const auto& c : cases) {
-        const ReadScene result = read_scene(folder.write("a.frag", c.text + kImage));
-        EXPECT_EQ(has_errors(result.diagnostics), c.error) << c.text << all(result.diagnostics);
-        if (result.scene) {
-            EXPECT_EQ(result.scene->files.size(), c.expanded ? 2u : 1u) << c.text;
-            EXPECT_EQ(result.scene->text.find("#include \"b\""), std::string::npos);
-        }
-    }
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // The files that were open last.
 #include "window/live/recent.h"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
+#include "../../base/test_folder.h"
 
-#include <cstdlib>
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <string>
 
@@ -15,18 +15,13 @@ namespace fs = std::filesystem;
 
 class RecentFiles : public testing::Test {
 protected:
-    RecentFiles() {
-        std::string name = (fs::temp_directory_path() / "glint-recent-XXXXXX").string();
-        folder_ = fs::canonical(::mkdtemp(name.data()));
-    }
-    ~RecentFiles() override { fs::remove_all(folder_); }
-
     fs::path file(const std::string& name) const {
-        std::ofstream(folder_ / name) << "x";
+        made_.write(name, "x");
         return folder_ / name;
     }
 
-    fs::path folder_;
+    TestFolder made_;
+    fs::path folder_ = fs::canonical(made_.path());
 };
 
 TEST_F(RecentFiles, TheNewestIsFirstAndEachIsThereOnce) {

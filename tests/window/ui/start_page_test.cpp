@@ -1,10 +1,9 @@
 // The window while nothing is open, and the dialog that makes a new scene.
+#include "../../base/test_folder.h"
 #include "screen.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -18,16 +17,12 @@ constexpr std::string_view kTemplates[] = {"shadertoy", "raymarch", "sound"};
 class StartPage : public testing::Test {
 protected:
     StartPage() {
-        std::string name = (fs::temp_directory_path() / "glint-start-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
         screen.facts.scene = nullptr;
         screen.facts.browser = entries_;
         screen.facts.templates = kTemplates;
         screen.facts.folder = folder_;
         frames();
     }
-    ~StartPage() override { fs::remove_all(folder_); }
-
     void frames() {
         for (int i = 0; i < 4; ++i) screen.frame();
     }
@@ -40,7 +35,8 @@ protected:
         frames();
     }
 
-    fs::path folder_;
+    TestFolder made_;
+    fs::path folder_ = made_.path();
     const std::vector<BrowserEntry> entries_ = {{"/far/rings.toml", "rings", "Recent", 0, {}},
                                                 {"/here/boat.toml", "boat", "Examples", 0, {}},
                                                 {"/here/sea.toml", "sea", "Examples", 0, {}},

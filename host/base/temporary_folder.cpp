@@ -1,0 +1,28 @@
+#include "base/temporary_folder.h"
+
+#include <errno.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace glint {
+
+namespace fs = std::filesystem;
+
+TemporaryFolder::TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "glint-XXXXXX").string();
+    if (!::mkdtemp(name.data())) {
+        throw std::runtime_error("No temporary folder can be made as " + name + ": " +
+                                 std::generic_category().message(errno) + ".");
+    }
+    path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+}  // namespace glint

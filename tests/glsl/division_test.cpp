@@ -1,0 +1,41 @@
+// Divisions by a zero that is written in the text.
+#include "glsl/division.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+namespace glint {
+namespace {
+
+std::string mended(std::string_view text) {
+    const Reading reading = read_glsl(text, {});
+    Edits edits(reading);
+    mend_division_by_zero(reading, {"soft"}, edits);
+    return edits.apply().text;
+}
+
+TEST(Division, ByAFloatingZeroIsMultiplication) {
+    EXPECT_EQ(mended("a / 0.0 * b / .0 / 0.0f"), "a * 1e39 * b * 1e39 * 1e39");
+    EXPECT_EQ(mended("a /= (0.); b / vec3(0.0);"), "a *= (1e39); b * vec3 (1e39);")
+        << "with what stands between";
+    EXPECT_EQ(mended("a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0"),
+              "a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0");
+    EXPECT_EQ(mended("#define NONE 0.\na / NONE;"), "#define NONE 0.\na * 1e39;");
+}
+
+TEST(Division, ByAConstantThatIsZeroIsMultiplication) {
+    EXPECT_EQ(
+        mended("const float Z = 0.0;\nvoid f() { a / Z; a / (Z); a / Z.x; a / Z(); a / Zz; }"),
+        "const float Z = 0.0;\nvoid f() { a * 1e39; a * (1e39); a / Z.x; a / Z(); a / Zz; }")
+        << "its own name alone";
+    const std::string hidden = "const float Z = 0.0;\nvoid f(float Z) { a / Z; }";
+    EXPECT_EQ(mended(hidden), hidden) << "another variable has the name";
+    EXPECT_EQ(mended("uniform float soft, hard;\nvoid f() { a / soft / hard; }"),
+              "uniform float soft, hard;\nvoid f() { a * 1e39 / hard; }")
+        << "a tweak that is written in as 0";
+}
+
+}  // namespace
+}  // namespace glint
