@@ -76,7 +76,7 @@ uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D sky;         //@ pass mainSky size=256x128
 uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
-uniform sampler2D screen;      //@ pass mainScreen format=rgba8
+uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
 uniform sampler2D albedo;      //@ pass mainGBuffer filter=nearest
 uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
