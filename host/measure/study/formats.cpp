@@ -13,8 +13,9 @@ constexpr std::string_view kFormatWord = ".format";
 PixelFormat parse(const std::string& name, const std::string& word) {
     const auto format = parse_pixel_format(word);
     if (format) return *format;
-    throw UsageError(
-        fmt::format("{}: '{}' is no format; write {}.", name, word, expected_pixel_format(word)));
+    const std::string expected = expected_pixel_format(word);
+    throw UsageError(fmt::format("{}: '{}' is no format; write {}{}", name, word, expected,
+                                 expected.ends_with('?') ? "" : "."));
 }
 
 std::size_t pass_of(const Scene& scene, const std::string& name) {
