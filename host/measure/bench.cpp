@@ -90,6 +90,7 @@ public:
     }
 
     const PassGraph& graph() const { return renderer_.graph(); }
+    std::size_t buffer_bytes(std::size_t i) const { return renderer_.buffer(i).byte_count(); }
 
     // One a frame: by the clock on the wall, on all processors together, beside the draw calls.
     std::vector<double> frame_ms, processor_ms, host_ms;
@@ -118,6 +119,7 @@ Json passes_json(const Preset& preset, Subject& subject, int frames) {
                         {"ms", quantile(times[i].wall_ms, 0.5)},
                         {"processor_ms", quantile(times[i].processor_ms, 0.5)},
                         {"drawn", times[i].wall_ms.size()},
+                        {"bytes", subject.buffer_bytes(i)},
                         {"runs", to_string(pass.runs)}});
     }
     return list;
