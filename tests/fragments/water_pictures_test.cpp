@@ -27,7 +27,7 @@ TEST_F(Water, EachWayOfDrawingLeavesOutThePassesOfTheOther) {
     }
     EXPECT_TRUE(has(traced, "pond"));
     const auto still = drawn("water = \"traced\"\nripples = false\n");
-    for (const char* name : {"bedEast", "pushes", "pond", "relief", "peaks", "crest"})
+    for (const char* name : {"bedEast", "pushes", "pond", "relief", "heights", "peaks", "crest"})
         EXPECT_FALSE(has(still, name)) << name;
     EXPECT_FALSE(has(drawn("ripples = false\nwaveHeight = 0\nlanterns = 0\n"), "floats"));
 }
