@@ -315,9 +315,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
     Edits edits(reading);
     if (options.specialise || options.constant) specialise(preset, options.constant, edits);
-    const std::string_view entry = image   ? scene.image_entry
-                                   : sound ? ""
-                                           : scene.passes[pass].entry;
+    const std::string entry = image ? scene.image_entry : sound ? "" : scene.passes[pass].entry;
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);
     if (plain_main || (image && options.tiles))
