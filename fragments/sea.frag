@@ -74,14 +74,14 @@ uniform int   shadows;         //@ 1 {off, cone, sampled} quality reference=2 "k
 uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of a sampled shadow"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
-uniform sampler2D sky;         //@ pass mainSky size=256x128
-uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
-uniform sampler2D screen;      //@ pass mainScreen format=rgba8
+uniform sampler2D sky;         //@ pass mainSky size=256x128 format=rgba16f
+uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 format=rgba16f filter=nearest
+uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
 uniform sampler2D albedo;      //@ pass mainGBuffer filter=nearest
 uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
 uniform sampler2D smoothDepth; //@ buffer normalDepth filter=linear
-uniform sampler2D lightBuffer; //@ pass mainLight filter=nearest
+uniform sampler2D lightBuffer; //@ pass mainLight format=rgba16f filter=nearest
 
 // ---- Constants and numbers ----------------------------------------------------------------------
 const float kPi = 3.14159265358979;

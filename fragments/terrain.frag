@@ -77,7 +77,7 @@ uniform int   lensSamples;     //@ 32 [8, 256] log quality reference=256 "taps o
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D tile;        //@ pass mainTile size=512x512 filter=mipmap wrap=repeat
-uniform sampler2D cloudTile;   //@ pass mainCloudTile size=512x512 filter=mipmap wrap=repeat
+uniform sampler2D cloudTile;   //@ pass mainCloudTile size=512x512 format=rg32f filter=mipmap wrap=repeat
 uniform sampler2D bare;        //@ pass mainBare size=513x513
 uniform sampler2D land;        //@ pass mainLand size=513x513
 uniform sampler2D peaks;       //@ pass mainPeaks size=640x512 filter=nearest
@@ -85,7 +85,7 @@ uniform sampler2D sky;         //@ pass mainSky size=256x128
 uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
 uniform sampler2D lightMap;    //@ pass mainLightMap size=513x513
 uniform sampler2D waves;       //@ pass mainWaves size=512x512 filter=mipmap
-uniform sampler2D gathered;    //@ pass mainGathered size=256x256
+uniform sampler2D gathered;    //@ pass mainGathered size=256x256 format=r32f
 uniform sampler2D colours;     //@ pass mainGBuffer filter=nearest
 uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
 uniform sampler2D picture;     //@ pass mainPicture filter=nearest
