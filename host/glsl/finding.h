@@ -12,6 +12,9 @@
 
 namespace glint {
 
+// What only WebGL 2 minds.
+inline constexpr std::string_view kWebGl = "webgl";
+
 struct Finding {
     std::string_view name;             // "shadowed-name": by which a person silences it
     std::size_t at = 0;                // byte of the text
@@ -29,5 +32,8 @@ std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vect
 // numbers that names stand for besides the text's own constants.
 std::vector<Finding> find_long_loops(const Reading& reading, const std::vector<bool>& wanted,
                                      const std::unordered_map<std::string_view, double>& known);
+
+// Names that GLSL ES keeps for itself, and that browsers refuse where glslang and Mesa take them.
+std::vector<Finding> find_reserved_names(const Reading& reading, const std::vector<bool>& wanted);
 
 }  // namespace glint

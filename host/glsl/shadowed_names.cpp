@@ -1,10 +1,12 @@
-// A name's scope ends with the block, loop or switch in which it is declared (GLSL ES 3.00, 4.2.2).
+// What names hide, and which are kept. A name's scope ends with the block, loop or switch in which
+// it is declared (GLSL ES 3.00, 4.2.2).
 #include "glsl/finding.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 namespace glint {
 namespace {
@@ -188,6 +190,29 @@ private:
 
 std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted) {
     return Finder(reading, wanted).find();
+}
+
+std::vector<Finding> find_reserved_names(const Reading& reading, const std::vector<bool>& wanted) {
+    std::vector<Finding> findings;
+    std::unordered_set<std::string_view> seen;
+    for (const Item& item : reading.items) {
+        if (item.kind == Item::Kind::function && !wanted[item.index]) continue;
+        for (std::uint32_t at = item.tokens.begin; at < item.tokens.end; ++at) {
+            const std::string_view word = reading.word(at);
+            const bool is_reserved = word.find("__") != word.npos || word.starts_with("webgl_") ||
+                                     word.starts_with("_webgl_");
+            if (!is_reserved || !reading.tokens[at].is_word() || !seen.insert(word).second)
+                continue;
+            findings.push_back(
+                {kWebGl,
+                 reading.place(at).begin,
+                 fmt::format("`{}` is a name that GLSL ES 3.00 and WebGL keep for themselves, and "
+                             "browsers refuse it: give it another without __",
+                             word),
+                 {}});
+        }
+    }
+    return findings;
 }
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 #include "base/temporary_folder.h"
 #include "base/words.h"
 #include "base/workers.h"
+#include "glsl/finding.h"
 #include "offline/site_text.h"
 #include "render/own_overloads.h"
 #include "scene/scene_text.h"
@@ -96,6 +97,12 @@ std::optional<std::string> log_of(const std::string& text) {
     return log;
 }
 
+// What browsers take and the validator alone refuses, after which it is lost: an empty argument of
+// a macro that takes none, and an odd quote in a branch that is not compiled.
+bool is_refused_by_it_alone(std::string_view why) {
+    return why.starts_with("Too few args in Macro") || why.starts_with("End of line in string");
+}
+
 // The byte of a line, from 1, at which a word stands; its first one that is no space otherwise.
 std::size_t find_in_line(const std::string& text, int line, const std::string& word) {
     std::size_t begin = 0;
@@ -130,10 +137,12 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
         int line = 0;
         const std::string digits = (*one)[1], word = (*one)[2], why = (*one)[3];
         std::from_chars(digits.data(), digits.data() + digits.size(), line);
+        if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;
         const std::size_t at = find_in_line(site.text, line - head_lines, word);
         findings.push_back(
-            {"webgl", preset.scene.place_at(site.origin(std::min(at, site.text.size() - 1))),
+            {std::string(kWebGl),
+             preset.scene.place_at(site.origin(std::min(at, site.text.size() - 1))),
              fmt::format("the reference compiler of GLSL ES 3.00 refuses this, and so may "
                          "browsers: {}{}",
                          word.empty() ? "" : in_quotes(word) + ": ", trimmed(why))});

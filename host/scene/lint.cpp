@@ -212,6 +212,7 @@ void Linter::look_into_functions() {
             }
         };
         add_all(find_shadowed_names(view.reading, view.reached));
+        add_all(find_reserved_names(view.reading, view.reached));
         add_all(find_long_loops(view.reading, view.reached, values));
     }
 }
@@ -221,7 +222,7 @@ void Linter::look_into_functions() {
 std::span<const std::string> finding_names() {
     static const std::vector<std::string> names = {
         "unused-function",   "unused-uniform", "unused-pass",        "shadowed-name",
-        "undescribed-tweak", "long-loop",      "loop-without-bound", "webgl"};
+        "undescribed-tweak", "long-loop",      "loop-without-bound", std::string(kWebGl)};
     return names;
 }
 

@@ -59,6 +59,7 @@ void read_text(std::string_view raw) {
         Edits edits(reading);
         const std::vector<bool> all(reading.functions.size(), true);
         find_shadowed_names(reading, all);
+        find_reserved_names(reading, all);
         find_long_loops(reading, all, {{"steps", 100.0}});
         mend_division_by_zero(reading, {}, edits);
         write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});

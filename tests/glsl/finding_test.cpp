@@ -67,6 +67,18 @@ TEST(ShadowedNames, InAMacroStandAtItsUse) {
         List{"shadowed-name 3"});
 }
 
+TEST(ReservedNames, AreToldOnce) {
+    const std::string text =
+        "float a__b;\nvoid f() { float __x = a__b, y_ = float(__LINE__), webgl_z; }\n";
+    const Reading reading = read_glsl(text, known_of_driver());
+    const auto findings = find_reserved_names(reading, {true});
+    ASSERT_EQ(findings.size(), 3u);
+    EXPECT_EQ(findings[0].at, text.find("a__b"));
+    EXPECT_EQ(findings[1].at, text.find("__x"));
+    EXPECT_EQ(findings[2].at, text.find("webgl_z"));
+    EXPECT_TRUE(find_reserved_names(reading, {false}).size() == 1);
+}
+
 struct Loop {
     const char* text;
     LoopBound::Kind kind;

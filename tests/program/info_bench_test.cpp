@@ -253,21 +253,23 @@ TEST_F(InfoAndBench, InfoPrintsSomeOfManyFindingsAndSaysHowManyMore) {
 
 TEST_F(InfoAndBench, InfoTellsWhatWebGlWouldRefuse) {
     if (!counts_words()) GTEST_SKIP() << "no glslangValidator or spirv-opt";
-    write("lib.glsl", "float half_(float a__b) { return a__b * 0.5; }\n");
+    write("lib.glsl", "vec4 read(vec2 at) { return texture2D(grain, at); }\n");
     write("refused.frag",
           "uniform float level; //@ 0.5 [0, 1] \"how much\"\n"
           "uniform sampler2D grain; //@ noise r 8\n"
           "// The next line is another file's.\n"
           "#include \"lib.glsl\"\n"
-          "#define TINT vec3 __t = vec3(level)\n"
-          "float unused(float no__matter) { return no__matter; } //@ allow unused-function\n"
+          "float unused() { return texture2D(grain, vec2(0)).x; } //@ allow unused-function\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = read(p) * level; }\n");
+    EXPECT_EQ(names_of(json({"info", "refused.frag"})["findings"]),
+              std::vector<std::string>{"lib.glsl:1:29 webgl"});
+    write("macro.frag",
+          "#define READ(x) texture2D(grain, x)\n"
+          "uniform sampler2D grain; //@ noise r 8\n"
           "void mainImage(out vec4 c, in vec2 p) {\n"
-          "    TINT; c = vec4(__t, half_(texture(grain, p).x));\n"
-          "}\n");
-    const auto names = names_of(json({"info", "refused.frag"})["findings"]);
-    for (const std::string one : {"lib.glsl:1:19 webgl", "refused.frag:8:20 webgl"})
-        EXPECT_TRUE(std::ranges::find(names, one) != names.end()) << Json(names);
-    for (const std::string& one : names) EXPECT_EQ(one.find("frag:6"), one.npos) << one;
+          "    c = vec4(1) *\n        READ(p);\n}\n");
+    EXPECT_EQ(names_of(json({"info", "macro.frag"})["findings"]),
+              std::vector<std::string>{"macro.frag:5:9 webgl"});
     write("taken.frag",
           "mat2 mix(mat2 a, mat2 b, float t) { return a + t * (b - a); } "
           "//@ allow shadowed-name\n"
