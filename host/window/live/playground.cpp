@@ -3,6 +3,8 @@
 #include "base/readable_file.h"
 #include "media/image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -177,6 +179,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     since_tweak_.restart();
     touched_ = true;
     if (!written) {
+        has_picture_ = false;
         opening_ = Opening::awaits_inputs;
         transport = Transport(preset_->time);
         input_ = {};
@@ -307,6 +310,13 @@ double Playground::replayed() const {
     return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
 }
 
+std::string Playground::waits_for() const {
+    if (reloader_.is_trying()) return trial_.work();
+    if (replay_at_ >= 0)
+        return fmt::format("playing up to {:g} s, {:.0f} % done", instant_.time, 100 * replayed());
+    return has_unseen_text() ? "drawing the first frame" : "";
+}
+
 // A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived:
 // then `frame`, which is to be drawn, is the last frame of a still at its time, and those that
 // follow count on from there.
@@ -357,6 +367,7 @@ bool Playground::draw(double wall_seconds) {
         };
     }
     const bool drawn = renderer_->draw(frame);
+    has_picture_ |= drawn;
     renderer_->after_pass = nullptr;
     context_.finish();
     drawn_input_ = frame.input;

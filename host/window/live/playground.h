@@ -91,6 +91,8 @@ public:
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
+    // Whether what is open has been drawn. A simulation is first played up to its start.
+    bool has_picture() const { return has_picture_; }
     bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
     // A large picture goes to the driver; update() is to be called again at once.
     bool is_sending() const { return !arriving_.empty(); }
@@ -103,6 +105,9 @@ public:
     }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
+    // What the next picture waits for, in words such as "compiling image"; "" where nothing is
+    // waited for.
+    std::string waits_for() const;
 
     // What is drawn, or null; its values are empty: `tweaks` has them.
     const Preset* preset() const { return preset_.get(); }
@@ -193,6 +198,7 @@ private:
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
+    bool has_picture_ = false;
     bool touched_ = true;   // something other than time asks for a frame
     int extra_frames_ = 0;  // drawn since time stands
     int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay

@@ -1,7 +1,8 @@
 // The window of an open scene: what it holds together, and who does what.
 //
 // window.cpp draws and grants wishes, window_input.cpp hears keys and mouse, window_findings.cpp
-// runs studies and checks beside it, window_work.cpp sees to it that no work is lost.
+// runs studies and checks beside it, window_work.cpp sees to it that no work is lost,
+// window_start.cpp shows what stands for a scene until it draws.
 #pragma once
 
 #include "base/end_signals.h"
@@ -11,10 +12,12 @@
 #include "window/live/crash_mark.h"
 #include "window/live/editor.h"
 #include "window/live/glfw_window.h"
+#include "window/live/kept_pictures.h"
 #include "window/live/picture_shelf.h"
 #include "window/live/playground.h"
 #include "window/live/recent.h"
 #include "window/live/sound.h"
+#include "window/live/start_picture.h"
 #include "window/live/study.h"
 #include "window/live/unsaved_work.h"
 #include "window/ui/panels.h"
@@ -100,9 +103,18 @@ private:
     bool show_failure();
     bool show_comparison();
 
+    // Until the first frame of a file
+    bool awaits_first_frame() const;
+    void begin_start();
+    bool follow_start();
+    bool show_start_picture();
+    void keep_picture();
+    void tell_start(Facts& facts) const;
+
     // Drawing
     double wait_seconds() const;
     bool shows_clock() const;
+    double clock_tick() const;
     void draw_frame();
     void follow_sound(double at);
     void show_picture();
@@ -118,11 +130,14 @@ private:
     glm::ivec2 viewed_size() const;
     glm::dvec2 on_picture(glm::dvec2 position) const;
     bool is_on_picture(glm::dvec2 position) const;
+    ScreenArea fitted(glm::ivec2 size) const;
     void print_reports();
 
     EndSignals end_signals_;
     ViewOptions options_;  // size and tweaks are those of the file that was opened first
+    KeptPictures kept_pictures_;
     Window window_;
+    StartPicture start_picture_;
     CrashMark crash_mark_;
     UnsavedWork unsaved_work_;
     Playground playground_;
@@ -166,7 +181,7 @@ private:
     Shown shown_before_ = Shown::scene;
     glm::ivec2 finding_size_{1};  // of the picture in the view that is not the scene's
 
-    Stopwatch since_draw_, since_scaling_;
+    Stopwatch since_draw_, since_scaling_, since_open_, since_picture_kept_;
     double frame_due_ = 0.0;  // s from since_draw_
     std::size_t printed_reports_ = 0;
     std::string notice_, title_, last_reload_;

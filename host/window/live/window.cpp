@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr double kLongestWait = 10.0;  // s
 
 // Where time plays and the picture does not depend on it, only the clock in the panels moves.
-constexpr double kClockTick = 0.25;  // s
+constexpr double kClockTick = 0.25, kWaitingTick = 0.1;  // s
 
 // $XDG_CACHE_HOME/glint and the like, or a folder under the home.
 fs::path home_folder(const char* variable, const char* fallback) {
@@ -69,7 +69,9 @@ std::span<const std::string_view> template_names() {
 
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
+      kept_pictures_(home_folder("XDG_CACHE_HOME", ".cache") / "pictures"),
       window_(size_at_start(options), "Glint"),
+      start_picture_(kept_pictures_.find(canonical_name(options.file))),
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
       playground_(window_, window_.size(),
@@ -105,6 +107,7 @@ int PlaygroundWindow::run() {
         dirty_ |= browser_.update();
         dirty_ |= sound_.update();
         dirty_ |= follow_findings();
+        dirty_ |= follow_start();
         if (const std::string problem = editor_.problem(); !problem.empty()) notice(problem);
         print_reports();
         keep_unsaved();
@@ -113,15 +116,21 @@ int PlaygroundWindow::run() {
         if (playground_.has_unseen_text()) frame_due_ = 0.0;
         // A mouse may tell of itself a thousand times a second; the screen shows sixty pictures.
         const bool wanted = dirty_ || playground_.wants_frame() || panels_.is_settling();
-        if ((wanted && now >= frame_due_) || (shows_clock() && now >= kClockTick)) draw_frame();
+        if ((wanted && now >= frame_due_) || (shows_clock() && now >= clock_tick())) draw_frame();
     }
+    keep_picture();
     if (end_signals_.arrived() != 0) keep_at_end();
     return end_signals_.arrived();
 }
 
 bool PlaygroundWindow::shows_clock() const {
+    if (awaits_first_frame()) return true;
     return playground_.is_open() && playground_.transport.playing() && settings_.visible &&
            settings_.transport;
+}
+
+double PlaygroundWindow::clock_tick() const {
+    return awaits_first_frame() ? kWaitingTick : kClockTick;
 }
 
 // Nothing to do: wait for events. Something to draw: only until the next frame of the screen is
@@ -134,7 +143,8 @@ double PlaygroundWindow::wait_seconds() const {
     if (dirty_ || playground_.wants_frame() || panels_.is_settling()) {
         return std::max(0.0, frame_due_ - now);
     }
-    if (shows_clock()) return std::max(0.0, kClockTick - now);
+    if (start_picture_.is_reading()) return 0.005;
+    if (shows_clock()) return std::max(0.0, clock_tick() - now);
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          study_.process().is_ending() || check_.process().is_ending() ||
                          (playground_.is_open() && !playground_.is_at_rest());
@@ -151,11 +161,16 @@ std::optional<glm::ivec2> PlaygroundWindow::frame_size() const {
 
 // Where the picture stands in the window, pixels: between bars where the aspects differ.
 ScreenArea PlaygroundWindow::picture_area() const {
-    const glm::ivec2 room = window_.size();
     const std::optional<glm::ivec2> frame = frame_size();
-    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = room};
-    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(*frame);
-    const glm::dvec2 fitted = glm::dvec2(*frame) * std::min(ratio.x, ratio.y);
+    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = window_.size()};
+    return fitted(*frame);
+}
+
+// The largest area of the window that has this aspect.
+ScreenArea PlaygroundWindow::fitted(glm::ivec2 frame) const {
+    const glm::ivec2 room = window_.size();
+    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(frame);
+    const glm::dvec2 fitted = glm::dvec2(frame) * std::min(ratio.x, ratio.y);
     const glm::ivec2 size =
         glm::clamp(glm::ivec2(glm::round(fitted)), glm::min(glm::ivec2(1), room), room);
     return {.origin = (room - size) / 2, .size = size};
@@ -243,7 +258,7 @@ void PlaygroundWindow::show_picture() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClearColor(0.07f, 0.07f, 0.08f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (!playground_.is_open() || show_finding()) return;
+    if (show_start_picture() || !playground_.has_picture() || show_finding()) return;
     BufferView view = buffer_view();
     const Output viewed = find_output(playground_, settings_.view.sampler);
     view.output = viewed.output;
@@ -307,6 +322,7 @@ Facts PlaygroundWindow::facts() {
     facts.loading = playground_.is_loading();
     facts.specialised = playground_.is_specialised();
     facts.replayed = playground_.replayed();
+    tell_start(facts);
     facts.diagnostics = playground_.diagnostics();
     facts.empty_channels = empty_channels_;
     facts.last_reload = last_reload_;
@@ -347,6 +363,7 @@ void PlaygroundWindow::print_reports() {
         }
         if (reports[i].shown && !values_known_) {
             values_known_ = true;
+            keep_picture();
             recent_.add(file_);
             if (pause_at_open_) playground_.transport.pause();
             pause_at_open_ = false;

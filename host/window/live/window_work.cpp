@@ -119,6 +119,7 @@ void PlaygroundWindow::take_answer(Answer answer) {
 }
 
 void PlaygroundWindow::open(const fs::path& file) {
+    keep_picture();
     if (file != file_ && !file_.empty()) {
         options_.size.clear();
         options_.tweaks.clear();
@@ -137,6 +138,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     settings_.free_aspect = false;
     place_ = canonical_name(file);
     crash_mark_.set(place_);
+    begin_start();
     playground_.open(file);
     folder_ = file.has_parent_path() ? file.parent_path() : ".";
     list_files();

@@ -103,6 +103,11 @@ struct Facts {
     std::filesystem::path file;
     bool unsaved = false, loading = false, specialised = false;
     double replayed = 1.0;  // fraction of a replay that is under way
+    // What the first frame of the file waits for, and for how long by now; "" once it is there, and
+    // where none comes.
+    std::string waits_for;
+    double waited = 0.0;         // s
+    bool shows_picture = false;  // the scene, or a picture that stands for it until it draws
     std::span<const Diagnostic> diagnostics;
     std::span<const EmptyChannel> empty_channels;
     std::string last_reload;  // one line
