@@ -83,7 +83,9 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
              {.device = options.device, .specialise = options.specialise}),
       check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
-      sound_(options.device) {
+      sound_(options.device),
+      refiner_(options.device),
+      kept_resolutions_(home_folder("XDG_STATE_HOME", ".local/state") / "resolution") {
     std::error_code error;
     if (options.file.empty() || fs::is_directory(options.file, error)) {
         browse(options.file.empty() ? "." : options.file);
@@ -102,12 +104,14 @@ int PlaygroundWindow::run() {
         descriptors.push_back(sound_.descriptor());
         descriptors.push_back(end_signals_.descriptor());
         descriptors.push_back(editor_.descriptor());
+        descriptors.push_back(refiner_.descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
         dirty_ |= browser_.update();
         dirty_ |= sound_.update();
         dirty_ |= follow_findings();
         dirty_ |= follow_start();
+        dirty_ |= follow_refining();
         if (const std::string problem = editor_.problem(); !problem.empty()) notice(problem);
         print_reports();
         keep_unsaved();
@@ -145,6 +149,7 @@ double PlaygroundWindow::wait_seconds() const {
     }
     if (start_picture_.is_reading()) return 0.005;
     if (shows_clock()) return std::max(0.0, clock_tick() - now);
+    if (refining_is_due()) return kRestBeforeRefining;
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          study_.process().is_ending() || check_.process().is_ending() ||
                          (playground_.is_open() && !playground_.is_at_rest());
@@ -182,43 +187,18 @@ ScreenArea PlaygroundWindow::view_area() const {
     return {.origin = {0, 0}, .size = window_.size()};
 }
 
-glm::ivec2 PlaygroundWindow::picture_size() const {
-    const double scale = settings_.resolution_scale * automatic_scale_;
-    const glm::dvec2 size = glm::dvec2(picture_area().size) * scale;
-    return {std::max(1, static_cast<int>(std::lround(size.x))),
-            std::max(1, static_cast<int>(std::lround(size.y)))};
-}
-
-// Holds the chosen frame rate by the resolution: the cost of a frame goes with its pixels.
-void PlaygroundWindow::adapt_resolution() {
-    if (!settings_.hold_frame_rate) {
-        automatic_scale_ = 1.0;
-        return;
-    }
-    if (since_scaling_.ms() < 500.0 || playground_.frame_ms() <= 0.0) return;
-    const double wanted_ms = 1000.0 / settings_.frame_rate;
-    const double ratio = wanted_ms / playground_.frame_ms();
-    // Small deviations are left alone, so that the picture does not breathe.
-    if (ratio > 0.9 && ratio < 1.3) return;
-    since_scaling_.restart();
-    const double smallest = 0.25 / settings_.resolution_scale;
-    automatic_scale_ = std::clamp(automatic_scale_ * std::sqrt(std::clamp(ratio, 0.25, 4.0)),
-                                  std::min(smallest, 1.0), 1.0);
-}
-
 void PlaygroundWindow::draw_frame() {
-    adapt_resolution();
     if (content_scale_ != window_.content_scale()) {
         content_scale_ = window_.content_scale();  // another monitor
         panels_.rescale(content_scale_);
     }
-    playground_.resize(picture_size());
+    choose_resolution();
     playground_.measure_passes(settings_.visible && settings_.passes);
     const double elapsed = since_draw_.restart() / 1000.0;
     frame_due_ = 1.0 / window_.refresh_rate();
     dirty_ = false;
     const double drawn_at = clock_seconds();
-    playground_.draw(elapsed);
+    if (playground_.draw(elapsed)) hold_rate();
     follow_sound(drawn_at);
     show_picture();
     const Wishes wishes =
@@ -257,9 +237,11 @@ BufferView PlaygroundWindow::buffer_view() const {
 void PlaygroundWindow::show_picture() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClearColor(0.07f, 0.07f, 0.08f, 1.0f);
+    if (!playground_.has_picture()) glClearColor(0.21f, 0.25f, 0.31f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
     if (show_start_picture() || !playground_.has_picture() || show_finding()) return;
     BufferView view = buffer_view();
+    if (show_refined(view)) return;
     const Output viewed = find_output(playground_, settings_.view.sampler);
     view.output = viewed.output;
     const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
@@ -323,6 +305,7 @@ Facts PlaygroundWindow::facts() {
     facts.specialised = playground_.is_specialised();
     facts.replayed = playground_.replayed();
     tell_start(facts);
+    tell_resolution(facts);
     facts.diagnostics = playground_.diagnostics();
     facts.empty_channels = empty_channels_;
     facts.last_reload = last_reload_;
@@ -388,8 +371,7 @@ void PlaygroundWindow::take_still() {
     if (playground_.replayed() < 1.0) return notice("A still waits for the end of the replay.");
     const fs::path name = free_picture_name(file_);
     try {
-        const Image image = picture_without_alpha(playground_.still(), playground_.size());
-        write_image(name, image, playground_.still_metadata());
+        write_image(name, playground_.still(), playground_.still_metadata());
         notice(fmt::format("{} written", name.string()));
     } catch (const std::runtime_error& error) {
         notice(error.what());

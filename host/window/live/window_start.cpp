@@ -44,8 +44,10 @@ bool PlaygroundWindow::show_start_picture() {
 void PlaygroundWindow::keep_picture() {
     if (!values_known_ || !playground_.has_picture()) return;
     since_picture_kept_.restart();
+    keep_resolution();
     const std::size_t root = playground_.renderer()->graph().passes.size() - 1;
-    kept_pictures_.keep(place_, picture_of(playground_.renderer()->buffer(root), kLongestKept));
+    const Buffer& drawn = playground_.renderer()->buffer(root);
+    kept_pictures_.keep(place_, picture_of(refined_ ? *refined_ : drawn, kLongestKept));
 }
 
 void PlaygroundWindow::tell_start(Facts& facts) const {
