@@ -118,7 +118,8 @@ const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
 const float kSteep[8] = float[8](0.072, 0.090, 0.102, 0.102, 0.102, 0.096, 0.090, 0.076);
 
 struct Hit { float t; int part; vec3 nor, q; };   // q: in the boat's frame
-struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
+// spread: lost slope variance xx, zz, xz; tails: how much longer than a Gaussian's its tails are.
+struct Sea { float height; vec2 slope; vec3 spread; float tails; };
 struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
@@ -326,7 +327,7 @@ vec2 rainRings(vec2 world, float cell, int seed) {
 // Height, slope and lost slopes at a point round the boat; white: how much crests are in line (x),
 // foam of the wake (y).
 Sea seaAt(vec2 p, vec3 blur, out vec2 white) {
-    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
+    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0), 0.0);
     vec2 world = p + gPlace;
     float inLine = addGroup(0, p, blur, 1.0, s) + addGroup(1, p, blur, 1.0, s);
     float gain = gusts(world, blur);
@@ -436,8 +437,8 @@ float shownSlope(vec3 rd, Sea s, out vec2 slope) {
     slope = s.slope + lean * (ahead / area);
     return area;
 }
-// The sun in a sea of Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7, with
-// the shown area in closed form).
+// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7,
+// with the shown area in closed form, and the first term of an Edgeworth series for the tails).
 float seaGlitter(vec3 rd, Sea s, float area) {
     vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
     if (h.y < 0.05) return 0.0;
@@ -447,6 +448,8 @@ float seaGlitter(vec3 rd, Sea s, float area) {
     float det = max(v.x * v.y - v.z * v.z, 1e-12);
     float q = (d.x * d.x * v.y + d.y * d.y * v.x - 2.0 * d.x * d.y * v.z) / det;
     float density = exp(-0.5 * min(q, 80.0)) / (2.0 * kPi * sqrt(det));
+    float tails = s.tails * square((s.spread.x + s.spread.y) / (v.x + v.y));
+    density *= max(1.0 + tails * (q * q - 8.0 * q + 8.0), 0.0);
     return fresnel(clamp(-dot(h, rd), 0.0, 1.0), kIorWater) * density
         / (4.0 * square(square(h.y)) * area);
 }
