@@ -357,7 +357,8 @@ TEST(TweakValues, CopyingToTheOtherSetCanBeUndone) {
 }
 
 TEST(TweakValues, ResetGoesToWhatTheFileSaysThenToTheDefault) {
-    TweakValues tweaks(kSea, std::vector<TweakValue>{{0.25}, {7.0}});
+    const Tweaks two = {kSea[0], kSea[1]};
+    TweakValues tweaks(two, std::vector<TweakValue>{{0.25}, {7.0}});
     tweaks.set(0, {0.9});
     tweaks.reset(0);
     EXPECT_EQ(tweaks.value(0)[0], 0.25);
@@ -385,7 +386,7 @@ TEST(TweakValues, ARandomLookLeavesTheCameraAndWhatSaysSo) {
     shy.no_random = true;
     Tweak costly = slider("costly", 0.5, 0, 1), plain = slider("plain", 0.5, 0, 1);
     costly.quality = true;
-    const std::vector<Tweak> all = {eye, shy, costly, plain};
+    const Tweaks all = {eye, shy, costly, plain};
     TweakValues tweaks(all);
     tweaks.randomise(42);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(tweaks.value(i)[0], 0.5) << all[i].name;
