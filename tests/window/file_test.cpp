@@ -122,6 +122,7 @@ TEST_F(File, ThePanelsHaveTheKeysFromF6OrCtrlFToEsc) {
         screen_->tap(chord);
         EXPECT_FALSE(reaches_the_scene());
         screen_->tap("Escape");
+        settle();
         EXPECT_TRUE(eventually(reaches_the_scene));
     }
     screen_->tap("Control_L+f");

@@ -19,7 +19,8 @@ void heading(Build& build, PanelId id, const char* title, bool& open) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = std::max(ImGui::GetContentRegionAvail().x - height, 1.0f);
-    ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);  // only the mouse drags
+    // Only the mouse drags.
+    ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoNavDefaultFocus, true);
     area("handle", {width, height});
     ImGui::PopItemFlag();
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, theme.px(24)))

@@ -265,9 +265,9 @@ std::string cost_text(const Build& build, double time) {
                           clock_text(rounded(time)))
             : fmt::format("{}: plays {} again, from a state kept at {}", clock_text(rounded(time)),
                           clock_text(rounded(time - from)), clock_text(rounded(from)));
-    if (build.facts.replay_rate > 0.0)
-        text +=
-            fmt::format(", about {}", clock_text(rounded((time - from) / build.facts.replay_rate)));
+    const double rate = build.facts.replay_rate;
+    const double cost = rate > 0.0 ? rounded((time - from) / rate) : 0.0;
+    if (rate > 0.0) text += cost > 0.0 ? ", about " + clock_text(cost) : ", at once";
     return text;
 }
 

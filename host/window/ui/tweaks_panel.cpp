@@ -102,12 +102,14 @@ void search_field(Build& build, TweaksState& state) {
         "##search", "Search (Ctrl+F)", &state.search,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     state.focus_first |= entered && build.settings.keys;
-    if (ImGui::IsItemDeactivated()) {
-        state.searches = !state.search.empty();
-        // Esc has put back what stood there.
-        const bool leaves = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-        if (leaves) build.settings.keys = false;
+    // Esc puts back what stood there, unless it comes with another key; it leaves all the same.
+    const bool has_keys = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
+    const bool leaves = has_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (leaves) {
+        ImGui::ClearActiveID();
+        build.settings.keys = false;
     }
+    if (leaves || ImGui::IsItemDeactivated()) state.searches = !state.search.empty();
     if (state.search.empty()) return;
     ImGui::SameLine(0, build.theme.px(2));
     if (icon_button(build.theme, "clear", Icon::clear, "Show all")) state.search.clear();

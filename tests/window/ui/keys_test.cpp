@@ -80,6 +80,19 @@ TEST_F(Keys, GoThroughThePanelsInBothDirections) {
     EXPECT_FALSE(screen.settings.keys) << "hidden panels have none";
 }
 
+TEST_F(Keys, GoFromTheToolsOfAPanelToItsRows) {
+    next_panel();
+    const ImGuiWindow* panel = Screen::window("Tweaks");
+    ASSERT_TRUE(is_at(ImHashStr("undo", 0, panel->ID)));
+    press(ImGuiKey_DownArrow);
+    EXPECT_TRUE(is_at(Screen::in_row(0, "label")));
+    press(ImGuiKey_RightArrow);
+    EXPECT_TRUE(is_at(Screen::in_row(0, "##slider")));
+    press(ImGuiKey_UpArrow);
+    EXPECT_EQ(GImGui->NavWindow->RootWindow, panel);
+    EXPECT_FALSE(is_at(Screen::in_row(0, "##slider")));
+}
+
 TEST_F(Keys, TakeHoldOfASliderMoveItAndLetGo) {
     search();
     press(ImGuiKey_Enter);
