@@ -35,6 +35,7 @@ struct Tweak {
     bool log = false;                // the slider is logarithmic
     double step = 0.0;               // the slider's granularity; 0 is continuous
     bool quality = false;            // trades error for time
+    bool no_random = false;          // a random look leaves it alone
     // The value that counts as the truth. It may lie beyond the range: nobody moves a slider there.
     std::optional<TweakValue> reference;
     std::string unit, group, description;

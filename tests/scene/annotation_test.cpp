@@ -80,8 +80,8 @@ TEST(TweakAnnotation, GivesTheDefaultOfEachType) {
 TEST(TweakAnnotation, ReadsEveryWordInAnyOrder) {
     for (
         const char* annotation :
-        {R"(2.0 [0.1, 100] log unit=1/m step=0.5 group="Deep water" quality reference=50 "how far")",
-         R"(2 "how far" quality group="Deep water" reference = 50 step=1/2 unit="1/m" log [.1,100])"}) {
+        {R"(2.0 [0.1, 100] log unit=1/m step=0.5 group="Deep water" quality norandom reference=50 "how far")",
+         R"(2 "how far" norandom quality group="Deep water" reference = 50 step=1/2 unit="1/m" log [.1,100])"}) {
         const auto [t, complaints] = tweak(TweakType::float1, annotation);
         EXPECT_EQ(all(complaints), "");
         EXPECT_EQ(t.initial[0], 2.0);
@@ -89,6 +89,7 @@ TEST(TweakAnnotation, ReadsEveryWordInAnyOrder) {
         EXPECT_EQ(t.max, 100.0);
         EXPECT_TRUE(t.log);
         EXPECT_TRUE(t.quality);
+        EXPECT_TRUE(t.no_random);
         EXPECT_EQ(t.step, 0.5);
         EXPECT_EQ(t.unit, "1/m");
         EXPECT_EQ(t.group, "Deep water");
