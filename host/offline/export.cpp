@@ -161,8 +161,10 @@ std::string Exporter::limits_text(const Tab& tab) {
         warn(fmt::format("{}: the site runs it once a frame, not every {}/{} s", tab.name,
                          pass.step.numerator, pass.step.denominator));
     }
-    if (pass.format != PixelFormat::rgba32f && !pass.cube)
+    if (bytes_a_channel(pass.format) != 4 && !pass.cube)
         warn(fmt::format("{}: the site keeps it in floats of 32 bits", tab.name));
+    if (channel_count(pass.format) != 4 && pass.entry == "mainImage")
+        warn(fmt::format("{}: the site keeps all four channels", tab.name));
     const glm::ivec2 size = buffer_size(pass, preset_.size);
     const glm::ivec2 theirs = pass.cube ? glm::ivec2(1024) : preset_.size;
     if (size == theirs) return {};
@@ -171,6 +173,14 @@ std::string Exporter::limits_text(const Tab& tab) {
                     "reads the same, texture does not",
                     tab.name, size.x, size.y));
     return fmt::format("#define iResolution vec3({}.0, {}.0, 1.0)\n", size.x, size.y);
+}
+
+// What a reader sees of channels that the buffer has not.
+std::string missing_channels_text(PixelFormat format) {
+    const int channels = channel_count(format);
+    if (channels == 4) return {};
+    return fmt::format("    fragColor = vec4(fragColor.{}, 1.0);\n",
+                       channels == 1 ? "r, 0.0, 0.0" : "rg, 0.0");
 }
 
 // mainImage, where the pass's function has another name or several outputs.
@@ -195,8 +205,8 @@ std::string Exporter::entry_text(const Tab& tab) const {
     }
     return fmt::format(
         "\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {{\n{}    {}({}"
-        "fragCoord);\n}}\n",
-        variables, pass.entry, arguments);
+        "fragCoord);\n{}}}\n",
+        variables, pass.entry, arguments, missing_channels_text(pass.format));
 }
 
 // Whether a word stands in the text, in branches that are not compiled too.

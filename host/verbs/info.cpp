@@ -6,6 +6,7 @@
 #include "gl/context.h"
 #include "measure/inlining.h"
 #include "measure/second_opinion.h"
+#include "render/buffer.h"
 #include "scene/lint.h"
 #include "scene/scene_text.h"
 #include "verbs/options.h"
@@ -92,18 +93,6 @@ std::vector<LeftOut> left_out(const Inspection& seen) {
     return list;
 }
 
-const char* format_name(PixelFormat format) {
-    switch (format) {
-        case PixelFormat::rgba8:
-            return "rgba8";
-        case PixelFormat::rgba16f:
-            return "rgba16f";
-        case PixelFormat::rgba32f:
-            return "rgba32f";
-    }
-    return "";
-}
-
 Json tweak_value(const Tweak& tweak, const TweakValue& value) {
     const auto component = [&](double v) -> Json {
         if (tweak.type == TweakType::bool1) return v != 0.0;
@@ -144,12 +133,15 @@ Json pass_json(const Inspection& seen, const PassProgram& program, const GraphPa
     }
     const bool image = program.pass == kImagePass;
     const Pass* pass = image ? nullptr : &scene.passes[program.pass];
-    const glm::ivec2 size = image ? seen.preset.size : buffer_size(*pass, seen.preset.size);
+    const BufferShape shape =
+        image ? BufferShape{.size = seen.preset.size, .format = PixelFormat::rgba8}
+              : shape_of(*pass, seen.preset.size, graph.feedback);
     return {{"name", pass_name(scene, program.pass)},
             {"entry", image ? scene.image_entry : pass->entry},
             {"samplers", image ? Json::array() : Json(pass->outputs)},
-            {"size", {size.x, size.y}},
-            {"format", format_name(image ? PixelFormat::rgba8 : pass->format)},
+            {"size", {shape.size.x, shape.size.y}},
+            {"format", name_of(shape.format)},
+            {"bytes", byte_count(shape)},
             {"feedback", graph.feedback},
             {"reads", reads},
             {"runs", to_string(graph.runs)},

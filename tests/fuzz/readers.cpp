@@ -1,6 +1,7 @@
 // What a person may hand to Glint, broken in every way that libFuzzer finds: scene files, presets,
 // the site's JSON, and bare texts for the reader of GLSL. FUZZ_AS in the environment says which:
 // scene, preset, json or glsl.
+#include "../base/test_folder.h"
 #include "glsl/division.h"
 #include "glsl/finding.h"
 #include "glsl/raw_text.h"
@@ -11,8 +12,6 @@
 #include "scene/preset.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
-
-#include <unistd.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -26,17 +25,13 @@ namespace fs = std::filesystem;
 
 // A folder of this process's own; it is made once, and its files written again for each input.
 const fs::path& folder() {
-    static const fs::path made = [] {
-        const fs::path path =
-            fs::temp_directory_path() / ("glint-fuzz-" + std::to_string(getpid()));
-        fs::create_directories(path);
-        std::ofstream(path / "scene.frag")
-            << "uniform float level; //@ 0.5 [0, 1] \"how bright\"\n"
-               "uniform int kind; //@ 1 {none, some, all}\nuniform vec3 tint; //@ #0b3a53\n"
-               "void mainImage(out vec4 c, in vec2 p) { c = vec4(tint * level, kind); }\n";
-        return path;
-    }();
-    return made;
+    static const glint::TestFolder made;
+    static const fs::path scene =
+        made.write("scene.frag",
+                   "uniform float level; //@ 0.5 [0, 1] \"how bright\"\n"
+                   "uniform int kind; //@ 1 {none, some, all}\nuniform vec3 tint; //@ #0b3a53\n"
+                   "void mainImage(out vec4 c, in vec2 p) { c = vec4(tint * level, kind); }\n");
+    return made.path();
 }
 
 void import_all(const fs::path& file) {

@@ -93,6 +93,7 @@ TEST_F(InfoAndBench, InfoHasTheDocumentedKeys) {
     EXPECT_EQ(still["samplers"], Json({"still"}));
     EXPECT_EQ(still["size"], Json({8, 4}));
     EXPECT_EQ(still["format"], "rgba16f");
+    EXPECT_EQ(still["bytes"], 8 * 4 * 8);
     EXPECT_EQ(still["feedback"], false);
     EXPECT_EQ(still["reads"], Json::array());
     EXPECT_EQ(still["runs"], "on change");
@@ -141,6 +142,7 @@ TEST_F(InfoAndBench, BenchHasTheDocumentedKeys) {
     EXPECT_EQ(bench["frames"], 5);
     EXPECT_EQ(bench["specialised"], true);
     EXPECT_GE(bench["host_ms"].get<double>(), 0.0);
+    EXPECT_GT(bench["processor_ms"]["median"].get<double>(), 0.0);
     const Json& ms = bench["ms"];
     EXPECT_GT(ms["min"].get<double>(), 0.0);
     EXPECT_LE(ms["min"], ms["median"]);

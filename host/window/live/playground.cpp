@@ -3,6 +3,8 @@
 #include "base/readable_file.h"
 #include "media/image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -62,6 +64,7 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
     : context_(context),
       options_(options),
       size_(size),
+      full_size_(size),
       trial_({.device = options.device}),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
@@ -86,7 +89,7 @@ ReloadSteps Playground::reload_steps() {
                     const bool specialise = programs == Programs::constants;
                     trial_.start({.preset = preset,
                                   .compile = {.program = {.specialise = specialise}},
-                                  .size = size_,
+                                  .size = full_size_,
                                   .time = transport.time(),
                                   .images = {}});
                 },
@@ -177,6 +180,8 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     since_tweak_.restart();
     touched_ = true;
     if (!written) {
+        expected_ms_ = trial_.poll().expected_ms;
+        has_picture_ = false;
         opening_ = Opening::awaits_inputs;
         transport = Transport(preset_->time);
         input_ = {};
@@ -307,6 +312,13 @@ double Playground::replayed() const {
     return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
 }
 
+std::string Playground::waits_for() const {
+    if (reloader_.is_trying()) return trial_.work();
+    if (replay_at_ >= 0)
+        return fmt::format("playing up to {:g} s, {:.0f} % done", instant_.time, 100 * replayed());
+    return has_unseen_text() ? "drawing the first frame" : "";
+}
+
 // A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived:
 // then `frame`, which is to be drawn, is the last frame of a still at its time, and those that
 // follow count on from there.
@@ -357,6 +369,8 @@ bool Playground::draw(double wall_seconds) {
         };
     }
     const bool drawn = renderer_->draw(frame);
+    has_picture_ |= drawn;
+    if (drawn) ++pictures_;
     renderer_->after_pass = nullptr;
     context_.finish();
     drawn_input_ = frame.input;
@@ -378,64 +392,10 @@ Frame Playground::frame_again() const {
     return frame;
 }
 
-std::vector<std::byte> Playground::still() {
-    if (!renderer_) return {};
-    const bool measured = measuring_;
-    measure_passes(false);
-    std::vector<std::byte> pixels;
-    const bool as_it_is = is_specialised() || !options_.specialise;
-    const Preset now = current_preset();
-    Diagnostics why_not;
-    const auto special = as_it_is ? nullptr : make_renderer(now, Programs::constants, why_not);
-    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
-    if (special) {
-        special->adopt(*renderer_);
-        special->draw_root(frame_again());
-        pixels = special->read_bytes();
-        renderer_->adopt(*special);
-        touched_ = true;
-    } else {
-        pixels = renderer_->read_bytes();
-    }
-    measure_passes(measured);
-    return pixels;
-}
-
-Metadata Playground::still_metadata() const {
-    return picture_metadata(current_preset(), frame_again(), context_.renderer());
-}
-
-const Buffer* Playground::picture_of(TweakSet set) {
-    if (!renderer_) return nullptr;
-    if (is_specialised()) use_uniforms();
-    const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
-    if (!other_picture_ || other_picture_->shape() != picture.shape()) {
-        other_picture_ = std::make_unique<Buffer>(picture.shape());
-    }
-    renderer_->set_values(tweaks.values(set));
-    renderer_->draw_root(frame_again());
-    other_picture_->copy_from(picture);
-    renderer_->set_values(tweaks.values());
-    renderer_->draw_root(frame_again());
-    context_.finish();
-    return other_picture_.get();
-}
-
 Preset Playground::current_preset() const {
     Preset preset = *preset_;
     preset.values = tweaks.values();
     preset.time = instant_.time;
-    return preset;
-}
-
-Preset Playground::preset_as_shown() const {
-    constexpr double kSoon = 2.0;  // s
-    Preset preset = current_preset();
-    preset.size = size_;
-    if (renderer_->graph().stateful) {
-        preset.time = std::min(preset.time, std::max(preset_->time, kSoon));
-    }
-    if (preset.events.empty()) preset.events = input_.as_events(0.0);
     return preset;
 }
 

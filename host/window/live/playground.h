@@ -11,6 +11,7 @@
 #include "scene/tweak_values.h"
 #include "window/live/input_loader.h"
 #include "window/live/reloader.h"
+#include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
 #include <array>
@@ -57,6 +58,17 @@ public:
     void resize(glm::ivec2 size);
     glm::ivec2 size() const { return size_; }
 
+    // The size that stills have and others are told of, where the screen shows a share of it.
+    void set_full_size(glm::ivec2 size) { full_size_ = size; }
+    // Its buffers would be cropped by another size: it keeps the one that its first frame had, in
+    // stills, too.
+    bool keeps_size() const {
+        return renderer_ && keeps_picture_size(preset_->scene, renderer_->graph());
+    }
+    // What the trial of the file that was opened took a frame of the full size to cost, ms; 0: not
+    // known.
+    double expected_ms() const { return expected_ms_; }
+
     // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
     // the picture, y up.
     void mouse(glm::dvec2 fraction, bool down);
@@ -72,13 +84,20 @@ public:
     void forget_fills();
     bool has_fills() const;
 
-    // The picture as a still would write it, RGBA: drawn anew with the tweaks as constants.
-    std::vector<std::byte> still();
+    // The picture as a still would write it, RGB: drawn anew at its full size, the tweaks as
+    // constants.
+    Image still();
     Metadata still_metadata() const;
 
     // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
     // stand. Null while nothing is open.
     const Buffer* picture_of(TweakSet set);
+
+    // Nothing moves, and nothing is about to: the picture may be refined.
+    bool stands() const;
+    // For that; `picture_count()` says whether it is still about what is shown.
+    RefineOrder refine_order() const;
+    std::size_t picture_count() const { return pictures_; }
 
     // Records mouse and keys from now on.
     void start_recording() { recorder.start(instant_.time, input_); }
@@ -91,6 +110,8 @@ public:
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
+    // Whether what is open has been drawn. A simulation is first played up to its start.
+    bool has_picture() const { return has_picture_; }
     bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
     // A large picture goes to the driver; update() is to be called again at once.
     bool is_sending() const { return !arriving_.empty(); }
@@ -103,6 +124,9 @@ public:
     }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
+    // What the next picture waits for, in words such as "compiling image"; "" where nothing is
+    // waited for.
+    std::string waits_for() const;
 
     // What is drawn, or null; its values are empty: `tweaks` has them.
     const Preset* preset() const { return preset_.get(); }
@@ -155,6 +179,12 @@ private:
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
     Frame frame_again() const;
+    Frame frame_at_full_size() const;
+    glm::ivec2 still_size() const { return keeps_size() ? size_ : full_size_; }
+    Programs still_programs() const {
+        const bool refused = reloader_.programs() == Programs::uniforms_for_good;
+        return refused ? Programs::uniforms : Programs::constants;
+    }
     PixelFormat picture_format() const {
         return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
     }
@@ -165,7 +195,7 @@ private:
 
     Context& context_;
     PlaygroundOptions options_;
-    glm::ivec2 size_, refused_size_{0};
+    glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
     Trial trial_;
     Reloader reloader_;
@@ -193,11 +223,13 @@ private:
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
+    bool has_picture_ = false;
     bool touched_ = true;   // something other than time asks for a frame
     int extra_frames_ = 0;  // drawn since time stands
     int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
     int replay_at_ = -1, replay_until_ = -1;
-    double frame_ms_ = 0.0;
+    double frame_ms_ = 0.0, expected_ms_ = 0.0;
+    std::size_t pictures_ = 0;  // drawn so far
     bool measuring_ = false;
     std::vector<PassTime> pass_times_;
 };
