@@ -230,7 +230,7 @@ float textbookTorus(vec3 ro, vec3 rd, float large, float small) {   // axis y; F
     else z = 2.0 * sqrt(-l / 3.0) * cos(acos(clamp(1.5 * m / l * sqrt(-3.0 / l), -1.0, 1.0)) / 3.0);
     z = sqrt(max(z - 2.0 * p / 3.0, 1e-12));
     float best = kFar;
-    for (int k = 0; k < 2; ++k) {   // x^2 + z x + u, and with -z
+    for (int branch = 0; branch < 2; ++branch) {   // x^2 + z x + u, and with -z
         float u = 0.5 * (p + z * z - q / z), e = 0.25 * z * z - u;
         if (e > 0.0) {
             float h = sqrt(e), far = -0.5 * z + h - 0.25 * a, near = far - 2.0 * h;

@@ -225,9 +225,9 @@ float fluxThrough(vec2 slope) {
 float besideWaves(vec2 u, float height, bool now, int frame) {
     vec3 sun = sunAbove();
     vec2 most = texelFetch(waves, ivec2(kWaves, 0), 0).xy;   // slope and height that no wave passes
-    float away = length(sun.xz), rise = sun.y / away, reach = (most.y - height) / rise, seen = 1.0;
+    float away = length(sun.xz), rise = sun.y / away, range = (most.y - height) / rise, seen = 1.0;
     for (int k = 0; k < (most.x > rise ? kShadeSteps : 0) && seen > 0.0; ++k) {
-        float s = reach * (float(k) + 0.5) / float(kShadeSteps);   // m, level
+        float s = range * (float(k) + 0.5) / float(kShadeSteps);   // m, level
         vec2 at = u + s / (away * kTile) * sun.xz;
         float wave = now ? textureLod(surface, at, 0.0).x : waterAt(at, now, frame).height;
         if (wave > height + s * rise) seen = 0.0;

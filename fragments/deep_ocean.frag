@@ -698,9 +698,9 @@ vec3 surfaceLight(vec3 p, vec3 rd, float w, Medium m) {
     vec2 slope = 0.7 * (a.xy + turn(b.xy, -1.1));
     vec3 nor = normalize(vec3(-slope.x, 1.0, -slope.y));
     // Of slopes within the footprint; below a texel what the filter makes up fades away.
-    vec2 spread = max(vec2(a.z - dot(a.xy, a.xy), b.z - dot(b.xy, b.xy)), 0.0)
+    vec2 slopeVariance = max(vec2(a.z - dot(a.xy, a.xy), b.z - dot(b.xy, b.xy)), 0.0)
         * min(square(texels) * vec2(1.0, 1.0 / square(3.3)), 1.0);
-    float rough = 0.49 * (spread.x + spread.y), cosine = max(dot(rd, nor), 0.02);
+    float rough = 0.49 * (slopeVariance.x + slopeVariance.y), cosine = max(dot(rd, nor), 0.02);
     float mirror = fresnel(cosine, 1.0 / kIorWater);
     vec3 through = refract(rd, -nor, kIorWater), back = reflect(rd, nor), once;
     back.y = min(back.y, -0.02);

@@ -980,11 +980,11 @@ vec2 mainSound(int samp, float time) {
             lap[ear] += g == 1 ? dot(vec4(0.25), c) : 0.0;
         }
     }
-    vec2 crest = smoothstep(-0.6, 1.0, swell) * min(waveHeight, 1.5), bright = crest * crest;
+    vec2 loud = smoothstep(-0.6, 1.0, swell) * min(waveHeight, 1.5), bright = loud * loud;
     vec2 sum = vec2(0.0);
     for (int k = 1; k <= 7; ++k) {   // octaves; crests hiss, troughs rumble
         float low = float(k - 1) / 6.0;
-        sum += latticeNoise(samp, 1 << k, k) * mix(0.03 + 0.20 * bright, 0.10 + 0.25 * crest, low);
+        sum += latticeNoise(samp, 1 << k, k) * mix(0.03 + 0.20 * bright, 0.10 + 0.25 * loud, low);
     }
     vec2 drops = latticeNoise(samp, 23, 11) * latticeNoise(samp, 3000, 12);
     sum += 0.9 * drops * square(max(lap.x, 0.0)) * square(ripples);

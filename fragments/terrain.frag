@@ -692,7 +692,7 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
     float start = min(0.7 * perPixel, inside), before = start, sure = 0.0;
     float walked = perStep, s = mix(start, inside, walked);
     bool open = start < inside;
-    for (int turn = 0; turn < 3 && open; ++turn) {   // again where a hit does not hold
+    for (int attempt = 0; attempt < 3 && open; ++attempt) {   // again where a hit does not hold
         bool hit = false;
         for (int k = 0; k < reflectionSteps && open; ++k) {
             float z = onLine(l, s).z, zBefore = onLine(l, before).z;

@@ -951,14 +951,14 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     light = mix(light, far, hills);
     if (v < 0.0) {   // the sea is rough, so it mirrors what stands higher; and it glitters
         vec3 above = texture(air, vec2(turned, sqrt(min(up + 0.16, 1.0)))).rgb + night;
-        vec3 water = above * (0.12 + 0.55 * exp(-9.0 * up));
-        water += sunColour() * vec3(0.0003, 0.001, 0.0014);
+        vec3 seaLight = above * (0.12 + 0.55 * exp(-9.0 * up));
+        seaLight += sunColour() * vec3(0.0003, 0.001, 0.0014);
         vec2 off = normalize(rd.xz + 1e-6) - normalize(sun.xz + 1e-6);
-        water += 0.55 * sunColour() * exp(-dot(off, off) / (0.010 + 0.6 * up * up)
+        seaLight += 0.55 * sunColour() * exp(-dot(off, off) / (0.010 + 0.6 * up * up)
                                           - 60.0 * square(0.02 + 0.16 * max(sun.y, 0.0) - up));
         vec3 mist = texture(air, vec2(turned, 0.1)).rgb + night;
-        water = mix(mist, water, exp(-kEyeLevel / max(up, 1e-4) / 9000.0));
-        light = mix(water, far, 0.5 * hills * exp(-30.0 * up));
+        seaLight = mix(mist, seaLight, exp(-kEyeLevel / max(up, 1e-4) / 9000.0));
+        light = mix(seaLight, far, 0.5 * hills * exp(-30.0 * up));
     }
     colour = vec4(min(light, 6e4), step(0.0, v) * (1.0 - hills) * (1.0 - 0.8 * thick));
 }

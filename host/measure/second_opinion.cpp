@@ -154,7 +154,7 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
 
 SecondOpinion second_opinion(const Preset& preset, const std::vector<std::size_t>& passes) {
     if (preset.scene.image_entry == "main")
-        return {{}, "a text with a main() of its own is none for WebGL 2's site"};
+        return {{}, "the site takes no text with a main() of its own"};
     std::vector<std::optional<std::vector<PlacedFinding>>> found(passes.size());
     Workers workers(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
     for (std::size_t i = 0; i < passes.size(); ++i)
