@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -29,16 +28,6 @@ using Json = nlohmann::ordered_json;
 // The names of the file's texts: a line of JSON, and a digest of it and of all buffers.
 constexpr const char* kStateText = "glint:state";
 constexpr const char* kDigestText = "glint:digest";
-
-constexpr std::array<std::pair<PixelFormat, std::string_view>, 3> kFormats = {
-    {{PixelFormat::rgba8, "rgba8"},
-     {PixelFormat::rgba16f, "rgba16f"},
-     {PixelFormat::rgba32f, "rgba32f"}}};
-
-std::string name_of(PixelFormat format) {
-    return std::string(
-        std::ranges::find(kFormats, format, &decltype(kFormats)::value_type::first)->second);
-}
 
 // Of a file of any size, a piece at a time. What cannot be read is told where it is needed.
 void add_content(Hash& hash, const fs::path& file) try {
@@ -61,7 +50,7 @@ Json to_json(const Snapshot& snapshot) {
     for (const PassState& pass : snapshot.passes) {
         json["passes"].push_back({{"name", pass.pass},
                                   {"size", {pass.shape.size.x, pass.shape.size.y}},
-                                  {"format", name_of(pass.shape.format)},
+                                  {"format", kFormatNames.of(pass.shape.format)},
                                   {"outputs", pass.shape.outputs},
                                   {"cube", pass.shape.cube},
                                   {"feedback", pass.shape.feedback},
@@ -157,12 +146,11 @@ Snapshot from_json(const Json& json, std::span<Part> parts) {
                       .provenance = json.at("provenance"),
                       .passes = {}};
     for (const Json& pass : json.at("passes")) {
-        const auto format = std::ranges::find(kFormats, pass.at("format").get<std::string>(),
-                                              &decltype(kFormats)::value_type::second);
-        if (format == kFormats.end()) throw Damaged();
+        const auto format = kFormatNames.find(pass.at("format").get<std::string>());
+        if (!format) throw Damaged();
         snapshot.passes.push_back({.pass = pass.at("name"),
                                    .shape = {.size = {pass.at("size").at(0), pass.at("size").at(1)},
-                                             .format = format->first,
+                                             .format = *format,
                                              .outputs = pass.at("outputs"),
                                              .cube = pass.at("cube"),
                                              .feedback = pass.at("feedback")},

@@ -36,24 +36,22 @@ struct Inspection {
 };
 
 bool contains_pass(const CompiledScene& scene, std::size_t pass) {
-    return std::any_of(scene.programs.begin(), scene.programs.end(),
-                       [&](const PassProgram& program) { return program.pass == pass; });
+    return std::ranges::any_of(scene.programs,
+                               [&](const PassProgram& program) { return program.pass == pass; });
 }
 
 bool reads_sampler(const CompiledScene& scene, std::size_t sampler) {
-    return std::any_of(
-        scene.programs.begin(), scene.programs.end(), [&](const PassProgram& program) {
-            return std::any_of(program.samplers.begin(), program.samplers.end(),
-                               [&](const SamplerUniform& u) { return u.sampler == sampler; });
-        });
+    return std::ranges::any_of(scene.programs, [&](const PassProgram& program) {
+        return std::ranges::any_of(program.samplers,
+                                   [&](const SamplerUniform& u) { return u.sampler == sampler; });
+    });
 }
 
 bool reads_tweak(const CompiledScene& scene, std::size_t tweak) {
-    return std::any_of(
-        scene.programs.begin(), scene.programs.end(), [&](const PassProgram& program) {
-            return std::any_of(program.tweaks.begin(), program.tweaks.end(),
-                               [&](const TweakUniform& u) { return u.tweak == tweak; });
-        });
+    return std::ranges::any_of(scene.programs, [&](const PassProgram& program) {
+        return std::ranges::any_of(program.tweaks,
+                                   [&](const TweakUniform& u) { return u.tweak == tweak; });
+    });
 }
 
 const char* why(bool possible) {
@@ -83,18 +81,6 @@ std::vector<LeftOut> left_out(const Inspection& seen) {
             {"second buffer of " + scene.passes[pass.pass].name, "it does not read itself back"});
     }
     return list;
-}
-
-const char* format_name(PixelFormat format) {
-    switch (format) {
-        case PixelFormat::rgba8:
-            return "rgba8";
-        case PixelFormat::rgba16f:
-            return "rgba16f";
-        case PixelFormat::rgba32f:
-            return "rgba32f";
-    }
-    return "";
 }
 
 Json tweak_value(const Tweak& tweak, const TweakValue& value) {
@@ -142,7 +128,7 @@ Json pass_json(const Inspection& seen, const PassProgram& program, const GraphPa
             {"entry", image ? scene.image_entry : pass->entry},
             {"samplers", image ? Json::array() : Json(pass->outputs)},
             {"size", {size.x, size.y}},
-            {"format", format_name(image ? PixelFormat::rgba8 : pass->format)},
+            {"format", kFormatNames.of(image ? PixelFormat::rgba8 : pass->format)},
             {"feedback", graph.feedback},
             {"reads", reads},
             {"runs", to_string(graph.runs)},

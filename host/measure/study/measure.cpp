@@ -5,9 +5,9 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -39,14 +39,12 @@ private:
 
 // Milliseconds of all threads of this process.
 double processor_ms() {
-    timespec time{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 Timing timing_of(std::vector<double> ms, double frames) {
     if (ms.empty()) return {};
-    std::sort(ms.begin(), ms.end());
+    std::ranges::sort(ms);
     const double median = (ms[(ms.size() - 1) / 2] + ms[ms.size() / 2]) / 2.0;
     return {.median = median * frames, .min = ms.front() * frames, .max = ms.back() * frames};
 }
