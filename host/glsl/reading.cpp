@@ -1,6 +1,7 @@
 #include "glsl/reading.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 
@@ -45,6 +46,41 @@ const Declaration* Reading::find_global(std::string_view name) const {
                                    [&](const Declarator& one) { return word(one.name) == name; });
     });
     return found == declarations.end() ? nullptr : &*found;
+}
+
+std::vector<bool> Reading::reached_from(const std::vector<std::string_view>& names) const {
+    using Key = std::pair<std::string_view, std::size_t>;
+    std::vector<std::pair<Key, std::uint32_t>> by_name;  // sorted
+    for (std::uint32_t i = 0; i < functions.size(); ++i)
+        by_name.push_back({{word(functions[i].name), functions[i].parameters.size()}, i});
+    std::ranges::sort(by_name);
+    std::vector<bool> reached(functions.size());
+    std::vector<std::uint32_t> fresh;
+    const auto reach = [&](std::uint32_t function) {
+        if (!reached[function]) fresh.push_back(function);
+        reached[function] = true;
+    };
+    const auto reach_called = [&](const Call& call) {
+        const Key key = {word(call.name), call.arity};
+        for (auto i = std::ranges::lower_bound(by_name, std::pair{key, 0u});
+             i != by_name.end() && i->first == key; ++i)
+            reach(i->second);
+    };
+    for (const std::string_view name : names)
+        for (const std::uint32_t function : functions_named(name)) reach(function);
+    std::vector<std::vector<std::uint32_t>> calls_of(functions.size());
+    for (std::uint32_t i = 0; i < calls.size(); ++i) {
+        if (calls[i].function == kNone)
+            reach_called(calls[i]);
+        else
+            calls_of[calls[i].function].push_back(i);
+    }
+    while (!fresh.empty()) {
+        const std::uint32_t function = fresh.back();
+        fresh.pop_back();
+        for (const std::uint32_t call : calls_of[function]) reach_called(calls[call]);
+    }
+    return reached;
 }
 
 Reading read_glsl(std::string_view text, const Known& known) {

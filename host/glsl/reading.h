@@ -42,6 +42,9 @@ struct Reading : Preprocessed, Syntax {
     bool defines_macro(std::string_view name) const;
     // The declaration of a global of this name.
     const Declaration* find_global(std::string_view name) const;
+    // By function: whether these names, and what they call, lead to it. Calls go to all overloads
+    // that take as many arguments; those in the values of globals count.
+    std::vector<bool> reached_from(const std::vector<std::string_view>& names) const;
 };
 
 // `text` must outlive the result. Any bytes will do; nothing that a text holds makes it throw, fill

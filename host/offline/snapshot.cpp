@@ -50,7 +50,7 @@ Json to_json(const Snapshot& snapshot) {
     for (const PassState& pass : snapshot.passes) {
         json["passes"].push_back({{"name", pass.pass},
                                   {"size", {pass.shape.size.x, pass.shape.size.y}},
-                                  {"format", kFormatNames.of(pass.shape.format)},
+                                  {"format", name_of(pass.shape.format)},
                                   {"outputs", pass.shape.outputs},
                                   {"cube", pass.shape.cube},
                                   {"feedback", pass.shape.feedback},
@@ -90,7 +90,8 @@ std::vector<Part> parts_of(const PassState& pass) {
             const std::string number = output > 0 ? fmt::format(" {}", output + 1) : "";
             parts.push_back({.name = pass.pass + number + (side > 0 ? " before" : ""),
                              .size = pass.shape.size * glm::ivec2(1, pass.shape.cube ? 6 : 1),
-                             .half = pass.shape.format != PixelFormat::rgba32f,
+                             .channels = channel_count(pass.shape.format),
+                             .half = bytes_a_channel(pass.shape.format) != 4,
                              .pixels = {}});
         }
     }
@@ -105,7 +106,7 @@ std::vector<Part> parts_with_pixels(const Snapshot& snapshot) {
         const std::size_t one = bytes.size() / parts.size();
         for (Part& part : parts) {
             const auto pixels = bytes.first(one);
-            if (pass.shape.format == PixelFormat::rgba8)
+            if (bytes_a_channel(pass.shape.format) == 1)
                 part.pixels = halves_of(pixels);
             else
                 part.pixels.assign(pixels.begin(), pixels.end());
@@ -129,10 +130,11 @@ void take_pixels(PassState& pass, std::span<Part>& parts) {
     for (const Part& wanted : parts_of(pass)) {
         if (parts.empty()) throw Damaged();
         const Part& part = parts.front();
-        if (part.name != wanted.name || part.size != wanted.size || part.half != wanted.half)
+        if (part.name != wanted.name || part.size != wanted.size ||
+            part.channels != wanted.channels || part.half != wanted.half)
             throw Damaged();
         const std::vector<std::byte> bytes =
-            pass.shape.format == PixelFormat::rgba8 ? bytes_of(part.pixels) : part.pixels;
+            bytes_a_channel(pass.shape.format) == 1 ? bytes_of(part.pixels) : part.pixels;
         pass.bytes.insert(pass.bytes.end(), bytes.begin(), bytes.end());
         parts = parts.subspan(1);
     }
@@ -146,7 +148,7 @@ Snapshot from_json(const Json& json, std::span<Part> parts) {
                       .provenance = json.at("provenance"),
                       .passes = {}};
     for (const Json& pass : json.at("passes")) {
-        const auto format = kFormatNames.find(pass.at("format").get<std::string>());
+        const auto format = parse_pixel_format(pass.at("format").get<std::string>());
         if (!format) throw Damaged();
         snapshot.passes.push_back({.pass = pass.at("name"),
                                    .shape = {.size = {pass.at("size").at(0), pass.at("size").at(1)},

@@ -255,8 +255,8 @@ void SamplerParser::parse_pass_option(std::string_view key, std::string_view val
             return complain("seconds from 1/65536 to 3600, such as 1/240");
         result.step = Option<Step>{*step, at};
     } else if (key == "format") {
-        const auto format = kFormatNames.find(value);
-        if (!format) return complain("rgba8, rgba16f or rgba32f");
+        const auto format = parse_pixel_format(value);
+        if (!format) return complain(expected_pixel_format(value));
         result.format = Option<PixelFormat>{*format, at};
     }
 }

@@ -3,6 +3,7 @@
 
 #include "base/diagnostic.h"
 #include "base/names.h"
+#include "scene/pixel_format.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -41,6 +42,7 @@ struct Tweak {
     bool log = false;                // the slider is logarithmic
     double step = 0.0;               // the slider's granularity; 0 is continuous
     bool quality = false;            // trades error for time
+    bool no_random = false;          // a random look leaves it alone
     // The value that counts as the truth. It may lie beyond the range: nobody moves a slider there.
     std::optional<TweakValue> reference;
     std::string unit, group, description;
@@ -85,16 +87,12 @@ inline const char* glsl_name(SamplerType type) {  // as GLSL spells it
 
 enum class Filter { nearest, linear, mipmap };
 enum class Wrap { clamp, repeat, mirror };
-enum class PixelFormat { rgba8, rgba16f, rgba32f };
 
 // As annotations, presets and results spell them.
 inline constexpr Names<Filter, 3> kFilterNames = {
     {{Filter::nearest, "nearest"}, {Filter::linear, "linear"}, {Filter::mipmap, "mipmap"}}};
 inline constexpr Names<Wrap, 3> kWrapNames = {
     {{Wrap::clamp, "clamp"}, {Wrap::repeat, "repeat"}, {Wrap::mirror, "mirror"}}};
-inline constexpr Names<PixelFormat, 3> kFormatNames = {{{PixelFormat::rgba8, "rgba8"},
-                                                        {PixelFormat::rgba16f, "rgba16f"},
-                                                        {PixelFormat::rgba32f, "rgba32f"}}};
 
 // Who fills what a sampler reads.
 enum class Source { none, buffer, image, cube, volume, sound, noise, keyboard };

@@ -3,9 +3,12 @@
 // scene, preset, json or glsl.
 #include "../base/test_folder.h"
 #include "glsl/division.h"
+#include "glsl/finding.h"
 #include "glsl/raw_text.h"
 #include "glsl/reachable.h"
 #include "glsl/zeros.h"
+#include "render/own_overloads.h"
+#include "scene/lint.h"
 #include "scene/preset.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
@@ -46,8 +49,13 @@ void read_text(std::string_view raw) {
         const Reading reading = read_glsl(text, known);
         find_uniforms(reading);
         find_tabs(reading);
+        own_overloads(reading);
         reachable_text(reading, "mainImage", kPassPrefix);
         Edits edits(reading);
+        const std::vector<bool> all(reading.functions.size(), true);
+        find_shadowed_names(reading, all);
+        find_reserved_names(reading, all);
+        find_long_loops(reading, all, {{"steps", 100.0}});
         mend_division_by_zero(reading, {}, edits);
         write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
         for (const Declaration& declaration : reading.declarations)
@@ -75,9 +83,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                                        : "input.frag");
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-    if (kind == "json")
+    if (kind == "json") {
         import_all(file);
-    else
-        glint::read_preset(file);
+    } else if (const glint::ReadPreset read = glint::read_preset(file); read.preset) {
+        glint::lint(*read.preset);
+    }
     return 0;
 }

@@ -184,6 +184,9 @@ double Glint::resident_mib() const {
 
 void Window::SetUp() {
     folder_ = std::make_unique<Folder>();
+    // Pixels are counted, however slow the machine: no resolution is chosen for them.
+    fs::create_directories(memory_of_resolutions().parent_path());
+    write(memory_of_resolutions(), fmt::format("full plain 1 {}\n", scene().string()));
     try {
         screen_ = std::make_unique<Screen>(screen_size_);
     } catch (const std::runtime_error& error) {

@@ -83,6 +83,9 @@ protected:
     void settle() const;
     // A still of the same scene by the other verb, as RGB rows.
     fs::path still(const std::vector<std::string>& arguments) const;
+    fs::path memory_of_resolutions() const {
+        return folder_->path() / "home/.local/state/glint/resolution";
+    }
     fs::path scene() const { return folder_->path() / "scene.frag"; }
 
     std::unique_ptr<Screen> screen_;

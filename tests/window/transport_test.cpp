@@ -166,6 +166,27 @@ TEST_F(Transport, ASimulationThatIsSoughtIsWhatAStillSimulates) {
     expect_same(take_still(2));
 }
 
+TEST_F(Transport, ASimulationThatWasPlayedGoesBackToWhatAStillSimulates) {
+    open(R"(
+uniform sampler2D waves; //@ pass mainWaves size=64x64 step=1/120
+void mainWaves(out vec4 c, in vec2 p) {
+    vec4 before = texelFetch(waves, ivec2(p), 0);
+    c = vec4(before.xy * 0.99 + vec2(sin(iTime * 2.0 + p.x), cos(iTime + p.y)) * 0.01, iTime, 1.0);
+}
+void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5 + texture(waves, p / iResolution.xy).xy, 0, 1); }
+)",
+         {"--no-specialise"});
+    std::this_thread::sleep_for(2500ms);  // states are kept on the way
+    pause();
+    for (const int x : {175, 168}) {  // on the scrub bar, of 60 s
+        screen_->click({x, 693});
+        settle();
+        const fs::path taken = take_still(x == 175 ? 1 : 2);
+        EXPECT_GT(std::atof(text_in(taken, "glint:time").c_str()), 0.5);
+        expect_same(taken, {"--no-specialise"});
+    }
+}
+
 TEST_F(Transport, AfterAResetASimulationStepsAsAStillDoes) {
     open(kSimulation);
     pause();

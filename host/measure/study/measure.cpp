@@ -1,5 +1,6 @@
 #include "measure/study/measure.h"
 
+#include "base/process_time.h"
 #include "offline/common.h"
 #include "offline/input_files.h"
 
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -36,11 +36,6 @@ public:
 private:
     GLuint id_ = 0;
 };
-
-// Milliseconds of all threads of this process.
-double processor_ms() {
-    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 Timing timing_of(std::vector<double> ms, double frames) {
     if (ms.empty()) return {};
@@ -78,7 +73,7 @@ public:
         for (int i = 0; i < kWarmUp + options_.frames; ++i) {
             const Frame frame = next_frame();
             renderer_.redraw();
-            const double processor_before = processor_ms();
+            const double processor_before = own_processor_ms();
             const Stopwatch clock;
             query.begin();
             renderer_.draw(frame);
@@ -88,7 +83,7 @@ public:
             if (i < kWarmUp) continue;
             wall.push_back(ms);
             gpu.push_back(query.ms());
-            processor.push_back(processor_ms() - processor_before);
+            processor.push_back(own_processor_ms() - processor_before);
         }
         const double frames = preset_.settle + 1.0;
         result.wall = timing_of(std::move(wall), frames);
@@ -117,6 +112,8 @@ private:
         Preset result = preset;
         result.values = setting.values;
         result.settle = setting.settle;
+        if (setting.format)
+            result.scene.passes[setting.format->pass].format = setting.format->format;
         return result;
     }
 

@@ -2,6 +2,9 @@
 
 #include "base/readable_file.h"
 #include "media/image.h"
+#include "scene/preset_writer.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +12,6 @@
 
 namespace glint {
 namespace {
-
-// A live frame catches up at most this much simulated time after a hitch.
-constexpr double kLongestCatchUp = 0.25;  // s
-
-// How long a replay may keep the window waiting in one frame.
-constexpr double kReplaySlice = 30.0;  // ms
 
 Date local_now() {
     std::timespec now{};
@@ -41,6 +38,10 @@ void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& t
         const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
         const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
         if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
+        const auto locks = [&](const Preset& preset) {
+            return std::ranges::find(preset.locked, tweak.name) != preset.locked.end();
+        };
+        if (locks(before) != locks(now)) tweaks.lock(i, locks(now));
     }
 }
 
@@ -62,6 +63,7 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
     : context_(context),
       options_(options),
       size_(size),
+      full_size_(size),
       trial_({.device = options.device}),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
@@ -86,8 +88,8 @@ ReloadSteps Playground::reload_steps() {
                     const bool specialise = programs == Programs::constants;
                     trial_.start({.preset = preset,
                                   .compile = {.program = {.specialise = specialise}},
-                                  .size = size_,
-                                  .time = transport.time(),
+                                  .size = full_size_,
+                                  .time = transport_.time(),
                                   .images = {}});
                 },
             .trial = [this]() -> const Verdict& { return trial_.poll(); },
@@ -145,8 +147,9 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     TweakValues next = tweaks;
     if (is_text && !written) {
         next = TweakValues(preset->scene.tweaks, preset->values);
+        next.set_locks(preset->locked);
     } else if (is_text) {
-        next.rebase(preset->scene.tweaks);
+        next.rebase(preset->scene.tweaks, preset->values);
         apply_saved_changes(*written, candidate, next);
     }
     preset->values = next.values();  // for the compiler and the renderer alone
@@ -171,22 +174,27 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     preset_ = std::move(preset);
     preset_->values.clear();
     tweaks = std::move(next);
+    forget_states();
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame
     for (std::size_t i = 0; i < fills_.size(); ++i)
         fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
     since_tweak_.restart();
     touched_ = true;
     if (!written) {
+        expected_ms_ = trial_.poll().expected_ms;
+        has_picture_ = false;
         opening_ = Opening::awaits_inputs;
-        transport = Transport(preset_->time);
+        transport_ = Transport(preset_->time);
         input_ = {};
         extra_frames_ = frame_offset_ = 0;
+        is_replayable_ = preset_->time == 0.0;  // else the first frame is a jump
     }
     return {};
 }
 
 void Playground::tweaks_changed() {
     if (!preset_) return;
+    forget_states();
     renderer_->set_values(tweaks.values());
     since_tweak_.restart();
     touched_ = true;
@@ -202,6 +210,7 @@ void Playground::use_uniforms() {
     renderer->set_values(tweaks.values());
     renderer->adopt(*renderer_);
     renderer_ = std::move(renderer);
+    forget_states();
     reloader_.uses_uniforms();
 }
 
@@ -213,8 +222,8 @@ void Playground::specialise_at_rest() {
 
 bool Playground::wants_frame() const {
     if (!renderer_) return false;
-    const bool settles = !transport.playing() && extra_frames_ < preset_->settle;
-    const bool time_moves = transport.playing() ? follows_time() : transport.wants_frame();
+    const bool settles = !transport_.playing() && extra_frames_ < preset_->settle;
+    const bool time_moves = transport_.playing() ? follows_time() : transport_.wants_frame();
     return touched_ || replay_at_ >= 0 || settles || time_moves;
 }
 
@@ -228,6 +237,7 @@ bool Playground::follows_time() const {
 void Playground::resize(glm::ivec2 size) {
     if (size == size_ || size == refused_size_) return;
     touched_ = true;
+    forget_states();
     refused_size_ = {0, 0};
     try {
         if (renderer_) renderer_->resize(size);
@@ -246,14 +256,18 @@ void Playground::mouse(glm::dvec2 fraction, bool down) {
     input_.mouse(fraction, down);
     recent_.mouse(fraction, down);
     recorder.mouse(fraction, down);
-    touched_ |= renderer_ && renderer_->reads_mouse();
+    const bool is_read = renderer_ && renderer_->reads_mouse();
+    touched_ |= is_read;
+    is_replayable_ &= !is_read;
 }
 
 void Playground::key(int code, bool down) {
     input_.key(code, down);
     recent_.key(code, down);
     recorder.key(code, down);
-    touched_ |= renderer_ && renderer_->reads_keyboard();
+    const bool is_read = renderer_ && renderer_->reads_keyboard();
+    touched_ |= is_read;
+    is_replayable_ &= !is_read;
 }
 
 void Playground::measure_passes(bool on) {
@@ -270,9 +284,9 @@ Frame Playground::next_frame(double wall_seconds) {
     // What is recorded is replayed by exports, which drop no simulated time: a frame that is too
     // slow holds time up then. Below the limit, for the part of a step that was left over.
     if (recorder.recording()) {
-        wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport.rate());
+        wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport_.rate());
     }
-    instant_ = transport.advance(wall_seconds);
+    instant_ = transport_.advance(wall_seconds);
     if (instant_.frame == 0) frame_offset_ = 0;
     const bool stands = instant_.frame > 0 && instant_.time == before && !instant_.jumped;
     extra_frames_ = stands ? extra_frames_ + 1 : 0;
@@ -283,7 +297,7 @@ Frame Playground::next_frame(double wall_seconds) {
     frame.frame_rate = instant_.frame_rate;
     frame.frame = instant_.frame;
     frame.date = shadertoy_date(local_now(), 0.0);
-    if (transport.playing() && !instant_.jumped) replay_events(before, frame.time);
+    if (transport_.playing() && !instant_.jumped) replay_events(before, frame.time);
     frame.input = input_.next_frame(size_);
     frame.longest_catch_up = kLongestCatchUp;
     recorder.frame(frame.time);
@@ -303,49 +317,25 @@ void Playground::replay_events(double from, double to) {
     }
 }
 
-double Playground::replayed() const {
-    return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
-}
-
-// A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived:
-// then `frame`, which is to be drawn, is the last frame of a still at its time, and those that
-// follow count on from there.
-bool Playground::replay_slice(Frame& frame) {
-    const Stopwatch clock;
-    const Playback playback{.end = frame.time};
-    for (; replay_at_ < replay_until_; ++replay_at_) {
-        if (clock.ms() > kReplaySlice) return false;
-        renderer_->advance(playback.frame(*preset_, replay_at_));
-        context_.finish();
-    }
-    replay_at_ = -1;
-    Frame last = playback.frame(*preset_, replay_until_);
-    if (preset_->events.empty()) last.input = frame.input;
-    last.date = frame.date;
-    frame_offset_ += last.frame - instant_.frame;
-    instant_.frame = last.frame;
-    instant_.time_delta = last.time_delta;
-    instant_.frame_rate = last.frame_rate;
-    frame = last;
-    return true;
+std::string Playground::waits_for() const {
+    if (reloader_.is_trying()) return trial_.work();
+    if (replay_at_ >= 0)
+        return fmt::format("playing up to {:g} s, {:.0f} % done", instant_.time, 100 * replayed());
+    return has_unseen_text() ? "drawing the first frame" : "";
 }
 
 bool Playground::draw(double wall_seconds) {
     if (!renderer_) return false;
     // Panels move over a picture that stands; no frame of the scene goes by then.
-    if (!transport.playing() && !wants_frame()) return false;
+    if (!transport_.playing() && !wants_frame()) return false;
     const Stopwatch clock;
     // While a replay is under way, time stands.
     Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
     const bool plays_again = opening_ == Opening::plays_again;
     if (plays_again) opening_ = Opening::done;
-    if (instant_.jumped || plays_again) {
-        renderer_->reset();
-        const bool again = renderer_->graph().stateful && (instant_.time > 0.0 || plays_again);
-        replay_at_ = again ? 0 : -1;
-        replay_until_ = Playback{.end = instant_.time}.last_frame();
-    }
+    if (instant_.jumped || plays_again) begin_replay(plays_again);
     if (replay_at_ >= 0 && !replay_slice(frame)) return false;
+    notice_dropped_steps();
 
     touched_ = false;
     if (measuring_) {
@@ -357,12 +347,15 @@ bool Playground::draw(double wall_seconds) {
         };
     }
     const bool drawn = renderer_->draw(frame);
+    has_picture_ |= drawn;
+    if (drawn) ++pictures_;
     renderer_->after_pass = nullptr;
     context_.finish();
     drawn_input_ = frame.input;
     drawn_date_ = frame.date;
     if (drawn) frame_ms_ = clock.ms();
     reloader_.drawn(clock.ms());
+    keep_live_state();
     return drawn;
 }
 
@@ -378,64 +371,29 @@ Frame Playground::frame_again() const {
     return frame;
 }
 
-std::vector<std::byte> Playground::still() {
-    if (!renderer_) return {};
-    const bool measured = measuring_;
-    measure_passes(false);
-    std::vector<std::byte> pixels;
-    const bool as_it_is = is_specialised() || !options_.specialise;
-    const Preset now = current_preset();
-    Diagnostics why_not;
-    const auto special = as_it_is ? nullptr : make_renderer(now, Programs::constants, why_not);
-    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
-    if (special) {
-        special->adopt(*renderer_);
-        special->draw_root(frame_again());
-        pixels = special->read_bytes();
-        renderer_->adopt(*special);
-        touched_ = true;
-    } else {
-        pixels = renderer_->read_bytes();
-    }
-    measure_passes(measured);
-    return pixels;
+void Playground::go_on_in(const std::filesystem::path& file, const Preset& preset) {
+    fills_ = {};
+    tweaks.set_written(preset.values);
+    watcher_.about_to_read();
+    reloader_.go_on_in(file, preset);
 }
 
-Metadata Playground::still_metadata() const {
-    return picture_metadata(current_preset(), frame_again(), context_.renderer());
-}
-
-const Buffer* Playground::picture_of(TweakSet set) {
-    if (!renderer_) return nullptr;
-    if (is_specialised()) use_uniforms();
-    const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
-    if (!other_picture_ || other_picture_->shape() != picture.shape()) {
-        other_picture_ = std::make_unique<Buffer>(picture.shape());
-    }
-    renderer_->set_values(tweaks.values(set));
-    renderer_->draw_root(frame_again());
-    other_picture_->copy_from(picture);
-    renderer_->set_values(tweaks.values());
-    renderer_->draw_root(frame_again());
-    context_.finish();
-    return other_picture_.get();
+bool Playground::is_as_read(const std::string& text) const {
+    if (!as_written()) return false;
+    Preset written = *as_written();
+    for (std::size_t i = 0; i < laid_over_.size(); ++i)
+        if (laid_over_[i]) written.channels[i] = {};
+    return write_preset(written, reloader_.file(), text).text == text;
 }
 
 Preset Playground::current_preset() const {
     Preset preset = *preset_;
     preset.values = tweaks.values();
+    preset.locked = tweaks.locks();
+    for (const std::string& name : preset_->locked)
+        if (std::ranges::find(preset.scene.tweaks, name, &Tweak::name) == preset.scene.tweaks.end())
+            preset.locked.push_back(name);
     preset.time = instant_.time;
-    return preset;
-}
-
-Preset Playground::preset_as_shown() const {
-    constexpr double kSoon = 2.0;  // s
-    Preset preset = current_preset();
-    preset.size = size_;
-    if (renderer_->graph().stateful) {
-        preset.time = std::min(preset.time, std::max(preset_->time, kSoon));
-    }
-    if (preset.events.empty()) preset.events = input_.as_events(0.0);
     return preset;
 }
 

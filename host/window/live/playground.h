@@ -10,7 +10,9 @@
 #include "scene/transport.h"
 #include "scene/tweak_values.h"
 #include "window/live/input_loader.h"
+#include "window/live/kept_states.h"
 #include "window/live/reloader.h"
+#include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
 #include <array>
@@ -28,6 +30,9 @@ struct PlaygroundOptions {
 };
 
 class Playground {
+    // A live frame catches up at most this much simulated time after a hitch.
+    static constexpr double kLongestCatchUp = 0.25;  // s
+
 public:
     // `context` is current and outlives the playground.
     Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options = {});
@@ -57,6 +62,17 @@ public:
     void resize(glm::ivec2 size);
     glm::ivec2 size() const { return size_; }
 
+    // The size that stills have and others are told of, where the screen shows a share of it.
+    void set_full_size(glm::ivec2 size) { full_size_ = size; }
+    // Its buffers would be cropped by another size: it keeps the one that its first frame had, in
+    // stills, too.
+    bool keeps_size() const {
+        return renderer_ && keeps_picture_size(preset_->scene, renderer_->graph());
+    }
+    // What the trial of the file that was opened took a frame of the full size to cost, ms; 0: not
+    // known.
+    double expected_ms() const { return expected_ms_; }
+
     // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
     // the picture, y up.
     void mouse(glm::dvec2 fraction, bool down);
@@ -72,13 +88,20 @@ public:
     void forget_fills();
     bool has_fills() const;
 
-    // The picture as a still would write it, RGBA: drawn anew with the tweaks as constants.
-    std::vector<std::byte> still();
+    // The picture as a still would write it, RGB: drawn anew at its full size, the tweaks as
+    // constants.
+    Image still();
     Metadata still_metadata() const;
 
     // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
     // stand. Null while nothing is open.
     const Buffer* picture_of(TweakSet set);
+
+    // Nothing moves, and nothing is about to: the picture may be refined.
+    bool stands() const;
+    // For that; `picture_count()` says whether it is still about what is shown.
+    RefineOrder refine_order() const;
+    std::size_t picture_count() const { return pictures_; }
 
     // Records mouse and keys from now on.
     void start_recording() { recorder.start(instant_.time, input_); }
@@ -91,6 +114,8 @@ public:
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
+    // Whether what is open has been drawn. A simulation is first played up to its start.
+    bool has_picture() const { return has_picture_; }
     bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
     // A large picture goes to the driver; update() is to be called again at once.
     bool is_sending() const { return !arriving_.empty(); }
@@ -103,16 +128,31 @@ public:
     }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
+    // What the next picture waits for, in words such as "compiling image"; "" where nothing is
+    // waited for.
+    std::string waits_for() const;
 
     // What is drawn, or null; its values are empty: `tweaks` has them.
     const Preset* preset() const { return preset_.get(); }
+    // Whether a jump of time plays the scene again; from which times it can be, s, ascending,
+    // beside 0; and how many of its seconds are played in one, 0 before the first such jump.
+    bool simulates() const;
+    const std::vector<double>& kept_states() const { return kept_states_.times(); }
+    double replay_rate() const;
+
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
     // The file has just been given this.
     void note_saved(const Preset& preset) {
         reloader_.note_saved(preset);
+        tweaks.set_written(preset.values);
         fills_ = {};
     }
+    // What is shown has its file's name from now on, which has just been given this. All goes on:
+    // time, buffers, undo.
+    void go_on_in(const std::filesystem::path& file, const Preset& preset);
+    // Whether this text of the file says what was read from it, or given to it, last.
+    bool is_as_read(const std::string& text) const;
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return reloader_.diagnostics(); }
     // The newest text that was tried was refused, for the reasons that the diagnostics tell.
@@ -133,8 +173,12 @@ public:
     // The picture is kept in floats meanwhile: bytes hold no NaN.
     void measure_passes(bool on);
 
+    // Time, whose only owner this is: keys and panels ask.
+    const Transport& transport() const { return transport_; }
+    void apply(const TimeEdit& edit) { transport_.apply(edit); }
+    void apply(TimeEdit::What what) { apply({.what = what, .loop = {}}); }
+
     TweakValues tweaks{{}};
-    Transport transport;
     Recorder recorder;
 
 private:
@@ -155,17 +199,28 @@ private:
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
     Frame frame_again() const;
+    Frame frame_at_full_size() const;
+    glm::ivec2 still_size() const { return keeps_size() ? size_ : full_size_; }
+    Programs still_programs() const {
+        const bool refused = reloader_.programs() == Programs::uniforms_for_good;
+        return refused ? Programs::uniforms : Programs::constants;
+    }
     PixelFormat picture_format() const {
         return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
     }
+    void begin_replay(bool from_start);
     bool replay_slice(Frame& frame);
+    void keep_live_state();
+    void notice_dropped_steps();
+    void forget_states();
     bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, Programs programs,
                                             Diagnostics& why_not) const;
 
     Context& context_;
     PlaygroundOptions options_;
-    glm::ivec2 size_, refused_size_{0};
+    Transport transport_;
+    glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
     Trial trial_;
     Reloader reloader_;
@@ -193,11 +248,16 @@ private:
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
+    bool has_picture_ = false;
     bool touched_ = true;   // something other than time asks for a frame
     int extra_frames_ = 0;  // drawn since time stands
     int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
-    int replay_at_ = -1, replay_until_ = -1;
-    double frame_ms_ = 0.0;
+    int replay_at_ = -1, replay_from_ = 0, replay_until_ = -1;  // frames; at -1: none is under way
+    double replayed_seconds_ = 0.0, replay_ms_ = 0.0;           // of the scene; of the clock
+    KeptStates kept_states_;
+    bool is_replayable_ = false;  // the buffers stand as in a still of this time
+    double frame_ms_ = 0.0, expected_ms_ = 0.0;
+    std::size_t pictures_ = 0;  // drawn so far
     bool measuring_ = false;
     std::vector<PassTime> pass_times_;
 };
