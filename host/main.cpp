@@ -201,7 +201,7 @@ int run(int argc, char** argv) {
         if (arguments.empty()) return say_first_commands({});
 #endif
         add_default_verb(arguments);
-        std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+        std::ranges::reverse(arguments);  // CLI11 takes them from the back
         try {
             app.parse(std::move(arguments));
         } catch (const CLI::ParseError& error) {

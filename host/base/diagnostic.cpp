@@ -43,15 +43,15 @@ std::string to_string(const Diagnostic& diagnostic) {
 }
 
 bool has_errors(std::span<const Diagnostic> diagnostics) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [](const Diagnostic& d) { return d.severity == Severity::error; });
+    return std::ranges::any_of(diagnostics,
+                               [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
 void append_once(Diagnostics& list, const Diagnostics& more) {
     for (const Diagnostic& diagnostic : more) {
         const std::string text = to_string(diagnostic);
-        const bool known = std::any_of(list.begin(), list.end(),
-                                       [&](const Diagnostic& d) { return to_string(d) == text; });
+        const bool known =
+            std::ranges::any_of(list, [&](const Diagnostic& d) { return to_string(d) == text; });
         if (!known) list.push_back(diagnostic);
     }
 }

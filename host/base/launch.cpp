@@ -137,6 +137,19 @@ void end_with(pid_t parent) {
     if (::getppid() != parent) ::_exit(1);  // it was gone before
 }
 
+std::string read_to_end(int pipe) {
+    std::string text;
+    std::array<char, 4096> chunk;
+    for (;;) {
+        const ssize_t count = ::read(pipe, chunk.data(), chunk.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) break;
+        text.append(chunk.data(), static_cast<std::size_t>(count));
+    }
+    ::close(pipe);
+    return text;
+}
+
 int wait_for(pid_t process) {
     int status = 0;
     while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;

@@ -40,6 +40,9 @@ Launched launch(const Launch& wanted);
 // For a process that is there by fork alone: ends it with the thread that has forked it.
 void end_with(pid_t parent);
 
+// All that comes through a pipe, until nobody has its other end any more; closes ours.
+std::string read_to_end(int pipe);
+
 // How a process ended: its exit code, or minus the signal that ended it. wait_for() waits for
 // that; ended() does not, and knows nothing before. Of what somebody else has waited for, 0.
 int wait_for(pid_t process);

@@ -22,7 +22,7 @@ std::vector<fs::path> names_in(const fs::path& folder) {
         if (!at->path().filename().string().starts_with('.'))
             names.push_back(at->path().filename());
     if (names.size() > kMostNames) return {};
-    std::sort(names.begin(), names.end());  // not in the order of the disk
+    std::ranges::sort(names);  // not in the order of the disk
     return names;
 }
 

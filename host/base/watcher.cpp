@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <iterator>
 #include <system_error>
 
 namespace glint {
@@ -72,7 +71,7 @@ bool tells_of_changes(int folder) {
     struct statfs system {};
     if (fstatfs(folder, &system) != 0) return true;
     const auto type = static_cast<std::uint64_t>(system.f_type) & 0xffffffffu;
-    return std::find(kSilent.begin(), kSilent.end(), type) == kSilent.end();
+    return std::ranges::find(kSilent, type) == kSilent.end();
 }
 
 // The names along a path, without empty ones and ".", last one first.
@@ -131,8 +130,8 @@ void Watcher::set_files(const std::vector<Path>& files) {
     std::vector<File> next;
     for (const Path& path : files) {
         const auto is_it = [&](const File& file) { return file.path == path; };
-        if (std::any_of(next.begin(), next.end(), is_it)) continue;
-        const auto known = std::find_if(files_.begin(), files_.end(), is_it);
+        if (std::ranges::any_of(next, is_it)) continue;
+        const auto known = std::ranges::find_if(files_, is_it);
         if (known != files_.end()) {
             next.push_back(std::move(*known));
             known->path.clear();
@@ -156,8 +155,7 @@ std::vector<Watcher::Path> Watcher::changed() {
     const auto now = Clock::now();
     if (now >= next_look_) {
         for (File& file : files_) look(file);
-        const bool polled =
-            std::any_of(files_.begin(), files_.end(), [](const File& f) { return f.polled; });
+        const bool polled = std::ranges::any_of(files_, [](const File& f) { return f.polled; });
         next_look_ = now + (polled ? kPollInterval : kLookInterval);
     }
     std::vector<Path> list;

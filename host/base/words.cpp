@@ -25,6 +25,12 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
+std::string quoted(std::string_view text, char mark, std::string_view inner) {
+    std::string result(1, mark);
+    for (const char c : text) result += c == mark ? inner : std::string_view(&c, 1);
+    return result + mark;
+}
+
 std::optional<double> parse_number(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return parse_decimal(text);

@@ -23,6 +23,9 @@ inline bool begins_character(char byte) {
     return (byte & '\xC0') != '\x80';
 }
 
+// In quotation marks, with each mark within written as `inner`.
+std::string quoted(std::string_view text, char mark, std::string_view inner);
+
 // Without the white space at both ends.
 std::string_view trimmed(std::string_view text);
 

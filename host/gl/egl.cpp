@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 #include <vector>
 
 namespace glint {
@@ -153,9 +152,7 @@ std::unique_ptr<Context> make_egl_context(std::string_view device) {
     require_libegl();
     Context::start_variables_at_zero();
     std::vector<Candidate> order = candidates();
-    std::stable_sort(order.begin(), order.end(), [](const Candidate& a, const Candidate& b) {
-        return a.software < b.software;
-    });
+    std::ranges::stable_sort(order, {}, &Candidate::software);
     std::string tried;
     for (const Candidate& candidate : order) {
         if (!is_chosen(candidate, device)) {

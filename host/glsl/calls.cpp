@@ -1,8 +1,6 @@
 // Who calls whom.
 #include "glsl/parser.h"
 
-#include <array>
-
 namespace glint {
 namespace {
 

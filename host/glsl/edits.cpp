@@ -1,7 +1,6 @@
 #include "glsl/edits.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace glint {
@@ -15,7 +14,7 @@ bool would_join(const Token& a, const Token& b) {
 }
 
 std::string line_ends_in(std::string_view text) {
-    return std::string(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), '\n');
+    return std::string(static_cast<std::size_t>(std::ranges::count(text, '\n')), '\n');
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ std::string face_names(const fs::path& file, const std::string& source) {
     if (at == std::string::npos) return {};
     for (const Names& names : kSpellings) {
         std::string list;
-        const bool all = std::all_of(names.begin(), names.end(), [&](const char* name) {
+        const bool all = std::ranges::all_of(names, [&](const char* name) {
             const std::string face = std::string(pattern).replace(at, 2, name);
             list += fmt::format(" \"{}\"", face);
             std::error_code error;
@@ -141,8 +141,8 @@ void Rewriter::add(std::string line, int number) {
 }
 
 bool Rewriter::reads_itself() const {
-    return std::any_of(channels_.begin(), channels_.end(),
-                       [](const ForeignChannel& channel) { return channel.source == "self"; });
+    return std::ranges::any_of(
+        channels_, [](const ForeignChannel& channel) { return channel.source == "self"; });
 }
 
 // A picture that reads itself becomes a buffer, which the picture shows.
@@ -208,8 +208,7 @@ void Rewriter::add_text(const std::string& own_buffer) {
         const auto directive = directives.find(number);
         const std::string_view word =
             directive == directives.end() ? std::string_view() : directive->second->word;
-        const auto channel = std::find_if(channels_.begin(), channels_.end(),
-                                          [&](const auto& c) { return c.line == number; });
+        const auto channel = std::ranges::find(channels_, number, &ForeignChannel::line);
         if (channel != channels_.end())
             add_channel(static_cast<std::size_t>(channel - channels_.begin()), own_buffer);
         else if (word == "iUniform")
@@ -251,7 +250,7 @@ void Rewriter::add_uniform(const Directive& directive, int number) {
         is_colour ? hex_colour(value) : fmt::format("{}", fmt::join(value, ", "));
     if (!range.empty()) annotation += fmt::format(" [{}, {}]", range[0], range[1]);
     if (!step.empty()) annotation += " step=" + step;
-    std::replace(description.begin(), description.end(), '"', '\'');
+    std::ranges::replace(description, '"', '\'');
     if (!description.empty()) annotation += fmt::format(" \"{}\"", description);
     add(fmt::format("uniform {} {};  //@ {}", ours, name, annotation), number);
 }

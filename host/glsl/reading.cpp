@@ -27,23 +27,11 @@ std::string Reading::spelled(TokenRange range) const {
     return result;
 }
 
-const Struct* Reading::find_struct(std::string_view name) const {
-    const auto found = std::ranges::find_if(
-        structs, [&](const Struct& one) { return one.name != kNone && word(one.name) == name; });
-    return found == structs.end() ? nullptr : &*found;
-}
-
 std::vector<std::uint32_t> Reading::functions_named(std::string_view name) const {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < functions.size(); ++i)
         if (word(functions[i].name) == name) found.push_back(i);
     return found;
-}
-
-bool Reading::defines(std::string_view name) const {
-    return std::ranges::any_of(functions, [&](const Function& function) {
-        return function.is_defined() && word(function.name) == name;
-    });
 }
 
 bool Reading::defines_macro(std::string_view name) const {
@@ -93,30 +81,6 @@ std::vector<bool> Reading::reached_from(const std::vector<std::string_view>& nam
         for (const std::uint32_t call : calls_of[function]) reach_called(calls[call]);
     }
     return reached;
-}
-
-std::vector<TokenRange> Reading::arguments_of(const Call& call) const {
-    std::vector<TokenRange> arguments;
-    if (call.arity == 0) return arguments;
-    const std::uint32_t end = call.brackets.end - 1;
-    std::uint32_t begin = call.brackets.begin + 1;
-    for (std::uint32_t at = begin; at <= end; ++at) {
-        if (at == end || tokens[at].is(",")) {
-            arguments.push_back({begin, at});
-            begin = at + 1;
-        } else if (const std::uint32_t close = close_of(at); close != kNone) {
-            at = close;
-        }
-    }
-    return arguments;
-}
-
-std::uint32_t Reading::function_at(std::size_t offset) const {
-    for (std::uint32_t i = 0; i < functions.size(); ++i) {
-        const Span span = place(functions[i].tokens);
-        if (span.begin <= offset && offset < span.end) return i;
-    }
-    return kNone;
 }
 
 Reading read_glsl(std::string_view text, const Known& known) {

@@ -11,7 +11,6 @@
 
 #include "glsl/syntax.h"
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -37,11 +36,8 @@ struct Reading : Preprocessed, Syntax {
     // As it is spelled, tokens and one space between them.
     std::string spelled(TokenRange range) const;
 
-    const Struct* find_struct(std::string_view name) const;
     // The functions of this name, prototypes too, in the order of the text.
     std::vector<std::uint32_t> functions_named(std::string_view name) const;
-    // Whether a function of this name has a body.
-    bool defines(std::string_view name) const;
     // Whether the text itself has a macro of this name, at any place.
     bool defines_macro(std::string_view name) const;
     // The declaration of a global of this name.
@@ -49,10 +45,6 @@ struct Reading : Preprocessed, Syntax {
     // By function: whether these names, and what they call, lead to it. Calls go to all overloads
     // that take as many arguments; those in the values of globals count.
     std::vector<bool> reached_from(const std::vector<std::string_view>& names) const;
-    // The arguments of a call.
-    std::vector<TokenRange> arguments_of(const Call& call) const;
-    // The function in whose text a byte stands; kNone for none.
-    std::uint32_t function_at(std::size_t offset) const;
 };
 
 // `text` must outlive the result. Any bytes will do; nothing that a text holds makes it throw, fill

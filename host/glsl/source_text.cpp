@@ -215,8 +215,7 @@ void Reader::include(File& file, const DirectiveLine& directive) {
 bool Reader::may_include(const fs::path& path, const Place& place) {
     const fs::path id = identity(path);
     if (once_.contains(id)) return false;
-    const auto open = std::find_if(chain_.begin(), chain_.end(),
-                                   [&id](const auto& entry) { return entry.first == id; });
+    const auto open = std::ranges::find(chain_, id, &decltype(chain_)::value_type::first);
     if (open != chain_.end()) {
         std::string names;
         for (auto entry = open; entry != chain_.end(); ++entry) names += entry->second + " -> ";
@@ -267,7 +266,7 @@ void Reader::append_blanked(File& file, const DirectiveLine& directive) {
 }  // namespace
 
 std::size_t SourceText::line_index(std::size_t offset) const {
-    const auto after = std::upper_bound(line_begins.begin(), line_begins.end(), offset);
+    const auto after = std::ranges::upper_bound(line_begins, offset);
     return static_cast<std::size_t>(after - line_begins.begin()) - 1;
 }
 

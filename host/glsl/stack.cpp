@@ -4,13 +4,6 @@
 #include <array>
 
 namespace glint {
-namespace {
-
-bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-}
-
-}  // namespace
 
 // Every mention is `a[n]`, with one n.
 bool Stack::find_counter() {

@@ -7,10 +7,6 @@
 namespace glint {
 namespace {
 
-bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-}
-
 bool is_qualifier(std::string_view word) {
     constexpr std::array<std::string_view, 25> kQualifiers = {
         "const",    "uniform",  "in",        "out",           "inout",    "highp",  "mediump",

@@ -3,10 +3,12 @@
 
 #include "glsl/raw_text.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +33,10 @@ enum class TokenKind : std::uint8_t {
     quoted,  // "a file" or <a file>, in directives that are not GLSL's own alone
     strange  // bytes that no GLSL has
 };
+
+inline bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
+    return std::ranges::find(words, word) != words.end();
+}
 
 struct Token {
     std::string_view text;             // its spelling, without backslashes that join lines

@@ -7,7 +7,6 @@
 #include "offline/common.h"
 #include "offline/input_files.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 double quantile(std::vector<double> values, double q) {
     if (values.empty()) return 0.0;
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     const double at = q * static_cast<double>(values.size() - 1);
     const auto below = static_cast<std::size_t>(at);
     const auto above = std::min(below + 1, values.size() - 1);

@@ -13,10 +13,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <map>
 
@@ -88,19 +86,6 @@ std::vector<std::string> words_of(const BenchOptions& options, const std::string
     return words;
 }
 
-std::string read_to_end(int descriptor) {
-    std::string text;
-    std::array<char, 4096> chunk;
-    for (;;) {
-        const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) break;
-        text.append(chunk.data(), static_cast<std::size_t>(got));
-    }
-    ::close(descriptor);
-    return text;
-}
-
 // A process that failed is silent, for it is one of six: what was wrong is found once more, aloud.
 [[noreturn]] void explain(const Preset& preset, const BenchOptions& options) {
     const auto context = make_egl_context(options.view.device);
@@ -119,7 +104,7 @@ Json measure(const Preset& preset, const BenchOptions& options, const std::strin
 }
 
 double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     return values[values.size() / 2];
 }
 

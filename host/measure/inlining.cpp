@@ -7,8 +7,6 @@
 #include "base/temporary_file.h"
 #include "base/temporary_folder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,7 @@
 // Chooses how a file is written by its name and how it is read by its first bytes.
 #include "media/image.h"
 
+#include "base/names.h"
 #include "base/readable_file.h"
 #include "media/codecs.h"
 
@@ -10,7 +11,7 @@
 #include <array>
 #include <cctype>
 #include <cstring>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,15 +22,19 @@ namespace fs = std::filesystem;
 
 enum class Codec { png, exr, jpeg, tiff, hdr };
 
-struct Extension {
-    std::string_view name;
-    Codec codec;
-};
-
-constexpr Extension kExtensions[] = {
-    {".png", Codec::png},  {".exr", Codec::exr},   {".jpg", Codec::jpeg}, {".jpeg", Codec::jpeg},
-    {".tif", Codec::tiff}, {".tiff", Codec::tiff}, {".hdr", Codec::hdr},
-};
+// The first of each kind's names is its usual one.
+constexpr Names<Codec, 7> kExtensions = {{{Codec::png, ".png"},
+                                          {Codec::exr, ".exr"},
+                                          {Codec::jpeg, ".jpg"},
+                                          {Codec::jpeg, ".jpeg"},
+                                          {Codec::tiff, ".tif"},
+                                          {Codec::tiff, ".tiff"},
+                                          {Codec::hdr, ".hdr"}}};
+constexpr Names<Codec, 5> kOiioNames = {{{Codec::png, "png"},
+                                         {Codec::exr, "openexr"},
+                                         {Codec::jpeg, "jpeg"},
+                                         {Codec::tiff, "tiff"},
+                                         {Codec::hdr, "hdr"}}};
 
 struct Signature {
     std::string_view bytes;
@@ -48,32 +53,15 @@ constexpr Signature kSignatures[] = {
     {"#?"sv, Codec::hdr},
 };
 
-const char* oiio_name(Codec codec) {
-    switch (codec) {
-        case Codec::png:
-            return "png";
-        case Codec::exr:
-            return "openexr";
-        case Codec::jpeg:
-            return "jpeg";
-        case Codec::tiff:
-            return "tiff";
-        case Codec::hdr:
-            return "hdr";
-    }
-    return "";
-}
-
 bool has_floats(Codec codec) {
     return codec == Codec::exr || codec == Codec::tiff || codec == Codec::hdr;
 }
 
-const Extension* find_extension(const fs::path& file) {
+// As its name says.
+std::optional<Codec> codec_of(const fs::path& file) {
     std::string name = file.extension().string();
     for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const auto* found = std::find_if(std::begin(kExtensions), std::end(kExtensions),
-                                     [&](const Extension& e) { return e.name == name; });
-    return found == std::end(kExtensions) ? nullptr : found;
+    return kExtensions.find(name);
 }
 
 std::size_t bytes_per_value(ChannelType type) {
@@ -245,33 +233,30 @@ void make_room(Image& shape) {
 }
 
 void prepare_image_library(const fs::path& file) {
-    const Extension* extension = find_extension(file);
-    if (!extension || extension->codec == Codec::png) return;
-    prepare_oiio();
+    if (codec_of(file).value_or(Codec::png) != Codec::png) prepare_oiio();
 }
 
 bool can_write(const fs::path& file) {
-    return find_extension(file) != nullptr;
+    return codec_of(file).has_value();
 }
 
 bool holds_floats(const fs::path& file) {
-    const Extension* extension = find_extension(file);
-    return extension && has_floats(extension->codec);
+    const auto codec = codec_of(file);
+    return codec && has_floats(*codec);
 }
 
 bool begins_with_metadata(const fs::path& file) {
-    const Extension* extension = find_extension(file);
-    return extension && (extension->codec == Codec::png || extension->codec == Codec::exr);
+    const auto codec = codec_of(file);
+    return codec == Codec::png || codec == Codec::exr;
 }
 
 bool has_tiles(const fs::path& file) {
-    const Extension* extension = find_extension(file);
-    return extension && (extension->codec == Codec::exr || extension->codec == Codec::tiff);
+    const auto codec = codec_of(file);
+    return codec == Codec::exr || codec == Codec::tiff;
 }
 
 std::string refusal_of(const fs::path& file, const FileFormat& format) {
-    const Extension* extension = find_extension(file);
-    const Codec codec = extension ? extension->codec : Codec::png;
+    const Codec codec = codec_of(file).value_or(Codec::png);
     if (!format.values.empty() && codec != Codec::exr) {
         return "--format chooses between the floats of an .exr file; others leave no choice.";
     }
@@ -289,16 +274,15 @@ std::string refusal_of(const fs::path& file, const FileFormat& format) {
 }
 
 std::string size_refusal(const fs::path& file, glm::ivec2 size) {
-    const Extension* extension = find_extension(file);
-    if (!extension) return "";
-    const std::string cause = size_complaint(size, largest_side_of(extension->codec));
+    const auto codec = codec_of(file);
+    if (!codec) return "";
+    const std::string cause = size_complaint(size, largest_side_of(*codec));
     return cause.empty() ? "" : cannot_write(file, cause).what();
 }
 
 // OpenImageIO gets so many rows at a time and makes two copies of them.
 std::size_t encoder_bytes(const fs::path& file, const Image& shape) {
-    const Extension* extension = find_extension(file);
-    if (!extension || extension->codec == Codec::png) return bytes_per_row(shape) * 2;
+    if (codec_of(file).value_or(Codec::png) == Codec::png) return bytes_per_row(shape) * 2;
     const auto rows = static_cast<std::size_t>(std::min(rows_at_once(shape), shape.size.y));
     return bytes_per_row(shape) * rows * 2;
 }
@@ -306,18 +290,18 @@ std::size_t encoder_bytes(const fs::path& file, const Image& shape) {
 ImageWriter::ImageWriter(const fs::path& file, const Image& shape, const Metadata& metadata,
                          const FileFormat& format)
     : file_(file) {
-    const Extension* extension = find_extension(file);
-    if (!extension) {
+    const auto named = codec_of(file);
+    if (!named) {
         throw cannot_write(file, "Its name should end in .png, .exr, .jpg, .tif or .hdr");
     }
-    const Codec codec = extension->codec;
+    const Codec codec = *named;
     check_shape(file, shape, codec);
     channels_ = channels_in_file(codec, shape.channels);
     const Image kept{.size = shape.size, .channels = channels_, .type = shape.type, .pixels = {}};
     out_ = std::make_unique<TemporaryFile>(file);
     encoder_ = codec == Codec::png
                    ? encode_png(*out_, file, kept, metadata)
-                   : encode_by_oiio(*out_, file, oiio_name(codec), kept, metadata, format);
+                   : encode_by_oiio(*out_, file, kOiioNames.of(codec), kept, metadata, format);
 }
 
 ImageWriter::~ImageWriter() = default;
@@ -349,7 +333,7 @@ ImageFacts read_image_facts(const fs::path& file) {
     const ReadableFile in(file);
     const Codec codec = codec_by_content(file, in);
     const Image shape = codec == Codec::png ? read_png_shape(file, in)
-                                            : read_shape_by_oiio(file, in, oiio_name(codec));
+                                            : read_shape_by_oiio(file, in, kOiioNames.of(codec));
     return {.size = shape.size,
             .channels = shape.channels,
             .type = shape.type,
@@ -361,7 +345,7 @@ Image read_image(const fs::path& file) {
     const ReadableFile in(file);
     const Codec codec = codec_by_content(file, in);
     if (codec == Codec::jpeg && !jpeg_has_end(in)) throw cannot_read(file, "It is cut short");
-    return codec == Codec::png ? read_png(file, in) : read_by_oiio(file, in, oiio_name(codec));
+    return codec == Codec::png ? read_png(file, in) : read_by_oiio(file, in, kOiioNames.of(codec));
 }
 
 }  // namespace glint

@@ -52,8 +52,8 @@ std::vector<png_text> text_chunks(const Metadata& metadata, Metadata& storage) {
     for (auto& [name, value] : storage) {
         if (name.empty()) continue;
         name.resize(std::min<std::size_t>(name.size(), 79));
-        const bool latin = std::all_of(value.begin(), value.end(),
-                                       [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+        const bool latin =
+            std::ranges::all_of(value, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
         png_text chunk{};
         chunk.compression = latin ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
         chunk.key = name.data();

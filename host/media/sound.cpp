@@ -7,7 +7,6 @@
 #include "media/spectrum.h"
 
 #include <array>
-#include <string>
 #include <utility>
 
 namespace glint {

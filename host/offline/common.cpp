@@ -39,8 +39,7 @@ void apply_tweak(Preset& preset, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string name = assignment.substr(0, equals);
     const auto& tweaks = preset.scene.tweaks;
-    const auto found = std::find_if(tweaks.begin(), tweaks.end(),
-                                    [&](const Tweak& tweak) { return tweak.name == name; });
+    const auto found = std::ranges::find(tweaks, name, &Tweak::name);
     if (found == tweaks.end()) {
         throw UsageError(
             fmt::format("--tweak {}: {}", assignment, no_such_tweak(preset.scene, name)));
@@ -222,6 +221,18 @@ Image read_picture(Renderer& renderer, bool floats) {
                                  floats ? ChannelType::f32 : ChannelType::u8);
 }
 
+Frame frame_at(const Preset& preset, double previous, double time, double delta, int index) {
+    Frame frame;
+    frame.time = time;
+    frame.time_delta = delta;
+    frame.frame_rate = 1.0 / delta;
+    frame.frame = index;
+    frame.date = shadertoy_date(preset.date, time);
+    frame.input = replay(preset.events, previous, time, preset.size);
+    frame.events = preset.events;
+    return frame;
+}
+
 int Playback::last_frame() const {
     // The tolerance forgives times such as 7/60 s, which lie a rounding off a whole frame.
     return static_cast<int>(std::clamp(std::ceil(end * fps - 1e-6), 0.0, kMostFrames));
@@ -234,15 +245,7 @@ Frame Playback::frame(const Preset& preset, int index) const {
     const double time = time_of(index);
     const double previous =
         index == 0 ? -std::numeric_limits<double>::infinity() : time_of(index - 1);
-    Frame frame;
-    frame.time = time;
-    frame.time_delta = index == 0 ? 1.0 / 60.0 : time - previous;
-    frame.frame_rate = 1.0 / frame.time_delta;
-    frame.frame = index;
-    frame.date = shadertoy_date(preset.date, time);
-    frame.input = replay(preset.events, previous, time, preset.size);
-    frame.events = preset.events;
-    return frame;
+    return frame_at(preset, previous, time, index == 0 ? 1.0 / 60.0 : time - previous, index);
 }
 
 Frame settled_frame(const Preset& preset, const Playback& playback, int extra) {

@@ -124,6 +124,9 @@ struct Playback {
     Frame frame(const Preset& preset, int index) const;
 };
 
+// The frame at `time`, with what a person did since `previous`.
+Frame frame_at(const Preset& preset, double previous, double time, double delta, int index);
+
 // A frame after the end: time stands still, iFrame counts on, nothing new is pressed.
 Frame settled_frame(const Preset& preset, const Playback& playback, int extra);
 

@@ -85,12 +85,11 @@ void Exporter::find_tabs() {
 
 const PassProgram& Exporter::program_of(const Tab& tab) const {
     const auto& programs = tab.pass == kSoundPass ? sound_->programs : compiled_.programs;
-    return *std::find_if(programs.begin(), programs.end(),
-                         [&](const PassProgram& program) { return program.pass == tab.pass; });
+    return *std::ranges::find(programs, tab.pass, &PassProgram::pass);
 }
 
 const Tab& Exporter::tab_of(const Sampler& sampler) const {
-    return *std::find_if(tabs_.begin(), tabs_.end(), [&](const Tab& tab) {
+    return *std::ranges::find_if(tabs_, [&](const Tab& tab) {
         return tab.pass == sampler.pass && tab.output == sampler.output;
     });
 }
@@ -106,9 +105,9 @@ std::array<std::optional<std::size_t>, 4> Exporter::channels_of(const Tab& tab) 
         else
             others.push_back(uniform.sampler);
     }
-    std::sort(others.begin(), others.end());
+    std::ranges::sort(others);
     for (const std::size_t sampler : others) {
-        const auto free = std::find(channels.begin(), channels.end(), std::nullopt);
+        const auto free = std::ranges::find(channels, std::optional<std::size_t>());
         if (free == channels.end()) {
             throw UsageError(fmt::format(
                 "Pass {} reads {} samplers; the site has four channels. Switch off what needs them "
@@ -147,10 +146,6 @@ std::string Exporter::source_words(const Tab& tab, const Sampler& sampler) {
             break;
     }
     return "nothing";
-}
-
-const char* filter_word(Filter filter) {
-    return filter == Filter::nearest ? "nearest" : filter == Filter::linear ? "linear" : "mipmap";
 }
 
 // What a buffer of its own size, or a step of its own, becomes where neither is known.
@@ -220,7 +215,7 @@ std::string Exporter::unread_defines(
     std::string defines;
     for (std::size_t i = 0; i < scene_.samplers.size(); ++i) {
         const Sampler& sampler = scene_.samplers[i];
-        if (std::find(channels.begin(), channels.end(), i) != channels.end()) continue;
+        if (std::ranges::find(channels, i) != channels.end()) continue;
         if (sampler.name.starts_with("iChannel")) continue;  // the site has all four
         if (!speaks_of(body, sampler.name)) continue;
         // What is bound to nothing is a sampler2D on the site.
@@ -244,7 +239,7 @@ std::string Exporter::tab_text(const Tab& tab) {
         if (!channels[i]) continue;
         const Sampler& sampler = sampler_at(preset_, *channels[i]);
         head += fmt::format("// iChannel{}: {}, {}, {}\n", i, source_words(tab, sampler),
-                            filter_word(sampler.filter),
+                            kFilterNames.of(sampler.filter),
                             sampler.wrap == Wrap::clamp ? "clamp" : "repeat");
         if (!sampler.name.starts_with("iChannel"))
             defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
@@ -302,7 +297,7 @@ Json Exporter::input_json(const Sampler& sampler, int channel) const {
             {"ctype", kind},
             {"channel", channel},
             {"sampler",
-             {{"filter", filter_word(sampler.filter)},
+             {{"filter", kFilterNames.of(sampler.filter)},
               {"wrap", sampler.wrap == Wrap::clamp ? "clamp" : "repeat"},
               {"vflip", sampler.vflip ? "true" : "false"},
               {"srgb", "false"},

@@ -7,10 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace glint {

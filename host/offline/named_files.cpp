@@ -14,7 +14,6 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace glint {

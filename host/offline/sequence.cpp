@@ -5,7 +5,6 @@
 #include "base/say.h"
 #include "base/terminal.h"
 #include "gl/context.h"
-#include "media/sound.h"
 #include "offline/frames.h"
 #include "offline/input_files.h"
 #include "offline/picture.h"
@@ -230,14 +229,8 @@ std::unique_ptr<TemporaryFile> sound_of(const SequenceOptions& options, const Pr
     const auto [first, count] = heard_in(options, preset, frames);
     if (count == 0) return nullptr;
     auto file = std::make_unique<TemporaryFile>(options.output);
-    SoundWriter writer(file->descriptor(), "sound.wav");
-    Progress progress("sound", count);
-    long done = 0;
-    render_sound(preset, options.view.specialise, first, count, [&](auto samples) {
-        writer.append(samples);
-        progress.update(done += static_cast<long>(samples.size() / 2));
-    });
-    if (const int error = writer.finish()) {
+    if (const int error =
+            write_sound(preset, options.view.specialise, first, count, *file, "sound.wav")) {
         throw cannot_write(options.output, std::generic_category().message(error));
     }
     return file;

@@ -53,10 +53,13 @@ std::vector<float> SoundRenderer::block(long index) {
     return pairs;
 }
 
-void render_sound(const Preset& preset, bool specialise, long first, long count,
-                  const std::function<void(std::span<const std::int16_t>)>& take) {
+int write_sound(const Preset& preset, bool specialise, long first, long count,
+                const TemporaryFile& out, const std::filesystem::path& name) {
+    SoundWriter writer(out.descriptor(), name);
     SoundRenderer renderer(preset, specialise);
+    Progress progress("sound", count);
     std::vector<std::int16_t> samples;
+    long done = 0;
     for (long block = first / kBlock; block * kBlock < first + count; ++block) {
         const std::vector<float> pairs = renderer.block(block);
         const long begin = std::max(first - block * kBlock, 0L);
@@ -65,8 +68,10 @@ void render_sound(const Preset& preset, bool specialise, long first, long count,
         for (auto i = static_cast<std::size_t>(2 * begin); i < static_cast<std::size_t>(2 * end);
              ++i)
             samples.push_back(static_cast<std::int16_t>(std::lround(pairs[i] * 32767.0f)));
-        take(samples);
+        writer.append(samples);
+        progress.update(done += end - begin);
     }
+    return writer.finish();
 }
 
 void run_sound(const SoundOptions& options) {
@@ -87,14 +92,10 @@ void run_sound(const SoundOptions& options) {
     require_apart({{"-o", options.output.string()}}, files_read_for(preset));
     const auto context = make_egl_context(options.view.device);
     TemporaryFile out(options.output);
-    SoundWriter writer(out.descriptor(), options.output);
-    long done = 0;
-    Progress progress("sound", count);
-    render_sound(preset, options.view.specialise, 0, count, [&](auto samples) {
-        writer.append(samples);
-        progress.update(done += static_cast<long>(samples.size() / 2));
-    });
-    if (const int error = writer.finish()) out.fail(error);
+    if (const int error =
+            write_sound(preset, options.view.specialise, 0, count, out, options.output)) {
+        out.fail(error);
+    }
     out.commit();
     if (options.view.json) {
         const nlohmann::ordered_json json = {{"output", options.output.string()},

@@ -1,9 +1,10 @@
 // `glint sound`: the mainSound of a scene to a file.
 #pragma once
 
+#include "base/temporary_file.h"
 #include "offline/common.h"
 
-#include <functional>
+#include <filesystem>
 
 namespace glint {
 
@@ -26,10 +27,10 @@ private:
     Renderer renderer_;
 };
 
-// Stereo samples of a scene's sound, left and right in turn, 44.1 kHz, 16 bits, from `first` on;
-// `take` gets them block by block. The scene has one. Needs a current context. Throws Stop when it
-// does not compile.
-void render_sound(const Preset& preset, bool specialise, long first, long count,
-                  const std::function<void(std::span<const std::int16_t>)>& take);
+// Writes the sound of a scene, which has one, to a file of the kind that the name says: 44.1 kHz,
+// 16 bits, `count` samples from `first` on. Returns the errno of what the system refused, or 0.
+// Needs a current context. Throws Stop when it does not compile.
+int write_sound(const Preset& preset, bool specialise, long first, long count,
+                const TemporaryFile& out, const std::filesystem::path& name);
 
 }  // namespace glint

@@ -102,8 +102,8 @@ Image read_buffer(const Still& still) {
         static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
     const auto kept = static_cast<std::size_t>(image.channels);
     const auto& names = still.preset.scene.passes[still.kind.pass].outputs;
-    const auto output = static_cast<std::size_t>(
-        std::find(names.begin(), names.end(), still.options.pass) - names.begin());
+    const auto output =
+        static_cast<std::size_t>(std::ranges::find(names, still.options.pass) - names.begin());
     const std::vector<float> rgba = still.renderer.read_floats(output);
     image.pixels.resize(count * kept * (floats ? sizeof(float) : 1));
     for (std::size_t i = 0; i < count * kept; ++i) {

@@ -50,8 +50,6 @@ SamplerAnnotation parse_sampler(Sampler sampler, std::string_view annotation,
 std::optional<std::string> parse_group(std::string_view annotation);
 
 // The single values, which presets write too. Nothing if the text is none of them.
-std::optional<Filter> parse_filter(std::string_view text);
-std::optional<Wrap> parse_wrap(std::string_view text);
 // "1/240", "0.01": exact.
 std::optional<Step> parse_step(std::string_view text);
 // "rgba 256", "r 64x32", "32x32x32"; the sampler's type says how many lengths may stand there.

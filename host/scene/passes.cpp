@@ -29,7 +29,7 @@ std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
         if (tab.empty() || tab == pass_name(preset.scene, pass)) return true;
         if (!fills_a_buffer(pass)) return false;
         const auto& outputs = preset.scene.passes[pass].outputs;
-        return std::find(outputs.begin(), outputs.end(), tab) != outputs.end();
+        return std::ranges::find(outputs, tab) != outputs.end();
     };
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);

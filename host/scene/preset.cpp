@@ -124,18 +124,16 @@ void Reader::read(std::string_view text) {
     if (const toml::node* channels = root.get("channels")) read_channels(*channels);
     if (const toml::node* events = root.get("events")) read_events(*events);
     // toml++ sorts keys by name; a person reads from top to bottom.
-    std::stable_sort(warnings_.begin(), warnings_.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) {
-                         return std::pair(a.place.line, a.place.column) <
-                                std::pair(b.place.line, b.place.column);
-                     });
+    std::ranges::stable_sort(warnings_, [](const Diagnostic& a, const Diagnostic& b) {
+        return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+    });
     result_.diagnostics.insert(result_.diagnostics.end(), warnings_.begin(), warnings_.end());
     if (!has_errors(result_.diagnostics)) result_.preset = std::move(preset_);
 }
 
 void Reader::check_keys(const toml::table& table, const Names& known) {
     for (const auto& [key, node] : table) {
-        if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+        if (std::ranges::find(known, key.str()) != known.end()) continue;
         warning(key.source(), fmt::format("unknown key {}; known are {}{}", in_quotes(key.str()),
                                           fmt::join(known, ", "), did_you_mean(key.str(), known)));
     }
@@ -252,8 +250,7 @@ void Reader::read_tweaks(const toml::node& node) {
 
 void Reader::read_tweak(const toml::key& key, const toml::node& node) {
     const auto& tweaks = preset_.scene.tweaks;
-    const auto tweak = std::find_if(tweaks.begin(), tweaks.end(),
-                                    [&key](const Tweak& t) { return t.name == key.str(); });
+    const auto tweak = std::ranges::find(tweaks, key.str(), &Tweak::name);
     if (tweak == tweaks.end()) {
         Names names;
         for (const Tweak& known : tweaks) names.push_back(known.name);
@@ -330,11 +327,11 @@ void Reader::read_channels(const toml::node& node) {
     static const Names kChannels = {"iChannel0", "iChannel1", "iChannel2", "iChannel3"};
     check_keys(*channels, kChannels);
     for (const auto& [key, value] : *channels) {
-        const auto known = std::find(kChannels.begin(), kChannels.end(), key.str());
+        const auto known = std::ranges::find(kChannels, key.str());
         if (known == kChannels.end()) continue;
         const auto& declared = preset_.scene.samplers;
-        if (std::any_of(declared.begin(), declared.end(),
-                        [&](const Sampler& s) { return s.name == *known && s.tab.empty(); }))
+        if (std::ranges::any_of(
+                declared, [&](const Sampler& s) { return s.name == *known && s.tab.empty(); }))
             warning(key.source(),
                     fmt::format("the scene fills {} itself; this line is not used", *known));
         else if (const toml::table* table = value.as_table())
@@ -404,7 +401,7 @@ void Reader::read_channel_source(Sampler& sampler, std::string_view key, const t
     if (key == "volume") return read_file(Source::volume, SamplerType::sampler3D);
     if (key == "sound") return read_file(Source::sound, SamplerType::sampler2D);
     if (key == "noise") {
-        if (std::count(text->begin(), text->end(), 'x') == 2) sampler.type = SamplerType::sampler3D;
+        if (std::ranges::count(*text, 'x') == 2) sampler.type = SamplerType::sampler3D;
         const std::string wrong = parse_noise(*text, sampler);
         return wrong.empty() ? set_defaults(sampler, Source::noise) : warning(node, wrong);
     }
@@ -438,13 +435,13 @@ void Reader::read_cube_files(Sampler& sampler, const toml::array& files) {
 
 void Reader::read_channel_options(Sampler& sampler, const toml::table& table) {
     if (const toml::node* node = table.get("wrap")) {
-        if (const auto wrap = parse_wrap(node->value_or("")))
+        if (const auto wrap = kWrapNames.find(node->value_or("")))
             sampler.wrap = *wrap;
         else
             warning(*node, "wrap is \"clamp\", \"repeat\" or \"mirror\"");
     }
     if (const toml::node* node = table.get("filter")) {
-        if (const auto filter = parse_filter(node->value_or("")))
+        if (const auto filter = kFilterNames.find(node->value_or("")))
             sampler.filter = *filter;
         else
             warning(*node, "filter is \"nearest\", \"linear\" or \"mipmap\"");
@@ -471,8 +468,7 @@ void Reader::read_events(const toml::node& node) {
         }
         if (const auto event = read_event(*table)) preset_.events.push_back(*event);
     }
-    std::stable_sort(preset_.events.begin(), preset_.events.end(),
-                     [](const Event& a, const Event& b) { return a.time < b.time; });
+    std::ranges::stable_sort(preset_.events, {}, &Event::time);
 }
 
 // An event that lacks something is left out: half an event would be another one.

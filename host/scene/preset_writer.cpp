@@ -90,11 +90,11 @@ std::size_t Layout::offset(const toml::source_position& at) const {
 }
 
 std::size_t Layout::line_begin(std::size_t at) const {
-    return *std::prev(std::upper_bound(lines_.begin(), lines_.end(), at));
+    return *std::prev(std::ranges::upper_bound(lines_, at));
 }
 
 std::size_t Layout::line_end(std::size_t at) const {
-    const auto next = std::upper_bound(lines_.begin(), lines_.end(), at);
+    const auto next = std::ranges::upper_bound(lines_, at);
     return next == lines_.end() ? text.size() : *next;
 }
 
@@ -322,8 +322,7 @@ void Editor::remove_events(const toml::array& events) {
 std::string edited(std::string_view text, std::vector<Edit> edits) {
     const std::size_t first_end = text.find('\n');
     const bool crlf = first_end != text.npos && first_end > 0 && text[first_end - 1] == '\r';
-    std::stable_sort(edits.begin(), edits.end(),
-                     [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+    std::ranges::stable_sort(edits, {}, &Edit::begin);
     std::string result;
     std::size_t at = 0;
     const auto add = [&](std::string_view added) {

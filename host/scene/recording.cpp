@@ -89,8 +89,7 @@ void Recorder::frame(double time) {
     for (Event& event : pending_) {
         if (std::isnan(event.time)) event.time = stamp;
     }
-    std::stable_sort(pending_.begin(), pending_.end(),
-                     [](const Event& a, const Event& b) { return a.time < b.time; });
+    std::ranges::stable_sort(pending_, {}, &Event::time);
     events_.insert(events_.end(), pending_.begin(), pending_.end());
     pending_.clear();
     last_move_.reset();
@@ -115,9 +114,8 @@ std::vector<Event> Recorder::stop() {
 }
 
 std::span<const Event> events_between(std::span<const Event> events, double from, double to) {
-    const auto later = [](double time, const Event& event) { return time < event.time; };
-    const auto begin = std::upper_bound(events.begin(), events.end(), from, later);
-    const auto end = std::upper_bound(begin, events.end(), to, later);
+    const auto begin = std::ranges::upper_bound(events, from, {}, &Event::time);
+    const auto end = std::ranges::upper_bound(begin, events.end(), to, {}, &Event::time);
     return {begin, end};
 }
 

@@ -22,9 +22,8 @@ bool is_identifier(std::string_view text) {
     const auto letter = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
     };
-    return !text.empty() && letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
-        return letter(c) || (c >= '0' && c <= '9');
-    });
+    return !text.empty() && letter(text[0]) &&
+           std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
 std::optional<int> parse_length(std::string_view text) {
@@ -212,16 +211,16 @@ void SamplerParser::parse_option(std::string_view key, std::size_t at) {
     const auto complain = [&](std::string_view what) {
         words.complain(value_at, fmt::format("{} is {}; write {}", key, in_quotes(value), what));
     };
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
+    if (std::ranges::find(known, key) == known.end()) {
         words.complain(at, fmt::format("unknown word {}; known here are {}={}", in_quotes(key),
                                        fmt::join(known, "=, "), did_you_mean(key, known)));
     } else if (key == "filter") {
-        if (const auto filter = parse_filter(value))
+        if (const auto filter = kFilterNames.find(value))
             result.sampler.filter = *filter;
         else
             complain("nearest, linear or mipmap");
     } else if (key == "wrap") {
-        if (const auto wrap = parse_wrap(value))
+        if (const auto wrap = kWrapNames.find(value))
             result.sampler.wrap = *wrap;
         else
             complain("clamp, repeat or mirror");
@@ -300,20 +299,6 @@ SamplerAnnotation parse_sampler(Sampler sampler, std::string_view annotation,
     parser.result.sampler = std::move(sampler);
     parser.parse();
     return parser.result;
-}
-
-std::optional<Filter> parse_filter(std::string_view text) {
-    if (text == "nearest") return Filter::nearest;
-    if (text == "linear") return Filter::linear;
-    if (text == "mipmap") return Filter::mipmap;
-    return std::nullopt;
-}
-
-std::optional<Wrap> parse_wrap(std::string_view text) {
-    if (text == "clamp") return Wrap::clamp;
-    if (text == "repeat") return Wrap::repeat;
-    if (text == "mirror") return Wrap::mirror;
-    return std::nullopt;
 }
 
 std::optional<Step> parse_step(std::string_view text) {

@@ -21,20 +21,6 @@ namespace glint {
 
 namespace {
 
-std::optional<TweakType> tweak_type(std::string_view type) {
-    for (const TweakType known : {TweakType::float1, TweakType::int1, TweakType::bool1,
-                                  TweakType::vec2, TweakType::vec3, TweakType::vec4})
-        if (type == glsl_name(known)) return known;
-    return std::nullopt;
-}
-
-std::optional<SamplerType> sampler_type(std::string_view type) {
-    if (type == "sampler2D") return SamplerType::sampler2D;
-    if (type == "samplerCube") return SamplerType::samplerCube;
-    if (type == "sampler3D") return SamplerType::sampler3D;
-    return std::nullopt;
-}
-
 class Builder {
 public:
     Builder(SourceText source, Diagnostics& diagnostics)
@@ -128,8 +114,7 @@ Scene Builder::build() {
 
 // Then what is not here may stand in what could not be read.
 bool Builder::misses_a_file() const {
-    return std::any_of(diagnostics_.begin(), diagnostics_.end(),
-                       [](const Diagnostic& d) { return d.missing_file; });
+    return std::ranges::any_of(diagnostics_, [](const Diagnostic& d) { return d.missing_file; });
 }
 
 void Builder::check_image() {
@@ -195,9 +180,8 @@ std::optional<Span> Builder::note_of(const Uniform& declaration, std::size_t nex
 
 void Builder::add_declaration(const Uniform& declaration, std::size_t next_begin) {
     const auto note = note_of(declaration, next_begin);
-    const bool has_builtin =
-        std::any_of(declaration.names.begin(), declaration.names.end(),
-                    [](const UniformName& d) { return find_builtin(d.name) != nullptr; });
+    const bool has_builtin = std::ranges::any_of(
+        declaration.names, [](const UniformName& d) { return find_builtin(d.name) != nullptr; });
     if (note) return add_annotated(declaration, *note);
     if (has_builtin && !declaration.is_broken) blank_builtins(declaration);
     warn_unannotated(declaration);
@@ -237,8 +221,8 @@ void Builder::add_annotated(const Uniform& declaration, Span note) {
     if (declarator.has_initial)
         return error(declarator.span.begin,
                      "GLSL ES gives uniforms no value here; write the default behind //@");
-    const auto tweak = tweak_type(declaration.type);
-    const auto sampler = sampler_type(declaration.type);
+    const auto tweak = kTweakTypeNames.find(declaration.type);
+    const auto sampler = kSamplerTypeNames.find(declaration.type);
     if (!tweak && !sampler)
         return error(declaration.type_at,
                      fmt::format("{} cannot be annotated; use float, int, bool, vec2, vec3, vec4, "
@@ -326,8 +310,7 @@ bool Builder::stands_in_tab(const Pass& pass) const {
     const auto is_told_apart = [&](const std::string& name) {
         return identifiers_.contains("PASS_" + name);
     };
-    return is_told_apart("image") ||
-           std::any_of(pass.outputs.begin(), pass.outputs.end(), is_told_apart);
+    return is_told_apart("image") || std::ranges::any_of(pass.outputs, is_told_apart);
 }
 
 // A function's name stands somewhere in the text, be it as a macro's argument: GLSL ES puts no
@@ -347,8 +330,7 @@ void Builder::find_entries() {
 
 // As `a##b`, which GLSL ES does not have.
 bool Builder::puts_names_together() const {
-    return std::any_of(reading_.written.begin(), reading_.written.end(),
-                       [](const Token& token) { return token.is("##"); });
+    return std::ranges::any_of(reading_.written, [](const Token& token) { return token.is("##"); });
 }
 
 std::string Builder::no_function(const Pass& pass) const {
@@ -460,14 +442,15 @@ void Builder::resolve_readers() {
 
 void Builder::check_builtin(const Uniform& declaration, const UniformName& declarator) {
     const HostUniform& builtin = *find_builtin(declarator.name);
-    const bool type_fits = builtin.type == "sampler" ? sampler_type(declaration.type).has_value()
-                                                     : declaration.type == builtin.type;
+    const bool type_fits = builtin.type == "sampler"
+                               ? kSamplerTypeNames.find(declaration.type).has_value()
+                               : declaration.type == builtin.type;
     const bool array_fits =
         declarator.is_array == !builtin.array.empty() && declarator.array == builtin.array;
     if (type_fits && array_fits) {
         if (builtin.type == "sampler")
             scene_.channel_types[static_cast<std::size_t>(declarator.name.back() - '0')] =
-                sampler_type(declaration.type);
+                kSamplerTypeNames.find(declaration.type);
         return;
     }
     const std::string array = builtin.array.empty() ? "" : fmt::format("[{}]", builtin.array);
@@ -545,9 +528,9 @@ Place Scene::place(int line, int column) const {
 
 Place Scene::place_at(std::size_t offset) const {
     const std::string_view before = std::string_view(text).substr(0, offset);
-    const auto line = std::count(before.begin(), before.end(), '\n');
+    const auto line = std::ranges::count(before, '\n');
     const std::string_view head = before.substr(before.rfind('\n') + 1);
-    const auto column = std::count_if(head.begin(), head.end(), begins_character);
+    const auto column = std::ranges::count_if(head, begins_character);
     return place(static_cast<int>(line) + 1, static_cast<int>(column) + 1);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/names.h"
 #include "scene/pixel_format.h"
 
 #include <glm/vec2.hpp>
@@ -18,6 +19,12 @@
 namespace glint {
 
 enum class TweakType { float1, int1, bool1, vec2, vec3, vec4 };
+inline constexpr Names<TweakType, 6> kTweakTypeNames = {{{TweakType::float1, "float"},
+                                                         {TweakType::int1, "int"},
+                                                         {TweakType::bool1, "bool"},
+                                                         {TweakType::vec2, "vec2"},
+                                                         {TweakType::vec3, "vec3"},
+                                                         {TweakType::vec4, "vec4"}}};
 
 // Components in order; those beyond the type's count are 0. Bools are 0 or 1, menus the index of
 // the name.
@@ -48,8 +55,9 @@ struct Tweak {
 // The number of components of a tweak's value: 1 to 4.
 int component_count(TweakType type);
 
-// The GLSL spelling: "float", "int", "bool", "vec2", …
-const char* glsl_name(TweakType type);
+inline const char* glsl_name(TweakType type) {  // as GLSL spells it
+    return kTweakTypeNames.of(type);
+}
 
 // What a value of this tweak looks like, for a message: "a number from 0 to 1", "off, screen-space
 // or traced".
@@ -67,13 +75,24 @@ std::optional<TweakValue> parse_value(const Tweak& tweak, std::string_view text)
 std::string format_value(const Tweak& tweak, const TweakValue& value);
 
 enum class SamplerType { sampler2D, samplerCube, sampler3D };
+inline constexpr Names<SamplerType, 3> kSamplerTypeNames = {
+    {{SamplerType::sampler2D, "sampler2D"},
+     {SamplerType::samplerCube, "samplerCube"},
+     {SamplerType::sampler3D, "sampler3D"}}};
 constexpr std::size_t kCubeFaces = 6;
 
-// The GLSL spelling: "sampler2D", "samplerCube", "sampler3D".
-const char* glsl_name(SamplerType type);
+inline const char* glsl_name(SamplerType type) {  // as GLSL spells it
+    return kSamplerTypeNames.of(type);
+}
 
 enum class Filter { nearest, linear, mipmap };
 enum class Wrap { clamp, repeat, mirror };
+
+// As annotations, presets and results spell them.
+inline constexpr Names<Filter, 3> kFilterNames = {
+    {{Filter::nearest, "nearest"}, {Filter::linear, "linear"}, {Filter::mipmap, "mipmap"}}};
+inline constexpr Names<Wrap, 3> kWrapNames = {
+    {{Wrap::clamp, "clamp"}, {Wrap::repeat, "repeat"}, {Wrap::mirror, "mirror"}}};
 
 // Who fills what a sampler reads.
 enum class Source { none, buffer, image, cube, volume, sound, noise, keyboard };

@@ -122,8 +122,7 @@ ShadertoyInput read_input(const Json& json, const std::map<std::string, std::str
 
 // A tab that is there already, word for word, is taken once: some exports write one twice.
 void add_tab(Shadertoy& shader, ShadertoyTab tab, const fs::path& file, Diagnostics& diagnostics) {
-    const auto same = std::find_if(shader.tabs.begin(), shader.tabs.end(),
-                                   [&](const ShadertoyTab& t) { return t.name == tab.name; });
+    const auto same = std::ranges::find(shader.tabs, tab.name, &ShadertoyTab::name);
     if (same == shader.tabs.end())
         shader.tabs.push_back(std::move(tab));
     else if (*same == tab)
@@ -166,7 +165,7 @@ std::vector<std::string> JsonReader::tab_names(const Json& passes) {
     for (std::string& name : names) {
         for (char letter = 'A'; letter <= 'D' && name.empty(); ++letter) {
             const std::string free = std::string("buffer") + letter;
-            if (std::find(names.begin(), names.end(), free) == names.end()) name = free;
+            if (std::ranges::find(names, free) == names.end()) name = free;
         }
     }
     return names;
@@ -221,11 +220,9 @@ std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
 }
 
 void sort_tabs(Shadertoy& shader) {
-    const auto rank = [](const ShadertoyTab& tab) {
-        return std::find(kTabs.begin(), kTabs.end(), tab.name);
-    };
-    std::stable_sort(shader.tabs.begin(), shader.tabs.end(),
-                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    const auto rank = [](const ShadertoyTab& tab) { return std::ranges::find(kTabs, tab.name); };
+    std::ranges::stable_sort(shader.tabs,
+                             [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
 std::string read_text(const fs::path& file, Diagnostics& diagnostics) {
@@ -254,7 +251,7 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
         });
     } catch (const Json::parse_error& error) {
         const std::string before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
-        const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+        const auto line = std::ranges::count(before, '\n') + 1;
         const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
         diagnostics.push_back(
             {Severity::error,
@@ -324,7 +321,7 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
     std::error_code error;
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder, error)) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     for (const fs::path& file : files) {
         const std::string name = tab_of_file(file);
         if (name.empty()) continue;

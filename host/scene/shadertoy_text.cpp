@@ -116,16 +116,13 @@ std::string options_of(const ShadertoyInput& input, const std::string& source) {
                            ? Source::buffer
                            : Source::image);
     const Sampler there = defaults_there(input);
-    const Filter filter = parse_filter(input.filter).value_or(there.filter);
+    const Filter filter = kFilterNames.find(input.filter).value_or(there.filter);
     const Wrap wrap = input.wrap == "clamp"    ? Wrap::clamp
                       : input.wrap == "repeat" ? Wrap::repeat
                                                : there.wrap;
     std::string options;
-    if (filter != here.filter)
-        options += filter == Filter::nearest  ? " filter=nearest"
-                   : filter == Filter::linear ? " filter=linear"
-                                              : " filter=mipmap";
-    if (wrap != here.wrap) options += wrap == Wrap::clamp ? " wrap=clamp" : " wrap=repeat";
+    if (filter != here.filter) options += fmt::format(" filter={}", kFilterNames.of(filter));
+    if (wrap != here.wrap) options += fmt::format(" wrap={}", kWrapNames.of(wrap));
     return options;
 }
 
@@ -209,8 +206,7 @@ void Writer::write_passes() {
 
 // Nothing but the image and what all tabs share: no #ifdef is needed.
 bool Writer::is_alone(const ShadertoyTab& tab) const {
-    return tab.name == "image" &&
-           std::all_of(shader_.tabs.begin(), shader_.tabs.end(), [](const ShadertoyTab& other) {
+    return tab.name == "image" && std::ranges::all_of(shader_.tabs, [](const ShadertoyTab& other) {
                return other.name == "image" || other.name == "common";
            });
 }
@@ -221,8 +217,7 @@ void Writer::write_inputs() {
         if (tab.inputs.empty() || tab.name == "common") continue;
         if (!is_alone(tab)) text_ += fmt::format("#ifdef PASS_{}\n", tab.name);
         for (int channel = 0; channel < 4; ++channel) {
-            const auto input = std::find_if(tab.inputs.begin(), tab.inputs.end(),
-                                            [&](const auto& i) { return i.channel == channel; });
+            const auto input = std::ranges::find(tab.inputs, channel, &ShadertoyInput::channel);
             if (input != tab.inputs.end()) write_input(tab, *input);
         }
         if (!is_alone(tab)) text_ += "#endif\n";
@@ -237,9 +232,8 @@ void Writer::write_input(const ShadertoyTab& tab, const ShadertoyInput& input) {
 
 std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& input) {
     if (input.kind == "keyboard") return "keyboard";
-    const bool has_tab =
-        std::any_of(shader_.tabs.begin(), shader_.tabs.end(),
-                    [&](const ShadertoyTab& other) { return other.name == input.buffer; });
+    const bool has_tab = std::ranges::any_of(
+        shader_.tabs, [&](const ShadertoyTab& other) { return other.name == input.buffer; });
     if (!input.buffer.empty() && has_tab) return "buffer " + input.buffer;
     if (const std::string file = file_beside(input); !file.empty()) return file;
     Sampler noise = read_by(input);

@@ -16,30 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* spelled(Wrap wrap) {
-    switch (wrap) {
-        case Wrap::clamp:
-            return "\"clamp\"";
-        case Wrap::repeat:
-            return "\"repeat\"";
-        case Wrap::mirror:
-            return "\"mirror\"";
-    }
-    return "";
-}
-
-const char* spelled(Filter filter) {
-    switch (filter) {
-        case Filter::nearest:
-            return "\"nearest\"";
-        case Filter::linear:
-            return "\"linear\"";
-        case Filter::mipmap:
-            return "\"mipmap\"";
-    }
-    return "";
-}
-
 // As parse_noise reads it; two 'x' say that it is a volume.
 std::string noise(const Sampler& channel) {
     const glm::ivec3 size = channel.noise_size;
@@ -147,8 +123,10 @@ std::vector<TomlLine> toml_channel(const Sampler& channel, const Scene& scene,
     plain.type = channel.type;
     set_defaults(plain, channel.source);
     std::vector<TomlLine> lines = {source(channel, scene, folder)};
-    if (channel.wrap != plain.wrap) lines.push_back({"wrap", spelled(channel.wrap)});
-    if (channel.filter != plain.filter) lines.push_back({"filter", spelled(channel.filter)});
+    if (channel.wrap != plain.wrap)
+        lines.push_back({"wrap", toml_string(kWrapNames.of(channel.wrap))});
+    if (channel.filter != plain.filter)
+        lines.push_back({"filter", toml_string(kFilterNames.of(channel.filter))});
     if (channel.vflip != plain.vflip) lines.push_back({"vflip", channel.vflip ? "true" : "false"});
     if (channel.plays) lines.push_back({"plays", "true"});
     return lines;

@@ -44,7 +44,7 @@ double tidy_component(const Tweak& tweak, double value) {
 }
 
 std::optional<std::size_t> option_index(const Tweak& menu, std::string_view option) {
-    const auto found = std::find(menu.names.begin(), menu.names.end(), option);
+    const auto found = std::ranges::find(menu.names, option);
     if (found == menu.names.end()) return std::nullopt;
     return static_cast<std::size_t>(found - menu.names.begin());
 }
@@ -352,8 +352,8 @@ void TweakValues::rebase(std::span<const Tweak> tweaks, std::span<const TweakVal
     std::move(absent_.begin(), absent_.end(), std::back_inserter(held_));
     absent_ = std::exchange(held_, std::move(held));
     std::erase_if(absent_, [&](const Held& old) {
-        return std::any_of(tweaks.begin(), tweaks.end(),
-                           [&](const Tweak& tweak) { return tweak.name == old.tweak.name; });
+        return std::ranges::any_of(
+            tweaks, [&](const Tweak& tweak) { return tweak.name == old.tweak.name; });
     });
 }
 
@@ -381,7 +381,7 @@ TweakValue& TweakValues::slot(Held& held, TweakSet set) {
 TweakValues::Held* TweakValues::find(std::string_view name) {
     const auto is_it = [name](const Held& held) { return held.tweak.name == name; };
     for (std::vector<Held>* list : {&held_, &absent_}) {
-        const auto found = std::find_if(list->begin(), list->end(), is_it);
+        const auto found = std::ranges::find_if(*list, is_it);
         if (found != list->end()) return &*found;
     }
     return nullptr;

@@ -115,36 +115,6 @@ int component_count(TweakType type) {
     return 1;
 }
 
-const char* glsl_name(TweakType type) {
-    switch (type) {
-        case TweakType::float1:
-            return "float";
-        case TweakType::int1:
-            return "int";
-        case TweakType::bool1:
-            return "bool";
-        case TweakType::vec2:
-            return "vec2";
-        case TweakType::vec3:
-            return "vec3";
-        case TweakType::vec4:
-            return "vec4";
-    }
-    return "float";
-}
-
-const char* glsl_name(SamplerType type) {
-    switch (type) {
-        case SamplerType::sampler2D:
-            return "sampler2D";
-        case SamplerType::samplerCube:
-            return "samplerCube";
-        case SamplerType::sampler3D:
-            return "sampler3D";
-    }
-    return "";
-}
-
 std::string expected_value(const Tweak& tweak) {
     const std::string range =
         tweak.min && tweak.max

@@ -44,24 +44,22 @@ struct Inspection {
 };
 
 bool contains_pass(const CompiledScene& scene, std::size_t pass) {
-    return std::any_of(scene.programs.begin(), scene.programs.end(),
-                       [&](const PassProgram& program) { return program.pass == pass; });
+    return std::ranges::any_of(scene.programs,
+                               [&](const PassProgram& program) { return program.pass == pass; });
 }
 
 bool reads_sampler(const CompiledScene& scene, std::size_t sampler) {
-    return std::any_of(
-        scene.programs.begin(), scene.programs.end(), [&](const PassProgram& program) {
-            return std::any_of(program.samplers.begin(), program.samplers.end(),
-                               [&](const SamplerUniform& u) { return u.sampler == sampler; });
-        });
+    return std::ranges::any_of(scene.programs, [&](const PassProgram& program) {
+        return std::ranges::any_of(program.samplers,
+                                   [&](const SamplerUniform& u) { return u.sampler == sampler; });
+    });
 }
 
 bool reads_tweak(const CompiledScene& scene, std::size_t tweak) {
-    return std::any_of(
-        scene.programs.begin(), scene.programs.end(), [&](const PassProgram& program) {
-            return std::any_of(program.tweaks.begin(), program.tweaks.end(),
-                               [&](const TweakUniform& u) { return u.tweak == tweak; });
-        });
+    return std::ranges::any_of(scene.programs, [&](const PassProgram& program) {
+        return std::ranges::any_of(program.tweaks,
+                                   [&](const TweakUniform& u) { return u.tweak == tweak; });
+    });
 }
 
 const char* why(bool possible) {

@@ -8,8 +8,6 @@
 #include "verbs/show.h"
 #include "verbs/verb.h"
 
-#include <fmt/format.h>
-
 namespace glint {
 namespace {
 

@@ -26,14 +26,22 @@ void add_examples(CLI::App& verb, std::initializer_list<std::string_view> lines)
     verb.footer(std::move(text));
 }
 
-void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
-    verb.add_option("file", view.file, "a preset (.toml), a scene (.frag), or a Shadertoy (.json)")
-        ->required();
-    verb.add_option("--size", view.size, "pixels, such as 1280x720; the preset's otherwise");
+namespace {
+
+void add_looks(CLI::App& verb, ViewOptions& view, const std::string& size) {
+    verb.add_option("--size", view.size, size);
     verb.add_option("--tweak", view.tweaks, "name=value, as often as needed")
         ->allow_extra_args(false);
     verb.add_option("--device", view.device,
                     "which GPU: a number, a part of its name, or surfaceless");
+}
+
+}  // namespace
+
+void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
+    verb.add_option("file", view.file, "a preset (.toml), a scene (.frag), or a Shadertoy (.json)")
+        ->required();
+    add_looks(verb, view, "pixels, such as 1280x720; the preset's otherwise");
     add_off_switch(verb, "--no-specialise", view.specialise,
                    "feed tweaks as uniforms instead of writing them in as constants");
     if (takes_json) verb.add_flag("--json", view.json, "one JSON object on stdout");
@@ -43,11 +51,7 @@ void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOp
                const std::string& size) {
     verb.add_option("files", files, "presets (.toml), scenes (.frag), or Shadertoys (.json)")
         ->required();
-    verb.add_option("--size", view.size, size);
-    verb.add_option("--tweak", view.tweaks, "name=value, as often as needed")
-        ->allow_extra_args(false);
-    verb.add_option("--device", view.device,
-                    "which GPU: a number, a part of its name, or surfaceless");
+    add_looks(verb, view, size);
 }
 
 void add_picture(CLI::App& verb, PictureOptions& picture) {

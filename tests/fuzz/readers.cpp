@@ -62,10 +62,7 @@ void read_text(std::string_view raw) {
             for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");
         for (const Statement& statement : reading.statements)
             edits.before(statement.tokens.begin, "/**/");
-        for (const Call& call : reading.calls) {
-            reading.arguments_of(call);
-            edits.replace({call.name, call.name + 1}, "f");
-        }
+        for (const Call& call : reading.calls) edits.replace({call.name, call.name + 1}, "f");
         const EditedText edited = edits.apply();
         for (std::size_t at = 0; at <= edited.text.size(); ++at)
             if (edited.map.origin(at) > text.size()) std::abort();

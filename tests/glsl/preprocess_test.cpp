@@ -42,7 +42,8 @@ TEST(Tokens, OfJoinedLinesKnowTheirBytes) {
 }
 
 TEST(Tokens, TellAnUnclosedComment) {
-    EXPECT_EQ(preprocess("a /* b", {}).unclosed_comment, 2u);
+    std::deque<std::string> spellings;
+    EXPECT_EQ(scan("a /* b", spellings).unclosed, 2u);
 }
 
 TEST(Macros, AreExpandedWithinEachOther) {

@@ -89,20 +89,24 @@ TEST_F(Findings, AStudyRunsToItsEndAndAClickOnAPointAppliesItsValue) {
     ASSERT_TRUE(begins("study"));
     ASSERT_TRUE(ends("study"));
     settle();
-    const auto points = discs(kAccent);
-    ASSERT_GE(points.size(), 2u) << "the frontier";
-    screen_->click(points.front());
-    settle();
-    const int fastest = value();  // 1, or where times are uneven one of the next
-    EXPECT_LT(fastest, 16);
-    EXPECT_TRUE(eventually([&] {
-        screen_->click(points.back());
+    // Looked for anew each time: a window that is given no processor looks settled, and is not.
+    const auto value_at = [&](bool lowest) {
+        screen_->move({700, 400});
+        const auto frontier = discs(kAccent);
+        if (frontier.size() < 2) return 0;
+        screen_->click(lowest ? frontier.back() : frontier.front());
         settle();
-        return value() == 64;
-    })) << "the lowest has the least error";
+        return value();
+    };
+    EXPECT_TRUE(eventually([&] { return value_at(true) == 64; }))
+        << "the lowest has the least error";
+    EXPECT_TRUE(eventually([&] {
+        const int fastest = value_at(false);
+        return fastest > 0 && fastest < 16;
+    })) << "1 is the fastest, or where times are uneven one of the next";
     screen_->move({700, 400});
     screen_->tap("Control_L+z");
-    EXPECT_TRUE(eventually([&] { return value() == fastest; })) << value();
+    EXPECT_TRUE(eventually([&] { return value() == 64; })) << value();
     std::this_thread::sleep_for(50ms);  // two taps in a moment are the keyboard's own repetition
     screen_->tap("Control_L+z");
     EXPECT_TRUE(eventually([&] { return value() == 8; })) << value();

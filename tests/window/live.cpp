@@ -1,5 +1,7 @@
 #include "live.h"
 
+#include "base/process_time.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
@@ -167,6 +169,12 @@ double Glint::cpu_seconds() const {
     return seconds;
 }
 
+double Glint::waited_seconds() const {
+    double seconds = time_of(process_).waited;
+    for (const pid_t child : children()) seconds += time_of(child).waited;
+    return seconds;
+}
+
 double Glint::resident_mib() const {
     std::istringstream stream(read(fmt::format("/proc/{}/statm", process_)));
     double total = 0.0, resident = 0.0;
@@ -213,11 +221,19 @@ bool Window::shows(const Colour& colour, glm::ivec2 at, double seconds) const {
 }
 
 void Window::settle() const {
+    constexpr int kLooks = 50, kMostLooks = 80;
+    constexpr double kMostWaited = 0.02;  // s between two looks
     auto before = screen_->picture({0, 0}, screen_size_);
-    for (int still = 0, i = 0; still < 3 && i < 50; ++i) {
+    double waited = glint_ ? glint_->waited_seconds() : 0.0;
+    for (int still = 0, i = 0, all = 0; still < 3 && i < kLooks && all < kMostLooks; ++all) {
         std::this_thread::sleep_for(std::chrono::milliseconds(70));
         auto now = screen_->picture({0, 0}, screen_size_);
-        still = now == before ? still + 1 : 0;
+        const double waited_before = waited;
+        waited = glint_ ? glint_->waited_seconds() : 0.0;
+        // What is not let run changes nothing, and is not settled.
+        const bool had_its_turn = waited - waited_before < kMostWaited;
+        if (had_its_turn) ++i;
+        still = now == before ? still + had_its_turn : 0;
         before = std::move(now);
     }
 }

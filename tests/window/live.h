@@ -58,8 +58,9 @@ public:
     bool says(std::string_view text, int count = 1, double seconds = 30.0) const;
     int count(std::string_view text) const;
 
-    double cpu_seconds() const;   // user and system, with the processes it has started
-    double resident_mib() const;  // of the process itself
+    double cpu_seconds() const;     // user and system, with the processes it has started
+    double waited_seconds() const;  // ready to run while others ran, with those processes
+    double resident_mib() const;    // of the process itself
     std::vector<pid_t> children() const;
 
 private:
@@ -78,7 +79,7 @@ protected:
     void open(std::string_view scene, const std::vector<std::string>& arguments = {});
     void start(const std::vector<std::string>& arguments);
     bool shows(const Colour& colour, glm::ivec2 at = {640, 340}, double seconds = 30.0) const;
-    // Waits until nothing has changed on the screen for a while.
+    // Waits until nothing has changed on the screen for a while in which glint could have run.
     void settle() const;
     // A still of the same scene by the other verb, as RGB rows.
     fs::path still(const std::vector<std::string>& arguments) const;

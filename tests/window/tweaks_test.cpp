@@ -48,9 +48,14 @@ protected:
     void use_mouse(int y) const {
         const Kind& kind = GetParam();
         const glm::ivec2 corner{kControl.x, y};
+        const auto where = corner + kind.then.value_or(kind.to) - 8;
+        const auto without = screen_->picture(where, {16, 16});
         screen_->drag(corner + kind.from, corner + kind.to);
         if (kind.then) {
-            std::this_thread::sleep_for(300ms);
+            EXPECT_TRUE(eventually([&] {
+                return screen_->picture(where, {16, 16}) != without;
+            })) << "a popup";
+            settle();
             screen_->drag(corner + *kind.then, corner + *kind.then);
             screen_->tap("Escape");
         }
@@ -64,9 +69,9 @@ TEST_P(Tweaks, TheMouseMovesItAReloadKeepsItUndoTakesItBack) {
     settle();
     const auto before = margin();
     use_mouse(kControl.y);
+    ASSERT_TRUE(eventually([&] { return margin() != before; }));
     settle();
     const auto moved = margin();
-    ASSERT_NE(moved, before);
 
     write(scene(), text(" // saved again"));
     ASSERT_TRUE(glint_->says(": shown", 2));

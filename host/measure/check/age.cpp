@@ -96,7 +96,7 @@ std::vector<double> changes(AgedClock& clock, CheckSubject& subject, double from
 }
 
 double share_moving(const std::vector<double>& list) {
-    const auto moving = std::count_if(list.begin(), list.end(), [](double d) { return d > 0; });
+    const auto moving = std::ranges::count_if(list, [](double d) { return d > 0; });
     return static_cast<double>(moving) / std::max(static_cast<double>(list.size()), 1.0);
 }
 

@@ -32,8 +32,8 @@ std::vector<glm::ivec2> texels_to_poison(const CheckSubject& subject, std::size_
                                          int count) {
     const glm::ivec2 size = subject.renderer().buffer(index).shape().size;
     const std::vector<float> values = subject.renderer().read_buffer(index, 0);
-    const auto largest = std::max_element(
-        values.begin(), values.end(), [](float a, float b) { return std::abs(a) < std::abs(b); });
+    const auto largest = std::ranges::max_element(
+        values, [](float a, float b) { return std::abs(a) < std::abs(b); });
     const auto at = static_cast<int>(largest - values.begin()) / 4;
     const int row = static_cast<int>(values.size()) / 4 / size.y;
     std::vector<glm::ivec2> texels = {{0, 0}, {at % row % size.x, at / row}, size / 2};
@@ -133,7 +133,7 @@ void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, cons
 
 void add_other_cases(std::vector<Case>& list, const CheckSubject& subject) {
     const auto& passes = subject.renderer().graph().passes;
-    const bool any = std::any_of(passes.begin(), passes.end(), [&](const GraphPass& pass) {
+    const bool any = std::ranges::any_of(passes, [&](const GraphPass& pass) {
         return pass.pass != kImagePass &&
                bytes_a_channel(subject.scene().passes[pass.pass].format) == 4;
     });

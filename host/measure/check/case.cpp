@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <utility>
 
 namespace glint {
 namespace {
@@ -17,15 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 
 // A word for the shell.
-std::string quoted(const std::string& word) {
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+std::string shell_word(const std::string& word) {
+    const bool plain = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
         return std::isalnum(c) != 0 ||
                std::string_view("_-+=./,:%@").find(static_cast<char>(c)) != std::string_view::npos;
     });
-    if (plain) return word;
-    std::string result = "'";
-    for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
+    return plain ? word : quoted(word, '\'', "'\\''");
 }
 
 // "random tweaks 7" of "christmas.toml" as "christmas-random-tweaks-7".
@@ -40,12 +36,12 @@ std::string file_stem(const Preset& preset, const std::string& name) {
 
 std::string tweak_words(const ViewOptions& view) {
     std::string words;
-    for (const std::string& tweak : view.tweaks) words += " --tweak " + quoted(tweak);
+    for (const std::string& tweak : view.tweaks) words += " --tweak " + shell_word(tweak);
     return words;
 }
 
 std::string device_words(const ViewOptions& view) {
-    return view.device.empty() ? "" : " --device " + quoted(view.device);
+    return view.device.empty() ? "" : " --device " + shell_word(view.device);
 }
 
 // What the command line said about tweaks, then what the case changed.
@@ -54,8 +50,8 @@ std::string tweak_words(const CheckSubject& subject) {
     for (std::size_t i = 0; i < subject.preset.values.size(); ++i) {
         if (subject.preset.values[i] == subject.opened().values[i]) continue;
         const Tweak& tweak = subject.scene().tweaks[i];
-        words +=
-            " --tweak " + quoted(tweak.name + "=" + format_value(tweak, subject.preset.values[i]));
+        words += " --tweak " +
+                 shell_word(tweak.name + "=" + format_value(tweak, subject.preset.values[i]));
     }
     return words;
 }
@@ -89,12 +85,13 @@ std::string command_for(const CheckSubject& subject, const CaseResult& result,
     const std::string output =
         subject.observed().found.empty() ? "image" : subject.observed().found.back().output;
     return fmt::format(
-        "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", quoted(file.string()), size.x,
+        "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", shell_word(file.string()), size.x,
         size.y, format_number(subject.still->time),
         subject.still->fps == 60.0 ? "" : " --fps " + format_number(subject.still->fps),
         own_events ? "" : tweak_words(subject), device_words(subject.view()),
         subject.specialised() ? "" : " --no-specialise",
-        output == "image" ? "" : " --pass " + output, quoted((folder / (stem + ".exr")).string()));
+        output == "image" ? "" : " --pass " + output,
+        shell_word((folder / (stem + ".exr")).string()));
 }
 
 // "NaN and Inf in 36 pixels of smoke, 104 of image".
@@ -135,8 +132,8 @@ void write_picture(const CheckSubject& subject, const fs::path& file) {
 
 std::string command_for_case(const ViewOptions& view, const std::string& name) {
     const std::string size = view.size.empty() ? "" : " --size " + view.size;
-    return fmt::format("glint check {}{}{}{} --case {}", quoted(view.file.string()), size,
-                       tweak_words(view), device_words(view), quoted(name));
+    return fmt::format("glint check {}{}{}{} --case {}", shell_word(view.file.string()), size,
+                       tweak_words(view), device_words(view), shell_word(name));
 }
 
 std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {

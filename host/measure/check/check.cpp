@@ -17,9 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::size_t count(const CheckedFile& file, CaseVerdict verdict) {
-    return static_cast<std::size_t>(
-        std::count_if(file.cases.begin(), file.cases.end(),
-                      [&](const CaseResult& result) { return result.verdict == verdict; }));
+    return static_cast<std::size_t>(std::ranges::count(file.cases, verdict, &CaseResult::verdict));
 }
 
 void print_table(const CheckedFile& file) {

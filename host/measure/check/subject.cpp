@@ -54,7 +54,7 @@ void CheckSubject::restore() {
     resize(opened_.size);
     // A scene without a state has nothing to forget, and its static passes need not run again.
     if (stateful()) renderer_->reset();
-    std::fill(looked_at_.begin(), looked_at_.end(), std::nullopt);
+    std::ranges::fill(looked_at_, std::nullopt);
     observed_ = {};
     still.reset();
 }
@@ -111,15 +111,8 @@ void CheckSubject::look(std::size_t graph_index) {
 
 Frame CheckSubject::frame_at(double time, double delta, long index) const {
     const double before = index == 0 ? -1.0 : time - delta;  // nothing happens before 0
-    Frame frame;
-    frame.time = time;
-    frame.time_delta = delta;
-    frame.frame_rate = 1.0 / delta;
-    frame.frame = static_cast<int>(std::min(index, kMostFrames));
-    frame.date = shadertoy_date(preset.date, time);
-    frame.input = replay(preset.events, before, time, preset.size);
-    frame.events = preset.events;
-    return frame;
+    return glint::frame_at(preset, before, time, delta,
+                           static_cast<int>(std::min(index, kMostFrames)));
 }
 
 bool CheckSubject::play_frames(int first, int end, double fps) {
@@ -144,20 +137,19 @@ bool CheckSubject::show(double time, double longest) {
 
 bool CheckSubject::moves() const {
     const auto& passes = renderer_->graph().passes;
-    return std::any_of(passes.begin(), passes.end(),
-                       [](const GraphPass& pass) { return pass.runs != Runs::on_change; });
+    return std::ranges::any_of(passes,
+                               [](const GraphPass& pass) { return pass.runs != Runs::on_change; });
 }
 
 bool CheckSubject::reads(Builtin builtin) const {
-    return std::find(builtins_.begin(), builtins_.end(), builtin) != builtins_.end();
+    return std::ranges::find(builtins_, builtin) != builtins_.end();
 }
 
 bool CheckSubject::is_fed_back(std::size_t graph_index) const {
     const auto& passes = renderer_->graph().passes;
     const std::size_t pass = passes[graph_index].pass;
-    return std::any_of(passes.begin(), passes.end(), [&](const GraphPass& reader) {
-        return reader.pass <= pass &&
-               std::find(reader.reads.begin(), reader.reads.end(), pass) != reader.reads.end();
+    return std::ranges::any_of(passes, [&](const GraphPass& reader) {
+        return reader.pass <= pass && std::ranges::find(reader.reads, pass) != reader.reads.end();
     });
 }
 

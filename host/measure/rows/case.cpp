@@ -1,5 +1,7 @@
 #include "measure/rows/case.h"
 
+#include "base/names.h"
+
 #include <nlohmann/json.hpp>
 
 #include <utility>
@@ -7,17 +9,15 @@
 namespace glint {
 namespace {
 
-constexpr std::pair<CaseVerdict, const char*> kCaseVerdicts[] = {{CaseVerdict::fail, "fail"},
-                                                                 {CaseVerdict::report, "report"},
-                                                                 {CaseVerdict::pass, "pass"},
-                                                                 {CaseVerdict::skip, "skip"}};
+constexpr Names<CaseVerdict, 4> kCaseVerdicts = {{{CaseVerdict::fail, "fail"},
+                                                  {CaseVerdict::report, "report"},
+                                                  {CaseVerdict::pass, "pass"},
+                                                  {CaseVerdict::skip, "skip"}}};
 
 }  // namespace
 
 const char* to_string(CaseVerdict verdict) {
-    for (const auto& [value, name] : kCaseVerdicts)
-        if (value == verdict) return name;
-    return "";
+    return kCaseVerdicts.of(verdict);
 }
 
 void CaseResult::fail(std::string why) {
@@ -48,8 +48,8 @@ CaseResult case_from_json(const nlohmann::ordered_json& json) {
                       .note = json.at("note"),
                       .reproduce = json.value("reproduce", ""),
                       .picture = json.value("picture", "")};
-    for (const auto& [value, name] : kCaseVerdicts)
-        if (json.at("verdict") == name) result.verdict = value;
+    const auto verdict = kCaseVerdicts.find(json.at("verdict").get<std::string>());
+    result.verdict = verdict.value_or(result.verdict);
     return result;
 }
 

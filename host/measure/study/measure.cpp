@@ -39,7 +39,7 @@ private:
 
 Timing timing_of(std::vector<double> ms, double frames) {
     if (ms.empty()) return {};
-    std::sort(ms.begin(), ms.end());
+    std::ranges::sort(ms);
     const double median = (ms[(ms.size() - 1) / 2] + ms[ms.size() / 2]) / 2.0;
     return {.median = median * frames, .min = ms.front() * frames, .max = ms.back() * frames};
 }

@@ -1,5 +1,6 @@
 #include "measure/study/page.h"
 
+#include "base/names.h"
 #include "base/temporary_file.h"
 #include "measure/study/plot.h"
 #include "measure/study/result.h"
@@ -35,24 +36,12 @@ svg { max-width: 100%; height: auto; }
 )";
 
 std::string escaped(std::string_view text) {
+    constexpr Names<char, 4> kEntities = {
+        {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
     std::string result;
     for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
+        const std::string_view entity = kEntities.of(c);
+        result += entity.empty() ? std::string_view(&c, 1) : entity;
     }
     return result;
 }

@@ -32,8 +32,7 @@ Assignment split(const std::string& text, const char* option) {
 }
 
 const Tweak* find_tweak(const Scene& scene, const std::string& name) {
-    const auto found = std::find_if(scene.tweaks.begin(), scene.tweaks.end(),
-                                    [&](const Tweak& tweak) { return tweak.name == name; });
+    const auto found = std::ranges::find(scene.tweaks, name, &Tweak::name);
     return found == scene.tweaks.end() ? nullptr : &*found;
 }
 
@@ -194,7 +193,7 @@ std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob
         return result;
     }
     std::vector<bool> doubled = own_quality(tweak, knob);
-    const bool any_own = std::find(doubled.begin(), doubled.end(), true) != doubled.end();
+    const bool any_own = std::ranges::find(doubled, true) != doubled.end();
     bool any = false;
     for (const Tweak& other : preset_.scene.tweaks) {
         const bool is_wanted = any_own ? doubled[index(other)] : other.quality && is_number(other);
@@ -242,11 +241,10 @@ Knob Planner::settle_knob(const std::vector<int>& values) const {
 
 Knob Planner::with_own(Knob knob, KnobValue own) const {
     const auto same = [&](const KnobValue& v) { return v.text == own.text; };
-    if (!own.work || std::any_of(knob.values.begin(), knob.values.end(), same)) return knob;
+    if (!own.work || std::ranges::any_of(knob.values, same)) return knob;
     own.is_between = true;
-    const auto after =
-        std::find_if(knob.values.begin(), knob.values.end(),
-                     [&](const KnobValue& v) { return v.work.value_or(0.0) > *own.work; });
+    const auto after = std::ranges::find_if(
+        knob.values, [&](const KnobValue& v) { return v.work.value_or(0.0) > *own.work; });
     knob.values.insert(after, std::move(own));
     return knob;
 }
@@ -399,7 +397,7 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
     };
     const auto any_state = [](const CompiledScene& compiled) {
         const auto& passes = compiled.graph.passes;
-        return std::any_of(passes.begin(), passes.end(), [](const GraphPass& pass) {
+        return std::ranges::any_of(passes, [](const GraphPass& pass) {
             return pass.feeds_state && pass.runs == Runs::every_frame;
         });
     };

@@ -1,12 +1,11 @@
 #include "measure/study/plot.h"
 
 #include "base/launch.h"
+#include "base/words.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -15,11 +14,8 @@
 namespace glint {
 namespace {
 
-// A word in gnuplot's single quotes.
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("''") : std::string(1, c);
-    return text + "'";
+std::string gnuplot_word(const std::string& word) {
+    return quoted(word, '\'', "''");
 }
 
 bool can_be_shown(const Study& study, const StudyRow& row) {
@@ -35,8 +31,8 @@ std::string data_block(const Study& study, const char* name, bool only_pareto) {
         if (can_be_shown(study, row) && (!only_pareto || row.pareto)) rows.push_back(&row);
     }
     if (only_pareto) {
-        std::sort(rows.begin(), rows.end(),
-                  [](const StudyRow* a, const StudyRow* b) { return a->ms.median < b->ms.median; });
+        std::ranges::sort(
+            rows, [](const StudyRow* a, const StudyRow* b) { return a->ms.median < b->ms.median; });
     }
     std::string text = fmt::format("${} << END\n", name);
     for (const StudyRow* row : rows) {
@@ -133,12 +129,12 @@ std::string script(const Study& study) {
         fmt::format("{}_{}", std::filesystem::path(study.scene).stem().string(), study.knob);
     std::string text = fmt::format(
         "set terminal svg size 760,440 dynamic font 'sans-serif,13' name {} background '#ffffff'\n",
-        quoted(name));
+        gnuplot_word(name));
     text += kStyle + data_block(study, "rows", false);
     if (study.time_only) {
         text += axis("x", span_of(study, false), 1.3) + axis("y", span_of(study, true), 1.3);
-        text +=
-            fmt::format("set xlabel {} noenhanced\nset ylabel 'ms a frame'\n", quoted(study.knob));
+        text += fmt::format("set xlabel {} noenhanced\nset ylabel 'ms a frame'\n",
+                            gnuplot_word(study.knob));
         return text +
                "plot $rows using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.6 lc rgb '#1f5fa8' "
                "notitle\n";
@@ -170,10 +166,7 @@ std::string drawn(const std::string& commands) {
     const Launched gnuplot =
         launch({.words = {"gnuplot", "/dev/stdin"}, .input = ::fileno(file), .output = kPipe});
     if (gnuplot.error == 0) {
-        std::array<char, 4096> chunk;
-        for (ssize_t count; (count = ::read(gnuplot.pipe, chunk.data(), chunk.size())) > 0;)
-            text.append(chunk.data(), static_cast<std::size_t>(count));
-        ::close(gnuplot.pipe);
+        text = read_to_end(gnuplot.pipe);
         wait_for(gnuplot.process);
     }
     std::fclose(file);
@@ -185,8 +178,8 @@ std::string drawn(const std::string& commands) {
 }  // namespace
 
 std::string svg_plot(const Study& study) {
-    const auto shown = std::count_if(study.rows.begin(), study.rows.end(),
-                                     [&](const StudyRow& r) { return can_be_shown(study, r); });
+    const auto shown = std::ranges::count_if(
+        study.rows, [&](const StudyRow& r) { return can_be_shown(study, r); });
     return shown < 2 ? "" : drawn(script(study));
 }
 

@@ -1,5 +1,7 @@
 #include "measure/study/result.h"
 
+#include "base/words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ bool counts_for_order(const Study& study, const StudyRow& row) {
 }
 
 bool timers_agree(const Study& study) {
-    return std::all_of(study.rows.begin(), study.rows.end(), [](const StudyRow& row) {
+    return std::ranges::all_of(study.rows, [](const StudyRow& row) {
         return std::abs(row.gpu.median - row.wall.median) <= kTimerAgreement * row.wall.median;
     });
 }
@@ -72,7 +74,7 @@ void mark_pareto(Study& study) {
     for (StudyRow& row : study.rows) {
         if (!has_error(row)) continue;
         const double ms = row.ms.median;
-        row.pareto = std::none_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& other) {
+        row.pareto = std::ranges::none_of(study.rows, [&](const StudyRow& other) {
             if (!has_error(other)) return false;
             const double other_ms = other.ms.median;
             const bool as_good = other_ms <= ms && other.error->rmse <= row.error->rmse;
@@ -96,7 +98,7 @@ void fit(Study& study, bool more_is_better) {
     const auto slope = log_slope(work, error);
     if (slope) study.order = more_is_better ? -*slope : *slope;
     // Small sizes cost what a frame costs at all, so the larger half tells how the cost grows.
-    std::sort(cost.begin(), cost.end());
+    std::ranges::sort(cost);
     std::vector<double> size, ms;
     for (std::size_t i = cost.size() / 2; i < cost.size(); ++i) {
         size.push_back(cost[i].first);
@@ -126,9 +128,8 @@ void find_plateau(Study& study, bool more_is_better) {
 }
 
 void find_what_looks_wrong(Study& study, bool more_is_better) {
-    const auto compared = static_cast<std::size_t>(
-        std::count_if(study.rows.begin(), study.rows.end(),
-                      [&](const StudyRow& row) { return counts_for_order(study, row); }));
+    const auto compared = static_cast<std::size_t>(std::ranges::count_if(
+        study.rows, [&](const StudyRow& row) { return counts_for_order(study, row); }));
     if (study.order && compared >= 3 && *study.order < kGrowingOrder) {
         study.findings.push_back(
             fmt::format("the error grows with the work, by order {:.2f}", *study.order));
@@ -137,13 +138,12 @@ void find_what_looks_wrong(Study& study, bool more_is_better) {
     for (const StudyRow& row : study.rows) {
         if (!row.failed.empty()) study.findings.push_back(row.value + ": " + row.failed);
     }
-    const bool any = std::any_of(study.rows.begin(), study.rows.end(), has_error);
-    const bool nothing =
-        std::none_of(study.rows.begin(), study.rows.end(),
-                     [](const StudyRow& row) { return has_error(row) && row.error->max > 0.0; });
+    const bool any = std::ranges::any_of(study.rows, has_error);
+    const bool nothing = std::ranges::none_of(
+        study.rows, [](const StudyRow& row) { return has_error(row) && row.error->max > 0.0; });
     if (any && nothing) study.findings.push_back("it changes nothing in this picture");
-    const auto near = std::count_if(study.rows.begin(), study.rows.end(),
-                                    [](const StudyRow& row) { return row.near_reference; });
+    const auto near =
+        std::ranges::count_if(study.rows, [](const StudyRow& row) { return row.near_reference; });
     if (near > 0) {
         study.notes.push_back(
             fmt::format("{} of {} rows are within ten times of the reference's own error (~)", near,
@@ -239,16 +239,12 @@ std::string csv_header() {
 }
 
 std::string to_csv(const Study& study) {
-    const auto quoted = [](const std::string& word) {
-        std::string text = "\"";
-        for (const char c : word) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-        return text + "\"";
-    };
+    const auto word = [](const std::string& text) { return quoted(text, '"', "\"\""); };
     std::string text;
     for (const StudyRow& row : study.rows) {
         const Timing& ms = row.ms;
-        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},", quoted(study.scene), study.knob,
-                            quoted(row.value), ms.median, ms.min, ms.max);
+        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},", word(study.scene), study.knob,
+                            word(row.value), ms.median, ms.min, ms.max);
         if (has_error(row)) {
             text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g}", row.error->rmse, row.error->max,
                                 psnr_text(row.error->psnr), row.error->share_off,
@@ -257,7 +253,7 @@ std::string to_csv(const Study& study) {
             text += ",,,,";
         }
         text += fmt::format(",{},{},{},{},{},{}\n", row.pareto, row.near_reference,
-                            quoted(row.failed), quoted(study.renderer), study.size.x, study.size.y);
+                            word(row.failed), word(study.renderer), study.size.x, study.size.y);
     }
     return text;
 }

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <memory>
 
 namespace glint {
 namespace {
@@ -206,7 +205,7 @@ glm::ivec2 size_of(const Preset& preset, std::size_t pass) {
 std::size_t output_of(const Scene& scene, std::size_t pass, const std::string& name) {
     if (pass == kImagePass) return 0;
     const auto& names = scene.passes[pass].outputs;
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
 // All studies of one file.

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <csignal>
 #include <ctime>
 #include <limits>
@@ -71,8 +70,7 @@ private:
         glm::ivec2 real, small;
     };
     const Sizes& sizes(std::size_t pass) const {
-        return *std::find_if(sizes_.begin(), sizes_.end(),
-                             [&](const Sizes& s) { return s.pass == pass; });
+        return *std::ranges::find(sizes_, pass, &Sizes::pass);
     }
 
     std::unique_ptr<Context> context_;
@@ -170,8 +168,8 @@ bool Trier::compile(const TrialOrder& order, CompiledScene& scene) {
     }
     scene = std::move(*result.scene);
     for (const PassProgram& program : scene.programs) {
-        const auto timed = std::find_if(compile_ms_.begin(), compile_ms_.end(),
-                                        [&](const auto& t) { return t.first == program.pass; });
+        const auto timed =
+            std::ranges::find(compile_ms_, program.pass, &decltype(compile_ms_)::value_type::first);
         answer_.verdict.passes.push_back(
             {.name = pass_name(order.preset.scene, program.pass), .compile_ms = timed->second});
     }
@@ -191,8 +189,7 @@ void Trier::compile_sound(const TrialOrder& order) {
 // Grey ones of the right form.
 void Trier::set_images(const TrialOrder& order, Renderer& renderer) {
     for (const std::size_t sampler : renderer.inputs_needed()) {
-        const auto image = std::find_if(order.images.begin(), order.images.end(),
-                                        [&](const TrialImage& i) { return i.sampler == sampler; });
+        const auto image = std::ranges::find(order.images, sampler, &TrialImage::sampler);
         if (image == order.images.end()) continue;
         if (sampler_at(order.preset, sampler).type != SamplerType::sampler2D) continue;
         const auto values =
@@ -274,8 +271,8 @@ void Trier::draw(const TrialOrder& order, CompiledScene scene) {
 
 void Trier::warn_of_slowness(const TrialOrder& order) {
     const auto& passes = answer_.verdict.passes;
-    const PassTrial& worst = *std::max_element(
-        passes.begin(), passes.end(),
+    const PassTrial& worst = *std::ranges::max_element(
+        passes,
         [](const PassTrial& a, const PassTrial& b) { return a.expected_ms < b.expected_ms; });
     const auto loop = likely_endless_loop(order.preset.scene);
     answer_.verdict.diagnostics.push_back(
