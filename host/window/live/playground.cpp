@@ -68,7 +68,8 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       trial_({.device = options.device}),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
-      inputs_(texture_limits()) {}
+      inputs_(texture_limits()),
+      start_states_(options.start_states) {}
 
 Playground::~Playground() = default;
 
@@ -181,6 +182,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     touched_ = true;
     if (!written) {
         expected_ms_ = trial_.poll().expected_ms;
+        find_start_state();
         has_picture_ = false;
         opening_ = Opening::awaits_inputs;
         transport = Transport(preset_->time);
@@ -330,6 +332,7 @@ bool Playground::replay_slice(Frame& frame) {
         renderer_->advance(playback.frame(*preset_, replay_at_));
         context_.finish();
     }
+    keep_start_state();
     replay_at_ = -1;
     Frame last = playback.frame(*preset_, replay_until_);
     if (preset_->events.empty()) last.input = frame.input;
@@ -357,6 +360,7 @@ bool Playground::draw(double wall_seconds) {
         replay_at_ = again ? 0 : -1;
         replay_until_ = Playback{.end = instant_.time}.last_frame();
     }
+    if (replay_at_ == 0) take_start_state();
     if (replay_at_ >= 0 && !replay_slice(frame)) return false;
 
     touched_ = false;

@@ -11,6 +11,7 @@
 #include "scene/tweak_values.h"
 #include "window/live/input_loader.h"
 #include "window/live/reloader.h"
+#include "window/live/start_states.h"
 #include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
@@ -26,6 +27,8 @@ struct PlaygroundOptions {
     bool specialise = true;        // once the tweaks rest
     double rest_seconds = 0.4;     // how long they rest before that
     double hopeless_ms = 10000.0;  // a frame that would take longer is refused
+    // Where simulations that have been played up to their start are kept; empty: nowhere.
+    std::filesystem::path start_states{};
 };
 
 class Playground {
@@ -189,6 +192,10 @@ private:
         return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
     }
     bool replay_slice(Frame& frame);
+    void find_start_state();
+    bool stands_for_start() const;
+    void take_start_state();
+    void keep_start_state();
     bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, Programs programs,
                                             Diagnostics& why_not) const;
@@ -200,6 +207,7 @@ private:
     Trial trial_;
     Reloader reloader_;
     InputLoader inputs_;
+    StartStates start_states_;
     // Read, and on the way to the driver.
     struct Arriving {
         InputLoader::Loaded loaded;
@@ -228,6 +236,8 @@ private:
     int extra_frames_ = 0;  // drawn since time stands
     int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
     int replay_at_ = -1, replay_until_ = -1;
+    bool replays_start_ = false;  // a file was opened, and has not been played up to its start
+    std::vector<TweakValue> start_values_;
     double frame_ms_ = 0.0, expected_ms_ = 0.0;
     std::size_t pictures_ = 0;  // drawn so far
     bool measuring_ = false;
