@@ -92,7 +92,8 @@ TEST(KeptResolutions, AChoiceIsThatOfOneSceneAndTheNewestCounts) {
 
 TEST(KeptResolutions, AHundredAreKeptAndABrokenFileIsNone) {
     const TestFolder folder;
-    const fs::path file = folder.write("resolution", "\n\nfull\nheld x y\nfull refined 0.5 /whole.frag\n");
+    const fs::path file =
+        folder.write("resolution", "\n\nfull\nheld x y\nfull refined 0.5 /whole.frag\n");
     const KeptResolutions kept(file);
     EXPECT_EQ(kept.find("/whole.frag"), (KeptResolution{.full = true, .share = 0.5}));
     for (int i = 0; i < 130; ++i) kept.keep(std::to_string(i), {.full = true, .share = 1.0});
