@@ -69,12 +69,8 @@ BufferShape Renderer::wanted_shape(std::size_t index) const {
     BufferShape shape{.size = whole ? options_.size : options_.tile + 2,  // 2: see set_tile()
                       .format = options_.picture_format};
     if (fills_a_buffer(wanted)) {
-        const Pass& pass = preset_.scene.passes[wanted];
-        shape = {.size = buffer_size(pass, options_.size),
-                 .format = pass.format,
-                 .outputs = static_cast<int>(pass.outputs.size()),
-                 .cube = pass.cube,
-                 .feedback = scene_.graph.passes[index].feedback};
+        shape = shape_of(preset_.scene.passes[wanted], options_.size,
+                         scene_.graph.passes[index].feedback);
     }
     for (const PassProgram& reader : scene_.programs) {
         for (const SamplerUniform& uniform : reader.samplers) {

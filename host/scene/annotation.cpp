@@ -44,8 +44,8 @@ struct TweakParser {
     bool in_range(const TweakValue& value) const;
 };
 
-const std::vector<std::string> kTweakWords = {"log",   "unit",    "step",
-                                              "group", "quality", "reference"};
+const std::vector<std::string> kTweakWords = {"log",     "unit",     "step",     "group",
+                                              "quality", "norandom", "reference"};
 
 void TweakParser::parse() {
     while (!words.done()) parse_item();
@@ -95,10 +95,10 @@ void TweakParser::parse_word(std::size_t at) {
         words = after;
         return parse_option(word, at);
     }
-    if (word == "log" || word == "quality") {
+    if (word == "log" || word == "quality" || word == "norandom") {
         words = after;
         if (word == "log") log_at = at;
-        (word == "log" ? tweak.log : tweak.quality) = true;
+        (word == "log" ? tweak.log : word == "quality" ? tweak.quality : tweak.no_random) = true;
         return;
     }
     if (!initial) {
@@ -106,9 +106,10 @@ void TweakParser::parse_word(std::size_t at) {
         return;
     }
     words = after;
-    words.complain(at, fmt::format("unknown word {}; known are log, quality, unit=, step=, group=, "
-                                   "reference=, [min, max], {{names}} and a \"description\"{}",
-                                   in_quotes(word), did_you_mean(word, kTweakWords)));
+    words.complain(
+        at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
+                        "step=, group=, reference=, [min, max], {{names}} and a \"description\"{}",
+                        in_quotes(word), did_you_mean(word, kTweakWords)));
 }
 
 void TweakParser::parse_option(std::string_view key, std::size_t at) {
@@ -131,8 +132,8 @@ void TweakParser::parse_option(std::string_view key, std::size_t at) {
     } else if (key == "reference") {
         reference = Written{words.value(), value_at};
     } else {
-        words.complain(at, fmt::format("unknown word {}; known are log, quality, unit=, step=, "
-                                       "group= and reference={}",
+        words.complain(at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
+                                       "step=, group= and reference={}",
                                        in_quotes(key), did_you_mean(key, kTweakWords)));
         words.text();
         return;

@@ -43,6 +43,7 @@ private:
     void read_size(const toml::node& node);
     void read_date(const toml::node& node);
     void read_tweaks(const toml::node& node);
+    void read_locked(const toml::node& node);
     void read_tweak(const toml::key& key, const toml::node& node);
     std::optional<TweakValue> tweak_value(const Tweak& tweak, const toml::node& node);
     void read_channels(const toml::node& node);
@@ -114,11 +115,12 @@ void Reader::read(std::string_view text) {
         return;
     }
     const toml::table& root = parsed.table();
-    check_keys(
-        root, {"scene", "title", "time", "size", "settle", "date", "tweaks", "channels", "events"});
+    check_keys(root, {"scene", "title", "time", "size", "settle", "date", "locked", "tweaks",
+                      "channels", "events"});
     read_scene_key(root);
     read_picture(root);
     if (const toml::node* tweaks = root.get("tweaks")) read_tweaks(*tweaks);
+    if (const toml::node* locked = root.get("locked")) read_locked(*locked);
     if (const toml::node* channels = root.get("channels")) read_channels(*channels);
     if (const toml::node* events = root.get("events")) read_events(*events);
     // toml++ sorts keys by name; a person reads from top to bottom.
@@ -273,6 +275,26 @@ void Reader::read_tweak(const toml::key& key, const toml::node& node) {
                                   expected_value(*tweak), format_value(*tweak, clamped)));
     }
     preset_.values[static_cast<std::size_t>(tweak - tweaks.begin())] = clamped;
+}
+
+// A name that the scene does not have is told and kept: the scene may have it again tomorrow.
+void Reader::read_locked(const toml::node& node) {
+    const toml::array* names = node.as_array();
+    if (!names)
+        return warning(node, "locked is a list of tweaks; write locked = [\"NAME\", \"NAME\"]");
+    Names known;
+    for (const Tweak& tweak : preset_.scene.tweaks) known.push_back(tweak.name);
+    for (const toml::node& entry : *names) {
+        const auto* name = entry.as_string();
+        if (!name) {
+            warning(entry, "the name of a tweak is a text; write it in quotes");
+            continue;
+        }
+        preset_.locked.push_back(name->get());
+        if (has_scene_ && std::ranges::find(known, name->get()) == known.end())
+            warning(entry, fmt::format("the scene has no tweak {}{}", in_quotes(name->get()),
+                                       did_you_mean(name->get(), known)));
+    }
 }
 
 // The value as TOML writes it; nothing when it is not of the tweak's type.

@@ -27,6 +27,9 @@ struct Preset {
     int settle = 0;                  // frames drawn with time held, for scenes that accumulate
     Date date;                       // when time is 0
     std::vector<TweakValue> values;  // one for each of scene.tweaks, within its range
+    // Names of tweaks that a random look leaves alone, as the file lists them; also of some that
+    // the scene does not have today.
+    std::vector<std::string> locked;
     std::array<Sampler, 4>
         channels;               // iChannel0..3 of pasted text; those the scene declares itself win
     std::vector<Event> events;  // in order of time

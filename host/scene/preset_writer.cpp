@@ -183,6 +183,9 @@ void Editor::edit_root() {
     set_root("settle", preset_.settle == old_.settle, fmt::format("{}", preset_.settle));
     const std::string date = toml_date(preset_.date);
     set_root("date", date == toml_date(old_.date), date);
+    std::vector<std::string> locked;
+    for (const std::string& each : preset_.locked) locked.push_back(toml_string(each));
+    set_root("locked", preset_.locked == old_.locked, fmt::format("[{}]", fmt::join(locked, ", ")));
 }
 
 void Editor::set_root(std::string_view key, bool same, const std::string& value) {

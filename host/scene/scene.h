@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "scene/pixel_format.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -34,6 +35,7 @@ struct Tweak {
     bool log = false;                // the slider is logarithmic
     double step = 0.0;               // the slider's granularity; 0 is continuous
     bool quality = false;            // trades error for time
+    bool no_random = false;          // a random look leaves it alone
     // The value that counts as the truth. It may lie beyond the range: nobody moves a slider there.
     std::optional<TweakValue> reference;
     std::string unit, group, description;
@@ -72,7 +74,6 @@ const char* glsl_name(SamplerType type);
 
 enum class Filter { nearest, linear, mipmap };
 enum class Wrap { clamp, repeat, mirror };
-enum class PixelFormat { rgba8, rgba16f, rgba32f };
 
 // Who fills what a sampler reads.
 enum class Source { none, buffer, image, cube, volume, sound, noise, keyboard };

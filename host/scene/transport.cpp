@@ -135,6 +135,28 @@ void Transport::set_fixed_step(bool fixed) {
     fixed_step_ = fixed;
 }
 
+void Transport::apply(const TimeEdit& edit) {
+    using What = TimeEdit::What;
+    switch (edit.what) {
+        case What::play:
+            return play();
+        case What::pause:
+            return pause();
+        case What::step:
+            return step();
+        case What::reset:
+            return reset();
+        case What::seek:
+            return seek(edit.number);
+        case What::rate:
+            return set_rate(edit.number);
+        case What::fixed_step:
+            return set_fixed_step(edit.on);
+        case What::loop:
+            return set_loop(edit.loop);
+    }
+}
+
 void Transport::set_loop(std::optional<Loop> loop) {
     if (loop && (std::isnan(loop->begin) || std::isnan(loop->end))) return;
     loop_ = loop;

@@ -27,6 +27,14 @@ struct Instant {
     bool jumped = false;
 };
 
+// What a person does to time in one go: panels wish for it, keys ask for it.
+struct TimeEdit {
+    enum class What { play, pause, step, reset, seek, rate, fixed_step, loop } what = What::play;
+    double number = 0.0;       // seek: s from 0; rate: scene seconds for a wall second
+    bool on = false;           // fixed_step
+    std::optional<Loop> loop;  // loop: none ends it
+};
+
 // Plays from the start. Wall time, in double, is summed without loss: days later it has not
 // drifted.
 class Transport {
@@ -60,6 +68,9 @@ public:
     // While it plays or steps, time that reaches the end goes on from the begin. A loop that is
     // shorter than a step becomes one step long; ends in the wrong order are swapped.
     void set_loop(std::optional<Loop> loop);
+
+    // Does what a person asked for, as the methods above do.
+    void apply(const TimeEdit& edit);
 
     bool playing() const { return playing_; }
     double time() const;  // of the last frame, or where a seek will put the next one

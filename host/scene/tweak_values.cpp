@@ -112,10 +112,14 @@ TweakValue rebased(const Tweak& before, const TweakValue& value, const Tweak& af
     return index ? TweakValue{static_cast<double>(*index)} : after.initial;
 }
 
-TweakValue random_value(const Tweak& tweak, const TweakValue& value, std::uint32_t seed) {
+bool takes_random(const Tweak& tweak) {
     const bool has_range =
         tweak.min || tweak.is_colour || !tweak.names.empty() || tweak.type == TweakType::bool1;
-    if (tweak.quality || !has_range) return value;
+    return has_range && !tweak.quality && !tweak.no_random && tweak.group != "Camera";
+}
+
+TweakValue random_value(const Tweak& tweak, const TweakValue& value, std::uint32_t seed) {
+    if (!takes_random(tweak)) return value;
     const std::uint32_t first = pcg(seed ^ pcg(hash(tweak.name)));
     TweakValue random = value;
     // How opaque a colour is, is no matter of taste.
@@ -131,7 +135,7 @@ TweakValues::TweakValues(std::span<const Tweak> tweaks, std::span<const TweakVal
     assert(values.empty() || values.size() == tweaks.size());
     for (std::size_t i = 0; i < tweaks.size(); ++i) {
         const TweakValue value = values.empty() ? tweaks[i].initial : values[i];
-        held_.push_back({tweaks[i], {value, value}});
+        held_.push_back({tweaks[i], {value, value}, value});
     }
 }
 
@@ -153,6 +157,15 @@ bool TweakValues::any_changed() const {
     for (std::size_t i = 0; i < held_.size(); ++i)
         if (changed(i)) return true;
     return false;
+}
+
+void TweakValues::set_written(std::span<const TweakValue> values) {
+    assert(values.size() == held_.size());
+    for (std::size_t i = 0; i < held_.size(); ++i) held_[i].written = values[i];
+}
+
+bool TweakValues::is_as_written(std::size_t index) const {
+    return same_bits(value(index), held_[index].written);
 }
 
 void TweakValues::begin() {
@@ -202,13 +215,30 @@ void TweakValues::set_all(std::span<const TweakValue> values) {
 }
 
 void TweakValues::reset(std::size_t index) {
+    if (is_as_written(index)) return reset_to_default(index);
+    as_one_entry([&] { change(shown_, index, held_[index].written); });
+}
+
+void TweakValues::reset_to_default(std::size_t index) {
     as_one_entry([&] { change(shown_, index, held_[index].tweak.initial); });
 }
 
-void TweakValues::reset_all() {
+void TweakValues::change_all_to(const TweakValue& (*wanted)(const Held&)) {
     as_one_entry([&] {
-        for (std::size_t i = 0; i < held_.size(); ++i) change(shown_, i, held_[i].tweak.initial);
+        for (std::size_t i = 0; i < held_.size(); ++i) change(shown_, i, wanted(held_[i]));
     });
+}
+
+void TweakValues::reset_all() {
+    for (std::size_t i = 0; i < held_.size(); ++i)
+        if (!is_as_written(i))
+            return change_all_to(
+                [](const Held& held) -> const TweakValue& { return held.written; });
+    reset_all_to_defaults();
+}
+
+void TweakValues::reset_all_to_defaults() {
+    change_all_to([](const Held& held) -> const TweakValue& { return held.tweak.initial; });
 }
 
 void TweakValues::randomise(std::uint32_t seed) {
@@ -224,6 +254,17 @@ void TweakValues::lock(std::size_t index, bool locked) {
 
 bool TweakValues::locked(std::size_t index) const {
     return held_[index].locked;
+}
+
+std::vector<std::string> TweakValues::locks() const {
+    std::vector<std::string> names;
+    for (const Held& held : held_)
+        if (held.locked) names.push_back(held.tweak.name);
+    return names;
+}
+
+void TweakValues::set_locks(std::span<const std::string> names) {
+    for (Held& held : held_) held.locked = std::ranges::find(names, held.tweak.name) != names.end();
 }
 
 bool TweakValues::undo() {
@@ -267,8 +308,12 @@ void TweakValues::obey(const TweakEdit& edit) {
             return set(edit.index, edit.value);
         case What::reset:
             return reset(edit.index);
+        case What::reset_to_default:
+            return reset_to_default(edit.index);
         case What::reset_all:
             return reset_all();
+        case What::reset_all_to_defaults:
+            return reset_all_to_defaults();
         case What::randomise:
             return randomise(edit.seed);
         case What::lock:
@@ -291,10 +336,13 @@ void TweakValues::obey(const TweakEdit& edit) {
     }
 }
 
-void TweakValues::rebase(std::span<const Tweak> tweaks) {
+void TweakValues::rebase(std::span<const Tweak> tweaks, std::span<const TweakValue> written) {
+    assert(written.empty() || written.size() == tweaks.size());
     std::vector<Held> held;
-    for (const Tweak& tweak : tweaks) {
-        held.push_back({tweak, {tweak.initial, tweak.initial}});
+    for (std::size_t i = 0; i < tweaks.size(); ++i) {
+        const Tweak& tweak = tweaks[i];
+        const TweakValue& says = written.empty() ? tweak.initial : written[i];
+        held.push_back({tweak, {tweak.initial, tweak.initial}, says});
         const Held* old = find(tweak.name);
         if (!old) continue;
         held.back().locked = old->locked;

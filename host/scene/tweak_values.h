@@ -27,9 +27,12 @@ bool is_changed(const Tweak& tweak, const TweakValue& value);
 // option's name; all else is kept, clamped to the new range.
 TweakValue rebased(const Tweak& before, const TweakValue& value, const Tweak& after);
 
+// Whether a random look may move it: what has a range, a menu or a colour; not quality, the eye
+// (the group "Camera"), nor what its line calls `norandom`.
+bool takes_random(const Tweak& tweak);
+
 // A random value in the range, the same for the same seed and name: even in the logarithm for log
-// tweaks, on the steps for stepped ones. Tweaks without a range, and those of quality, keep
-// `value`.
+// tweaks, on the steps for stepped ones. What takes none keeps `value`.
 TweakValue random_value(const Tweak& tweak, const TweakValue& value, std::uint32_t seed);
 
 // What a person does to the values in one go; panels wish for it.
@@ -37,7 +40,9 @@ struct TweakEdit {
     enum class What {
         set,
         reset,
+        reset_to_default,
         reset_all,
+        reset_all_to_defaults,
         randomise,
         lock,
         unlock,
@@ -48,7 +53,7 @@ struct TweakEdit {
         show,
         copy_to_other,
     } what = What::set;
-    std::size_t index = 0;         // set, reset, lock, unlock: which of the scene's tweaks
+    std::size_t index = 0;         // set, reset…, lock, unlock: which of the scene's tweaks
     TweakValue value{};            // set
     std::uint32_t seed = 0;        // randomise
     TweakSet shown = TweakSet::a;  // show
@@ -58,7 +63,8 @@ struct TweakEdit {
 // Indices are those of the scene's tweaks, and must be below size().
 class TweakValues {
 public:
-    // Both sets start with these values, or with the defaults where there are none.
+    // Both sets start with these values, or with the defaults where there are none. They are what
+    // the file says.
     explicit TweakValues(std::span<const Tweak> tweaks, std::span<const TweakValue> values = {});
 
     std::size_t size() const { return held_.size(); }
@@ -69,6 +75,11 @@ public:
     bool changed(std::size_t index) const;  // from its default
     bool any_changed() const;
 
+    // What the file says: the preset, or the scene's defaults. One for each tweak.
+    void set_written(std::span<const TweakValue> values);
+    const TweakValue& written(std::size_t index) const { return held_[index].written; }
+    bool is_as_written(std::size_t index) const;
+
     // What happens from begin to commit is one entry of the undo list: the drag of a slider. A
     // change outside is an entry by itself; what changes nothing is none.
     void begin();
@@ -78,12 +89,18 @@ public:
 
     void set(std::size_t index, const TweakValue& value);  // tidied and clamped
     void set_all(std::span<const TweakValue> values);      // a preset: exact, only clamped
+    // To what the file says; what stands there goes on to the scene's default.
     void reset(std::size_t index);
-    void reset_all();
+    void reset_to_default(std::size_t index);
+    void reset_all();  // the same, of all at once
+    void reset_all_to_defaults();
     void randomise(std::uint32_t seed);  // all that are not locked
 
     void lock(std::size_t index, bool locked);  // keeps it from randomise; not undone
     bool locked(std::size_t index) const;
+    // Their names, in the order of the scene. Names that the scene does not have are passed over.
+    std::vector<std::string> locks() const;
+    void set_locks(std::span<const std::string> names);
 
     // Restores values bit for bit, in the set in which they were changed, and shows that set.
     // False, and nothing happens, when there is nothing left or between begin and commit.
@@ -101,12 +118,14 @@ public:
 
     // After a reload. Values and undo list are kept by name (see rebased); those of a tweak that
     // has gone wait for its return. Undo passes over what no longer exists or has another type.
-    void rebase(std::span<const Tweak> tweaks);
+    // `written` is what the file says now; the defaults where it is empty.
+    void rebase(std::span<const Tweak> tweaks, std::span<const TweakValue> written = {});
 
 private:
     struct Held {
         Tweak tweak;
         std::array<TweakValue, 2> values;
+        TweakValue written{};  // in the file
         bool locked = false;
     };
 
@@ -115,6 +134,7 @@ private:
     static TweakValue& slot(Held& held, TweakSet set);
     Held* find(std::string_view name);  // also among the absent
     void change(TweakSet set, std::size_t index, const TweakValue& value);
+    void change_all_to(const TweakValue& (*wanted)(const Held&));
     bool put_back(const HistoryEntry& entry, KeptValue HistoryEntry::Change::*side);
     void obey(const TweakEdit& edit);
     template <typename Changes>

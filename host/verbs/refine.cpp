@@ -1,8 +1,7 @@
 // `glint refine`: the process that refines a picture for the window; for no person to call.
-#include "window/trial/refiner.h"
-
 #include "verbs/options.h"
 #include "verbs/verb.h"
+#include "window/trial/refiner.h"
 
 namespace glint {
 namespace {

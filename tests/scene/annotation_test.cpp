@@ -80,8 +80,8 @@ TEST(TweakAnnotation, GivesTheDefaultOfEachType) {
 TEST(TweakAnnotation, ReadsEveryWordInAnyOrder) {
     for (
         const char* annotation :
-        {R"(2.0 [0.1, 100] log unit=1/m step=0.5 group="Deep water" quality reference=50 "how far")",
-         R"(2 "how far" quality group="Deep water" reference = 50 step=1/2 unit="1/m" log [.1,100])"}) {
+        {R"(2.0 [0.1, 100] log unit=1/m step=0.5 group="Deep water" quality norandom reference=50 "how far")",
+         R"(2 "how far" norandom quality group="Deep water" reference = 50 step=1/2 unit="1/m" log [.1,100])"}) {
         const auto [t, complaints] = tweak(TweakType::float1, annotation);
         EXPECT_EQ(all(complaints), "");
         EXPECT_EQ(t.initial[0], 2.0);
@@ -89,6 +89,7 @@ TEST(TweakAnnotation, ReadsEveryWordInAnyOrder) {
         EXPECT_EQ(t.max, 100.0);
         EXPECT_TRUE(t.log);
         EXPECT_TRUE(t.quality);
+        EXPECT_TRUE(t.no_random);
         EXPECT_EQ(t.step, 0.5);
         EXPECT_EQ(t.unit, "1/m");
         EXPECT_EQ(t.group, "Deep water");
@@ -341,6 +342,7 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         {SamplerType::sampler2D, "pass a step=-1/60", 12, "1/65536"},
         {SamplerType::sampler2D, "pass a step=1/0", 12, "1/65536"},
         {SamplerType::sampler2D, "pass a format=rgba64", 14, "rgba16f"},
+        {SamplerType::sampler2D, "pass a format=r16", 14, "did you mean 'r16f'?"},
         {SamplerType::sampler2D, "pass a filter=blurry", 14, "nearest, linear or mipmap"},
         {SamplerType::sampler2D, "pass a wrap=round", 12, "clamp, repeat or mirror"},
         {SamplerType::sampler2D, "pass a wrap=clamp wrap=clamp", 18, "second wrap="},

@@ -71,6 +71,7 @@ protected:
         EXPECT_EQ(a.settle, b.settle);
         EXPECT_EQ(toml_date(a.date), toml_date(b.date));
         EXPECT_EQ(a.values, b.values);
+        EXPECT_EQ(a.locked, b.locked);
         for (std::size_t i = 0; i < a.values.size(); ++i)
             EXPECT_EQ(std::signbit(a.values[i][0]), std::signbit(b.values[i][0]));
         for (std::size_t i = 0; i < 4; ++i) {
@@ -215,6 +216,19 @@ TEST_F(PresetWriter, AddsATweakToAnyFormOfTheTable) {
         const std::string before = head + c.before;
         EXPECT_EQ(save(with("choppiness", {0.3}, read(before)), before), head + c.after);
     }
+}
+
+TEST_F(PresetWriter, LocksAreAListThatIsWrittenWhereItStands) {
+    const std::string text =
+        "scene = \"../fragments/boat.frag\"\nlocked = [\"depth\", \"gone\"] # mine\n";
+    Preset preset = read(text);
+    EXPECT_EQ(preset.locked, (std::vector<std::string>{"depth", "gone"})) << "some day it is back";
+    EXPECT_EQ(save(preset, text), text);
+    preset.locked = {"shift"};
+    EXPECT_NE(save(preset, text).find("locked = [\"shift\"] # mine\n"), std::string::npos);
+    preset.locked.clear();
+    EXPECT_NE(save(preset, text).find("locked = [] # mine\n"), std::string::npos);
+    EXPECT_EQ(save(preset).find("locked"), std::string::npos) << "none, and none was written";
 }
 
 TEST_F(PresetWriter, LineEndsAndByteOrderMarksStay) {

@@ -356,6 +356,54 @@ TEST(TweakValues, CopyingToTheOtherSetCanBeUndone) {
     EXPECT_EQ(tweaks.values(Set::a)[0][0], 0.1);
 }
 
+TEST(TweakValues, ResetGoesToWhatTheFileSaysThenToTheDefault) {
+    const Tweaks two = {kSea[0], kSea[1]};
+    TweakValues tweaks(two, std::vector<TweakValue>{{0.25}, {7.0}});
+    tweaks.set(0, {0.9});
+    tweaks.reset(0);
+    EXPECT_EQ(tweaks.value(0)[0], 0.25);
+    EXPECT_TRUE(tweaks.is_as_written(0));
+    tweaks.reset(0);
+    EXPECT_EQ(tweaks.value(0)[0], 0.5);
+    EXPECT_FALSE(tweaks.is_as_written(0));
+    tweaks.reset_all();
+    EXPECT_EQ(tweaks.value(0)[0], 0.25) << "one stood elsewhere: all go to the file first";
+    EXPECT_EQ(tweaks.value(1)[0], 7.0);
+    tweaks.reset_all();
+    EXPECT_FALSE(tweaks.any_changed());
+    tweaks.undo();
+    EXPECT_EQ(tweaks.value(1)[0], 7.0);
+    tweaks.reset_to_default(1);
+    EXPECT_EQ(tweaks.value(1)[0], 3.0);
+    tweaks.set_written(std::vector<TweakValue>{{0.75}, {3.0}});
+    tweaks.reset(0);
+    EXPECT_EQ(tweaks.value(0)[0], 0.75) << "a save moves where reset goes";
+}
+
+TEST(TweakValues, ARandomLookLeavesTheCameraAndWhatSaysSo) {
+    Tweak eye = slider("eye", 0.5, 0, 1), shy = slider("shy", 0.5, 0, 1);
+    eye.group = "Camera";
+    shy.no_random = true;
+    Tweak costly = slider("costly", 0.5, 0, 1), plain = slider("plain", 0.5, 0, 1);
+    costly.quality = true;
+    const Tweaks all = {eye, shy, costly, plain};
+    TweakValues tweaks(all);
+    tweaks.randomise(42);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(tweaks.value(i)[0], 0.5) << all[i].name;
+    EXPECT_NE(tweaks.value(3)[0], 0.5);
+}
+
+TEST(TweakValues, LocksAreKnownByNameAndOutliveAReload) {
+    TweakValues tweaks(kSea);
+    const std::vector<std::string> names = {kSea[1].name, "gone"};
+    tweaks.set_locks(names);
+    EXPECT_EQ(tweaks.locks(), std::vector<std::string>{kSea[1].name});
+    tweaks.rebase(kSea);
+    EXPECT_TRUE(tweaks.locked(1));
+    tweaks.set_locks({});
+    EXPECT_TRUE(tweaks.locks().empty());
+}
+
 TEST(TweakValues, RandomiseLeavesWhatIsLockedAndIsOneEntry) {
     TweakValues tweaks(kSea), again(kSea);
     for (TweakValues* one : {&tweaks, &again}) {

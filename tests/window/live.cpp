@@ -63,18 +63,6 @@ double cpu_seconds_of(const std::string& process) {
 
 }  // namespace
 
-Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "glint-window-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
-    path_ = name;
-    fs::create_directory(path_ / "home");
-}
-
-Folder::~Folder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-}
-
 void write(const fs::path& file, std::string_view text) {
     std::ofstream stream(file, std::ios::binary);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));

@@ -39,11 +39,12 @@ std::string shown_name(const fs::path& file) {
     return (file.extension() == ".toml" ? file.stem() : file.filename()).string();
 }
 
-// Lowest priority, and silent: a scene that does not compile simply has no thumbnail.
+// Lowest priority, and silent: a scene that does not compile simply has no thumbnail. It ends with
+// the window, for one may never end by itself.
 int start_still(const fs::path& file, const fs::path& output) {
     std::vector<std::string> words = {"/proc/self/exe", "still",  file.string(), "-o",
                                       output.string(),  "--size", kThumbnailSize};
-    return launch({.words = std::move(words), .ends_with_us = false, .niceness = 19}).process;
+    return launch({.words = std::move(words), .niceness = 19}).process;
 }
 
 Texture make_thumbnail(const Image& image) {
@@ -92,29 +93,49 @@ void Browser::list(const std::vector<Shelf>& shelves) {
             looks.push_back(
                 {.file = file, .shelf = shelf.heading, .title = shown_name(file), .thumbnail = {}});
             for (Look& known : looks_) {
-                if (known.file == file && known.shelf == shelf.heading)
-                    looks.back().thumbnail = std::move(known.thumbnail);
+                if (known.file != file || known.shelf != shelf.heading) continue;
+                looks.back().is_done = static_cast<bool>(known.thumbnail);
+                looks.back().thumbnail = std::move(known.thumbnail);
             }
         }
     }
     looks_ = std::move(looks);
-    next_ = 0;
+}
+
+// In view before the rest; each from top to bottom.
+const Look* Browser::next() const {
+    const auto waits = [](const Look& look) { return !look.is_done; };
+    for (const Look& look : looks_)
+        if (waits(look) && std::ranges::find(first_, look.file) != first_.end()) return &look;
+    const auto any = std::ranges::find_if(looks_, waits);
+    return any == looks_.end() ? nullptr : &*any;
 }
 
 void Browser::start_next() {
-    while (next_ < looks_.size() && looks_[next_].thumbnail) ++next_;
-    if (next_ >= looks_.size()) return;
-    const fs::path output = cached(looks_[next_].file);
+    const Look* look = next();
+    if (!look) return;
+    current_ = look->file;
+    const fs::path output = cached(current_);
     std::error_code error;
     const bool is_drawn = fs::exists(output, error);
-    const fs::path picture = is_drawn ? output : gallery_picture(looks_[next_].file);
+    const fs::path picture = is_drawn ? output : gallery_picture(current_);
     if (!picture.empty()) {
         reading_ = std::async(std::launch::async, [picture] { return read_image(picture); });
         return;
     }
     fs::create_directories(cache_, error);
-    rendering_ = start_still(looks_[next_].file, output);
-    if (rendering_ == 0) ++next_;
+    rendering_ = start_still(current_, output);
+    if (rendering_ == 0) finish({});
+}
+
+// A file may stand on two shelves: one of them has it now, and the other's turn comes.
+void Browser::finish(Texture thumbnail) {
+    for (Look& look : looks_) {
+        if (look.file != current_ || look.is_done) continue;
+        look.thumbnail = std::move(thumbnail);
+        look.is_done = true;
+        return;
+    }
 }
 
 bool Browser::update() {
@@ -122,7 +143,7 @@ bool Browser::update() {
         const std::optional<int> code = ended(rendering_);
         if (!code) return false;
         rendering_ = 0;
-        if (*code != 0) ++next_;  // no picture of this one
+        if (*code != 0) finish({});  // no picture of this one
         return false;
     }
     if (!reading_.valid()) {
@@ -131,12 +152,10 @@ bool Browser::update() {
     }
     if (reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
     try {
-        const Image image = reading_.get();
-        if (next_ < looks_.size()) looks_[next_].thumbnail = make_thumbnail(image);
+        finish(make_thumbnail(reading_.get()));
     } catch (const std::exception&) {
-        // A broken cache entry: left out.
+        finish({});  // a broken cache entry: left out
     }
-    ++next_;
     return true;
 }
 

@@ -17,7 +17,8 @@ struct Look {
     std::filesystem::path file;
     std::string shelf;  // as BrowserEntry::shelf
     std::string title;
-    Texture thumbnail;  // empty until it is there
+    Texture thumbnail;     // empty until it is there
+    bool is_done = false;  // it is there, or there will be none
 };
 
 // The presets and scenes in the folder of `file`, and in fragments/ and presets/ beside that
@@ -40,6 +41,9 @@ public:
     };
     void list(const std::vector<Shelf>& shelves);
 
+    // Those in view come before the others.
+    void draw_first(const std::vector<std::filesystem::path>& files) { first_ = files; }
+
     // One thumbnail at a time, at the lowest priority; does not wait. True when one has arrived.
     bool update();
 
@@ -50,13 +54,16 @@ public:
     const std::vector<Look>& looks() const { return looks_; }
 
 private:
+    const Look* next() const;
     void start_next();
+    void finish(Texture thumbnail);
     std::filesystem::path cached(const std::filesystem::path& file) const;
 
     std::filesystem::path cache_;
     std::vector<Look> looks_;
-    std::size_t next_ = 0;  // the look whose thumbnail comes next
-    int rendering_ = 0;     // the process that draws it
+    std::vector<std::filesystem::path> first_;  // in view
+    std::filesystem::path current_;             // whose thumbnail is drawn or read
+    int rendering_ = 0;                         // the process that draws it
     std::future<Image> reading_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/readable_file.h"
 #include "media/image.h"
+#include "scene/preset_writer.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +12,6 @@
 
 namespace glint {
 namespace {
-
-// A live frame catches up at most this much simulated time after a hitch.
-constexpr double kLongestCatchUp = 0.25;  // s
-
-// How long a replay may keep the window waiting in one frame.
-constexpr double kReplaySlice = 30.0;  // ms
 
 Date local_now() {
     std::timespec now{};
@@ -43,6 +38,10 @@ void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& t
         const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
         const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
         if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
+        const auto locks = [&](const Preset& preset) {
+            return std::ranges::find(preset.locked, tweak.name) != preset.locked.end();
+        };
+        if (locks(before) != locks(now)) tweaks.lock(i, locks(now));
     }
 }
 
@@ -91,7 +90,7 @@ ReloadSteps Playground::reload_steps() {
                     trial_.start({.preset = preset,
                                   .compile = {.program = {.specialise = specialise}},
                                   .size = full_size_,
-                                  .time = transport.time(),
+                                  .time = transport_.time(),
                                   .images = {}});
                 },
             .trial = [this]() -> const Verdict& { return trial_.poll(); },
@@ -149,8 +148,9 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     TweakValues next = tweaks;
     if (is_text && !written) {
         next = TweakValues(preset->scene.tweaks, preset->values);
+        next.set_locks(preset->locked);
     } else if (is_text) {
-        next.rebase(preset->scene.tweaks);
+        next.rebase(preset->scene.tweaks, preset->values);
         apply_saved_changes(*written, candidate, next);
     }
     preset->values = next.values();  // for the compiler and the renderer alone
@@ -175,6 +175,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     preset_ = std::move(preset);
     preset_->values.clear();
     tweaks = std::move(next);
+    forget_states();
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame
     for (std::size_t i = 0; i < fills_.size(); ++i)
         fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
@@ -185,15 +186,17 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
         find_start_state();
         has_picture_ = false;
         opening_ = Opening::awaits_inputs;
-        transport = Transport(preset_->time);
+        transport_ = Transport(preset_->time);
         input_ = {};
         extra_frames_ = frame_offset_ = 0;
+        is_replayable_ = preset_->time == 0.0;  // else the first frame is a jump
     }
     return {};
 }
 
 void Playground::tweaks_changed() {
     if (!preset_) return;
+    forget_states();
     renderer_->set_values(tweaks.values());
     since_tweak_.restart();
     touched_ = true;
@@ -209,6 +212,7 @@ void Playground::use_uniforms() {
     renderer->set_values(tweaks.values());
     renderer->adopt(*renderer_);
     renderer_ = std::move(renderer);
+    forget_states();
     reloader_.uses_uniforms();
 }
 
@@ -220,8 +224,8 @@ void Playground::specialise_at_rest() {
 
 bool Playground::wants_frame() const {
     if (!renderer_) return false;
-    const bool settles = !transport.playing() && extra_frames_ < preset_->settle;
-    const bool time_moves = transport.playing() ? follows_time() : transport.wants_frame();
+    const bool settles = !transport_.playing() && extra_frames_ < preset_->settle;
+    const bool time_moves = transport_.playing() ? follows_time() : transport_.wants_frame();
     return touched_ || replay_at_ >= 0 || settles || time_moves;
 }
 
@@ -235,6 +239,7 @@ bool Playground::follows_time() const {
 void Playground::resize(glm::ivec2 size) {
     if (size == size_ || size == refused_size_) return;
     touched_ = true;
+    forget_states();
     refused_size_ = {0, 0};
     try {
         if (renderer_) renderer_->resize(size);
@@ -253,14 +258,18 @@ void Playground::mouse(glm::dvec2 fraction, bool down) {
     input_.mouse(fraction, down);
     recent_.mouse(fraction, down);
     recorder.mouse(fraction, down);
-    touched_ |= renderer_ && renderer_->reads_mouse();
+    const bool is_read = renderer_ && renderer_->reads_mouse();
+    touched_ |= is_read;
+    is_replayable_ &= !is_read;
 }
 
 void Playground::key(int code, bool down) {
     input_.key(code, down);
     recent_.key(code, down);
     recorder.key(code, down);
-    touched_ |= renderer_ && renderer_->reads_keyboard();
+    const bool is_read = renderer_ && renderer_->reads_keyboard();
+    touched_ |= is_read;
+    is_replayable_ &= !is_read;
 }
 
 void Playground::measure_passes(bool on) {
@@ -277,9 +286,9 @@ Frame Playground::next_frame(double wall_seconds) {
     // What is recorded is replayed by exports, which drop no simulated time: a frame that is too
     // slow holds time up then. Below the limit, for the part of a step that was left over.
     if (recorder.recording()) {
-        wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport.rate());
+        wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport_.rate());
     }
-    instant_ = transport.advance(wall_seconds);
+    instant_ = transport_.advance(wall_seconds);
     if (instant_.frame == 0) frame_offset_ = 0;
     const bool stands = instant_.frame > 0 && instant_.time == before && !instant_.jumped;
     extra_frames_ = stands ? extra_frames_ + 1 : 0;
@@ -290,7 +299,7 @@ Frame Playground::next_frame(double wall_seconds) {
     frame.frame_rate = instant_.frame_rate;
     frame.frame = instant_.frame;
     frame.date = shadertoy_date(local_now(), 0.0);
-    if (transport.playing() && !instant_.jumped) replay_events(before, frame.time);
+    if (transport_.playing() && !instant_.jumped) replay_events(before, frame.time);
     frame.input = input_.next_frame(size_);
     frame.longest_catch_up = kLongestCatchUp;
     recorder.frame(frame.time);
@@ -310,10 +319,6 @@ void Playground::replay_events(double from, double to) {
     }
 }
 
-double Playground::replayed() const {
-    return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
-}
-
 std::string Playground::waits_for() const {
     if (reloader_.is_trying()) return trial_.work();
     if (replay_at_ >= 0)
@@ -321,47 +326,21 @@ std::string Playground::waits_for() const {
     return has_unseen_text() ? "drawing the first frame" : "";
 }
 
-// A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived:
-// then `frame`, which is to be drawn, is the last frame of a still at its time, and those that
-// follow count on from there.
-bool Playground::replay_slice(Frame& frame) {
-    const Stopwatch clock;
-    const Playback playback{.end = frame.time};
-    for (; replay_at_ < replay_until_; ++replay_at_) {
-        if (clock.ms() > kReplaySlice) return false;
-        renderer_->advance(playback.frame(*preset_, replay_at_));
-        context_.finish();
-    }
-    keep_start_state();
-    replay_at_ = -1;
-    Frame last = playback.frame(*preset_, replay_until_);
-    if (preset_->events.empty()) last.input = frame.input;
-    last.date = frame.date;
-    frame_offset_ += last.frame - instant_.frame;
-    instant_.frame = last.frame;
-    instant_.time_delta = last.time_delta;
-    instant_.frame_rate = last.frame_rate;
-    frame = last;
-    return true;
-}
-
 bool Playground::draw(double wall_seconds) {
     if (!renderer_) return false;
     // Panels move over a picture that stands; no frame of the scene goes by then.
-    if (!transport.playing() && !wants_frame()) return false;
+    if (!transport_.playing() && !wants_frame()) return false;
     const Stopwatch clock;
     // While a replay is under way, time stands.
     Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
     const bool plays_again = opening_ == Opening::plays_again;
     if (plays_again) opening_ = Opening::done;
     if (instant_.jumped || plays_again) {
-        renderer_->reset();
-        const bool again = renderer_->graph().stateful && (instant_.time > 0.0 || plays_again);
-        replay_at_ = again ? 0 : -1;
-        replay_until_ = Playback{.end = instant_.time}.last_frame();
+        begin_replay(plays_again);
+        take_start_state();
     }
-    if (replay_at_ == 0) take_start_state();
     if (replay_at_ >= 0 && !replay_slice(frame)) return false;
+    notice_dropped_steps();
 
     touched_ = false;
     if (measuring_) {
@@ -381,6 +360,7 @@ bool Playground::draw(double wall_seconds) {
     drawn_date_ = frame.date;
     if (drawn) frame_ms_ = clock.ms();
     reloader_.drawn(clock.ms());
+    keep_live_state();
     return drawn;
 }
 
@@ -396,9 +376,28 @@ Frame Playground::frame_again() const {
     return frame;
 }
 
+void Playground::go_on_in(const std::filesystem::path& file, const Preset& preset) {
+    fills_ = {};
+    tweaks.set_written(preset.values);
+    watcher_.about_to_read();
+    reloader_.go_on_in(file, preset);
+}
+
+bool Playground::is_as_read(const std::string& text) const {
+    if (!as_written()) return false;
+    Preset written = *as_written();
+    for (std::size_t i = 0; i < laid_over_.size(); ++i)
+        if (laid_over_[i]) written.channels[i] = {};
+    return write_preset(written, reloader_.file(), text).text == text;
+}
+
 Preset Playground::current_preset() const {
     Preset preset = *preset_;
     preset.values = tweaks.values();
+    preset.locked = tweaks.locks();
+    for (const std::string& name : preset_->locked)
+        if (std::ranges::find(preset.scene.tweaks, name, &Tweak::name) == preset.scene.tweaks.end())
+            preset.locked.push_back(name);
     preset.time = instant_.time;
     return preset;
 }

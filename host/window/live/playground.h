@@ -10,6 +10,7 @@
 #include "scene/transport.h"
 #include "scene/tweak_values.h"
 #include "window/live/input_loader.h"
+#include "window/live/kept_states.h"
 #include "window/live/reloader.h"
 #include "window/live/start_states.h"
 #include "window/trial/refiner.h"
@@ -32,6 +33,9 @@ struct PlaygroundOptions {
 };
 
 class Playground {
+    // A live frame catches up at most this much simulated time after a hitch.
+    static constexpr double kLongestCatchUp = 0.25;  // s
+
 public:
     // `context` is current and outlives the playground.
     Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options = {});
@@ -133,13 +137,25 @@ public:
 
     // What is drawn, or null; its values are empty: `tweaks` has them.
     const Preset* preset() const { return preset_.get(); }
+    // Whether a jump of time plays the scene again; from which times it can be, s, ascending,
+    // beside 0; and how many of its seconds are played in one, 0 before the first such jump.
+    bool simulates() const;
+    const std::vector<double>& kept_states() const { return kept_states_.times(); }
+    double replay_rate() const;
+
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
     // The file has just been given this.
     void note_saved(const Preset& preset) {
         reloader_.note_saved(preset);
+        tweaks.set_written(preset.values);
         fills_ = {};
     }
+    // What is shown has its file's name from now on, which has just been given this. All goes on:
+    // time, buffers, undo.
+    void go_on_in(const std::filesystem::path& file, const Preset& preset);
+    // Whether this text of the file says what was read from it, or given to it, last.
+    bool is_as_read(const std::string& text) const;
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return reloader_.diagnostics(); }
     // The newest text that was tried was refused, for the reasons that the diagnostics tell.
@@ -160,8 +176,12 @@ public:
     // The picture is kept in floats meanwhile: bytes hold no NaN.
     void measure_passes(bool on);
 
+    // Time, whose only owner this is: keys and panels ask.
+    const Transport& transport() const { return transport_; }
+    void apply(const TimeEdit& edit) { transport_.apply(edit); }
+    void apply(TimeEdit::What what) { apply({.what = what, .loop = {}}); }
+
     TweakValues tweaks{{}};
-    Transport transport;
     Recorder recorder;
 
 private:
@@ -191,17 +211,22 @@ private:
     PixelFormat picture_format() const {
         return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
     }
+    void begin_replay(bool from_start);
     bool replay_slice(Frame& frame);
     void find_start_state();
     bool stands_for_start() const;
     void take_start_state();
     void keep_start_state();
+    void keep_live_state();
+    void notice_dropped_steps();
+    void forget_states();
     bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, Programs programs,
                                             Diagnostics& why_not) const;
 
     Context& context_;
     PlaygroundOptions options_;
+    Transport transport_;
     glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
     Trial trial_;
@@ -235,7 +260,10 @@ private:
     bool touched_ = true;   // something other than time asks for a frame
     int extra_frames_ = 0;  // drawn since time stands
     int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
-    int replay_at_ = -1, replay_until_ = -1;
+    int replay_at_ = -1, replay_from_ = 0, replay_until_ = -1;  // frames; at -1: none is under way
+    double replayed_seconds_ = 0.0, replay_ms_ = 0.0;           // of the scene; of the clock
+    KeptStates kept_states_;
+    bool is_replayable_ = false;  // the buffers stand as in a still of this time
     bool replays_start_ = false;  // a file was opened, and has not been played up to its start
     std::vector<TweakValue> start_values_;
     double frame_ms_ = 0.0, expected_ms_ = 0.0;

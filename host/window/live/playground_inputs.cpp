@@ -69,6 +69,7 @@ void Playground::take_input(InputLoader::Loaded loaded) {
             arriving_.push_back({std::move(loaded), std::move(upload)});
         } else {
             give_input(std::move(*loaded.input), *renderer_, *index);
+            forget_states();
             touched_ = true;
             reloader_.input_arrived(report);
         }
@@ -102,6 +103,7 @@ void Playground::show_arrived() {
     const std::optional<std::size_t> index = index_of(arrived.loaded.sampler);
     if (!index) return;  // the text names it no more
     renderer_->set_image(*index, arrived.upload);
+    forget_states();
     touched_ = true;
     reloader_.input_arrived(
         {.file = arrived.loaded.sampler.files.front(), .read_ms = arrived.loaded.ms, .text = {}});

@@ -26,12 +26,12 @@ bool Playground::stands_for_start() const {
 }
 
 void Playground::take_start_state() {
-    if (!stands_for_start()) return;
+    if (replay_at_ < 0 || !stands_for_start()) return;
     const std::optional<Snapshot> kept = start_states_.take();
     if (!kept || kept->frame != replay_until_) return;
     try {
         renderer_->set_state(kept->passes);
-        replay_at_ = kept->frame;
+        replay_at_ = replay_from_ = kept->frame;
         replays_start_ = false;
     } catch (const std::runtime_error&) {
         // Its buffers have other sizes today.

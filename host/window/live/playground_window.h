@@ -49,6 +49,7 @@ private:
     bool run_shortcut(int key, int modifiers);
     void act(Action action);
     void save_or_ask();
+    void revert_or_say();
     void edit_first();
     bool is_over_scene() const {
         return settings_.view.sampler.empty() && settings_.view.zoom == 0.0 &&
@@ -77,7 +78,13 @@ private:
     void list_files();
     void make_new_scene(const NewScene& wanted);
     void save_as(const std::filesystem::path& file);
-    bool save(const std::filesystem::path& file);
+    // Where the file says by now what nobody here has read, a person is asked first.
+    enum class Over { nothing_unread, anything };
+    bool save(const std::filesystem::path& file, Over over = Over::nothing_unread);
+    bool write_look(const Preset& preset, const std::filesystem::path& file);
+    void go_on_in(const std::filesystem::path& file, const Preset& preset);
+    std::string why_no_save() const;
+    std::string why_no_revert() const;
     void revert();
     void toggle_recording();
     void stop_recording();
@@ -185,13 +192,20 @@ private:
     // Those of the scene that is on the screen until the file is shown, as they were left.
     std::vector<TweakValue> left_values_;
     std::vector<Event> recorded_;
-    std::optional<Leaving> leaving_;    // once a person has said what becomes of the unsaved
-    std::optional<std::string> offer_;  // the unsaved work of the last run, as a preset
+    std::optional<double> start_time_;  // s; a person asked for it to be saved
+    struct Overwriting {
+        std::optional<Leaving> then;
+    };
+    std::optional<Overwriting> overwriting_;  // the question is whether to
+    std::optional<Leaving> leaving_;          // once a person has said what becomes of the unsaved
+    std::optional<std::string> offer_;        // the unsaved work of the last run, as a preset
     // What the state folder holds, and since when.
     struct Kept {
         std::vector<TweakValue> values;
         std::size_t events = 0;
         std::vector<std::string> channels;  // as TOML
+        std::vector<std::string> locked;
+        double start_time = 0.0;  // s
         bool operator==(const Kept&) const = default;
     };
     std::optional<Kept> kept_;

@@ -69,6 +69,12 @@ void Reloader::saved(const std::filesystem::path& changed) {
     read(changed);
 }
 
+void Reloader::go_on_in(const std::filesystem::path& file, const Preset& preset) {
+    file_ = file;
+    written_ = preset;
+    read(file);
+}
+
 void Reloader::read(const std::filesystem::path& changed) {
     ReloadReport report{.file = changed, .text = {}};
     const Stopwatch clock;

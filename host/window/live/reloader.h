@@ -117,6 +117,10 @@ public:
     // A file is there that the text names at this place: what was told of its absence is over.
     void forget_missing_file(const Place& place);
 
+    // What is shown stands in another file from now on, which has just been given this: it is read
+    // from there as after a save.
+    void go_on_in(const std::filesystem::path& file, const Preset& preset);
+
     // The file has just been given this.
     void note_saved(const Preset& preset) { written_ = preset; }
 

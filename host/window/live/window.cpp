@@ -133,7 +133,7 @@ int PlaygroundWindow::run() {
 
 bool PlaygroundWindow::shows_clock() const {
     if (awaits_first_frame()) return true;
-    return playground_.is_open() && playground_.transport.playing() && settings_.visible &&
+    return playground_.is_open() && playground_.transport().playing() && settings_.visible &&
            settings_.transport;
 }
 
@@ -206,7 +206,7 @@ void PlaygroundWindow::draw_frame() {
     follow_sound(drawn_at);
     show_picture();
     const Wishes wishes =
-        panels_.update(facts(), playground_.tweaks, playground_.transport, settings_);
+        panels_.update(facts(), playground_.tweaks, playground_.transport(), settings_);
     panels_.draw();
     window_.swap();
     print_reports();
@@ -215,7 +215,7 @@ void PlaygroundWindow::draw_frame() {
 
 // `at` is the clock when the frame was begun: its time is that instant's.
 void PlaygroundWindow::follow_sound(double at) {
-    const Transport& transport = playground_.transport;
+    const Transport& transport = playground_.transport();
     const bool is_loud = playground_.is_open() && !settings_.muted;
     // While a replay is under way, or frames have a fixed length, time does not run by the clock.
     const bool runs =
@@ -305,11 +305,17 @@ Facts PlaygroundWindow::facts() {
     facts.title = preset && !preset->title.empty() ? preset->title : file_.stem().string();
     facts.file = file_;
     facts.unsaved = is_unsaved();
+    facts.why_no_save = why_no_save();
+    facts.why_no_revert = why_no_revert();
+    facts.start_time = start_time_;
     facts.loading = playground_.is_loading();
     facts.specialised = playground_.is_specialised();
     facts.replayed = playground_.replayed();
     tell_start(facts);
     tell_resolution(facts);
+    facts.simulates = playground_.simulates();
+    facts.kept_states = playground_.kept_states();
+    facts.replay_rate = playground_.replay_rate();
     facts.diagnostics = playground_.diagnostics();
     facts.empty_channels = empty_channels_;
     facts.last_reload = last_reload_;
@@ -318,7 +324,10 @@ Facts PlaygroundWindow::facts() {
     facts.renderer = window_.renderer();
     facts.picture_size = playground_.size();
     facts.frame_size = frame_size().value_or(glm::ivec2(0));
-    facts.question = leaving_ ? Question::leave : offer_ ? Question::restore : Question::none;
+    facts.question = overwriting_ ? Question::overwrite
+                     : leaving_   ? Question::leave
+                     : offer_     ? Question::restore
+                                  : Question::none;
     facts.passes = passes_;
     facts.pixel_facts = pixel_facts_;
     facts.pixel_values = pixel_values_;
@@ -352,7 +361,7 @@ void PlaygroundWindow::print_reports() {
             values_known_ = true;
             keep_picture();
             recent_.add(file_);
-            if (pause_at_open_) playground_.transport.pause();
+            if (pause_at_open_) playground_.apply(TimeEdit::What::pause);
             pause_at_open_ = false;
             lay_options_over();
             find_unsaved();
@@ -393,7 +402,10 @@ void PlaygroundWindow::edit(const Diagnostic& diagnostic) {
 
 void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.tweaks_changed) playground_.tweaks_changed();
+    for (const TimeEdit& edit : wishes.time) playground_.apply(edit);
+    dirty_ |= !wishes.time.empty();
     if (wishes.open) leave({Leaving::For::open, *wishes.open});
+    if (wishes.start_time) start_time_ = wishes.start_time->seconds;
     if (wishes.save && file_.extension() == ".toml") save(file_);
     if (wishes.save_as) save_as(*wishes.save_as);
     if (wishes.new_scene) make_new_scene(*wishes.new_scene);
@@ -404,6 +416,7 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.toggle_full_screen) window_.set_full_screen(!window_.is_full_screen());
     if (wishes.edit) edit(*wishes.edit);
     if (wishes.fill) playground_.fill(*wishes.fill);
+    browser_.draw_first(wishes.seen);
     grant_findings(wishes);
     if (wishes.quit) leave({Leaving::For::quit, {}});
 }

@@ -62,7 +62,8 @@ void PlaygroundWindow::handle_key(const WindowEvent& event) {
     const int code = key_code_of(event.code);
     if (code < 0 || event.repeat) return;
     const auto held = std::find(held_keys_.begin(), held_keys_.end(), code);
-    if (event.down && !panels_.takes_keyboard() && held == held_keys_.end()) {
+    const bool is_scenes = !panels_.takes_keyboard() && !settings_.keys;
+    if (event.down && is_scenes && held == held_keys_.end()) {
         held_keys_.push_back(code);
         playground_.key(code, true);
     } else if (!event.down && held != held_keys_.end()) {
@@ -105,11 +106,14 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
 bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
     const std::optional<Action> action = action_of(key, modifiers);
     if (!action) return false;
-    if (leaving_ || offer_) return true;  // a question waits
-    // What a person types into a field, and undoes there, is not meant for the window.
-    const bool plain = modifiers == 0 || modifiers == GLFW_MOD_SHIFT;
+    if (leaving_ || offer_ || overwriting_) return true;  // a question waits
+    // What a person types into a field, and undoes there, is not meant for the window. Panels that
+    // have the keyboard want none of the function keys.
+    const bool is_function = key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25 && !panels_.takes_text();
+    const bool plain = (modifiers == 0 || modifiers == GLFW_MOD_SHIFT) && !is_function;
     const bool undoes = *action == Action::undo || *action == Action::redo;
-    if ((plain && panels_.takes_keyboard()) || (undoes && panels_.takes_text())) return false;
+    if ((plain && (panels_.takes_keyboard() || settings_.keys)) || (undoes && panels_.takes_text()))
+        return false;
     act(*action);
     return true;
 }
@@ -133,18 +137,19 @@ void PlaygroundWindow::toggle_free_aspect() {
 }
 
 void PlaygroundWindow::act(Action action) {
-    Transport& transport = playground_.transport;
+    const auto time = [this](TimeEdit::What what) { playground_.apply(what); };
     const auto flip = [](bool& setting) { setting = !setting; };
     const auto changed = [this](bool any) {
         if (any) playground_.tweaks_changed();
     };
     switch (action) {
         case Action::play_pause:
-            return transport.playing() ? transport.pause() : transport.play();
+            return time(playground_.transport().playing() ? TimeEdit::What::pause
+                                                          : TimeEdit::What::play);
         case Action::step:
-            return transport.step();
+            return time(TimeEdit::What::step);
         case Action::reset:
-            return transport.reset();
+            return time(TimeEdit::What::reset);
         case Action::mute:
             return flip(settings_.muted);
         case Action::tweaks:
@@ -166,6 +171,14 @@ void PlaygroundWindow::act(Action action) {
             return notice(settings_.visible ? "" : "Panels are hidden; Tab shows them again");
         case Action::close_panels:
             return close_one();
+        case Action::search:
+            settings_.visible = settings_.tweaks = settings_.keys = settings_.search = true;
+            return;
+        case Action::next_panel:
+        case Action::panel_before:
+            settings_.visible = settings_.keys = true;
+            settings_.next_panel = action == Action::next_panel ? 1 : -1;
+            return;
         case Action::undo:
             return changed(playground_.tweaks.undo());
         case Action::redo:
@@ -178,6 +191,8 @@ void PlaygroundWindow::act(Action action) {
         case Action::save_as:
             settings_.save_as = true;
             return;
+        case Action::revert:
+            return revert_or_say();
         case Action::still:
             return take_still();
         case Action::record:
@@ -195,10 +210,18 @@ void PlaygroundWindow::act(Action action) {
 
 // A scene alone has no place for values: they go to a preset, whose name is asked for.
 void PlaygroundWindow::save_or_ask() {
+    const std::string why_not = why_no_save();
+    if (!why_not.empty()) return notice(why_not);
     if (file_.extension() == ".toml")
         save(file_);
     else
         settings_.save_as = true;
+}
+
+void PlaygroundWindow::revert_or_say() {
+    const std::string why_not = why_no_revert();
+    if (!why_not.empty()) return notice(why_not);
+    leave({Leaving::For::revert, {}});
 }
 
 // Where something is wrong, or else the scene itself.

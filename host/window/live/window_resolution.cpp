@@ -27,7 +27,7 @@ void PlaygroundWindow::choose_resolution() {
     if (settings_.hold_frame_rate != is_held_ && resolution_begun_) {
         is_held_ = settings_.hold_frame_rate;
         keep_resolution();
-        if (playground_.keeps_size()) playground_.transport.reset();
+        if (playground_.keeps_size()) playground_.apply(TimeEdit::What::reset);
     }
     held_rate_.want(1000.0 / static_cast<double>(settings_.frame_rate));
     playground_.set_full_size(full_size());

@@ -47,6 +47,11 @@ std::vector<std::string> channel_texts(const Preset& preset) {
     return texts;
 }
 
+// In whichever order.
+bool same_locks(const Preset& a, const Preset& b) {
+    return std::ranges::is_permutation(a.locked, b.locked);
+}
+
 // Unsaved work reads and writes its text as if it stood here.
 fs::path place_beside(const fs::path& place) {
     return place.parent_path() / "unsaved.toml";
@@ -62,7 +67,8 @@ bool PlaygroundWindow::is_unsaved() const {
     const Preset* written = playground_.as_written();
     if (values_known_ && written)
         return playground_.tweaks.values() != written->values || !unsaved_events().empty() ||
-               playground_.has_fills();
+               playground_.has_fills() || start_time_.value_or(written->time) != written->time ||
+               !same_locks(playground_.current_preset(), *written);
     // A file that cannot be shown leaves the scene before to work on.
     const bool is_before = !written && playground_.is_open();
     return is_before && playground_.tweaks.values() != left_values_;
@@ -107,6 +113,11 @@ void PlaygroundWindow::save_as(const fs::path& file) {
 
 void PlaygroundWindow::take_answer(Answer answer) {
     dirty_ = true;
+    if (overwriting_) {
+        const std::optional<Leaving> then = std::exchange(overwriting_, std::nullopt)->then;
+        if (answer == Answer::save && save(file_, Over::anything) && then) go(*then);
+        return;
+    }
     if (offer_ && !leaving_) {
         if (answer == Answer::restore) restore();
         unsaved_work_.discard_found();
@@ -116,6 +127,7 @@ void PlaygroundWindow::take_answer(Answer answer) {
     const Leaving leaving = *leaving_;
     leaving_.reset();
     if (answer == Answer::save && save(file_)) go(leaving);
+    if (overwriting_) overwriting_->then = leaving;
     if (answer == Answer::discard) go(leaving);
 }
 
@@ -129,6 +141,8 @@ void PlaygroundWindow::open(const fs::path& file) {
     values_known_ = false;
     left_values_ = playground_.tweaks.values();
     recorded_.clear();
+    start_time_.reset();
+    overwriting_.reset();
     unsaved_work_.forget();
     unsaved_work_.leave_found();
     kept_.reset();
@@ -192,6 +206,8 @@ void PlaygroundWindow::import_or_open(const fs::path& file) {
 // What is on the screen: where the picture fills the window, its size is the window's.
 Preset PlaygroundWindow::preset_to_save() const {
     Preset preset = playground_.current_preset();
+    const Preset* written = playground_.as_written();
+    preset.time = start_time_.value_or(written ? written->time : 0.0);
     const std::optional<glm::ivec2> frame = frame_size();
     const bool is_free = !frame || settings_.free_aspect;
     const double scale = static_cast<double>(window_.content_scale());
@@ -202,21 +218,40 @@ Preset PlaygroundWindow::preset_to_save() const {
     return preset;
 }
 
-// False where it could not be done; the notice says why.
-bool PlaygroundWindow::save(const fs::path& file) {
+// False where it could not be done, or is asked for first; the notice says why.
+bool PlaygroundWindow::save(const fs::path& file, Over over) {
     if (!playground_.is_open()) return false;
     // What is on the screen is another scene's, or an older text's.
     if (file == file_ && (!values_known_ || playground_.shows_older_text())) {
         notice(fmt::format("{} is not saved while it has errors.", file.filename().string()));
         return false;
     }
+    std::error_code unknown;
+    if (file == file_ && over == Over::nothing_unread && fs::exists(file, unknown) &&
+        !playground_.is_as_read(read_text(file))) {
+        overwriting_ = Overwriting();
+        return false;
+    }
     stop_recording();
     const Preset preset = preset_to_save();
+    if (!write_look(preset, file)) return false;
+    notice(fmt::format("{} saved", file.filename().string()));
+    recorded_.clear();
+    start_time_.reset();
+    if (file == file_)
+        playground_.note_saved(preset);
+    else if (values_known_ && !playground_.shows_older_text())
+        go_on_in(file, preset);
+    else
+        open(file);
+    return true;
+}
+
+// Into what the file holds, or, where it is new, into a copy of the preset that is open.
+bool PlaygroundWindow::write_look(const Preset& preset, const fs::path& file) {
     std::error_code unknown;
-    const PresetText text = write_preset(preset, file,
-                                         read_text(fs::exists(file, unknown) ? file
-                                                   : is_preset(file_)        ? file_
-                                                                             : fs::path()));
+    const fs::path model = fs::exists(file, unknown) ? file : is_preset(file_) ? file_ : fs::path();
+    const PresetText text = write_preset(preset, file, read_text(model));
     if (!text.text) {
         notice(text.diagnostics.empty() ? "The preset cannot be saved."
                                         : to_string(text.diagnostics.front()));
@@ -224,26 +259,55 @@ bool PlaygroundWindow::save(const fs::path& file) {
     }
     try {
         write_whole_file(file, std::as_bytes(std::span(*text.text)));
-        notice(fmt::format("{} saved", file.filename().string()));
     } catch (const std::runtime_error& error) {
         notice(error.what());
         return false;
     }
-    recorded_.clear();
-    if (file == file_)
-        playground_.note_saved(preset);
-    else
-        open(file);
     return true;
+}
+
+// The same scene, on the screen as it is, under another file's name.
+void PlaygroundWindow::go_on_in(const fs::path& file, const Preset& preset) {
+    options_.size.clear();
+    options_.tweaks.clear();
+    file_ = file;
+    place_ = canonical_name(file);
+    crash_mark_.set(place_);
+    recent_.add(file);
+    unsaved_work_.forget();
+    kept_.reset();
+    settings_.free_aspect = false;
+    folder_ = file.has_parent_path() ? file.parent_path() : ".";
+    list_files();
+    playground_.go_on_in(file, preset);
+    dirty_ = true;
+}
+
+std::string PlaygroundWindow::why_no_save() const {
+    if (!playground_.is_open()) return "Nothing is open.";
+    if (!is_preset(file_)) return "";
+    if (!values_known_ || playground_.shows_older_text())
+        return "It is not saved while it has errors.";
+    const bool same_size = preset_to_save().size == playground_.as_written()->size;
+    return is_unsaved() || !same_size ? "" : "Nothing has changed since it was saved.";
+}
+
+std::string PlaygroundWindow::why_no_revert() const {
+    if (!playground_.is_open()) return "Nothing is open.";
+    if (!values_known_) return "The file has errors.";
+    return is_unsaved() ? "" : "Nothing has changed since it was saved.";
 }
 
 void PlaygroundWindow::revert() {
     if (!playground_.is_open() || !values_known_) return;
     playground_.tweaks.set_all(playground_.as_written()->values);
     playground_.tweaks_changed();
+    playground_.tweaks.set_locks(playground_.as_written()->locked);
     playground_.forget_fills();
     recorded_.clear();
-    dirty_ = true;
+    start_time_.reset();
+    notice(fmt::format("Reverted to {}; {} takes it back", file_.filename().string(),
+                       keys_of(Action::undo)));
 }
 
 void PlaygroundWindow::toggle_recording() {
@@ -281,8 +345,9 @@ bool PlaygroundWindow::is_keeping_due() const {
 }
 
 PlaygroundWindow::Kept PlaygroundWindow::work() const {
-    return {playground_.tweaks.values(), unsaved_events().size(),
-            channel_texts(*playground_.preset())};
+    const Preset now = preset_to_save();
+    return {now.values, unsaved_events().size(), channel_texts(*playground_.preset()), now.locked,
+            now.time};
 }
 
 // As soon as something changes, and before the frame that shows it, which may be the last one.
@@ -324,6 +389,8 @@ void PlaygroundWindow::find_unsaved() {
         const ReadPreset read = read_offer();
         if (read.preset && (read.preset->values != playground_.tweaks.values() ||
                             !same(read.preset->events, playground_.preset()->events) ||
+                            !same_locks(*read.preset, *playground_.as_written()) ||
+                            read.preset->time != playground_.as_written()->time ||
                             channel_texts(*read.preset) != channel_texts(*playground_.preset())))
             return;
         // Of tweaks that the text lacks today, and may have again tomorrow.
@@ -345,6 +412,8 @@ void PlaygroundWindow::restore() {
     for (std::size_t i = 0; i < found.size(); ++i)
         if (found[i] != mine[i]) playground_.fill(read.preset->channels[i]);
     playground_.tweaks.set_all(read.preset->values);
+    playground_.tweaks.set_locks(read.preset->locked);
+    if (read.preset->time != playground_.as_written()->time) start_time_ = read.preset->time;
     playground_.tweaks_changed();
     if (is_unsaved()) keep_now();  // before what was found goes
 }

@@ -23,10 +23,10 @@ void members(const auto& all, Is<Diagnostic> auto& value) {
     all(severity, place, text, missing_file);
 }
 void members(const auto& all, Is<Tweak> auto& value) {
-    auto& [name, type, initial, min, max, names, is_colour, log, step, quality, reference, unit,
-           group, description, place, begin, end] = value;
-    all(name, type, initial, min, max, names, is_colour, log, step, quality, reference, unit, group,
-        description, place, begin, end);
+    auto& [name, type, initial, min, max, names, is_colour, log, step, quality, no_random,
+           reference, unit, group, description, place, begin, end] = value;
+    all(name, type, initial, min, max, names, is_colour, log, step, quality, no_random, reference,
+        unit, group, description, place, begin, end);
 }
 void members(const auto& all, Is<Sampler> auto& value) {
     auto& [name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
@@ -44,9 +44,9 @@ void members(const auto& all, Is<Scene> auto& value) {
     all(files, text, origins, tweaks, samplers, passes, channel_types, image_entry, has_sound);
 }
 void members(const auto& all, Is<Preset> auto& value) {
-    auto& [file, scene, title, time, size, has_size, settle, date, values, channels, events] =
-        value;
-    all(file, scene, title, time, size, has_size, settle, date, values, channels, events);
+    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, channels,
+           events] = value;
+    all(file, scene, title, time, size, has_size, settle, date, values, locked, channels, events);
 }
 void members(const auto& all, Is<PassTrial> auto& value) {
     auto& [name, compile_ms, first_ms, second_ms, expected_ms] = value;

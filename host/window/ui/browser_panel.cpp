@@ -1,4 +1,4 @@
-// Scenes and presets to choose from, and saving.
+// Scenes and presets to choose from.
 #include "window/ui/interface.h"
 #include "window/ui/widgets.h"
 
@@ -26,22 +26,16 @@ fs::path scene_of(const BrowserEntry& entry, std::span<const BrowserEntry> all) 
     return {};
 }
 
-void saving(Build& build) {
-    const Theme& theme = build.theme;
-    const bool has_scene = build.facts.scene != nullptr;
-    ImGui::BeginDisabled(!has_scene);
-    if (text_button(theme, "Save", build.facts.unsaved, "Save the preset (Ctrl+S)"))
-        (is_preset(build.facts.file) ? build.wishes.save : build.settings.save_as) = true;
-    ImGui::SameLine(0, theme.px(4));
-    if (text_button(theme, "Save as\u2026", false, "Save as a new preset (Ctrl+Shift+S)"))
-        build.settings.save_as = true;
-    ImGui::SameLine(0, theme.px(4));
-    if (text_button(theme, "Revert", false, "Back to what the file says; undo takes it back"))
-        build.wishes.revert = true;
-    ImGui::EndDisabled();
-    ImGui::SameLine(0, theme.px(4));
-    if (text_button(theme, "New\u2026", false, "A commented scene to begin with"))
-        build.settings.new_scene = true;
+// A scene and a preset of it may have one name: the corner says which is which.
+void kind_mark(const Theme& theme, const fs::path& file, ImVec2 corner) {
+    const char* word = is_preset(file) ? "preset" : "scene";
+    const ImVec2 text = ImGui::CalcTextSize(word), pad{theme.px(6), theme.px(2)};
+    const ImVec2 begin{corner.x + theme.px(5), corner.y + theme.px(5)};
+    const ImVec2 end{begin.x + text.x + 2 * pad.x, begin.y + text.y + 2 * pad.y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(begin, end, IM_COL32(0, 0, 0, 180), theme.px(4));
+    list.AddText({begin.x + pad.x, begin.y + pad.y},
+                 is_preset(file) ? colours::kAccent : colours::kText, word);
 }
 
 void draw_card(Build& build, const BrowserEntry& entry, ImVec2 corner, float width, float picture) {
@@ -59,6 +53,7 @@ void draw_card(Build& build, const BrowserEntry& entry, ImVec2 corner, float wid
         draw_icon(list, is_preset(entry.file) ? Icon::tweaks : Icon::passes, centre, theme.px(20),
                   colours::kFaint);
     }
+    kind_mark(theme, entry.file, corner);
     const bool open = entry.file == build.facts.file;
     if (open || ImGui::IsItemHovered())
         list.AddRect(corner, end, open ? colours::kAccent : colours::kDim, round, 0, theme.px(2));
@@ -71,10 +66,11 @@ void card(Build& build, const BrowserEntry& entry, float width) {
     const float picture = std::round(width * 9.0f / 16.0f);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float height = picture + ImGui::GetTextLineHeight() + build.theme.px(6);
-    if (ImGui::InvisibleButton("card", {std::max(width, 1.0f), height}))
-        build.wishes.open = entry.file;
+    if (area("card", {std::max(width, 1.0f), height})) build.wishes.open = entry.file;
+    if (ImGui::IsItemVisible()) build.wishes.seen.push_back(entry.file);
     draw_card(build, entry, corner, width, picture);
-    tip(build.theme, entry.title + "\n" + entry.file.string());
+    tip(build.theme, fmt::format("{} {}\n{}", is_preset(entry.file) ? "preset" : "scene",
+                                 entry.title, entry.file.string()));
 }
 
 void cards(Build& build, const std::vector<std::size_t>& entries, float least) {
@@ -117,7 +113,8 @@ void shelves(Build& build, float card_width) {
 
 void browser_panel(Build& build) {
     begin_panel(build, PanelId::browser, "Browser", build.settings.browser);
-    saving(build);
+    if (text_button(build.theme, "New\u2026", false, "A commented scene to begin with"))
+        build.settings.new_scene = true;
     begin_body();
     shelves(build, 130.0f);
     if (build.facts.browser.empty()) {

@@ -76,7 +76,7 @@ void case_line(Build& build, const CaseResult& found) {
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
     const float height = ImGui::GetTextLineHeight() + theme.px(4);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton("case", {width, height})) choose(build, found);
+    if (area("case", {width, height})) choose(build, found);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool chosen = build.settings.shown_case == found.name;
     if (chosen || ImGui::IsItemHovered())

@@ -85,7 +85,7 @@ void entry(Build& build, const DiagnosticsState::Shown& shown) {
     const ImVec2 after = ImGui::GetCursorScreenPos();
     const float bottom = ImGui::GetItemRectMax().y;
     ImGui::SetCursorScreenPos(corner);
-    if (ImGui::InvisibleButton("edit", {std::max(width, 1.0f), bottom - corner.y}))
+    if (area("edit", {std::max(width, 1.0f), bottom - corner.y}))
         build.wishes.edit = shown.diagnostic;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemHovered()) {

@@ -45,7 +45,8 @@ bool pressed(ImGuiKey key) {
 void ask_path(Build& build, SavingState& state) {
     const Theme& theme = build.theme;
     const bool begins = build.settings.save_as;
-    if (begins) state.path = proposed_path(build.facts.file).string();
+    if (begins)
+        state = {proposed_path(build.facts.file).string(), build.facts.start_time.has_value()};
     build.settings.save_as = false;
     if (begins) ImGui::OpenPopup(kSaveAs);
     if (!begin_dialog(kSaveAs)) return;
@@ -61,10 +62,17 @@ void ask_path(Build& build, SavingState& state) {
     const bool exists = fs::exists(path, error);
     text_in(exists ? colours::kWarning : colours::kDim,
             exists ? "This file is there already and will be replaced." : "A new file.");
+    const double start = build.facts.start_time.value_or(shown_time(build));
+    ImGui::Checkbox(fmt::format("start at {} s, the time that is shown###time", start).c_str(),
+                    &state.keeps_time);
     const bool save = ImGui::Button(exists ? "Replace" : "Save") || entered;
     ImGui::SameLine();
     const bool cancel = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
-    if (save && !path.empty()) build.wishes.save_as = path;
+    if (save && !path.empty()) {
+        build.wishes.save_as = path;
+        build.wishes.start_time = StartTime();
+        if (state.keeps_time) build.wishes.start_time->seconds = start;
+    }
     if (save || cancel) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
@@ -139,9 +147,38 @@ void leave_choices(Build& build) {
     if (choice("Cancel", ImGuiKey_Escape)) build.wishes.answer = Answer::cancel;
 }
 
+void overwrite_choices(Build& build) {
+    if (choice("Save over it")) build.wishes.answer = Answer::save;
+    if (choice("Cancel", ImGuiKey_Escape)) build.wishes.answer = Answer::cancel;
+}
+
 void restore_choices(Build& build) {
     if (choice("Restore", ImGuiKey_Enter)) build.wishes.answer = Answer::restore;
     if (choice("Discard")) build.wishes.answer = Answer::discard;
+}
+
+struct QuestionText {
+    std::string heading, explanation;
+};
+
+QuestionText text_of(const Facts& facts) {
+    switch (facts.question) {
+        case Question::none:
+            break;
+        case Question::leave:
+            return {facts.title + " has changes that are not saved.",
+                    "Tweaks and recorded events are lost without saving."};
+        case Question::restore:
+            return {
+                "Unsaved changes of the last run",
+                "Glint ended before the tweaks or recorded events of this file were saved. They "
+                "have been kept."};
+        case Question::overwrite:
+            return {facts.file.filename().string() + " was changed meanwhile.",
+                    "It says something else than when it was read. Saving over it writes what "
+                    "stands here where the two differ; comments stay."};
+    }
+    return {};
 }
 
 void ask(Build& build) {
@@ -151,18 +188,14 @@ void ask(Build& build) {
     if (question != Question::none && !waits && !ImGui::IsPopupOpen(kQuestion))
         ImGui::OpenPopup(kQuestion);
     if (!begin_dialog(kQuestion)) return;
-    const bool leaves = question == Question::leave;
+    const QuestionText text = text_of(build.facts);
     ImGui::PushTextWrapPos(build.theme.px(420));
-    text_in(colours::kText,
-            leaves ? build.facts.title + " has changes that are not saved."
-                   : "Unsaved changes of the last run",
-            build.theme.bold);
-    text_in(colours::kDim, leaves ? "Tweaks and recorded events are lost without saving."
-                                  : "Glint ended before the tweaks or recorded events of this file "
-                                    "were saved. They have been kept.");
+    text_in(colours::kText, text.heading, build.theme.bold);
+    text_in(colours::kDim, text.explanation);
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, build.theme.px(2)});
-    if (leaves) leave_choices(build);
+    if (question == Question::leave) leave_choices(build);
+    if (question == Question::overwrite) overwrite_choices(build);
     if (question == Question::restore) restore_choices(build);
     if (question == Question::none || build.wishes.answer || build.settings.save_as)
         ImGui::CloseCurrentPopup();

@@ -2,6 +2,8 @@
 #include "window/ui/interface.h"
 #include "window/ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 namespace glint {
@@ -17,7 +19,10 @@ void heading(Build& build, PanelId id, const char* title, bool& open) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = std::max(ImGui::GetContentRegionAvail().x - height, 1.0f);
-    ImGui::InvisibleButton("handle", {width, height});
+    // Only the mouse drags.
+    ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoNavDefaultFocus, true);
+    area("handle", {width, height});
+    ImGui::PopItemFlag();
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, theme.px(24)))
         build.layout.places.side[static_cast<std::size_t>(id)] =
             other_side_of(ImGui::GetIO().MousePos.x);
@@ -26,7 +31,9 @@ void heading(Build& build, PanelId id, const char* title, bool& open) {
     text_within(*ImGui::GetWindowDrawList(), {corner.x, text_top}, width, colours::kText, title);
     ImGui::PopFont();
     ImGui::SameLine(0.0f, 0.0f);
+    ImGui::PushItemFlag(ImGuiItemFlags_NoNavDefaultFocus, true);
     if (icon_button(theme, "close", Icon::close, "Close", {.colour = colours::kDim})) open = false;
+    ImGui::PopItemFlag();
 }
 
 // A person drags the inner border; the width belongs to the column.
@@ -55,7 +62,7 @@ void begin_panel(Build& build, PanelId id, const char* title, bool& open) {
 }
 
 void begin_body() {
-    ImGui::BeginChild("body");
+    ImGui::BeginChild("body", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
 }
 
 void end_panel(Build& build, PanelId id) {

@@ -65,7 +65,12 @@ void help_panel(Build& build) {
         build.settings.help = false;
     key_rows(theme, screen.x > theme.px(900) ? 2 : 1);
     ImGui::Dummy({0, theme.px(4)});
-    text_in(colours::kDim, "All other keys and the mouse over the picture belong to the scene.");
+    text_in(colours::kDim,
+            "In a panel that has the keys: arrows move, Space presses, or takes hold of a slider, "
+            "which\n"
+            "arrows then move; Enter types its value; Space on a name opens its menu. Esc gives "
+            "the keys\n"
+            "back to the scene, as does a click on the picture. All others are the scene's.");
     ImGui::End();
 }
 

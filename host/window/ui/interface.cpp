@@ -5,7 +5,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -16,16 +18,78 @@ constexpr float kNoticeStays = 4.0f, kNoticeFades = 0.6f;  // s
 // that is typed into, see to the key themselves.
 void close_popup_by_key() {
     const auto& popups = GImGui->OpenPopupStack;
-    if (popups.empty() || ImGui::GetIO().WantTextInput) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (popups.empty() || io.WantTextInput) return;
+    if (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) return;
     const ImGuiWindow* top = popups.back().Window;
     if (top && (top->Flags & ImGuiWindowFlags_Modal)) return;
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
         ImGui::ClosePopupToLevel(popups.Size - 1, true);
 }
 
+// Those that the keyboard goes through, in this order.
+constexpr const char* kPanels[] = {"bar",   "start", "Tweaks",      "Passes",   "Browser",
+                                   "Study", "Check", "diagnostics", "transport"};
+
+// As they stood in the frame before.
+std::vector<ImGuiWindow*> open_panels() {
+    std::vector<ImGuiWindow*> open;
+    for (const char* name : kPanels) {
+        ImGuiWindow* window = ImGui::FindWindowByName(name);
+        if (window && window->WasActive && !window->Hidden) open.push_back(window);
+    }
+    return open;
+}
+
+void focus_panel(int step) {
+    const std::vector<ImGuiWindow*> open = open_panels();
+    if (open.empty()) return;
+    const int count = static_cast<int>(open.size());
+    const ImGuiWindow* now = GImGui->NavWindow ? GImGui->NavWindow->RootWindow : nullptr;
+    const auto at = static_cast<int>(std::ranges::find(open, now) - open.begin());
+    // From nowhere to the tweaks, where there are some: the bar has keys of its own.
+    const int first = open.size() > 1 && GImGui->NavDisableHighlight ? 1 : 0;
+    const bool is_new = at == count || GImGui->NavDisableHighlight;
+    const int next = is_new ? (step > 0 ? first : count - 1) : (at + step + count) % count;
+    ImGuiWindow* window = open[static_cast<std::size_t>(next)];
+    ImGui::ClearActiveID();
+    ImGui::FocusWindow(window);
+    ImGui::NavInitWindow(window, true);
+    GImGui->NavDisableHighlight = false;
+}
+
+// Which panel has the keyboard is seen from afar.
+void outline(const Theme& theme) {
+    const ImGuiWindow* window = GImGui->NavWindow ? GImGui->NavWindow->RootWindow : nullptr;
+    if (!window || !window->Active) return;
+    ImGui::GetForegroundDrawList()->AddRect(window->Pos, window->Rect().Max, colours::kAccent,
+                                            window->WindowRounding, 0, theme.px(1.5f));
+}
+
 }  // namespace
 
-Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, Transport& transport,
+// The scene has the keyboard until a person gives it to the panels, and after Esc or a click on the
+// picture again.
+void Interface::follow_keys(PanelSettings& settings) {
+    ImGuiIO& io = ImGui::GetIO();
+    const bool had = io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard;
+    const bool escapes = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    const bool clicks_scene = io.MouseClicked[0] && !GImGui->HoveredWindow;
+    if ((had && escapes && !is_busy_) || clicks_scene || !settings.visible) settings.keys = false;
+    keys_moved_ = settings.keys != had || settings.next_panel != 0;
+    if (settings.keys)
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    else
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    const int step = std::exchange(settings.next_panel, 0);
+    if (settings.keys && step != 0) focus_panel(step);
+    if (had && !settings.keys) {
+        ImGui::ClearActiveID();
+        ImGui::FocusWindow(nullptr);
+    }
+}
+
+Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, const Transport& transport,
                         PanelSettings& settings) {
     Wishes wishes;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -33,6 +97,7 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, Transport
     layout_before_ = layout_;
     follow_notice(facts);
     close_popup_by_key();
+    follow_keys(settings);
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
         if (!facts.shows_picture && !facts.file.empty()) ground(build);
         waiting_label(build);
@@ -45,12 +110,14 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, Transport
         else
             panels(build);
         if (settings.help) help_panel(build);
+        if (settings.keys) outline(theme_);
     }
     if (screen.x >= 1.0f && !settings.visible) error_line(build);
     dialogs(build, saving_, new_scene_);
     if (screen.x >= 1.0f && notice_age_ < kNoticeStays)
         notice(build, std::clamp((kNoticeStays - notice_age_) / kNoticeFades, 0.0f, 1.0f));
     tweaks_.edits.follow(wishes);
+    is_busy_ = ImGui::GetActiveID() != 0 || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     return wishes;
 }
 
@@ -87,13 +154,17 @@ bool Interface::is_behind() {
         extents = ImHashData(&window->Hidden, sizeof window->Hidden, extents);
     }
     const bool has_moved = std::exchange(extents_, extents) != extents;
-    return has_moved || layout_ != layout_before_;
+    const bool focus_moves = std::exchange(keys_moved_, false) || GImGui->NavAnyRequest;
+    return has_moved || layout_ != layout_before_ || focus_moves;
 }
 
 bool Interface::is_moving() const {
     const bool tip_is_due = GImGui->HoveredId != 0 && GImGui->HoveredIdTimer < 0.4f;
     const bool dims = GImGui->DimBgRatio > 0.0f && GImGui->DimBgRatio < 1.0f;
-    return notice_age_ < kNoticeStays || tip_is_due || dims;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool repeats = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) &&
+                         std::ranges::find(io.KeysDown, true) != std::end(io.KeysDown);
+    return notice_age_ < kNoticeStays || tip_is_due || dims || repeats;
 }
 
 void notice(Build& build, float alpha) {

@@ -16,7 +16,7 @@ namespace glint {
 struct Build {
     const Facts& facts;
     const TweakValues& tweaks;
-    Transport& transport;
+    const Transport& transport;
     PanelSettings& settings;
     Wishes& wishes;
     const Theme& theme;
@@ -25,6 +25,10 @@ struct Build {
 
 inline void wish(Build& build, const TweakEdit& edit) {
     build.wishes.tweaks.push_back(edit);
+}
+
+inline void wish(Build& build, const TimeEdit& edit) {
+    build.wishes.time.push_back(edit);
 }
 
 // Makes one entry of the undo list of what one widget does while it is held.
@@ -43,6 +47,10 @@ struct TweaksState {
     Edits edits;
     std::string typed, typed_text;  // the tweak whose value is being typed, and what stands there
     bool typing_begins = false;
+    std::string told, told_of;  // what became of a value that was typed, and of which tweak
+    std::string focus;          // the tweak whose control is to have the keyboard
+    bool focus_first = false;   // the first that is listed
+    bool searches = false;      // the field was asked for
     std::mt19937 random{std::random_device{}()};
 };
 
@@ -63,7 +71,8 @@ struct DiagnosticsState {
 };
 
 struct SavingState {
-    std::string path;  // of save as
+    std::string path;         // of save as
+    bool keeps_time = false;  // the time that the bar shows is to be written
 };
 
 struct NewSceneState {
@@ -98,6 +107,9 @@ void waiting_label(Build& build);  // what the first frame waits for
 void pixel_grid(Build& build);
 void notice(Build& build, float alpha);
 
+// The time as the bar shows it, which is how it is written: s, to the millisecond.
+double shown_time(const Build& build);
+
 // A docked panel: its heading, tools that stay, and a body that scrolls.
 //     begin_panel(…); tools…; begin_body(); body…; end_panel(…);
 void begin_panel(Build& build, PanelId id, const char* title, bool& open);
@@ -112,7 +124,7 @@ public:
     explicit Interface(const Theme& theme) : theme_(theme) {}
 
     // Between ImGui's NewFrame and Render.
-    Wishes build(const Facts& facts, const TweakValues& tweaks, Transport& transport,
+    Wishes build(const Facts& facts, const TweakValues& tweaks, const Transport& transport,
                  PanelSettings& settings);
 
     // Panels learn how large they are by being built. True while this frame was built with sizes
@@ -129,6 +141,7 @@ public:
 private:
     void panels(Build& build);
     void follow_notice(const Facts& facts);
+    void follow_keys(PanelSettings& settings);
 
     Theme theme_;
     Layout layout_, layout_before_;
@@ -141,6 +154,8 @@ private:
     StudyState study_;
     std::string notice_;
     float notice_age_ = 1e9f;  // s
+    bool is_busy_ = false;     // Esc has something to end before it gives the keyboard back
+    bool keys_moved_ = false;  // to the panels, from one to another, or back to the scene
 };
 
 }  // namespace glint

@@ -102,13 +102,16 @@ void configure_io() {
     io.ConfigWindowsMoveFromTitleBarOnly = true;
 }
 
-// Tab walks from field to field while one is typed in; otherwise it is the window's, which hides
-// the panels.
+// Tab walks from field to field while one is typed in or the panels have the keyboard; otherwise it
+// is the window's, which hides the panels. So is Ctrl+Space, which plays, and presses nothing.
 void before_frame() {
     ImGuiIO& io = ImGui::GetIO();
     static_assert(ImGuiKey_Tab == 0);
-    constexpr int kGlfwTab = 258;
-    io.KeyMap[ImGuiKey_Tab] = io.WantTextInput ? kGlfwTab : -1;
+    constexpr int kGlfwTab = 258, kGlfwSpace = 32;
+    const bool is_panels =
+        io.WantTextInput || (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard);
+    io.KeyMap[ImGuiKey_Tab] = is_panels ? kGlfwTab : -1;
+    if (io.KeyCtrl) io.KeysDown[kGlfwSpace] = false;
 }
 
 }  // namespace glint

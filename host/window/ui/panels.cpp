@@ -64,6 +64,9 @@ void add(Wishes& all, Wishes more) {
     if (more.fill) all.fill = std::move(more.fill);
     if (more.answer) all.answer = more.answer;
     if (more.study) all.study = std::move(more.study);
+    if (more.start_time) all.start_time = more.start_time;
+    all.seen = std::move(more.seen);
+    all.time.insert(all.time.end(), more.time.begin(), more.time.end());
     all.save |= more.save;
     all.revert |= more.revert;
     all.still |= more.still;
@@ -136,7 +139,7 @@ void Panels::rescale(float content_scale) {
     state_->frames_to_settle = 3;
 }
 
-Wishes Panels::update(const Facts& facts, TweakValues& tweaks, Transport& transport,
+Wishes Panels::update(const Facts& facts, TweakValues& tweaks, const Transport& transport,
                       PanelSettings& settings) {
     ImGui::SetCurrentContext(state_->context);
     ImGuiIO& io = ImGui::GetIO();
@@ -149,13 +152,15 @@ Wishes Panels::update(const Facts& facts, TweakValues& tweaks, Transport& transp
     const bool is_touched = input != state_->input || !state_->presses.empty();
     state_->input = input;
     Wishes wishes;
+    Transport shown = transport;  // as it will be once the wishes are granted
     bool is_behind = true;
     const auto build = [&] {
         ImGui::NewFrame();
         recall(state_->remembered, state_->interface.places(), settings);
-        Wishes more = state_->interface.build(facts, tweaks, transport, settings);
+        Wishes more = state_->interface.build(facts, tweaks, shown, settings);
         for (const TweakEdit& edit : more.tweaks) more.tweaks_changed |= tweaks.apply(edit);
-        is_behind = more.tweaks_changed || state_->interface.is_behind();
+        for (const TimeEdit& edit : more.time) shown.apply(edit);
+        is_behind = more.tweaks_changed || !more.time.empty() || state_->interface.is_behind();
         add(wishes, std::move(more));
         note(state_->remembered, state_->interface.places(), settings);
         ImGui::Render();
@@ -205,7 +210,9 @@ bool Panels::takes_mouse() const {
 
 bool Panels::takes_keyboard() const {
     ImGui::SetCurrentContext(state_->context);
-    return ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) ||
+           (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard);
 }
 
 bool Panels::takes_mouse_at(glm::dvec2 position) const {

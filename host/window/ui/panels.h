@@ -92,8 +92,9 @@ struct EmptyChannel {
 // What has to be answered before anything else is done.
 enum class Question {
     none,
-    leave,    // what is not saved would be lost: save, discard, or cancel
-    restore,  // the last run left work that it had not saved: restore, or discard
+    leave,      // what is not saved would be lost: save, discard, or cancel
+    restore,    // the last run left work that it had not saved: restore, or discard
+    overwrite,  // the file says by now what nobody here has read: save, or cancel
 };
 
 // What the panels need to know for one frame.
@@ -102,12 +103,17 @@ struct Facts {
     std::string title;             // of the scene or preset
     std::filesystem::path file;
     bool unsaved = false, loading = false, specialised = false;
-    double replayed = 1.0;  // fraction of a replay that is under way
+    std::string why_no_save, why_no_revert;  // whole sentences; "" while there is something to do
+    std::optional<double> start_time;        // s; what the next save writes instead of the file's
+    double replayed = 1.0;                   // fraction of a replay that is under way
     // What the first frame of the file waits for, and for how long by now; "" once it is there, and
     // where none comes.
     std::string waits_for;
     double waited = 0.0;         // s
     bool shows_picture = false;  // the scene, or a picture that stands for it until it draws
+    bool simulates = false;      // a jump of time plays the scene again
+    std::span<const double> kept_states;  // s, ascending: from where it can be played again
+    double replay_rate = 0.0;  // scene seconds in a second of a replay; 0 while not known
     std::span<const Diagnostic> diagnostics;
     std::span<const EmptyChannel> empty_channels;
     std::string last_reload;  // one line
@@ -144,15 +150,22 @@ struct NewScene {
     std::string from;  // of Facts::templates
 };
 
+// Where a preset starts from its next save on.
+struct StartTime {
+    std::optional<double> seconds;  // as the bar shows it; none leaves what the file says
+};
+
 // What a person asked for in one frame.
 struct Wishes {
     std::optional<std::filesystem::path> open, save_as;
     std::optional<NewScene> new_scene;
     bool save = false, revert = false;
+    std::optional<StartTime> start_time;  // before anything is saved
     bool still = false;
     bool toggle_recording = false;
     bool toggle_full_screen = false;
     std::vector<TweakEdit> tweaks;   // in this order
+    std::vector<TimeEdit> time;      // in this order
     bool tweaks_changed = false;     // what was wished of them has changed a value or the shown set
     std::optional<Diagnostic> edit;  // open the editor at this place
     std::optional<Sampler> fill;     // the channel of this name
@@ -161,6 +174,7 @@ struct Wishes {
     bool cancel_study = false;
     bool check = false, cancel_check = false;
     bool quit = false;
+    std::vector<std::filesystem::path> seen;  // of Facts::browser: those in view
 };
 
 // Edited by panels and window alike; kept while the program runs.
@@ -168,6 +182,9 @@ struct PanelSettings {
     bool visible = true;  // Tab hides all
     bool tweaks = true, transport = true, passes = false, browser = false, help = false;
     bool study = false, check = false;
+    bool keys = false;       // the panels have the keyboard, and the scene has not
+    int next_panel = 0;      // give it to the next one (1), or to the one before (-1)
+    bool search = false;     // give it to the search of tweaks
     bool save_as = false;    // ask for the path; the panels answer with Wishes::save_as
     bool new_scene = false;  // ask for its name; answered with Wishes::new_scene
     PassView view;
@@ -198,8 +215,9 @@ public:
     void rescale(float content_scale);
 
     // Builds the frame's panels. What they wish of the tweaks is done to `tweaks` at once, since
-    // the same frame shows it, and told as Wishes::tweaks_changed; time moves in `transport`.
-    Wishes update(const Facts& facts, TweakValues& tweaks, Transport& transport,
+    // the same frame shows it, and told as Wishes::tweaks_changed. What they wish of time is shown
+    // at once, too, and told as Wishes::time: `transport` is its owner's.
+    Wishes update(const Facts& facts, TweakValues& tweaks, const Transport& transport,
                   PanelSettings& settings);
 
     // Draws what update() built over framebuffer 0.

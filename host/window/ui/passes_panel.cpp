@@ -72,7 +72,7 @@ void pass_row(Build& build, const PassFact& pass, double slowest) {
     const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
     const float height = 2 * ImGui::GetTextLineHeight() + theme.px(18);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton("pass", {width, height}))
+    if (area("pass", {width, height}))
         view_output(build, pass.outputs.empty() ? pass.name : pass.outputs.front());
     const bool shown = shows_any(build.settings.view, pass);
     if (shown || ImGui::IsItemHovered())

@@ -40,7 +40,7 @@ void start_page(Build& build) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
     invitation(build);
-    ImGui::BeginChild("body");
+    ImGui::BeginChild("body", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     shelves(build, kCard);
     ImGui::EndChild();
     ImGui::End();

@@ -101,8 +101,8 @@ void set_colours() {
     set(ImGuiCol_ScrollbarGrab, IM_COL32(255, 255, 255, 40));
     set(ImGuiCol_ScrollbarGrabHovered, IM_COL32(255, 255, 255, 70));
     set(ImGuiCol_ScrollbarGrabActive, IM_COL32(255, 255, 255, 90));
-    for (const ImGuiCol index : {ImGuiCol_ResizeGrip, ImGuiCol_NavHighlight})
-        set(index, IM_COL32(0, 0, 0, 0));
+    set(ImGuiCol_ResizeGrip, IM_COL32(0, 0, 0, 0));
+    set(ImGuiCol_NavHighlight, colours::kAccent);
     set(ImGuiCol_ResizeGripHovered, IM_COL32(105, 178, 236, 90));
     set(ImGuiCol_ResizeGripActive, colours::kAccent);
     set(ImGuiCol_SeparatorHovered, IM_COL32(105, 178, 236, 120));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace glint {
 namespace {
@@ -30,6 +31,74 @@ void title(Build& build, float widest) {
             {corner.x + width + theme.px(6), corner.y + 0.5f * height}, theme.px(3),
             colours::kWarning);
     ImGui::SameLine();
+}
+
+bool is_preset(const Facts& facts) {
+    return facts.file.extension() == ".toml";
+}
+
+// What can be done to the file; why not, where there is nothing to do.
+struct FileAction {
+    const char* name;
+    const char* what;
+    Action action;
+    std::string why_not;
+};
+
+std::array<FileAction, 3> file_actions(const Facts& facts) {
+    const char* save = is_preset(facts) ? "Save the preset" : "Save as a preset of this scene";
+    return {{{"Save", save, Action::save, facts.why_no_save},
+             {"Save as\u2026", "Save as another preset", Action::save_as,
+              facts.scene ? "" : "Nothing is open."},
+             {"Revert", "Back to what the file says; undo takes it back", Action::revert,
+              facts.why_no_revert}}};
+}
+
+void wish_for(Build& build, Action action) {
+    if (action == Action::revert)
+        build.wishes.revert = true;
+    else if (action == Action::save && is_preset(build.facts))
+        build.wishes.save = true;
+    else
+        build.settings.save_as = true;
+}
+
+std::string tip_of(const FileAction& action) {
+    const std::string text = fmt::format("{} ({})", action.what, keys_of(action.action));
+    return action.why_not.empty() ? text : text + "\n" + action.why_not;
+}
+
+float words_width(const Facts& facts) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = 0.0f;
+    for (const FileAction& action : file_actions(facts))
+        width +=
+            ImGui::CalcTextSize(action.name).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+    return width;
+}
+
+void file_words(Build& build) {
+    for (const FileAction& action : file_actions(build.facts)) {
+        ImGui::BeginDisabled(!action.why_not.empty());
+        if (text_button(build.theme, action.name, false, tip_of(action).c_str()))
+            wish_for(build, action.action);
+        ImGui::EndDisabled();
+        ImGui::SameLine(0, build.theme.px(2));
+    }
+}
+
+// The same where the words have no room.
+void file_menu(Build& build) {
+    if (text_button(build.theme, "File", false, "Save, Save as, Revert")) ImGui::OpenPopup("file");
+    if (ImGui::BeginPopup("file")) {
+        for (const FileAction& action : file_actions(build.facts)) {
+            if (ImGui::MenuItem(action.name, keys_of(action.action), false, action.why_not.empty()))
+                wish_for(build, action.action);
+            tip(build.theme, tip_of(action));
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::SameLine(0, build.theme.px(2));
 }
 
 void toggle(Build& build, const char* name, Icon icon, Action action, bool& open) {
@@ -131,7 +200,13 @@ void top_bar(Build& build, DiagnosticsState& diagnostics) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     const float toggles = 11 * (ImGui::GetFrameHeight() + theme.px(2)) + theme.px(60);
-    title(build, std::max(std::min(theme.px(260), screen - 2 * margin - toggles), 1.0f));
+    const float words = words_width(build.facts);
+    const bool has_room = screen - 2 * margin - toggles - words > theme.px(140);
+    const float taken = toggles + (has_room ? words : theme.px(50));
+    title(build, std::max(std::min(theme.px(260), screen - 2 * margin - taken), 1.0f));
+    if (build.facts.scene && has_room) file_words(build);
+    if (build.facts.scene && !has_room) file_menu(build);
+    ImGui::SameLine(0, theme.px(8));
     PanelSettings& settings = build.settings;
     toggle(build, "Browser", Icon::browser, Action::browser, settings.browser);
     toggle(build, "Passes", Icon::passes, Action::passes, settings.passes);

@@ -30,18 +30,42 @@ std::string clock_text(double seconds) {
     return fmt::format("{:.1f} d", seconds / 86400.0);
 }
 
+// To a tenth of a second.
+double rounded(double seconds) {
+    return std::round(seconds * 10.0) / 10.0;
+}
+
+void wish_time(Build& build, double seconds) {
+    wish(build, {.what = TimeEdit::What::seek, .number = seconds, .loop = {}});
+}
+
+void wish_loop(Build& build, const std::optional<Loop>& loop) {
+    wish(build, {.what = TimeEdit::What::loop, .loop = loop});
+}
+
 void buttons(Build& build) {
-    Transport& transport = build.transport;
+    using enum TimeEdit::What;
     const Theme& theme = build.theme;
-    if (icon_button(theme, "reset", Icon::reset, "Time back to zero (Ctrl+R)")) transport.reset();
+    if (icon_button(theme, "reset", Icon::reset, "Time back to zero (Ctrl+R)"))
+        wish(build, {.what = reset, .loop = {}});
     ImGui::SameLine(0, theme.px(2));
-    const bool playing = transport.playing();
+    const bool playing = build.transport.playing();
     if (icon_button(theme, "play", playing ? Icon::pause : Icon::play,
                     playing ? "Pause (Ctrl+Space)" : "Play (Ctrl+Space)",
                     {.colour = colours::kAccent}))
-        playing ? transport.pause() : transport.play();
+        wish(build, {.what = playing ? pause : play, .loop = {}});
     ImGui::SameLine(0, theme.px(2));
-    if (icon_button(theme, "step", Icon::step, "One frame forward (Ctrl+.)")) transport.step();
+    if (icon_button(theme, "step", Icon::step, "One frame forward (Ctrl+.)"))
+        wish(build, {.what = step, .loop = {}});
+}
+
+// The preset's time is written only where a person asks for it.
+void start_entries(Build& build) {
+    const std::string text = fmt::format("Start the preset at {} s", shown_time(build));
+    if (ImGui::MenuItem(text.c_str())) build.wishes.start_time = StartTime{shown_time(build)};
+    if (ImGui::MenuItem("Leave the preset's start", nullptr, false,
+                        build.facts.start_time.has_value()))
+        build.wishes.start_time = StartTime();
 }
 
 void time_field(Build& build, float width) {
@@ -49,8 +73,15 @@ void time_field(Build& build, float width) {
     const double before = time, least = 0.0, most = 1e9;
     ImGui::SetNextItemWidth(width);
     ImGui::DragScalar("##time", ImGuiDataType_Double, &time, 0.02f, &least, &most, "%.3f s");
-    if (time != before && std::isfinite(time)) build.transport.seek(std::max(time, 0.0));
-    tip(build.theme, "Time. Drag to move it, click to type it.");
+    if (time != before && std::isfinite(time)) wish_time(build, std::max(time, 0.0));
+    const std::optional<double>& start = build.facts.start_time;
+    tip(build.theme,
+        "Time. Drag to move it, click to type it, right-click to keep it." +
+            (start ? fmt::format("\nSaving writes {} s as the preset's start.", *start) : ""));
+    if (ImGui::BeginPopupContextItem("time menu")) {
+        start_entries(build);
+        ImGui::EndPopup();
+    }
 }
 
 void rate_slider(Build& build, float width) {
@@ -59,7 +90,9 @@ void rate_slider(Build& build, float width) {
     if (number_slider(build.theme, "##rate", width, rate, range,
                       fmt::format("{:.2f}\u00d7", rate))) {
         const bool is_near_one = std::abs(std::log(static_cast<double>(rate))) < 0.04;
-        build.transport.set_rate(is_near_one ? 1.0 : static_cast<double>(rate));
+        wish(build, {.what = TimeEdit::What::rate,
+                     .number = is_near_one ? 1.0 : static_cast<double>(rate),
+                     .loop = {}});
     }
     tip(build.theme, "Rate: scene seconds in a second. Right-click: 1.");
 }
@@ -76,7 +109,7 @@ void loop_button(Build& build, TransportState& state) {
         return;
     if (!state.has_loop) state.loop = {build.transport.time(), build.transport.time() + 10.0};
     state.has_loop = true;
-    build.transport.set_loop(on ? std::nullopt : std::optional(state.loop));
+    wish_loop(build, on ? std::nullopt : std::optional(state.loop));
 }
 
 constexpr float kVolumeWidth = 60;  // screen units
@@ -112,7 +145,7 @@ void fixed_button(Build& build) {
     const bool fixed = build.transport.fixed_step();
     if (text_button(build.theme, "1/60", fixed,
                     "Fixed step: every frame moves time by exactly 1/60 s, as in a sequence"))
-        build.transport.set_fixed_step(!fixed);
+        wish(build, {.what = TimeEdit::What::fixed_step, .on = !fixed, .loop = {}});
 }
 
 // Where things lie on the scrub bar.
@@ -176,7 +209,7 @@ bool marker(Build& build, const Bar& bar, const char* name, double& time) {
     const Theme& theme = build.theme;
     const float x = bar.x(time), half = theme.px(7);
     ImGui::SetCursorScreenPos({x - half, bar.corner.y - theme.px(2)});
-    ImGui::InvisibleButton(name, {2 * half, bar.end.y - bar.corner.y + theme.px(4)});
+    area(name, {2 * half, bar.end.y - bar.corner.y + theme.px(4)});
     const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
     if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (held) time = bar.time(ImGui::GetIO().MousePos.x);
@@ -197,7 +230,7 @@ void markers(Build& build, TransportState& state, const Bar& bar) {
     const bool moved_b = marker(build, bar, "B", loop.end);
     if (moved_a) loop.begin = std::min(loop.begin, loop.end - 1.0 / 60);
     if (moved_b) loop.end = std::max(loop.end, loop.begin + 1.0 / 60);
-    if (moved_a || moved_b) build.transport.set_loop(loop);
+    if (moved_a || moved_b) wish_loop(build, loop);
 }
 
 void loop_menu(Build& build, TransportState& state, const Bar& bar) {
@@ -214,17 +247,45 @@ void loop_menu(Build& build, TransportState& state, const Bar& bar) {
         chosen = true;
     }
     if (ImGui::MenuItem("No loop", nullptr, false, build.transport.loop().has_value()))
-        build.transport.set_loop(std::nullopt);
-    if (chosen && loop.begin < loop.end) build.transport.set_loop(loop);
+        wish_loop(build, std::nullopt);
+    if (chosen && loop.begin < loop.end) wish_loop(build, loop);
+    ImGui::Separator();
+    start_entries(build);
     ImGui::EndPopup();
+}
+
+// From the nearest state that is kept, or from the start.
+std::string cost_text(const Build& build, double time) {
+    const auto& kept = build.facts.kept_states;
+    const auto after = std::ranges::upper_bound(kept, time);
+    const double from = after == kept.begin() ? 0.0 : *(after - 1);
+    std::string text =
+        after == kept.begin()
+            ? fmt::format("{}: no state is kept before; plays {} again", clock_text(rounded(time)),
+                          clock_text(rounded(time)))
+            : fmt::format("{}: plays {} again, from a state kept at {}", clock_text(rounded(time)),
+                          clock_text(rounded(time - from)), clock_text(rounded(from)));
+    const double rate = build.facts.replay_rate;
+    const double cost = rate > 0.0 ? rounded((time - from) / rate) : 0.0;
+    if (rate > 0.0) text += cost > 0.0 ? ", about " + clock_text(cost) : ", at once";
+    return text;
+}
+
+// Where a jump begins without playing from the start.
+void kept_marks(Build& build, const Bar& bar) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const double time : build.facts.kept_states) {
+        if (time > bar.span) continue;
+        const float x = std::round(bar.x(time));
+        list.AddLine({x, bar.corner.y}, {x, bar.corner.y + build.theme.px(3)}, colours::kDim);
+    }
 }
 
 void scrub_bar(Build& build, TransportState& state, float width) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     // The markers, which come later, go before it.
-    ImGui::InvisibleButton("scrub", {std::max(width, 1.0f), height},
-                           static_cast<ImGuiButtonFlags>(ImGuiButtonFlags_AllowItemOverlap));
+    area("scrub", {std::max(width, 1.0f), height}, ImGuiButtonFlags_AllowItemOverlap);
     ImGui::SetItemAllowOverlap();
     const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
     if (ImGui::IsItemClicked(1)) ImGui::OpenPopup("loop menu");
@@ -232,8 +293,11 @@ void scrub_bar(Build& build, TransportState& state, float width) {
         state.span =
             span_for(build.transport.time(), state.loop, build.transport.loop().has_value());
     const Bar bar{corner, {corner.x + std::max(width, 1.0f), corner.y + height}, state.span};
-    if (held) build.transport.seek(bar.time(ImGui::GetIO().MousePos.x));
+    if (held) wish_time(build, bar.time(ImGui::GetIO().MousePos.x));
+    if (build.facts.simulates)
+        tip(build.theme, cost_text(build, bar.time(ImGui::GetIO().MousePos.x)));
     draw_scrub(build, state, bar, hot);
+    kept_marks(build, bar);
     markers(build, state, bar);
     loop_menu(build, state, bar);
     ImGui::SetCursorScreenPos(corner);  // what follows in the line follows the bar, not a marker
@@ -357,6 +421,10 @@ void in_two_lines(Build& build, TransportState& state, float speed_width) {
 }
 
 }  // namespace
+
+double shown_time(const Build& build) {
+    return std::round(build.transport.time() * 1000.0) / 1000.0;
+}
 
 void transport_panel(Build& build, TransportState& state) {
     const Theme& theme = build.theme;

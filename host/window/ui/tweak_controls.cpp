@@ -1,8 +1,10 @@
 #include "window/ui/tweak_controls.h"
 
+#include "base/words.h"
 #include "window/ui/number_text.h"
 #include "window/ui/widgets.h"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
@@ -21,7 +23,16 @@ struct Row {
     TweakValue value;
     float width;
 
-    void set(const TweakValue& to) { state.edits.set(build, index, to); }
+    void set(const TweakValue& to) {
+        state.edits.set(build, index, to);
+        tell_of(to);
+    }
+    void tell(std::string words) {
+        state.told = std::move(words);
+        state.told_of = tweak.name;
+    }
+    // What a person wanted, and does not get.
+    void tell_of(const TweakValue& wanted);
     void set(int component, double to) {
         TweakValue whole = value;
         whole[static_cast<std::size_t>(component)] = to;
@@ -29,6 +40,26 @@ struct Row {
     }
     double at(int component) const { return value[static_cast<std::size_t>(component)]; }
 };
+
+void Row::tell_of(const TweakValue& wanted) {
+    state.told_of.clear();
+    if (!tweak.min) return;
+    for (int i = 0; i < component_count(tweak.type); ++i) {
+        const double number = wanted[static_cast<std::size_t>(i)];
+        if (number >= *tweak.min && number <= *tweak.max) continue;
+        tell(fmt::format("{} is beyond [{}, {}]; clamped to {}", format_number(number),
+                         format_number(*tweak.min), format_number(*tweak.max),
+                         format_number(std::clamp(number, *tweak.min, *tweak.max))));
+    }
+}
+
+// The control just drawn takes the keyboard, where that is meant for this tweak.
+void take_focus(Row& row) {
+    if (row.state.focus != row.tweak.name && !row.state.focus_first) return;
+    row.state.focus.clear();
+    row.state.focus_first = false;
+    focus_last_item();
+}
 
 std::string with_unit(const Tweak& tweak, std::string text) {
     return tweak.unit.empty() ? text : text + " " + tweak.unit;
@@ -41,9 +72,16 @@ void typed_field(Row& row) {
     if (row.state.typing_begins) ImGui::SetKeyboardFocusHere();
     row.state.typing_begins = false;
     ImGui::InputText("##typed", &row.state.typed_text, ImGuiInputTextFlags_AutoSelectAll);
-    if (ImGui::IsItemDeactivatedAfterEdit())
-        if (const auto value = parse_value(row.tweak, row.state.typed_text)) row.set(*value);
-    if (ImGui::IsItemDeactivated()) row.state.typed.clear();
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        if (const auto value = parse_value(row.tweak, row.state.typed_text))
+            row.set(*value);
+        else
+            row.tell(fmt::format("'{}' is not {}; it stays {}", row.state.typed_text,
+                                 expected_value(row.tweak), format_value(row.tweak, row.value)));
+    }
+    if (!ImGui::IsItemDeactivated()) return;
+    row.state.typed.clear();
+    if (row.build.settings.keys) row.state.focus = row.tweak.name;
 }
 
 void begin_typing(Row& row) {
@@ -52,19 +90,32 @@ void begin_typing(Row& row) {
     row.state.typing_begins = true;
 }
 
+// Where a key moves it by less than one step, it goes by one.
+double moved_value(const Row& row, double fraction) {
+    const double value = value_at(row.tweak, fraction);
+    const bool whole = row.tweak.type == TweakType::int1;
+    const double step = row.tweak.step > 0.0 ? row.tweak.step : whole ? 1.0 : 0.0;
+    if (value != row.value[0] || GImGui->ActiveIdSource != ImGuiInputSource_Nav) return value;
+    const double sign = fraction < fraction_of(row.tweak, row.value[0]) ? -1.0 : 1.0;
+    return std::clamp(value + sign * step, *row.tweak.min, *row.tweak.max);
+}
+
 void range_slider(Row& row) {
     if (row.state.typed == row.tweak.name) return typed_field(row);
     const std::string text = with_unit(row.tweak, number_text(row.tweak, row.value[0]));
     const double origin = fraction_of(row.tweak, 0.0);
     double fraction = fraction_of(row.tweak, row.value[0]);
     const bool moved = slider(row.build.theme, "##slider", row.width, fraction, text, origin);
-    const bool wants_typing = ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl;
+    const bool is_entered =
+        GImGui->NavActivateInputId != 0 && GImGui->NavActivateInputId == GImGui->LastItemData.ID;
+    const bool wants_typing = is_entered || (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl);
     if (wants_typing) begin_typing(row);
-    if (moved && !wants_typing) row.set(0, value_at(row.tweak, fraction));
+    if (moved && !wants_typing) row.set(0, moved_value(row, fraction));
+    take_focus(row);
 }
 
 // One number that is dragged or typed.
-bool drag_field(const Row& row, int component, float width, double& number) {
+bool drag_field(Row& row, int component, float width, double& number) {
     const Tweak& tweak = row.tweak;
     const bool ranged = has_range(tweak);
     const double span = ranged ? *tweak.max - *tweak.min : std::max(std::abs(number), 1.0);
@@ -79,6 +130,7 @@ bool drag_field(const Row& row, int component, float width, double& number) {
     const bool changed = ImGui::DragScalar(
         "##drag", ImGuiDataType_Double, &number, static_cast<float>(std::max(speed, 1e-30)),
         ranged ? &*tweak.min : nullptr, ranged ? &*tweak.max : nullptr, format.c_str());
+    if (component == 0) take_focus(row);
     ImGui::PopID();
     return changed && std::isfinite(number);
 }
@@ -132,7 +184,8 @@ void pad(Row& row) {
     const float side = std::min(std::floor(0.52f * row.width), theme.px(110));
     const float inset = theme.px(6), gap = theme.px(6);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("##pad", {side, side});
+    area("##pad", {side, side});
+    take_focus(row);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (ImGui::IsItemActive() && (ImGui::IsItemActivated() || ImGui::IsMouseDragging(0, 0.0f))) {
         const float travel = std::max(side - 2 * inset, 1.0f);
@@ -170,6 +223,7 @@ void colour(Row& row) {
                                                         flags | ImGuiColorEditFlags_AlphaBar |
                                                             ImGuiColorEditFlags_AlphaPreviewHalf)
                                     : ImGui::ColorEdit3("##colour", rgba.data(), flags);
+    take_focus(row);
     if (!changed) return;
     TweakValue to = row.value;
     for (int i = 0; i < count; ++i)
@@ -182,7 +236,8 @@ void menu(Row& row) {
     const double last = static_cast<double>(names.size()) - 1.0;
     const auto chosen = static_cast<std::size_t>(std::clamp(row.value[0], 0.0, last));
     ImGui::SetNextItemWidth(row.width);
-    if (!ImGui::BeginCombo("##menu", names[chosen].c_str())) return;
+    const bool is_open = ImGui::BeginCombo("##menu", names[chosen].c_str());
+    if (!is_open) return take_focus(row);
     for (std::size_t i = 0; i < names.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable(names[i].c_str(), i == chosen)) row.set(0, static_cast<double>(i));
@@ -195,6 +250,7 @@ void menu(Row& row) {
 void checkbox(Row& row) {
     bool on = row.value[0] != 0.0;
     if (ImGui::Checkbox("##check", &on)) row.set(0, on ? 1.0 : 0.0);
+    take_focus(row);
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     text_in(colours::kDim, on ? "on" : "off");

@@ -13,16 +13,21 @@
 namespace glint {
 namespace {
 
-std::string explanation(const Tweak& tweak) {
+std::string explanation(const Build& build, std::size_t index) {
+    const Tweak& tweak = build.facts.scene->tweaks[index];
     std::string text = tweak.description.empty() ? tweak.name : tweak.description;
     text += fmt::format("\n\n{} {}", glsl_name(tweak.type), tweak.name);
     text += fmt::format("\ndefault {}", format_value(tweak, tweak.initial));
     if (has_range(tweak)) text += fmt::format(", from {} to {}", *tweak.min, *tweak.max);
     if (!tweak.unit.empty()) text += " " + tweak.unit;
+    text += fmt::format("\nin the file {}", format_value(tweak, build.tweaks.written(index)));
     if (tweak.quality) text += "\nquality: trades error for time";
+    if (!takes_random(tweak)) text += "\na random look leaves it alone";
     if (tweak.reference) text += "\nreference " + format_value(tweak, *tweak.reference);
     return text +
-           "\n\nDouble-click resets, right-click for more; Ctrl+click a slider types a value.";
+           "\n\nDouble-click resets to the file's value, then to the default; right-click for "
+           "more; "
+           "Ctrl+click a slider types a value.";
 }
 
 void wish_lock(Build& build, std::size_t index) {
@@ -34,14 +39,20 @@ void context_menu(Build& build, std::size_t index) {
     if (!ImGui::BeginPopupContextItem("menu")) return;
     const TweakValues& tweaks = build.tweaks;
     const Tweak& tweak = build.facts.scene->tweaks[index];
-    if (ImGui::MenuItem("Reset", nullptr, false, tweaks.changed(index)))
-        wish(build, {.what = TweakEdit::What::reset, .index = index});
+    using enum TweakEdit::What;
+    const auto entry = [&](const char* words, const TweakValue& value, TweakEdit::What what) {
+        const std::string text = fmt::format("{} ({})", words, format_value(tweak, value));
+        if (ImGui::MenuItem(text.c_str(), nullptr, false, value != tweaks.value(index)))
+            wish(build, {.what = what, .index = index});
+    };
+    entry("Reset to the file's", tweaks.written(index), reset);
+    entry("Reset to the default", tweak.initial, reset_to_default);
     if (ImGui::MenuItem("Lock", nullptr, tweaks.locked(index))) wish_lock(build, index);
     if (ImGui::MenuItem("Copy value"))
         ImGui::SetClipboardText(format_value(tweak, tweaks.value(index)).c_str());
     ImGui::Separator();
-    if (ImGui::MenuItem("Reset all", nullptr, false, tweaks.any_changed()))
-        wish(build, {.what = TweakEdit::What::reset_all});
+    if (ImGui::MenuItem("Reset all to the defaults", nullptr, false, tweaks.any_changed()))
+        wish(build, {.what = reset_all_to_defaults});
     ImGui::EndPopup();
 }
 
@@ -56,13 +67,18 @@ void label(Build& build, std::size_t index, float width) {
     const bool changed = build.tweaks.changed(index);
     const float height = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("label", {width, height});
+    area("label", {width, height});
+    if (is_pressed_by_key()) ImGui::OpenPopup("menu");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
         wish(build, {.what = TweakEdit::What::reset, .index = index});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float middle = corner.y + 0.5f * height;
-    if (changed)
-        list.AddCircleFilled({corner.x + theme.px(3), middle}, theme.px(2.5f), colours::kAccent);
+    // Filled: it is not as the file has it. A ring: the file has it so, other than the default.
+    const ImVec2 dot{corner.x + theme.px(3), middle};
+    if (!build.tweaks.is_as_written(index))
+        list.AddCircleFilled(dot, theme.px(2.5f), colours::kAccent);
+    else if (changed)
+        list.AddCircle(dot, theme.px(2.5f), colours::kAccent, 0, theme.px(1));
     const float mark = tweak.quality ? theme.px(14) : 0.0f;
     const ImVec2 place{corner.x + gutter(theme), middle - 0.5f * ImGui::GetFontSize()};
     const ImU32 colour = changed || ImGui::IsItemHovered() ? colours::kText : colours::kDim;
@@ -73,7 +89,7 @@ void label(Build& build, std::size_t index, float width) {
         const ImVec2 centre{place.x + text + theme.px(8), middle};
         list.AddNgonFilled(centre, theme.px(4), colours::kWarning, 4);
     }
-    tip(theme, explanation(tweak));
+    tip(theme, explanation(build, index));
     context_menu(build, index);
 }
 
@@ -110,6 +126,12 @@ void tweak_row(Build& build, TweaksState& state, std::size_t index) {
         tweak_control(build, state, index, whole - label_width - lock - theme.px(2));
         ImGui::SameLine(left + whole - lock);
         lock_button(build, index);
+    }
+    if (state.told_of == build.facts.scene->tweaks[index].name) {
+        ImGui::SetCursorPosX(control_x);
+        ImGui::PushTextWrapPos(left + whole);
+        text_in(colours::kWarning, state.told);
+        ImGui::PopTextWrapPos();
     }
     ImGui::PopID();
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -58,12 +59,17 @@ void tools(Build& build, TweaksState& state) {
                     {.enabled = tweaks.can_redo()}))
         wish(build, {.what = redo});
     ImGui::SameLine(0, theme.px(2));
-    if (icon_button(theme, "reset all", Icon::revert, "Reset all tweaks to their defaults",
-                    {.enabled = tweaks.any_changed()}))
+    bool is_any_new = false;
+    for (std::size_t i = 0; i < tweaks.size(); ++i) is_any_new |= !tweaks.is_as_written(i);
+    if (icon_button(theme, "reset all", Icon::revert,
+                    "Reset all tweaks to the file's values, then to their defaults",
+                    {.enabled = is_any_new || tweaks.any_changed()}))
         wish(build, {.what = reset_all});
     ImGui::SameLine(0, theme.px(2));
-    if (icon_button(theme, "random", Icon::dice,
-                    "Random values for all tweaks with a range that are not locked"))
+    if (icon_button(
+            theme, "random", Icon::dice,
+            "Random values (Ctrl+G) for all tweaks with a range, but camera, quality and what is "
+            "locked"))
         wish(build, {.what = randomise, .seed = static_cast<std::uint32_t>(state.random())});
     const float rest =
         2 * ImGui::GetFrameHeight() + theme.px(4 * 8 + 3 * 2) + ImGui::CalcTextSize("AB").x;
@@ -83,13 +89,27 @@ void wipe_place(Build& build) {
 }
 
 void search_field(Build& build, TweaksState& state) {
-    if (build.facts.scene->tweaks.size() <= kSearchAbove) {
+    const bool begins = std::exchange(build.settings.search, false);
+    state.searches = state.searches || begins;
+    if (build.facts.scene->tweaks.size() <= kSearchAbove && !state.searches) {
         state.search.clear();
         return;
     }
     const float button = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(state.search.empty() ? -1.0f : -button - build.theme.px(2));
-    ImGui::InputTextWithHint("##search", "Search", &state.search);
+    if (begins) ImGui::SetKeyboardFocusHere();
+    const bool entered = ImGui::InputTextWithHint(
+        "##search", "Search (Ctrl+F)", &state.search,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    state.focus_first |= entered && build.settings.keys;
+    // Esc puts back what stood there, unless it comes with another key; it leaves all the same.
+    const bool has_keys = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
+    const bool leaves = has_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (leaves) {
+        ImGui::ClearActiveID();
+        build.settings.keys = false;
+    }
+    if (leaves || ImGui::IsItemDeactivated()) state.searches = !state.search.empty();
     if (state.search.empty()) return;
     ImGui::SameLine(0, build.theme.px(2));
     if (icon_button(build.theme, "clear", Icon::clear, "Show all")) state.search.clear();
@@ -136,6 +156,7 @@ bool group_heading(Build& build, const Group& group, bool is_searched) {
 
 void rows(Build& build, TweaksState& state) {
     const auto groups = groups_of(*build.facts.scene, state.search);
+    if (groups.empty()) state.focus_first = false;
     if (groups.empty())
         text_in(colours::kDim,
                 state.search.empty() ? "This scene has no tweaks." : "Nothing found.");

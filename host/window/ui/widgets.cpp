@@ -7,11 +7,28 @@
 
 namespace glint {
 
+bool area(const char* id, ImVec2 size, int flags) {
+    const bool pressed = ImGui::InvisibleButton(id, size, flags);
+    const ImGuiLastItemData& item = GImGui->LastItemData;
+    ImGui::RenderNavHighlight(item.Rect, item.ID, ImGuiNavHighlightFlags_TypeThin);
+    return pressed;
+}
+
+bool is_pressed_by_key() {
+    return GImGui->NavActivateId != 0 && GImGui->NavActivateId == GImGui->LastItemData.ID;
+}
+
+void focus_last_item() {
+    ImGui::SetFocusID(GImGui->LastItemData.ID, ImGui::GetCurrentWindow());
+    GImGui->NavDisableHighlight = false;
+    ImGui::SetScrollHereY();
+}
+
 bool icon_button(const Theme& theme, const char* id, Icon icon, const char* tip_text,
                  const ButtonLook& look) {
     const float side = look.side > 0.0f ? look.side : ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(id, {side, side}) && look.enabled;
+    const bool pressed = area(id, {side, side}) && look.enabled;
     const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{corner.x + side, corner.y + side};

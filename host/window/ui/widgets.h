@@ -15,6 +15,15 @@ struct ButtonLook {
     float side = 0.0f;  // screen units; 0: a frame's height
 };
 
+// An invisible button that shows when the keyboard stands on it. True when it is pressed.
+bool area(const char* id, ImVec2 size, int flags = 0);
+
+// Whether the keyboard pressed the last item in this frame: Space does.
+bool is_pressed_by_key();
+
+// Gives the keyboard to the last item.
+void focus_last_item();
+
 // A square button. `id` is unlike those of its neighbours; the tip tells what it does.
 bool icon_button(const Theme& theme, const char* id, Icon icon, const char* tip,
                  const ButtonLook& look = {});

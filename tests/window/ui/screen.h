@@ -41,6 +41,7 @@ public:
         Wishes now = interface.build(facts, tweaks, transport, settings);
         ImGui::Render();
         for (const TweakEdit& edit : now.tweaks) now.tweaks_changed |= tweaks.apply(edit);
+        for (const TimeEdit& edit : now.time) transport.apply(edit);
         changed = changed || now.tweaks_changed;
         if (now.open) wishes.open = now.open;
         if (now.save_as) wishes.save_as = now.save_as;
@@ -52,7 +53,9 @@ public:
         wishes.cancel_study = wishes.cancel_study || now.cancel_study;
         wishes.check = wishes.check || now.check;
         wishes.cancel_check = wishes.cancel_check || now.cancel_check;
+        if (now.start_time) wishes.start_time = now.start_time;
         wishes.save = wishes.save || now.save;
+        wishes.revert = wishes.revert || now.revert;
         return now;
     }
     void move(ImVec2 to) {

@@ -1,0 +1,140 @@
+// The first minute with a preset: saving, saving as, reverting, locks, and who has the keyboard.
+#include "live.h"
+
+#include <csignal>
+#include <string>
+
+namespace glint::window {
+namespace {
+
+constexpr glm::ivec2 kMargin{3, 300};
+
+constexpr const char* kLook = R"(# mine
+scene = "scene.frag"
+title = "Dusk"   # as I like it
+[tweaks]
+level = 0.2      # not too much
+)";
+
+class File : public Window {
+protected:
+    // Two tweaks are red and green of the picture; blue counts frames.
+    void open_look(std::string_view text = kLook) {
+        write(scene(),
+              "uniform float level; //@ 0 [0, 1]\n"
+              "uniform float other; //@ 0.2 [0, 1]\n"
+              "void mainImage(out vec4 c, in vec2 p) {\n"
+              "    c = vec4(level, other, float(min(iFrame, 60)) / 60.0, 1);\n}\n");
+        write(look(), text);
+        start({look().string()});
+        ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+        ASSERT_TRUE(eventually([&] { return pixel() == Colour(51, 51, 255); }));
+    }
+    fs::path look() const { return folder_->path() / "look.toml"; }
+    Colour pixel() const { return screen_->pixel(kMargin); }
+    bool becomes_unsaved(bool unsaved) const {
+        return eventually([&] { return screen_->title().ends_with(" * - Glint") == unsaved; });
+    }
+    Colour change() {
+        screen_->tap("Control_L+g");
+        EXPECT_TRUE(eventually([&] { return pixel().g != 51; }));
+        EXPECT_TRUE(becomes_unsaved(true));
+        return pixel();
+    }
+};
+
+TEST_F(File, IsSavedWithItsCommentsAndWithoutTheTimeAndRevertedUndoably) {
+    open_look();
+    const Colour changed = change();
+    screen_->tap("Control_L+Shift_L+r");
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_TRUE(eventually([&] { return pixel() == Colour(51, 51, 255); }));
+    EXPECT_EQ(read(look()), kLook);
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(eventually([&] { return pixel() == changed; }));
+    EXPECT_TRUE(becomes_unsaved(true));
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+    const std::string saved = read(look());
+    EXPECT_TRUE(saved.starts_with("# mine\n")) << saved;
+    EXPECT_NE(saved.find("# not too much\n"), std::string::npos) << saved;
+    EXPECT_NE(saved.find("other = 0."), std::string::npos) << saved;
+    EXPECT_EQ(saved.find("time"), std::string::npos) << saved;
+}
+
+TEST_F(File, SaveAsGoesOnWithUndoLocksAndTheFrame) {
+    open_look(std::string("locked = [\"level\"]\n") + kLook);
+    const Colour changed = change();
+    EXPECT_EQ(changed.r, 51) << "it is locked";
+    screen_->tap("Control_L+Shift_L+s");
+    const fs::path copy = folder_->path() / "look-2.toml";
+    ASSERT_TRUE(eventually([&] {
+        screen_->tap("Return");
+        return eventually([&] { return fs::exists(copy); }, 0.2);
+    }));
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_NE(read(copy).find("locked = [\"level\"]"), std::string::npos) << read(copy);
+    ASSERT_TRUE(glint_->says(": shown", 2)) << glint_->errors();
+    EXPECT_EQ(pixel(), changed) << "frames are counted on";
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(eventually([&] { return pixel() == Colour(51, 51, 255); }));
+    EXPECT_TRUE(becomes_unsaved(true));
+    screen_->tap("Control_L+g");
+    EXPECT_TRUE(eventually([&] { return pixel().g != 51; }));
+    EXPECT_EQ(pixel().r, 51) << "locked as before";
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_EQ(read(look()), std::string("locked = [\"level\"]\n") + kLook) << "the first stays";
+}
+
+TEST_F(File, ThatWasChangedMeanwhileIsNotSavedOverUnasked) {
+    open_look();
+    change();
+    const std::string theirs = std::string(kLook) + "other = 0.9\n";
+    glint_->signal(SIGSTOP);
+    write(look(), theirs);
+    screen_->tap("Control_L+s");
+    glint_->signal(SIGCONT);
+    EXPECT_TRUE(eventually([&] { return pixel().b < 255; })) << "the question dims the picture";
+    EXPECT_EQ(read(look()), theirs);
+    screen_->tap("Escape");
+    EXPECT_TRUE(eventually([&] { return pixel().b == 255; }));
+    EXPECT_EQ(read(look()), theirs);
+    EXPECT_TRUE(eventually([&] { return pixel().g == 230; })) << "it is read, and stands here";
+}
+
+TEST_F(File, ThePanelsHaveTheKeysFromF6OrCtrlFToEsc) {
+    open(
+        "uniform sampler2D keys; //@ keyboard\n"
+        "uniform float level; //@ 0.2 [0, 1]\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(texelFetch(keys, ivec2(39, 0), 0).r, level, 0, 1);\n}\n");
+    const auto reaches_the_scene = [&] {
+        screen_->key("Right", true);
+        const bool is_red = eventually([&] { return pixel().r == 255; }, 1.0);
+        screen_->key("Right", false);
+        EXPECT_TRUE(eventually([&] { return pixel().r == 0; }));
+        return is_red;
+    };
+    EXPECT_TRUE(eventually(reaches_the_scene));
+    for (const char* chord : {"F6", "Control_L+f"}) {
+        SCOPED_TRACE(chord);
+        screen_->tap(chord);
+        EXPECT_FALSE(reaches_the_scene());
+        screen_->tap("Escape");
+        settle();
+        EXPECT_TRUE(eventually(reaches_the_scene));
+    }
+    screen_->tap("Control_L+f");
+    settle();
+    screen_->tap("Return");  // on the first slider
+    settle();
+    screen_->tap("space");
+    settle();
+    screen_->tap("Right");
+    EXPECT_TRUE(eventually([&] { return pixel().g > 51; }));
+    EXPECT_EQ(pixel().r, 0);
+}
+
+}  // namespace
+}  // namespace glint::window
