@@ -83,14 +83,16 @@ public:
         const auto start = Clock::now();
         Glint glint(screen.name(), folder_.path(), {preset_},
                     {{"MESA_SHADER_CACHE_DIR", shaders.string()}});
+        const auto is_drawn = [&] { return glint.count(": shown") > runs_; };
         eventually([&] { return shows_a_picture(screen); }, kLongest);
         if (times && !with_keys) times->picture.push_back(ms_since(start));
-        while (with_keys && glint.count(": shown") == 0 && ms_since(start) < kLongest * 1e3) {
+        while (with_keys && !is_drawn() && ms_since(start) < kLongest * 1e3) {
             const std::optional<double> took = key_to_panel(screen);
-            if (took && times && glint.count(": shown") == 0) times->panel.push_back(*took);
+            if (took && times && !is_drawn()) times->panel.push_back(*took);
             std::this_thread::sleep_for(std::chrono::milliseconds(60));
         }
-        glint.says(": shown", 1, kLongest);
+        if (!eventually(is_drawn, kLongest)) std::exit(1);
+        ++runs_;
         if (times && !with_keys) times->frame.push_back(ms_since(start));
         std::this_thread::sleep_for(std::chrono::milliseconds(300));  // its picture is kept
         glint.signal(SIGTERM);
@@ -100,6 +102,7 @@ public:
 private:
     Folder folder_;
     std::string preset_;
+    int runs_ = 0;  // all say so in one file
 };
 
 void measure(const std::string& scene, int repetitions) {

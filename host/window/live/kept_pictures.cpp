@@ -3,39 +3,16 @@
 #include "base/hash.h"
 #include "base/temporary_file.h"
 #include "offline/examples.h"
+#include "window/live/kept_files.h"
 
-#include <algorithm>
 #include <chrono>
-#include <stdexcept>
+#include <exception>
 #include <system_error>
-#include <vector>
 
 namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Another window may do the same at the same time; what is gone is gone.
-void forget_oldest(const fs::path& folder, std::uintmax_t most_bytes) {
-    struct Kept {
-        fs::path file;
-        fs::file_time_type time;
-        std::uintmax_t bytes;
-    };
-    std::vector<Kept> pictures;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-        std::error_code gone;
-        const Kept kept{entry.path(), entry.last_write_time(gone), entry.file_size(gone)};
-        if (!gone) pictures.push_back(kept);
-    }
-    std::ranges::sort(pictures, std::greater(), &Kept::time);
-    std::uintmax_t bytes = 0;
-    for (const Kept& kept : pictures) {
-        bytes += kept.bytes;
-        if (bytes > most_bytes) fs::remove(kept.file, error);
-    }
-}
 
 void write(const fs::path& file, const Image& picture, std::uintmax_t most_bytes) {
     try {

@@ -67,7 +67,8 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       trial_({.device = options.device}),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
-      inputs_(texture_limits()) {}
+      inputs_(texture_limits()),
+      start_states_(options.start_states) {}
 
 Playground::~Playground() = default;
 
@@ -182,6 +183,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     touched_ = true;
     if (!written) {
         expected_ms_ = trial_.poll().expected_ms;
+        find_start_state();
         has_picture_ = false;
         opening_ = Opening::awaits_inputs;
         transport_ = Transport(preset_->time);
@@ -333,7 +335,10 @@ bool Playground::draw(double wall_seconds) {
     Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
     const bool plays_again = opening_ == Opening::plays_again;
     if (plays_again) opening_ = Opening::done;
-    if (instant_.jumped || plays_again) begin_replay(plays_again);
+    if (instant_.jumped || plays_again) {
+        begin_replay(plays_again);
+        take_start_state();
+    }
     if (replay_at_ >= 0 && !replay_slice(frame)) return false;
     notice_dropped_steps();
 

@@ -12,6 +12,7 @@
 #include "window/live/input_loader.h"
 #include "window/live/kept_states.h"
 #include "window/live/reloader.h"
+#include "window/live/start_states.h"
 #include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
@@ -27,6 +28,8 @@ struct PlaygroundOptions {
     bool specialise = true;        // once the tweaks rest
     double rest_seconds = 0.4;     // how long they rest before that
     double hopeless_ms = 10000.0;  // a frame that would take longer is refused
+    // Where simulations that have been played up to their start are kept; empty: nowhere.
+    std::filesystem::path start_states{};
 };
 
 class Playground {
@@ -210,6 +213,10 @@ private:
     }
     void begin_replay(bool from_start);
     bool replay_slice(Frame& frame);
+    void find_start_state();
+    bool stands_for_start() const;
+    void take_start_state();
+    void keep_start_state();
     void keep_live_state();
     void notice_dropped_steps();
     void forget_states();
@@ -225,6 +232,7 @@ private:
     Trial trial_;
     Reloader reloader_;
     InputLoader inputs_;
+    StartStates start_states_;
     // Read, and on the way to the driver.
     struct Arriving {
         InputLoader::Loaded loaded;
@@ -256,6 +264,8 @@ private:
     double replayed_seconds_ = 0.0, replay_ms_ = 0.0;           // of the scene; of the clock
     KeptStates kept_states_;
     bool is_replayable_ = false;  // the buffers stand as in a still of this time
+    bool replays_start_ = false;  // a file was opened, and has not been played up to its start
+    std::vector<TweakValue> start_values_;
     double frame_ms_ = 0.0, expected_ms_ = 0.0;
     std::size_t pictures_ = 0;  // drawn so far
     bool measuring_ = false;

@@ -62,6 +62,7 @@ bool Playground::replay_slice(Frame& frame) {
         context_.finish();
     }
     measure();
+    keep_start_state();
     replay_at_ = -1;
     Frame last = playback.frame(*preset_, replay_until_);
     if (preset_->events.empty()) last.input = frame.input;

@@ -75,7 +75,9 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
       playground_(window_, window_.size(),
-                  {.device = options.device, .specialise = options.specialise}),
+                  {.device = options.device,
+                   .specialise = options.specialise,
+                   .start_states = home_folder("XDG_CACHE_HOME", ".cache") / "states"}),
       panels_(window_.handle(), window_.content_scale(),
               home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
       browser_(home_folder("XDG_CACHE_HOME", ".cache")),
@@ -97,6 +99,8 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
 }
 
 int PlaygroundWindow::run() {
+    // However soon the trial is over: what follows then takes its time.
+    if (awaits_first_frame()) draw_frame();
     while (!window_.should_close() && end_signals_.arrived() == 0) {
         std::vector<int> descriptors = playground_.descriptors();
         descriptors.push_back(study_.process().descriptor());

@@ -7,6 +7,8 @@ namespace {
 
 // Of a kept picture; larger ones are made smaller.
 constexpr int kLongestKept = 1920;  // pixels
+// Of the sides: a picture that was held below this does not replace a better one.
+constexpr double kCoarse = 0.24;
 // How old the picture may be that a window leaves which is killed.
 constexpr double kKeepPicturePeriod = 60.0;  // s
 // A picture that is read sooner is there before the ground could be seen.
@@ -47,6 +49,8 @@ void PlaygroundWindow::keep_picture() {
     keep_resolution();
     const std::size_t root = playground_.renderer()->graph().passes.size() - 1;
     const Buffer& drawn = playground_.renderer()->buffer(root);
+    const bool is_coarse = !refined_ && drawn.shape().size.x < kCoarse * full_size().x;
+    if (is_coarse && !kept_pictures_.find(place_).empty()) return;
     kept_pictures_.keep(place_, picture_of(refined_ ? *refined_ : drawn, kLongestKept));
 }
 

@@ -189,7 +189,9 @@ void tweaks_panel(Build& build, TweaksState& state) {
     }
     begin_body();
     if (has_scene) rows(build, state);
-    if (!has_scene) text_in(colours::kDim, "No scene is open.");
+    if (!has_scene)
+        text_in(colours::kDim, build.facts.waits_for.empty() ? "No scene is open."
+                                                             : "They come with the first frame.");
     end_panel(build, PanelId::tweaks);
 }
 
