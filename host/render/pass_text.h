@@ -23,7 +23,7 @@ struct ProgramOptions {
 
 // The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
 // its line ends are kept.
-std::string specialised_text(const Preset& preset);
+EditedText specialised_text(const Preset& preset);
 
 // The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {

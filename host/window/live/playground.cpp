@@ -4,6 +4,8 @@
 #include "media/image.h"
 #include "scene/preset_writer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -61,6 +63,7 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
     : context_(context),
       options_(options),
       size_(size),
+      full_size_(size),
       trial_({.device = options.device}),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
@@ -85,7 +88,7 @@ ReloadSteps Playground::reload_steps() {
                     const bool specialise = programs == Programs::constants;
                     trial_.start({.preset = preset,
                                   .compile = {.program = {.specialise = specialise}},
-                                  .size = size_,
+                                  .size = full_size_,
                                   .time = transport_.time(),
                                   .images = {}});
                 },
@@ -178,6 +181,8 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     since_tweak_.restart();
     touched_ = true;
     if (!written) {
+        expected_ms_ = trial_.poll().expected_ms;
+        has_picture_ = false;
         opening_ = Opening::awaits_inputs;
         transport_ = Transport(preset_->time);
         input_ = {};
@@ -232,7 +237,7 @@ bool Playground::follows_time() const {
 void Playground::resize(glm::ivec2 size) {
     if (size == size_ || size == refused_size_) return;
     touched_ = true;
-    forget_states();
+    if (states_depend_on_size()) forget_states();
     refused_size_ = {0, 0};
     try {
         if (renderer_) renderer_->resize(size);
@@ -312,6 +317,13 @@ void Playground::replay_events(double from, double to) {
     }
 }
 
+std::string Playground::waits_for() const {
+    if (reloader_.is_trying()) return trial_.work();
+    if (replay_at_ >= 0)
+        return fmt::format("playing up to {:g} s, {:.0f} % done", instant_.time, 100 * replayed());
+    return has_unseen_text() ? "drawing the first frame" : "";
+}
+
 bool Playground::draw(double wall_seconds) {
     if (!renderer_) return false;
     // Panels move over a picture that stands; no frame of the scene goes by then.
@@ -335,6 +347,8 @@ bool Playground::draw(double wall_seconds) {
         };
     }
     const bool drawn = renderer_->draw(frame);
+    has_picture_ |= drawn;
+    if (drawn) ++pictures_;
     renderer_->after_pass = nullptr;
     context_.finish();
     drawn_input_ = frame.input;
@@ -355,49 +369,6 @@ Frame Playground::frame_again() const {
     frame.date = drawn_date_;
     frame.input = drawn_input_;
     return frame;
-}
-
-std::vector<std::byte> Playground::still() {
-    if (!renderer_) return {};
-    const bool measured = measuring_;
-    measure_passes(false);
-    std::vector<std::byte> pixels;
-    const bool as_it_is = is_specialised() || !options_.specialise;
-    const Preset now = current_preset();
-    Diagnostics why_not;
-    const auto special = as_it_is ? nullptr : make_renderer(now, Programs::constants, why_not);
-    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
-    if (special) {
-        special->adopt(*renderer_);
-        special->draw_root(frame_again());
-        pixels = special->read_bytes();
-        renderer_->adopt(*special);
-        touched_ = true;
-    } else {
-        pixels = renderer_->read_bytes();
-    }
-    measure_passes(measured);
-    return pixels;
-}
-
-Metadata Playground::still_metadata() const {
-    return picture_metadata(current_preset(), frame_again(), context_.renderer());
-}
-
-const Buffer* Playground::picture_of(TweakSet set) {
-    if (!renderer_) return nullptr;
-    if (is_specialised()) use_uniforms();
-    const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
-    if (!other_picture_ || other_picture_->shape() != picture.shape()) {
-        other_picture_ = std::make_unique<Buffer>(picture.shape());
-    }
-    renderer_->set_values(tweaks.values(set));
-    renderer_->draw_root(frame_again());
-    other_picture_->copy_from(picture);
-    renderer_->set_values(tweaks.values());
-    renderer_->draw_root(frame_again());
-    context_.finish();
-    return other_picture_.get();
 }
 
 void Playground::go_on_in(const std::filesystem::path& file, const Preset& preset) {
@@ -423,17 +394,6 @@ Preset Playground::current_preset() const {
         if (std::ranges::find(preset.scene.tweaks, name, &Tweak::name) == preset.scene.tweaks.end())
             preset.locked.push_back(name);
     preset.time = instant_.time;
-    return preset;
-}
-
-Preset Playground::preset_as_shown() const {
-    constexpr double kSoon = 2.0;  // s
-    Preset preset = current_preset();
-    preset.size = size_;
-    if (renderer_->graph().stateful) {
-        preset.time = std::min(preset.time, std::max(preset_->time, kSoon));
-    }
-    if (preset.events.empty()) preset.events = input_.as_events(0.0);
     return preset;
 }
 

@@ -12,6 +12,7 @@
 #include "window/live/input_loader.h"
 #include "window/live/kept_states.h"
 #include "window/live/reloader.h"
+#include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
 #include <array>
@@ -61,6 +62,17 @@ public:
     void resize(glm::ivec2 size);
     glm::ivec2 size() const { return size_; }
 
+    // The size that stills have and others are told of, where the screen shows a share of it.
+    void set_full_size(glm::ivec2 size) { full_size_ = size; }
+    // Its buffers would be cropped by another size: it keeps the one that its first frame had, in
+    // stills, too.
+    bool keeps_size() const {
+        return renderer_ && keeps_picture_size(preset_->scene, renderer_->graph());
+    }
+    // What the trial of the file that was opened took a frame of the full size to cost, ms; 0: not
+    // known.
+    double expected_ms() const { return expected_ms_; }
+
     // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
     // the picture, y up.
     void mouse(glm::dvec2 fraction, bool down);
@@ -76,13 +88,20 @@ public:
     void forget_fills();
     bool has_fills() const;
 
-    // The picture as a still would write it, RGBA: drawn anew with the tweaks as constants.
-    std::vector<std::byte> still();
+    // The picture as a still would write it, RGB: drawn anew at its full size, the tweaks as
+    // constants.
+    Image still();
     Metadata still_metadata() const;
 
     // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
     // stand. Null while nothing is open.
     const Buffer* picture_of(TweakSet set);
+
+    // Nothing moves, and nothing is about to: the picture may be refined.
+    bool stands() const;
+    // For that; `picture_count()` says whether it is still about what is shown.
+    RefineOrder refine_order() const;
+    std::size_t picture_count() const { return pictures_; }
 
     // Records mouse and keys from now on.
     void start_recording() { recorder.start(instant_.time, input_); }
@@ -95,6 +114,8 @@ public:
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
+    // Whether what is open has been drawn. A simulation is first played up to its start.
+    bool has_picture() const { return has_picture_; }
     bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
     // A large picture goes to the driver; update() is to be called again at once.
     bool is_sending() const { return !arriving_.empty(); }
@@ -107,6 +128,9 @@ public:
     }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
+    // What the next picture waits for, in words such as "compiling image"; "" where nothing is
+    // waited for.
+    std::string waits_for() const;
 
     // What is drawn, or null; its values are empty: `tweaks` has them.
     const Preset* preset() const { return preset_.get(); }
@@ -175,6 +199,12 @@ private:
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
     Frame frame_again() const;
+    Frame frame_at_full_size() const;
+    glm::ivec2 still_size() const { return keeps_size() ? size_ : full_size_; }
+    Programs still_programs() const {
+        const bool refused = reloader_.programs() == Programs::uniforms_for_good;
+        return refused ? Programs::uniforms : Programs::constants;
+    }
     PixelFormat picture_format() const {
         return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
     }
@@ -183,6 +213,7 @@ private:
     void keep_live_state();
     void notice_dropped_steps();
     void forget_states();
+    bool states_depend_on_size() const;
     bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, Programs programs,
                                             Diagnostics& why_not) const;
@@ -190,7 +221,7 @@ private:
     Context& context_;
     PlaygroundOptions options_;
     Transport transport_;
-    glm::ivec2 size_, refused_size_{0};
+    glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
     Trial trial_;
     Reloader reloader_;
@@ -218,6 +249,7 @@ private:
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
+    bool has_picture_ = false;
     bool touched_ = true;   // something other than time asks for a frame
     int extra_frames_ = 0;  // drawn since time stands
     int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
@@ -225,7 +257,8 @@ private:
     double replayed_seconds_ = 0.0, replay_ms_ = 0.0;           // of the scene; of the clock
     KeptStates kept_states_;
     bool is_replayable_ = false;  // the buffers stand as in a still of this time
-    double frame_ms_ = 0.0;
+    double frame_ms_ = 0.0, expected_ms_ = 0.0;
+    std::size_t pictures_ = 0;  // drawn so far
     bool measuring_ = false;
     std::vector<PassTime> pass_times_;
 };

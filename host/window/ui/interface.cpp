@@ -99,6 +99,8 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, const Tra
     close_popup_by_key();
     follow_keys(settings);
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
+        if (!facts.shows_picture && !facts.file.empty()) ground(build);
+        waiting_label(build);
         pixel_grid(build);
         shown_labels(build);
         wipe_handle(build);
