@@ -178,10 +178,10 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5 + texture(waves, p / iResol
          {"--no-specialise"});
     std::this_thread::sleep_for(2500ms);  // states are kept on the way
     pause();
-    for (const int x : {175, 168}) {  // on the scrub bar, of 60 s
+    for (const int x : {219, 212}) {  // on the scrub bar: 1.7 s, 1 s
         screen_->click({x, 693});
         settle();
-        const fs::path taken = take_still(x == 175 ? 1 : 2);
+        const fs::path taken = take_still(x == 219 ? 1 : 2);
         EXPECT_GT(std::atof(text_in(taken, "glint:time").c_str()), 0.5);
         expect_same(taken, {"--no-specialise"});
     }

@@ -239,7 +239,7 @@ bool Playground::follows_time() const {
 void Playground::resize(glm::ivec2 size) {
     if (size == size_ || size == refused_size_) return;
     touched_ = true;
-    forget_states();
+    if (states_depend_on_size()) forget_states();
     refused_size_ = {0, 0};
     try {
         if (renderer_) renderer_->resize(size);

@@ -220,6 +220,7 @@ private:
     void keep_live_state();
     void notice_dropped_steps();
     void forget_states();
+    bool states_depend_on_size() const;
     bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, Programs programs,
                                             Diagnostics& why_not) const;

@@ -103,6 +103,18 @@ void Playground::notice_dropped_steps() {
     if (instant_.moved > kLongestCatchUp - 2.0 * longest) is_replayable_ = false;
 }
 
+// Buffers of a size of their own stand as they are, whatever the picture's, unless the mouse, whose
+// place is told in the picture's pixels, has moved them.
+bool Playground::states_depend_on_size() const {
+    if (!renderer_) return true;
+    const auto& passes = preset_->scene.passes;
+    const bool has_own_size =
+        std::ranges::all_of(renderer_->graph().passes, [&](const GraphPass& pass) {
+            return !pass.feeds_state || (pass.pass < passes.size() && passes[pass.pass].size);
+        });
+    return !has_own_size || (!preset_->events.empty() && renderer_->reads_mouse());
+}
+
 void Playground::forget_states() {
     kept_states_.clear();
     is_replayable_ = false;

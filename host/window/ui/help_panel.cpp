@@ -3,6 +3,7 @@
 #include "window/ui/shortcuts.h"
 #include "window/ui/widgets.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace glint {
@@ -65,12 +66,13 @@ void help_panel(Build& build) {
         build.settings.help = false;
     key_rows(theme, screen.x > theme.px(900) ? 2 : 1);
     ImGui::Dummy({0, theme.px(4)});
-    text_in(colours::kDim,
-            "In a panel that has the keys: arrows move, Space presses, or takes hold of a slider, "
-            "which\n"
-            "arrows then move; Enter types its value; Space on a name opens its menu. Esc gives "
-            "the keys\n"
-            "back to the scene, as does a click on the picture. All others are the scene's.");
+    ImGui::PushTextWrapPos(std::min(theme.px(620), screen.x - theme.px(60)));
+    text_in(
+        colours::kDim,
+        "In a panel that has the keys: arrows move, Space presses, or takes hold of a slider, "
+        "which arrows then move; Enter types its value; Space on a name opens its menu. Esc gives "
+        "the keys back to the scene, as does a click on the picture. All others are the scene's.");
+    ImGui::PopTextWrapPos();
     ImGui::End();
 }
 

@@ -1,5 +1,10 @@
 // All panels of one frame, in whichever ImGui context is current. It knows no window and no GL, so
 // tests can hold the mouse themselves.
+//
+// Each panel is one function over Build: it reads the facts, draws, and adds to the wishes. What it
+// has to remember from frame to frame is its State, which Interface owns. Lengths are points until
+// Theme::px() makes them pixels. Nothing fails here; what cannot be done is drawn disabled, with
+// the reason as its tip.
 #pragma once
 
 #include "window/ui/layout.h"
@@ -12,7 +17,7 @@
 
 namespace glint {
 
-// What one frame's panels share.
+// What one frame's panels share; all of it the caller's, valid until build() returns.
 struct Build {
     const Facts& facts;
     const TweakValues& tweaks;
@@ -55,9 +60,9 @@ struct TweaksState {
 };
 
 struct TransportState {
-    double span = 60.0;  // s, of the scrub bar; kept while it is held
-    Loop loop{0.0, 10.0};
-    bool has_loop = false;
+    double span = 60.0;     // s, of the scrub bar; kept while it is held
+    Loop loop{0.0, 10.0};   // the last that there was; comes back with the button
+    bool has_loop = false;  // there has been one
 };
 
 struct DiagnosticsState {
@@ -67,7 +72,7 @@ struct DiagnosticsState {
     };
     std::vector<Shown> shown;
     std::string told;  // what `shown` was made of
-    bool open = true;
+    bool open = true;  // the list, and not its button alone
 };
 
 struct SavingState {

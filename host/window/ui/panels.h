@@ -1,5 +1,12 @@
 // The Dear ImGui panels over the picture. They show plain facts and hand back wishes; what the
 // wishes mean is the window's business.
+//
+// Who owns what: facts are the window's, and stand until update() returns; tweaks have their one
+// owner, TweakValues, and time has its own, which is asked; settings are edited by both. Nothing
+// here fails: a wish that cannot be granted becomes a notice, or a diagnostic, of a later frame.
+//
+// Positions are pixels of the framebuffer, y up; sizes of panels are points, which the scale of the
+// screen makes pixels; times are seconds, costs milliseconds.
 #pragma once
 
 #include "measure/rows/case.h"
@@ -37,26 +44,26 @@ struct BrowserEntry {
 
 // One pass as the list of passes shows it.
 struct PassFact {
-    std::string name, entry;
-    glm::ivec2 size{0};
-    std::vector<std::string> outputs;
-    std::string runs;    // "every frame", "on change", "every step"
-    double ms = 0.0;     // when it was drawn last
-    bool drawn = false;  // in the last frame; "skipped" otherwise
+    std::string name, entry;           // of its first sampler; its function
+    glm::ivec2 size{0};                // pixels of its buffer
+    std::vector<std::string> outputs;  // samplers, in the order of the function's `out` parameters
+    std::string runs;                  // "every frame", "on change", "every step"
+    double ms = 0.0;                   // when it was drawn last; 0 while passes are not measured
+    bool drawn = false;                // in the last frame; "skipped" otherwise
 };
 
 // What the pass viewer found in the output that it shows.
 struct PixelFacts {
-    std::size_t nan = 0, infinite = 0;
-    glm::vec4 min{0.0f}, max{0.0f};
-    std::array<std::array<int, 64>, 4> histogram{};
+    std::size_t nan = 0, infinite = 0;               // pixels with such a component
+    glm::vec4 min{0.0f}, max{0.0f};                  // of the finite ones, by component
+    std::array<std::array<int, 64>, 4> histogram{};  // pixels; 64 bins from min to max, RGBA
 };
 
 // One value under the mouse.
 struct PixelValue {
-    std::string sampler;
-    glm::ivec2 pixel{0};
-    glm::vec4 value{0.0f};
+    std::string sampler;    // whose buffer it is
+    glm::ivec2 pixel{0};    // of that buffer, y up
+    glm::vec4 value{0.0f};  // RGBA, as it holds it
 };
 
 // A magnified pixel that has its value printed on it.
@@ -71,7 +78,7 @@ struct GridPixel {
 struct PassView {
     std::string sampler;    // "" or "image" for the picture
     int channel = 0;        // 0 rgb, 1 red, 2 green, 3 blue, 4 alpha
-    float exposure = 0.0f;  // stops
+    float exposure = 0.0f;  // stops: the value times 2 to this power is shown
     bool tone_curve = false;
     bool mark_not_finite = true;
     glm::dvec2 centre{0.5};  // fraction of the buffer in the middle
@@ -97,30 +104,30 @@ enum class Question {
     overwrite,  // the file says by now what nobody here has read: save, or cancel
 };
 
-// What the panels need to know for one frame.
+// What the panels need to know for one frame. What is pointed at is the window's.
 struct Facts {
     const Scene* scene = nullptr;  // null while nothing is open
     std::string title;             // of the scene or preset
-    std::filesystem::path file;
+    std::filesystem::path file;    // what is open, a preset (.toml) or a scene; "" if nothing
     bool unsaved = false, loading = false, specialised = false;
     std::string why_no_save, why_no_revert;  // whole sentences; "" while there is something to do
     std::optional<double> start_time;        // s; what the next save writes instead of the file's
     double replayed = 1.0;                   // fraction of a replay that is under way
+    bool simulates = false;                  // a jump of time plays the scene again
+    std::span<const double> kept_states;     // s, ascending: from where it can be played again
+    double replay_rate = 0.0;  // scene seconds in a second of a replay; 0 while not known
     // What the first frame of the file waits for, and for how long by now; "" once it is there, and
     // where none comes.
     std::string waits_for;
     double waited = 0.0;         // s
     bool shows_picture = false;  // the scene, or a picture that stands for it until it draws
-    bool simulates = false;      // a jump of time plays the scene again
-    std::span<const double> kept_states;  // s, ascending: from where it can be played again
-    double replay_rate = 0.0;  // scene seconds in a second of a replay; 0 while not known
     std::span<const Diagnostic> diagnostics;
     std::span<const EmptyChannel> empty_channels;
     std::string last_reload;  // one line
     Instant instant;
-    double frame_ms = 0.0;
-    std::string renderer;
-    glm::ivec2 picture_size{0}, full_size{0};  // what is drawn, and what would be
+    double frame_ms = 0.0;                     // of the last frame that was drawn
+    std::string renderer;                      // the driver's name
+    glm::ivec2 picture_size{0}, full_size{0};  // pixels; what is drawn, and what would be
     double full_ms = 0.0;                      // that a frame of the full size would take, roughly
     bool resolution_is_fixed = false;          // chosen before the first frame: its buffers keep it
     int refined = 0, refined_of = 0;           // samples of a picture that stands still
@@ -143,11 +150,12 @@ struct Facts {
     std::string notice;
 };
 
+// To a Question, as it lists them.
 enum class Answer { save, discard, cancel, restore };
 
 struct NewScene {
-    std::filesystem::path file;
-    std::string from;  // of Facts::templates
+    std::filesystem::path file;  // ends in .frag; was free when it was asked for
+    std::string from;            // of Facts::templates
 };
 
 // Where a preset starts from its next save on.
@@ -183,8 +191,8 @@ struct PanelSettings {
     bool tweaks = true, transport = true, passes = false, browser = false, help = false;
     bool study = false, check = false;
     bool keys = false;       // the panels have the keyboard, and the scene has not
-    int next_panel = 0;      // give it to the next one (1), or to the one before (-1)
-    bool search = false;     // give it to the search of tweaks
+    int next_panel = 0;      // give it to the next one (1), or to the one before (-1); becomes 0
+    bool search = false;     // give it to the search of tweaks; becomes false
     bool save_as = false;    // ask for the path; the panels answer with Wishes::save_as
     bool new_scene = false;  // ask for its name; answered with Wishes::new_scene
     PassView view;
@@ -205,13 +213,15 @@ struct PanelSettings {
 
 class Panels {
 public:
-    // Places are remembered in `memory` (an .ini file); "" remembers nothing.
+    // The window outlives the panels, and its GL context is current whenever they are called.
+    // Places are remembered in `memory` (an .ini file); "" remembers nothing, nor does one that
+    // cannot be written.
     Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory);
     ~Panels();
     Panels(const Panels&) = delete;
     Panels& operator=(const Panels&) = delete;
 
-    // The window went to a screen of another scale.
+    // The window went to a screen of another scale: pixels a point, 1 to 4.
     void rescale(float content_scale);
 
     // Builds the frame's panels. What they wish of the tweaks is done to `tweaks` at once, since
@@ -227,7 +237,8 @@ public:
     // A slow scene leaves seconds between two frames: clicks count where they happened.
     void mouse_button(glm::dvec2 position, int button, bool down);
 
-    // Whether the panels take what the mouse or the keyboard does now.
+    // Whether the panels take what the mouse or the keyboard does now, as of the last update(). The
+    // keyboard is the scene's until PanelSettings::keys, a field or a popup has it.
     bool takes_mouse() const;
     bool takes_keyboard() const;
 
