@@ -13,627 +13,546 @@ namespace glint {
 namespace {
 
 // A live frame catches up at most this much simulated time after a hitch.
-constexpr double kLongestCatchUp = 0.25; // s
+constexpr double kLongestCatchUp = 0.25;  // s
 
 // How long a replay may keep the window waiting in one frame.
-constexpr double kReplaySlice = 30.0; // ms
+constexpr double kReplaySlice = 30.0;  // ms
 
 Date local_now() {
-  std::timespec now{};
-  std::timespec_get(&now, TIME_UTC);
-  std::tm local{};
-  localtime_r(&now.tv_sec, &local);
-  return {.year = local.tm_year + 1900,
-          .month = local.tm_mon + 1,
-          .day = local.tm_mday,
-          .seconds = local.tm_hour * 3600.0 + local.tm_min * 60.0 +
-                     local.tm_sec + static_cast<double>(now.tv_nsec) * 1e-9};
+    std::timespec now{};
+    std::timespec_get(&now, TIME_UTC);
+    std::tm local{};
+    localtime_r(&now.tv_sec, &local);
+    return {.year = local.tm_year + 1900,
+            .month = local.tm_mon + 1,
+            .day = local.tm_mday,
+            .seconds = local.tm_hour * 3600.0 + local.tm_min * 60.0 + local.tm_sec +
+                       static_cast<double>(now.tv_nsec) * 1e-9};
 }
 
 // Tweaks whose value in the file is another than when it was last read: those
 // that a person changed there, and not in the panels.
-void apply_saved_changes(const Preset &before, const Preset &now,
-                         TweakValues &tweaks) {
-  for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
-    const Tweak &tweak = now.scene.tweaks[i];
-    const auto &old = before.scene.tweaks;
-    const auto same = std::find_if(old.begin(), old.end(), [&](const Tweak &t) {
-      return t.name == tweak.name && t.type == tweak.type;
-    });
-    if (same == old.end())
-      continue;
-    const TweakValue &was =
-        before.values[static_cast<std::size_t>(same - old.begin())];
-    const bool default_moved =
-        was == same->initial && now.values[i] == tweak.initial;
-    if (was != now.values[i] && !default_moved)
-      tweaks.set(i, now.values[i]);
-  }
+void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& tweaks) {
+    for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = now.scene.tweaks[i];
+        const auto& old = before.scene.tweaks;
+        const auto same = std::find_if(old.begin(), old.end(), [&](const Tweak& t) {
+            return t.name == tweak.name && t.type == tweak.type;
+        });
+        if (same == old.end()) continue;
+        const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
+        const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
+        if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
+    }
 }
 
 // The files of a text, and those that its samplers name.
-std::vector<std::filesystem::path>
-watched_files(const std::vector<std::filesystem::path> &texts,
-              const Preset *preset) {
-  std::vector<std::filesystem::path> files = texts;
-  if (!preset)
+std::vector<std::filesystem::path> watched_files(const std::vector<std::filesystem::path>& texts,
+                                                 const Preset* preset) {
+    std::vector<std::filesystem::path> files = texts;
+    if (!preset) return files;
+    for (std::size_t i = 0; i < sampler_count(*preset); ++i) {
+        const Sampler& sampler = sampler_at(*preset, i);
+        files.insert(files.end(), sampler.files.begin(), sampler.files.end());
+    }
     return files;
-  for (std::size_t i = 0; i < sampler_count(*preset); ++i) {
-    const Sampler &sampler = sampler_at(*preset, i);
-    files.insert(files.end(), sampler.files.begin(), sampler.files.end());
-  }
-  return files;
 }
 
-} // namespace
+}  // namespace
 
-Playground::Playground(Context &context, glm::ivec2 size,
-                       const PlaygroundOptions &options)
-    : context_(context), options_(options), size_(size),
-      trial_({.device = options.device}), standby_(options.device),
-      reloader_(reload_steps(), {.constants = options.specialise,
-                                 .hopeless_ms = options.hopeless_ms}),
+Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options)
+    : context_(context),
+      options_(options),
+      size_(size),
+      trial_({.device = options.device}),
+      standby_(options.device),
+      reloader_(reload_steps(),
+                {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
       inputs_(texture_limits()) {}
 
 Playground::~Playground() = default;
 
 ReloadSteps Playground::reload_steps() {
-  return {
-      .read =
-          [this](const std::filesystem::path &file) {
-            ReadPreset read = read_preset(file);
-            if (read.preset)
-              lay_fills_over(*read.preset);
-            return read;
-          },
-      .watch =
-          [this](const ReadPreset &read) {
-            const Preset *preset = read.preset ? &*read.preset : preset_.get();
-            watcher_.set_files(watched_files(read.files, preset));
-          },
-      .has_uniforms =
-          [this](const Preset &text) { return standby_.draws(text, shelf_); },
-      .start_trial =
-          [this](const Preset &preset, Programs programs, bool is_text) {
-            start_trial(preset, programs, is_text);
-          },
-      .trial = [this]() -> const Verdict & { return follow_trial(); },
-      .put_in_place =
-          [this](const Preset &preset, Programs programs, bool is_text) {
-            return put_in_place(preset, programs, is_text);
-          }};
+    return {
+        .read =
+            [this](const std::filesystem::path& file) {
+                ReadPreset read = read_preset(file);
+                if (read.preset) lay_fills_over(*read.preset);
+                return read;
+            },
+        .watch =
+            [this](const ReadPreset& read) {
+                const Preset* preset = read.preset ? &*read.preset : preset_.get();
+                watcher_.set_files(watched_files(read.files, preset));
+            },
+        .has_uniforms = [this](const Preset& text) { return standby_.draws(text, shelf_); },
+        .start_trial = [this](const Preset& preset, Programs programs,
+                              bool is_text) { start_trial(preset, programs, is_text); },
+        .trial = [this]() -> const Verdict& { return follow_trial(); },
+        .put_in_place = [this](const Preset& preset, Programs programs,
+                               bool is_text) { return put_in_place(preset, programs, is_text); }};
 }
 
 ProgramOptions Playground::program_options(Programs programs) const {
-  if (programs != Programs::constants && options_.specialise)
-    return standby_.program_options();
-  return {.specialise = programs == Programs::constants, .lean = true};
+    if (programs != Programs::constants && options_.specialise) return standby_.program_options();
+    return {.specialise = programs == Programs::constants, .lean = true};
 }
 
 // The values that a text would be drawn with: those that a person has set stay.
-TweakValues Playground::tweaks_with(const Preset &text) const {
-  const Preset *written = reloader_.as_written();
-  if (!written)
-    return TweakValues(text.scene.tweaks, text.values);
-  TweakValues next = tweaks;
-  next.rebase(text.scene.tweaks);
-  apply_saved_changes(*written, text, next);
-  return next;
+TweakValues Playground::tweaks_with(const Preset& text) const {
+    const Preset* written = reloader_.as_written();
+    if (!written) return TweakValues(text.scene.tweaks, text.values);
+    TweakValues next = tweaks;
+    next.rebase(text.scene.tweaks);
+    apply_saved_changes(*written, text, next);
+    return next;
 }
 
-void Playground::start_trial(const Preset &candidate, Programs programs,
-                             bool is_text) {
-  tried_ = std::make_unique<Preset>(candidate);
-  if (is_text)
-    tried_->values = tweaks_with(candidate).values();
-  tried_is_text_ = is_text;
-  tried_is_loaded_ = false;
-  tried_by_standby_ = programs != Programs::constants && options_.specialise;
-  loader_.stop();
-  Trial &trial = tried_by_standby_ ? standby_.trial() : trial_;
-  trial.start({.preset = *tried_,
-               .compile = {.program = program_options(programs)},
-               .size = size_,
-               .time = transport.time(),
-               .images = {},
-               .is_text = is_text});
+void Playground::start_trial(const Preset& candidate, Programs programs, bool is_text) {
+    tried_ = std::make_unique<Preset>(candidate);
+    if (is_text) tried_->values = tweaks_with(candidate).values();
+    tried_is_text_ = is_text;
+    tried_is_loaded_ = false;
+    tried_by_standby_ = programs != Programs::constants && options_.specialise;
+    loader_.stop();
+    Trial& trial = tried_by_standby_ ? standby_.trial() : trial_;
+    trial.start({.preset = *tried_,
+                 .compile = {.program = program_options(programs)},
+                 .size = size_,
+                 .time = transport.time(),
+                 .images = {},
+                 .is_text = is_text});
 }
 
 // What has passed there is taken up here, pass by pass, before anybody hears of
 // it. Standby's programs are here.
-const Verdict &Playground::follow_trial() {
-  static const Verdict running{
-      .state = TrialState::running, .passes = {}, .diagnostics = {}};
-  trial_.poll();
-  const Verdict &verdict =
-      (tried_by_standby_ ? standby_.trial() : trial_).poll();
-  if (!reloader_.is_trying() || verdict.state != TrialState::passed ||
-      tried_by_standby_)
-    return verdict;
-  if (!std::exchange(tried_is_loaded_, true)) {
-    std::vector<std::string> passes;
-    double compile_ms = 0.0;
-    for (const PassTrial &pass : verdict.passes) {
-      passes.push_back(pass.name);
-      compile_ms += pass.first_ms;
+const Verdict& Playground::follow_trial() {
+    static const Verdict running{.state = TrialState::running, .passes = {}, .diagnostics = {}};
+    trial_.poll();
+    const Verdict& verdict = (tried_by_standby_ ? standby_.trial() : trial_).poll();
+    if (!reloader_.is_trying() || verdict.state != TrialState::passed || tried_by_standby_)
+        return verdict;
+    if (!std::exchange(tried_is_loaded_, true)) {
+        std::vector<std::string> passes;
+        double compile_ms = 0.0;
+        for (const PassTrial& pass : verdict.passes) {
+            passes.push_back(pass.name);
+            compile_ms += pass.first_ms;
+        }
+        longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms);
+        const auto programs =
+            options_.specialise ? Programs::constants : Programs::uniforms_for_good;
+        loader_.start(*tried_, program_options(programs), std::move(passes));
     }
-    longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms);
-    const auto programs =
-        options_.specialise ? Programs::constants : Programs::uniforms_for_good;
-    loader_.start(*tried_, program_options(programs), std::move(passes));
-  }
-  if (!loader_.is_loading())
-    return verdict;
-  loader_.step(shelf_, tried_is_text_ ? nullptr : renderer_.get());
-  return running;
+    if (!loader_.is_loading()) return verdict;
+    loader_.step(shelf_, tried_is_text_ ? nullptr : renderer_.get());
+    return running;
 }
 
-void Playground::open(const std::filesystem::path &file) {
-  fills_ = {};
-  longest_compile_ms_ = 0.0;
-  watcher_.about_to_read();
-  reloader_.open(file);
+void Playground::open(const std::filesystem::path& file) {
+    fills_ = {};
+    longest_compile_ms_ = 0.0;
+    watcher_.about_to_read();
+    reloader_.open(file);
 }
 
 std::vector<int> Playground::descriptors() const {
-  return {watcher_.descriptor(), trial_.descriptor(), standby_.descriptor(),
-          inputs_.descriptor()};
+    return {watcher_.descriptor(), trial_.descriptor(), standby_.descriptor(),
+            inputs_.descriptor()};
 }
 
 bool Playground::update() {
-  const std::size_t reports = report_count();
-  const bool was_loading = is_loading();
-  notice_saves();
-  if (reloader_.follow())
-    load_missing_inputs();
-  follow_inputs();
-  prepare_uniforms();
-  // The tweaks may have moved while constants were compiled, or before there
-  // was anything else.
-  const bool may_follow = is_specialised() || standby_.has_scene();
-  if (constants_ && *constants_ != tweaks.values() && may_follow)
-    leave_constants();
-  specialise_at_rest();
-  return reports != report_count() || was_loading != is_loading() || touched_;
+    const std::size_t reports = report_count();
+    const bool was_loading = is_loading();
+    notice_saves();
+    if (reloader_.follow()) load_missing_inputs();
+    follow_inputs();
+    prepare_uniforms();
+    // The tweaks may have moved while constants were compiled, or before there
+    // was anything else.
+    const bool may_follow = is_specialised() || standby_.has_scene();
+    if (constants_ && *constants_ != tweaks.values() && may_follow) leave_constants();
+    specialise_at_rest();
+    return reports != report_count() || was_loading != is_loading() || touched_;
 }
 
 void Playground::notice_saves() {
-  const std::vector<std::filesystem::path> changed = watcher_.changed();
-  if (changed.empty())
-    return;
-  const auto text = std::ranges::find_if(
-      changed, [&](const auto &file) { return reloader_.is_read_from(file); });
-  if (text != changed.end())
-    reloader_.saved(*text);
-  reload_inputs(changed);
+    const std::vector<std::filesystem::path> changed = watcher_.changed();
+    if (changed.empty()) return;
+    const auto text = std::ranges::find_if(
+        changed, [&](const auto& file) { return reloader_.is_read_from(file); });
+    if (text != changed.end()) reloader_.saved(*text);
+    reload_inputs(changed);
 }
 
-std::unique_ptr<Renderer>
-Playground::make_renderer(const Preset &preset, const ProgramOptions &options,
-                          Diagnostics &why_not) {
-  CompileResult compiled =
-      compile_scene(preset, {.program = options}, nullptr, nullptr, &shelf_);
-  if (!compiled.scene) {
-    why_not = std::move(compiled.diagnostics);
-    return nullptr;
-  }
-  return std::make_unique<Renderer>(
-      preset, std::move(*compiled.scene),
-      RenderOptions{.size = size_, .picture_format = picture_format()});
+std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset,
+                                                    const ProgramOptions& options,
+                                                    Diagnostics& why_not) {
+    CompileResult compiled = compile_scene(preset, {.program = options}, nullptr, nullptr, &shelf_);
+    if (!compiled.scene) {
+        why_not = std::move(compiled.diagnostics);
+        return nullptr;
+    }
+    return std::make_unique<Renderer>(
+        preset, std::move(*compiled.scene),
+        RenderOptions{.size = size_, .picture_format = picture_format()});
 }
 
 // In one step, or all is left as it was.
-Diagnostics Playground::put_in_place(const Preset &candidate, Programs programs,
-                                     bool is_text) {
-  const bool is_constant = programs == Programs::constants;
-  const Preset *written = reloader_.as_written();
-  auto preset = std::make_unique<Preset>(candidate);
-  TweakValues next = is_text ? tweaks_with(candidate) : tweaks;
-  // For the compiler and the renderer alone. A tweak that moved since is
-  // followed at once.
-  preset->values = is_constant ? tried_->values : next.values();
-  std::unique_ptr<Renderer> renderer;
-  try {
-    Diagnostics why_not;
-    renderer = make_renderer(*preset, program_options(programs), why_not);
-    if (!renderer)
-      return why_not;
-    const bool same_file = preset_ && written;
-    if (renderer_ && (same_file || !is_text))
-      renderer->adopt(*renderer_);
-    // What cannot be opened keeps the scene before; what cannot be decoded is
-    // told later.
-    for (const std::size_t sampler : renderer->inputs_needed())
-      for (const auto &file : sampler_at(*preset, sampler).files)
-        require_readable(file);
-    context_.finish(); // now the driver says whether there was memory for all
-                       // buffers
-  } catch (const ContextLost &) {
-    throw;
-  } catch (const std::runtime_error &error) {
-    if (renderer && renderer_)
-      renderer_->adopt(*renderer);
-    return {
-        {.place = {.file = reloader_.file().string()}, .text = error.what()}};
-  }
-  touched_ |= constants_ && *constants_ != preset->values;
-  keep_what_was_drawn(programs, is_text);
-  renderer_ = std::move(renderer);
-  preset_ = std::move(preset);
-  constants_.reset();
-  if (is_constant)
-    constants_ = std::move(preset_->values);
-  preset_->values.clear();
-  tweaks = std::move(next);
-  if (!is_text && standby_.is_ready())
-    tidy_shelf();
-  if (!is_text && !renderer_->inputs_needed().empty())
-    load_missing_inputs();
-  if (!is_text)
-    return {}; // the picture is the same; nothing asks for a frame
-  for (std::size_t i = 0; i < fills_.size(); ++i)
-    fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
-  since_tweak_.restart();
-  touched_ = true;
-  if (!written) {
-    opening_ = Opening::awaits_inputs;
-    transport = Transport(preset_->time);
-    input_ = {};
-    extra_frames_ = frame_offset_ = 0;
-  }
-  return {};
+Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs, bool is_text) {
+    const bool is_constant = programs == Programs::constants;
+    const Preset* written = reloader_.as_written();
+    auto preset = std::make_unique<Preset>(candidate);
+    TweakValues next = is_text ? tweaks_with(candidate) : tweaks;
+    // For the compiler and the renderer alone. A tweak that moved since is
+    // followed at once.
+    preset->values = is_constant ? tried_->values : next.values();
+    std::unique_ptr<Renderer> renderer;
+    try {
+        Diagnostics why_not;
+        renderer = make_renderer(*preset, program_options(programs), why_not);
+        if (!renderer) return why_not;
+        const bool same_file = preset_ && written;
+        if (renderer_ && (same_file || !is_text)) renderer->adopt(*renderer_);
+        // What cannot be opened keeps the scene before; what cannot be decoded is
+        // told later.
+        for (const std::size_t sampler : renderer->inputs_needed())
+            for (const auto& file : sampler_at(*preset, sampler).files) require_readable(file);
+        context_.finish();  // now the driver says whether there was memory for all
+                            // buffers
+    } catch (const ContextLost&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        if (renderer && renderer_) renderer_->adopt(*renderer);
+        return {{.place = {.file = reloader_.file().string()}, .text = error.what()}};
+    }
+    touched_ |= constants_ && *constants_ != preset->values;
+    keep_what_was_drawn(programs, is_text);
+    renderer_ = std::move(renderer);
+    preset_ = std::move(preset);
+    constants_.reset();
+    if (is_constant) constants_ = std::move(preset_->values);
+    preset_->values.clear();
+    tweaks = std::move(next);
+    if (!is_text && standby_.is_ready()) tidy_shelf();
+    if (!is_text && !renderer_->inputs_needed().empty()) load_missing_inputs();
+    if (!is_text) return {};  // the picture is the same; nothing asks for a frame
+    for (std::size_t i = 0; i < fills_.size(); ++i)
+        fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
+    since_tweak_.restart();
+    touched_ = true;
+    if (!written) {
+        opening_ = Opening::awaits_inputs;
+        transport = Transport(preset_->time);
+        input_ = {};
+        extra_frames_ = frame_offset_ = 0;
+    }
+    return {};
 }
 
 // Fed programs of the shown text stay at hand, whichever are drawn.
 void Playground::keep_what_was_drawn(Programs programs, bool is_text) {
-  const bool was_fed = renderer_ && !constants_;
-  if (!is_text) {
-    if (was_fed && standby_.is_ready())
-      standby_.give_back(renderer_->take_scene());
-    return;
-  }
-  ++text_;
-  if (programs == Programs::constants)
-    return standby_.stop();
-  standby_.forget_scene();
-  prepared_text_ = text_;
+    const bool was_fed = renderer_ && !constants_;
+    if (!is_text) {
+        if (was_fed && standby_.is_ready()) standby_.give_back(renderer_->take_scene());
+        return;
+    }
+    ++text_;
+    if (programs == Programs::constants) return standby_.stop();
+    standby_.forget_scene();
+    prepared_text_ = text_;
 }
 
 // Programs that are neither drawn nor at hand.
 void Playground::tidy_shelf() {
-  std::vector<GLuint> ids = ids_of(renderer_->scene());
-  std::ranges::copy(standby_.ids(), std::back_inserter(ids));
-  shelf_.keep_only(ids);
+    std::vector<GLuint> ids = ids_of(renderer_->scene());
+    std::ranges::copy(standby_.ids(), std::back_inserter(ids));
+    shelf_.keep_only(ids);
 }
 
 void Playground::tweaks_changed() {
-  if (!preset_)
-    return;
-  renderer_->set_values(tweaks.values());
-  since_tweak_.restart();
-  touched_ = true;
-  reloader_.tweaks_moved();
-  leave_constants();
+    if (!preset_) return;
+    renderer_->set_values(tweaks.values());
+    since_tweak_.restart();
+    touched_ = true;
+    reloader_.tweaks_moved();
+    leave_constants();
 }
 
 // Draws fed programs, where these are at hand. Else the picture waits for them,
 // or for the constants of the new values.
 void Playground::leave_constants() {
-  if (!constants_)
-    return;
-  reloader_.uses_uniforms();
-  std::optional<CompiledScene> scene = standby_.take();
-  // Small texts are compiled here, and all where there is no other process.
-  constexpr double kSmall = 60.0; // ms
-  if (!scene && (standby_.is_refused() || longest_compile_ms_ < kSmall))
-    scene = compile_scene(*preset_,
-                          {.program = {.specialise = false, .lean = true}})
-                .scene;
-  if (!scene)
-    return;
-  auto renderer = std::make_unique<Renderer>(
-      *preset_, std::move(*scene),
-      RenderOptions{.size = size_, .picture_format = picture_format()});
-  renderer->set_values(tweaks.values());
-  renderer->adopt(*renderer_);
-  renderer_ = std::move(renderer);
-  constants_.reset();
-  touched_ = true;
-  load_missing_inputs(); // constants may have had no use for some
+    if (!constants_) return;
+    reloader_.uses_uniforms();
+    std::optional<CompiledScene> scene = standby_.take();
+    // Small texts are compiled here, and all where there is no other process.
+    constexpr double kSmall = 60.0;  // ms
+    if (!scene && (standby_.is_refused() || longest_compile_ms_ < kSmall))
+        scene = compile_scene(*preset_, {.program = {.specialise = false, .lean = true}}).scene;
+    if (!scene) return;
+    auto renderer = std::make_unique<Renderer>(
+        *preset_, std::move(*scene),
+        RenderOptions{.size = size_, .picture_format = picture_format()});
+    renderer->set_values(tweaks.values());
+    renderer->adopt(*renderer_);
+    renderer_ = std::move(renderer);
+    constants_.reset();
+    touched_ = true;
+    load_missing_inputs();  // constants may have had no use for some
 }
 
 // When there is nothing else to do: the picture comes first.
 void Playground::prepare_uniforms() {
-  if (!renderer_ || !options_.specialise)
-    return;
-  const bool was_ready = standby_.is_ready();
-  standby_.follow(shelf_, *renderer_);
-  if (!was_ready && standby_.is_ready())
-    tidy_shelf();
-  const bool is_quiet = reloader_.state() == ReloadState::idle &&
-                        !reloader_.has_unseen() && !awaits_inputs();
-  if (!is_quiet || prepared_text_ == text_)
-    return;
-  prepared_text_ = text_;
-  standby_.prepare(current_preset(), size_, transport.time());
+    if (!renderer_ || !options_.specialise) return;
+    const bool was_ready = standby_.is_ready();
+    standby_.follow(shelf_, *renderer_);
+    if (!was_ready && standby_.is_ready()) tidy_shelf();
+    const bool is_quiet =
+        reloader_.state() == ReloadState::idle && !reloader_.has_unseen() && !awaits_inputs();
+    if (!is_quiet || prepared_text_ == text_) return;
+    prepared_text_ = text_;
+    standby_.prepare(current_preset(), size_, transport.time());
 }
 
 void Playground::specialise_at_rest() {
-  if (!renderer_ || !reloader_.wants_constants() ||
-      (tweaks.is_open() && !constants_))
-    return;
-  // Where the picture does not follow yet, constants are the first to show the
-  // new values.
-  constexpr double kStandsStill = 0.1; // s
-  const double rest = constants_ ? kStandsStill : options_.rest_seconds;
-  if (since_tweak_.ms() < rest * 1000.0)
-    return;
-  reloader_.tweaks_rest(current_preset());
+    if (!renderer_ || !reloader_.wants_constants() || (tweaks.is_open() && !constants_)) return;
+    // Where the picture does not follow yet, constants are the first to show the
+    // new values.
+    constexpr double kStandsStill = 0.1;  // s
+    const double rest = constants_ ? kStandsStill : options_.rest_seconds;
+    if (since_tweak_.ms() < rest * 1000.0) return;
+    reloader_.tweaks_rest(current_preset());
 }
 
 bool Playground::wants_frame() const {
-  if (!renderer_)
-    return false;
-  const bool settles = !transport.playing() && extra_frames_ < preset_->settle;
-  const bool time_moves =
-      transport.playing() ? follows_time() : transport.wants_frame();
-  return touched_ || replay_at_ >= 0 || settles || time_moves;
+    if (!renderer_) return false;
+    const bool settles = !transport.playing() && extra_frames_ < preset_->settle;
+    const bool time_moves = transport.playing() ? follows_time() : transport.wants_frame();
+    return touched_ || replay_at_ >= 0 || settles || time_moves;
 }
 
 bool Playground::follows_time() const {
-  const auto &passes = renderer_->graph().passes;
-  return !preset_->events.empty() ||
-         std::any_of(passes.begin(), passes.end(), [](const GraphPass &pass) {
-           return pass.runs != Runs::on_change;
-         });
+    const auto& passes = renderer_->graph().passes;
+    return !preset_->events.empty() ||
+           std::any_of(passes.begin(), passes.end(),
+                       [](const GraphPass& pass) { return pass.runs != Runs::on_change; });
 }
 
 void Playground::resize(glm::ivec2 size) {
-  if (size == size_ || size == refused_size_)
-    return;
-  touched_ = true;
-  refused_size_ = {0, 0};
-  try {
-    if (renderer_)
-      renderer_->resize(size);
-    context_.finish();
-    size_ = size;
-  } catch (const ContextLost &) {
-    throw;
-  } catch (const std::runtime_error &error) {
-    refused_size_ = size;
-    renderer_->resize(size_);
-    reloader_.tell(
-        {.place = {.file = reloader_.file().string()}, .text = error.what()});
-  }
+    if (size == size_ || size == refused_size_) return;
+    touched_ = true;
+    refused_size_ = {0, 0};
+    try {
+        if (renderer_) renderer_->resize(size);
+        context_.finish();
+        size_ = size;
+    } catch (const ContextLost&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        refused_size_ = size;
+        renderer_->resize(size_);
+        reloader_.tell({.place = {.file = reloader_.file().string()}, .text = error.what()});
+    }
 }
 
 void Playground::mouse(glm::dvec2 fraction, bool down) {
-  input_.mouse(fraction, down);
-  recent_.mouse(fraction, down);
-  recorder.mouse(fraction, down);
-  touched_ |= renderer_ && renderer_->reads_mouse();
+    input_.mouse(fraction, down);
+    recent_.mouse(fraction, down);
+    recorder.mouse(fraction, down);
+    touched_ |= renderer_ && renderer_->reads_mouse();
 }
 
 void Playground::key(int code, bool down) {
-  input_.key(code, down);
-  recent_.key(code, down);
-  recorder.key(code, down);
-  touched_ |= renderer_ && renderer_->reads_keyboard();
+    input_.key(code, down);
+    recent_.key(code, down);
+    recorder.key(code, down);
+    touched_ |= renderer_ && renderer_->reads_keyboard();
 }
 
 void Playground::measure_passes(bool on) {
-  if (on == measuring_)
-    return;
-  measuring_ = on;
-  pass_times_.clear();
-  if (!renderer_)
-    return;
-  renderer_->set_picture_format(picture_format());
-  renderer_->draw_root(frame_again());
+    if (on == measuring_) return;
+    measuring_ = on;
+    pass_times_.clear();
+    if (!renderer_) return;
+    renderer_->set_picture_format(picture_format());
+    renderer_->draw_root(frame_again());
 }
 
 Frame Playground::next_frame(double wall_seconds) {
-  const double before = instant_.time;
-  // What is recorded is replayed by exports, which drop no simulated time: a
-  // frame that is too slow holds time up then. Below the limit, for the part of
-  // a step that was left over.
-  if (recorder.recording()) {
-    wall_seconds =
-        std::min(wall_seconds, 0.8 * kLongestCatchUp / transport.rate());
-  }
-  instant_ = transport.advance(wall_seconds);
-  if (instant_.frame == 0)
-    frame_offset_ = 0;
-  const bool stands =
-      instant_.frame > 0 && instant_.time == before && !instant_.jumped;
-  extra_frames_ = stands ? extra_frames_ + 1 : 0;
-  instant_.frame += frame_offset_;
-  Frame frame;
-  frame.time = instant_.time;
-  frame.time_delta = instant_.time_delta;
-  frame.frame_rate = instant_.frame_rate;
-  frame.frame = instant_.frame;
-  frame.date = shadertoy_date(local_now(), 0.0);
-  if (transport.playing() && !instant_.jumped)
-    replay_events(before, frame.time);
-  frame.input = input_.next_frame(size_);
-  frame.longest_catch_up = kLongestCatchUp;
-  recorder.frame(frame.time);
-  recent_.frame(frame.time);
-  if (!recent_.recording() || instant_.jumped)
-    recent_.start(frame.time, input_);
-  recent_.forget_before(frame.time - 4.0 * kLongestCatchUp);
-  frame.events = recent_.events();
-  return frame;
+    const double before = instant_.time;
+    // What is recorded is replayed by exports, which drop no simulated time: a
+    // frame that is too slow holds time up then. Below the limit, for the part of
+    // a step that was left over.
+    if (recorder.recording()) {
+        wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport.rate());
+    }
+    instant_ = transport.advance(wall_seconds);
+    if (instant_.frame == 0) frame_offset_ = 0;
+    const bool stands = instant_.frame > 0 && instant_.time == before && !instant_.jumped;
+    extra_frames_ = stands ? extra_frames_ + 1 : 0;
+    instant_.frame += frame_offset_;
+    Frame frame;
+    frame.time = instant_.time;
+    frame.time_delta = instant_.time_delta;
+    frame.frame_rate = instant_.frame_rate;
+    frame.frame = instant_.frame;
+    frame.date = shadertoy_date(local_now(), 0.0);
+    if (transport.playing() && !instant_.jumped) replay_events(before, frame.time);
+    frame.input = input_.next_frame(size_);
+    frame.longest_catch_up = kLongestCatchUp;
+    recorder.frame(frame.time);
+    recent_.frame(frame.time);
+    if (!recent_.recording() || instant_.jumped) recent_.start(frame.time, input_);
+    recent_.forget_before(frame.time - 4.0 * kLongestCatchUp);
+    frame.events = recent_.events();
+    return frame;
 }
 
 // The preset's events go on while time does, also when a person has taken over.
 void Playground::replay_events(double from, double to) {
-  for (const Event &event : events_between(preset_->events, from, to)) {
-    input_.apply(event);
-    recent_.replayed(event);
-    recorder.replayed(event);
-  }
+    for (const Event& event : events_between(preset_->events, from, to)) {
+        input_.apply(event);
+        recent_.replayed(event);
+        recorder.replayed(event);
+    }
 }
 
 double Playground::replayed() const {
-  return replay_at_ < 0
-             ? 1.0
-             : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
+    return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
 }
 
 // A stateful scene is played again from 0 after a jump, a slice a call. True
 // when it has arrived: then `frame`, which is to be drawn, is the last frame of
 // a still at its time, and those that follow count on from there.
-bool Playground::replay_slice(Frame &frame) {
-  const Stopwatch clock;
-  const Playback playback{.end = frame.time};
-  for (; replay_at_ < replay_until_; ++replay_at_) {
-    if (clock.ms() > kReplaySlice)
-      return false;
-    renderer_->advance(playback.frame(*preset_, replay_at_));
-    context_.finish();
-  }
-  replay_at_ = -1;
-  Frame last = playback.frame(*preset_, replay_until_);
-  if (preset_->events.empty())
-    last.input = frame.input;
-  last.date = frame.date;
-  frame_offset_ += last.frame - instant_.frame;
-  instant_.frame = last.frame;
-  instant_.time_delta = last.time_delta;
-  instant_.frame_rate = last.frame_rate;
-  frame = last;
-  return true;
+bool Playground::replay_slice(Frame& frame) {
+    const Stopwatch clock;
+    const Playback playback{.end = frame.time};
+    for (; replay_at_ < replay_until_; ++replay_at_) {
+        if (clock.ms() > kReplaySlice) return false;
+        renderer_->advance(playback.frame(*preset_, replay_at_));
+        context_.finish();
+    }
+    replay_at_ = -1;
+    Frame last = playback.frame(*preset_, replay_until_);
+    if (preset_->events.empty()) last.input = frame.input;
+    last.date = frame.date;
+    frame_offset_ += last.frame - instant_.frame;
+    instant_.frame = last.frame;
+    instant_.time_delta = last.time_delta;
+    instant_.frame_rate = last.frame_rate;
+    frame = last;
+    return true;
 }
 
 bool Playground::draw(double wall_seconds) {
-  if (!renderer_)
-    return false;
-  // Panels move over a picture that stands; no frame of the scene goes by then.
-  if (!transport.playing() && !wants_frame())
-    return false;
-  const Stopwatch clock;
-  // While a replay is under way, time stands.
-  Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
-  const bool plays_again = opening_ == Opening::plays_again;
-  if (plays_again)
-    opening_ = Opening::done;
-  if (instant_.jumped || plays_again) {
-    renderer_->reset();
-    const bool again =
-        renderer_->graph().stateful && (instant_.time > 0.0 || plays_again);
-    replay_at_ = again ? 0 : -1;
-    replay_until_ = Playback{.end = instant_.time}.last_frame();
-  }
-  if (replay_at_ >= 0 && !replay_slice(frame))
-    return false;
+    if (!renderer_) return false;
+    // Panels move over a picture that stands; no frame of the scene goes by then.
+    if (!transport.playing() && !wants_frame()) return false;
+    const Stopwatch clock;
+    // While a replay is under way, time stands.
+    Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
+    const bool plays_again = opening_ == Opening::plays_again;
+    if (plays_again) opening_ = Opening::done;
+    if (instant_.jumped || plays_again) {
+        renderer_->reset();
+        const bool again = renderer_->graph().stateful && (instant_.time > 0.0 || plays_again);
+        replay_at_ = again ? 0 : -1;
+        replay_until_ = Playback{.end = instant_.time}.last_frame();
+    }
+    if (replay_at_ >= 0 && !replay_slice(frame)) return false;
 
-  touched_ = false;
-  if (measuring_) {
-    pass_times_.resize(renderer_->graph().passes.size());
-    for (PassTime &pass : pass_times_)
-      pass.drawn = false;
-    renderer_->after_pass = [this,
-                             watch = Stopwatch()](std::size_t pass) mutable {
-      context_.finish();
-      pass_times_[pass] = {.ms = watch.restart(), .drawn = true};
-    };
-  }
-  const bool drawn = renderer_->draw(frame);
-  renderer_->after_pass = nullptr;
-  context_.finish();
-  drawn_input_ = frame.input;
-  drawn_date_ = frame.date;
-  if (drawn)
-    frame_ms_ = clock.ms();
-  reloader_.drawn(clock.ms());
-  return drawn;
+    touched_ = false;
+    if (measuring_) {
+        pass_times_.resize(renderer_->graph().passes.size());
+        for (PassTime& pass : pass_times_) pass.drawn = false;
+        renderer_->after_pass = [this, watch = Stopwatch()](std::size_t pass) mutable {
+            context_.finish();
+            pass_times_[pass] = {.ms = watch.restart(), .drawn = true};
+        };
+    }
+    const bool drawn = renderer_->draw(frame);
+    renderer_->after_pass = nullptr;
+    context_.finish();
+    drawn_input_ = frame.input;
+    drawn_date_ = frame.date;
+    if (drawn) frame_ms_ = clock.ms();
+    reloader_.drawn(clock.ms());
+    return drawn;
 }
 
 // The inputs of the frame that was drawn last.
 Frame Playground::frame_again() const {
-  Frame frame;
-  frame.time = instant_.time;
-  frame.time_delta = instant_.time_delta;
-  frame.frame_rate = instant_.frame_rate;
-  frame.frame = instant_.frame;
-  frame.date = drawn_date_;
-  frame.input = drawn_input_;
-  return frame;
+    Frame frame;
+    frame.time = instant_.time;
+    frame.time_delta = instant_.time_delta;
+    frame.frame_rate = instant_.frame_rate;
+    frame.frame = instant_.frame;
+    frame.date = drawn_date_;
+    frame.input = drawn_input_;
+    return frame;
 }
 
 std::vector<std::byte> Playground::still() {
-  if (!renderer_)
-    return {};
-  const bool measured = measuring_;
-  measure_passes(false);
-  std::vector<std::byte> pixels;
-  const bool as_it_is =
-      (constants_ && *constants_ == tweaks.values()) || !options_.specialise;
-  const Preset now = current_preset();
-  Diagnostics why_not;
-  const auto special =
-      as_it_is
-          ? nullptr
-          : make_renderer(now, program_options(Programs::constants), why_not);
-  for (const Diagnostic &diagnostic : why_not)
-    reloader_.tell(diagnostic);
-  if (special) {
-    special->adopt(*renderer_);
-    special->draw_root(frame_again());
-    pixels = special->read_bytes();
-    renderer_->adopt(*special);
-    touched_ = true;
-  } else {
-    pixels = renderer_->read_bytes();
-  }
-  measure_passes(measured);
-  return pixels;
+    if (!renderer_) return {};
+    const bool measured = measuring_;
+    measure_passes(false);
+    std::vector<std::byte> pixels;
+    const bool as_it_is = (constants_ && *constants_ == tweaks.values()) || !options_.specialise;
+    const Preset now = current_preset();
+    Diagnostics why_not;
+    const auto special =
+        as_it_is ? nullptr : make_renderer(now, program_options(Programs::constants), why_not);
+    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
+    if (special) {
+        special->adopt(*renderer_);
+        special->draw_root(frame_again());
+        pixels = special->read_bytes();
+        renderer_->adopt(*special);
+        touched_ = true;
+    } else {
+        pixels = renderer_->read_bytes();
+    }
+    measure_passes(measured);
+    return pixels;
 }
 
 Metadata Playground::still_metadata() const {
-  return picture_metadata(current_preset(), frame_again(), context_.renderer());
+    return picture_metadata(current_preset(), frame_again(), context_.renderer());
 }
 
-const Buffer *Playground::picture_of(TweakSet set) {
-  if (!renderer_)
-    return nullptr;
-  leave_constants();
-  if (constants_)
-    return nullptr; // nothing at hand can draw it yet
-  const Buffer &picture =
-      renderer_->buffer(renderer_->graph().passes.size() - 1);
-  if (!other_picture_ || other_picture_->shape() != picture.shape()) {
-    other_picture_ = std::make_unique<Buffer>(picture.shape());
-  }
-  renderer_->set_values(tweaks.values(set));
-  renderer_->draw_root(frame_again());
-  other_picture_->copy_from(picture);
-  renderer_->set_values(tweaks.values());
-  renderer_->draw_root(frame_again());
-  context_.finish();
-  return other_picture_.get();
+const Buffer* Playground::picture_of(TweakSet set) {
+    if (!renderer_) return nullptr;
+    leave_constants();
+    if (constants_) return nullptr;  // nothing at hand can draw it yet
+    const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
+    if (!other_picture_ || other_picture_->shape() != picture.shape()) {
+        other_picture_ = std::make_unique<Buffer>(picture.shape());
+    }
+    renderer_->set_values(tweaks.values(set));
+    renderer_->draw_root(frame_again());
+    other_picture_->copy_from(picture);
+    renderer_->set_values(tweaks.values());
+    renderer_->draw_root(frame_again());
+    context_.finish();
+    return other_picture_.get();
 }
 
 Preset Playground::current_preset() const {
-  Preset preset = *preset_;
-  preset.values = tweaks.values();
-  preset.time = instant_.time;
-  return preset;
+    Preset preset = *preset_;
+    preset.values = tweaks.values();
+    preset.time = instant_.time;
+    return preset;
 }
 
 Preset Playground::preset_as_shown() const {
-  constexpr double kSoon = 2.0; // s
-  Preset preset = current_preset();
-  preset.size = size_;
-  if (renderer_->graph().stateful) {
-    preset.time = std::min(preset.time, std::max(preset_->time, kSoon));
-  }
-  if (preset.events.empty())
-    preset.events = input_.as_events(0.0);
-  return preset;
+    constexpr double kSoon = 2.0;  // s
+    Preset preset = current_preset();
+    preset.size = size_;
+    if (renderer_->graph().stateful) {
+        preset.time = std::min(preset.time, std::max(preset_->time, kSoon));
+    }
+    if (preset.events.empty()) preset.events = input_.as_events(0.0);
+    return preset;
 }
 
-} // namespace glint
+}  // namespace glint

@@ -23,234 +23,222 @@
 namespace glint {
 
 struct PlaygroundOptions {
-  std::string device;
-  bool specialise = true;       // once the tweaks rest
-  double rest_seconds = 0.4;    // how long they rest before that
-  double hopeless_ms = 10000.0; // a frame that would take longer is refused
+    std::string device;
+    bool specialise = true;        // once the tweaks rest
+    double rest_seconds = 0.4;     // how long they rest before that
+    double hopeless_ms = 10000.0;  // a frame that would take longer is refused
 };
 
 class Playground {
 public:
-  // `context` is current and outlives the playground.
-  Playground(Context &context, glm::ivec2 size,
-             const PlaygroundOptions &options = {});
-  ~Playground();
+    // `context` is current and outlives the playground.
+    Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options = {});
+    ~Playground();
 
-  // Opens a scene or a preset. What was open stays on the screen until the new
-  // one draws.
-  void open(const std::filesystem::path &file);
+    // Opens a scene or a preset. What was open stays on the screen until the new
+    // one draws.
+    void open(const std::filesystem::path& file);
 
-  // Follows files and trials; does not wait. True when something has changed
-  // that a person sees.
-  bool update();
+    // Follows files and trials; does not wait. True when something has changed
+    // that a person sees.
+    bool update();
 
-  // For ::poll(): readable when update() has something to do.
-  std::vector<int> descriptors() const;
+    // For ::poll(): readable when update() has something to do.
+    std::vector<int> descriptors() const;
 
-  // Whether a frame is due: time moves, or an input, a tweak, the size or the
-  // scene has changed.
-  bool wants_frame() const;
+    // Whether a frame is due: time moves, or an input, a tweak, the size or the
+    // scene has changed.
+    bool wants_frame() const;
 
-  // Whether that frame is the first of a text that was saved or opened.
-  bool has_unseen_text() const { return reloader_.has_unseen(); }
+    // Whether that frame is the first of a text that was saved or opened.
+    bool has_unseen_text() const { return reloader_.has_unseen(); }
 
-  // Draws what is due; `wall_seconds` have passed since the last call. True
-  // when the picture is new.
-  bool draw(double wall_seconds);
+    // Draws what is due; `wall_seconds` have passed since the last call. True
+    // when the picture is new.
+    bool draw(double wall_seconds);
 
-  // In pixels of the picture. It stays as it is where there is no memory for
-  // the new size; the diagnostics tell.
-  void resize(glm::ivec2 size);
-  glm::ivec2 size() const { return size_; }
+    // In pixels of the picture. It stays as it is where there is no memory for
+    // the new size; the diagnostics tell.
+    void resize(glm::ivec2 size);
+    glm::ivec2 size() const { return size_; }
 
-  // Input, for the next frame; asks for one when the scene reads it. Positions
-  // are fractions of the picture, y up.
-  void mouse(glm::dvec2 fraction, bool down);
-  void key(int code, bool down);
+    // Input, for the next frame; asks for one when the scene reads it. Positions
+    // are fractions of the picture, y up.
+    void mouse(glm::dvec2 fraction, bool down);
+    void key(int code, bool down);
 
-  // A tweak was moved: the next frame shows it.
-  void tweaks_changed();
+    // A tweak was moved: the next frame shows it.
+    void tweaks_changed();
 
-  // Fills the channel of this name, where the scene and its preset fill it by
-  // nothing, until the file is left: reads it again, and tries it.
-  void fill(const Sampler &channel);
-  // Leaves the channels to what the file says.
-  void forget_fills();
-  bool has_fills() const;
+    // Fills the channel of this name, where the scene and its preset fill it by
+    // nothing, until the file is left: reads it again, and tries it.
+    void fill(const Sampler& channel);
+    // Leaves the channels to what the file says.
+    void forget_fills();
+    bool has_fills() const;
 
-  // The picture as a still would write it, RGBA: drawn anew with the tweaks as
-  // constants.
-  std::vector<std::byte> still();
-  Metadata still_metadata() const;
+    // The picture as a still would write it, RGBA: drawn anew with the tweaks as
+    // constants.
+    std::vector<std::byte> still();
+    Metadata still_metadata() const;
 
-  // The same instant with the values of one of the two tweak sets, drawn from
-  // the buffers as they stand. Null while nothing is open.
-  const Buffer *picture_of(TweakSet set);
+    // The same instant with the values of one of the two tweak sets, drawn from
+    // the buffers as they stand. Null while nothing is open.
+    const Buffer* picture_of(TweakSet set);
 
-  // Records mouse and keys from now on.
-  void start_recording() { recorder.start(instant_.time, input_); }
+    // Records mouse and keys from now on.
+    void start_recording() { recorder.start(instant_.time, input_); }
 
-  // The preset as it stands now: values, time, size, recorded events.
-  Preset current_preset() const;
+    // The preset as it stands now: values, time, size, recorded events.
+    Preset current_preset() const;
 
-  // The same for another process to draw what is seen here, mouse and keys
-  // included. A scene that has to be played to its time is taken soon after its
-  // start.
-  Preset preset_as_shown() const;
+    // The same for another process to draw what is seen here, mouse and keys
+    // included. A scene that has to be played to its time is taken soon after its
+    // start.
+    Preset preset_as_shown() const;
 
-  bool is_open() const { return renderer_ != nullptr; }
-  bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
-  // Something large goes to the driver in pieces; update() is to be called
-  // again at once.
-  bool is_sending() const {
-    return !arriving_.empty() || standby_.is_loading() ||
-           (reloader_.is_trying() && loader_.is_loading());
-  }
-  // Whether another thread still reads an input, wanted or not. It ends with
-  // the process.
-  bool is_reading_inputs() const { return inputs_.is_reading(); }
-  bool is_specialised() const {
-    return reloader_.programs() == Programs::constants;
-  }
-  // Whether a slider or a number can move without a compiler.
-  bool is_prepared() const { return standby_.is_ready(); }
-  // Nothing is left to be done in the background.
-  bool is_at_rest() const {
-    return reloader_.programs() != Programs::uniforms && !trial_.is_running() &&
-           !standby_.is_preparing() && !standby_.is_loading();
-  }
-  // Fraction done of a replay to a time that was jumped to, or 1.
-  double replayed() const;
+    bool is_open() const { return renderer_ != nullptr; }
+    bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
+    // Something large goes to the driver in pieces; update() is to be called
+    // again at once.
+    bool is_sending() const {
+        return !arriving_.empty() || standby_.is_loading() ||
+               (reloader_.is_trying() && loader_.is_loading());
+    }
+    // Whether another thread still reads an input, wanted or not. It ends with
+    // the process.
+    bool is_reading_inputs() const { return inputs_.is_reading(); }
+    bool is_specialised() const { return reloader_.programs() == Programs::constants; }
+    // Whether a slider or a number can move without a compiler.
+    bool is_prepared() const { return standby_.is_ready(); }
+    // Nothing is left to be done in the background.
+    bool is_at_rest() const {
+        return reloader_.programs() != Programs::uniforms && !trial_.is_running() &&
+               !standby_.is_preparing() && !standby_.is_loading();
+    }
+    // Fraction done of a replay to a time that was jumped to, or 1.
+    double replayed() const;
 
-  // What is drawn, or null; its values are empty: `tweaks` has them.
-  const Preset *preset() const { return preset_.get(); }
-  // What is shown as its file has it, without what was changed here; null until
-  // it is shown.
-  const Preset *as_written() const { return reloader_.as_written(); }
-  // The file has just been given this.
-  void note_saved(const Preset &preset) {
-    reloader_.note_saved(preset);
-    fills_ = {};
-  }
-  Renderer *renderer() { return renderer_.get(); }
-  const Diagnostics &diagnostics() const { return reloader_.diagnostics(); }
-  // The newest text that was tried was refused, for the reasons that the
-  // diagnostics tell.
-  bool shows_older_text() const { return reloader_.shows_older_text(); }
-  // The last reloads, and how many there were in all.
-  const std::deque<ReloadReport> &reports() const {
-    return reloader_.reports();
-  }
-  std::size_t report_count() const { return reloader_.report_count(); }
-  const Instant &instant() const { return instant_; }
-  double frame_ms() const { return frame_ms_; }
+    // What is drawn, or null; its values are empty: `tweaks` has them.
+    const Preset* preset() const { return preset_.get(); }
+    // What is shown as its file has it, without what was changed here; null until
+    // it is shown.
+    const Preset* as_written() const { return reloader_.as_written(); }
+    // The file has just been given this.
+    void note_saved(const Preset& preset) {
+        reloader_.note_saved(preset);
+        fills_ = {};
+    }
+    Renderer* renderer() { return renderer_.get(); }
+    const Diagnostics& diagnostics() const { return reloader_.diagnostics(); }
+    // The newest text that was tried was refused, for the reasons that the
+    // diagnostics tell.
+    bool shows_older_text() const { return reloader_.shows_older_text(); }
+    // The last reloads, and how many there were in all.
+    const std::deque<ReloadReport>& reports() const { return reloader_.reports(); }
+    std::size_t report_count() const { return reloader_.report_count(); }
+    const Instant& instant() const { return instant_; }
+    double frame_ms() const { return frame_ms_; }
 
-  // Milliseconds a pass of the graph took last, and whether the last frame drew
-  // it. Empty unless measuring, which waits after every pass.
-  struct PassTime {
-    double ms = 0.0;
-    bool drawn = false;
-  };
-  const std::vector<PassTime> &pass_times() const { return pass_times_; }
-  // The picture is kept in floats meanwhile: bytes hold no NaN.
-  void measure_passes(bool on);
+    // Milliseconds a pass of the graph took last, and whether the last frame drew
+    // it. Empty unless measuring, which waits after every pass.
+    struct PassTime {
+        double ms = 0.0;
+        bool drawn = false;
+    };
+    const std::vector<PassTime>& pass_times() const { return pass_times_; }
+    // The picture is kept in floats meanwhile: bytes hold no NaN.
+    void measure_passes(bool on);
 
-  TweakValues tweaks{{}};
-  Transport transport;
-  Recorder recorder;
+    TweakValues tweaks{{}};
+    Transport transport;
+    Recorder recorder;
 
 private:
-  ReloadSteps reload_steps();
-  void notice_saves();
-  void reload_inputs(const std::vector<std::filesystem::path> &changed);
-  void load_missing_inputs();
-  void follow_inputs();
-  void take_input(InputLoader::Loaded loaded);
-  void send_arriving();
-  void show_arrived();
-  bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
-  std::optional<std::size_t> index_of(const Sampler &sampler) const;
-  void lay_fills_over(Preset &candidate);
-  void start_trial(const Preset &candidate, Programs programs, bool is_text);
-  const Verdict &follow_trial();
-  ProgramOptions program_options(Programs programs) const;
-  TweakValues tweaks_with(const Preset &text) const;
-  Diagnostics put_in_place(const Preset &candidate, Programs programs,
-                           bool is_text);
-  void keep_what_was_drawn(Programs programs, bool is_text);
-  void tidy_shelf();
-  void specialise_at_rest();
-  void prepare_uniforms();
-  void leave_constants();
-  Frame next_frame(double wall_seconds);
-  void replay_events(double from, double to);
-  Frame frame_again() const;
-  PixelFormat picture_format() const {
-    return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
-  }
-  bool replay_slice(Frame &frame);
-  bool follows_time() const;
-  std::unique_ptr<Renderer> make_renderer(const Preset &preset,
-                                          const ProgramOptions &options,
-                                          Diagnostics &why_not);
+    ReloadSteps reload_steps();
+    void notice_saves();
+    void reload_inputs(const std::vector<std::filesystem::path>& changed);
+    void load_missing_inputs();
+    void follow_inputs();
+    void take_input(InputLoader::Loaded loaded);
+    void send_arriving();
+    void show_arrived();
+    bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
+    std::optional<std::size_t> index_of(const Sampler& sampler) const;
+    void lay_fills_over(Preset& candidate);
+    void start_trial(const Preset& candidate, Programs programs, bool is_text);
+    const Verdict& follow_trial();
+    ProgramOptions program_options(Programs programs) const;
+    TweakValues tweaks_with(const Preset& text) const;
+    Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
+    void keep_what_was_drawn(Programs programs, bool is_text);
+    void tidy_shelf();
+    void specialise_at_rest();
+    void prepare_uniforms();
+    void leave_constants();
+    Frame next_frame(double wall_seconds);
+    void replay_events(double from, double to);
+    Frame frame_again() const;
+    PixelFormat picture_format() const {
+        return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
+    }
+    bool replay_slice(Frame& frame);
+    bool follows_time() const;
+    std::unique_ptr<Renderer> make_renderer(const Preset& preset, const ProgramOptions& options,
+                                            Diagnostics& why_not);
 
-  Context &context_;
-  PlaygroundOptions options_;
-  glm::ivec2 size_, refused_size_{0};
-  Watcher watcher_;
-  ProgramShelf shelf_;
-  Trial trial_;
-  Standby standby_;
-  ProgramLoader loader_; // of what was tried
-  // What is tried, with the values that it would be drawn with.
-  std::unique_ptr<Preset> tried_;
-  bool tried_is_text_ = false, tried_is_loaded_ = false;
-  bool tried_by_standby_ = false;
-  Reloader reloader_;
-  InputLoader inputs_;
-  // Read, and on the way to the driver.
-  struct Arriving {
-    InputLoader::Loaded loaded;
-    PictureUpload upload;
-  };
-  std::deque<Arriving> arriving_;
-  // A file that was opened: its inputs may come after its first frame. A
-  // simulation that began without them is played again from its start.
-  enum class Opening {
-    done,
-    awaits_inputs,
-    plays_again
-  } opening_ = Opening::done;
+    Context& context_;
+    PlaygroundOptions options_;
+    glm::ivec2 size_, refused_size_{0};
+    Watcher watcher_;
+    ProgramShelf shelf_;
+    Trial trial_;
+    Standby standby_;
+    ProgramLoader loader_;  // of what was tried
+    // What is tried, with the values that it would be drawn with.
+    std::unique_ptr<Preset> tried_;
+    bool tried_is_text_ = false, tried_is_loaded_ = false;
+    bool tried_by_standby_ = false;
+    Reloader reloader_;
+    InputLoader inputs_;
+    // Read, and on the way to the driver.
+    struct Arriving {
+        InputLoader::Loaded loaded;
+        PictureUpload upload;
+    };
+    std::deque<Arriving> arriving_;
+    // A file that was opened: its inputs may come after its first frame. A
+    // simulation that began without them is played again from its start.
+    enum class Opening { done, awaits_inputs, plays_again } opening_ = Opening::done;
 
-  std::unique_ptr<Preset> preset_; // what is drawn, without values
-  std::unique_ptr<Renderer> renderer_;
-  // Of iChannel0..3, by a person here; the buffers that they name are those of
-  // preset_.
-  std::array<Sampler, 4> fills_;
-  std::array<bool, 4>
-      laid_over_{}; // those that the newest text that was read has
-  Stopwatch since_tweak_;
-  // What the programs that are drawn have written in; nothing where they are
-  // fed.
-  std::optional<std::vector<TweakValue>> constants_;
-  std::size_t text_ = 0, prepared_text_ = 0; // texts that were shown, counted
-  // The longest that a text of this file has been in a driver for its first
-  // draws.
-  double longest_compile_ms_ = 0.0;
+    std::unique_ptr<Preset> preset_;  // what is drawn, without values
+    std::unique_ptr<Renderer> renderer_;
+    // Of iChannel0..3, by a person here; the buffers that they name are those of
+    // preset_.
+    std::array<Sampler, 4> fills_;
+    std::array<bool, 4> laid_over_{};  // those that the newest text that was read has
+    Stopwatch since_tweak_;
+    // What the programs that are drawn have written in; nothing where they are
+    // fed.
+    std::optional<std::vector<TweakValue>> constants_;
+    std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
+    // The longest that a text of this file has been in a driver for its first
+    // draws.
+    double longest_compile_ms_ = 0.0;
 
-  std::unique_ptr<Buffer> other_picture_;
-  InputState input_;
-  Recorder recent_; // for the steps of simulations
-  Input drawn_input_;
-  glm::vec4 drawn_date_{0.0f};
-  Instant instant_;
-  bool touched_ = true;  // something other than time asks for a frame
-  int extra_frames_ = 0; // drawn since time stands
-  int frame_offset_ = 0; // of iFrame from the frames drawn, since a replay
-  int replay_at_ = -1, replay_until_ = -1;
-  double frame_ms_ = 0.0;
-  bool measuring_ = false;
-  std::vector<PassTime> pass_times_;
+    std::unique_ptr<Buffer> other_picture_;
+    InputState input_;
+    Recorder recent_;  // for the steps of simulations
+    Input drawn_input_;
+    glm::vec4 drawn_date_{0.0f};
+    Instant instant_;
+    bool touched_ = true;   // something other than time asks for a frame
+    int extra_frames_ = 0;  // drawn since time stands
+    int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
+    int replay_at_ = -1, replay_until_ = -1;
+    double frame_ms_ = 0.0;
+    bool measuring_ = false;
+    std::vector<PassTime> pass_times_;
 };
 
-} // namespace glint
+}  // namespace glint
