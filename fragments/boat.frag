@@ -90,9 +90,11 @@ uniform sampler2D keys;        //@ keyboard
 uniform sampler2D air;         //@ pass mainAir size=64x128
 uniform sampler2D sky; //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D boat;        //@ pass mainBoat size=5x1 step=1/240 filter=nearest
-uniform sampler2D wake;        //@ pass mainWake size=192x192 step=1/240 filter=nearest
+uniform sampler2D wake;        //@ pass mainWake size=48x192 step=1/240 filter=nearest
+uniform sampler2D wakeRise;    //@ pass mainWake size=48x192 step=1/240 filter=nearest
+uniform sampler2D wakeFoam;    //@ pass mainWake size=48x192 step=1/240 filter=nearest
 uniform sampler2D wavelets;    //@ pass mainWavelets size=23x1 filter=nearest
-uniform sampler2D screen;      //@ pass mainScreen format=rgba8
+uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
 uniform sampler2D motif; //@ pass mainMotif size=512x512 format=rgba8 wrap=repeat filter=mipmap
 uniform sampler2D relief;      //@ pass mainRelief size=192x192 wrap=repeat filter=linear
@@ -116,7 +118,8 @@ const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
 const float kSteep[8] = float[8](0.072, 0.090, 0.102, 0.102, 0.102, 0.096, 0.090, 0.076);
 
 struct Hit { float t; int part; vec3 nor, q; };   // q: in the boat's frame
-struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
+// spread: lost slope variance xx, zz, xz; tails: how much longer than a Gaussian's its tails are.
+struct Sea { float height; vec2 slope; vec3 spread; float tails; };
 struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
@@ -324,7 +327,7 @@ vec2 rainRings(vec2 world, float cell, int seed) {
 // Height, slope and lost slopes at a point round the boat; white: how much crests are in line (x),
 // foam of the wake (y).
 Sea seaAt(vec2 p, vec3 blur, out vec2 white) {
-    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
+    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0), 0.0);
     vec2 world = p + gPlace;
     float inLine = addGroup(0, p, blur, 1.0, s) + addGroup(1, p, blur, 1.0, s);
     float gain = gusts(world, blur);
@@ -434,8 +437,8 @@ float shownSlope(vec3 rd, Sea s, out vec2 slope) {
     slope = s.slope + lean * (ahead / area);
     return area;
 }
-// The sun in a sea of Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7, with
-// the shown area in closed form).
+// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7,
+// with the shown area in closed form, and the first term of an Edgeworth series for the tails).
 float seaGlitter(vec3 rd, Sea s, float area) {
     vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
     if (h.y < 0.05) return 0.0;
@@ -445,6 +448,8 @@ float seaGlitter(vec3 rd, Sea s, float area) {
     float det = max(v.x * v.y - v.z * v.z, 1e-12);
     float q = (d.x * d.x * v.y + d.y * d.y * v.x - 2.0 * d.x * d.y * v.z) / det;
     float density = exp(-0.5 * min(q, 80.0)) / (2.0 * kPi * sqrt(det));
+    float tails = s.tails * square((s.spread.x + s.spread.y) / (v.x + v.y));
+    density *= max(1.0 + tails * (q * q - 8.0 * q + 8.0), 0.0);
     return fresnel(clamp(-dot(h, rd), 0.0, 1.0), kIorWater) * density
         / (4.0 * square(square(h.y)) * area);
 }
@@ -1071,49 +1076,65 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
     colour = vec4(clamp(s, -5e4, 5e4), before, 0.0);
 }
 
-vec4 wakeAt(ivec2 c) { return previousFrame(texelFetch(wake, (c + 192) % 192, 0)); }
-// The wave equation on a torus that goes along with her: x height, y its speed half a step before,
-// z foam. Cells that leave on one side come in on the other, at rest.
-void mainWake(out vec4 colour, in vec2 pixel) {
+// The wave equation on a torus of 192 cells that goes along with her: heights, their speed half a
+// step before, foam. A texel is four cells in a row, west to east: what steps 240 times a second
+// fetches half as much for a cell so. Cells that leave on one side come in on the other, at rest.
+vec4 fourCells(sampler2D of, ivec2 c) {
+    return previousFrame(texelFetch(of, (c + ivec2(48, 192)) % ivec2(48, 192), 0));
+}
+// The sum of the neighbours of each of four cells.
+vec4 neighbours(sampler2D of, ivec2 c, vec4 here) {
+    return vec4(here.yzw, fourCells(of, c + ivec2(1, 0)).x)
+        + vec4(fourCells(of, c - ivec2(1, 0)).w, here.xyz)
+        + fourCells(of, c + ivec2(0, 1)) + fourCells(of, c - ivec2(0, 1));
+}
+vec4 square(vec4 x) { return x * x; }
+void mainWake(out vec4 height, out vec4 rise, out vec4 foamed, in vec2 pixel) {
     ivec2 c = ivec2(pixel);
     float cell = kWindow / 192.0, dt = iTimeDelta;
-    vec4 place = texelFetch(boat, ivec2(0), 0), here = wakeAt(c);
-    vec4 sum = wakeAt(c + ivec2(1, 0)) + wakeAt(c - ivec2(1, 0))
-        + wakeAt(c + ivec2(0, 1)) + wakeAt(c - ivec2(0, 1));
-    vec2 p = pixel * cell - place.xy, ahead = vec2(sin(place.z), -cos(place.z));
-    p -= kWindow * floor(p / kWindow + 0.5);
-    float rim = smoothstep(0.38, 0.49, max(abs(p.x), abs(p.y)) / kWindow);
-    float kept = exp(-dt * (0.40 + 30.0 * rim * rim));
-    float along = dot(p, ahead), across = p.x * ahead.y - p.y * ahead.x;
-    float speed = place.w, power = min(square(speed / 2.4), 2.0), side = across * across;
+    vec4 place = texelFetch(boat, ivec2(0), 0), here = fourCells(wake, c);
+    vec4 sum = neighbours(wake, c, here), white = fourCells(wakeFoam, c);
+    vec2 ahead = vec2(sin(place.z), -cos(place.z));
+    vec4 x = (4.0 * pixel.x + vec4(-1.5, -0.5, 0.5, 1.5)) * cell - place.x;
+    float y = pixel.y * cell - place.y;
+    x -= kWindow * floor(x / kWindow + 0.5);
+    y -= kWindow * floor(y / kWindow + 0.5);
+    vec4 rim = smoothstep(0.38, 0.49, max(abs(x), abs(y)) / kWindow);
+    vec4 kept = exp(-dt * (0.40 + 30.0 * rim * rim));
+    vec4 along = x * ahead.x + y * ahead.y, across = x * ahead.y - y * ahead.x;
+    vec4 side = across * across;
+    float speed = place.w, power = min(square(speed / 2.4), 2.0);
     // She lifts the water before her and leaves a hollow behind.
-    float push = exp(-min((square(along - 1.7) + side) / 0.22, 40.0))
+    vec4 push = exp(-min((square(along - 1.7) + side) / 0.22, 40.0))
         - exp(-min((square(along + 1.7) + side) / 0.22, 40.0));
     float beat = 0.45 + 0.75 * sin(2.0 * kPi * cycles(1.125));   // as she nods, so crests follow
-    float drive = 2.2 * wakeStrength * power * sign(speed) * push * beat;
-    float rise = kept * here.y
-        + dt * (square(kWakeSpeed / cell) * (sum.x - 4.0 * here.x) + drive);
-    float height = clamp(kept * (here.x + dt * rise), -0.4, 0.4);
-    float churn = 2.2 * exp(-min(square(along + 2.2) / 0.15 + side / 0.07, 40.0))
+    vec4 drive = 2.2 * wakeStrength * power * sign(speed) * push * beat;
+    rise = kept * fourCells(wakeRise, c)
+        + dt * (square(kWakeSpeed / cell) * (sum - 4.0 * here) + drive);
+    height = clamp(kept * (here + dt * rise), -0.4, 0.4);
+    rise = clamp(rise, -8.0, 8.0);
+    vec4 churn = 2.2 * exp(-min(square(along + 2.2) / 0.15 + side / 0.07, 40.0))
         + 1.5 * exp(-min(square(along - 1.2) / 0.4 + square(abs(across) - 0.62) / 0.012, 40.0));
-    float white = mix(here.z, 0.25 * sum.z, 0.012) * exp(-dt * (0.22 + 20.0 * rim));
+    foamed = mix(white, 0.25 * neighbours(wakeFoam, c, white), 0.012)
+        * exp(-dt * (0.22 + 20.0 * rim));
     // Above 3.4 m/s power grows no more, but she is over a cell for less and less time.
-    white += dt * churn * min(wakeStrength, 1.5) * power * max(abs(speed) / 3.4, 1.0);
-    colour = vec4(height, clamp(rise, -8.0, 8.0), clamp(white, 0.0, 1.0), 0.0);
+    foamed += dt * churn * min(wakeStrength, 1.5) * power * max(abs(speed) / 3.4, 1.0);
+    foamed = clamp(foamed, 0.0, 1.0);
 }
 // The wake between the cells: slopes of a cubic B-spline of its heights, foam, height.
 void mainRelief(out vec4 colour, in vec2 pixel) {
     float cell = kWindow / 192.0;
     vec3 row = vec3(0.0), column = vec3(0.0), weight = vec3(1.0, 4.0, 1.0) / 6.0;
-    vec4 mean = vec4(0.0);
+    vec2 mean = vec2(0.0);
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) {
-            vec4 w = wakeAt(ivec2(pixel) + ivec2(i, j) - 1);
-            row[i] += weight[j] * w.x;
-            column[j] += weight[i] * w.x;
+            ivec2 c = (ivec2(pixel) + ivec2(i, j) + 191) % 192, four = ivec2(c.x >> 2, c.y);
+            vec2 w = vec2(fourCells(wakeFoam, four)[c.x & 3], fourCells(wake, four)[c.x & 3]);
+            row[i] += weight[j] * w.y;
+            column[j] += weight[i] * w.y;
             mean += weight[i] * weight[j] * w;
         }
-    colour = vec4((row.z - row.x) / (2.0 * cell), (column.z - column.x) / (2.0 * cell), mean.zx);
+    colour = vec4((row.z - row.x) / (2.0 * cell), (column.z - column.x) / (2.0 * cell), mean);
 }
 
 // This frame's waves, four to a group: kx, kz (rad/m), height (m), phase at the boat (rad);

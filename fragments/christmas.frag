@@ -69,7 +69,7 @@ uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D wood;            //@ pass mainWood size=512x1024 wrap=repeat filter=mipmap
 uniform sampler2D ornamentPlaces;  //@ pass mainPlaces size=64x128
-uniform sampler2D ornamentRanks;   //@ pass mainRanks size=64x64
+uniform sampler2D ornamentRanks;   //@ pass mainRanks size=64x64 format=r32f
 uniform sampler2D ornamentTree;    //@ pass mainTree size=64x256
 uniform sampler2D moving;          //@ pass mainMoving size=256x2
 

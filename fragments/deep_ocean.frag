@@ -81,11 +81,11 @@ uniform int   antialias;       //@ 1 [1, 16] quality reference=16 "samples of a 
 uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and tears are cut out"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
-uniform sampler2D ground;      //@ pass mainGround size=1024x1024 wrap=repeat
+uniform sampler2D ground;      //@ pass mainGround size=1024x1024 format=rg32f wrap=repeat
 uniform sampler2D relief;      //@ pass mainRelief size=1024x1024 wrap=repeat filter=mipmap
-uniform sampler2D tops;        //@ pass mainTops size=128x128 filter=nearest
-uniform sampler2D summits;     //@ pass mainSummits size=32x32 filter=nearest
-uniform sampler2D shade;       //@ pass mainShade size=256x256 wrap=repeat
+uniform sampler2D tops;        //@ pass mainTops size=128x128 format=rg32f filter=nearest
+uniform sampler2D summits;     //@ pass mainSummits size=32x32 format=r32f filter=nearest
+uniform sampler2D shade;       //@ pass mainShade size=256x256 format=rg32f wrap=repeat
 uniform sampler2D grain;       //@ pass mainGrain size=256x256 wrap=repeat filter=mipmap
 uniform sampler2D rig;         //@ pass mainRig size=32x2 filter=nearest
 uniform sampler2D garden;      //@ pass mainGarden size=64x2 filter=nearest
@@ -93,7 +93,7 @@ uniform sampler2D swarm;       //@ pass mainSwarm size=16x1 filter=nearest
 uniform sampler2D surface;     //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
 uniform sampler2D splat;       //@ pass mainSurface size=128x128 filter=nearest
 uniform sampler2D splatShape;  //@ pass mainSurface size=128x128 filter=nearest
-uniform sampler2D caustics;    //@ pass mainCaustics size=128x128 wrap=repeat filter=mipmap
+uniform sampler2D caustics;    //@ pass mainCaustics size=128x128 format=r32f wrap=repeat filter=mipmap
 
 // ---- Constants and numbers ----------------------------------------------------------------------
 const float kPi = 3.14159265358979;

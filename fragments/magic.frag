@@ -78,7 +78,7 @@ uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to 
 uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points along a ray's glow"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
-uniform sampler2D gain;            //@ pass mainGain size=128x64
+uniform sampler2D gain;            //@ pass mainGain size=128x64 format=r32f
 uniform sampler2D things;          //@ pass mainThings size=48x2
 uniform sampler2D directions;      //@ pass mainDirections size=64x320
 

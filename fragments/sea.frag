@@ -74,14 +74,14 @@ uniform int   shadows;         //@ 1 {off, cone, sampled} quality reference=2 "k
 uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of a sampled shadow"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
-uniform sampler2D sky;         //@ pass mainSky size=256x128
-uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
-uniform sampler2D screen;      //@ pass mainScreen format=rgba8
+uniform sampler2D sky;         //@ pass mainSky size=256x128 format=rgba16f
+uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 format=rgba16f filter=nearest
+uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
 uniform sampler2D albedo;      //@ pass mainGBuffer filter=nearest
 uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
 uniform sampler2D smoothDepth; //@ buffer normalDepth filter=linear
-uniform sampler2D lightBuffer; //@ pass mainLight filter=nearest
+uniform sampler2D lightBuffer; //@ pass mainLight format=rgba16f filter=nearest
 
 // ---- Constants and numbers ----------------------------------------------------------------------
 const float kPi = 3.14159265358979;
@@ -116,7 +116,8 @@ const vec4 kWaveSteep[6] = vec4[6](
 const int kMovers = 2;                     // groups that move the surface, of four waves each
 
 struct Hit { float t; int id; vec3 nor; };
-struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
+// spread: lost slope variance xx, zz, xz; tails: how much longer than a Gaussian's its tails are.
+struct Sea { float height; vec2 slope; vec3 spread; float tails; };
 struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
@@ -172,7 +173,8 @@ vec4 waveTurns(vec4 k, uint tick) {   // cycles since the start, deep-water disp
 float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wave has two crests
 
 // Adds four waves, averaged over a Gaussian footprint with covariance blur (xx, zz, xz; m^2): a
-// cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread.
+// cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread, and
+// to the tails a cosine's fourth cumulant, -3/2 of its variance squared.
 // varied: mean square of the gain over the square of its mean.
 void addWaves(int g, vec2 p, vec3 blur, float gain, float varied, inout Sea s) {
     vec4 x, z;
@@ -187,6 +189,8 @@ void addWaves(int g, vec2 p, vec3 blur, float gain, float varied, inout Sea s) {
     s.height += dot(a, keep * c + harmonic * (2.0 * c * c - 1.0));
     s.slope -= vec2(dot(down, x), dot(down, z));
     s.spread += vec3(dot(lost, x * x), dot(lost, z * z), dot(lost, x * z));
+    vec4 variance = lost * k * k;
+    s.tails -= 1.5 * dot(variance, variance);
 }
 // Ripples come in patches, where gusts touch the water. y: the variance that the footprint hides.
 vec2 gust(vec2 p, vec3 blur) {
@@ -197,11 +201,13 @@ vec2 gust(vec2 p, vec3 blur) {
     return vec2(1.0 + 0.45 * keep * u * v, square(0.225) * (1.0 - keep * keep));
 }
 Sea sea(vec2 p, vec3 blur) {
-    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0));
+    Sea s = Sea(0.0, vec2(0.0), vec3(kCalmSpread, kCalmSpread, 0.0), 0.0);
     for (int g = 0; g < kMovers; ++g) addWaves(g, p, blur, waveHeight, 1.0, s);
     vec2 gain = gust(p, blur);
-    float varied = 1.0 + gain.y / (gain.x * gain.x);
+    float varied = 1.0 + gain.y / (gain.x * gain.x), calm = s.spread.x + s.spread.y;
     for (int g = kMovers; g < 6; ++g) addWaves(g, p, blur, ripples * gain.x, varied, s);
+    float both = s.spread.x + s.spread.y;   // slopes under gusts: Gaussians of many widths, long tails
+    s.tails = (s.tails + 8.0 * (varied - 1.0) * square(both - calm)) / (16.0 * square(both));
     return s;
 }
 // Covariance of the footprint on the sea of a pixel of width w that is seen along rd.
@@ -287,8 +293,8 @@ float shownSlope(vec3 rd, Sea s, out vec2 slope) {
     slope = s.slope + lean * (ahead / area);
     return area;
 }
-// The sun in a sea of Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7, with
-// the shown area in closed form).
+// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7,
+// with the shown area in closed form, and the first term of an Edgeworth series for the tails).
 float seaGlitter(vec3 rd, Sea s, float area) {
     vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
     if (h.y < 0.05) return 0.0;
@@ -298,6 +304,8 @@ float seaGlitter(vec3 rd, Sea s, float area) {
     float det = max(v.x * v.y - v.z * v.z, 1e-12);
     float q = (d.x * d.x * v.y + d.y * d.y * v.x - 2.0 * d.x * d.y * v.z) / det;
     float density = exp(-0.5 * min(q, 80.0)) / (2.0 * kPi * sqrt(det));
+    float tails = s.tails * square((s.spread.x + s.spread.y) / (v.x + v.y));
+    density *= max(1.0 + tails * (q * q - 8.0 * q + 8.0), 0.0);
     return fresnel(clamp(-dot(h, rd), 0.0, 1.0), kIorWater) * density
         / (4.0 * square(square(h.y)) * area);
 }
@@ -866,7 +874,7 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
 }
 
 // albedo: colour, for water the lost slope variance; in w the kind of surface + a share of 1 of the
-// light that comes through. normalDepth: the normal, as long as the thing is deep behind the pixel,
+// light that comes through, for water of its slopes' tails. normalDepth: the normal, as long as the thing is deep behind the pixel,
 // and 1 over the depth along the view's axis, which is linear over the picture of a plane: so half
 // a pixel of a calm sea is exact, however grazing the view.
 void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
@@ -887,7 +895,7 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
     } else if (t > 0.0) {
         p = e.pos + t * rd;
         Sea s = sea(p.xz, seaFootprint(rd, angle * t));
-        colour = vec4(s.spread, float(kWater) + 0.5);
+        colour = vec4(s.spread, float(kWater) + 0.5 + 0.5 * s.tails);
         normal = vec4(20.0 * normalize(vec3(-s.slope, 1.0).xzy), 1.0 / (t * dot(rd, e.forward)));
     }
 }
@@ -902,7 +910,7 @@ Surface surfaceAt(Eye e, vec3 rd, ivec2 pixel) {
     u.t = min(facing.w, 1e5) / dot(rd, e.forward);
     u.pos = e.pos + u.t * rd;
     u.nor = nor;
-    u.sea = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb);
+    u.sea = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb, codeShare(stuff.w));
     u.mirrored = u.id == kGlass ? 0.95 : 1.0;
     u.away = u.id == kGlass ? normalize(reflect(rd, nor)) : rd;
     vec2 slope;
@@ -1050,6 +1058,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
             if (id == kWater) {   // the picture's own sea, where it is sure
                 s.slope = mix(s.slope, -nor.xz / max(nor.y, 1e-3), sure);
                 s.spread = mix(s.spread, stuff.rgb, sure);
+                s.tails = mix(s.tails, codeShare(stuff.w), sure);
                 wet = onGlass;
             }
             if (id <= kGlass) sure = 0.0;

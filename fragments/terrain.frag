@@ -77,7 +77,7 @@ uniform int   lensSamples;     //@ 32 [8, 256] log quality reference=256 "taps o
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D tile;        //@ pass mainTile size=512x512 filter=mipmap wrap=repeat
-uniform sampler2D cloudTile;   //@ pass mainCloudTile size=512x512 filter=mipmap wrap=repeat
+uniform sampler2D cloudTile;   //@ pass mainCloudTile size=512x512 format=rg32f filter=mipmap wrap=repeat
 uniform sampler2D bare;        //@ pass mainBare size=513x513
 uniform sampler2D land;        //@ pass mainLand size=513x513
 uniform sampler2D peaks;       //@ pass mainPeaks size=640x512 filter=nearest
@@ -85,7 +85,7 @@ uniform sampler2D sky;         //@ pass mainSky size=256x128
 uniform sampler2D ambient;     //@ pass mainAmbient size=8x1 filter=nearest
 uniform sampler2D lightMap;    //@ pass mainLightMap size=513x513
 uniform sampler2D waves;       //@ pass mainWaves size=512x512 filter=mipmap
-uniform sampler2D gathered;    //@ pass mainGathered size=256x256
+uniform sampler2D gathered;    //@ pass mainGathered size=256x256 format=r32f
 uniform sampler2D colours;     //@ pass mainGBuffer filter=nearest
 uniform sampler2D normalDepth; //@ pass mainGBuffer filter=nearest
 uniform sampler2D picture;     //@ pass mainPicture filter=nearest
@@ -120,7 +120,8 @@ const vec4 kHills[8] = vec4[8](
     vec4(-0.42, 1.12, 18.0, 0.40), vec4(-0.95, -0.95, 17.0, 0.50));
 
 struct Hit { float t; int id; vec3 nor; };
-struct Sea { float height; vec2 slope; vec3 spread; };   // spread: lost slope variance xx, zz, xz
+// spread: lost slope variance xx, zz, xz; tails: how much longer than a Gaussian's its tails are.
+struct Sea { float height; vec2 slope; vec3 spread; float tails; };
 struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
@@ -435,7 +436,8 @@ Sea lakeAt(vec2 p, vec3 rd, float w) {
     vec4 mean = vec4(0.0);
     for (int k = -1; k < 2; ++k)
         mean += textureLod(waves, (p + float(k) * along) / (2.0 * kHalf) + 0.5, lod) / 3.0;
-    return Sea(0.0, mean.xy, vec3(max(mean.zw - mean.xy * mean.xy, 0.0) + kCalmSpread, 0.0));
+    vec2 lost = max(mean.zw - mean.xy * mean.xy, 0.0) + kCalmSpread;
+    return Sea(0.0, mean.xy, vec3(lost, 0.0), 0.0);
 }
 // Mean of max(0, X) for X normal with mean m and deviation s: the area that a rough surface shows.
 float shownArea(float m, float s) {
@@ -457,8 +459,8 @@ float shownSlope(vec3 rd, Sea s, out vec2 slope) {
     slope = s.slope + lean * (ahead / area);
     return area;
 }
-// The sun in a sea of Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7, with
-// the shown area in closed form).
+// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7,
+// with the shown area in closed form, and the first term of an Edgeworth series for the tails).
 float seaGlitter(vec3 rd, Sea s, float area) {
     vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
     if (h.y < 0.05) return 0.0;
@@ -468,6 +470,8 @@ float seaGlitter(vec3 rd, Sea s, float area) {
     float det = max(v.x * v.y - v.z * v.z, 1e-12);
     float q = (d.x * d.x * v.y + d.y * d.y * v.x - 2.0 * d.x * d.y * v.z) / det;
     float density = exp(-0.5 * min(q, 80.0)) / (2.0 * kPi * sqrt(det));
+    float tails = s.tails * square((s.spread.x + s.spread.y) / (v.x + v.y));
+    density *= max(1.0 + tails * (q * q - 8.0 * q + 8.0), 0.0);
     return fresnel(clamp(-dot(h, rd), 0.0, 1.0), kIorWater) * density
         / (4.0 * square(square(h.y)) * area);
 }
@@ -484,7 +488,7 @@ float lakeGlitter(vec2 p, vec3 rd, float w) {
         vec2 at = p + (u - 0.5) * grown * ahead + (v - 0.5) * w * aside, slope;
         vec4 mean = textureLod(waves, at / (2.0 * kHalf) + 0.5, lod);
         vec2 lost = max(mean.zw - mean.xy * mean.xy, 0.0) + kCalmSpread;
-        Sea s = Sea(0.0, mean.xy, vec3(lost, 0.0));
+        Sea s = Sea(0.0, mean.xy, vec3(lost, 0.0), 0.0);
         float area = shownSlope(rd, s, slope);
         light += area * seaGlitter(rd, s, area);
         shown += area;
@@ -970,7 +974,7 @@ void pictureAt(out vec4 colour, in vec2 pixel) {
     float t = min(facing.w, 1e5) / dot(rd, e.forward);
     vec3 p = e.pos + t * rd, nor = normalize(facing.xyz), away = reflect(rd, nor);
     if (onWater) p.y = waterLevel;
-    Sea s = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb);
+    Sea s = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb, 0.0);
     vec2 slope;
     shownSlope(rd, s, slope);
     if (onWater) {   // biased: light between waves is left out, so none goes down

@@ -82,14 +82,17 @@ precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit bu
 uniform sampler2D air;         //@ pass mainAir size=64x128
 uniform sampler2D sky;  //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D wavelets;    //@ pass mainWavelets size=8x1
-uniform sampler2D bed;         //@ pass mainBed size=256x384
-uniform sampler2D screen;      //@ pass mainScreen format=rgba8
+uniform sampler2D bedEast;     //@ pass mainBed size=64x384
+uniform sampler2D bedNorth;    //@ pass mainBed size=64x384
+uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D pushes;      //@ pass mainPushes size=2x1 step=1/240
-uniform sampler2D pond;        //@ pass mainPond size=256x384 step=1/240
+uniform sampler2D pond;        //@ pass mainPond size=64x384 step=1/240
+uniform sampler2D pondEast;    //@ pass mainPond size=64x384 step=1/240
+uniform sampler2D pondNorth;   //@ pass mainPond size=64x384 step=1/240
 uniform sampler2D relief;      //@ pass mainRelief size=256x384
 uniform sampler2D bend;        //@ pass mainRelief
-uniform sampler2D peaks;       //@ pass mainPeaks size=16x24
-uniform sampler2D crest;       //@ pass mainCrest size=1x1
+uniform sampler2D peaks;       //@ pass mainPeaks size=16x24 format=rg32f
+uniform sampler2D crest;       //@ pass mainCrest size=1x1 format=rg32f
 uniform sampler2D floats;      //@ pass mainFloats size=8x1
 uniform sampler2D dudv;        //@ pass mainDudv size=256x384 filter=mipmap
 uniform sampler2D mirror;      //@ pass mainMirror
@@ -994,19 +997,26 @@ float squaredSpeed(vec2 p) {
     float c2 = waveSpeed * waveSpeed;
     return c2 * tanh(min(kGravity * down / c2, 20.0));
 }
-// The faces of a cell in the order of `bed`, as steps to the cell beyond.
-const vec2 kBeyond[4] = vec2[](vec2(-1, 0), vec2(1, 0), vec2(0, -1), vec2(0, 1));
+// A texel of the pond and of its bed is four cells in a row, west to east: what steps 240 times a
+// second fetches half as much for a cell so. The middle of the first of them, m, and their size.
+vec2 cellPlace(vec2 pixel, vec2 size) {
+    return (vec2(4.0 * pixel.x - 1.5, pixel.y) / vec2(4.0 * size.x, size.y) - 0.5) * 2.0 * kPool;
+}
+float cellSize(float width) { return 2.0 * kPool.x / (4.0 * width); }
 
-// Squared wave speed at a cell's faces, west, east, south, north: the harmonic mean of both sides,
-// so that nothing passes into what is solid.
-void mainBed(out vec4 colour, in vec2 pixel) {
-    vec2 size = iResolution.xy;
-    float here = 0.0;
-    for (int i = -1; i < 4; ++i) {
-        vec2 beyond = i < 0 ? vec2(0.0) : kBeyond[max(i, 0)];
-        float c2 = squaredSpeed(((pixel + beyond) / size - 0.5) * 2.0 * kPool);
-        if (i < 0) here = c2;
-        else colour[i] = 2.0 * here * c2 / max(here + c2, 1e-9);
+// Squared wave speed at the faces of four cells towards east and north: the harmonic mean of both
+// sides, so that nothing passes into what is solid.
+void mainBed(out vec4 east, out vec4 north, in vec2 pixel) {
+    vec2 size = iResolution.xy, first = cellPlace(pixel, size);
+    float cell = cellSize(size.x), before = 0.0;
+    for (int i = 0; i < 5; ++i) {
+        vec2 p = first + vec2(float(i) * cell, 0.0);
+        float here = squaredSpeed(p);
+        if (i > 0) east[i - 1] = 2.0 * before * here / max(before + here, 1e-9);
+        before = here;
+        if (i == 4) break;
+        float beyond = squaredSpeed(p + vec2(0.0, cell));
+        north[i] = 2.0 * here * beyond / max(here + beyond, 1e-9);
     }
 }
 
@@ -1038,9 +1048,8 @@ void mainPushes(out vec4 colour, in vec2 pixel) {
 }
 
 // A texel that went bad is level water.
-vec4 pondAt(ivec2 c) {
-    vec4 cell = previousFrame(texelFetch(pond, c, 0));
-    return vec4(clamp(cell.x, -kCeiling, kCeiling), cell.yzw);
+vec4 heightsAt(ivec2 c) {
+    return clamp(previousFrame(texelFetch(pond, c, 0)), -kCeiling, kCeiling);
 }
 
 // How hard the water is pushed apart, m2/s. By the gradient of exp(-r2/s2) it leaves the middle;
@@ -1062,50 +1071,66 @@ float pushAt(vec2 p, vec4 hand, vec4 drop) {
 // upper: kept is the last step's, drive what slopes and pushes add. Both cells reckon it alike, so
 // what one loses the other gains. Waves break at the ceiling: a face takes at most a quarter of
 // what its giver has left, or of what its taker has room for.
-float crossing(float kept, float drive, float c2, float lower, float upper) {
-    float most = 0.25 * min(kCeiling + lower, kCeiling - upper);
-    float least = -0.25 * min(kCeiling + upper, kCeiling - lower);
-    return c2 > 0.0 ? clamp(kept + drive, least, most) : 0.0;
+vec4 crossing(vec4 kept, vec4 drive, vec4 c2, vec4 lower, vec4 upper) {
+    vec4 most = 0.25 * min(kCeiling + lower, kCeiling - upper);
+    vec4 least = -0.25 * min(kCeiling + upper, kCeiling - lower);
+    return mix(vec4(0.0), clamp(kept + drive, least, most), greaterThan(c2, vec4(0.0)));
 }
 
-// One step of the wave equation by what crosses the faces between cells: x height; y, z what went
+// One step of the wave equation by what crosses the faces between cells: heights, and what went
 // east and north half a step earlier. The water that there is stays, whatever pushes it. Kick, then
 // drift: second order, stable to a Courant number of 0.7; the ranges end at 0.5.
-void mainPond(out vec4 colour, in vec2 pixel) {
-    ivec2 c = ivec2(pixel), last = textureSize(pond, 0) - 1;
-    float cell = 2.0 * kPool.x / float(last.x + 1);
-    vec4 here = pondAt(c), c2 = texelFetch(bed, c, 0);
-    vec4 west = pondAt(max(c - ivec2(1, 0), 0)), east = pondAt(min(c + ivec2(1, 0), last));
-    vec4 south = pondAt(max(c - ivec2(0, 1), 0)), north = pondAt(min(c + ivec2(0, 1), last));
+void mainPond(out vec4 heights, out vec4 wentEast, out vec4 wentNorth, in vec2 pixel) {
+    ivec2 c = ivec2(pixel), size = textureSize(pond, 0), last = size - 1;
+    float cell = cellSize(float(size.x));
+    ivec2 atWest = max(c - ivec2(1, 0), 0), atEast = min(c + ivec2(1, 0), last);
+    ivec2 atSouth = max(c - ivec2(0, 1), 0), atNorth = min(c + ivec2(0, 1), last);
+    vec4 here = heightsAt(c), south = heightsAt(atSouth), north = heightsAt(atNorth);
+    vec4 west = vec4(c.x > 0 ? heightsAt(atWest).w : here.x, here.xyz);
+    vec4 east = vec4(here.yzw, c.x < last.x ? heightsAt(atEast).x : here.w);
+    vec4 c2East = texelFetch(bedEast, c, 0), c2North = texelFetch(bedNorth, c, 0);
+    vec4 c2West = vec4(c.x > 0 ? texelFetch(bedEast, atWest, 0).w : 0.0, c2East.xyz);
+    vec4 c2South = c.y > 0 ? texelFetch(bedNorth, atSouth, 0) : vec4(0.0);
+    vec4 keptEast = previousFrame(texelFetch(pondEast, c, 0));
+    vec4 keptNorth = previousFrame(texelFetch(pondNorth, c, 0));
+    vec4 keptWest = vec4(previousFrame(texelFetch(pondEast, atWest, 0)).w, keptEast.xyz);
+    vec4 keptSouth = previousFrame(texelFetch(pondNorth, atSouth, 0));
     vec4 hand = texelFetch(pushes, ivec2(0), 0), drop = texelFetch(pushes, ivec2(1, 0), 0);
-    vec4 push = vec4(0.0);   // beyond the faces, less here
+    mat4 push = mat4(0.0);   // beyond the faces, less here: west, east, south, north
     int pushed = drop.w > 0.0 || hand.x < 500.0 ? 4 : -1;   // most steps leave it out
     for (int i = -1; i < pushed; ++i) {
-        vec4 face = vec4(equal(ivec4(i), ivec4(0, 1, 2, 3)));
-        vec2 p = (pixel + face.yw - face.xz) / vec2(last + 1) - 0.5;
-        push += (i < 0 ? vec4(-1.0) : face) * pushAt(p * 2.0 * kPool, hand, drop);
+        vec4 face = vec4(equal(ivec4(i), ivec4(0, 1, 2, 3))), row;
+        for (int k = 0; k < 4; ++k) {
+            vec2 p = cellPlace(pixel, vec2(size)) + cell * (vec2(k, 0) + face.yw - face.xz);
+            row[k] = pushAt(p, hand, drop);
+        }
+        push += outerProduct(row, i < 0 ? vec4(-1.0) : face);
     }
     float kept = exp(-damping * iTimeDelta), weight = iTimeDelta * (1.0 + kept) * 0.5;
-    vec4 down = here.x - vec4(west.x, east.x, south.x, north.x);
-    vec4 drive = (weight * c2 * down - push) * (iTimeDelta / (cell * cell));
-    float fromWest = crossing(kept * west.y, -drive.x, c2.x, west.x, here.x);
-    float toEast = crossing(kept * here.y, drive.y, c2.y, here.x, east.x);
-    float fromSouth = crossing(kept * south.z, -drive.z, c2.z, south.x, here.x);
-    float toNorth = crossing(kept * here.z, drive.w, c2.w, here.x, north.x);
-    float height = here.x + (fromWest - toEast + fromSouth - toNorth);
-    if (c2 == vec4(0.0))   // inside what stands there: the water round it, continued
-        height = here.x - 0.25 * dot(down, vec4(1.0));
-    colour = vec4(height, toEast, toNorth, 0.0);
+    float gain = iTimeDelta / (cell * cell);
+    vec4 driveWest = (weight * c2West * (here - west) - push[0]) * gain;
+    vec4 driveEast = (weight * c2East * (here - east) - push[1]) * gain;
+    vec4 driveSouth = (weight * c2South * (here - south) - push[2]) * gain;
+    vec4 driveNorth = (weight * c2North * (here - north) - push[3]) * gain;
+    wentEast = crossing(kept * keptEast, driveEast, c2East, here, east);
+    wentNorth = crossing(kept * keptNorth, driveNorth, c2North, here, north);
+    heights = here + (crossing(kept * keptWest, -driveWest, c2West, west, here) - wentEast
+        + crossing(kept * keptSouth, -driveSouth, c2South, south, here) - wentNorth);
+    // Inside what stands there: the water round it, continued.
+    heights = mix(heights, 0.25 * (west + east + south + north),
+                  equal(c2West + c2East + c2South + c2North, vec4(0.0)));
 }
 
 // The surface between the cells: a cubic B-spline of heights, for smooth derivatives. x height,
 // y z slope, w a bound of slope; then second derivatives xx, xz, zz.
 void mainRelief(out vec4 shape, out vec4 second, in vec2 pixel) {
-    ivec2 c = ivec2(pixel), last = textureSize(pond, 0) - 1;
+    ivec2 last = textureSize(pond, 0) * ivec2(4, 1) - 1;
     float cell = 2.0 * kPool.x / float(last.x + 1);
     float h[9];
-    for (int i = 0; i < 9; ++i)
-        h[i] = texelFetch(pond, clamp(c + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last), 0).x;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 c = clamp(ivec2(pixel) + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
+        h[i] = texelFetch(pond, ivec2(c.x >> 2, c.y), 0)[c.x & 3];
+    }
     vec3 a = vec3(h[0], h[1], h[2]), b = vec3(h[3], h[4], h[5]), d = vec3(h[6], h[7], h[8]);
     vec3 row = (a + d + 4.0 * b) / 6.0, weight = vec3(1.0, 4.0, 1.0) / 6.0;
     vec3 column = vec3(dot(a, weight), dot(b, weight), dot(d, weight));

@@ -46,6 +46,7 @@ constexpr VerbEntry kVerbs[] = {
 #ifdef GLINT_WINDOW
     {"trial", nullptr, trial_verb},
     {"voice", nullptr, voice_verb},
+    {"refine", nullptr, refine_verb},
 #endif
 };
 

@@ -1,5 +1,7 @@
 #include "base/process_time.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +14,12 @@ constexpr double kNanosecond = 1e-9;
 constexpr double kMostPatience = 15.0;  // times the limit
 
 }  // namespace
+
+double own_processor_ms() {
+    timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
 
 // "schedstat" of each thread: ns on a processor, ns in the queue for one, and how many times.
 ProcessTime time_of(pid_t process) {

@@ -11,6 +11,12 @@ struct ProcessTime {
     double waited = 0.0;  // ready to run, while others ran
 };
 
+// Milliseconds that the processors have spent on this process, in all threads, gone ones too.
+double own_processor_ms();
+
+// Milliseconds that the processors have spent on this process, in all threads, gone ones too.
+double own_processor_ms();
+
 // 0 of a process that is gone, and where the kernel does not count.
 ProcessTime time_of(pid_t process);
 

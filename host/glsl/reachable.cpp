@@ -23,7 +23,7 @@ public:
         find_pieces();
     }
 
-    std::string cut(std::string_view entry);
+    EditedText cut(std::string_view entry);
 
 private:
     void find_decided(std::string_view decided);
@@ -47,7 +47,7 @@ private:
         const auto span = dropped_behind(at);
         return span != dropped_.end() && span->begin <= at;
     }
-    void append(Span span, std::string& result) const;
+    void append(Span span, EditedText& result) const;
 
     const Reading& reading_;
     std::vector<Span> dropped_;  // apart from each other, in order
@@ -144,16 +144,21 @@ std::vector<std::string_view> Cutter::words_of(const Piece& piece) const {
     return words;
 }
 
-void Cutter::append(Span span, std::string& result) const {
+void Cutter::append(Span span, EditedText& result) const {
+    const auto add = [&](std::size_t begin, std::size_t end) {
+        if (begin >= end) return;
+        result.map.pieces.push_back({.at = result.text.size(), .from = begin});
+        result.text += reading_.text.substr(begin, end - begin);
+    };
     std::size_t at = span.begin;
     for (auto next = dropped_behind(at); next != dropped_.end() && next->begin < span.end; ++next) {
-        if (next->begin > at) result += reading_.text.substr(at, next->begin - at);
+        add(at, next->begin);
         at = std::min(next->end, span.end);
     }
-    result += reading_.text.substr(at, span.end - at);
+    add(at, span.end);
 }
 
-std::string Cutter::cut(std::string_view entry) {
+EditedText Cutter::cut(std::string_view entry) {
     const bool keeps_all = !reading_.is_balanced || !reading_.not_understood.empty();
     std::unordered_multimap<std::string_view, std::size_t> named;
     std::vector<std::size_t> fresh;
@@ -178,7 +183,7 @@ std::string Cutter::cut(std::string_view entry) {
         fresh.pop_back();
         for (const std::string_view word : words_of(pieces_[piece])) want_named(word);
     }
-    std::string result;
+    EditedText result;
     for (const Piece& piece : pieces_) {
         if (piece.is_wanted) append(piece.span, result);
     }
@@ -187,8 +192,8 @@ std::string Cutter::cut(std::string_view entry) {
 
 }  // namespace
 
-std::string reachable_text(const Reading& reading, std::string_view entry,
-                           std::string_view decided) {
+EditedText reachable_text(const Reading& reading, std::string_view entry,
+                          std::string_view decided) {
     return Cutter(reading, decided).cut(entry);
 }
 

@@ -1,9 +1,8 @@
 // Leaving out of a text what one function does not need.
 #pragma once
 
-#include "glsl/reading.h"
+#include "glsl/edits.h"
 
-#include <string>
 #include <string_view>
 
 namespace glint {
@@ -13,7 +12,6 @@ namespace glint {
 // a condition is about a name that begins with `decided`, the branch that is compiled stands in its
 // place. Comments stay with what they stand before. Where the reader does not understand all of it,
 // or brackets do not balance, only uniforms are left out.
-std::string reachable_text(const Reading& reading, std::string_view entry,
-                           std::string_view decided);
+EditedText reachable_text(const Reading& reading, std::string_view entry, std::string_view decided);
 
 }  // namespace glint

@@ -12,7 +12,7 @@ namespace {
 
 // A place where a value is written, and how.
 struct Site {
-    enum class Kind : std::uint8_t { initial, head, result };
+    enum class Kind : std::uint8_t { initial, head, result, none };
     Kind kind = Kind::initial;
     Unset unset;
     SpelledType type;
@@ -69,7 +69,18 @@ private:
                  .array = one.array,
                  .type_array = declaration.type_array,
                  .function = declaration.owner});
+            if (is_jumped_over(declaration))
+                sites_.back().unset.why_not = "a switch may jump over its declaration";
         }
+    }
+
+    // Right in a switch's block.
+    bool is_jumped_over(const Declaration& declaration) const {
+        if (declaration.statement == kNone) return false;
+        const std::uint32_t block = reading_.statements[declaration.statement].parent;
+        if (block == kNone || reading_.statements[block].parent == kNone) return false;
+        const Statement& holder = reading_.statements[reading_.statements[block].parent];
+        return holder.kind == StatementKind::switch_;
     }
 
     void find_in_function(std::uint32_t index) {
@@ -77,15 +88,16 @@ private:
         for (const std::uint32_t parameter : function.parameters) {
             const Declaration& declaration = reading_.declarations[parameter];
             if (!declaration.is_out || declaration.is_in || declaration.names.empty()) continue;
-            if (reading_.word(function.name) == entry_) continue;
+            const bool is_entry = reading_.word(function.name) == entry_;
             const Declarator& one = declaration.names.front();
             if (!uses_.out_is_read(index, reading_.word(one.name))) continue;
-            add(Site::Kind::head, one.name, function.body.begin,
+            add(is_entry ? Site::Kind::none : Site::Kind::head, one.name, function.body.begin,
                 {.type = declaration.type,
                  .structure = declaration.structure,
                  .array = one.array,
                  .type_array = declaration.type_array,
                  .function = index});
+            if (is_entry) sites_.back().unset.why_not = "the host gives it its first value";
         }
         if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;
         add(Site::Kind::result, function.name, function.body.end - 1,
@@ -105,6 +117,7 @@ public:
 
     // False where it cannot be done.
     bool write(const Site& site, bool is_marked) {
+        if (site.kind == Site::Kind::none) return true;
         const auto value = values_.value(site.type, is_marked);
         if (!value || !name_struct(site.type)) return false;
         switch (site.kind) {
@@ -114,6 +127,8 @@ public:
                 return edits_.after(site.token, " " + site.unset.name + " = " + *value + ";");
             case Site::Kind::result:
                 return edits_.before(site.token, " return " + *value + "; ");
+            case Site::Kind::none:
+                break;
         }
         return false;
     }
@@ -142,8 +157,9 @@ std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string
     Writer writer(reading, edits);
     for (Site& site : Finder(reading, entry).find()) {
         const std::size_t at = site.unset.at;
-        if (writer.write(site, marked && marked->begin <= at && at < marked->end))
-            unset.push_back(std::move(site.unset));
+        if (!writer.write(site, marked && marked->begin <= at && at < marked->end))
+            site.unset.why_not = "it has more than 1024 numbers, or a macro keeps it";
+        unset.push_back(std::move(site.unset));
     }
     return unset;
 }

@@ -21,9 +21,11 @@ struct Unset {
     std::string name;        // of the variable
     bool is_result = false;  // the name is that of a function which may end without a `return`
     std::size_t at = 0;      // byte of the text where the name is declared
+    // Why no value of ours is sure to be there: it could not be written, or is not for us to give.
+    std::string_view why_not{};
 };
 
-// What was unset, in the order of the text. The outputs of `entry` start at 0 anyway. What is
+// What was unset, in the order of the text. The outputs of `entry` are the host's to set. What is
 // declared in the bytes `marked` gets values that show in a picture instead: NaN, in integers
 // 0x7FC0DEAD, true.
 std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry = {},

@@ -1,6 +1,7 @@
 #include "measure/bench.h"
 
 #include "base/json_text.h"
+#include "base/process_time.h"
 #include "base/say.h"
 #include "gl/context.h"
 #include "offline/common.h"
@@ -30,6 +31,11 @@ Json summary(const std::vector<double>& ms) {
     return {{"median", quantile(ms, 0.5)}, {"p95", quantile(ms, 0.95)}, {"min", quantile(ms, 0.0)}};
 }
 
+// Of one pass, each time that it was drawn.
+struct PassTimes {
+    std::vector<double> wall_ms, processor_ms;
+};
+
 // A scene that is played in real frames of 1/60 s from the preset's time on.
 class Subject {
 public:
@@ -44,6 +50,7 @@ public:
         // The driver compiles to machine code at the first draw.
         for (int warm_up = 0; warm_up < 3; ++warm_up) draw();
         frame_ms.clear();
+        processor_ms.clear();
         host_ms.clear();
     }
 
@@ -52,32 +59,40 @@ public:
         const Frame frame = next_frame();
         renderer_.redraw();
         renderer_.draw_call_seconds = 0.0;
+        const double processor_before = own_processor_ms();
         Stopwatch clock;
         renderer_.draw(frame);
         const double submitted = clock.ms();
         context_.finish();
         frame_ms.push_back(clock.ms());
+        processor_ms.push_back(own_processor_ms() - processor_before);
         host_ms.push_back(submitted - renderer_.draw_call_seconds * 1000.0);
     }
 
     // As draw(), but waits after every pass, so that each can be told apart.
-    void draw_passes(std::vector<std::vector<double>>& pass_ms) {
-        pass_ms.resize(renderer_.graph().passes.size());
+    void draw_passes(std::vector<PassTimes>& times) {
+        times.resize(renderer_.graph().passes.size());
         Stopwatch clock;
+        double processor_before = 0.0;
         renderer_.after_pass = [&](std::size_t pass) {
             context_.finish();
-            pass_ms[pass].push_back(clock.restart());
+            const double processor = own_processor_ms();
+            times[pass].wall_ms.push_back(clock.restart());
+            times[pass].processor_ms.push_back(processor - processor_before);
+            processor_before = processor;
         };
         const Frame frame = next_frame();
         renderer_.redraw();
         clock.restart();
+        processor_before = own_processor_ms();
         renderer_.draw(frame);
         renderer_.after_pass = nullptr;
     }
 
     const PassGraph& graph() const { return renderer_.graph(); }
 
-    std::vector<double> frame_ms, host_ms;
+    // One a frame: by the clock on the wall, on all processors together, beside the draw calls.
+    std::vector<double> frame_ms, processor_ms, host_ms;
 
 private:
     Playback playback() const { return {.end = preset_.time}; }
@@ -94,14 +109,15 @@ private:
 };
 
 Json passes_json(const Preset& preset, Subject& subject, int frames) {
-    std::vector<std::vector<double>> pass_ms;
-    for (int i = 0; i < frames; ++i) subject.draw_passes(pass_ms);
+    std::vector<PassTimes> times;
+    for (int i = 0; i < frames; ++i) subject.draw_passes(times);
     Json list = Json::array();
-    for (std::size_t i = 0; i < pass_ms.size(); ++i) {
+    for (std::size_t i = 0; i < times.size(); ++i) {
         const GraphPass& pass = subject.graph().passes[i];
         list.push_back({{"name", pass_name(preset.scene, pass.pass)},
-                        {"ms", quantile(pass_ms[i], 0.5)},
-                        {"drawn", pass_ms[i].size()},
+                        {"ms", quantile(times[i].wall_ms, 0.5)},
+                        {"processor_ms", quantile(times[i].processor_ms, 0.5)},
+                        {"drawn", times[i].wall_ms.size()},
                         {"runs", to_string(pass.runs)}});
     }
     return list;
@@ -150,6 +166,7 @@ void run_bench(const BenchOptions& options) {
                  {"size", {preset.size.x, preset.size.y}},
                  {"frames", options.frames},
                  {"ms", summary(subject.frame_ms)},
+                 {"processor_ms", summary(subject.processor_ms)},
                  {"host_ms", quantile(subject.host_ms, 0.5)},
                  {"passes", passes_json(preset, subject, std::min(options.frames, 20))},
                  {"specialised", options.view.specialise}};

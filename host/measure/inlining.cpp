@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <span>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -35,14 +36,14 @@ enum Op : std::uint32_t {
     kFunctionCall = 57,
 };
 
-struct Function {
+struct Routine {  // a function of a module
     std::string name;
     std::size_t own_words = 0;
     std::map<std::uint32_t, std::size_t> calls;  // call sites, by whom they call
 };
 
 struct Module {
-    std::map<std::uint32_t, Function> functions;
+    std::map<std::uint32_t, Routine> functions;
     std::uint32_t entry = 0;
 };
 
@@ -56,7 +57,7 @@ std::string literal(std::span<const std::uint32_t> words) {
 Module parse(const Words& words) {
     Module module;
     std::map<std::uint32_t, std::string> names;
-    Function* inside = nullptr;
+    Routine* inside = nullptr;
     for (std::size_t at = kHeader; at < words.size();) {
         const std::size_t count = words[at] >> 16;
         if (count == 0 || count > words.size() - at) break;
@@ -83,7 +84,7 @@ public:
 
     std::size_t words(std::uint32_t id) {
         if (const auto known = words_.find(id); known != words_.end()) return known->second;
-        const Function& function = module_.functions.at(id);
+        const Routine& function = module_.functions.at(id);
         std::size_t sum = function.own_words;
         for (const auto& [callee, sites] : function.calls) sum += sites * words(callee);
         return words_[id] = sum;
@@ -102,6 +103,36 @@ public:
 private:
     const Module& module_;
     std::map<std::uint32_t, std::size_t> words_, copies_;
+};
+
+// Of texts; one that calls itself is none of GLSL, and counts once.
+class TextInlining {
+public:
+    explicit TextInlining(const Reading& reading)
+        : reading_(reading), calls_(reading.functions.size()), tokens_(reading.functions.size()) {
+        for (const Call& call : reading.calls)
+            if (call.function != kNone) calls_[call.function].push_back(&call);
+        for (std::uint32_t i = 0; i < reading.functions.size(); ++i)
+            if (const Function& function = reading.functions[i]; function.is_defined())
+                defined_[{reading.word(function.name), function.parameters.size()}] = i;
+    }
+
+    double tokens(std::uint32_t function, int depth) {
+        constexpr int kDeepest = 500;
+        if (tokens_[function] > 0.0 || depth > kDeepest) return tokens_[function];
+        double sum = tokens_[function] = reading_.functions[function].tokens.size();
+        for (const Call* call : calls_[function])
+            if (const auto one = defined_.find({reading_.word(call->name), call->arity});
+                one != defined_.end())
+                sum += tokens(one->second, depth + 1);
+        return tokens_[function] = sum;
+    }
+
+private:
+    const Reading& reading_;
+    std::vector<std::vector<const Call*>> calls_;  // by function
+    std::vector<double> tokens_;
+    std::map<std::pair<std::string_view, std::size_t>, std::uint32_t> defined_;
 };
 
 // False where the program is not there or refuses; its words on that are of no use to a person.
@@ -142,6 +173,14 @@ ProgramSize inlined_size(const Words& words) {
     }
     std::ranges::stable_sort(size.functions, std::greater(), &InlinedFunction::saved_by_one_call);
     return size;
+}
+
+double inlined_tokens(const Reading& reading, std::string_view entry) {
+    TextInlining inlining(reading);
+    double sum = 0.0;
+    for (const std::uint32_t function : reading.functions_named(entry))
+        sum += inlining.tokens(function, 0);
+    return sum;
 }
 
 std::optional<ProgramSize> program_size(std::string_view text, std::string& why_not) {

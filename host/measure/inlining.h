@@ -2,6 +2,8 @@
 // drivers compile.
 #pragma once
 
+#include "glsl/reading.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -28,6 +30,10 @@ struct ProgramSize {
 
 // Of a module of SPIR-V whose functions do not call themselves.
 ProgramSize inlined_size(const std::vector<std::uint32_t>& module);
+
+// About the same of a text as it is written, with the branches that constants switch off: the
+// tokens of a function of this name, times copies. Says which of several passes is the largest.
+double inlined_tokens(const Reading& reading, std::string_view entry);
 
 // Of the text that the driver sees for a pass. Nothing, and why, where glslangValidator or
 // spirv-opt is not installed or does not take the text. May be called on several threads.

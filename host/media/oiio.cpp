@@ -190,12 +190,14 @@ void* allocate_part(void* user, const GlintExrPart* asked) {
     try {
         Part part{.name = asked->name,
                   .size = {asked->width, asked->height},
+                  .channels = asked->channels,
                   .half = asked->half != 0,
                   .pixels = {}};
         if (part.size.x > kMaxSide || part.size.y > kMaxSide * 6)
             throw cannot_read(rooms.file, "A part is larger than any texture");
         part.pixels.resize(static_cast<std::size_t>(part.size.x) *
-                           static_cast<std::size_t>(part.size.y) * (part.half ? 8 : 16));
+                           static_cast<std::size_t>(part.size.y) *
+                           static_cast<std::size_t>(part.channels * (part.half ? 2 : 4)));
         return rooms.content.parts.emplace_back(std::move(part)).pixels.data();
     } catch (...) {
         rooms.refusal = std::current_exception();
@@ -250,6 +252,7 @@ void write_parts(const fs::path& file, const PartsFile& content) {
         parts.push_back({.name = part.name.c_str(),
                          .width = part.size.x,
                          .height = part.size.y,
+                         .channels = part.channels,
                          .half = part.half,
                          .pixels = const_cast<std::byte*>(part.pixels.data())});
     }

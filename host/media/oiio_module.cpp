@@ -136,14 +136,14 @@ OIIO::ImageSpec spec_of(const GlintOiioPicture& picture, const GlintOiioFormat& 
     return spec;
 }
 
-constexpr int kPartChannels = 4;
+constexpr int kMostPartChannels = 4;
 
 OIIO::TypeDesc type_of(const GlintExrPart& part) {
     return part.half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
 }
 
 OIIO::stride_t row_bytes(const GlintExrPart& part) {
-    return static_cast<OIIO::stride_t>(part.width) * kPartChannels *
+    return static_cast<OIIO::stride_t>(part.width) * part.channels *
            static_cast<OIIO::stride_t>(type_of(part).size());
 }
 
@@ -157,7 +157,7 @@ std::vector<OIIO::ImageSpec> specs_of(const GlintExrPart* parts, size_t count) {
     int width = 0, height = 0;
     for (const GlintExrPart* part = parts; part != parts + count; ++part) {
         OIIO::ImageSpec& spec =
-            specs.emplace_back(part->width, part->height, kPartChannels, type_of(*part));
+            specs.emplace_back(part->width, part->height, part->channels, type_of(*part));
         spec.attribute("oiio:subimagename", part->name);
         spec.attribute("compression", "none");
         spec.attribute("DateTime", "1970:01:01 00:00:00");
@@ -313,16 +313,17 @@ int glint_exr_read(const char* file, void (*tell)(void* user, const GlintOiioTex
         for (int i = 0; input->seek_subimage(i, 0); ++i) {
             spec = input->spec(i);
             const std::string name(spec.get_string_attribute("oiio:subimagename"));
-            if (spec.nchannels != kPartChannels || spec.deep)
-                return give_up("A part is no RGBA picture", cause, cause_size);
+            if (spec.nchannels > kMostPartChannels || spec.deep)
+                return give_up("A part has more than four channels", cause, cause_size);
             GlintExrPart part{.name = name.c_str(),
                               .width = spec.width,
                               .height = spec.height,
+                              .channels = spec.nchannels,
                               .half = spec.format == OIIO::TypeDesc::HALF,
                               .pixels = nullptr};
             part.pixels = allocate(user, &part);
             if (!part.pixels) return 0;
-            const bool whole = input->read_image(i, 0, 0, kPartChannels, type_of(part),
+            const bool whole = input->read_image(i, 0, 0, part.channels, type_of(part),
                                                  top_row(part), OIIO::AutoStride, -row_bytes(part));
             if (!whole || input->has_error()) return give_up(input->geterror(), cause, cause_size);
         }

@@ -28,8 +28,9 @@ struct GlintOiioFormat {
 struct GlintExrPart {
     const char* name;
     int width, height;
+    int channels;  // up to four
     int half;      // 16-bit floats, else 32-bit
-    void* pixels;  // RGBA, rows bottom up, tightly packed
+    void* pixels;  // rows bottom up, tightly packed
 };
 
 // Begins a file that is empty and open for reading and writing; the pixels of `shape` do not

@@ -8,8 +8,9 @@ namespace glint {
 struct Part {
     std::string name;
     glm::ivec2 size{0};
+    int channels = 4;
     bool half = false;              // 16-bit floats, else 32-bit
-    std::vector<std::byte> pixels;  // RGBA, rows bottom up, tightly packed
+    std::vector<std::byte> pixels;  // rows bottom up, tightly packed
 };
 
 struct PartsFile {
@@ -21,7 +22,8 @@ struct PartsFile {
 // Throws as write_image does.
 void write_parts(const std::filesystem::path& file, const PartsFile& content);
 
-// Throws std::runtime_error when the file is missing, truncated or no EXR of RGBA floats.
+// Throws std::runtime_error when the file is missing, truncated or no EXR of up to four floats a
+// pixel.
 PartsFile read_parts(const std::filesystem::path& file);
 
 }  // namespace glint

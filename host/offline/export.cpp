@@ -4,10 +4,9 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
-#include "glsl/edits.h"
-#include "glsl/reachable.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
+#include "offline/site_text.h"
 #include "scene/scene_text.h"
 
 #include <fmt/format.h>
@@ -31,10 +30,7 @@ struct Tab {
 class Exporter {
 public:
     explicit Exporter(const Preset& preset)
-        : preset_(preset),
-          scene_(preset.scene),
-          compiled_(compile_or_stop(preset, {})),
-          text_(specialised_text(preset)) {
+        : preset_(preset), scene_(preset.scene), compiled_(compile_or_stop(preset, {})) {
         if (scene_.has_sound) sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}});
         find_tabs();
     }
@@ -46,7 +42,6 @@ private:
     const PassProgram& program_of(const Tab& tab) const;
     std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
     std::string tab_text(const Tab& tab);
-    std::string body_text(const Tab& tab) const;
     std::string unread_defines(const Reading& body,
                                const std::array<std::optional<std::size_t>, 4>& channels) const;
     std::string entry_text(const Tab& tab) const;
@@ -63,7 +58,6 @@ private:
     const Scene& scene_;
     CompiledScene compiled_;
     std::optional<CompiledScene> sound_;
-    std::string text_;
     std::vector<Tab> tabs_;
 };
 
@@ -167,8 +161,10 @@ std::string Exporter::limits_text(const Tab& tab) {
         warn(fmt::format("{}: the site runs it once a frame, not every {}/{} s", tab.name,
                          pass.step.numerator, pass.step.denominator));
     }
-    if (pass.format != PixelFormat::rgba32f && !pass.cube)
+    if (bytes_a_channel(pass.format) != 4 && !pass.cube)
         warn(fmt::format("{}: the site keeps it in floats of 32 bits", tab.name));
+    if (channel_count(pass.format) != 4 && pass.entry == "mainImage")
+        warn(fmt::format("{}: the site keeps all four channels", tab.name));
     const glm::ivec2 size = buffer_size(pass, preset_.size);
     const glm::ivec2 theirs = pass.cube ? glm::ivec2(1024) : preset_.size;
     if (size == theirs) return {};
@@ -177,6 +173,14 @@ std::string Exporter::limits_text(const Tab& tab) {
                     "reads the same, texture does not",
                     tab.name, size.x, size.y));
     return fmt::format("#define iResolution vec3({}.0, {}.0, 1.0)\n", size.x, size.y);
+}
+
+// What a reader sees of channels that the buffer has not.
+std::string missing_channels_text(PixelFormat format) {
+    const int channels = channel_count(format);
+    if (channels == 4) return {};
+    return fmt::format("    fragColor = vec4(fragColor.{}, 1.0);\n",
+                       channels == 1 ? "r, 0.0, 0.0" : "rg, 0.0");
 }
 
 // mainImage, where the pass's function has another name or several outputs.
@@ -201,28 +205,8 @@ std::string Exporter::entry_text(const Tab& tab) const {
     }
     return fmt::format(
         "\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) {{\n{}    {}({}"
-        "fragCoord);\n}}\n",
-        variables, pass.entry, arguments);
-}
-
-// The part of the text that draws this tab. An annotation means nothing there; its words still
-// describe the constant.
-std::string Exporter::body_text(const Tab& tab) const {
-    const std::string entry = tab.pass == kSoundPass   ? "mainSound"
-                              : tab.pass == kImagePass ? scene_.image_entry
-                                                       : scene_.passes[tab.pass].entry;
-    const Known known = known_of_pass(output_names(scene_, tab.pass));
-    const std::string body = reachable_text(read_glsl(text_, known), entry, kPassPrefix);
-    const Reading reading = read_glsl(body, known);
-    Edits edits(reading);
-    for (const Comment& comment : reading.comments) {
-        const std::size_t begin = comment.span.begin;
-        if (body.compare(begin, 4, "//@ ") == 0)
-            edits.replace_bytes({begin, begin + 4}, "// ");
-        else if (body.compare(begin, 3, "//@") == 0)
-            edits.replace_bytes({begin, begin + 3}, "// ");
-    }
-    return edits.apply().text;
+        "fragCoord);\n{}}}\n",
+        variables, pass.entry, arguments, missing_channels_text(pass.format));
 }
 
 // Whether a word stands in the text, in branches that are not compiled too.
@@ -265,7 +249,7 @@ std::string Exporter::tab_text(const Tab& tab) {
         if (!sampler.name.starts_with("iChannel"))
             defines += fmt::format("#define {} iChannel{}\n", sampler.name, i);
     }
-    const std::string body = body_text(tab);
+    const std::string body = site_text(preset_, tab.pass).text;
     const Reading reading = read_glsl(body, known_of_pass(output_names(scene_, tab.pass)));
     defines += unread_defines(reading, channels);
     if (speaks_of(reading, "iTick")) {

@@ -30,16 +30,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kStateText = "glint:state";
 constexpr const char* kDigestText = "glint:digest";
 
-constexpr std::array<std::pair<PixelFormat, std::string_view>, 3> kFormats = {
-    {{PixelFormat::rgba8, "rgba8"},
-     {PixelFormat::rgba16f, "rgba16f"},
-     {PixelFormat::rgba32f, "rgba32f"}}};
-
-std::string name_of(PixelFormat format) {
-    return std::string(
-        std::ranges::find(kFormats, format, &decltype(kFormats)::value_type::first)->second);
-}
-
 // Of a file of any size, a piece at a time. What cannot be read is told where it is needed.
 void add_content(Hash& hash, const fs::path& file) try {
     const ReadableFile in(file);
@@ -101,7 +91,8 @@ std::vector<Part> parts_of(const PassState& pass) {
             const std::string number = output > 0 ? fmt::format(" {}", output + 1) : "";
             parts.push_back({.name = pass.pass + number + (side > 0 ? " before" : ""),
                              .size = pass.shape.size * glm::ivec2(1, pass.shape.cube ? 6 : 1),
-                             .half = pass.shape.format != PixelFormat::rgba32f,
+                             .channels = channel_count(pass.shape.format),
+                             .half = bytes_a_channel(pass.shape.format) != 4,
                              .pixels = {}});
         }
     }
@@ -116,7 +107,7 @@ std::vector<Part> parts_with_pixels(const Snapshot& snapshot) {
         const std::size_t one = bytes.size() / parts.size();
         for (Part& part : parts) {
             const auto pixels = bytes.first(one);
-            if (pass.shape.format == PixelFormat::rgba8)
+            if (bytes_a_channel(pass.shape.format) == 1)
                 part.pixels = halves_of(pixels);
             else
                 part.pixels.assign(pixels.begin(), pixels.end());
@@ -140,10 +131,11 @@ void take_pixels(PassState& pass, std::span<Part>& parts) {
     for (const Part& wanted : parts_of(pass)) {
         if (parts.empty()) throw Damaged();
         const Part& part = parts.front();
-        if (part.name != wanted.name || part.size != wanted.size || part.half != wanted.half)
+        if (part.name != wanted.name || part.size != wanted.size ||
+            part.channels != wanted.channels || part.half != wanted.half)
             throw Damaged();
         const std::vector<std::byte> bytes =
-            pass.shape.format == PixelFormat::rgba8 ? bytes_of(part.pixels) : part.pixels;
+            bytes_a_channel(pass.shape.format) == 1 ? bytes_of(part.pixels) : part.pixels;
         pass.bytes.insert(pass.bytes.end(), bytes.begin(), bytes.end());
         parts = parts.subspan(1);
     }
@@ -157,12 +149,11 @@ Snapshot from_json(const Json& json, std::span<Part> parts) {
                       .provenance = json.at("provenance"),
                       .passes = {}};
     for (const Json& pass : json.at("passes")) {
-        const auto format = std::ranges::find(kFormats, pass.at("format").get<std::string>(),
-                                              &decltype(kFormats)::value_type::second);
-        if (format == kFormats.end()) throw Damaged();
+        const auto format = parse_pixel_format(pass.at("format").get<std::string>());
+        if (!format) throw Damaged();
         snapshot.passes.push_back({.pass = pass.at("name"),
                                    .shape = {.size = {pass.at("size").at(0), pass.at("size").at(1)},
-                                             .format = format->first,
+                                             .format = *format,
                                              .outputs = pass.at("outputs"),
                                              .cube = pass.at("cube"),
                                              .feedback = pass.at("feedback")},

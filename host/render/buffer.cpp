@@ -11,38 +11,43 @@ namespace {
 
 GLenum gl_format(PixelFormat format) {
     switch (format) {
+        case PixelFormat::r8:
+            return GL_R8;
+        case PixelFormat::rg8:
+            return GL_RG8;
         case PixelFormat::rgba8:
             return GL_RGBA8;
+        case PixelFormat::r16f:
+            return GL_R16F;
+        case PixelFormat::rg16f:
+            return GL_RG16F;
         case PixelFormat::rgba16f:
             return GL_RGBA16F;
+        case PixelFormat::r32f:
+            return GL_R32F;
+        case PixelFormat::rg32f:
+            return GL_RG32F;
         case PixelFormat::rgba32f:
             return GL_RGBA32F;
     }
     return GL_RGBA32F;
 }
 
-// How a texel's channel stands in memory; the same as in the texture, so that nothing is converted.
-struct ChannelFormat {
-    GLenum type;
-    std::size_t bytes;
-};
+// How texels stand in memory; the same as in the texture, so that nothing is converted.
+GLenum gl_channels(PixelFormat format) {
+    const int channels = channel_count(format);
+    return channels == 1 ? GL_RED : channels == 2 ? GL_RG : GL_RGBA;
+}
 
-ChannelFormat channel_format(PixelFormat format) {
-    switch (format) {
-        case PixelFormat::rgba8:
-            return {GL_UNSIGNED_BYTE, 1};
-        case PixelFormat::rgba16f:
-            return {GL_HALF_FLOAT, 2};
-        case PixelFormat::rgba32f:
-            return {GL_FLOAT, 4};
-    }
-    return {GL_FLOAT, 4};
+GLenum gl_type(PixelFormat format) {
+    const int bytes = bytes_a_channel(format);
+    return bytes == 1 ? GL_UNSIGNED_BYTE : bytes == 2 ? GL_HALF_FLOAT : GL_FLOAT;
 }
 
 // One texture's.
 std::size_t texture_bytes(const BufferShape& shape) {
     return static_cast<std::size_t>(shape.size.x) * static_cast<std::size_t>(shape.size.y) *
-           (shape.cube ? 6 : 1) * 4 * channel_format(shape.format).bytes;
+           (shape.cube ? 6 : 1) * bytes_a_texel(shape.format);
 }
 
 }  // namespace
@@ -146,10 +151,11 @@ std::vector<std::byte> Buffer::bytes() const {
     std::vector<std::byte> all(byte_count());
     const std::size_t one = texture_bytes(shape_);
     std::byte* to = all.data();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
     for (const std::size_t side : {front_, back()}) {
         if (to == all.data() + all.size()) break;  // single: front and back are the same
         for (const Texture& texture : sides_[side].textures) {
-            glGetTextureImage(texture.id(), 0, GL_RGBA, channel_format(shape_.format).type,
+            glGetTextureImage(texture.id(), 0, gl_channels(shape_.format), gl_type(shape_.format),
                               static_cast<GLsizei>(one), to);
             to += one;
         }
@@ -158,16 +164,17 @@ std::vector<std::byte> Buffer::bytes() const {
 }
 
 void Buffer::set_bytes(std::span<const std::byte> bytes) {
-    const GLenum type = channel_format(shape_.format).type;
+    const GLenum channels = gl_channels(shape_.format), type = gl_type(shape_.format);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const std::byte* from = bytes.data();
     for (const std::size_t side : {front_, back()}) {
         if (from == bytes.data() + bytes.size()) break;
         for (const Texture& texture : sides_[side].textures) {
             if (shape_.cube) {
                 glTextureSubImage3D(texture.id(), 0, 0, 0, 0, shape_.size.x, shape_.size.y, 6,
-                                    GL_RGBA, type, from);
+                                    channels, type, from);
             } else {
-                glTextureSubImage2D(texture.id(), 0, 0, 0, shape_.size.x, shape_.size.y, GL_RGBA,
+                glTextureSubImage2D(texture.id(), 0, 0, 0, shape_.size.x, shape_.size.y, channels,
                                     type, from);
             }
             if (shape_.mipmaps) glGenerateTextureMipmap(texture.id());
@@ -175,6 +182,14 @@ void Buffer::set_bytes(std::span<const std::byte> bytes) {
         }
     }
     ++version_;
+}
+
+BufferShape shape_of(const Pass& pass, glm::ivec2 picture, bool feedback) {
+    return {.size = buffer_size(pass, picture),
+            .format = pass.format,
+            .outputs = static_cast<int>(pass.outputs.size()),
+            .cube = pass.cube,
+            .feedback = feedback};
 }
 
 glm::ivec2 buffer_size(const Pass& pass, glm::ivec2 picture) {

@@ -81,6 +81,9 @@ private:
     std::size_t version_ = 0;
 };
 
+// What a pass fills for a picture of this size; mipmaps are for its readers to ask.
+BufferShape shape_of(const Pass& pass, glm::ivec2 picture, bool feedback);
+
 // The size of a pass's buffer for a picture of this size; never below 1x1.
 glm::ivec2 buffer_size(const Pass& pass, glm::ivec2 picture);
 

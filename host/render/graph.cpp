@@ -105,6 +105,14 @@ PassGraph build_graph(const std::vector<Pass>& passes, std::vector<PassReads> re
     return graph;
 }
 
+bool keeps_picture_size(const Scene& scene, const PassGraph& graph) {
+    return std::any_of(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
+        if (!fills_a_buffer(pass.pass)) return false;
+        const Pass& declared = scene.passes[pass.pass];
+        return (pass.feeds_state || pass.previous) && !declared.cube && !declared.size;
+    });
+}
+
 bool is_jittered(const Scene& scene, const GraphPass& pass) {
     if (!fills_a_buffer(pass.pass)) return true;
     const Pass& declared = scene.passes[pass.pass];

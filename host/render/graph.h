@@ -43,6 +43,10 @@ struct PassGraph {
 // frame; reading oneself or a later one gives the previous frame.
 PassGraph build_graph(const std::vector<Pass>& passes, std::vector<PassReads> reads);
 
+// Whether a buffer as large as the picture, or a share of it, carries something into a later frame:
+// another size of the picture would crop it.
+bool keeps_picture_size(const Scene& scene, const PassGraph& graph);
+
 // Whether a pass is drawn anew at every sub-pixel position of an averaged picture: the picture, and
 // buffers of its own pixels that no later frame depends on. All others stay as they are.
 bool is_jittered(const Scene& scene, const GraphPass& pass);

@@ -136,6 +136,18 @@ bool make_colour_defined(const Reading& reading, std::string_view entry, Edits& 
     return found;
 }
 
+// Browsers take a function whose parameter has no name; Mesa only declarations of one.
+void name_parameters(const Reading& reading, Edits& edits) {
+    for (const Function& function : reading.functions) {
+        if (!function.is_defined()) continue;
+        for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+            const Declaration& parameter = reading.declarations[function.parameters[i]];
+            if (parameter.names.empty() && !parameter.tokens.empty())
+                edits.after(parameter.tokens.end - 1, fmt::format(" glint_unnamed{}", i));
+        }
+    }
+}
+
 // gl_FragCoord counts from the corner of the tile that is drawn. Where the scene's text uses it, a
 // name as long stands for the place in the picture, so that no column moves.
 constexpr std::string_view kTiles =
@@ -296,11 +308,6 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     return text + own_overloads(reading);
 }
 
-std::string_view entry_of(const Scene& scene, std::size_t pass) {
-    if (pass == kImagePass) return scene.image_entry;
-    return pass == kSoundPass ? "mainSound" : std::string_view(scene.passes[pass].entry);
-}
-
 // Says whether the text is to lose its comments, too.
 bool leave_out(const Reading& reading, std::string_view entry, const ProgramOptions& options,
                Edits& edits, PassText& result) {
@@ -324,11 +331,11 @@ std::optional<std::size_t> PassText::origin(std::size_t at) const {
     return map.origin(at - user_begin);
 }
 
-std::string specialised_text(const Preset& preset) {
+EditedText specialised_text(const Preset& preset) {
     const Reading reading = read_glsl(preset.scene.text, known_of_scene());
     Edits edits(reading);
     specialise(preset, {}, edits);
-    return edits.apply().text;
+    return edits.apply();
 }
 
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
@@ -338,11 +345,12 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
     Edits edits(reading);
     if (options.specialise || options.constant) specialise(preset, options.constant, edits);
-    const std::string_view entry = sound ? "" : entry_of(scene, pass);
+    const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
+    name_parameters(reading, edits);
     mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
 
     PassText result;

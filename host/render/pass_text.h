@@ -28,7 +28,7 @@ struct ProgramOptions {
 
 // The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
 // its line ends are kept.
-std::string specialised_text(const Preset& preset);
+EditedText specialised_text(const Preset& preset);
 
 // The uniform of vec4s that numbers are fed by.
 inline constexpr const char* kNumbers = "glint_numbers";

@@ -86,12 +86,8 @@ BufferShape Renderer::wanted_shape(std::size_t index) const {
     BufferShape shape{.size = whole ? options_.size : options_.tile + 2,  // 2: see set_tile()
                       .format = options_.picture_format};
     if (fills_a_buffer(wanted)) {
-        const Pass& pass = preset_.scene.passes[wanted];
-        shape = {.size = buffer_size(pass, options_.size),
-                 .format = pass.format,
-                 .outputs = static_cast<int>(pass.outputs.size()),
-                 .cube = pass.cube,
-                 .feedback = scene_.graph.passes[index].feedback};
+        shape = shape_of(preset_.scene.passes[wanted], options_.size,
+                         scene_.graph.passes[index].feedback);
     }
     for (const PassProgram& reader : scene_.programs) {
         for (const SamplerUniform& uniform : reader.samplers) {
@@ -154,10 +150,35 @@ bool Renderer::draw(const Frame& frame) {
     return root_drawn_;
 }
 
-void Renderer::draw_root(const Frame& frame) {
+void Renderer::set_instant(const Frame& frame) {
     glBindVertexArray(vertex_array_.id());
     channels_.set_keyboard(frame.input);
     channels_.set_time(frame.time);
+}
+
+// Holds what cannot be drawn again: it follows from frames before.
+bool Renderer::is_kept(std::size_t index) const {
+    const GraphPass& pass = scene_.graph.passes[index];
+    return pass.feeds_state || pass.previous;
+}
+
+void Renderer::draw_again(const Frame& frame) {
+    set_instant(frame);
+    for (std::size_t i = 0; i < scene_.root; ++i)
+        if (!is_kept(i)) run_pass(i, {.frame = frame});
+    draw_root(frame);
+}
+
+void Renderer::begin_samples(const Frame& frame) {
+    set_instant(frame);
+    average_->clear();
+    for (std::size_t i = 0; i < scene_.root; ++i)
+        if (!is_kept(i) && !is_jittered(preset_.scene, scene_.graph.passes[i]))
+            run_pass(i, {.frame = frame});
+}
+
+void Renderer::draw_root(const Frame& frame) {
+    set_instant(frame);
     if (average_) return run_averaged(frame);
     run_pass(scene_.programs.size() - 1, {.frame = frame}, true);
 }
@@ -243,9 +264,7 @@ void Renderer::resize(glm::ivec2 size) {
 }
 
 void Renderer::run(const Frame& frame, bool state_only) {
-    glBindVertexArray(vertex_array_.id());
-    channels_.set_keyboard(frame.input);
-    channels_.set_time(frame.time);
+    set_instant(frame);
     root_drawn_ = false;
     std::vector<Step> stepped;
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
@@ -303,25 +322,30 @@ void Renderer::run_steps(const Frame& frame, Step step) {
 
 // Where the shutter stays open, each sample has a time of its own as well.
 void Renderer::run_averaged(const Frame& frame) {
-    const std::size_t root = scene_.root;
     average_->clear();
-    for (int sample = 0; sample < options_.samples; ++sample) {
-        Frame moment = frame;
-        const double later = frame.exposure * shutter_time(sample, options_.samples, frame.frame);
-        moment.time += later;
-        moment.date.w += static_cast<float>(later);
-        const Inputs inputs{.frame = moment,
-                            .jitter = sub_pixel_position(sample, options_.samples)};
-        if (frame.exposure > 0.0) channels_.set_time(moment.time);
-        for (std::size_t i = 0; i < root; ++i) {
-            const bool moves = is_jittered(preset_.scene, scene_.graph.passes[i]);
-            if (moves || frame.exposure > 0.0) run_pass(i, inputs);
-        }
-        run_pass(root, inputs, true);
+    for (int sample = 0; sample < options_.samples; ++sample) add_sample(frame, sample);
+    show_samples(options_.samples);
+}
+
+void Renderer::add_sample(const Frame& frame, int sample) {
+    Frame moment = frame;
+    const double later = frame.exposure * shutter_time(sample, options_.samples, frame.frame);
+    moment.time += later;
+    moment.date.w += static_cast<float>(later);
+    const Inputs inputs{.frame = moment, .jitter = sub_pixel_position(sample, options_.samples)};
+    if (frame.exposure > 0.0) channels_.set_time(moment.time);
+    for (std::size_t i = 0; i < scene_.root; ++i) {
+        const bool moves = is_jittered(preset_.scene, scene_.graph.passes[i]);
+        if (moves || frame.exposure > 0.0) run_pass(i, inputs);
     }
+    run_pass(scene_.root, inputs, true);
+}
+
+void Renderer::show_samples(int count) {
+    const std::size_t root = scene_.root;
     const glm::ivec2 size = drawn_size(root);
     glViewport(0, 0, size.x, size.y);
-    average_->resolve(buffers_[root]->target(), options_.samples);
+    average_->resolve(buffers_[root]->target(), count);
     buffers_[root]->finish_draw();
     root_drawn_ = true;
 }

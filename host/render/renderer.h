@@ -67,6 +67,16 @@ public:
     // Draws the root alone, from the buffers as they stand.
     void draw_root(const Frame& frame);
 
+    // Draws the picture, and the buffers that it is made of, for an instant that has been drawn
+    // before, at another size for one: what later frames depend on stays as it is.
+    void draw_again(const Frame& frame);
+
+    // What draw() does for an averaged picture, sample by sample, each once and in any order.
+    // Between two of them the mean of those so far can be shown.
+    void begin_samples(const Frame& frame);
+    void add_sample(const Frame& frame, int sample);
+    void show_samples(int count);
+
     // Which rectangle of the picture the root is from now on, where it is drawn in tiles.
     void set_tile(glm::ivec2 origin, glm::ivec2 size);
 
@@ -161,6 +171,8 @@ private:
     void run_steps(const Frame& frame, Step step);
     void run_pass(std::size_t index, const Inputs& inputs, bool force = false);
     void run_averaged(const Frame& frame);
+    void set_instant(const Frame& frame);
+    bool is_kept(std::size_t index) const;
     bool update_uniforms(std::size_t index, const Inputs& inputs);
     bool update_versions(std::size_t index);
     void bind_samplers(const PassProgram& program);

@@ -8,6 +8,12 @@ std::string pass_name(const Scene& scene, std::size_t pass) {
     return pass == kImagePass ? "image" : pass == kSoundPass ? "sound" : scene.passes[pass].name;
 }
 
+std::string entry_of(const Scene& scene, std::size_t pass) {
+    return pass == kImagePass   ? scene.image_entry
+           : pass == kSoundPass ? "mainSound"
+                                : scene.passes[pass].entry;
+}
+
 const Sampler& sampler_at(const Preset& preset, std::size_t index) {
     const auto& own = preset.scene.samplers;
     return index < own.size() ? own[index] : preset.channels.at(index - own.size());

@@ -27,6 +27,9 @@ inline constexpr int kSampleRate = 44100;  // Hz
 // The name a person knows a pass by: "image", "sound", or that of the first sampler that it fills.
 std::string pass_name(const Scene& scene, std::size_t pass);
 
+// The function that draws it: "mainImage", "mainSound", "mainWaves".
+std::string entry_of(const Scene& scene, std::size_t pass);
+
 // A sampler that some pass may read: one of the scene's, or one of the four channels of a preset.
 const Sampler& sampler_at(const Preset& preset, std::size_t index);  // channels follow the scene's
 std::size_t sampler_count(const Preset& preset);

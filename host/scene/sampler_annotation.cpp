@@ -56,13 +56,6 @@ std::optional<int> noise_channels(std::string_view text) {
     return std::nullopt;
 }
 
-std::optional<PixelFormat> parse_format(std::string_view text) {
-    if (text == "rgba8") return PixelFormat::rgba8;
-    if (text == "rgba16f") return PixelFormat::rgba16f;
-    if (text == "rgba32f") return PixelFormat::rgba32f;
-    return std::nullopt;
-}
-
 // What fills a sampler of this type from a file, for a message.
 const char* source_for(SamplerType type) {
     return type == SamplerType::samplerCube ? "cube sky.hdr"
@@ -263,8 +256,8 @@ void SamplerParser::parse_pass_option(std::string_view key, std::string_view val
             return complain("seconds from 1/65536 to 3600, such as 1/240");
         result.step = Option<Step>{*step, at};
     } else if (key == "format") {
-        const auto format = parse_format(value);
-        if (!format) return complain("rgba8, rgba16f or rgba32f");
+        const auto format = parse_pixel_format(value);
+        if (!format) return complain(expected_pixel_format(value));
         result.format = Option<PixelFormat>{*format, at};
     }
 }

@@ -6,6 +6,7 @@
 #include "glsl/source_text.h"
 #include "scene/annotation.h"
 #include "scene/builtin.h"
+#include "scene/lint.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
 
@@ -57,6 +58,7 @@ private:
     std::string tab_of(const Uniform& declaration, Span note) const;
     void warn_unannotated(const Uniform& declaration);
     void use_note(Span note);
+    bool is_allowance(Span note);
     void resolve_readers();
     bool stands_in_tab(const Pass& pass) const;
     void find_entries();
@@ -103,6 +105,7 @@ Scene Builder::build() {
     identifiers_ = find_words(reading_);
     tabs_ = find_tabs(reading_);
     notes_ = find_notes(reading_);
+    std::erase_if(notes_, [&](Span note) { return is_allowance(note); });
     scene_.files = source_.files;
     const auto declarations = find_uniforms(reading_);
     for (std::size_t i = 0; i < declarations.size(); ++i) {
@@ -151,6 +154,19 @@ std::string Builder::note_text(Span note) const {
         if ((text[i] >= 0 && text[i] < ' ') || text[i] == '\x7F') text[i] = ' ';
     }
     return text;
+}
+
+// `//@ allow unused-function` is for scene/lint.h.
+bool Builder::is_allowance(Span note) {
+    const std::string text = note_text(note);
+    const auto names = parse_allow(text);
+    const auto known = finding_names();
+    for (const std::string_view name : names.value_or(std::vector<std::string_view>()))
+        if (std::ranges::find(known, name) == known.end())
+            warning(note.begin + static_cast<std::size_t>(name.data() - text.data()),
+                    fmt::format("no finding of glint info is called {}{}", in_quotes(name),
+                                did_you_mean(name, known)));
+    return names.has_value();
 }
 
 // A note without a uniform: a heading, or a mistake.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "scene/pixel_format.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -72,7 +73,6 @@ const char* glsl_name(SamplerType type);
 
 enum class Filter { nearest, linear, mipmap };
 enum class Wrap { clamp, repeat, mirror };
-enum class PixelFormat { rgba8, rgba16f, rgba32f };
 
 // Who fills what a sampler reads.
 enum class Source { none, buffer, image, cube, volume, sound, noise, keyboard };

@@ -99,11 +99,26 @@ std::vector<Span> find_notes(const Reading& reading) {
     std::vector<Span> notes;
     for (const Comment& comment : reading.comments) {
         const auto [begin, end] = comment.span;
-        if (comment.is_line && reading.text.substr(begin, 3) == "//@" &&
-            reading.live_at(begin) != Live::no)
-            notes.push_back({begin + 3, end});
+        if (!comment.is_line || reading.live_at(begin) == Live::no) continue;
+        const std::string_view words = reading.text.substr(begin, end - begin);
+        const std::size_t allow = std::min(words.find("//@ allow"), words.size());
+        if (allow > 0 && words.starts_with("//@")) notes.push_back({begin + 3, begin + allow});
+        if (allow < words.size()) notes.push_back({begin + allow + 3, end});
     }
     return notes;
+}
+
+std::optional<std::vector<std::string_view>> parse_allow(std::string_view note) {
+    std::vector<std::string_view> words;
+    constexpr std::string_view kBetween = " \t,";
+    for (std::size_t at = note.find_first_not_of(kBetween); at < note.size();) {
+        const std::size_t end = std::min(note.find_first_of(kBetween, at), note.size());
+        words.push_back(note.substr(at, end - at));
+        at = note.find_first_not_of(kBetween, end);
+    }
+    if (words.empty() || words.front() != "allow") return std::nullopt;
+    words.erase(words.begin());
+    return words;
 }
 
 std::vector<std::string> find_pass_functions(const Reading& reading) {

@@ -3,6 +3,7 @@
 
 #include "glsl/reading.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,8 +53,11 @@ struct Uniform {
 };
 std::vector<Uniform> find_uniforms(const Reading& reading);
 
-// What follows each `//@` in live text, up to the comment's end.
+// What follows each `//@` in live text, up to the comment's end or to a `//@ allow` in it.
 std::vector<Span> find_notes(const Reading& reading);
+
+// The names behind `allow`; nothing where a note begins otherwise.
+std::optional<std::vector<std::string_view>> parse_allow(std::string_view note);
 
 // The functions that fill a buffer or are the picture, `void NAME(out vec4 …`, each once, in order.
 std::vector<std::string> find_pass_functions(const Reading& reading);

@@ -5,6 +5,10 @@
 #include "base/workers.h"
 #include "gl/context.h"
 #include "measure/inlining.h"
+#include "measure/second_opinion.h"
+#include "render/buffer.h"
+#include "scene/lint.h"
+#include "scene/scene_text.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
@@ -12,8 +16,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <map>
 #include <set>
 #include <thread>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -85,18 +93,6 @@ std::vector<LeftOut> left_out(const Inspection& seen) {
     return list;
 }
 
-const char* format_name(PixelFormat format) {
-    switch (format) {
-        case PixelFormat::rgba8:
-            return "rgba8";
-        case PixelFormat::rgba16f:
-            return "rgba16f";
-        case PixelFormat::rgba32f:
-            return "rgba32f";
-    }
-    return "";
-}
-
 Json tweak_value(const Tweak& tweak, const TweakValue& value) {
     const auto component = [&](double v) -> Json {
         if (tweak.type == TweakType::bool1) return v != 0.0;
@@ -137,12 +133,15 @@ Json pass_json(const Inspection& seen, const PassProgram& program, const GraphPa
     }
     const bool image = program.pass == kImagePass;
     const Pass* pass = image ? nullptr : &scene.passes[program.pass];
-    const glm::ivec2 size = image ? seen.preset.size : buffer_size(*pass, seen.preset.size);
+    const BufferShape shape =
+        image ? BufferShape{.size = seen.preset.size, .format = PixelFormat::rgba8}
+              : shape_of(*pass, seen.preset.size, graph.feedback);
     return {{"name", pass_name(scene, program.pass)},
             {"entry", image ? scene.image_entry : pass->entry},
             {"samplers", image ? Json::array() : Json(pass->outputs)},
-            {"size", {size.x, size.y}},
-            {"format", format_name(image ? PixelFormat::rgba8 : pass->format)},
+            {"size", {shape.size.x, shape.size.y}},
+            {"format", name_of(shape.format)},
+            {"bytes", byte_count(shape)},
             {"feedback", graph.feedback},
             {"reads", reads},
             {"runs", to_string(graph.runs)},
@@ -177,31 +176,47 @@ Json inspect(const Inspection& seen) {
     return json;
 }
 
-// The function of all passes whose copies cost most. Every pass has the whole text to go through:
-// as many at a time as there are processors.
-Json costliest_copies(const Preset& preset, const CompiledScene& compiled, bool specialise) {
-    const auto& programs = compiled.programs;
-    std::vector<std::optional<ProgramSize>> sizes(programs.size());
-    std::vector<std::string> why_not(programs.size());
+double inlined_tokens_of(const Scene& scene, std::size_t pass) {
+    const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
+    return inlined_tokens(reading, entry_of(scene, pass));
+}
+
+// The passes that are largest as they are written: looking into each of a dozen takes a second.
+std::vector<std::size_t> largest_passes(const Preset& preset, const CompiledScene& compiled) {
+    constexpr std::size_t kMost = 4;
+    std::vector<std::pair<double, std::size_t>> sizes;
+    for (const PassProgram& program : compiled.programs)
+        sizes.emplace_back(inlined_tokens_of(preset.scene, program.pass), program.pass);
+    std::ranges::stable_sort(sizes, std::greater(), &std::pair<double, std::size_t>::first);
+    std::vector<std::size_t> passes;
+    for (const auto& [size, pass] : sizes)
+        if (passes.size() < kMost) passes.push_back(pass);
+    return passes;
+}
+
+// The function of these passes whose copies cost most: as many at a time as there are processors.
+Json costliest_copies(const Preset& preset, const std::vector<std::size_t>& passes,
+                      bool specialise) {
+    std::vector<std::optional<ProgramSize>> sizes(passes.size());
+    std::vector<std::string> why_not(passes.size());
     Workers workers(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-    for (std::size_t i = 0; i < programs.size(); ++i)
+    for (std::size_t i = 0; i < passes.size(); ++i)
         workers.run([&, i] {
-            const PassText text = pass_text(preset, programs[i].pass, {.specialise = specialise});
+            const PassText text = pass_text(preset, passes[i], {.specialise = specialise});
             sizes[i] = program_size(text.text, why_not[i]);
         });
     workers.finish();
     Json worst = {{"function", nullptr}};
     std::size_t most = 0;
-    for (std::size_t i = 0; i < programs.size(); ++i) {
+    for (std::size_t i = 0; i < passes.size(); ++i) {
         if (!sizes[i]) worst["why_not"] = why_not[i];
         if (!sizes[i] || sizes[i]->functions.empty()) continue;
         const InlinedFunction& function = sizes[i]->functions.front();
         if (function.saved_by_one_call() <= most) continue;
         most = function.saved_by_one_call();
-        worst = {
-            {"function", function.name},        {"pass", pass_name(preset.scene, programs[i].pass)},
-            {"copies", function.copies},        {"words", function.words},
-            {"program_words", sizes[i]->words}, {"saved_by_one_call", most}};
+        worst = {{"function", function.name},        {"pass", pass_name(preset.scene, passes[i])},
+                 {"copies", function.copies},        {"words", function.words},
+                 {"program_words", sizes[i]->words}, {"saved_by_one_call", most}};
     }
     return worst;
 }
@@ -217,6 +232,56 @@ void print_copies(const Json& worst) {
         worst["function"].get<std::string>(), worst["copies"].get<std::size_t>(),
         worst["words"].get<std::size_t>(), worst["pass"].get<std::string>(),
         worst["program_words"].get<std::size_t>(), worst["saved_by_one_call"].get<std::size_t>());
+}
+
+// The scene's, and what the validator says of the passes that it needs and its sound.
+void add_findings(const Inspection& seen, Json& json) {
+    Lint found = lint(seen.preset);
+    std::vector<std::size_t> passes;
+    for (const PassProgram& program : seen.specialised.programs) passes.push_back(program.pass);
+    if (seen.preset.scene.has_sound) passes.push_back(kSoundPass);
+    SecondOpinion second = second_opinion(seen.preset, passes);
+    std::ranges::move(second.findings, std::back_inserter(found.findings));
+    drop_allowed(seen.preset.scene, found.findings);
+    json["findings"] = Json::array();
+    for (const PlacedFinding& one : found.findings)
+        json["findings"].push_back({{"name", one.name},
+                                    {"file", one.place.file},
+                                    {"line", one.place.line},
+                                    {"column", one.place.column},
+                                    {"text", one.text}});
+    json["not_looked_into"] = Json::array();
+    const auto leave_out = [&](const Place& place, const std::string& why) {
+        json["not_looked_into"].push_back(
+            {{"file", place.file}, {"line", place.line}, {"column", place.column}, {"why", why}});
+    };
+    for (const Unread& one : found.unread)
+        leave_out(one.place,
+                  "the text is not understood here, so nothing is said of it: " + one.why);
+    if (!second.why_none.empty())
+        leave_out({seen.preset.scene.files.front().string()},
+                  "nothing is said of what WebGL 2 refuses: " + second.why_none);
+}
+
+std::string placed(const Json& one, std::string_view text) {
+    return to_string(
+        {Severity::warning, {one["file"], one["line"], one["column"]}, std::string(text)});
+}
+
+void print_findings(const Json& json) {
+    constexpr std::size_t kMostOfAKind = 8;
+    say_result("\nfindings\n");
+    std::map<std::string, std::size_t> count;
+    for (const Json& one : json["findings"]) {
+        const std::string name = one["name"];
+        if (++count[name] <= kMostOfAKind)
+            say_result("  {} [{}]\n", placed(one, one["text"].get<std::string>()), name);
+    }
+    for (const auto& [name, number] : count)
+        if (number > kMostOfAKind)
+            say_result("  and {} more [{}]; --json lists all\n", number - kMostOfAKind, name);
+    for (const Json& one : json["not_looked_into"])
+        say_result("  {}\n", placed(one, one["why"].get<std::string>()));
 }
 
 std::string joined(const Json& list) {
@@ -249,6 +314,7 @@ void print_tables(const Inspection& seen, const Json& json) {
                    item["why"].get<std::string>());
     }
     print_copies(json["copies"]);
+    print_findings(json);
 }
 
 void run_info(const InfoOptions& options, const Stopwatch&) {
@@ -268,7 +334,9 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
             compile_or_stop(preset, {.program = {.specialise = options.view.specialise}}, &told)};
     Json json = inspect(seen);
     json["renderer"] = context->renderer();
-    json["copies"] = costliest_copies(preset, seen.specialised, options.view.specialise);
+    json["copies"] =
+        costliest_copies(preset, largest_passes(preset, seen.specialised), options.view.specialise);
+    add_findings(seen, json);
     if (options.view.json)
         say_result("{}\n", json_text(json));
     else

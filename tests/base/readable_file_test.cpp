@@ -1,6 +1,8 @@
 // Only regular files are read, and nothing waits for the others.
 #include "base/readable_file.h"
 
+#include "test_folder.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -8,9 +10,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
 
 namespace glint {
 namespace {
@@ -19,16 +19,8 @@ namespace fs = std::filesystem;
 
 class ReadableFiles : public testing::Test {
 protected:
-    ReadableFiles() {
-        std::string name = (fs::temp_directory_path() / "glint-base-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-        folder_ = name;
-    }
-    ~ReadableFiles() override { fs::remove_all(folder_); }
-
     fs::path write(const char* name, std::string_view text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-        return folder_ / name;
+        return made_.write(name, text);
     }
 
     // "" when it is read.
@@ -43,7 +35,8 @@ protected:
         }
     }
 
-    fs::path folder_;
+    TestFolder made_;
+    const fs::path folder_ = made_.path();
 };
 
 TEST_F(ReadableFiles, WhatIsNoRegularFileIsRefusedAtOnceAndByItsKind) {

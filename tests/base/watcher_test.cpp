@@ -1,6 +1,8 @@
 // However a file is saved, whoever reads it on every notice ends with its last content.
 #include "base/watcher.h"
 
+#include "test_folder.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,16 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
-
-class Folder {
-public:
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "glint-watcher-XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    ~Folder() { fs::remove_all(path); }
-    fs::path path;
-};
 
 std::string content(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -252,8 +244,8 @@ INSTANTIATE_TEST_SUITE_P(, Watching, testing::Values(true, false), [](const auto
 });
 
 TEST_P(Watching, SeesEveryWayOfSaving) {
-    const Folder folder;
-    const Place place(folder.path);
+    const TestFolder folder;
+    const Place place(folder.path());
     Reader reader(place.names(), GetParam());
     int number = 0;
     for (const Style& style : kStyles) {
@@ -267,8 +259,8 @@ TEST_P(Watching, SeesEveryWayOfSaving) {
 }
 
 TEST_P(Watching, LosesNoneOfManyMixedSaves) {
-    const Folder folder;
-    const Place place(folder.path);
+    const TestFolder folder;
+    const Place place(folder.path());
     Reader reader(place.names(), GetParam());
     std::mt19937 random(1);
     const int saves = GetParam() ? 500 : 100;
@@ -287,12 +279,12 @@ TEST_P(Watching, LosesNoneOfManyMixedSaves) {
 }
 
 TEST_P(Watching, FollowsALinkToWhereverItPoints) {
-    const Folder folder;
-    const Place place(folder.path);
-    fs::create_directory(folder.path / "second");
-    const fs::path second = folder.path / "second" / "b.frag";
+    const TestFolder folder;
+    const Place place(folder.path());
+    fs::create_directory(folder.path() / "second");
+    const fs::path second = folder.path() / "second" / "b.frag";
     truncate_and_write(second, "second");
-    const fs::path link = folder.path / "link.frag", middle = folder.path / "middle.frag";
+    const fs::path link = folder.path() / "link.frag", middle = folder.path() / "middle.frag";
     Reader reader({link}, GetParam());
 
     point(middle, second);  // in the middle of the chain
@@ -315,16 +307,16 @@ TEST_P(Watching, FollowsALinkToWhereverItPoints) {
 }
 
 TEST_P(Watching, WaitsForWhatIsNotThereYet) {
-    const Folder folder;
-    const fs::path file = folder.path / "a" / "b" / "scene.frag";
-    const fs::path dangling = folder.path / "dangling.frag";
+    const TestFolder folder;
+    const fs::path file = folder.path() / "a" / "b" / "scene.frag";
+    const fs::path dangling = folder.path() / "dangling.frag";
     fs::create_symlink("a/b/scene.frag", dangling);
     Reader reader({file, dangling}, GetParam());
     fs::create_directories(file.parent_path());
     truncate_and_write(file, "here");
     EXPECT_TRUE(reader.comes_to(file, "here"));
     EXPECT_TRUE(reader.comes_to(dangling, "here"));
-    fs::remove_all(folder.path / "a");
+    fs::remove_all(folder.path() / "a");
     EXPECT_TRUE(reader.comes_to(file, ""));
     fs::create_directories(file.parent_path());
     truncate_and_write(file, "again");
@@ -333,8 +325,8 @@ TEST_P(Watching, WaitsForWhatIsNotThereYet) {
 }
 
 TEST_P(Watching, NoticesAnEmptiedAndADeletedFile) {
-    const Folder folder;
-    const fs::path file = folder.path / "scene.frag";
+    const TestFolder folder;
+    const fs::path file = folder.path() / "scene.frag";
     truncate_and_write(file, "something");
     Reader reader({file}, GetParam());
     truncate_and_write(file, "");
@@ -348,10 +340,10 @@ TEST_P(Watching, NoticesAnEmptiedAndADeletedFile) {
 // The scene's one line names its include. A person saves both, again and again, while the reader
 // is busy, so that saves of the include fall before, into and after the change of the set.
 TEST(Watcher, LosesNothingWhileTheSetChanges) {
-    const Folder folder;
-    const fs::path scene = folder.path / "scene.frag";
+    const TestFolder folder;
+    const fs::path scene = folder.path() / "scene.frag";
     truncate_and_write(scene, "include0");
-    truncate_and_write(folder.path / "include0", "text 0");
+    truncate_and_write(folder.path() / "include0", "text 0");
     std::atomic<bool> stop = false;
     std::mutex mutex;
     std::string seen;
@@ -363,7 +355,7 @@ TEST(Watcher, LosesNothingWhileTheSetChanges) {
             if (!first && poll(&descriptor, 1, 20) == 0) continue;
             if (!first && watcher.changed().empty()) continue;
             first = false;
-            const fs::path include = folder.path / content(scene);
+            const fs::path include = folder.path() / content(scene);
             const std::string text = content(include);
             std::this_thread::sleep_for(std::chrono::microseconds(random() % 2000));
             watcher.set_files({scene, include});
@@ -374,10 +366,10 @@ TEST(Watcher, LosesNothingWhileTheSetChanges) {
     std::mt19937 random(3);
     for (int i = 1; i <= 200; ++i) {
         const std::string name = fmt::format("include{}", i), text = fmt::format("text {}", i);
-        truncate_and_write(folder.path / name, "early");
+        truncate_and_write(folder.path() / name, "early");
         rename_over(scene, name);
         std::this_thread::sleep_for(std::chrono::microseconds(random() % 3000));
-        truncate_and_write(folder.path / name, text);
+        truncate_and_write(folder.path() / name, text);
         const auto end = Clock::now() + 10s;
         for (bool same = false; !same && Clock::now() < end;) {
             std::this_thread::sleep_for(200us);
@@ -392,8 +384,8 @@ TEST(Watcher, LosesNothingWhileTheSetChanges) {
 }
 
 TEST(Watcher, IsQuietWhenNothingIsSaved) {
-    const Folder folder;
-    const Place place(folder.path);
+    const TestFolder folder;
+    const Place place(folder.path());
     std::this_thread::sleep_for(50ms);  // what was saved just before counts as new
     Reader reader(place.names());
     std::this_thread::sleep_for(50ms);
@@ -406,8 +398,8 @@ TEST(Watcher, IsQuietWhenNothingIsSaved) {
 }
 
 TEST(Watcher, ReportsOneSaveOnce) {
-    const Folder folder;
-    const fs::path file = folder.path / "scene.frag";
+    const TestFolder folder;
+    const fs::path file = folder.path() / "scene.frag";
     truncate_and_write(file, "first");
     std::this_thread::sleep_for(50ms);
     Reader reader({file});
@@ -421,8 +413,8 @@ TEST(Watcher, ReportsOneSaveOnce) {
 }
 
 TEST(Watcher, KeepsNoDescriptorsAndNoWatches) {
-    const Folder folder;
-    const Place place(folder.path);
+    const TestFolder folder;
+    const Place place(folder.path());
     const auto descriptors = [] {
         return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
     };

@@ -488,8 +488,8 @@ TEST_F(BoatScene, AFasterBoatLeavesNoThinnerFoam) {
         const std::string preset =
             fmt::format("[tweaks]\ntopSpeed = {:.1f}\n", top_speed) + event(0.0, "up", true);
         float most = 0.0f;
-        for (const glm::vec4& cell : texels(scene_text(), preset, 6.0, {8, 8}, "wake"))
-            most = std::max(most, cell.z);
+        for (const glm::vec4& cells : texels(scene_text(), preset, 6.0, {8, 8}, "wakeFoam"))
+            most = std::max({most, cells.x, cells.y, cells.z, cells.w});
         return most;
     };
     EXPECT_GE(whitest(7.0), 0.9f * whitest(3.5));
@@ -500,9 +500,15 @@ TEST_F(BoatScene, AFasterBoatLeavesNoThinnerFoam) {
 TEST_F(BoatScene, TheWakeStaysBounded) {
     const auto most = [](const std::string& preset, double time) {
         glm::vec2 found(0.0f);
-        for (const glm::vec4& cell : texels(scene_text(), preset, time, {8, 8}, "wake")) {
-            EXPECT_TRUE(std::isfinite(cell.x) && std::isfinite(cell.y) && std::isfinite(cell.z));
-            found = glm::max(found, glm::abs(glm::vec2(cell.x, cell.z)));
+        for (const char* buffer : {"wake", "wakeRise", "wakeFoam"}) {
+            float largest = 0.0f;
+            for (const glm::vec4& cells : texels(scene_text(), preset, time, {8, 8}, buffer)) {
+                EXPECT_TRUE(std::isfinite(cells.x + cells.y + cells.z + cells.w));
+                const glm::vec4 size = glm::abs(cells);
+                largest = std::max({largest, size.x, size.y, size.z, size.w});
+            }
+            if (buffer == std::string_view("wake")) found.x = largest;
+            if (buffer == std::string_view("wakeFoam")) found.y = largest;
         }
         fmt::print("highest {:.3f} m, whitest {:.2f}\n", found.x, found.y);
         return found;

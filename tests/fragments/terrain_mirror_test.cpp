@@ -28,7 +28,7 @@ TEST_F(Terrain, ScreenSpaceRaysFindWhatExactRaysMeet) {
         "    vec3 at = e.pos + rd * (facing.w / dot(rd, e.forward));\n"
         "    at.y = waterLevel;\n"
         "    vec3 nor = normalize(facing.xyz);\n"
-        "    Sea s = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb);\n"
+        "    Sea s = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb, 0.0);\n"
         "    vec2 slope;\n"
         "    shownSlope(rd, s, slope);\n"
         "    vec3 away = reflect(rd, normalize(vec3(-slope, 1.0).xzy));\n"

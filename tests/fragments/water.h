@@ -45,6 +45,12 @@ inline std::string replaced(std::string text, std::string_view old, std::string_
     return text;
 }
 
+// Another number of cells in the pond and what is made of it; four stand in a texel of the pond.
+inline std::string with_cells(const std::string& text, glm::ivec2 cells) {
+    return replaced(replaced(text, "size=256x384", fmt::format("size={}x{}", cells.x, cells.y)),
+                    "size=64x384", fmt::format("size={}x{}", cells.x / 4, cells.y));
+}
+
 inline float uniform(std::mt19937& random, double low, double high) {
     return static_cast<float>(low + (high - low) * (static_cast<double>(random()) / 4294967296.0));
 }

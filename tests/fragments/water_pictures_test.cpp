@@ -27,7 +27,7 @@ TEST_F(Water, EachWayOfDrawingLeavesOutThePassesOfTheOther) {
     }
     EXPECT_TRUE(has(traced, "pond"));
     const auto still = drawn("water = \"traced\"\nripples = false\n");
-    for (const char* name : {"bed", "pushes", "pond", "relief", "peaks", "crest"})
+    for (const char* name : {"bedEast", "pushes", "pond", "relief", "peaks", "crest"})
         EXPECT_FALSE(has(still, name)) << name;
     EXPECT_FALSE(has(drawn("ripples = false\nwaveHeight = 0\nlanterns = 0\n"), "floats"));
 }
@@ -59,10 +59,10 @@ TEST_F(Water, BothWaysShowTheSameStillWater) {
 
 // The scene without its display curve, which would hide what is not a number, and a coarse pond.
 std::string bare() {
-    return replaced(
+    return with_cells(
         replaced(water_text(), "vec4(display(exp2(exposure) * sum / float(antialias)), 1.0)",
                  "vec4(exp2(exposure) * sum / float(antialias), 1.0)"),
-        "size=256x384", "size=64x96");
+        {64, 96});
 }
 
 // The first pass of which a buffer holds something that is not finite.

@@ -1,15 +1,17 @@
 // What a person may hand to Glint, broken in every way that libFuzzer finds: scene files, presets,
 // the site's JSON, and bare texts for the reader of GLSL. FUZZ_AS in the environment says which:
 // scene, preset, json or glsl.
+#include "../base/test_folder.h"
 #include "glsl/division.h"
+#include "glsl/finding.h"
 #include "glsl/raw_text.h"
 #include "glsl/reachable.h"
 #include "glsl/zeros.h"
+#include "render/own_overloads.h"
+#include "scene/lint.h"
 #include "scene/preset.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
-
-#include <unistd.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -23,17 +25,13 @@ namespace fs = std::filesystem;
 
 // A folder of this process's own; it is made once, and its files written again for each input.
 const fs::path& folder() {
-    static const fs::path made = [] {
-        const fs::path path =
-            fs::temp_directory_path() / ("glint-fuzz-" + std::to_string(getpid()));
-        fs::create_directories(path);
-        std::ofstream(path / "scene.frag")
-            << "uniform float level; //@ 0.5 [0, 1] \"how bright\"\n"
-               "uniform int kind; //@ 1 {none, some, all}\nuniform vec3 tint; //@ #0b3a53\n"
-               "void mainImage(out vec4 c, in vec2 p) { c = vec4(tint * level, kind); }\n";
-        return path;
-    }();
-    return made;
+    static const glint::TestFolder made;
+    static const fs::path scene =
+        made.write("scene.frag",
+                   "uniform float level; //@ 0.5 [0, 1] \"how bright\"\n"
+                   "uniform int kind; //@ 1 {none, some, all}\nuniform vec3 tint; //@ #0b3a53\n"
+                   "void mainImage(out vec4 c, in vec2 p) { c = vec4(tint * level, kind); }\n");
+    return made.path();
 }
 
 void import_all(const fs::path& file) {
@@ -51,8 +49,13 @@ void read_text(std::string_view raw) {
         const Reading reading = read_glsl(text, known);
         find_uniforms(reading);
         find_tabs(reading);
+        own_overloads(reading);
         reachable_text(reading, "mainImage", kPassPrefix);
         Edits edits(reading);
+        const std::vector<bool> all(reading.functions.size(), true);
+        find_shadowed_names(reading, all);
+        find_reserved_names(reading, all);
+        find_long_loops(reading, all, {{"steps", 100.0}});
         mend_division_by_zero(reading, {}, edits);
         write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
         for (const Declaration& declaration : reading.declarations)
@@ -83,9 +86,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                                        : "input.frag");
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-    if (kind == "json")
+    if (kind == "json") {
         import_all(file);
-    else
-        glint::read_preset(file);
+    } else if (const glint::ReadPreset read = glint::read_preset(file); read.preset) {
+        glint::lint(*read.preset);
+    }
     return 0;
 }

@@ -9,7 +9,10 @@ namespace glint {
 namespace {
 
 std::string reached(std::string_view text, Known known = known_of_driver()) {
-    return reachable_text(read_glsl(text, known), "mainImage", "PASS_");
+    const EditedText result = reachable_text(read_glsl(text, known), "mainImage", "PASS_");
+    for (std::size_t at = 0; at < result.text.size(); ++at)  // every byte knows where it stood
+        EXPECT_EQ(result.text[at], text[result.map.origin(at)]);
+    return result.text;
 }
 
 const std::string kImage = "void mainImage(out vec4 c, in vec2 p) { c = f(p.x); }\n";

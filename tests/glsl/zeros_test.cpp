@@ -212,7 +212,10 @@ TEST(Zeros, LeaveTheOutputsOfTheEntryToTheHost) {
     const std::string text = "void f(out vec4 c) {} void g(out vec4 c) {}\n";
     const Reading reading = read_glsl(text, {});
     Edits edits(reading);
-    EXPECT_EQ(write_zeros(reading, edits, "f").size(), 1u);
+    const std::vector<Unset> unset = write_zeros(reading, edits, "f");
+    ASSERT_EQ(unset.size(), 2u);
+    EXPECT_EQ(unset[0].why_not, "the host gives it its first value");
+    EXPECT_EQ(unset[1].why_not, "");
     EXPECT_EQ(edits.apply().text, "void f(out vec4 c) {} void g(out vec4 c) { c = vec4(0.);}\n");
 }
 

@@ -29,6 +29,7 @@ Values names(const StudyPlan& plan) {
 struct Planned {
     explicit Planned(const std::string& tweaks) : preset(read(tweaks)) {
         facts.read.assign(preset.scene.tweaks.size(), true);
+        facts.drawn.assign(preset.scene.passes.size(), true);
         facts.read_with = [this](std::size_t, const TweakValue&) { return facts.read; };
         facts.accumulates = [](const std::vector<TweakValue>&) { return false; };
     }
@@ -223,6 +224,56 @@ TEST(StudyReference, OfAMethodThatAccumulatesHasSettled) {
     EXPECT_EQ(knob.second->text, "noisy, twice the frames");
     EXPECT_EQ(knob.second->setting.settle, 513);
     EXPECT_EQ(knob.notes, (Values{"the reference, noisy, accumulates 256 more frames"}));
+}
+
+const std::string kWaves =
+    "uniform sampler2D waves; //@ pass mainWaves size=64x32 format=rg32f\n"
+    "uniform sampler2D foam; //@ pass mainFoam\n"
+    "void mainWaves(out vec4 c, in vec2 p) {}\nvoid mainFoam(out vec4 c, in vec2 p) {}\n";
+
+TEST(StudyFormats, AreAKnobWhoseTruthIsTheWidest) {
+    const Planned planned(kWaves);
+    const Knob knob = planned.only({.vary = {"waves.format=rg16f,r8"}});
+    EXPECT_EQ(knob.name, "waves.format");
+    EXPECT_EQ(texts(knob), (Values{"rg16f", "r8"}));
+    EXPECT_EQ(knob.reference.text, "rgba32f");
+    EXPECT_FALSE(knob.second);
+    for (const KnobValue& value : knob.values) EXPECT_EQ(value.setting.format->pass, 0u);
+    EXPECT_EQ(knob.values[0].setting.format->format, PixelFormat::rg16f);
+    ASSERT_EQ(knob.notes.size(), 1u);
+    EXPECT_EQ(knob.notes[0], "waves takes: rg16f 8.0 KiB, r8 2.0 KiB");
+}
+
+TEST(StudyFormats, UnnamedAreThoseOfTheBuffersOwnChannels) {
+    const Planned planned(kWaves);
+    EXPECT_EQ(texts(planned.only({.vary = {"waves.format"}})), (Values{"rg32f", "rg16f", "rg8"}));
+    const Knob foam = planned.only({.vary = {"foam.format"},
+                                    .reference = {"foam.format=rgba16f"},
+                                    .second = {"foam.format=rgba32f"}});
+    EXPECT_EQ(texts(foam), (Values{"rgba32f", "rgba16f", "rgba8"}));
+    EXPECT_EQ(foam.reference.text, "rgba16f");
+    ASSERT_TRUE(foam.second);
+    EXPECT_EQ(foam.second->setting.format->format, PixelFormat::rgba32f);
+}
+
+TEST(StudyFormats, WhatCannotBeVariedIsToldWithWhatWasMeant) {
+    Planned planned(kWaves);
+    planned.facts.drawn[1] = false;
+    const struct {
+        const char *vary, *told;
+    } kCases[] = {{"wafes.format", "did you mean 'waves'?"},
+                  {"waves.format=rgba32f,rg16", "did you mean 'rg16f'?"},
+                  {"waves.size=3", "waves.format=rgba32f,rgba16f"},
+                  {"image.format=rgba8", "the picture is no buffer"},
+                  {"foam.format=rgba8", "nothing reads this buffer"}};
+    for (const auto& [vary, told] : kCases) {
+        try {
+            planned.plan({.vary = {vary}});
+            ADD_FAILURE() << vary;
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string(error.what()).find(told), std::string::npos) << error.what();
+        }
+    }
 }
 
 }  // namespace

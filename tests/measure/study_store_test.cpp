@@ -87,6 +87,10 @@ TEST(StudyKeys, DifferWhereAValueOrTheFramesDo) {
     EXPECT_EQ(key, key_of_setting(preset, setting));
     EXPECT_NE(key, key_of_setting(preset, {.values = {{0.5000001}}, .settle = 0}));
     EXPECT_NE(key, key_of_setting(preset, {.values = {{0.5}}, .settle = 1}));
+    preset.scene.passes.emplace_back().name = "waves";
+    Setting other = setting;
+    other.format = {0, PixelFormat::r16f};
+    EXPECT_NE(key, key_of_setting(preset, other));
 }
 
 }  // namespace

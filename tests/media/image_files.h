@@ -1,10 +1,10 @@
 // A folder for pictures, and pictures to put there.
 #pragma once
 
+#include "../base/test_folder.h"
 #include "media/image.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <array>
 #include <bit>
@@ -71,12 +71,6 @@ inline bool contains(const std::string& text, const std::string& part) {
 
 class ImageFile : public testing::Test {
 protected:
-    ImageFile() {
-        std::string pattern = (fs::temp_directory_path() / "glint-image-XXXXXX").string();
-        folder_ = ::mkdtemp(pattern.data());
-    }
-    ~ImageFile() override { fs::remove_all(folder_); }
-
     fs::path in(const std::string& name) const { return folder_ / name; }
 
     std::vector<std::string> names() const {
@@ -87,7 +81,8 @@ protected:
         return found;
     }
 
-    fs::path folder_;
+    TestFolder made_;
+    fs::path folder_ = made_.path();
 };
 
 }  // namespace glint

@@ -1,4 +1,5 @@
 // Sounds to and from files.
+#include "../base/test_folder.h"
 #include "base/temporary_file.h"
 #include "media/sound.h"
 
@@ -21,15 +22,6 @@ namespace fs = std::filesystem;
 
 class SoundFiles : public testing::Test {
 protected:
-    SoundFiles() {
-        std::string name = testing::TempDir() + "/glint-sound-XXXXXX";
-        if (mkdtemp(name.data())) folder_ = name;
-    }
-    ~SoundFiles() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
     fs::path write(const char* name, const std::vector<std::int16_t>& samples) const {
         TemporaryFile out(folder_ / name);
         SoundWriter writer(out.descriptor(), folder_ / name);
@@ -45,7 +37,8 @@ protected:
         return std::system(command.c_str()) == 0 ? "" : command;
     }
 
-    fs::path folder_;
+    TestFolder made_;
+    fs::path folder_ = made_.path();
 };
 
 std::vector<std::int16_t> sine(double hz, long count) {

@@ -65,5 +65,23 @@ TEST_F(CheckUnset, AValueOfABufferIsFoundWhereThePictureHidesIt) {
         << found;
 }
 
+TEST_F(CheckUnset, SaysOfWhichValuesItIsNotSure) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float big[2000], small; if (p.x < 0.0) small = 1.0;\n"
+          "    switch (int(p.x)) {\n"
+          "        case 0: float late; break;\n"
+          "        default: late += 0.0;\n"
+          "    }\n"
+          "    c += vec4(p.x < -1.0 ? big[int(p.y)] + small : 1.0);\n"
+          "}\n");
+    const Json found = cases("scene.frag", 0);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0]["note"],
+              "2 values, none shows; not sure of `c` (1:25, the host gives it its first value), "
+              "`big` (2:11, it has more than 1024 numbers, or a macro keeps it), "
+              "`late` (4:23, a switch may jump over its declaration)");
+}
+
 }  // namespace
 }  // namespace glint::cli

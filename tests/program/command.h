@@ -1,6 +1,8 @@
 // Runs the real glint as a user does, and gives it a folder of its own.
 #pragma once
 
+#include "../base/test_folder.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -172,36 +174,23 @@ inline constexpr std::string_view kGradient =
 // Every test has a folder of its own, empty at the start and gone afterwards. glint runs in it.
 class InAFolder : public testing::Test {
 protected:
-    InAFolder() {
-        std::string name = (fs::temp_directory_path() / "glint-cli-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-        folder_ = name;
-    }
-    ~InAFolder() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
+    const fs::path& folder() const { return folder_.path(); }
 
-    const fs::path& folder() const { return folder_; }
+    void write(const fs::path& name, std::string_view text) const { folder_.write(name, text); }
 
-    void write(const fs::path& name, std::string_view text) const {
-        fs::create_directories((folder_ / name).parent_path());
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-    }
-
-    std::string bytes(const fs::path& name) const { return bytes_of(folder_ / name); }
+    std::string bytes(const fs::path& name) const { return bytes_of(folder() / name); }
 
     // All names in the folder, hidden ones too.
     std::set<std::string> names() const {
         std::set<std::string> list;
-        for (const auto& entry : fs::directory_iterator(folder_)) {
+        for (const auto& entry : fs::directory_iterator(folder())) {
             list.insert(entry.path().filename().string());
         }
         return list;
     }
 
     Command command(std::vector<std::string> arguments) const {
-        return {.arguments = std::move(arguments), .folder = folder_};
+        return {.arguments = std::move(arguments), .folder = folder()};
     }
 
     Outcome glint(std::vector<std::string> arguments) const {
@@ -220,7 +209,7 @@ protected:
     }
 
 private:
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 }  // namespace glint::cli

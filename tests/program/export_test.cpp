@@ -118,6 +118,20 @@ TEST_F(Export, WhatTheSiteDoesOtherwiseIsSaid) {
               std::string::npos);
 }
 
+TEST_F(Export, ChannelsThatABufferHasNotAreAbsentOnTheSiteToo) {
+    write("narrow.frag",
+          "uniform sampler2D one; //@ pass mainOne format=r32f\n"
+          "uniform sampler2D two; //@ pass mainTwo format=rg32f\n"
+          "void mainOne(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0.5, 0.25); }\n"
+          "void mainTwo(out vec4 c, in vec2 p) { c = texelFetch(one, ivec2(p), 0) + 0.1; }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = 0.4 * (texelFetch(one, ivec2(p), 0) + texelFetch(two, ivec2(p), 0).yxwz);\n"
+          "}\n");
+    ASSERT_EQ(glint({"export", "narrow.frag", "-o", "out"}).code, 0);
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("narrow.frag").pixels, draw("back.frag").pixels);
+}
+
 TEST_F(Export, ALargeSceneComesBackAsItWas) {
     const std::string preset = std::string(GLINT_REPOSITORY) + "/presets/analytic.toml";
     ASSERT_EQ(glint({"export", preset, "-o", "out"}).code, 0);

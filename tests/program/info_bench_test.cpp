@@ -1,6 +1,7 @@
 // `glint info` tells what a scene really needs; `glint bench` how long it takes.
 #include "report.h"
 
+#include <algorithm>
 #include <map>
 
 namespace glint::cli {
@@ -42,6 +43,12 @@ protected:
         const Outcome outcome = glint(std::move(arguments));
         EXPECT_EQ(outcome.err, "");
         return report_of(outcome);
+    }
+
+    // Of a scene that is warned of.
+    Json json_of(std::vector<std::string> arguments) const {
+        arguments.push_back("--json");
+        return report_of(glint(std::move(arguments)));
     }
 
     static std::map<std::string, std::string> left_out(const Json& info) {
@@ -86,6 +93,7 @@ TEST_F(InfoAndBench, InfoHasTheDocumentedKeys) {
     EXPECT_EQ(still["samplers"], Json({"still"}));
     EXPECT_EQ(still["size"], Json({8, 4}));
     EXPECT_EQ(still["format"], "rgba16f");
+    EXPECT_EQ(still["bytes"], 8 * 4 * 8);
     EXPECT_EQ(still["feedback"], false);
     EXPECT_EQ(still["reads"], Json::array());
     EXPECT_EQ(still["runs"], "on change");
@@ -134,6 +142,7 @@ TEST_F(InfoAndBench, BenchHasTheDocumentedKeys) {
     EXPECT_EQ(bench["frames"], 5);
     EXPECT_EQ(bench["specialised"], true);
     EXPECT_GE(bench["host_ms"].get<double>(), 0.0);
+    EXPECT_GT(bench["processor_ms"]["median"].get<double>(), 0.0);
     const Json& ms = bench["ms"];
     EXPECT_GT(ms["min"].get<double>(), 0.0);
     EXPECT_LE(ms["min"], ms["median"]);
@@ -202,6 +211,86 @@ TEST_F(InfoAndBench, WithoutGlslangOnlyTheWordsAreMissing) {
     const Json copies = Json::parse(outcome.out, nullptr, false)["copies"];
     EXPECT_TRUE(copies["function"].is_null());
     EXPECT_NE(copies["why_not"].get<std::string>().find("not installed"), std::string::npos);
+}
+
+// "scene.frag:3:7 unused-function" for each finding of a scene.
+std::vector<std::string> names_of(const Json& findings) {
+    std::vector<std::string> list;
+    for (const Json& one : findings)
+        list.push_back(one["file"].get<std::string>() + ":" + one["line"].dump() + ":" +
+                       one["column"].dump() + " " + one["name"].get<std::string>());
+    return list;
+}
+
+TEST_F(InfoAndBench, InfoTellsFindingsWithTheirPlaces) {
+    write("found.frag",
+          "float lost() { return 1.0; }\n"
+          "uniform float level; //@ 0.5 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    for (int i = 0; i < 70000; ++i) c += level;\n"
+          "}\n");
+    const Json info = json({"info", "found.frag"});
+    EXPECT_EQ(names_of(info["findings"]),
+              (std::vector<std::string>{"found.frag:1:7 unused-function",
+                                        "found.frag:2:15 undescribed-tweak",
+                                        "found.frag:4:5 long-loop"}));
+    const Outcome outcome = glint({"info", "found.frag"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(
+        outcome.out.find("  found.frag:1:7: warning: nothing that is drawn calls the function "
+                         "`lost` [unused-function]\n"),
+        std::string::npos)
+        << outcome.out;
+}
+
+TEST_F(InfoAndBench, InfoPrintsSomeOfManyFindingsAndSaysHowManyMore) {
+    std::string text;
+    for (int i = 0; i < 300; ++i) text += "float f" + std::to_string(i) + "() { return 1.0; }\n";
+    write("many.frag", text + "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    const Outcome outcome = glint({"info", "many.frag"});
+    EXPECT_NE(outcome.out.find("  and 292 more [unused-function]"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("f8`"), std::string::npos);
+    EXPECT_EQ(json({"info", "many.frag"})["findings"].size(), 300u);
+}
+
+TEST_F(InfoAndBench, InfoTellsWhatWebGlWouldRefuse) {
+    if (!counts_words()) GTEST_SKIP() << "no glslangValidator or spirv-opt";
+    write("lib.glsl", "vec4 read(vec2 at) { return texture2D(grain, at); }\n");
+    write("refused.frag",
+          "uniform float level; //@ 0.5 [0, 1] \"how much\"\n"
+          "uniform sampler2D grain; //@ noise r 8\n"
+          "// The next line is another file's.\n"
+          "#include \"lib.glsl\"\n"
+          "float unused() { return texture2D(grain, vec2(0)).x; } //@ allow unused-function\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = read(p) * level; }\n");
+    EXPECT_EQ(names_of(json({"info", "refused.frag"})["findings"]),
+              std::vector<std::string>{"lib.glsl:1:29 webgl"});
+    write("macro.frag",
+          "#define READ(x) texture2D(grain, x)\n"
+          "uniform sampler2D grain; //@ noise r 8\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(1) *\n        READ(p);\n}\n");
+    EXPECT_EQ(names_of(json({"info", "macro.frag"})["findings"]),
+              std::vector<std::string>{"macro.frag:5:9 webgl"});
+    write("taken.frag",
+          "mat2 mix(mat2 a, mat2 b, float t) { return a + t * (b - a); } "
+          "//@ allow shadowed-name\n"
+          "void mainImage(out vec4 c, in vec2 p) { float a; vec2 d = iResolution.xy;\n"
+          "    c = vec4(mix(mat2(1), mat2(a), 0.5)[0] + d / 0.0, texture(iChannel0, p)"
+          ".xy) * float(iTick); }\n");
+    EXPECT_EQ(names_of(json_of({"info", "taken.frag"})["findings"]), std::vector<std::string>{});
+}
+
+TEST_F(InfoAndBench, InfoSaysWhatItHasNotLookedInto) {
+    write("plain.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    Command command = this->command({"info", "plain.frag"});
+    command.environment = {{"PATH", "/nowhere"}};
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.out.find("  plain.frag: warning: nothing is said of what WebGL 2 refuses: "
+                               "glslangValidator is not installed\n"),
+              std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(InfoAndBench, CompileTellsOfEveryPassWithTheCacheEmptyAndFull) {

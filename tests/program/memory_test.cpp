@@ -19,6 +19,9 @@ protected:
     }
 
     void allow(std::size_t mebibytes) {
+#ifdef __SANITIZE_ADDRESS__
+        GTEST_SKIP() << "the address sanitizer takes memory of its own";
+#endif
         group_.reset();  // both have one name
         group_ = std::make_unique<MemoryGroup>(mebibytes * kMebibyte);
         if (!group_->is_there())

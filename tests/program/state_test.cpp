@@ -12,14 +12,17 @@ namespace {
 using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
-// One buffer of each kind: two outputs with mipmaps, half floats, bytes, a cube, a simulation with
-// steps. NaN of many kinds and Inf are in them; where `a` discards, the picture before the previous
-// one shows. The picture hashes the bits.
+// One buffer of each kind: two outputs with mipmaps, half floats, bytes, fewer channels, a cube, a
+// simulation with steps. NaN of many kinds and Inf are in them; where `a` discards, the picture
+// before the previous one shows. The picture hashes the bits.
 constexpr std::string_view kEveryKind =
     "uniform sampler2D a; //@ pass mainA size=33x17 filter=mipmap\n"
     "uniform sampler2D b; //@ pass mainA size=33x17\n"
     "uniform sampler2D h; //@ pass mainH format=rgba16f size=5x7\n"
     "uniform sampler2D e; //@ pass mainE format=rgba8 scale=0.5\n"
+    "uniform sampler2D n; //@ pass mainN format=r8 size=5x3\n"
+    "uniform sampler2D o; //@ pass mainO format=rg16f size=3x5\n"
+    "uniform sampler2D q; //@ pass mainQ format=r32f size=7x1 filter=mipmap\n"
     "uniform samplerCube sky; //@ pass mainSky size=8\n"
     "uniform sampler2D steps; //@ pass mainSteps size=9x9 step=1/240\n"
     "uniform sampler2D keys; //@ keyboard\n"
@@ -46,6 +49,10 @@ constexpr std::string_view kEveryKind =
     "void mainE(out vec4 c, in vec2 p) {\n"
     "    c = fract(texelFetch(e, ivec2(p), 0) + vec4(1.0 / 255.0, 3.0 / 255.0, 0.1, iTimeDelta));\n"
     "}\n"
+    "void mainN(out vec4 c, in vec2 p) { c = fract(texelFetch(n, ivec2(p), 0) + 0.3); }\n"
+    "void mainO(out vec4 c, in vec2 p) { c = texelFetch(o, ivec2(p), 0) + vec4(0.1, 1.0 / p.yxx); "
+    "}\n"
+    "void mainQ(out vec4 c, in vec2 p) { c = texelFetch(q, ivec2(p), 0) * rate + vec4(p, p); }\n"
     "void mainSky(out vec4 c, in vec2 p, in vec3 ro, in vec3 rd) {\n"
     "    c = texture(sky, rd) * rate + vec4(rd, iTime);\n"
     "}\n"
@@ -58,6 +65,10 @@ constexpr std::string_view kEveryKind =
     "        5u * bits(texelFetch(h, i % ivec2(5, 7), 0)) + 7u * bits(texelFetch(e, i / 2, 0)) +\n"
     "        11u * bits(texelFetch(steps, i % 9, 0)) + 13u * bits(textureLod(a, vec2(0.5), 2.0)) "
     "+\n"
+    "        19u * bits(texelFetch(n, i % ivec2(5, 3), 0)) + 23u * bits(texelFetch(o, i % ivec2(3, "
+    "5), "
+    "0)) +\n"
+    "        29u * bits(texelFetch(q, i % ivec2(7, 1), 0)) +\n"
     "        17u * bits(texture(sky, vec3(p / iResolution.xy - 0.5, 0.3)));\n"
     "    c = vec4(uvec4(all, all >> 8u, all >> 16u, 255) & 255u) / 255.0;\n"
     "}\n";
@@ -95,7 +106,7 @@ TEST_F(State, TwoHalvesAreTheBytesOfTheWhole) {
 
 TEST_F(State, EveryBufferOfAStillHasItsBits) {
     result({"--frames", "0:20", "--save-state", "middle.exr"});
-    for (const std::string pass : {"a", "b", "h", "e", "sky", "steps"}) {
+    for (const std::string pass : {"a", "b", "h", "e", "n", "o", "q", "sky", "steps"}) {
         SCOPED_TRACE(pass);
         still({"scene.toml", "--size", "32x16", "--frame", "31", "--pass", pass, "-o", "one.exr"});
         still({"scene.toml", "--size", "32x16", "--frame", "31", "--pass", pass, "-o", "two.exr",

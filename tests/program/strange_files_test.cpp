@@ -118,15 +118,16 @@ TEST_F(StrangeFiles, AHoleOf20GigabytesIsRefusedByItsName) {
     expect_still_refused("hole.frag", "cannot read 'hole.frag': it is larger than 64 MiB");
     expect_still_refused("hole.toml", "cannot read 'hole.toml': it is larger than 64 MiB");
     expect_refused({"import", "hole.json", "-o", "a.frag"}, "it is larger than 64 MiB");
-    expect_refused(
-        {"still", "good.frag", "-o", "out.png", "--size", "64x36", "--from-state", "hole.exr"},
-        "hole.exr: error: It is cut short or damaged");
+    const std::vector<std::string> from_hole = {"still",  "good.frag", "-o",           "out.png",
+                                                "--size", "64x36",     "--from-state", "hole.exr"};
+    expect_refused(from_hole, "hole.exr: error: ");  // for its memory, where so much is not free
+    fs::resize_file(folder() / "hole.exr", std::uintmax_t{1} << 24);
+    expect_refused(from_hole, "hole.exr: error: It is cut short or damaged");
     std::error_code error;
     fs::resize_file(folder() / "hole.exr", std::uintmax_t{1} << 40, error);
     if (!error) {  // the file system takes a terabyte
-        expect_refused(
-            {"still", "good.frag", "-o", "out.png", "--size", "64x36", "--from-state", "hole.exr"},
-            "hole.exr: error: Cannot read it: it takes 1099511 MB of memory, and ");
+        expect_refused(from_hole,
+                       "hole.exr: error: Cannot read it: it takes 1099511 MB of memory, and ");
     }
     write_reader("sampler2D", "image zeros");
     expect_still_refused("reader.frag", "Cannot read zeros: It is not a png");

@@ -53,6 +53,28 @@ TEST_F(Study, AMeanOfNoiseIsOfOrderOneHalf) {
     EXPECT_TRUE(json["rows"].back()["near_reference"]);
 }
 
+// A ramp of 1/3 has no end in binary: each format cuts it at its own digits.
+TEST_F(Study, AFormatCostsTheDigitsThatItLacks) {
+    write("ramp.frag",
+          "uniform sampler2D ramp; //@ pass mainRamp filter=nearest\n"
+          "void mainRamp(out vec4 c, in vec2 p) { c = vec4(p.x / 333.0); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(ramp, ivec2(p), 0); }\n");
+    const Outcome outcome = glint({"study", "ramp.frag", "--size", "64x4", "--json", "--vary",
+                                   "ramp.format=rgba32f,rgba16f,rgba8,r32f"});
+    EXPECT_EQ(outcome.err, "");
+    const Json json = report_of(outcome);
+    EXPECT_EQ(json["knob"], "ramp.format");
+    EXPECT_EQ(json["reference"], "rgba32f");
+    ASSERT_EQ(json["rows"].size(), 4u);
+    std::vector<double> most;
+    for (const Json& row : json["rows"]) most.push_back(row["max"].get<double>());
+    EXPECT_EQ(most[0], 0.0);
+    EXPECT_TRUE(json["rows"][0]["is_reference"] && json["rows"][0]["is_preset"]);
+    EXPECT_GT(most[1], 0.0);
+    EXPECT_LT(most[1], most[2]);
+    EXPECT_GT(most[3], 0.01) << "green and blue are gone, 0.03 of them in linear light";
+}
+
 TEST_F(Study, HasTheDocumentedKeys) {
     const Json json = study("quadrature");
     EXPECT_EQ(json["knob"], "steps");

@@ -1,5 +1,6 @@
 // The program that a scene's text is wrapped in, sentence by sentence of what the site does.
 #include "fixture.h"
+#include "render/pass_text.h"
 
 namespace glint {
 namespace {
@@ -40,6 +41,21 @@ TEST_F(WrappedProgram, MacrosOfTheUserDoNotReachTheHostsMain) {
          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n",
          {1, 1, 1}},
     });
+}
+
+// `color += light` relies on it. A name of so many letters does not stand where short texts do.
+TEST_F(WrappedProgram, TheColourStartsAtZeroWhateverThePassIsCalled) {
+    TestFolder folder;
+    const ReadPreset read = read_scene_text(
+        folder,
+        "uniform sampler2D light; //@ pass mainLightOfTheWholeEveningSky\n"
+        "void mainLightOfTheWholeEveningSky(out vec4 c, vec2 p) { c += vec4(0.5); }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texture(light, p); }\n",
+        {});
+    ASSERT_TRUE(read.preset);
+    EXPECT_NE(pass_text(*read.preset, 0, {}).text.find("Sky(inout vec4 c,"), std::string::npos);
+    EXPECT_NE(pass_text(*read.preset, kImagePass, {}).text.find("mainImage(inout vec4 c,"),
+              std::string::npos);
 }
 
 TEST_F(WrappedProgram, HardwareCountsAsFast) {

@@ -141,8 +141,12 @@ public:
     // Frame k of an endless sequence at options.fps.
     Frame frame(int k) const { return Playback{.end = 1e6, .fps = options_.fps}.frame(preset, k); }
 
-    void draw(const Frame& frame) { renderer_->draw(frame); }
-    void draw(int k) { draw(frame(k)); }
+    // With the tweaks as `preset` has them now.
+    bool draw(const Frame& frame) {
+        renderer_->set_values(preset.values);
+        return renderer_->draw(frame);
+    }
+    bool draw(int k) { return draw(frame(k)); }
     void draw_frames(int first, int end) {
         for (int k = first; k < end; ++k) draw(k);
     }
@@ -150,6 +154,7 @@ public:
     // What `still` shows at a time; returns the number of frames that it drew.
     int still(double time, int settle = 0) {
         int frames = 0;
+        renderer_->set_values(preset.values);
         draw(play(preset, *renderer_, {.end = time, .fps = options_.fps}, settle, frames));
         return frames;
     }

@@ -142,7 +142,7 @@ TEST_F(LeftOut, APassRunsAgainOnlyWhenSomethingThatItReadsHasChanged) {
         {.specialise = false});
     Counted counted(player);
     Frame frame;
-    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_TRUE(player.draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"still", 1},
                                       {"pointed", 1},
                                       {"tweaked", 1},
@@ -150,35 +150,33 @@ TEST_F(LeftOut, APassRunsAgainOnlyWhenSomethingThatItReadsHasChanged) {
                                       {"both", 1},
                                       {"image", 1}}));
     frame.time = 1.0, frame.frame = 60, frame.date.w = 5.0f;
-    EXPECT_FALSE(player.renderer().draw(frame)) << "nothing here reads time";
+    EXPECT_FALSE(player.draw(frame)) << "nothing here reads time";
     EXPECT_EQ(counted.take(), Counts{});
 
     frame.input.mouse = {1, 2, 3, 4};
-    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_TRUE(player.draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"pointed", 1}, {"both", 1}, {"image", 1}}));
 
     player.preset.values[0][0] = 2.0;
-    player.renderer().set_values(player.preset.values);
-    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_TRUE(player.draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"tweaked", 1}, {"both", 1}, {"image", 1}}));
 
     player.preset.values[1][0] = 2.0;
-    player.renderer().set_values(player.preset.values);
-    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_TRUE(player.draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"image", 1}}));
 
     frame.input.held[65] = 255;
-    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_TRUE(player.draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"typed", 1}, {"image", 1}}));
 
     player.renderer().redraw();
-    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_TRUE(player.draw(frame));
     EXPECT_EQ(counted.take(), (Counts{{"image", 1}}));
 
     player.renderer().resize({8, 8});
-    EXPECT_TRUE(player.renderer().draw(frame));
+    EXPECT_TRUE(player.draw(frame));
     EXPECT_EQ(counted.take().size(), 6u) << "everything has the picture's size";
-    EXPECT_FALSE(player.renderer().draw(frame));
+    EXPECT_FALSE(player.draw(frame));
 }
 
 TEST_F(LeftOut, APausedFrameDrawsNothingAndARunningOneOnlyWhatReadsTime) {

@@ -341,6 +341,7 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         {SamplerType::sampler2D, "pass a step=-1/60", 12, "1/65536"},
         {SamplerType::sampler2D, "pass a step=1/0", 12, "1/65536"},
         {SamplerType::sampler2D, "pass a format=rgba64", 14, "rgba16f"},
+        {SamplerType::sampler2D, "pass a format=r16", 14, "did you mean 'r16f'?"},
         {SamplerType::sampler2D, "pass a filter=blurry", 14, "nearest, linear or mipmap"},
         {SamplerType::sampler2D, "pass a wrap=round", 12, "clamp, repeat or mirror"},
         {SamplerType::sampler2D, "pass a wrap=clamp wrap=clamp", 18, "second wrap="},

@@ -63,18 +63,6 @@ double cpu_seconds_of(const std::string& process) {
 
 }  // namespace
 
-Folder::Folder() {
-    std::string name = (fs::temp_directory_path() / "glint-window-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
-    path_ = name;
-    fs::create_directory(path_ / "home");
-}
-
-Folder::~Folder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-}
-
 void write(const fs::path& file, std::string_view text) {
     std::ofstream stream(file, std::ios::binary);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -189,6 +177,9 @@ double Glint::resident_mib() const {
 
 void Window::SetUp() {
     folder_ = std::make_unique<Folder>();
+    // Pixels are counted, however slow the machine: no resolution is chosen for them.
+    fs::create_directories(memory_of_resolutions().parent_path());
+    write(memory_of_resolutions(), fmt::format("full plain 1 {}\n", scene().string()));
     try {
         screen_ = std::make_unique<Screen>(screen_size_);
     } catch (const std::runtime_error& error) {

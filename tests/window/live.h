@@ -2,6 +2,7 @@
 // saves.
 #pragma once
 
+#include "../base/test_folder.h"
 #include "screen.h"
 
 #include <gtest/gtest.h>
@@ -17,17 +18,10 @@ namespace glint::window {
 
 namespace fs = std::filesystem;
 
-// A folder that goes when this goes.
-class Folder {
+// With a home for the programs that run in it.
+class Folder : public TestFolder {
 public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
+    Folder() { fs::create_directory(path() / "home"); }
 };
 
 void write(const fs::path& file, std::string_view text);
@@ -88,6 +82,9 @@ protected:
     void settle() const;
     // A still of the same scene by the other verb, as RGB rows.
     fs::path still(const std::vector<std::string>& arguments) const;
+    fs::path memory_of_resolutions() const {
+        return folder_->path() / "home/.local/state/glint/resolution";
+    }
     fs::path scene() const { return folder_->path() / "scene.frag"; }
 
     std::unique_ptr<Screen> screen_;

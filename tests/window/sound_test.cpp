@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
@@ -50,22 +51,34 @@ protected:
     bool hears(std::size_t pairs) const {
         return eventually([&] { return heard().size() >= 2 * pairs; });
     }
+    // Right is 0.25 where a scene of these sounds in full, and 0 once it has faded.
+    bool falls_silent() const {
+        return eventually([&] {
+            const std::vector<float> pairs = heard();
+            return !pairs.empty() && pairs.back() == 0.0f;
+        });
+    }
 };
 
 TEST_F(LiveSoundTest, ASceneIsHeardInOrder) {
     open(kCounts);
+    // Where it sounds in full, sample follows sample; where the device's clock and ours are brought
+    // together, by up to 1 % more or less. A hole that a busy machine leaves is faded round.
     ASSERT_TRUE(hears(3 * 44100)) << glint_->errors();
-    const std::vector<float> pairs = heard();
-    // From where it has faded in on, sample follows sample; where the device's clock and ours are
-    // brought together, by up to 1 % more or less.
     std::size_t in_order = 0, counted = 0;
-    for (std::size_t i = 44100; i + 1 < 3 * 44100; ++i) {
-        const float step = (pairs[2 * i + 2] - pairs[2 * i]) * 8192.0f;
-        ++counted;
-        if (std::abs(step - 1.0f) < 0.02f || step < -2000.0f) ++in_order;
-    }
-    EXPECT_GT(static_cast<double>(in_order), 0.98 * static_cast<double>(counted))
-        << "a busy machine may leave a hole";
+    ASSERT_TRUE(eventually([&] {
+        const std::vector<float> pairs = heard();
+        in_order = counted = 0;
+        for (std::size_t i = 0; i + 3 < pairs.size(); i += 2) {
+            if (pairs[i + 1] != 0.25f || pairs[i + 3] != 0.25f) continue;
+            const float step = (pairs[i + 2] - pairs[i]) * 8192.0f;
+            ++counted;
+            if (std::abs(step - 1.0f) < 0.02f || step < -2000.0f) ++in_order;
+        }
+        return counted > 2 * 44100;
+    })) << glint_->errors();
+    EXPECT_GT(static_cast<double>(in_order), 0.99 * static_cast<double>(counted))
+        << "the count may end between two samples";
     EXPECT_EQ(glint_->errors().find("ALSA"), std::string::npos);
     EXPECT_EQ(glint_->errors().find("jack"), std::string::npos);
 }
@@ -74,11 +87,11 @@ TEST_F(LiveSoundTest, APauseIsSilentAndAsksTheDeviceForNothing) {
     open(kCounts);
     ASSERT_TRUE(hears(44100));
     screen_->tap("Control_L+space");
-    ::sleep(1);
+    ASSERT_TRUE(falls_silent());
     const std::size_t then = heard().size();
     ::sleep(1);
     EXPECT_EQ(heard().size(), then);
-    EXPECT_EQ(heard()[then - 2], 0.0f) << "it has faded";
+    EXPECT_EQ(heard()[then - 2], 0.0f) << "left has faded, too";
 }
 
 // What was written when time stopped is what is heard at that time: a pause keeps the frame, whose
@@ -88,8 +101,12 @@ TEST_F(LiveSoundTest, SoundAndPictureAreInStep) {
         "void mainImage(out vec4 c, vec2 p) { c = vec4(0, fract(iTime), 0, 1); }\n"
         "vec2 mainSound(int samp, float time) { return vec2(float(samp) / 4194304.0, 0.25); }\n");
     ASSERT_TRUE(hears(2 * 44100));
+    const auto size = fs::file_size(heard_file());
+    ASSERT_TRUE(eventually([&] { return fs::file_size(heard_file()) > size; }));
+    const auto before = std::chrono::steady_clock::now();
     screen_->tap("Control_L+space");
-    ::sleep(1);
+    ASSERT_TRUE(falls_silent());
+    const std::chrono::duration<double> way = std::chrono::steady_clock::now() - before;
     screen_->tap("F12");
     const fs::path picture = folder_->path() / "scene-0001.png";
     ASSERT_TRUE(eventually([&] { return fs::exists(picture); })) << glint_->errors();
@@ -102,9 +119,9 @@ TEST_F(LiveSoundTest, SoundAndPictureAreInStep) {
     while (last > 0 && pairs[2 * last - 1] != 0.25f) --last;  // before it fades
     ASSERT_GT(last, 0u);
     const double sounded = pairs[2 * last - 2] * 4194304.0 / 44100.0;
-    EXPECT_NEAR(sounded, time, 0.25)
-        << "s; a frame, the way of the pause, and the device's latency, by which it is written "
-           "ahead";
+    EXPECT_NEAR(sounded, time, 0.2 + way.count())
+        << "s; a frame, the device's latency, by which it is written ahead, and the way of the "
+           "pause, which on a busy machine takes its time";
 }
 
 TEST_F(LiveSoundTest, ASaveIsHeard) {
@@ -114,9 +131,10 @@ TEST_F(LiveSoundTest, ASaveIsHeard) {
           "void mainImage(out vec4 c, vec2 p) { c = vec4(0, 0, 1, 1); }\n"
           "vec2 mainSound(int samp, float time) { return vec2(-0.5, 0.25); }\n");
     ASSERT_TRUE(shows({0, 0, 255}));
-    const std::size_t then = heard().size() / 2;
-    ASSERT_TRUE(hears(then + 2 * 44100));
-    EXPECT_NEAR(heard()[2 * (then + 2 * 44100) - 2], -0.5f, 1e-3f);
+    EXPECT_TRUE(eventually([&] {
+        const std::vector<float> pairs = heard();
+        return pairs[pairs.size() - 2] == -0.5f;
+    }));
 }
 
 TEST_F(LiveSoundTest, AnErrorOfTheSoundAloneIsListedAndThePictureGoesOn) {
@@ -163,14 +181,16 @@ TEST_F(LiveSoundTest, ASceneWithoutSoundStartsNoProcessForOneAndLoadsNoLibraryOf
     EXPECT_FALSE(fs::exists(heard_file()));
     write(scene(), kCounts);
     ASSERT_TRUE(hears(4410));
-    EXPECT_EQ(glint_->children().size(), without + 1);
+    const auto are = [&](std::size_t count) {  // one that is replaced takes its time to go
+        return eventually([&] { return glint_->children().size() == count; });
+    };
+    EXPECT_TRUE(are(without + 1));
     const std::string maps = read("/proc/" + std::to_string(glint_->id()) + "/maps");
     EXPECT_EQ(maps.find("portaudio"), std::string::npos) << "the window itself never loads it";
     EXPECT_EQ(maps.find("sndfile"), std::string::npos);
     write(scene(), flat({0, 0, 255}));
     ASSERT_TRUE(shows({0, 0, 255}));
-    settle();
-    EXPECT_EQ(glint_->children().size(), without);
+    EXPECT_TRUE(are(without));
 }
 
 }  // namespace

@@ -91,6 +91,9 @@ TEST_F(Survival, WhenTheTrialIsKilledAnotherOneTakesItsPlace) {
 
 // Where software draws, video memory is the process's own, which can be limited.
 TEST_F(Survival, WithoutVideoMemoryThePictureBeforeStays) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the address sanitizer reserves terabytes of the address space";
+#endif
     open(flat({1, 2, 3}));
     const rlim_t some = rlim_t{2} << 30;
     const rlimit limit{.rlim_cur = some, .rlim_max = RLIM_INFINITY};

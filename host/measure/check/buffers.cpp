@@ -118,10 +118,10 @@ void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, cons
     const auto& passes = subject.renderer().graph().passes;
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const PixelFormat format = subject.renderer().buffer(i).shape().format;
-        if (!subject.is_fed_back(i) || format == PixelFormat::rgba8) continue;
+        if (!subject.is_fed_back(i) || bytes_a_channel(format) == 1) continue;
         for (const Poison& kind : kPoisons) {
             // Half floats end at 65504.
-            if (format == PixelFormat::rgba16f && kind.value == 1e30f) continue;
+            if (bytes_a_channel(format) == 2 && kind.value == 1e30f) continue;
             list.push_back(
                 {fmt::format("{} in {}", kind.name, pass_name(subject.scene(), passes[i].pass)),
                  [i, &kind](Check& check, CaseResult& result) {
@@ -135,11 +135,11 @@ void add_other_cases(std::vector<Case>& list, const CheckSubject& subject) {
     const auto& passes = subject.renderer().graph().passes;
     const bool any = std::any_of(passes.begin(), passes.end(), [&](const GraphPass& pass) {
         return pass.pass != kImagePass &&
-               subject.scene().passes[pass.pass].format == PixelFormat::rgba32f;
+               bytes_a_channel(subject.scene().passes[pass.pass].format) == 4;
     });
     if (any) {
         list.push_back({"buffers of rgba16f", [](Check& check, CaseResult& result) {
-                            run_other({.buffers = PixelFormat::rgba16f}, check, result);
+                            run_other({.halved = true}, check, result);
                         }});
     }
     if (!subject.scene().tweaks.empty()) {

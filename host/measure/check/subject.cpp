@@ -32,7 +32,8 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
       specialised_(options.specialise),
       context_(context) {
     for (Pass& pass : preset.scene.passes) {
-        if (pass.format == PixelFormat::rgba32f) pass.format = options.buffers;
+        if (options.halved && bytes_a_channel(pass.format) == 4)
+            pass.format = with_channel_bytes(pass.format, 2);
     }
     CompiledScene compiled = compile_or_stop(
         preset, {.program = {.specialise = options.specialise, .marked = options.marked}});
@@ -84,7 +85,7 @@ bool CheckSubject::draw(const Frame& frame) {
 
 void CheckSubject::look(std::size_t graph_index) {
     const BufferShape& shape = renderer_->buffer(graph_index).shape();
-    if (shape.format == PixelFormat::rgba8) return;  // holds nothing that is not finite
+    if (bytes_a_channel(shape.format) == 1) return;  // holds nothing that is not finite
     const std::size_t pass = renderer_->graph().passes[graph_index].pass;
     const auto names = output_names(scene(), pass);
     for (std::size_t output = 0; output < names.size(); ++output) {

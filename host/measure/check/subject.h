@@ -33,7 +33,7 @@ struct StillPlace {
 };
 
 struct SubjectOptions {
-    PixelFormat buffers = PixelFormat::rgba32f;  // instead of 32-bit floats
+    bool halved = false;  // floats of 16 bits in buffers, where the scene says 32
     // Tweaks written in as constants, as a still draws them, and passes left out that they switch
     // off; the preset's values cannot be changed then.
     bool specialise = true;

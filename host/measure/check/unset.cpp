@@ -72,13 +72,32 @@ const Unset& first_that_shows(const Comparison& comparison, const std::vector<Un
     return list[begin];
 }
 
+// Some are marked, too, where nothing jumps over them.
+bool is_never_marked(const Unset& one) {
+    return !one.why_not.empty() && !one.why_not.starts_with("a switch");
+}
+
+// "; not sure of `big` (12:5, it has more than 1024 numbers, or a macro keeps it)"
+std::string words_of_unmarked(const CheckSubject& subject, const std::vector<Unset>& list) {
+    std::string words;
+    for (const Unset& one : list) {
+        if (one.why_not.empty()) continue;
+        const Place place = subject.scene().place_at(one.at);
+        words += fmt::format("{} `{}` ({}:{}, {})", words.empty() ? "; not sure of" : ",", one.name,
+                             place.line, place.column, one.why_not);
+    }
+    return words;
+}
+
 void run_unset(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    const std::vector<Unset> list = unset_values(subject);
+    std::vector<Unset> list = unset_values(subject);
+    const std::string unmarked = words_of_unmarked(subject, list);
+    std::erase_if(list, is_never_marked);
     Comparison comparison(subject);
     if (!comparison.draw_usual()) return;
-    if (!comparison.shows({0, subject.scene().text.size()})) {
-        result.note = fmt::format("{} values, none shows", list.size());
+    if (list.empty() || !comparison.shows({0, subject.scene().text.size()})) {
+        result.note = fmt::format("{} values, none shows{}", list.size(), unmarked);
         return;
     }
     const Unset& first = first_that_shows(comparison, list);

@@ -1,11 +1,11 @@
 #include "measure/study/measure.h"
 
+#include "base/process_time.h"
 #include "offline/common.h"
 #include "offline/input_files.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <fstream>
@@ -36,13 +36,6 @@ public:
 private:
     GLuint id_ = 0;
 };
-
-// Milliseconds of all threads of this process.
-double processor_ms() {
-    timespec time{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
 
 Timing timing_of(std::vector<double> ms, double frames) {
     if (ms.empty()) return {};
@@ -80,7 +73,7 @@ public:
         for (int i = 0; i < kWarmUp + options_.frames; ++i) {
             const Frame frame = next_frame();
             renderer_.redraw();
-            const double processor_before = processor_ms();
+            const double processor_before = own_processor_ms();
             const Stopwatch clock;
             query.begin();
             renderer_.draw(frame);
@@ -90,7 +83,7 @@ public:
             if (i < kWarmUp) continue;
             wall.push_back(ms);
             gpu.push_back(query.ms());
-            processor.push_back(processor_ms() - processor_before);
+            processor.push_back(own_processor_ms() - processor_before);
         }
         const double frames = preset_.settle + 1.0;
         result.wall = timing_of(std::move(wall), frames);
@@ -119,6 +112,8 @@ private:
         Preset result = preset;
         result.values = setting.values;
         result.settle = setting.settle;
+        if (setting.format)
+            result.scene.passes[setting.format->pass].format = setting.format->format;
         return result;
     }
 

@@ -1,6 +1,7 @@
 #include "measure/study/plan.h"
 
 #include "base/words.h"
+#include "measure/study/formats.h"
 #include "offline/common.h"
 
 #include <fmt/format.h>
@@ -49,6 +50,13 @@ public:
 
     Knob knob(const Tweak& tweak, const std::vector<TweakValue>& values) const;
     Knob settle_knob(const std::vector<int>& values) const;
+    Knob format_knob(const std::string& name, const std::vector<std::string>& formats) const {
+        return glint::format_knob(preset_, facts_.drawn,
+                                  {.name = name,
+                                   .formats = formats,
+                                   .reference = said(options_.reference, name, "--reference"),
+                                   .second = said(options_.second, name, "--second")});
+    }
     // With the preset's own value among them.
     Knob with_own(Knob knob, KnobValue own) const;
     Knob knob_and_own(const Tweak& tweak, const std::vector<TweakValue>& values) const {
@@ -283,6 +291,7 @@ Knob named_knob(const Planner& planner, const Preset& preset, const SceneFacts& 
     const Tweak* tweak = find_tweak(preset.scene, name);
     if (!tweak && name == kSettle && facts.accumulates(preset.values))
         return planner.settle_and_own(kSettleValues);
+    if (!tweak && names_a_format(name)) return planner.format_knob(name, {});
     if (!tweak) throw UsageError("--vary: " + no_such_tweak(preset.scene, name));
     const std::vector<TweakValue> values = values_of(*tweak);
     if (values.empty()) {
@@ -309,6 +318,7 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
         }
         return planner.settle_knob(frames);
     }
+    if (!tweak && names_a_format(vary.name)) return planner.format_knob(vary.name, words);
     if (!tweak) throw UsageError("--vary: " + no_such_tweak(preset.scene, vary.name));
     if (component_count(tweak->type) > 1) {
         throw UsageError(fmt::format(
@@ -329,7 +339,7 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
 void require_known(const Scene& scene, const std::vector<std::string>& list, const char* option) {
     for (const std::string& text : list) {
         const std::string name = split(text, option).name;
-        if (name != kSettle && !find_tweak(scene, name))
+        if (name != kSettle && !names_a_format(name) && !find_tweak(scene, name))
             throw UsageError(fmt::format("{}: {}", option, no_such_tweak(scene, name)));
     }
 }
@@ -373,7 +383,13 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
     };
     const CompiledScene fed =
         compile_or_stop(preset, {.root = root_pass, .program = {.specialise = false}});
-    SceneFacts facts{.read = read_by(preset, fed), .read_with = {}, .accumulates = {}};
+    SceneFacts facts{.drawn = std::vector<bool>(preset.scene.passes.size(), false),
+                     .read = read_by(preset, fed),
+                     .read_with = {},
+                     .accumulates = {}};
+    for (const GraphPass& pass : fed.graph.passes) {
+        if (pass.pass != kImagePass) facts.drawn[pass.pass] = true;
+    }
     facts.read_with = [&preset, root_pass, read_by](std::size_t tweak, const TweakValue& value) {
         Preset turned = preset;
         turned.values[tweak] = value;

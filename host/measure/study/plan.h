@@ -11,10 +11,19 @@
 
 namespace glint {
 
+// How one pass keeps what it fills, instead of what the scene says.
+struct BufferFormat {
+    std::size_t pass = 0;  // of the scene
+    PixelFormat format = PixelFormat::rgba32f;
+    bool operator==(const BufferFormat&) const = default;
+};
+
 // Everything that is turned between two pictures of a study.
 struct Setting {
     std::vector<TweakValue> values;  // one for each tweak of the scene
     int settle = 0;                  // frames with time held
+    std::optional<BufferFormat> format{};
+    bool operator==(const Setting&) const = default;
 };
 
 // One value of a knob, with all that a picture of it follows from.
@@ -29,7 +38,7 @@ struct KnobValue {
 
 // What is turned while everything else stays as the preset has it.
 struct Knob {
-    std::string name{};               // of a tweak, or "settle"
+    std::string name{};               // of a tweak, "settle", or "waves.format"
     std::vector<KnobValue> values{};  // as they are drawn: from the least, or as they were named
     KnobValue reference{};            // counts as the truth; may lie beyond the values
     // To measure the reference by: more work, a second seed, another method.
@@ -46,7 +55,8 @@ struct StudyPlan {
 
 // What the compiled scene tells.
 struct SceneFacts {
-    std::vector<bool> read;  // by tweak: something reads it, with some values of the others
+    std::vector<bool> drawn;  // by pass: the picture needs it, with some values
+    std::vector<bool> read;   // by tweak: something reads it, with some values of the others
     // The same while one tweak has this value.
     std::function<std::vector<bool>(std::size_t tweak, const TweakValue&)> read_with;
     // Whether frames with time held bring something new, with these values.

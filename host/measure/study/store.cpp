@@ -133,6 +133,10 @@ std::string key_of_setting(const Preset& preset, const Setting& setting) {
         const Tweak& tweak = preset.scene.tweaks[i];
         text += fmt::format("{} {}\n", tweak.name, format_value(tweak, setting.values[i]));
     }
+    if (setting.format) {
+        text += fmt::format("{} {}\n", preset.scene.passes[setting.format->pass].name,
+                            name_of(setting.format->format));
+    }
     return text;
 }
 

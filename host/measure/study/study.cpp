@@ -93,8 +93,12 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
     return result;
 }
 
-bool same_setting(const Setting& a, const Setting& b) {
-    return a.values == b.values && a.settle == b.settle;
+// What the preset has of all that this knob turns.
+Setting own_setting(const Preset& preset, const Knob& knob) {
+    Setting own{.values = preset.values, .settle = preset.settle};
+    if (const auto turned = knob.reference.setting.format)
+        own.format = {turned->pass, preset.scene.passes[turned->pass].format};
+    return own;
 }
 
 // One row: measured, compared and kept. `previous` is the picture of the row before.
@@ -117,7 +121,7 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
     row.all_passes_ms = measured.all_passes_ms;
     if (reference) {
         const bool encoded = is_encoded(scenery);
-        row.is_reference = same_setting(value.setting, knob.reference.setting);
+        row.is_reference = value.setting == knob.reference.setting;
         row.error = difference(measured.picture, reference->picture, encoded);
         if (row.error->not_finite > 0) {
             row.failed = fmt::format("diverged: {} pixels are not finite", row.error->not_finite);
@@ -155,8 +159,7 @@ void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* ref
             study.rows.push_back(measure_row(scenery, knob, value, reference, key, previous));
             scenery.store.keep(key, study.rows.back());
         }
-        study.rows.back().is_preset = same_setting(
-            value.setting, {.values = scenery.preset.values, .settle = scenery.preset.settle});
+        study.rows.back().is_preset = value.setting == own_setting(scenery.preset, knob);
         study.rows.back().is_between = value.is_between;
         if (!value.is_between) before = " after " + value.text;
         progress.update(static_cast<long>(study.rows.size()));

@@ -65,6 +65,14 @@ int wayland_descriptor() {
     return get ? get(display) : -1;
 }
 
+// What X11 shows of a window before its first picture, in place of black.
+void set_ground(GLFWwindow* window) {
+    auto* display = find_display<Display>("glfwGetX11Display");
+    const auto get = find_function<::Window (*)(GLFWwindow*)>("glfwGetX11Window");
+    constexpr unsigned long kGround = 0x36404e;
+    if (display && get) XSetWindowBackground(display, get(window), kGround);
+}
+
 void start_glfw() {
     if (open_windows++ > 0) return;
     Context::start_variables_at_zero();
@@ -110,6 +118,7 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     // Where one way to a context is missing the other may be there.
     for (const int api : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
         glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
@@ -134,6 +143,8 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     is_wayland_ = display_ < 0;
     if (display_ < 0) display_ = wayland_descriptor();
     listen();
+    set_ground(window_);
+    glfwShowWindow(window_);
 }
 
 Window::~Window() {

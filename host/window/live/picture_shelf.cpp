@@ -1,6 +1,6 @@
 #include "window/live/picture_shelf.h"
 
-#include "media/image.h"
+#include "window/live/start_picture.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,15 +12,7 @@ constexpr std::size_t kMostKept = 4;
 
 std::unique_ptr<Buffer> read_buffer(const std::filesystem::path& file) {
     try {
-        const Image image = read_image(file);
-        if (image.type != ChannelType::u8 || image.channels < 3) return nullptr;
-        auto buffer =
-            std::make_unique<Buffer>(BufferShape{.size = image.size, .format = PixelFormat::rgba8});
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(buffer->texture(0), 0, 0, 0, image.size.x, image.size.y,
-                            image.channels == 4 ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE,
-                            image.pixels.data());
-        return buffer;
+        return buffer_of(read_image(file));
     } catch (const std::runtime_error&) {
         return nullptr;
     }

@@ -3,6 +3,8 @@
 #include "base/readable_file.h"
 #include "media/image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -30,8 +32,8 @@ Date local_now() {
                        static_cast<double>(now.tv_nsec) * 1e-9};
 }
 
-// Tweaks whose value in the file is another than when it was last read: those
-// that a person changed there, and not in the panels.
+// Tweaks whose value in the file is another than when it was last read: those that a person changed
+// there, and not in the panels.
 void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& tweaks) {
     for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
         const Tweak& tweak = now.scene.tweaks[i];
@@ -64,6 +66,7 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
     : context_(context),
       options_(options),
       size_(size),
+      full_size_(size),
       trial_({.device = options.device}),
       standby_(options.device),
       reloader_(reload_steps(),
@@ -118,14 +121,14 @@ void Playground::start_trial(const Preset& candidate, Programs programs, bool is
     Trial& trial = tried_by_standby_ ? standby_.trial() : trial_;
     trial.start({.preset = *tried_,
                  .compile = {.program = program_options(programs)},
-                 .size = size_,
+                 .size = full_size_,
                  .time = transport.time(),
                  .images = {},
                  .is_text = is_text});
 }
 
-// What has passed there is taken up here, pass by pass, before anybody hears of
-// it. Standby's programs are here.
+// What has passed there is taken up here, pass by pass, before anybody hears of it. Standby's
+// programs are here.
 const Verdict& Playground::follow_trial() {
     static const Verdict running{.state = TrialState::running, .passes = {}, .diagnostics = {}};
     trial_.poll();
@@ -168,8 +171,7 @@ bool Playground::update() {
     if (reloader_.follow()) load_missing_inputs();
     follow_inputs();
     prepare_uniforms();
-    // The tweaks may have moved while constants were compiled, or before there
-    // was anything else.
+    // The tweaks may have moved while constants were compiled, or before there was anything else.
     const bool may_follow = is_specialised() || standby_.has_scene();
     if (constants_ && *constants_ != tweaks.values() && may_follow) leave_constants();
     specialise_at_rest();
@@ -204,8 +206,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     const Preset* written = reloader_.as_written();
     auto preset = std::make_unique<Preset>(candidate);
     TweakValues next = is_text ? tweaks_with(candidate) : tweaks;
-    // For the compiler and the renderer alone. A tweak that moved since is
-    // followed at once.
+    // For the compiler and the renderer alone. A tweak that moved since is followed at once.
     preset->values = is_constant ? tried_->values : next.values();
     std::unique_ptr<Renderer> renderer;
     try {
@@ -214,12 +215,10 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
         if (!renderer) return why_not;
         const bool same_file = preset_ && written;
         if (renderer_ && (same_file || !is_text)) renderer->adopt(*renderer_);
-        // What cannot be opened keeps the scene before; what cannot be decoded is
-        // told later.
+        // What cannot be opened keeps the scene before; what cannot be decoded is told later.
         for (const std::size_t sampler : renderer->inputs_needed())
             for (const auto& file : sampler_at(*preset, sampler).files) require_readable(file);
-        context_.finish();  // now the driver says whether there was memory for all
-                            // buffers
+        context_.finish();  // now the driver says whether there was memory for all buffers
     } catch (const ContextLost&) {
         throw;
     } catch (const std::runtime_error& error) {
@@ -242,6 +241,8 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     since_tweak_.restart();
     touched_ = true;
     if (!written) {
+        expected_ms_ = trial_.poll().expected_ms;
+        has_picture_ = false;
         opening_ = Opening::awaits_inputs;
         transport = Transport(preset_->time);
         input_ = {};
@@ -279,8 +280,8 @@ void Playground::tweaks_changed() {
     leave_constants();
 }
 
-// Draws fed programs, where these are at hand. Else the picture waits for them,
-// or for the constants of the new values.
+// Draws fed programs, where these are at hand. Else the picture waits for them, or for the
+// constants of the new values.
 void Playground::leave_constants() {
     if (!constants_) return;
     reloader_.uses_uniforms();
@@ -311,13 +312,12 @@ void Playground::prepare_uniforms() {
         reloader_.state() == ReloadState::idle && !reloader_.has_unseen() && !awaits_inputs();
     if (!is_quiet || prepared_text_ == text_) return;
     prepared_text_ = text_;
-    standby_.prepare(current_preset(), size_, transport.time());
+    standby_.prepare(current_preset(), full_size_, transport.time());
 }
 
 void Playground::specialise_at_rest() {
     if (!renderer_ || !reloader_.wants_constants() || (tweaks.is_open() && !constants_)) return;
-    // Where the picture does not follow yet, constants are the first to show the
-    // new values.
+    // Where the picture does not follow yet, constants are the first to show the new values.
     constexpr double kStandsStill = 0.1;  // s
     const double rest = constants_ ? kStandsStill : options_.rest_seconds;
     if (since_tweak_.ms() < rest * 1000.0) return;
@@ -380,9 +380,8 @@ void Playground::measure_passes(bool on) {
 
 Frame Playground::next_frame(double wall_seconds) {
     const double before = instant_.time;
-    // What is recorded is replayed by exports, which drop no simulated time: a
-    // frame that is too slow holds time up then. Below the limit, for the part of
-    // a step that was left over.
+    // What is recorded is replayed by exports, which drop no simulated time: a frame that is too
+    // slow holds time up then. Below the limit, for the part of a step that was left over.
     if (recorder.recording()) {
         wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport.rate());
     }
@@ -421,9 +420,16 @@ double Playground::replayed() const {
     return replay_at_ < 0 ? 1.0 : static_cast<double>(replay_at_) / std::max(replay_until_, 1);
 }
 
-// A stateful scene is played again from 0 after a jump, a slice a call. True
-// when it has arrived: then `frame`, which is to be drawn, is the last frame of
-// a still at its time, and those that follow count on from there.
+std::string Playground::waits_for() const {
+    if (reloader_.is_trying()) return tried_by_standby_ ? standby_.work() : trial_.work();
+    if (replay_at_ >= 0)
+        return fmt::format("playing up to {:g} s, {:.0f} % done", instant_.time, 100 * replayed());
+    return has_unseen_text() ? "drawing the first frame" : "";
+}
+
+// A stateful scene is played again from 0 after a jump, a slice a call. True when it has arrived:
+// then `frame`, which is to be drawn, is the last frame of a still at its time, and those that
+// follow count on from there.
 bool Playground::replay_slice(Frame& frame) {
     const Stopwatch clock;
     const Playback playback{.end = frame.time};
@@ -471,6 +477,8 @@ bool Playground::draw(double wall_seconds) {
         };
     }
     const bool drawn = renderer_->draw(frame);
+    has_picture_ |= drawn;
+    if (drawn) ++pictures_;
     renderer_->after_pass = nullptr;
     context_.finish();
     drawn_input_ = frame.input;
@@ -492,66 +500,10 @@ Frame Playground::frame_again() const {
     return frame;
 }
 
-std::vector<std::byte> Playground::still() {
-    if (!renderer_) return {};
-    const bool measured = measuring_;
-    measure_passes(false);
-    std::vector<std::byte> pixels;
-    const bool as_it_is = (constants_ && *constants_ == tweaks.values()) || !options_.specialise;
-    const Preset now = current_preset();
-    Diagnostics why_not;
-    const auto special =
-        as_it_is ? nullptr : make_renderer(now, program_options(Programs::constants), why_not);
-    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
-    if (special) {
-        special->adopt(*renderer_);
-        special->draw_root(frame_again());
-        pixels = special->read_bytes();
-        renderer_->adopt(*special);
-        touched_ = true;
-    } else {
-        pixels = renderer_->read_bytes();
-    }
-    measure_passes(measured);
-    return pixels;
-}
-
-Metadata Playground::still_metadata() const {
-    return picture_metadata(current_preset(), frame_again(), context_.renderer());
-}
-
-const Buffer* Playground::picture_of(TweakSet set) {
-    if (!renderer_) return nullptr;
-    leave_constants();
-    if (constants_) return nullptr;  // nothing at hand can draw it yet
-    const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
-    if (!other_picture_ || other_picture_->shape() != picture.shape()) {
-        other_picture_ = std::make_unique<Buffer>(picture.shape());
-    }
-    renderer_->set_values(tweaks.values(set));
-    renderer_->draw_root(frame_again());
-    other_picture_->copy_from(picture);
-    renderer_->set_values(tweaks.values());
-    renderer_->draw_root(frame_again());
-    context_.finish();
-    return other_picture_.get();
-}
-
 Preset Playground::current_preset() const {
     Preset preset = *preset_;
     preset.values = tweaks.values();
     preset.time = instant_.time;
-    return preset;
-}
-
-Preset Playground::preset_as_shown() const {
-    constexpr double kSoon = 2.0;  // s
-    Preset preset = current_preset();
-    preset.size = size_;
-    if (renderer_->graph().stateful) {
-        preset.time = std::min(preset.time, std::max(preset_->time, kSoon));
-    }
-    if (preset.events.empty()) preset.events = input_.as_events(0.0);
     return preset;
 }
 

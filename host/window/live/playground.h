@@ -1,6 +1,5 @@
-// An open scene, live: it follows its files, keeps what a person has set, and
-// draws when something has changed. It knows no window and no panels, so it
-// runs in tests without either.
+// An open scene, live: it follows its files, keeps what a person has set, and draws when something
+// has changed. It knows no window and no panels, so it runs in tests without either.
 #pragma once
 
 #include "base/watcher.h"
@@ -13,6 +12,7 @@
 #include "window/live/input_loader.h"
 #include "window/live/reloader.h"
 #include "window/live/standby.h"
+#include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
 #include <array>
@@ -35,56 +35,70 @@ public:
     Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options = {});
     ~Playground();
 
-    // Opens a scene or a preset. What was open stays on the screen until the new
-    // one draws.
+    // Opens a scene or a preset. What was open stays on the screen until the new one draws.
     void open(const std::filesystem::path& file);
 
-    // Follows files and trials; does not wait. True when something has changed
-    // that a person sees.
+    // Follows files and trials; does not wait. True when something has changed that a person sees.
     bool update();
 
     // For ::poll(): readable when update() has something to do.
     std::vector<int> descriptors() const;
 
-    // Whether a frame is due: time moves, or an input, a tweak, the size or the
-    // scene has changed.
+    // Whether a frame is due: time moves, or an input, a tweak, the size or the scene has changed.
     bool wants_frame() const;
 
     // Whether that frame is the first of a text that was saved or opened.
     bool has_unseen_text() const { return reloader_.has_unseen(); }
 
-    // Draws what is due; `wall_seconds` have passed since the last call. True
-    // when the picture is new.
+    // Draws what is due; `wall_seconds` have passed since the last call. True when the picture is
+    // new.
     bool draw(double wall_seconds);
 
-    // In pixels of the picture. It stays as it is where there is no memory for
-    // the new size; the diagnostics tell.
+    // In pixels of the picture. It stays as it is where there is no memory for the new size; the
+    // diagnostics tell.
     void resize(glm::ivec2 size);
     glm::ivec2 size() const { return size_; }
 
-    // Input, for the next frame; asks for one when the scene reads it. Positions
-    // are fractions of the picture, y up.
+    // The size that stills have and others are told of, where the screen shows a share of it.
+    void set_full_size(glm::ivec2 size) { full_size_ = size; }
+    // Its buffers would be cropped by another size: it keeps the one that its first frame had, in
+    // stills, too.
+    bool keeps_size() const {
+        return renderer_ && keeps_picture_size(preset_->scene, renderer_->graph());
+    }
+    // What the trial of the file that was opened took a frame of the full size to cost, ms; 0: not
+    // known.
+    double expected_ms() const { return expected_ms_; }
+
+    // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
+    // the picture, y up.
     void mouse(glm::dvec2 fraction, bool down);
     void key(int code, bool down);
 
     // A tweak was moved: the next frame shows it.
     void tweaks_changed();
 
-    // Fills the channel of this name, where the scene and its preset fill it by
-    // nothing, until the file is left: reads it again, and tries it.
+    // Fills the channel of this name, where the scene and its preset fill it by nothing, until the
+    // file is left: reads it again, and tries it.
     void fill(const Sampler& channel);
     // Leaves the channels to what the file says.
     void forget_fills();
     bool has_fills() const;
 
-    // The picture as a still would write it, RGBA: drawn anew with the tweaks as
+    // The picture as a still would write it, RGB: drawn anew at its full size, the tweaks as
     // constants.
-    std::vector<std::byte> still();
+    Image still();
     Metadata still_metadata() const;
 
-    // The same instant with the values of one of the two tweak sets, drawn from
-    // the buffers as they stand. Null while nothing is open.
+    // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
+    // stand. Null while nothing is open.
     const Buffer* picture_of(TweakSet set);
+
+    // Nothing moves, and nothing is about to: the picture may be refined.
+    bool stands() const;
+    // For that; `picture_count()` says whether it is still about what is shown.
+    RefineOrder refine_order() const;
+    std::size_t picture_count() const { return pictures_; }
 
     // Records mouse and keys from now on.
     void start_recording() { recorder.start(instant_.time, input_); }
@@ -92,21 +106,20 @@ public:
     // The preset as it stands now: values, time, size, recorded events.
     Preset current_preset() const;
 
-    // The same for another process to draw what is seen here, mouse and keys
-    // included. A scene that has to be played to its time is taken soon after its
-    // start.
+    // The same for another process to draw what is seen here, mouse and keys included. A scene that
+    // has to be played to its time is taken soon after its start.
     Preset preset_as_shown() const;
 
     bool is_open() const { return renderer_ != nullptr; }
+    // Whether what is open has been drawn. A simulation is first played up to its start.
+    bool has_picture() const { return has_picture_; }
     bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
-    // Something large goes to the driver in pieces; update() is to be called
-    // again at once.
+    // Something large goes to the driver in pieces; update() is to be called again at once.
     bool is_sending() const {
         return !arriving_.empty() || standby_.is_loading() ||
                (reloader_.is_trying() && loader_.is_loading());
     }
-    // Whether another thread still reads an input, wanted or not. It ends with
-    // the process.
+    // Whether another thread still reads an input, wanted or not. It ends with the process.
     bool is_reading_inputs() const { return inputs_.is_reading(); }
     bool is_specialised() const { return reloader_.programs() == Programs::constants; }
     // Whether a slider or a number can move without a compiler.
@@ -118,11 +131,13 @@ public:
     }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
+    // What the next picture waits for, in words such as "compiling image"; "" where nothing is
+    // waited for.
+    std::string waits_for() const;
 
     // What is drawn, or null; its values are empty: `tweaks` has them.
     const Preset* preset() const { return preset_.get(); }
-    // What is shown as its file has it, without what was changed here; null until
-    // it is shown.
+    // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
     // The file has just been given this.
     void note_saved(const Preset& preset) {
@@ -131,8 +146,7 @@ public:
     }
     Renderer* renderer() { return renderer_.get(); }
     const Diagnostics& diagnostics() const { return reloader_.diagnostics(); }
-    // The newest text that was tried was refused, for the reasons that the
-    // diagnostics tell.
+    // The newest text that was tried was refused, for the reasons that the diagnostics tell.
     bool shows_older_text() const { return reloader_.shows_older_text(); }
     // The last reloads, and how many there were in all.
     const std::deque<ReloadReport>& reports() const { return reloader_.reports(); }
@@ -140,8 +154,8 @@ public:
     const Instant& instant() const { return instant_; }
     double frame_ms() const { return frame_ms_; }
 
-    // Milliseconds a pass of the graph took last, and whether the last frame drew
-    // it. Empty unless measuring, which waits after every pass.
+    // Milliseconds a pass of the graph took last, and whether the last frame drew it. Empty unless
+    // measuring, which waits after every pass.
     struct PassTime {
         double ms = 0.0;
         bool drawn = false;
@@ -163,7 +177,7 @@ private:
     void take_input(InputLoader::Loaded loaded);
     void send_arriving();
     void show_arrived();
-    bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
+    bool awaits_inputs() const { return inputs_.is_loading() || !arriving_.empty(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void lay_fills_over(Preset& candidate);
     void start_trial(const Preset& candidate, Programs programs, bool is_text);
@@ -179,6 +193,12 @@ private:
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
     Frame frame_again() const;
+    Frame frame_at_full_size() const;
+    glm::ivec2 still_size() const { return keeps_size() ? size_ : full_size_; }
+    Programs still_programs() const {
+        const bool refused = reloader_.programs() == Programs::uniforms_for_good;
+        return refused ? Programs::uniforms : Programs::constants;
+    }
     PixelFormat picture_format() const {
         return measuring_ ? PixelFormat::rgba32f : PixelFormat::rgba8;
     }
@@ -189,7 +209,7 @@ private:
 
     Context& context_;
     PlaygroundOptions options_;
-    glm::ivec2 size_, refused_size_{0};
+    glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
     ProgramShelf shelf_;
     Trial trial_;
@@ -207,23 +227,20 @@ private:
         PictureUpload upload;
     };
     std::deque<Arriving> arriving_;
-    // A file that was opened: its inputs may come after its first frame. A
-    // simulation that began without them is played again from its start.
+    // A file that was opened: its inputs may come after its first frame. A simulation that began
+    // without them is played again from its start.
     enum class Opening { done, awaits_inputs, plays_again } opening_ = Opening::done;
 
     std::unique_ptr<Preset> preset_;  // what is drawn, without values
     std::unique_ptr<Renderer> renderer_;
-    // Of iChannel0..3, by a person here; the buffers that they name are those of
-    // preset_.
+    // Of iChannel0..3, by a person here; the buffers that they name are those of preset_.
     std::array<Sampler, 4> fills_;
     std::array<bool, 4> laid_over_{};  // those that the newest text that was read has
     Stopwatch since_tweak_;
-    // What the programs that are drawn have written in; nothing where they are
-    // fed.
+    // What the programs that are drawn have written in; nothing where they are fed.
     std::optional<std::vector<TweakValue>> constants_;
     std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
-    // The longest that a text of this file has been in a driver for its first
-    // draws.
+    // The longest that a text of this file has been in a driver for its first draws.
     double longest_compile_ms_ = 0.0;
 
     std::unique_ptr<Buffer> other_picture_;
@@ -232,11 +249,13 @@ private:
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
+    bool has_picture_ = false;
     bool touched_ = true;   // something other than time asks for a frame
     int extra_frames_ = 0;  // drawn since time stands
     int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
     int replay_at_ = -1, replay_until_ = -1;
-    double frame_ms_ = 0.0;
+    double frame_ms_ = 0.0, expected_ms_ = 0.0;
+    std::size_t pictures_ = 0;  // drawn so far
     bool measuring_ = false;
     std::vector<PassTime> pass_times_;
 };

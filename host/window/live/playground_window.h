@@ -1,7 +1,9 @@
 // The window of an open scene: what it holds together, and who does what.
 //
 // window.cpp draws and grants wishes, window_input.cpp hears keys and mouse, window_findings.cpp
-// runs studies and checks beside it, window_work.cpp sees to it that no work is lost.
+// runs studies and checks beside it, window_work.cpp sees to it that no work is lost,
+// window_start.cpp shows what stands for a scene until it draws, window_resolution.cpp chooses how
+// many pixels it draws.
 #pragma once
 
 #include "base/end_signals.h"
@@ -11,10 +13,14 @@
 #include "window/live/crash_mark.h"
 #include "window/live/editor.h"
 #include "window/live/glfw_window.h"
+#include "window/live/held_rate.h"
+#include "window/live/kept_pictures.h"
+#include "window/live/kept_resolutions.h"
 #include "window/live/picture_shelf.h"
 #include "window/live/playground.h"
 #include "window/live/recent.h"
 #include "window/live/sound.h"
+#include "window/live/start_picture.h"
 #include "window/live/study.h"
 #include "window/live/unsaved_work.h"
 #include "window/ui/panels.h"
@@ -100,9 +106,30 @@ private:
     bool show_failure();
     bool show_comparison();
 
+    // The resolution that is held while something moves, and what refines it when nothing does
+    glm::ivec2 full_size() const;
+    void choose_resolution();
+    void begin_resolution();
+    void hold_rate();
+    void keep_resolution() const;
+    bool shows_refined() const;
+    bool refining_is_due() const;
+    bool follow_refining();
+    bool show_refined(const BufferView& view);
+    void tell_resolution(Facts& facts) const;
+
+    // Until the first frame of a file
+    bool awaits_first_frame() const;
+    void begin_start();
+    bool follow_start();
+    bool show_start_picture();
+    void keep_picture();
+    void tell_start(Facts& facts) const;
+
     // Drawing
     double wait_seconds() const;
     bool shows_clock() const;
+    double clock_tick() const;
     void draw_frame();
     void follow_sound(double at);
     void show_picture();
@@ -110,19 +137,20 @@ private:
     Facts facts();
     void gather_pixels();
     BufferView buffer_view() const;
-    void adapt_resolution();
     std::optional<glm::ivec2> frame_size() const;
     ScreenArea picture_area() const;
     ScreenArea view_area() const;
-    glm::ivec2 picture_size() const;
     glm::ivec2 viewed_size() const;
     glm::dvec2 on_picture(glm::dvec2 position) const;
     bool is_on_picture(glm::dvec2 position) const;
+    ScreenArea fitted(glm::ivec2 size) const;
     void print_reports();
 
     EndSignals end_signals_;
     ViewOptions options_;  // size and tweaks are those of the file that was opened first
+    KeptPictures kept_pictures_;
     Window window_;
+    StartPicture start_picture_;
     CrashMark crash_mark_;
     UnsavedWork unsaved_work_;
     Playground playground_;
@@ -136,6 +164,20 @@ private:
     LiveSound sound_;
     Editor editor_;
     PictureShelf pictures_;
+    Refiner refiner_;
+    KeptResolutions kept_resolutions_;
+    HeldRate held_rate_;
+    bool resolution_begun_ = false;  // of the file that was opened
+    bool is_held_ = true;            // the setting as it was when the resolution was chosen
+    // What is refined: the picture and the size that it was about, and the best so far.
+    std::size_t refined_picture_ = 0;
+    glm::ivec2 refined_size_{0};
+    std::unique_ptr<Buffer> refined_;
+    // Since something moved.
+    std::size_t resting_picture_ = 0;
+    glm::ivec2 resting_size_{0};
+    Stopwatch since_rest_;
+    static constexpr double kRestBeforeRefining = 0.4;  // s
     std::filesystem::path file_;         // as it was named; empty while nothing is open
     std::filesystem::path folder_{"."};  // whose files the browser lists
     std::filesystem::path place_;  // the same for every name of it, wherever the program stands
@@ -166,11 +208,10 @@ private:
     Shown shown_before_ = Shown::scene;
     glm::ivec2 finding_size_{1};  // of the picture in the view that is not the scene's
 
-    Stopwatch since_draw_, since_scaling_;
+    Stopwatch since_draw_, since_open_, since_picture_kept_;
     double frame_due_ = 0.0;  // s from since_draw_
     std::size_t printed_reports_ = 0;
     std::string notice_, title_, last_reload_;
-    double automatic_scale_ = 1.0;
     float content_scale_ = window_.content_scale();
     bool dirty_ = true;  // the screen is behind what it should show
     bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;

@@ -47,6 +47,7 @@ public:
     // The process that has them.
     Trial& trial() { return trial_; }
     int descriptor() const { return trial_.descriptor(); }
+    std::string work() const { return trial_.work(); }
 
 private:
     void start();

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr double kLongestWait = 10.0;  // s
 
 // Where time plays and the picture does not depend on it, only the clock in the panels moves.
-constexpr double kClockTick = 0.25;  // s
+constexpr double kClockTick = 0.25, kWaitingTick = 0.1;  // s
 
 // $XDG_CACHE_HOME/glint and the like, or a folder under the home.
 fs::path home_folder(const char* variable, const char* fallback) {
@@ -69,7 +69,9 @@ std::span<const std::string_view> template_names() {
 
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
+      kept_pictures_(home_folder("XDG_CACHE_HOME", ".cache") / "pictures"),
       window_(size_at_start(options), "Glint"),
+      start_picture_(kept_pictures_.find(canonical_name(options.file))),
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
       playground_(window_, window_.size(),
@@ -81,7 +83,9 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
              {.device = options.device, .specialise = options.specialise}),
       check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
-      sound_(options.device) {
+      sound_(options.device),
+      refiner_(options.device),
+      kept_resolutions_(home_folder("XDG_STATE_HOME", ".local/state") / "resolution") {
     std::error_code error;
     if (options.file.empty() || fs::is_directory(options.file, error)) {
         browse(options.file.empty() ? "." : options.file);
@@ -100,11 +104,14 @@ int PlaygroundWindow::run() {
         descriptors.push_back(sound_.descriptor());
         descriptors.push_back(end_signals_.descriptor());
         descriptors.push_back(editor_.descriptor());
+        descriptors.push_back(refiner_.descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
         dirty_ |= browser_.update();
         dirty_ |= sound_.update();
         dirty_ |= follow_findings();
+        dirty_ |= follow_start();
+        dirty_ |= follow_refining();
         if (const std::string problem = editor_.problem(); !problem.empty()) notice(problem);
         print_reports();
         keep_unsaved();
@@ -113,15 +120,21 @@ int PlaygroundWindow::run() {
         if (playground_.has_unseen_text()) frame_due_ = 0.0;
         // A mouse may tell of itself a thousand times a second; the screen shows sixty pictures.
         const bool wanted = dirty_ || playground_.wants_frame() || panels_.is_settling();
-        if ((wanted && now >= frame_due_) || (shows_clock() && now >= kClockTick)) draw_frame();
+        if ((wanted && now >= frame_due_) || (shows_clock() && now >= clock_tick())) draw_frame();
     }
+    keep_picture();
     if (end_signals_.arrived() != 0) keep_at_end();
     return end_signals_.arrived();
 }
 
 bool PlaygroundWindow::shows_clock() const {
+    if (awaits_first_frame()) return true;
     return playground_.is_open() && playground_.transport.playing() && settings_.visible &&
            settings_.transport;
+}
+
+double PlaygroundWindow::clock_tick() const {
+    return awaits_first_frame() ? kWaitingTick : kClockTick;
 }
 
 // Nothing to do: wait for events. Something to draw: only until the next frame of the screen is
@@ -134,7 +147,9 @@ double PlaygroundWindow::wait_seconds() const {
     if (dirty_ || playground_.wants_frame() || panels_.is_settling()) {
         return std::max(0.0, frame_due_ - now);
     }
-    if (shows_clock()) return std::max(0.0, kClockTick - now);
+    if (start_picture_.is_reading()) return 0.005;
+    if (shows_clock()) return std::max(0.0, clock_tick() - now);
+    if (refining_is_due()) return kRestBeforeRefining;
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          study_.process().is_ending() || check_.process().is_ending() ||
                          (playground_.is_open() && !playground_.is_at_rest());
@@ -151,11 +166,16 @@ std::optional<glm::ivec2> PlaygroundWindow::frame_size() const {
 
 // Where the picture stands in the window, pixels: between bars where the aspects differ.
 ScreenArea PlaygroundWindow::picture_area() const {
-    const glm::ivec2 room = window_.size();
     const std::optional<glm::ivec2> frame = frame_size();
-    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = room};
-    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(*frame);
-    const glm::dvec2 fitted = glm::dvec2(*frame) * std::min(ratio.x, ratio.y);
+    if (!frame || settings_.free_aspect) return {.origin = {0, 0}, .size = window_.size()};
+    return fitted(*frame);
+}
+
+// The largest area of the window that has this aspect.
+ScreenArea PlaygroundWindow::fitted(glm::ivec2 frame) const {
+    const glm::ivec2 room = window_.size();
+    const glm::dvec2 ratio = glm::dvec2(room) / glm::dvec2(frame);
+    const glm::dvec2 fitted = glm::dvec2(frame) * std::min(ratio.x, ratio.y);
     const glm::ivec2 size =
         glm::clamp(glm::ivec2(glm::round(fitted)), glm::min(glm::ivec2(1), room), room);
     return {.origin = (room - size) / 2, .size = size};
@@ -167,43 +187,18 @@ ScreenArea PlaygroundWindow::view_area() const {
     return {.origin = {0, 0}, .size = window_.size()};
 }
 
-glm::ivec2 PlaygroundWindow::picture_size() const {
-    const double scale = settings_.resolution_scale * automatic_scale_;
-    const glm::dvec2 size = glm::dvec2(picture_area().size) * scale;
-    return {std::max(1, static_cast<int>(std::lround(size.x))),
-            std::max(1, static_cast<int>(std::lround(size.y)))};
-}
-
-// Holds the chosen frame rate by the resolution: the cost of a frame goes with its pixels.
-void PlaygroundWindow::adapt_resolution() {
-    if (!settings_.hold_frame_rate) {
-        automatic_scale_ = 1.0;
-        return;
-    }
-    if (since_scaling_.ms() < 500.0 || playground_.frame_ms() <= 0.0) return;
-    const double wanted_ms = 1000.0 / settings_.frame_rate;
-    const double ratio = wanted_ms / playground_.frame_ms();
-    // Small deviations are left alone, so that the picture does not breathe.
-    if (ratio > 0.9 && ratio < 1.3) return;
-    since_scaling_.restart();
-    const double smallest = 0.25 / settings_.resolution_scale;
-    automatic_scale_ = std::clamp(automatic_scale_ * std::sqrt(std::clamp(ratio, 0.25, 4.0)),
-                                  std::min(smallest, 1.0), 1.0);
-}
-
 void PlaygroundWindow::draw_frame() {
-    adapt_resolution();
     if (content_scale_ != window_.content_scale()) {
         content_scale_ = window_.content_scale();  // another monitor
         panels_.rescale(content_scale_);
     }
-    playground_.resize(picture_size());
+    choose_resolution();
     playground_.measure_passes(settings_.visible && settings_.passes);
     const double elapsed = since_draw_.restart() / 1000.0;
     frame_due_ = 1.0 / window_.refresh_rate();
     dirty_ = false;
     const double drawn_at = clock_seconds();
-    playground_.draw(elapsed);
+    if (playground_.draw(elapsed)) hold_rate();
     follow_sound(drawn_at);
     show_picture();
     const Wishes wishes =
@@ -242,9 +237,11 @@ BufferView PlaygroundWindow::buffer_view() const {
 void PlaygroundWindow::show_picture() {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glClearColor(0.07f, 0.07f, 0.08f, 1.0f);
+    if (!playground_.has_picture()) glClearColor(0.21f, 0.25f, 0.31f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (!playground_.is_open() || show_finding()) return;
+    if (show_start_picture() || !playground_.has_picture() || show_finding()) return;
     BufferView view = buffer_view();
+    if (show_refined(view)) return;
     const Output viewed = find_output(playground_, settings_.view.sampler);
     view.output = viewed.output;
     const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
@@ -307,6 +304,8 @@ Facts PlaygroundWindow::facts() {
     facts.loading = playground_.is_loading();
     facts.specialised = playground_.is_specialised();
     facts.replayed = playground_.replayed();
+    tell_start(facts);
+    tell_resolution(facts);
     facts.diagnostics = playground_.diagnostics();
     facts.empty_channels = empty_channels_;
     facts.last_reload = last_reload_;
@@ -347,6 +346,7 @@ void PlaygroundWindow::print_reports() {
         }
         if (reports[i].shown && !values_known_) {
             values_known_ = true;
+            keep_picture();
             recent_.add(file_);
             if (pause_at_open_) playground_.transport.pause();
             pause_at_open_ = false;
@@ -371,8 +371,7 @@ void PlaygroundWindow::take_still() {
     if (playground_.replayed() < 1.0) return notice("A still waits for the end of the replay.");
     const fs::path name = free_picture_name(file_);
     try {
-        const Image image = picture_without_alpha(playground_.still(), playground_.size());
-        write_image(name, image, playground_.still_metadata());
+        write_image(name, playground_.still(), playground_.still_metadata());
         notice(fmt::format("{} written", name.string()));
     } catch (const std::runtime_error& error) {
         notice(error.what());

@@ -85,6 +85,7 @@ void PlaygroundWindow::go(Leaving leaving) {
     switch (leaving.what) {
         case Leaving::For::quit:
             unsaved_work_.forget();
+            keep_picture();
             values_known_ = false;
             return window_.close();
         case Leaving::For::open:
@@ -119,6 +120,7 @@ void PlaygroundWindow::take_answer(Answer answer) {
 }
 
 void PlaygroundWindow::open(const fs::path& file) {
+    keep_picture();
     if (file != file_ && !file_.empty()) {
         options_.size.clear();
         options_.tweaks.clear();
@@ -137,6 +139,8 @@ void PlaygroundWindow::open(const fs::path& file) {
     settings_.free_aspect = false;
     place_ = canonical_name(file);
     crash_mark_.set(place_);
+    resolution_begun_ = false;
+    begin_start();
     playground_.open(file);
     folder_ = file.has_parent_path() ? file.parent_path() : ".";
     list_files();

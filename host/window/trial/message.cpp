@@ -65,6 +65,16 @@ void members(const auto& all, Is<TrialAnswer> auto& value) {
     all(number, stage, text, size, verdict);
 }
 
+void members(const auto& all, Is<PassState> auto& value) {
+    auto& [pass, shape, steps_done, bytes] = value;
+    all(pass, shape, steps_done, bytes);
+}
+void members(const auto& all, Is<RefineOrder> auto& value) {
+    auto& [preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state] =
+        value;
+    all(preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state);
+}
+
 void members(const auto& all, Is<SoundOrder> auto& value) {
     auto& [scene, state] = value;
     all(scene, state);
@@ -111,6 +121,18 @@ struct adl_serializer<T> {
     }
 };
 
+template <>
+struct adl_serializer<std::vector<std::byte>> {
+    static void to_json(json& bytes, const std::vector<std::byte>& value) {
+        const auto* first = reinterpret_cast<const std::uint8_t*>(value.data());
+        bytes = json::binary({first, first + value.size()});
+    }
+    static void from_json(const json& bytes, std::vector<std::byte>& value) {
+        const auto copied = std::as_bytes(std::span(bytes.get_binary()));
+        value.assign(copied.begin(), copied.end());
+    }
+};
+
 }  // namespace nlohmann
 
 namespace glint {
@@ -147,6 +169,10 @@ std::string pack(const SoundOrder& order) {
     return packed(order);
 }
 
+std::string pack(const RefineOrder& order) {
+    return packed(order);
+}
+
 std::optional<std::string> take_message(std::string& arrived) {
     std::uint64_t length = 0;
     if (arrived.size() < sizeof length) return std::nullopt;
@@ -163,6 +189,10 @@ TrialOrder unpack_order(std::string_view message) {
 
 SoundOrder unpack_sound_order(std::string_view message) {
     return unpacked<SoundOrder>(message);
+}
+
+RefineOrder unpack_refine_order(std::string_view message) {
+    return unpacked<RefineOrder>(message);
 }
 
 TrialAnswer unpack_answer(std::string_view message) {

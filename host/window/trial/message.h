@@ -3,6 +3,7 @@
 #pragma once
 
 #include "media/feed.h"
+#include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
 #include <cstdint>
@@ -30,6 +31,13 @@ struct SoundOrder {
     PlayState state;
 };
 
+// What the process that refines sends after each sample; the pixels follow, if there are any.
+struct RefineAnswer {
+    int done = 0;               // samples
+    int width = 0, height = 0;  // of the picture, RGBA in bytes; 0: none follows
+    std::int64_t pixel_bytes() const { return std::int64_t{4} * width * height; }
+};
+
 enum class TrialStage { ready, compiling, drawing, done };
 
 struct TrialAnswer {
@@ -44,6 +52,7 @@ struct TrialAnswer {
 std::string pack(std::uint64_t number, const Candidate& candidate, double slow_ms);
 std::string pack(const TrialAnswer& answer);
 std::string pack(const SoundOrder& order);
+std::string pack(const RefineOrder& order);
 
 // Takes the first whole message off what has arrived; nothing when it is not whole yet.
 std::optional<std::string> take_message(std::string& arrived);
@@ -52,5 +61,6 @@ std::optional<std::string> take_message(std::string& arrived);
 TrialOrder unpack_order(std::string_view message);
 TrialAnswer unpack_answer(std::string_view message);
 SoundOrder unpack_sound_order(std::string_view message);
+RefineOrder unpack_refine_order(std::string_view message);
 
 }  // namespace glint

@@ -173,6 +173,12 @@ bool Trial::is_at_work() const {
     return heard_->stage == TrialStage::compiling || heard_->stage == TrialStage::drawing;
 }
 
+std::string Trial::work() const {
+    if (renderer_.empty()) return "starting the driver";
+    if (!is_at_work() || heard_->number != number_) return "compiling";
+    return (heard_->stage == TrialStage::compiling ? "compiling " : "trying ") + heard_->text;
+}
+
 // What it does from now on is timed.
 void Trial::note_time() {
     heard_at_ = Clock::now();

@@ -109,6 +109,9 @@ public:
     // The process that tries; 0 when there is none.
     pid_t process() const { return process_; }
 
+    // What the process does with the newest candidate, in words such as "compiling image".
+    std::string work() const;
+
     // Whether there is no answer yet to the newest candidate.
     bool is_running() const { return verdict_.state == TrialState::running; }
 

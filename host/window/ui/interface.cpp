@@ -34,6 +34,8 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, Transport
     follow_notice(facts);
     close_popup_by_key();
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
+        if (!facts.shows_picture && !facts.file.empty()) ground(build);
+        waiting_label(build);
         pixel_grid(build);
         shown_labels(build);
         wipe_handle(build);

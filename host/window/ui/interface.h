@@ -93,6 +93,8 @@ void dialogs(Build& build, SavingState& saving, NewSceneState& new_scene);
 void error_line(Build& build);  // where the panels are hidden
 void wipe_handle(Build& build);
 void shown_labels(Build& build);
+void ground(Build& build);         // where there is no picture
+void waiting_label(Build& build);  // what the first frame waits for
 void pixel_grid(Build& build);
 void notice(Build& build, float alpha);
 

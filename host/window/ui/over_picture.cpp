@@ -3,6 +3,8 @@
 #include "window/ui/number_text.h"
 #include "window/ui/widgets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -74,6 +76,28 @@ void shown_labels(Build& build) {
     const float gap = build.theme.px(16);
     label(build, line - 0.5f * ImGui::CalcTextSize(name.c_str()).x - gap, top, name);
     label(build, line + 0.5f * ImGui::CalcTextSize(reference.c_str()).x + gap, top, reference);
+}
+
+// Calm, and not black: that something will stand here is to be seen.
+void ground(Build&) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    constexpr ImU32 kTop = IM_COL32(46, 54, 66, 255), kBottom = IM_COL32(72, 80, 92, 255);
+    ImGui::GetBackgroundDrawList()->AddRectFilledMultiColor({0, 0}, screen, kTop, kTop, kBottom,
+                                                            kBottom);
+}
+
+// In the last line of the picture: over one that is known, or over the ground.
+void waiting_label(Build& build) {
+    const Facts& facts = build.facts;
+    const bool is_refused = facts.waits_for.empty() && !facts.scene && !facts.file.empty();
+    if (facts.waits_for.empty() && !is_refused) return;
+    const Area& free = build.layout.free;
+    const float line = ImGui::GetTextLineHeight() + build.theme.px(6);
+    const std::string text = is_refused
+                                 ? "Nothing to show: the list of errors says why."
+                                 : fmt::format("{}\u2026 {:.1f} s", facts.waits_for, facts.waited);
+    label(build, free.corner.x + 0.5f * free.size.x,
+          free.corner.y + free.size.y - line - build.theme.px(12), text);
 }
 
 // The window draws the line; here is what a hand takes hold of.

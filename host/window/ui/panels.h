@@ -103,13 +103,21 @@ struct Facts {
     std::filesystem::path file;
     bool unsaved = false, loading = false, specialised = false;
     double replayed = 1.0;  // fraction of a replay that is under way
+    // What the first frame of the file waits for, and for how long by now; "" once it is there, and
+    // where none comes.
+    std::string waits_for;
+    double waited = 0.0;         // s
+    bool shows_picture = false;  // the scene, or a picture that stands for it until it draws
     std::span<const Diagnostic> diagnostics;
     std::span<const EmptyChannel> empty_channels;
     std::string last_reload;  // one line
     Instant instant;
     double frame_ms = 0.0;
     std::string renderer;
-    glm::ivec2 picture_size{0};
+    glm::ivec2 picture_size{0}, full_size{0};  // what is drawn, and what would be
+    double full_ms = 0.0;                      // that a frame of the full size would take, roughly
+    bool resolution_is_fixed = false;          // chosen before the first frame: its buffers keep it
+    int refined = 0, refined_of = 0;           // samples of a picture that stands still
     glm::ivec2 frame_size{0};  // whose aspect the picture keeps; 0x0 fills the window
     std::span<const PassFact> passes;
     std::optional<PixelFacts> pixel_facts;
@@ -165,8 +173,9 @@ struct PanelSettings {
     PassView view;
     bool free_aspect = false;       // the picture fills the window, whatever Facts::frame_size
     float resolution_scale = 1.0f;  // 0.25 to 2
-    bool hold_frame_rate = false;   // lower the resolution to hold this rate
-    float frame_rate = 30.0f;       // Hz
+    bool hold_frame_rate = true;    // lower the resolution to hold this rate
+    float frame_rate = 20.0f;       // Hz
+    bool refine = true;             // what stands still
     bool muted = false;
     float volume = 1.0f;  // 0 to 1
     bool wipe = false;    // the tweak set that is shown left of a line, the other right of it

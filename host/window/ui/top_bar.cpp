@@ -54,13 +54,15 @@ void picture_popup(Build& build) {
     const float width = theme.px(220);
     text_in(colours::kText, "Picture", theme.bold);
     number_slider(theme, "##scale", width, settings.resolution_scale, {0.25, 2.0, 1.0, true},
-                  fmt::format("resolution \u00d7 {:.2f}", settings.resolution_scale));
-    tip(theme, "Pixels of the picture for each of the window. Right-click: 1.");
+                  fmt::format("full size \u00d7 {:.2f}", settings.resolution_scale));
+    tip(theme, "Pixels of the full size for each of the window. Right-click: 1.");
     ImGui::Checkbox("hold a frame rate", &settings.hold_frame_rate);
-    tip(theme, "Lowers the resolution as far as this rate needs");
+    tip(theme, "While something moves, lowers the resolution as far as this rate needs");
     if (settings.hold_frame_rate)
-        number_slider(theme, "##rate", width, settings.frame_rate, {5.0, 120.0, 30.0},
+        number_slider(theme, "##rate", width, settings.frame_rate, {5.0, 120.0, 20.0},
                       fmt::format("{:.0f} frames/s", settings.frame_rate));
+    ImGui::Checkbox("refine what stands still", &settings.refine);
+    tip(theme, "Draws at the full size, and averages 64 samples a pixel, while nothing moves");
     const glm::ivec2 frame = build.facts.frame_size;
     ImGui::BeginDisabled(frame.x == 0);
     bool is_free = frame.x == 0 || settings.free_aspect;

@@ -246,6 +246,68 @@ std::string speed_text(const Build& build) {
                        build.facts.frame_ms);
 }
 
+// How many pixels are drawn, where that is not all there is to say; "" otherwise.
+std::string resolution_text(const Build& build) {
+    const Facts& facts = build.facts;
+    if (facts.refined_of > 0) return fmt::format("{} of {}", facts.refined, facts.refined_of);
+    const bool is_small = facts.full_size.x > 0 && facts.picture_size.x < facts.full_size.x;
+    if (is_small) {
+        const double share = static_cast<double>(facts.picture_size.x) / facts.full_size.x;
+        return fmt::format("{} {:.0f} %", facts.resolution_is_fixed ? "fixed at" : "held at",
+                           100.0 * share);
+    }
+    const double wanted_ms = 1000.0 / static_cast<double>(build.settings.frame_rate);
+    const bool is_slow = std::max(facts.full_ms, facts.frame_ms) > wanted_ms;
+    return !build.settings.hold_frame_rate && is_slow ? "full size" : "";
+}
+
+std::string resolution_tip(const Build& build) {
+    const Facts& facts = build.facts;
+    const std::string pixels =
+        fmt::format("{} \u00d7 {} of {} \u00d7 {} pixels", facts.picture_size.x,
+                    facts.picture_size.y, facts.full_size.x, facts.full_size.y);
+    const std::string cost =
+        facts.full_ms > 0.0
+            ? fmt::format(" A full-size frame takes about {:.0f} ms.", facts.full_ms)
+            : "";
+    const float rate = build.settings.frame_rate;
+    if (facts.refined_of > 0)
+        return fmt::format(
+            "Nothing moves: {} of {} samples a pixel are averaged at the full size, "
+            "as `glint still --samples {}` does.{} Click: {} while it moves",
+            facts.refined, facts.refined_of, facts.refined_of, cost,
+            build.settings.hold_frame_rate ? "the full size"
+                                           : fmt::format("{:.0f} frames a second", rate));
+    if (!build.settings.hold_frame_rate)
+        return fmt::format(
+            "The full size, however slow.{} Click: hold {:.0f} frames a second by a "
+            "lower resolution",
+            cost, rate);
+    if (facts.resolution_is_fixed)
+        return fmt::format(
+            "{}, chosen before the first frame: another size would crop what its "
+            "buffers hold.{} Click: begin again at the full size",
+            pixels, cost);
+    return fmt::format("{}, so that {:.0f} frames a second are held.{} Click: the full size",
+                       pixels, rate, cost);
+}
+
+float resolution_width(const Build& build) {
+    if (resolution_text(build).empty()) return 0.0f;
+    return ImGui::CalcTextSize("fixed at 100 %").x + build.theme.px(16 + 8);
+}
+
+// In a line, in a place of its own width; what follows comes behind it.
+void resolution_button(Build& build) {
+    const std::string text = resolution_text(build);
+    if (text.empty()) return;
+    const float end = ImGui::GetCursorPosX() + resolution_width(build);
+    bool& held = build.settings.hold_frame_rate;
+    const std::string label = text + "###resolution";
+    if (text_button(build.theme, label.c_str(), held, resolution_tip(build).c_str())) held = !held;
+    ImGui::SameLine(end);
+}
+
 // Keeps its place while the digits change.
 void speed(Build& build, float width) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -264,6 +326,7 @@ void how_it_plays(Build& build, TransportState& state) {
     fixed_button(build);
     ImGui::SameLine();
     sound_controls(build);
+    resolution_button(build);
 }
 
 void in_one_line(Build& build, TransportState& state, float side, float speed_width) {
@@ -306,7 +369,7 @@ void transport_panel(Build& build, TransportState& state) {
     const float speed_width = ImGui::CalcTextSize("frame 000000   000 fps   000.0 ms").x;
     // Loop, rate, fixed step and the gaps before each of them.
     const float side = line + theme.px(80) + ImGui::CalcTextSize("1/60").x + theme.px(16 + 5 * 8) +
-                       sound_width(build);
+                       sound_width(build) + resolution_width(build);
     const bool is_wide = width > side + speed_width + 3 * line + theme.px(96 + 240);
     const float lines = is_wide ? line : 2 * line + ImGui::GetStyle().ItemSpacing.y;
     ImGui::SetNextWindowSize({width, lines + theme.px(16)});

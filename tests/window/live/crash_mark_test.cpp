@@ -1,11 +1,12 @@
 // Only what ends against its will leaves a mark for the next start.
 #include "window/live/crash_mark.h"
 
+#include "../../base/test_folder.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <functional>
 #include <stdexcept>
 
@@ -16,12 +17,11 @@ namespace fs = std::filesystem;
 
 // Whether the next start finds the mark of a process that opened the scene and then did this.
 bool is_marked_after(const std::function<void()>& end) {
-    std::string name = (fs::temp_directory_path() / "glint-mark-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
+    const TestFolder folder;
     const pid_t process = ::fork();
     if (process == 0) {
         try {
-            CrashMark mark(name);
+            CrashMark mark(folder.path());
             mark.set("a.frag");
             end();
         } catch (const std::runtime_error&) {
@@ -29,9 +29,7 @@ bool is_marked_after(const std::function<void()>& end) {
         ::_exit(0);
     }
     ::waitpid(process, nullptr, 0);
-    const bool marked = CrashMark(name).take("a.frag");
-    fs::remove_all(name);
-    return marked;
+    return CrashMark(folder.path()).take("a.frag");
 }
 
 TEST(CrashMarks, AreLeftByWhatEndsAgainstItsWill) {
@@ -42,25 +40,23 @@ TEST(CrashMarks, AreLeftByWhatEndsAgainstItsWill) {
 }
 
 TEST(CrashMarks, WaitForTheNextStartOfTheirOwnSceneWhoeverHasTheNumberOfTheProcess) {
-    std::string name = (fs::temp_directory_path() / "glint-mark-XXXXXX").string();
-    ASSERT_TRUE(::mkdtemp(name.data()));
+    const TestFolder folder;
     const pid_t process = ::fork();
     if (process == 0) {
-        CrashMark mark(name);
+        CrashMark mark(folder.path());
         mark.set("/b.frag");
         mark.set("/a.frag");
         ::_exit(1);
     }
     ::waitpid(process, nullptr, 0);
     // Another process may have that number by now; this one stands for it.
-    for (const auto& entry : fs::directory_iterator(name))
-        fs::rename(entry.path(), fs::path(name) / std::to_string(::getpid()));
-    CrashMark open(name);
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        fs::rename(entry.path(), folder.path() / std::to_string(::getpid()));
+    CrashMark open(folder.path());
     EXPECT_FALSE(open.take("/b.frag"));
     open.set("/a.frag");
-    EXPECT_TRUE(CrashMark(name).take("/a.frag")) << "that of the other run";
-    EXPECT_FALSE(CrashMark(name).take("/a.frag")) << "this one still runs";
-    fs::remove_all(name);
+    EXPECT_TRUE(CrashMark(folder.path()).take("/a.frag")) << "that of the other run";
+    EXPECT_FALSE(CrashMark(folder.path()).take("/a.frag")) << "this one still runs";
 }
 
 }  // namespace

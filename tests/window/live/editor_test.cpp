@@ -1,6 +1,8 @@
 // Where no editor is found, a person is told.
 #include "window/live/editor.h"
 
+#include "../../base/test_folder.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -18,17 +20,11 @@ namespace fs = std::filesystem;
 class Editors : public ::testing::Test {
 protected:
     Editors() {
-        std::string name = (fs::temp_directory_path() / "glint-editor-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
-        folder = name;
-        ::setenv("PATH", name.c_str(), 1);
+        ::setenv("PATH", folder.c_str(), 1);
         ::unsetenv("VISUAL");
         ::unsetenv("EDITOR");
     }
-    ~Editors() override {
-        ::setenv("PATH", path.c_str(), 1);
-        fs::remove_all(folder);
-    }
+    ~Editors() override { ::setenv("PATH", path.c_str(), 1); }
     void provide(const char* name, const char* script) {
         std::ofstream(folder / name) << "#!/bin/sh\n" << script << "\n";
         fs::permissions(folder / name, fs::perms::owner_all);
@@ -40,7 +36,8 @@ protected:
     }
 
     std::string path = std::getenv("PATH");
-    fs::path folder;
+    TestFolder made;
+    const fs::path folder = made.path();
     Editor editor;
 };
 

@@ -1,6 +1,7 @@
 // Input files that are read beside the thread that draws.
 #include "window/live/input_loader.h"
 
+#include "../../base/test_folder.h"
 #include "media/image.h"
 
 #include <fcntl.h>
@@ -19,13 +20,6 @@ namespace fs = std::filesystem;
 
 class InputLoaders : public testing::Test {
 protected:
-    InputLoaders() {
-        std::string name = (fs::temp_directory_path() / "glint-loader-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-        folder_ = name;
-    }
-    ~InputLoaders() override { fs::remove_all(folder_); }
-
     Sampler picture(const std::string& name, int grey) const {
         write(name, grey);
         Sampler sampler;
@@ -58,7 +52,8 @@ protected:
         return list;
     }
 
-    fs::path folder_;
+    TestFolder made_;
+    fs::path folder_ = made_.path();
     mutable std::string errors_;
 };
 

@@ -2,10 +2,11 @@
 // decided on.
 #include "window/live/unsaved_work.h"
 
+#include "../../base/test_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,12 +18,6 @@ namespace fs = std::filesystem;
 
 class Unsaved : public ::testing::Test {
 protected:
-    Unsaved() {
-        std::string name = (fs::temp_directory_path() / "glint-unsaved-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw std::runtime_error("no folder");
-        folder = name;
-    }
-    ~Unsaved() override { fs::remove_all(folder); }
     // What a window finds that starts now.
     std::optional<std::string> found(const fs::path& file) const {
         return UnsavedWork(folder / "state").find(file);
@@ -31,7 +26,8 @@ protected:
         return !fs::exists(folder / "state") || fs::is_empty(folder / "state");
     }
 
-    fs::path folder;
+    TestFolder made;
+    const fs::path folder = made.path();
 };
 
 TEST_F(Unsaved, IsFoundByTheNextWindowOfTheSameFileUntilItIsDiscarded) {

@@ -2,6 +2,7 @@
 // is tried as if nothing had happened.
 #include "window/trial/trial.h"
 
+#include "../../base/test_folder.h"
 #include "../../crowd.h"
 #include "scene/blame.h"
 
@@ -26,11 +27,8 @@ using namespace std::chrono_literals;
 
 // A scene as read from a file, without one on the disk afterwards.
 Preset preset_of(const std::string& text) {
-    std::string name = (fs::temp_directory_path() / "glint-trial-XXXXXX.frag").string();
-    close(mkstemps(name.data(), 5));
-    std::ofstream(name) << text;
-    ReadPreset read = read_preset(name);
-    fs::remove(name);
+    const TestFolder folder;
+    ReadPreset read = read_preset(folder.write("scene.frag", text));
     for (const Diagnostic& diagnostic : read.diagnostics) ADD_FAILURE() << to_string(diagnostic);
     return std::move(read.preset).value();
 }
@@ -357,14 +355,14 @@ TEST(Trial, LeavesNothingBehindAfterManyCandidates) {
 }
 
 TEST(Trial, InheritsNothingAndHasNoTerminal) {
-    const fs::path file = fs::temp_directory_path() / fmt::format("glint-stray-{}", getpid());
+    const TestFolder folder;
+    const fs::path file = folder.path() / "stray";
     const int stray = open(file.c_str(), O_RDWR | O_CREAT, 0600);  // not close-on-exec
     Trial trial(options());
     wait_until_ready(trial);
     for (const std::string& target : descriptors(trial.process())) EXPECT_NE(target, file);
     EXPECT_EQ(getsid(trial.process()), trial.process());
     close(stray);
-    fs::remove(file);
 }
 
 TEST(Trial, EndsWithItsParent) {

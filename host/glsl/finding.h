@@ -1,0 +1,39 @@
+// What a compiler takes, and a reader of the text would want to know.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace glint {
+
+// What only WebGL 2 minds.
+inline constexpr std::string_view kWebGl = "webgl";
+
+struct Finding {
+    std::string_view name;             // "shadowed-name": by which a person silences it
+    std::size_t at = 0;                // byte of the text
+    std::string text;                  // what it is, and what to do
+    std::optional<std::size_t> other;  // a second place, of which the text's end speaks
+};
+
+// Each of these looks into the functions alone for which `wanted`, by function, says so.
+
+// Names that hide others: a local or a parameter what stands outside of it, a function one of GLSL.
+std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted);
+
+// Loops whose turns, with those of loops within them and of what they call, may come to more than
+// llvmpipe lets a pixel have; and loops in which nothing can be read that ends them. `known` are
+// numbers that names stand for besides the text's own constants.
+std::vector<Finding> find_long_loops(const Reading& reading, const std::vector<bool>& wanted,
+                                     const std::unordered_map<std::string_view, double>& known);
+
+// Names that GLSL ES keeps for itself, and that browsers refuse where glslang and Mesa take them.
+std::vector<Finding> find_reserved_names(const Reading& reading, const std::vector<bool>& wanted);
+
+}  // namespace glint

@@ -1,0 +1,177 @@
+#include "measure/second_opinion.h"
+
+#include "base/launch.h"
+#include "base/readable_file.h"
+#include "base/temporary_file.h"
+#include "base/temporary_folder.h"
+#include "base/words.h"
+#include "base/workers.h"
+#include "glsl/finding.h"
+#include "offline/site_text.h"
+#include "render/own_overloads.h"
+#include "scene/scene_text.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <optional>
+#include <regex>
+#include <thread>
+
+namespace glint {
+namespace {
+
+constexpr std::string_view kBefore = R"(#version 300 es
+precision highp float;
+precision highp int;
+precision mediump sampler3D;
+#define HW_PERFORMANCE 1
+uniform vec3 iResolution;
+uniform float iTime, iGlobalTime, iTimeDelta, iFrameRate, iSampleRate, iChannelTime[4];
+uniform vec4 iMouse, iDate;
+uniform vec3 iChannelResolution[4];
+uniform int iFrame;
+uniform uint iTick;
+void st_assert(bool condition, int colour) {}
+void st_assert(bool condition) {}
+)";
+constexpr std::string_view kBehind =
+    "\nout vec4 glint_colour;\nvoid main() { glint_colour = vec4(0); }\n";
+
+// What stands before a pass's text: its samplers by the names that the scene gives them, and what
+// Chromium takes beyond the validator.
+std::string before(const Preset& preset, std::size_t pass, const Reading& reading) {
+    const Scene& scene = preset.scene;
+    std::string text(kBefore);
+    for (const std::string& name : output_names(scene, pass))
+        text += fmt::format("#define PASS_{} 1\n", name);
+    std::array<SamplerType, 4> channels{};
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        channels[i] = scene.channel_types[i].value_or(preset.channels[i].type);
+    for (const Sampler& sampler : scene.samplers) {
+        const auto known = find_sampler(preset, pass, sampler.name);
+        if (!known || &sampler_at(preset, *known) != &sampler) continue;
+        if (sampler.name.size() == 9 && sampler.name.starts_with("iChannel"))
+            channels[static_cast<std::size_t>(sampler.name.back() - '0') % 4] = sampler.type;
+        else
+            text += fmt::format("uniform {} {};\n", glsl_name(sampler.type), sampler.name);
+    }
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const char* type = glsl_name(channels[i]);
+        text += fmt::format("uniform {} iChannel{};\n", type, i);
+        if (pass == kImagePass && reading.mentions(fmt::format("iCh{}", i)))
+            text += fmt::format(
+                "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
+                type, i);
+    }
+    return text + own_overloads(reading);
+}
+
+std::string read_all(int pipe) {
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) break;
+        if (text.size() < (1u << 20)) text.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    ::close(pipe);
+    return text;
+}
+
+// What the validator says of a text; nothing where it is not there.
+std::optional<std::string> log_of(const std::string& text) {
+    const TemporaryFolder folder;  // for each call; several threads may be here
+    const std::string file = (folder.path() / "pass.frag").string();
+    write_whole_file(file, std::as_bytes(std::span(text)));
+    const Launched launched = launch({.words = {"glslangValidator", file}, .output = kPipe});
+    if (launched.process == 0) return std::nullopt;
+    std::string log = read_all(launched.pipe);
+    wait_for(launched.process);
+    return log;
+}
+
+// What browsers take and the validator alone refuses, after which it is lost: an empty argument of
+// a macro that takes none, and an odd quote in a branch that is not compiled.
+bool is_refused_by_it_alone(std::string_view why) {
+    return why.starts_with("Too few args in Macro") || why.starts_with("End of line in string");
+}
+
+// The byte of a line, from 1, at which a word stands; its first one that is no space otherwise.
+std::size_t find_in_line(const std::string& text, int line, const std::string& word) {
+    std::size_t begin = 0;
+    for (int i = 1; i < line && begin < text.size(); ++i) begin = text.find('\n', begin) + 1;
+    const std::string_view rest = std::string_view(text).substr(begin);
+    const std::string_view words = rest.substr(0, rest.find('\n'));
+    const auto is_letter = [](char c) {
+        return c == '_' || std::isalnum(static_cast<unsigned char>(c));
+    };
+    for (std::size_t at = words.find(word); !word.empty() && at < words.size();
+         at = words.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool is_whole =
+            !is_letter(word.front()) || ((at == 0 || !is_letter(words[at - 1])) &&
+                                         (end == words.size() || !is_letter(words[end])));
+        if (is_whole) return begin + at;
+    }
+    return begin + std::min(words.find_first_not_of(" \t"), words.size());
+}
+
+std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std::size_t pass) {
+    const SiteText site = site_text(preset, pass);
+    const Reading reading = read_glsl(site.text, known_of_pass(output_names(preset.scene, pass)));
+    const std::string head = before(preset, pass, reading);
+    const auto log = log_of(head + site.text + std::string(kBehind));
+    if (!log) return std::nullopt;
+    static const std::regex error(R"(ERROR: [^\n:]*:(\d+): '([^\n]*)' : ([^\n]*))");
+    const int head_lines = static_cast<int>(std::ranges::count(head, '\n'));
+    std::vector<PlacedFinding> findings;
+    for (auto one = std::sregex_iterator(log->begin(), log->end(), error);
+         one != std::sregex_iterator(); ++one) {
+        int line = 0;
+        const std::string digits = (*one)[1], word = (*one)[2], why = (*one)[3];
+        std::from_chars(digits.data(), digits.data() + digits.size(), line);
+        if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
+        if (why.starts_with("compilation terminated") || line <= head_lines) continue;
+        const std::size_t at = find_in_line(site.text, line - head_lines, word);
+        findings.push_back(
+            {std::string(kWebGl),
+             preset.scene.place_at(site.origin(std::min(at, site.text.size() - 1))),
+             fmt::format("the reference compiler of GLSL ES 3.00 refuses this, and so may "
+                         "browsers: {}{}",
+                         word.empty() ? "" : in_quotes(word) + ": ", trimmed(why))});
+    }
+    return findings;
+}
+
+}  // namespace
+
+SecondOpinion second_opinion(const Preset& preset, const std::vector<std::size_t>& passes) {
+    if (preset.scene.image_entry == "main")
+        return {{}, "a text with a main() of its own is none for WebGL 2's site"};
+    std::vector<std::optional<std::vector<PlacedFinding>>> found(passes.size());
+    Workers workers(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        workers.run([&, i] { found[i] = findings_of(preset, passes[i]); });
+    workers.finish();
+    SecondOpinion opinion;
+    for (const auto& list : found) {
+        if (!list) return {{}, "glslangValidator is not installed"};
+        for (const PlacedFinding& one : *list) {
+            const bool is_known = std::ranges::any_of(opinion.findings, [&](const auto& other) {
+                return to_string({{}, one.place, one.text}) ==
+                       to_string({{}, other.place, other.text});
+            });
+            if (!is_known) opinion.findings.push_back(one);
+        }
+    }
+    return opinion;
+}
+
+}  // namespace glint

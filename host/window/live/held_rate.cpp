@@ -1,0 +1,95 @@
+#include "window/live/held_rate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+// A new size has new buffers, and what changes rarely is drawn anew.
+constexpr int kUnsettled = 1;
+// Frames whose median counts: a program that is exchanged makes one slow frame.
+constexpr std::size_t kHeard = 5, kLeast = 3;
+// Of the wanted time: what a lower share aims at, and what the next share may take to be tried.
+constexpr double kAim = 0.9, kRoom = 0.75;
+// A step down that brings less than this was not worth it: the cost is not in the pixels.
+constexpr double kWorth = 0.85;
+constexpr int kPatience = 20, kMostPatience = 640, kSoon = 60;  // frames
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+void HeldRate::begin(double full_ms, double last_share, double wanted_ms) {
+    *this = {};
+    wanted_ms_ = wanted_ms;
+    expected_full_ms_ = full_ms;
+    const auto last = std::ranges::find(kShares, last_share);
+    at_ = last != kShares.end() ? static_cast<std::size_t>(last - kShares.begin())
+                                : place_for(full_ms);
+}
+
+void HeldRate::want(double wanted_ms) {
+    if (wanted_ms == wanted_ms_) return;
+    wanted_ms_ = wanted_ms;
+    lowest_ = kShares.size() - 1;
+    patience_ = kPatience;
+    roomy_ = 0;
+}
+
+// The largest share that holds the rate.
+std::size_t HeldRate::place_for(double full_ms) const {
+    std::size_t at = 0;
+    while (at < lowest_ && full_ms * kShares[at] * kShares[at] > kAim * wanted_ms_) ++at;
+    return full_ms <= wanted_ms_ ? 0 : at;
+}
+
+double HeldRate::predicted(double ms, std::size_t at) const {
+    const double ratio = kShares[at] / kShares[at_];
+    return ms * ratio * ratio;
+}
+
+double HeldRate::full_ms() const {
+    return heard_.empty() ? expected_full_ms_ : predicted(median(heard_), 0);
+}
+
+bool HeldRate::go(std::size_t to) {
+    if (to == at_) return false;
+    came_up_ = to < at_;
+    at_ = to;
+    heard_.clear();
+    frames_ = roomy_ = 0;
+    return true;
+}
+
+bool HeldRate::go_down(double median_ms) {
+    if (came_up_ && frames_ < kSoon) patience_ = std::min(2 * patience_, kMostPatience);
+    std::size_t to = at_;
+    while (to < lowest_ && (to == at_ || predicted(median_ms, to) > kAim * wanted_ms_)) ++to;
+    before_at_ = at_;
+    before_ms_ = median_ms;
+    return go(to);
+}
+
+bool HeldRate::hear(double frame_ms) {
+    if (++frames_ <= kUnsettled) return false;
+    heard_.push_back(frame_ms);
+    if (heard_.size() > kHeard) heard_.erase(heard_.begin());
+    if (heard_.size() < kLeast) return false;
+    const double ms = median(heard_);
+    if (ms > wanted_ms_ && before_ms_ > 0.0 && ms > kWorth * before_ms_) {
+        before_ms_ = 0.0;
+        lowest_ = before_at_;
+        return go(before_at_);
+    }
+    before_ms_ = 0.0;
+    if (ms > wanted_ms_) return go_down(ms);
+    roomy_ = at_ > 0 && predicted(ms, at_ - 1) <= kRoom * wanted_ms_ ? roomy_ + 1 : 0;
+    return roomy_ >= patience_ && go(at_ - 1);
+}
+
+}  // namespace glint

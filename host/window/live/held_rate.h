@@ -1,0 +1,54 @@
+// Holds a frame rate by the resolution: which share of its full size a picture is drawn at.
+//
+// A pure machine, fed with the times of frames. The cost of a frame is taken to go with its pixels;
+// where that turns out wrong, a lower resolution is given up again. Shares are few, so that the
+// picture does not breathe, and going up asks for more room than staying.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace glint {
+
+class HeldRate {
+public:
+    // Of the sides of the full picture.
+    static constexpr std::array kShares = {1.0, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125};
+
+    // A scene before its first frame. What a frame at full size is expected to take (ms; 0: not
+    // known), and the share that did the last time that it was open (0: not known), which counts
+    // for more.
+    void begin(double full_ms, double last_share, double wanted_ms);
+
+    // A frame was drawn at share(), and took so long. True when the share has changed.
+    bool hear(double frame_ms);
+
+    // Another rate to be held from now on, ms a frame.
+    void want(double wanted_ms);
+
+    double share() const { return kShares[at_]; }
+
+    // What a frame at full size would take, ms, as far as is known; 0 otherwise.
+    double full_ms() const;
+
+private:
+    bool go(std::size_t to);
+    bool go_down(double median_ms);
+    double predicted(double ms, std::size_t at) const;
+    std::size_t place_for(double full_ms) const;
+
+    double wanted_ms_ = 50.0;
+    std::size_t at_ = 0, lowest_ = kShares.size() - 1;
+    std::vector<double> heard_;  // ms, the last few frames at this share
+    int frames_ = 0;             // at this share
+    int roomy_ = 0;              // frames in a row with room for the next share
+    int patience_ = 20;          // such frames before going up
+    bool came_up_ = false;
+    // Before the last step down: there it took so long.
+    std::size_t before_at_ = 0;
+    double before_ms_ = 0.0;
+    double expected_full_ms_ = 0.0;
+};
+
+}  // namespace glint

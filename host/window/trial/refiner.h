@@ -1,0 +1,79 @@
+// A picture that stands still becomes the one that `glint still --samples` would write, in a
+// process of its own: neither its compiler nor its draws keep the window waiting.
+#pragma once
+
+#include "base/launch.h"
+#include "offline/common.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glint {
+
+// What is to be drawn. Text, values and what the scene has simulated are sent as they stand here;
+// only the files of its samplers are read there.
+struct RefineOrder {
+    Preset preset;  // whose size is the picture's
+    bool specialise = true;
+    int samples = 64;
+    // The frame that stands.
+    double time = 0.0, time_delta = 1.0 / 60, frame_rate = 60.0;
+    int frame = 0;
+    glm::vec4 date{0.0f};
+    Input input{};
+    std::vector<PassState> state{};
+};
+
+// Which of `count` samples comes k-th, so that those so far lie all over the pixel.
+int refining_sample(int k, int count);
+
+class Refiner {
+public:
+    explicit Refiner(std::string device, std::filesystem::path program = "/proc/self/exe");
+    ~Refiner();
+    Refiner(const Refiner&) = delete;
+    Refiner& operator=(const Refiner&) = delete;
+
+    // Instead of what may still run. Does not wait.
+    void start(const RefineOrder& order);
+
+    // Ends the process; what it has drawn goes. Costs nothing where there is none.
+    void stop();
+
+    // Hears the process; does not wait. True when a picture has arrived, or one more sample.
+    bool update();
+
+    // For ::poll(): readable when update() may know more; -1 when no process runs.
+    int descriptor() const { return socket_; }
+
+    bool is_running() const { return process_ != 0; }
+    // Samples that have been drawn, and of how many; 0 of 0 before the start.
+    int done() const { return done_; }
+    int of() const { return of_; }
+    // The mean so far, RGBA; empty until there is one.
+    const Image& picture() const { return picture_; }
+    // Whether it is another than when this was asked last.
+    bool take_picture() { return std::exchange(is_new_picture_, false); }
+
+private:
+    void send_order();
+    bool take_arrived();
+
+    std::string device_;
+    std::filesystem::path program_;
+    pid_t process_ = 0;
+    Dying dying_;
+    int socket_ = -1;
+    std::string outgoing_, incoming_;
+    int done_ = 0, of_ = 0;
+    bool is_new_picture_ = false;
+    Image picture_;
+};
+
+// `glint refine`: the other process. Takes one order from standard input, which is a socket, and
+// answers there. Throws UsageError when it is none.
+void run_refine(const std::string& device);
+
+}  // namespace glint

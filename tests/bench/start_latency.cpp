@@ -1,0 +1,131 @@
+// From the start of the process to the first picture, to the first true frame, and from a key to
+// the changed panel meanwhile: prints, and judges nothing.
+//
+//     start_latency [REPETITIONS [SCENE...]]
+//
+// Each scene's main preset on a screen of its own, 1280x800, with the driver's cache empty and
+// full. One run before those that count leaves its picture behind, as for a person who was here
+// before.
+#include "../window/live.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <thread>
+
+namespace glint::window {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr glm::ivec2 kScreen{1280, 800};
+constexpr double kLongest = 120.0;  // s
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// The value below which such a share of them lies.
+std::string quantile(std::vector<double> values, double share) {
+    if (values.empty()) return "-";
+    std::sort(values.begin(), values.end());
+    const auto last = static_cast<double>(values.size() - 1);
+    return fmt::format("{:.0f}", values[static_cast<std::size_t>(last * share + 0.5)]);
+}
+
+std::string both(const std::vector<double>& values) {
+    return fmt::format("{} ({})", quantile(values, 0.5), quantile(values, 0.95));
+}
+
+// Rows of the empty screen, of the bare window and of the ground have one colour each.
+bool shows_a_picture(const Screen& screen) {
+    for (const int y : {200, 420, 600}) {
+        const std::vector<std::uint32_t> row = screen.picture({80, y}, {600, 1});
+        if (std::set<std::uint32_t>(row.begin(), row.end()).size() > 8) return true;
+    }
+    return false;
+}
+
+struct Times {
+    std::vector<double> picture, frame, panel;  // ms
+};
+
+// The transport bar goes and comes; its left end has a colour of its own.
+std::optional<double> key_to_panel(Screen& screen) {
+    constexpr glm::ivec2 kBar{700, 700};
+    const std::vector<std::uint32_t> before = screen.picture({kBar.x, kBar.y}, {8, 8});
+    const auto start = Clock::now();
+    screen.tap("Control_L+b");
+    const bool seen = eventually(
+        [&] {
+            return screen.picture({kBar.x, kBar.y}, {8, 8}) != before;
+        },
+        5.0);
+    return seen ? std::optional(ms_since(start)) : std::nullopt;
+}
+
+class Starts {
+public:
+    explicit Starts(const std::string& scene)
+        : preset_((fs::path(GLINT_REPOSITORY) / "presets" / (scene + ".toml")).string()) {}
+
+    // `times`: null for a run that does not count. Keys are pressed in runs of their own.
+    void run(bool cold, bool with_keys, Times* times) {
+        const fs::path shaders = folder_.path() / "shaders";
+        if (cold) fs::remove_all(shaders);
+        fs::create_directories(shaders);
+        Screen screen(kScreen);
+        const auto start = Clock::now();
+        Glint glint(screen.name(), folder_.path(), {preset_},
+                    {{"MESA_SHADER_CACHE_DIR", shaders.string()}});
+        eventually([&] { return shows_a_picture(screen); }, kLongest);
+        if (times && !with_keys) times->picture.push_back(ms_since(start));
+        while (with_keys && glint.count(": shown") == 0 && ms_since(start) < kLongest * 1e3) {
+            const std::optional<double> took = key_to_panel(screen);
+            if (took && times && glint.count(": shown") == 0) times->panel.push_back(*took);
+            std::this_thread::sleep_for(std::chrono::milliseconds(60));
+        }
+        glint.says(": shown", 1, kLongest);
+        if (times && !with_keys) times->frame.push_back(ms_since(start));
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));  // its picture is kept
+        glint.signal(SIGTERM);
+        glint.wait();
+    }
+
+private:
+    Folder folder_;
+    std::string preset_;
+};
+
+void measure(const std::string& scene, int repetitions) {
+    Starts starts(scene);
+    Times cold, warm;
+    starts.run(true, false, nullptr);
+    for (int i = 0; i < repetitions; ++i) starts.run(false, false, &warm);
+    for (int i = 0; i < repetitions; ++i) starts.run(true, false, &cold);
+    for (int i = 0; i < std::max(repetitions / 5, 1); ++i) starts.run(true, true, &cold);
+    std::cout << fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene, both(warm.picture),
+                             both(warm.frame), both(cold.picture), both(cold.frame),
+                             both(cold.panel))
+              << std::flush;
+}
+
+}  // namespace
+}  // namespace glint::window
+
+int main(int argc, char** argv) {
+    const int repetitions = argc > 1 ? std::atoi(argv[1]) : 20;
+    std::vector<std::string> scenes(argv + std::min(argc, 2), argv + argc);
+    if (scenes.empty())
+        scenes = {"analytic", "boat", "caustics", "christmas", "deep_ocean",
+                  "magic",    "sea",  "terrain",  "water"};
+    std::cout << "| scene | warm: picture | warm: frame | cold: picture | cold: frame | "
+                 "cold: key to panel |\n| --- | --- | --- | --- | --- | --- |\n";
+    for (const std::string& scene : scenes) glint::window::measure(scene, repetitions);
+    return 0;
+}

@@ -1,0 +1,160 @@
+// What a compiler takes, and a reader would want to know.
+#include "glsl/finding.h"
+
+#include "glsl/loop_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace glint {
+namespace {
+
+// "shadowed-name at `b`: the text's end" for each finding.
+std::vector<std::string> found(std::string_view text,
+                               const std::unordered_map<std::string_view, double>& known = {}) {
+    const Reading reading = read_glsl(text, known_of_driver());
+    const std::vector<bool> all(reading.functions.size(), true);
+    std::vector<std::string> list;
+    auto findings = find_shadowed_names(reading, all);
+    std::ranges::copy(find_long_loops(reading, all, known), std::back_inserter(findings));
+    for (const Finding& one : findings) {
+        const auto line = std::count(text.begin(), text.begin() + static_cast<long>(one.at), '\n');
+        list.push_back(std::string(one.name) + " " + std::to_string(line + 1));
+    }
+    return list;
+}
+using List = std::vector<std::string>;
+
+TEST(ShadowedNames, OfLocalsParametersGlobalsAndFunctions) {
+    EXPECT_EQ(found("float g;\n"
+                    "float f(float a) { return a; }\n"
+                    "float h(float g) { return g; }\n"
+                    "void k(float a) {\n"
+                    "    { float a = 1.0; }\n"
+                    "    float b; for (int b = 0; b < 3; ++b) { }\n"
+                    "    float f = f(b);\n"
+                    "    for (int i = 0; i < 3; ++i)\n"
+                    "        for (int i = 0; i < 3; ++i) g = b;\n"
+                    "}\n"),
+              (List{"shadowed-name 3", "shadowed-name 5", "shadowed-name 6", "shadowed-name 7",
+                    "shadowed-name 9"}));
+}
+
+TEST(ShadowedNames, NotInScopesSideBySideNorOfMembersNorBeforeTheOther) {
+    EXPECT_EQ(found("struct S { float x, y; };\n"
+                    "float before(float later) { float x = later; return x; }\n"
+                    "float later;\n"
+                    "float f(vec2 x);\n"
+                    "float f(vec2 x) { { float t; } { float t; } float t; return t; }\n"
+                    "void g(S s) { for (int i = 0; i < 3; ++i) { float x = s.x; }\n"
+                    "    for (int i = 0; i < 3; ++i) { float x = s.x; }\n"
+                    "    if (s.x > 0.0) float y = 1.0; else float y = 2.0;\n"
+                    "    switch (1) { case 0: { int y; } case 1: { int y; } } int y; }\n"),
+              List{});
+}
+
+TEST(ShadowedNames, OfAFunctionThatGlslHas) {
+    EXPECT_EQ(found("float sinc(float x) { return sin(x) / x; }\n"
+                    "float mix(int a) { return 1.0; }\n"),
+              List{"shadowed-name 2"});
+}
+
+TEST(ShadowedNames, InAMacroStandAtItsUse) {
+    EXPECT_EQ(
+        found("#define TWICE { float t = 1.0; { float t = 2.0; } }\nvoid f() {\n  TWICE\n}\n"),
+        List{"shadowed-name 3"});
+}
+
+TEST(ReservedNames, AreToldOnce) {
+    const std::string text =
+        "float a__b;\nvoid f() { float __x = a__b, y_ = float(__LINE__), webgl_z; }\n";
+    const Reading reading = read_glsl(text, known_of_driver());
+    const auto findings = find_reserved_names(reading, {true});
+    ASSERT_EQ(findings.size(), 3u);
+    EXPECT_EQ(findings[0].at, text.find("a__b"));
+    EXPECT_EQ(findings[1].at, text.find("__x"));
+    EXPECT_EQ(findings[2].at, text.find("webgl_z"));
+    EXPECT_TRUE(find_reserved_names(reading, {false}).size() == 1);
+}
+
+struct Loop {
+    const char* text;
+    LoopBound::Kind kind;
+    double turns;
+};
+
+TEST(LoopBounds, AreReadFromTheHeadAndFromBreaks) {
+    using Kind = LoopBound::Kind;
+    const Loop loops[] = {
+        {"for (int i = 0; i < 10; ++i) ;", Kind::number, 10},
+        {"for (int i = 2; i <= 10; i += 2) ;", Kind::number, 5},
+        {"for (int i = 9; i >= 0; i--) ;", Kind::number, 10},
+        {"for (float t = 0.; t < 1.; t += .1) ;", Kind::number, 10},
+        {"for (int i; i++ < 1e2; ) ;", Kind::number, 100},
+        {"for (int i = 5; i --> 0; ) ;", Kind::number, 5},
+        {"for (int i = 0; kMany > i; i++) ;", Kind::number, 64},
+        {"for (int i = 0; i < kMany * 2 + 1; i++) ;", Kind::number, 129},
+        {"for (int i = 0; i < min(n, 7); i++) ;", Kind::number, 7},
+        {"for (int i = 0; i < steps; i++) ;", Kind::number, 48},
+        {"for (int i = 0; n > 3 && i < 9; i++) ;", Kind::number, 9},
+        {"int i; while (i < 20) { i += 2; }", Kind::number, 10},
+        {"do { } while (false);", Kind::number, 1},
+        {"int i; for (;;) { if (++i > 30) break; }", Kind::number, 31},
+        {"vec4 v; for (; v.w++ < 40.; ) ;", Kind::number, 40},
+        {"for (int i = 0; i < n; i++) ;", Kind::some, 0},
+        {"for (float t = 1.; t < 100.; t *= 2.) ;", Kind::some, 0},
+        {"for (float t = 0.; t < 9.; t += x) ;", Kind::some, 0},
+        {"for (int bits = n; bits != 0; bits &= bits - 1) ;", Kind::some, 0},
+        {"int i = 1; while (i < n) i = 2 * i + 1;", Kind::some, 0},
+        {"for (float t = 0.; t < 8.; ) t += clamp(x, .5, 9.);", Kind::number, 16},
+        {"for (float t = 0.; t < 8.; ) t += max(x, .5);", Kind::number, 16},
+        {"for (;;) ;", Kind::none, 0},
+        {"while (true) { if (x > 3.) break; }", Kind::none, 0},
+        {"float t; while (t < 20.) { t += sin(x); }", Kind::none, 0},
+        {"bool done; while (!done) done = x > 1.;", Kind::none, 0},
+        {"for (int i = 0; i < 9 || x > 1.; i++) ;", Kind::none, 0},
+    };
+    for (const Loop& loop : loops) {
+        SCOPED_TRACE(loop.text);
+        const std::string text =
+            "const int kMany = 64; uniform int steps;\nvoid f(int n, float x) { " +
+            std::string(loop.text) + " }\n";
+        const Reading reading = read_glsl(text, known_of_driver());
+        const Constants constants(reading, {{"steps", 48.0}});
+        for (std::uint32_t i = 0; i < reading.statements.size(); ++i) {
+            const StatementKind kind = reading.statements[i].kind;
+            if (kind != StatementKind::for_ && kind != StatementKind::while_ &&
+                kind != StatementKind::do_)
+                continue;
+            const LoopBound bound = loop_bound(reading, constants, i);
+            EXPECT_EQ(bound.kind, loop.kind);
+            if (bound.kind == loop.kind) {
+                EXPECT_EQ(bound.turns, loop.turns);
+            }
+        }
+    }
+}
+
+TEST(LongLoops, AreThoseWhoseTurnsTogetherPassTheBudget) {
+    EXPECT_EQ(found("void f() {\n"
+                    "    for (int i = 0; i < 65000; ++i) ;\n"
+                    "    for (int i = 0; i < 70000; ++i) ;\n"
+                    "    for (int i = 0; i < 300; ++i)\n"
+                    "        for (int j = 0; j < 300; ++j) ;\n"
+                    "}\n"
+                    "void g() { for (int i = 0; i < 300; ++i) ; }\n"
+                    "void h() {\n"
+                    "    for (int i = 0; i < 300; ++i) g();\n"
+                    "    for (int i = 0; i < 2; ++i) f();\n"
+                    "}\n"),
+              (List{"long-loop 3", "long-loop 4", "long-loop 9"}));
+    EXPECT_EQ(found("uniform int n;\nvoid f() { for (int i = 0; i < n; ++i) ; }\n", {{"n", 1e5}}),
+              List{"long-loop 2"});
+    EXPECT_EQ(found("void f() {\n for (;;) ;\n}\n"), List{"loop-without-bound 2"});
+    EXPECT_EQ(found("void f() { f(); for (int i = 0; i < 3; ++i) f(); }\n"), List{});
+}
+
+}  // namespace
+}  // namespace glint

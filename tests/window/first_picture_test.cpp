@@ -1,0 +1,161 @@
+// What a person sees before the first frame, at which resolution the scene moves, and what becomes
+// of it when nothing moves.
+#include "live.h"
+#include "media/image.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <set>
+
+namespace glint::window {
+namespace {
+
+// Tried for two seconds, and refused then.
+constexpr const char* kHang = R"(
+void mainImage(out vec4 c, in vec2 p) {
+    float a = p.x;
+    for (int i = 0; i < 1000000000; ++i) {
+        for (int k = 0; k < 8; ++k)
+            a = sin(a * 1.1 + exp(cos(a + float(k)))) + pow(abs(a), 0.3);
+        if (a > 100.0) break;
+    }
+    c = vec4(a);
+}
+)";
+
+// Green where it is drawn smaller than the window, red where it is not; far too slow for the
+// latter.
+constexpr const char* kSlow = R"(
+void mainImage(out vec4 c, in vec2 p) {
+    float x = p.x + iTime;
+    for (int i = 0; i < 600; ++i) x = sin(x + float(i));
+    c = vec4(vec3(iResolution.x < 1279.0 ? vec2(0, 1) : vec2(1, 0), x * 1e-6), 1);
+}
+)";
+
+class FirstPicture : public Window {
+protected:
+    // As for a person: nothing has been chosen.
+    void SetUp() override {
+        Window::SetUp();
+        fs::remove(memory_of_resolutions());
+    }
+    void leave() {
+        screen_->tap("Control_L+q");
+        EXPECT_EQ(glint_->wait().code, 0);
+    }
+    bool shows_green() const { return shows({0, 255, 0}, {3, 300}); }
+    bool shows_red() const { return shows({255, 0, 0}, {3, 300}); }
+    bool is_black(glm::ivec2 at) const { return screen_->pixel(at) == Colour{0, 0, 0}; }
+};
+
+TEST_F(FirstPicture, WhatWasSeenHereLastStandsUntilTheSceneDraws) {
+    open(flat({200, 30, 20}));
+    ASSERT_TRUE(shows({200, 30, 20}));
+    leave();
+    write(scene(), kHang);
+    start({scene().string()});
+    EXPECT_TRUE(shows({200, 30, 20}));
+    EXPECT_EQ(glint_->count("scene.frag: "), 0) << "it is still tried";
+}
+
+TEST_F(FirstPicture, WithoutOneTheGroundIsNotBlackAndStaysSoWhereNothingCanBeShown) {
+    write(scene(), kHang);
+    start({scene().string()});
+    ASSERT_TRUE(eventually([&] { return !is_black({300, 300}); }));
+    while (glint_->count("not shown") == 0 && glint_->runs()) {
+        ASSERT_FALSE(is_black({300, 300})) << glint_->errors();
+        settle();
+    }
+    settle();
+    EXPECT_FALSE(is_black({300, 300}));
+}
+
+// The panels answer while the other process is at work.
+TEST_F(FirstPicture, PanelsObeyWhileItIsCompiled) {
+    write(scene(), kHang);
+    start({scene().string()});
+    const Colour kPanel = {24, 26, 29};
+    const auto bar = [&] {
+        const Colour at = screen_->pixel({1000, 709});
+        return std::abs(at.r - kPanel.r) + std::abs(at.b - kPanel.b) < 20;
+    };
+    ASSERT_TRUE(eventually(bar));
+    screen_->tap("Control_L+b");
+    EXPECT_TRUE(eventually([&] { return !bar(); }));
+    EXPECT_EQ(glint_->count("scene.frag: "), 0) << "it is still tried";
+}
+
+TEST_F(FirstPicture, ASlowSceneIsSmallerFromItsFirstFrameOnAndAStillOfItIsNot) {
+    open(kSlow);
+    EXPECT_TRUE(shows_green());
+    screen_->tap("F12");
+    const fs::path still = folder_->path() / "scene-0001.png";
+    ASSERT_TRUE(eventually([&] { return fs::exists(still); }));
+    const Image image = read_image(still);
+    EXPECT_EQ(image.size, glm::ivec2(1280, 720));
+    EXPECT_EQ(std::to_integer<int>(image.pixels[0]), 255) << "red: drawn at the full size";
+}
+
+TEST_F(FirstPicture, TheWordsInTheTransportBarChooseTheFullSizeWhichIsRemembered) {
+    open(kSlow);
+    ASSERT_TRUE(shows_green());
+    screen_->click({950, 692});  // "held at 38 %"
+    EXPECT_TRUE(shows_red());
+    leave();
+    EXPECT_EQ(read(memory_of_resolutions()).substr(0, 5), "full ");
+    start({scene().string()});
+    ASSERT_TRUE(glint_->says(": shown"));
+    EXPECT_TRUE(shows_red());
+}
+
+// Blue where the size was ever another one.
+TEST_F(FirstPicture, BuffersOfThePicturesSizeKeepThatOfTheFirstFrame) {
+    open(R"(
+uniform sampler2D memory; //@ pass mainMemory
+void mainMemory(out vec4 c, in vec2 p) {
+    vec4 before = texelFetch(memory, ivec2(0), 0);
+    c = vec4(iResolution.xy, before.z, iFrame);
+    if (before.w > 0.0 && before.xy != iResolution.xy) c.z = 1.0;
+}
+void mainImage(out vec4 c, in vec2 p) {
+    float x = p.x + iTime;
+    for (int i = 0; i < 600; ++i) x = sin(x + float(i));
+    vec4 seen = texelFetch(memory, ivec2(0), 0);
+    c = vec4(vec3(0, iResolution.x < 1279.0 && seen.w > 30.0 ? 1 : 0, seen.z) + x * 1e-6, 1);
+}
+)");
+    EXPECT_TRUE(shows_green());
+}
+
+TEST_F(FirstPicture, APausedPictureBecomesTheStillOf64SamplesAndThenCostsNothing) {
+    open(R"(
+void mainImage(out vec4 c, in vec2 p) {
+    vec2 q = p * mat2(0.9, 0.3, -0.3, 0.9);
+    c = vec4(step(length(fract(q / 23.0) - 0.5), 0.3), fract(p / 97.0), iTime > 1e9 ? 1 : 0);
+}
+)");
+    screen_->tap("Control_L+space");
+    screen_->tap("Tab");
+    const Image wanted = read_image(still({"--size", "1280x720", "--samples", "64"}));
+    const auto largest_difference = [&] {
+        int largest = 0;
+        const auto seen = screen_->picture({0, 0}, {1280, 640});  // below stand words
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            const std::size_t flipped = (719 - i / 1280) * 1280 + i % 1280;  // rows run bottom up
+            for (std::size_t c = 0; c < 3; ++c)
+                largest = std::max(largest,
+                                   std::abs(std::to_integer<int>(wanted.pixels[flipped * 3 + c]) -
+                                            static_cast<int>(seen[i] >> (16 - 8 * c) & 255u)));
+        }
+        return largest;
+    };
+    // The samples are added in another order: the last digits of the sums.
+    EXPECT_TRUE(eventually([&] { return largest_difference() <= 1; })) << largest_difference();
+    EXPECT_TRUE(eventually([&] { return glint_->children().size() == 1; }))
+        << "the process that refines has ended, the one that tries waits";
+}
+
+}  // namespace
+}  // namespace glint::window
