@@ -133,6 +133,12 @@ LinkedProgram make_program(const std::string& fragment_text) {
     return result;
 }
 
+std::string complaints_of(const std::string& fragment_text) {
+    std::string log;
+    const Shader fragment{make_shader(GL_FRAGMENT_SHADER, fragment_text, log)};
+    return log;
+}
+
 void draw_triangle() {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

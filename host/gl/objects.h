@@ -67,6 +67,9 @@ struct LinkedProgram {
 };
 LinkedProgram make_program(const std::string& fragment_text);
 
+// What the driver says of such a text alone, without linking it.
+std::string complaints_of(const std::string& fragment_text);
+
 // Draws the triangle that covers the viewport; needs a vertex array and a program bound.
 void draw_triangle();
 

@@ -37,7 +37,7 @@ PassReads reads_of(const Preset& preset, const PassProgram& program) {
 
 CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
                             const std::function<void(std::size_t pass)>& before_pass,
-                            const GiveUp& give_up) {
+                            const GiveUp& give_up, ProgramShelf* shelf) {
     CompileResult result;
     std::vector<PassProgram> programs;
     std::vector<PassReads> reads;
@@ -46,7 +46,7 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
         if (before_pass) before_pass(wanted[next]);
         std::optional<CompileWatch> watch;
         if (give_up) watch.emplace(give_up, preset, wanted[next]);
-        CompiledPass compiled = compile_pass(preset, wanted[next], options.program);
+        CompiledPass compiled = compile_pass(preset, wanted[next], options.program, shelf);
         watch.reset();
         append_once(result.diagnostics, compiled.diagnostics);
         if (!compiled.program) return result;
@@ -71,6 +71,12 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
     scene.give_up = give_up;
     scene.graph = build_graph(preset.scene.passes, std::move(reads));
     return result;
+}
+
+std::vector<GLuint> ids_of(const CompiledScene& scene) {
+    std::vector<GLuint> ids;
+    for (const PassProgram& program : scene.programs) ids.push_back(program.id);
+    return ids;
 }
 
 }  // namespace glint

@@ -33,6 +33,9 @@ struct CompileResult {
 // driver would never finish.
 CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
                             const std::function<void(std::size_t pass)>& before_pass = nullptr,
-                            const GiveUp& give_up = nullptr);
+                            const GiveUp& give_up = nullptr, ProgramShelf* shelf = nullptr);
+
+// Those of its programs.
+std::vector<GLuint> ids_of(const CompiledScene& scene);
 
 }  // namespace glint

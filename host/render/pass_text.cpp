@@ -1,6 +1,8 @@
 #include "render/pass_text.h"
 
 #include "glsl/division.h"
+#include "glsl/lean.h"
+#include "glsl/numbers.h"
 #include "render/own_overloads.h"
 #include "scene/scene_text.h"
 
@@ -306,6 +308,22 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     return text + own_overloads(reading);
 }
 
+// Says whether the text is to lose its comments, too.
+bool leave_out(const Reading& reading, std::string_view entry, const ProgramOptions& options,
+               Edits& edits, PassText& result) {
+    if (!options.lean && !options.feed) return false;
+    const bool is_lean = options.lean && can_be_lean(reading);
+    const std::vector<bool> reached = reading.reached_from({entry});
+    if (is_lean) leave_out_functions(reading, reached, edits);
+    if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, edits);
+    return is_lean;
+}
+
+std::string numbers_uniform(const std::vector<float>& numbers) {
+    if (numbers.empty()) return {};
+    return fmt::format("uniform vec4 {}[{}];\n", kNumbers, (numbers.size() + 3) / 4);
+}
+
 }  // namespace
 
 std::optional<std::size_t> PassText::origin(std::size_t at) const {
@@ -336,8 +354,10 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
 
     PassText result;
+    const bool is_lean = leave_out(reading, entry_of(scene, pass), options, edits, result);
     result.unset = write_zeros(reading, edits, entry, options.marked);
     result.text = prologue(preset, pass, options, reading, defined);
+    result.text += numbers_uniform(result.numbers);
     if (plain_main) result.text += kBeforePlainMain;
     result.user_begin = result.text.size();
     EditedText edited = edits.apply();
@@ -346,6 +366,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.map = std::move(edited.map);
     if (!result.text.ends_with('\n')) result.text += '\n';
     if (plain_main) result.text += kBehindPlainMain;
+    if (is_lean) result.text = without_comments(result.text);
     return result;
 }
 

@@ -17,6 +17,11 @@ struct ProgramOptions {
     bool average = false;  // the picture in linear light at a sub-pixel position, to be added up
     bool tiles = false;    // the picture is drawn in tiles, each at an origin of its own
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
+    // Without the functions that the pass does not reach, comments and blank lines: an edit of
+    // these leaves the text as it is. It has no way back to the scene's text, so that what is wrong
+    // with it is told by one that is not lean.
+    bool lean = false;
+    bool feed = false;  // without `specialise`: numbers come from outside too (glsl/numbers.h)
     // What is unset in these bytes of Scene::text gets values that show, in place of 0.
     std::optional<Span> marked{};
 };
@@ -25,12 +30,16 @@ struct ProgramOptions {
 // its line ends are kept.
 EditedText specialised_text(const Preset& preset);
 
+// The uniform of vec4s that numbers are fed by.
+inline constexpr const char* kNumbers = "glint_numbers";
+
 // The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {
     std::string text;
     std::size_t user_begin = 0, user_end = 0;  // bytes of it that are the user's
     EditMap map;                               // from these to Scene::text
     std::vector<Unset> unset;                  // of Scene::text
+    std::vector<float> numbers;                // of kNumbers, where they are fed
 
     // The byte of Scene::text that one of these stands for; nothing for the host's own text.
     std::optional<std::size_t> origin(std::size_t at) const;

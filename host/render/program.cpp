@@ -93,7 +93,8 @@ SamplerKind sampler_kind(GLenum type) {
 
 // Asks the linked program what it really reads, and gives every sampler its texture unit.
 void find_uniforms(const Preset& preset, PassProgram& pass) {
-    const GLuint program = pass.program.id();
+    const GLuint program = pass.id;
+    pass.numbers_location = glGetUniformLocation(program, kNumbers);
     GLint count = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
     for (GLint i = 0; i < count; ++i) {
@@ -166,24 +167,46 @@ Diagnostics empty_channels(const Preset& preset, const PassProgram& program) {
 
 }  // namespace
 
-CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
-    const PassText source = pass_text(preset, pass, options);
-    LinkedProgram linked = make_program(source.text);
+GLuint ProgramShelf::find(const std::string& text) const {
+    const auto found = programs_.find(text);
+    return found == programs_.end() ? 0 : found->second.id();
+}
+
+GLuint ProgramShelf::add(const std::string& text, Program program) {
+    return (programs_[text] = std::move(program)).id();
+}
+
+void ProgramShelf::keep_only(const std::vector<GLuint>& ids) {
+    std::erase_if(programs_, [&](const auto& entry) {
+        return std::ranges::find(ids, entry.second.id()) == ids.end();
+    });
+}
+
+CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
+                          ProgramShelf* shelf, bool* was_kept) {
+    PassText source = pass_text(preset, pass, options);
     CompiledPass result;
-    result.diagnostics = read_driver_log(preset.scene, linked.log, source);
-    if (!linked.program) {
-        if (!has_errors(result.diagnostics)) {
+    PassProgram program;
+    program.pass = pass;
+    program.id = shelf ? shelf->find(source.text) : 0;
+    if (was_kept) *was_kept = program.id != 0;
+    if (program.id == 0) {
+        LinkedProgram linked = make_program(source.text);
+        result.diagnostics = read_driver_log(preset.scene, linked.log, source);
+        if (!linked.program && !has_errors(result.diagnostics)) {
             result.diagnostics.push_back(
                 link_diagnostic(preset.scene, "the driver refused the shader without a word"));
         }
-        return result;
+        if (!linked.program) return result;
+        program.id = linked.program.id();
+        if (shelf)
+            shelf->add(source.text, std::move(linked.program));
+        else
+            program.own = std::move(linked.program);
     }
-    result.program.emplace(PassProgram{.pass = pass,
-                                       .program = std::move(linked.program),
-                                       .builtins = {},
-                                       .tweaks = {},
-                                       .samplers = {},
-                                       .unfilled = {}});
+    program.numbers = std::move(source.numbers);
+    program.numbers.resize((program.numbers.size() + 3) / 4 * 4);
+    result.program = std::move(program);
     find_uniforms(preset, *result.program);
     append_once(result.diagnostics, empty_channels(preset, *result.program));
     return result;

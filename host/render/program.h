@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace glint {
@@ -57,11 +58,29 @@ struct UnfilledSampler {
 
 struct PassProgram {
     std::size_t pass = kImagePass;
-    Program program;
+    Program own;    // unless a shelf owns it
+    GLuint id = 0;  // of the program
     std::vector<BuiltinUniform> builtins;
     std::vector<TweakUniform> tweaks;
     std::vector<SamplerUniform> samplers;
     std::vector<UnfilledSampler> unfilled;
+    std::vector<float> numbers;  // of kNumbers, four to an element
+    GLint numbers_location = -1;
+};
+
+// Linked programs by their texts: what an edit leaves as it was is not compiled again. It outlives
+// the scenes and renderers that take programs from it; of two renderers one draws at a time.
+class ProgramShelf {
+public:
+    // 0 where there is none.
+    GLuint find(const std::string& text) const;
+    GLuint add(const std::string& text, Program program);
+    // All others go.
+    void keep_only(const std::vector<GLuint>& ids);
+    std::size_t size() const { return programs_.size(); }
+
+private:
+    std::unordered_map<std::string, Program> programs_;
 };
 
 // The samplers of iChannel0..3 about which the pass asks: their sizes or times.
@@ -71,6 +90,9 @@ struct CompiledPass {
     std::optional<PassProgram> program;  // empty when there are errors
     Diagnostics diagnostics;             // with places in the user's text
 };
-CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options);
+// Programs that compile without a word are taken from the shelf, where there is one, and added to
+// it. `was_kept` says whether it was there.
+CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
+                          ProgramShelf* shelf = nullptr, bool* was_kept = nullptr);
 
 }  // namespace glint

@@ -1,8 +1,10 @@
 #include "render/renderer.h"
 
+#include "gl/context.h"
 #include "render/room.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -23,6 +25,24 @@ long steps_elapsed(double time, Step step) {
 
 constexpr double kStripSeconds = 0.1;
 
+// llvmpipe makes two machine codes of a pass that writes its pixels plainly, one of them for tiles
+// that the triangle covers whole, and takes twice as long; of one with a logical operation it makes
+// the other one alone. "Copy" writes the same pixels, and means nothing where they are floats.
+class PlainDraw {
+public:
+    PlainDraw() {
+        if (is_wanted_) glEnable(GL_COLOR_LOGIC_OP);  // GL_COPY
+    }
+    ~PlainDraw() {
+        if (is_wanted_) glDisable(GL_COLOR_LOGIC_OP);
+    }
+    PlainDraw(const PlainDraw&) = delete;
+    PlainDraw& operator=(const PlainDraw&) = delete;
+
+private:
+    const bool is_wanted_ = draws_in_software() && glIsEnabled(GL_BLEND) == GL_FALSE;
+};
+
 }  // namespace
 
 Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options)
@@ -42,12 +62,9 @@ Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOption
     if (options.samples > 1) wanted.push_back(sum);
     require_memory(wanted);
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
-        const PassProgram& program = scene_.programs[i];
         buffers_.push_back(std::make_unique<Buffer>(wanted[i].shape));
         require_room(*buffers_.back(), wanted[i].name);
-        drawn_[i].builtins.resize(program.builtins.size());
-        drawn_[i].tweaks.resize(program.tweaks.size());
-        drawn_[i].versions.resize(program.samplers.size());
+        forget_drawn(i);
     }
     if (options.samples > 1) {
         average_ = std::make_unique<Average>(sum.shape.size);
@@ -344,7 +361,7 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
 
     const bool root = index == scene_.root;
     const bool averaged = root && average_;
-    glUseProgram(program.program.id());
+    glUseProgram(program.id);
     bind_samplers(program);
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
@@ -378,6 +395,7 @@ void Renderer::draw_calls(std::size_t index, GLuint target) {
 // Drivers finish compiling inside the first draw call. What was drawn before is handed over first,
 // so that it is not counted; buffers take their memory when they are drawn.
 void Renderer::draw_once(std::size_t index) {
+    const PlainDraw plain;
     if (drawn_[index].compiled || !scene_.give_up) return draw_triangle();
     drawn_[index].compiled = true;
     std::size_t pixels = 0;
@@ -507,6 +525,39 @@ glm::vec4 Renderer::read_pixel(std::size_t graph_index, std::size_t output,
     return value;
 }
 
+// Everything is sent and drawn again.
+void Renderer::forget_drawn(std::size_t index) {
+    const PassProgram& program = scene_.programs[index];
+    Drawn& drawn = drawn_[index];
+    drawn.ever = drawn.is_fed = false;
+    drawn.builtins.assign(program.builtins.size(), {});
+    drawn.tweaks.assign(program.tweaks.size(), {});
+    drawn.versions.assign(program.samplers.size(), {});
+}
+
+void Renderer::warm_up(const PassProgram& program) {
+    const auto& passes = scene_.graph.passes;
+    const auto is_here = [&](std::size_t pass) {
+        return std::ranges::find(passes, pass, &GraphPass::pass) != passes.end();
+    };
+    const bool reads_others = std::ranges::any_of(program.samplers, [&](const auto& uniform) {
+        const Sampler& sampler = sampler_at(preset_, uniform.sampler);
+        return sampler.source == Source::buffer && !is_here(sampler.pass);
+    });
+    if (reads_others || !is_here(program.pass)) return;
+    BufferShape shape = buffers_[graph_index(program.pass)]->shape();
+    shape.size = glm::min(shape.size, glm::ivec2(4));
+    shape.feedback = shape.mipmaps = false;
+    Buffer nobodys(shape);
+    glBindVertexArray(vertex_array_.id());
+    glUseProgram(program.id);
+    bind_samplers(program);
+    glBindFramebuffer(GL_FRAMEBUFFER, nobodys.target());
+    glViewport(0, 0, shape.size.x, shape.size.y);
+    const PlainDraw plain;
+    draw_triangle();
+}
+
 void Renderer::adopt(Renderer& previous) {
     options_.size = previous.options_.size;
     channels_.adopt(previous.channels_);
@@ -517,7 +568,7 @@ void Renderer::adopt(Renderer& previous) {
         parked_[name] = {std::move(previous.buffers_[i]), previous.steps_done_[i]};
     }
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        drawn_[i].ever = false;
+        forget_drawn(i);  // the other one may have fed the same programs
         const BufferShape shape = wanted_shape(i);
         const auto kept = parked_.find(pass_name(preset_.scene, scene_.programs[i].pass));
         if (kept != parked_.end() && kept->second.buffer->shape() == shape) {

@@ -113,6 +113,14 @@ public:
     // one that does. `previous` may draw again only after it has adopted them back.
     void adopt(Renderer& previous);
 
+    // What it drew, for another one: nothing is drawn here any more.
+    CompiledScene take_scene() { return std::move(scene_); }
+    const CompiledScene& scene() const { return scene_; }
+
+    // Draws a few pixels for nobody with a program for the same preset, reading what it would read:
+    // drivers finish compiling inside the first draw.
+    void warm_up(const PassProgram& program);
+
     // One output of any pass as RGBA floats, rows bottom up. Waits for the GPU.
     std::vector<float> read_buffer(std::size_t graph_index, std::size_t output) const;
 
@@ -152,6 +160,7 @@ private:
     struct Drawn {
         bool ever = false;
         bool compiled = false;  // to the last: its first draw has been called
+        bool is_fed = false;    // with its numbers
         std::vector<std::optional<Value>> builtins;
         std::vector<std::optional<TweakValue>> tweaks;
         std::vector<std::optional<std::size_t>> versions;
@@ -170,6 +179,7 @@ private:
     void draw_calls(std::size_t index, GLuint target);
     void draw_strips(std::size_t index, glm::ivec2 size);
     void draw_once(std::size_t index);
+    void forget_drawn(std::size_t index);
     glm::ivec2 drawn_size(std::size_t index) const;
     bool is_tile(std::size_t index) const;
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;

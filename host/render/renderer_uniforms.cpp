@@ -88,8 +88,12 @@ void send(GLuint program, GLint location, TweakType type, const TweakValue& valu
 // sub-pixel position counts; the face of a cube does not, since all faces are drawn together.
 bool Renderer::update_uniforms(std::size_t index, const Inputs& inputs) {
     const PassProgram& pass = scene_.programs[index];
-    const GLuint program = pass.program.id();
+    const GLuint program = pass.id;
     bool changed = false;
+    if (!drawn_[index].is_fed && pass.numbers_location >= 0)
+        glProgramUniform4fv(program, pass.numbers_location,
+                            static_cast<GLsizei>(pass.numbers.size() / 4), pass.numbers.data());
+    drawn_[index].is_fed = true;
     for (std::size_t i = 0; i < pass.builtins.size(); ++i) {
         const BuiltinUniform& uniform = pass.builtins[i];
         const Value value = value_of(uniform, index, inputs);

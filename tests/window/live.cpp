@@ -99,7 +99,8 @@ std::string flat(const Colour& colour) {
 Glint::Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments,
              const Environment& environment)
     : errors_(folder / "stderr.txt") {
-    arguments.insert(arguments.begin(), GLINT_BINARY);
+    const char* benched = std::getenv("GLINT_BENCHED");  // another build, to compare with
+    arguments.insert(arguments.begin(), benched ? benched : GLINT_BINARY);
     process_ = ::fork();
     if (process_ < 0) throw std::runtime_error("no process");
     if (process_ == 0) become(display, folder, errors_, std::move(arguments), environment);

@@ -130,6 +130,34 @@ TEST_F(Reload, EveryWayOfSavingEndsOnTheScreen) {
     }
 }
 
+// Some are fed to programs that are at hand, some are compiled, and these take over meanwhile.
+TEST_F(Reload, NumbersAndLinesMayChangeInAnyOrderAndTheStateIsKept) {
+    const auto text = [](int grey, int lines) {
+        std::string all =
+            "uniform float level; //@ 0.25 [0, 1]\n"
+            "uniform sampler2D age; //@ pass mainAge size=1x1\n"
+            "void mainAge(out vec4 c, in vec2 p) { c = texture(age, vec2(0.5)) + 1.0; }\n"
+            "void mainImage(out vec4 c, in vec2 p) {\n";
+        all += fmt::format("    c = vec4(vec3({:.6f}), 1);\n", grey / 255.0);
+        for (int i = 0; i < lines; ++i) all += "    c.r += level * 0.0;\n";
+        return all + "    if (texture(age, vec2(0.5)).x < 2.5) c = vec4(1, 0, 0, 1);\n}\n";
+    };
+    open(text(20, 0));
+    ASSERT_TRUE(shows({20, 20, 20}, kMargin));
+    for (int i = 1; i <= 12; ++i) {
+        // Now and then there is time to make everything ready, or half of it.
+        std::this_thread::sleep_for(i % 4 == 0 ? 1500ms : i % 3 == 0 ? 500ms : 20ms);
+        const int grey = 20 + 10 * i;
+        write(scene(), text(grey, i / 3));
+        EXPECT_TRUE(eventually([&] {
+            const Colour now = screen_->pixel(kMargin);
+            EXPECT_EQ(now.r, now.g) << "red: it began again";
+            return now == Colour{grey, grey, grey};
+        })) << "save "
+            << i << shown_instead();
+    }
+}
+
 TEST_F(Reload, TheLastGoodPictureStaysUnderAnErrorAndGoesOnAfterwards) {
     open(text_of({10, 200, 30}));
     write(scene(), "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1, 0, 0, 1)\n}\n");

@@ -79,11 +79,9 @@ TEST_P(Tweaks, TheMouseMovesItAReloadKeepsItUndoTakesItBack) {
     EXPECT_EQ(margin(), moved);
 
     screen_->tap("Control_L+z");
-    settle();
-    EXPECT_EQ(margin(), before);
+    EXPECT_TRUE(eventually([&] { return margin() == before; }));
     screen_->tap("Control_L+Shift_L+z");
-    settle();
-    EXPECT_EQ(margin(), moved);
+    EXPECT_TRUE(eventually([&] { return margin() == moved; }));
 
     // With the constants written in, and in a new program without the tweak, it is the same.
     std::this_thread::sleep_for(1s);

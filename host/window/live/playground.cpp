@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -65,6 +67,7 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       size_(size),
       full_size_(size),
       trial_({.device = options.device}),
+      standby_(options.device),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
       inputs_(texture_limits()),
@@ -73,39 +76,96 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
 Playground::~Playground() = default;
 
 ReloadSteps Playground::reload_steps() {
-    return {.read =
-                [this](const std::filesystem::path& file) {
-                    ReadPreset read = read_preset(file);
-                    if (read.preset) lay_fills_over(*read.preset);
-                    return read;
-                },
-            .watch =
-                [this](const ReadPreset& read) {
-                    const Preset* preset = read.preset ? &*read.preset : preset_.get();
-                    watcher_.set_files(watched_files(read.files, preset));
-                },
-            .start_trial =
-                [this](const Preset& preset, Programs programs) {
-                    const bool specialise = programs == Programs::constants;
-                    trial_.start({.preset = preset,
-                                  .compile = {.program = {.specialise = specialise}},
-                                  .size = full_size_,
-                                  .time = transport_.time(),
-                                  .images = {}});
-                },
-            .trial = [this]() -> const Verdict& { return trial_.poll(); },
-            .put_in_place = [this](const Preset& preset,
-                                   Programs programs) { return put_in_place(preset, programs); }};
+    return {
+        .read =
+            [this](const std::filesystem::path& file) {
+                ReadPreset read = read_preset(file);
+                if (read.preset) lay_fills_over(*read.preset);
+                return read;
+            },
+        .watch =
+            [this](const ReadPreset& read) {
+                const Preset* preset = read.preset ? &*read.preset : preset_.get();
+                watcher_.set_files(watched_files(read.files, preset));
+            },
+        .has_uniforms = [this](const Preset& text) { return standby_.draws(text, shelf_); },
+        .start_trial = [this](const Preset& preset, Programs programs,
+                              bool is_text) { start_trial(preset, programs, is_text); },
+        .trial = [this]() -> const Verdict& { return follow_trial(); },
+        .put_in_place = [this](const Preset& preset, Programs programs,
+                               bool is_text) { return put_in_place(preset, programs, is_text); }};
+}
+
+ProgramOptions Playground::program_options(Programs programs) const {
+    if (programs != Programs::constants && options_.specialise) return standby_.program_options();
+    return {.specialise = programs == Programs::constants, .lean = true};
+}
+
+// The values that a text would be drawn with: those that a person has set stay.
+TweakValues Playground::tweaks_with(const Preset& text) const {
+    const Preset* written = reloader_.as_written();
+    if (!written) {
+        TweakValues next(text.scene.tweaks, text.values);
+        next.set_locks(text.locked);
+        return next;
+    }
+    TweakValues next = tweaks;
+    next.rebase(text.scene.tweaks, text.values);
+    apply_saved_changes(*written, text, next);
+    return next;
+}
+
+void Playground::start_trial(const Preset& candidate, Programs programs, bool is_text) {
+    tried_ = std::make_unique<Preset>(candidate);
+    if (is_text) tried_->values = tweaks_with(candidate).values();
+    tried_is_text_ = is_text;
+    tried_is_loaded_ = false;
+    tried_by_standby_ = programs != Programs::constants && options_.specialise;
+    loader_.stop();
+    Trial& trial = tried_by_standby_ ? standby_.trial() : trial_;
+    trial.start({.preset = *tried_,
+                 .compile = {.program = program_options(programs)},
+                 .size = full_size_,
+                 .time = transport_.time(),
+                 .images = {},
+                 .is_text = is_text});
+}
+
+// What has passed there is taken up here, pass by pass, before anybody hears of it. Standby's
+// programs are here.
+const Verdict& Playground::follow_trial() {
+    static const Verdict running{.state = TrialState::running, .passes = {}, .diagnostics = {}};
+    trial_.poll();
+    const Verdict& verdict = (tried_by_standby_ ? standby_.trial() : trial_).poll();
+    if (!reloader_.is_trying() || verdict.state != TrialState::passed || tried_by_standby_)
+        return verdict;
+    if (!std::exchange(tried_is_loaded_, true)) {
+        std::vector<std::string> passes;
+        double compile_ms = 0.0;
+        for (const PassTrial& pass : verdict.passes) {
+            passes.push_back(pass.name);
+            compile_ms += pass.first_ms;
+        }
+        longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms);
+        const auto programs =
+            options_.specialise ? Programs::constants : Programs::uniforms_for_good;
+        loader_.start(*tried_, program_options(programs), std::move(passes));
+    }
+    if (!loader_.is_loading()) return verdict;
+    loader_.step(shelf_, tried_is_text_ ? nullptr : renderer_.get());
+    return running;
 }
 
 void Playground::open(const std::filesystem::path& file) {
     fills_ = {};
+    longest_compile_ms_ = 0.0;
     watcher_.about_to_read();
     reloader_.open(file);
 }
 
 std::vector<int> Playground::descriptors() const {
-    return {watcher_.descriptor(), trial_.descriptor(), inputs_.descriptor()};
+    return {watcher_.descriptor(), trial_.descriptor(), standby_.descriptor(),
+            inputs_.descriptor()};
 }
 
 bool Playground::update() {
@@ -114,6 +174,10 @@ bool Playground::update() {
     notice_saves();
     if (reloader_.follow()) load_missing_inputs();
     follow_inputs();
+    prepare_uniforms();
+    // The tweaks may have moved while constants were compiled, or before there was anything else.
+    const bool may_follow = is_specialised() || standby_.has_scene();
+    if (constants_ && *constants_ != tweaks.values() && may_follow) leave_constants();
     specialise_at_rest();
     return reports != report_count() || was_loading != is_loading() || touched_;
 }
@@ -127,10 +191,10 @@ void Playground::notice_saves() {
     reload_inputs(changed);
 }
 
-std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset, Programs programs,
-                                                    Diagnostics& why_not) const {
-    const bool specialise = programs == Programs::constants;
-    CompileResult compiled = compile_scene(preset, {.program = {.specialise = specialise}});
+std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset,
+                                                    const ProgramOptions& options,
+                                                    Diagnostics& why_not) {
+    CompileResult compiled = compile_scene(preset, {.program = options}, nullptr, nullptr, &shelf_);
     if (!compiled.scene) {
         why_not = std::move(compiled.diagnostics);
         return nullptr;
@@ -141,23 +205,17 @@ std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset, Progra
 }
 
 // In one step, or all is left as it was.
-Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs) {
-    const bool is_text = programs == Programs::uniforms;
+Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs, bool is_text) {
+    const bool is_constant = programs == Programs::constants;
     const Preset* written = reloader_.as_written();
     auto preset = std::make_unique<Preset>(candidate);
-    TweakValues next = tweaks;
-    if (is_text && !written) {
-        next = TweakValues(preset->scene.tweaks, preset->values);
-        next.set_locks(preset->locked);
-    } else if (is_text) {
-        next.rebase(preset->scene.tweaks, preset->values);
-        apply_saved_changes(*written, candidate, next);
-    }
-    preset->values = next.values();  // for the compiler and the renderer alone
+    TweakValues next = is_text ? tweaks_with(candidate) : tweaks;
+    // For the compiler and the renderer alone. A tweak that moved since is followed at once.
+    preset->values = is_constant ? tried_->values : next.values();
     std::unique_ptr<Renderer> renderer;
     try {
         Diagnostics why_not;
-        renderer = make_renderer(*preset, programs, why_not);
+        renderer = make_renderer(*preset, program_options(programs), why_not);
         if (!renderer) return why_not;
         const bool same_file = preset_ && written;
         if (renderer_ && (same_file || !is_text)) renderer->adopt(*renderer_);
@@ -171,11 +229,17 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
         if (renderer && renderer_) renderer_->adopt(*renderer);
         return {{.place = {.file = reloader_.file().string()}, .text = error.what()}};
     }
+    touched_ |= constants_ && *constants_ != preset->values;
+    keep_what_was_drawn(programs, is_text);
     renderer_ = std::move(renderer);
     preset_ = std::move(preset);
+    constants_.reset();
+    if (is_constant) constants_ = std::move(preset_->values);
     preset_->values.clear();
     tweaks = std::move(next);
     forget_states();
+    if (!is_text && standby_.is_ready()) tidy_shelf();
+    if (!is_text && !renderer_->inputs_needed().empty()) load_missing_inputs();
     if (!is_text) return {};  // the picture is the same; nothing asks for a frame
     for (std::size_t i = 0; i < fills_.size(); ++i)
         fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
@@ -194,6 +258,26 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs)
     return {};
 }
 
+// Fed programs of the shown text stay at hand, whichever are drawn.
+void Playground::keep_what_was_drawn(Programs programs, bool is_text) {
+    const bool was_fed = renderer_ && !constants_;
+    if (!is_text) {
+        if (was_fed && standby_.is_ready()) standby_.give_back(renderer_->take_scene());
+        return;
+    }
+    ++text_;
+    if (programs == Programs::constants) return standby_.stop();
+    standby_.forget_scene();
+    prepared_text_ = text_;
+}
+
+// Programs that are neither drawn nor at hand.
+void Playground::tidy_shelf() {
+    std::vector<GLuint> ids = ids_of(renderer_->scene());
+    std::ranges::copy(standby_.ids(), std::back_inserter(ids));
+    shelf_.keep_only(ids);
+}
+
 void Playground::tweaks_changed() {
     if (!preset_) return;
     forget_states();
@@ -201,24 +285,51 @@ void Playground::tweaks_changed() {
     since_tweak_.restart();
     touched_ = true;
     reloader_.tweaks_moved();
-    if (is_specialised()) use_uniforms();
+    leave_constants();
 }
 
-void Playground::use_uniforms() {
-    Diagnostics why_not;
-    auto renderer = make_renderer(*preset_, Programs::uniforms, why_not);
-    for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
-    if (!renderer) return;
+// Draws fed programs, where these are at hand. Else the picture waits for them, or for the
+// constants of the new values.
+void Playground::leave_constants() {
+    if (!constants_) return;
+    reloader_.uses_uniforms();
+    std::optional<CompiledScene> scene = standby_.take();
+    // Small texts are compiled here, and all where there is no other process.
+    constexpr double kSmall = 60.0;  // ms
+    if (!scene && (standby_.is_refused() || longest_compile_ms_ < kSmall))
+        scene = compile_scene(*preset_, {.program = {.specialise = false, .lean = true}}).scene;
+    if (!scene) return;
+    auto renderer = std::make_unique<Renderer>(
+        *preset_, std::move(*scene),
+        RenderOptions{.size = size_, .picture_format = picture_format()});
     renderer->set_values(tweaks.values());
     renderer->adopt(*renderer_);
     renderer_ = std::move(renderer);
     forget_states();
-    reloader_.uses_uniforms();
+    constants_.reset();
+    touched_ = true;
+    load_missing_inputs();  // constants may have had no use for some
+}
+
+// When there is nothing else to do: the picture comes first.
+void Playground::prepare_uniforms() {
+    if (!renderer_ || !options_.specialise) return;
+    const bool was_ready = standby_.is_ready();
+    standby_.follow(shelf_, *renderer_);
+    if (!was_ready && standby_.is_ready()) tidy_shelf();
+    const bool is_quiet =
+        reloader_.state() == ReloadState::idle && !reloader_.has_unseen() && !awaits_inputs();
+    if (!is_quiet || prepared_text_ == text_) return;
+    prepared_text_ = text_;
+    standby_.prepare(current_preset(), full_size_, transport_.time());
 }
 
 void Playground::specialise_at_rest() {
-    if (!renderer_ || tweaks.is_open() || !reloader_.wants_constants()) return;
-    if (since_tweak_.ms() < options_.rest_seconds * 1000.0) return;
+    if (!renderer_ || !reloader_.wants_constants() || (tweaks.is_open() && !constants_)) return;
+    // Where the picture does not follow yet, constants are the first to show the new values.
+    constexpr double kStandsStill = 0.1;  // s
+    const double rest = constants_ ? kStandsStill : options_.rest_seconds;
+    if (since_tweak_.ms() < rest * 1000.0) return;
     reloader_.tweaks_rest(current_preset());
 }
 
@@ -320,7 +431,7 @@ void Playground::replay_events(double from, double to) {
 }
 
 std::string Playground::waits_for() const {
-    if (reloader_.is_trying()) return trial_.work();
+    if (reloader_.is_trying()) return tried_by_standby_ ? standby_.work() : trial_.work();
     if (replay_at_ >= 0)
         return fmt::format("playing up to {:g} s, {:.0f} % done", instant_.time, 100 * replayed());
     return has_unseen_text() ? "drawing the first frame" : "";

@@ -12,6 +12,7 @@
 #include "window/live/input_loader.h"
 #include "window/live/kept_states.h"
 #include "window/live/reloader.h"
+#include "window/live/standby.h"
 #include "window/live/start_states.h"
 #include "window/trial/refiner.h"
 #include "window/trial/trial.h"
@@ -120,14 +121,20 @@ public:
     // Whether what is open has been drawn. A simulation is first played up to its start.
     bool has_picture() const { return has_picture_; }
     bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
-    // A large picture goes to the driver; update() is to be called again at once.
-    bool is_sending() const { return !arriving_.empty(); }
+    // Something large goes to the driver in pieces; update() is to be called again at once.
+    bool is_sending() const {
+        return !arriving_.empty() || standby_.is_loading() ||
+               (reloader_.is_trying() && loader_.is_loading());
+    }
     // Whether another thread still reads an input, wanted or not. It ends with the process.
     bool is_reading_inputs() const { return inputs_.is_reading(); }
     bool is_specialised() const { return reloader_.programs() == Programs::constants; }
+    // Whether a slider or a number can move without a compiler.
+    bool is_prepared() const { return standby_.is_ready(); }
     // Nothing is left to be done in the background.
     bool is_at_rest() const {
-        return reloader_.programs() != Programs::uniforms && !trial_.is_running();
+        return reloader_.programs() != Programs::uniforms && !trial_.is_running() &&
+               !standby_.is_preparing() && !standby_.is_loading();
     }
     // Fraction done of a replay to a time that was jumped to, or 1.
     double replayed() const;
@@ -193,12 +200,19 @@ private:
     void take_input(InputLoader::Loaded loaded);
     void send_arriving();
     void show_arrived();
-    bool awaits_inputs() const { return inputs_.is_loading() || is_sending(); }
+    bool awaits_inputs() const { return inputs_.is_loading() || !arriving_.empty(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void lay_fills_over(Preset& candidate);
-    Diagnostics put_in_place(const Preset& candidate, Programs programs);
+    void start_trial(const Preset& candidate, Programs programs, bool is_text);
+    const Verdict& follow_trial();
+    ProgramOptions program_options(Programs programs) const;
+    TweakValues tweaks_with(const Preset& text) const;
+    Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
+    void keep_what_was_drawn(Programs programs, bool is_text);
+    void tidy_shelf();
     void specialise_at_rest();
-    void use_uniforms();
+    void prepare_uniforms();
+    void leave_constants();
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
     Frame frame_again() const;
@@ -222,15 +236,22 @@ private:
     void forget_states();
     bool states_depend_on_size() const;
     bool follows_time() const;
-    std::unique_ptr<Renderer> make_renderer(const Preset& preset, Programs programs,
-                                            Diagnostics& why_not) const;
+    std::unique_ptr<Renderer> make_renderer(const Preset& preset, const ProgramOptions& options,
+                                            Diagnostics& why_not);
 
     Context& context_;
     PlaygroundOptions options_;
     Transport transport_;
     glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
+    ProgramShelf shelf_;
     Trial trial_;
+    Standby standby_;
+    ProgramLoader loader_;  // of what was tried
+    // What is tried, with the values that it would be drawn with.
+    std::unique_ptr<Preset> tried_;
+    bool tried_is_text_ = false, tried_is_loaded_ = false;
+    bool tried_by_standby_ = false;
     Reloader reloader_;
     InputLoader inputs_;
     StartStates start_states_;
@@ -250,6 +271,11 @@ private:
     std::array<Sampler, 4> fills_;
     std::array<bool, 4> laid_over_{};  // those that the newest text that was read has
     Stopwatch since_tweak_;
+    // What the programs that are drawn have written in; nothing where they are fed.
+    std::optional<std::vector<TweakValue>> constants_;
+    std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
+    // The longest that a text of this file has been in a driver for its first draws.
+    double longest_compile_ms_ = 0.0;
 
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;

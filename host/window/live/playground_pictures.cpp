@@ -20,10 +20,13 @@ Image Playground::still() {
     measure_passes(false);
     std::vector<std::byte> pixels;
     const glm::ivec2 size = still_size();
-    const bool as_it_is = (is_specialised() || !options_.specialise) && size == size_;
+    const bool has_values = constants_ && *constants_ == tweaks.values();
+    const bool as_it_is = (has_values || !options_.specialise) && size == size_;
     const Preset now = current_preset();
+    const ProgramOptions still_options{.specialise = still_programs() == Programs::constants,
+                                       .lean = true};
     Diagnostics why_not;
-    const auto special = as_it_is ? nullptr : make_renderer(now, still_programs(), why_not);
+    const auto special = as_it_is ? nullptr : make_renderer(now, still_options, why_not);
     for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
     if (special) {
         special->adopt(*renderer_);
@@ -73,7 +76,8 @@ RefineOrder Playground::refine_order() const {
 
 const Buffer* Playground::picture_of(TweakSet set) {
     if (!renderer_) return nullptr;
-    if (is_specialised()) use_uniforms();
+    leave_constants();
+    if (constants_) return nullptr;  // nothing at hand can draw it yet
     const Buffer& picture = renderer_->buffer(renderer_->graph().passes.size() - 1);
     if (!other_picture_ || other_picture_->shape() != picture.shape()) {
         other_picture_ = std::make_unique<Buffer>(picture.shape());

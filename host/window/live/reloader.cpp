@@ -87,9 +87,11 @@ void Reloader::read(const std::filesystem::path& changed) {
         on(ReloadEvent::unreadable);
         return refuse_text(std::move(report));
     }
-    tried_ = {std::move(*read.preset), std::move(report)};
+    const bool by_constants = options_.constants && !steps_.has_uniforms(*read.preset);
+    tried_ = {std::move(*read.preset), std::move(report),
+              by_constants ? Programs::constants : Programs::uniforms};
     on(ReloadEvent::read);
-    steps_.start_trial(tried_->preset, Programs::uniforms);
+    steps_.start_trial(tried_->preset, tried_->programs, true);
 }
 
 // The picture stays as it was; the diagnostics say why.
@@ -132,7 +134,7 @@ bool Reloader::follow() {
 // Whether it is on the screen now.
 bool Reloader::place_text() {
     const Stopwatch clock;
-    const Diagnostics why_not = steps_.put_in_place(tried_->preset, Programs::uniforms);
+    const Diagnostics why_not = steps_.put_in_place(tried_->preset, tried_->programs, true);
     Tried tried = std::move(*tried_);
     if (!why_not.empty()) {
         on(ReloadEvent::refused);
@@ -142,7 +144,8 @@ bool Reloader::place_text() {
     }
     on(ReloadEvent::placed);
     refused_ = false;
-    uses_uniforms();
+    programs_ = tried.programs;
+    if (programs_ == Programs::uniforms) uses_uniforms();
     written_ = std::move(tried.preset);
     unseen_ = std::move(tried.report);
     unseen_->compile_ms = clock.ms();
@@ -150,7 +153,7 @@ bool Reloader::place_text() {
 }
 
 void Reloader::place_constants() {
-    const bool placed = steps_.put_in_place(tried_->preset, Programs::constants).empty();
+    const bool placed = steps_.put_in_place(tried_->preset, Programs::constants, false).empty();
     on(placed ? ReloadEvent::placed : ReloadEvent::refused);
     programs_ = placed ? Programs::constants : Programs::uniforms_for_good;
 }
@@ -168,7 +171,7 @@ void Reloader::tweaks_rest(const Preset& drawn) {
     if (!wants_constants()) return;
     tried_ = {drawn, {}};
     on(ReloadEvent::rested);
-    steps_.start_trial(tried_->preset, Programs::constants);
+    steps_.start_trial(tried_->preset, Programs::constants, false);
 }
 
 void Reloader::input_arrived(const ReloadReport& report) {

@@ -42,9 +42,10 @@ std::optional<ReloadState> next(ReloadState state, ReloadEvent event);
 
 std::string_view name_of(ReloadState state);
 
-// What the tweaks of the picture are. Constants are faster, and are compiled anew for each value.
+// What the tweaks of the picture are. Constants are faster, to compile too, and are compiled anew
+// for each value.
 enum class Programs {
-    uniforms,          // until the tweaks rest
+    uniforms,          // until the tweaks rest; numbers of the text are uniforms as well
     constants,         // they rest
     uniforms_for_good  // constants were refused for these values, or are not wanted
 };
@@ -65,14 +66,17 @@ struct ReloadSteps {
     std::function<ReadPreset(const std::filesystem::path&)> read;
     // What was read is to be followed from now on, also what could not be read.
     std::function<void(const ReadPreset&)> watch;
+    // Whether programs with uniforms are at hand that would draw this text: it differs from the one
+    // that is shown in what they are fed with alone.
+    std::function<bool(const Preset&)> has_uniforms;
     // Starts trying a preset with uniforms or constants; what was tried before gives way.
-    std::function<void(const Preset&, Programs)> start_trial;
+    std::function<void(const Preset&, Programs, bool is_text)> start_trial;
     // What is known of the newest trial. Asked again and again, also while nobody waits for the
     // answer: the other process wants to be heard, and ended when it hangs.
     std::function<const Verdict&()> trial;
     // Compiles it here and exchanges what is drawn, in one step. Returns why not, having changed
-    // nothing; empty when it is in place. With uniforms it is a new text.
-    std::function<Diagnostics(const Preset&, Programs)> put_in_place;
+    // nothing; empty when it is in place.
+    std::function<Diagnostics(const Preset&, Programs, bool is_text)> put_in_place;
 };
 
 struct ReloaderOptions {
@@ -157,6 +161,7 @@ private:
     struct Tried {
         Preset preset;
         ReloadReport report;
+        Programs programs = Programs::constants;
     };
 
     ReloadSteps steps_;

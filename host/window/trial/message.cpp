@@ -57,8 +57,8 @@ void members(const auto& all, Is<Verdict> auto& value) {
     all(state, passes, expected_ms, total_ms, diagnostics);
 }
 void members(const auto& all, Is<TrialOrder> auto& value) {
-    auto& [number, preset, compile, size, picture_format, time, slow_ms, images] = value;
-    all(number, preset, compile, size, picture_format, time, slow_ms, images);
+    auto& [number, preset, compile, size, picture_format, time, slow_ms, images, is_text] = value;
+    all(number, preset, compile, size, picture_format, time, slow_ms, images, is_text);
 }
 void members(const auto& all, Is<TrialAnswer> auto& value) {
     auto& [number, stage, text, size, verdict] = value;
@@ -157,7 +157,8 @@ Message unpacked(std::string_view bytes) {
 std::string pack(std::uint64_t number, const Candidate& candidate, double slow_ms) {
     // As the members of TrialOrder, but without a copy of the preset.
     return packed({number, candidate.preset, candidate.compile, candidate.size,
-                   candidate.picture_format, candidate.time, slow_ms, candidate.images});
+                   candidate.picture_format, candidate.time, slow_ms, candidate.images,
+                   candidate.is_text});
 }
 
 std::string pack(const TrialAnswer& answer) {

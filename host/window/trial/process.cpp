@@ -1,5 +1,6 @@
 // The process that tries candidates: compiles one, draws it small, and says how far it has come.
 #include "gl/context.h"
+#include "glsl/lean.h"
 #include "scene/blame.h"
 #include "window/trial/message.h"
 #include "window/trial/socket_process.h"
@@ -56,6 +57,10 @@ private:
     void find_overhead();
     void shrink(TrialOrder& order);
     bool compile(const TrialOrder& order, CompiledScene& scene);
+    CompileResult compile_passes(const TrialOrder& order, const CompileOptions& options,
+                                 ProgramShelf* shelf);
+    CompileResult judged(const TrialOrder& order, CompileResult lean);
+    bool is_silent(const TrialOrder& order);
     void compile_sound(const TrialOrder& order);
     void set_images(const TrialOrder& order, Renderer& renderer);
     void draw(const TrialOrder& order, CompiledScene scene);
@@ -74,6 +79,8 @@ private:
     }
 
     std::unique_ptr<Context> context_;
+    ProgramShelf shelf_;  // what the last candidate that compiled was drawn with
+    std::string judged_;  // the last text of which there was nothing to say, without its numbers
     bool software_ = false;
     double overhead_ms_ = 0.0;  // of a draw that does nothing
     TrialAnswer answer_;
@@ -148,19 +155,56 @@ void Trier::shrink(TrialOrder& order) {
     for (TrialImage& image : order.images) image.size = small_size(image.size);
 }
 
-bool Trier::compile(const TrialOrder& order, CompiledScene& scene) {
+CompileResult Trier::compile_passes(const TrialOrder& order, const CompileOptions& options,
+                                    ProgramShelf* shelf) {
     compile_ms_.clear();
     Stopwatch clock;
     CompileResult result = compile_scene(
-        order.preset, order.compile,
+        order.preset, options,
         [&](std::size_t pass) {
             if (!compile_ms_.empty()) compile_ms_.back().second = clock.ms();
             compile_ms_.push_back({pass, 0.0});
             tell(TrialStage::compiling, pass);
             clock.restart();
         },
-        give_up_);
+        give_up_, shelf);
     compile_ms_.back().second = clock.ms();
+    return result;
+}
+
+// Whether the driver says nothing of what the root's text holds, called or not. Other numbers make
+// no text wrong.
+bool Trier::is_silent(const TrialOrder& order) {
+    const std::size_t root = order.compile.root;
+    std::string text =
+        without_comments(pass_text(order.preset, root, {.specialise = false, .feed = true}).text);
+    if (text == judged_) return true;
+    tell(TrialStage::compiling, root);
+    const CompileWatch watch(give_up_, order.preset, root);
+    if (!complaints_of(pass_text(order.preset, root, {.specialise = false}).text).empty())
+        return false;
+    judged_ = std::move(text);
+    return true;
+}
+
+// What is to be said of a text is said of all of it, by programs that are not lean: these leave out
+// what nobody calls, and know no places.
+CompileResult Trier::judged(const TrialOrder& order, CompileResult lean) {
+    if (lean.scene && lean.diagnostics.empty() && is_silent(order)) return lean;
+    CompileOptions whole{.root = order.compile.root, .program = {.specialise = false}};
+    CompileResult result = compile_passes(order, whole, nullptr);
+    if (result.scene && !lean.scene) {
+        whole.program.specialise = order.compile.program.specialise;
+        return compile_passes(order, whole, nullptr);
+    }
+    if (!result.scene) return result;
+    lean.diagnostics = std::move(result.diagnostics);
+    return lean;
+}
+
+bool Trier::compile(const TrialOrder& order, CompiledScene& scene) {
+    CompileResult result = compile_passes(order, order.compile, &shelf_);
+    if (order.is_text && order.compile.program.lean) result = judged(order, std::move(result));
     answer_.verdict.diagnostics = std::move(result.diagnostics);
     if (!result.scene) {
         answer_.verdict.state = TrialState::rejected;
@@ -179,9 +223,9 @@ bool Trier::compile(const TrialOrder& order, CompiledScene& scene) {
 // What is wrong with the sound alone keeps no picture back, and is told with the rest. Constants
 // change nothing of that.
 void Trier::compile_sound(const TrialOrder& order) {
-    if (!order.preset.scene.has_sound || order.compile.program.specialise) return;
+    if (!order.preset.scene.has_sound || !order.is_text) return;
     const CompileResult sound = compile_scene(
-        order.preset, {.root = kSoundPass, .program = order.compile.program},
+        order.preset, {.root = kSoundPass, .program = {.specialise = false}},
         [&](std::size_t pass) { tell(TrialStage::compiling, pass); }, give_up_);
     append_once(answer_.verdict.diagnostics, sound.diagnostics);
 }
@@ -300,8 +344,10 @@ void Trier::answer(TrialOrder order) {
         shrink(order);
         CompiledScene scene;
         if (compile(order, scene)) {
+            const std::vector<GLuint> ids = ids_of(scene);
             compile_sound(order);
             draw(order, std::move(scene));
+            shelf_.keep_only(ids);
         }
     } catch (const ContextLost& error) {
         answer_.verdict.state = TrialState::lost;

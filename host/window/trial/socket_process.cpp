@@ -9,12 +9,13 @@
 namespace glint {
 
 Launched launch_on_socket(const std::filesystem::path& program, const std::string& verb,
-                          const std::string& device) {
+                          const std::string& device, int niceness) {
     Launch wanted{.words = {program.string(), verb},
                   .input = kSocket,
                   .group = Launch::Group::session,
                   .default_signals = true,
-                  .core_files = false};
+                  .core_files = false,
+                  .niceness = niceness};
     if (!device.empty()) wanted.words.push_back(device);
     return launch(wanted);
 }

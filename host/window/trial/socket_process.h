@@ -12,7 +12,7 @@ namespace glint {
 // and nothing else of ours: no blocked or ignored signal, and no terminal, so that Ctrl+C is not
 // for it. It ends with us, even in the middle of a draw.
 Launched launch_on_socket(const std::filesystem::path& program, const std::string& verb,
-                          const std::string& device);
+                          const std::string& device, int niceness = 0);
 
 // For that process. Throws UsageError when it has no socket.
 void require_socket(const char* verb);

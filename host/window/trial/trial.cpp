@@ -47,7 +47,8 @@ Trial::~Trial() {
 void Trial::spawn() {
     if (!unavailable_.empty()) return;
     heard_ = std::make_unique<TrialAnswer>();
-    const Launched launched = launch_on_socket(options_.program, "trial", options_.device);
+    const Launched launched =
+        launch_on_socket(options_.program, "trial", options_.device, options_.niceness);
     process_ = launched.process;
     socket_ = launched.pipe;
     note_time();

@@ -37,6 +37,9 @@ struct Candidate {
     PixelFormat picture_format = PixelFormat::rgba8;
     double time = 0.0;  // s
     std::vector<TrialImage> images;
+    // Nobody has judged the text yet: all of it has to compile, what no pass calls and its sound
+    // too.
+    bool is_text = true;
 };
 
 enum class TrialState {
@@ -76,6 +79,7 @@ struct TrialOptions {
     double draw_seconds = 2.0;      // for one small draw
     double compile_seconds = 20.0;  // for a compile; it holds nobody up
     double slow_ms = 1000.0;        // a warning names the likely loop from this expected frame on
+    int niceness = 0;               // of the other process
 };
 
 // Keeps a process at hand; a new one is started in the background when one had to be killed. To be

@@ -29,8 +29,9 @@ protected:
         return {
             .read = [&world](const std::filesystem::path& file) { return world.read(file); },
             .watch = [&world](const ReadPreset&) { ++world.watched; },
+            .has_uniforms = [&world](const Preset& preset) { return world.has_uniforms(preset); },
             .start_trial =
-                [&world](const Preset& preset, Programs programs) {
+                [&world](const Preset& preset, Programs programs, bool) {
                     world.tried.emplace_back(preset.title, programs);
                     world.verdict = {.state = TrialState::running, .passes = {}, .diagnostics = {}};
                 },
@@ -38,8 +39,16 @@ protected:
                 ++world.asked;
                 return world.verdict;
             },
-            .put_in_place = [&world](const Preset& preset,
-                                     Programs programs) { return world.put(preset, programs); }};
+            .put_in_place = [&world](const Preset& preset, Programs programs,
+                                     bool) { return world.put(preset, programs); }};
+    }
+
+    // A title like that of the screen, but for what stands behind a colon, is fed.
+    bool has_uniforms(const Preset& preset) const {
+        const auto fixed = [](const std::string& title) {
+            return title.substr(0, title.find(':'));
+        };
+        return is_prepared && fixed(preset.title) == fixed(screen);
     }
 
     ReadPreset read(const std::filesystem::path& file) {
@@ -83,6 +92,12 @@ protected:
         ASSERT_EQ(screen, first);
         ASSERT_EQ(reloader.report_count(), 1u);
     }
+    // A slider is moved; the window draws with uniforms.
+    void move() {
+        reloader.tweaks_moved();
+        reloader.uses_uniforms();
+        screens_programs = Programs::uniforms;
+    }
     void rest() {
         Preset drawn;
         drawn.title = screen;
@@ -90,6 +105,7 @@ protected:
     }
     const ReloadReport& last() const { return reloader.reports().back(); }
 
+    bool is_prepared = false;
     std::string text = "first", refused_here;
     int watched = 0, asked = 0;
     std::vector<Tried> tried;
@@ -144,7 +160,7 @@ TEST_F(Reloading, AGoodSaveIsTriedPlacedAndToldOfWithItsFirstFrame) {
     open_and_draw("first");
     save("second");
     EXPECT_EQ(reloader.state(), trying_text);
-    EXPECT_EQ(tried.back(), Tried("second", Programs::uniforms));
+    EXPECT_EQ(tried.back(), Tried("second", Programs::constants)) << "compiled sooner";
     EXPECT_FALSE(reloader.follow()) << "no answer yet";
     EXPECT_EQ(screen, "first");
     EXPECT_TRUE(answer(TrialState::passed));
@@ -338,6 +354,8 @@ TEST_F(Reloading, AnotherFileTakesThePlaceOfOneThatIsTried) {
 
 TEST_F(Reloading, RestingTweaksBecomeConstantsWithoutAReport) {
     open_and_draw("first");
+    EXPECT_FALSE(reloader.wants_constants()) << "a text begins with them";
+    move();
     EXPECT_TRUE(reloader.wants_constants());
     rest();
     EXPECT_EQ(reloader.state(), trying_constants);
@@ -353,6 +371,7 @@ TEST_F(Reloading, RestingTweaksBecomeConstantsWithoutAReport) {
 
 TEST_F(Reloading, ATweakThatMovesAbandonsConstantsAndTheyAreTriedAgain) {
     open_and_draw("first");
+    move();
     rest();
     reloader.tweaks_moved();
     EXPECT_EQ(reloader.state(), idle);
@@ -369,12 +388,13 @@ TEST_F(Reloading, ATweakThatMovesLeavesATextOnTrial) {
     EXPECT_EQ(reloader.state(), trying_text);
     rest();
     EXPECT_EQ(reloader.state(), trying_text) << "constants wait for the text";
-    EXPECT_EQ(tried.back(), Tried("second", Programs::uniforms));
+    EXPECT_EQ(tried.back(), Tried("second", Programs::constants));
 }
 
 TEST_F(Reloading, ConstantsThatAreRefusedAreLeftUntilATweakMoves) {
     for (const bool here : {false, true}) {
         open_and_draw("first");
+        move();
         if (here) refused_here = "not compiled";
         rest();
         answer(here ? TrialState::passed : TrialState::too_slow, 0.0, "not for anybody's eyes");
@@ -392,12 +412,44 @@ TEST_F(Reloading, ConstantsThatAreRefusedAreLeftUntilATweakMoves) {
 
 TEST_F(Reloading, ASaveTakesThePlaceOfConstantsOnTrial) {
     open_and_draw("first");
+    move();
     rest();
     save("second");
     EXPECT_EQ(reloader.state(), trying_text);
     EXPECT_TRUE(answer(TrialState::passed));
-    EXPECT_EQ(reloader.programs(), Programs::uniforms);
+    EXPECT_EQ(reloader.programs(), Programs::constants);
     EXPECT_EQ(screen, "second");
+}
+
+TEST_F(Reloading, ATextThatProgramsAtHandCanDrawIsTriedWithTheseAndBecomesConstantsLater) {
+    open_and_draw("first: 1");
+    is_prepared = true;
+    save("first: 2");
+    EXPECT_EQ(tried.back(), Tried("first: 2", Programs::uniforms));
+    EXPECT_TRUE(answer(TrialState::passed));
+    EXPECT_EQ(screen, "first: 2");
+    EXPECT_EQ(screens_programs, Programs::uniforms);
+    EXPECT_TRUE(reloader.wants_constants());
+    rest();
+    EXPECT_EQ(tried.back(), Tried("first: 2", Programs::constants));
+    answer(TrialState::passed);
+    EXPECT_EQ(reloader.programs(), Programs::constants);
+}
+
+TEST_F(Reloading, ATextThatProgramsAtHandCannotDrawIsTriedAsConstants) {
+    open_and_draw("first: 1");
+    is_prepared = true;
+    save("second: 1");
+    EXPECT_EQ(tried.back(), Tried("second: 1", Programs::constants));
+}
+
+TEST_F(Reloading, WhatProgramsAtHandDrawMayBeRefusedLikeAnyText) {
+    open_and_draw("first: 1");
+    is_prepared = true;
+    save("first: endless");
+    EXPECT_FALSE(answer(TrialState::too_slow, 0.0, "no frame within 2 s"));
+    EXPECT_EQ(screen, "first: 1");
+    EXPECT_TRUE(reloader.shows_older_text());
 }
 
 TEST_F(Reloading, WhoWantsNoConstantsIsAskedForNone) {

@@ -105,6 +105,34 @@ TEST(Trial, PassesAGoodSceneWithTimings) {
     EXPECT_FALSE(trial.renderer().empty());
 }
 
+// Programs are made of what is called; a text is judged as a whole.
+TEST(Trial, ALeanTextIsJudgedWithWhatNobodyCalls) {
+    Trial trial(options());
+    const Preset preset = preset_of(std::string(kTrivial) + "// unused\nfloat g() { return x; }\n");
+    const CompileOptions lean{.program = {.specialise = true, .lean = true}};
+    trial.start({.preset = preset, .compile = lean, .images = {}});
+    const Verdict refused = verdict(trial);
+    EXPECT_EQ(refused.state, TrialState::rejected);
+    EXPECT_EQ(line_of(refused), 3) << words(refused);
+    EXPECT_NE(words(refused).find("x"), std::string::npos);
+    trial.start({.preset = preset, .compile = lean, .images = {}, .is_text = false});
+    EXPECT_EQ(verdict(trial).state, TrialState::passed) << "the same programs, judged before";
+}
+
+TEST(Trial, WhatIsWrongWithALeanTextHasItsPlace) {
+    Trial trial(options());
+    const Preset preset = preset_of(
+        "// a comment\n\nfloat unused() { return 1.0; }\nuniform float level; //@ 0.5 [0, 1]\n"
+        "void mainImage(out vec4 c, in vec2 p) { /* here */ c = vec4(level * nonsense); }\n");
+    trial.start({.preset = preset,
+                 .compile = {.program = {.specialise = true, .lean = true}},
+                 .images = {}});
+    const Verdict lean = verdict(trial);
+    trial.start({.preset = preset, .compile = {.program = {.specialise = false}}, .images = {}});
+    EXPECT_EQ(words(lean), words(verdict(trial)));
+    EXPECT_EQ(line_of(lean), 5) << words(lean);
+}
+
 // A scene that was refused because the machine was busy for a moment was a save that never showed.
 TEST(Trial, ABusyMachineDoesNotMakeASceneLookSlow) {
     Trial trial(options());

@@ -1,0 +1,87 @@
+#include "window/live/standby.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace glint {
+namespace {
+
+constexpr ProgramOptions kFed{.specialise = false, .lean = true, .feed = true};
+
+std::vector<std::string> names_of(const std::vector<PassTrial>& passes) {
+    std::vector<std::string> names;
+    for (const PassTrial& pass : passes) names.push_back(pass.name);
+    return names;
+}
+
+}  // namespace
+
+// Frames with uniforms are slower than those that a person is warned of.
+Standby::Standby(const std::string& device)
+    : options_(kFed), trial_({.device = device, .slow_ms = 4000.0, .niceness = 19}) {}
+
+void Standby::prepare(const Preset& shown, glm::ivec2 size, double time) {
+    preset_ = shown;
+    size_ = size;
+    time_ = time;
+    scene_.reset();
+    options_ = kFed;
+    start();
+}
+
+void Standby::start() {
+    state_ = State::compiling;
+    trial_.start({.preset = *preset_,
+                  .compile = {.program = options_},
+                  .size = size_,
+                  .time = time_,
+                  .images = {}});
+}
+
+void Standby::refuse() {
+    stop();
+    state_ = State::refused;
+}
+
+void Standby::stop() {
+    state_ = State::none;
+    scene_.reset();
+    loader_.stop();
+}
+
+void Standby::follow(ProgramShelf& shelf, Renderer& shown) {
+    const Verdict& verdict = trial_.poll();
+    if (state_ == State::compiling && verdict.state != TrialState::running) {
+        if (verdict.state == TrialState::passed) {
+            state_ = State::loading;
+            passes_ = names_of(verdict.passes);
+            loader_.start(*preset_, options_, passes_);
+        } else if (options_.feed && verdict.state != TrialState::unavailable) {
+            options_.feed = false;  // more numbers than a program may be fed with
+            start();
+        } else {
+            refuse();
+        }
+    }
+    if (state_ != State::loading) return;
+    if (loader_.is_loading()) return loader_.step(shelf, &shown);
+    CompileResult compiled =
+        compile_scene(*preset_, {.program = options_}, nullptr, nullptr, &shelf);
+    if (!compiled.scene) return refuse();
+    scene_ = std::move(*compiled.scene);
+    state_ = State::ready;
+}
+
+bool Standby::draws(const Preset& preset, const ProgramShelf& shelf) const {
+    // Most edits are of the picture, which is drawn last.
+    return is_ready() && std::ranges::all_of(std::views::reverse(passes_), [&](const auto& name) {
+               const auto pass = pass_named(preset.scene, name);
+               return pass && shelf.find(pass_text(preset, *pass, options_).text) != 0;
+           });
+}
+
+std::vector<GLuint> Standby::ids() const {
+    return scene_ ? ids_of(*scene_) : std::vector<GLuint>();
+}
+
+}  // namespace glint
