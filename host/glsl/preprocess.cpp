@@ -189,6 +189,7 @@ Preprocessed preprocess(std::string_view text, const Known& known) {
     result.macros = macros.take();
     result.written = std::move(scanned.tokens);
     result.comments = std::move(scanned.comments);
+    result.unclosed_comment = scanned.unclosed;
     return result;
 }
 

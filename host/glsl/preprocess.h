@@ -51,6 +51,7 @@ struct Preprocessed {
     std::vector<Directive> directives;
     std::vector<Branch> branches;  // in the order of their ends
     std::vector<Comment> comments;
+    std::optional<std::size_t> unclosed_comment;
     std::vector<NotUnderstood> not_understood;
     std::deque<std::string> spellings;
 

@@ -83,6 +83,22 @@ std::vector<bool> Reading::reached_from(const std::vector<std::string_view>& nam
     return reached;
 }
 
+std::vector<TokenRange> Reading::arguments_of(const Call& call) const {
+    std::vector<TokenRange> arguments;
+    if (call.arity == 0) return arguments;
+    const std::uint32_t end = call.brackets.end - 1;
+    std::uint32_t begin = call.brackets.begin + 1;
+    for (std::uint32_t at = begin; at <= end; ++at) {
+        if (at == end || tokens[at].is(",")) {
+            arguments.push_back({begin, at});
+            begin = at + 1;
+        } else if (const std::uint32_t close = close_of(at); close != kNone) {
+            at = close;
+        }
+    }
+    return arguments;
+}
+
 Reading read_glsl(std::string_view text, const Known& known) {
     Reading reading;
     static_cast<Preprocessed&>(reading) = preprocess(text, known);

@@ -45,6 +45,8 @@ struct Reading : Preprocessed, Syntax {
     // By function: whether these names, and what they call, lead to it. Calls go to all overloads
     // that take as many arguments; those in the values of globals count.
     std::vector<bool> reached_from(const std::vector<std::string_view>& names) const;
+    // The arguments of a call.
+    std::vector<TokenRange> arguments_of(const Call& call) const;
 };
 
 // `text` must outlive the result. Any bytes will do; nothing that a text holds makes it throw, fill
