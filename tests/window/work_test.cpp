@@ -318,10 +318,8 @@ TEST_F(Aspect, OfAPresetIsTheWindowsAndBarsKeepIt) {
     EXPECT_TRUE(eventually([&] {
         return screen_->pixel({323, 300}) == Colour{64, 128, 63};  // at the middles of pixels
     })) << screen_->pixel({323, 300});
-    screen_->tap("Control_L+s");
-    EXPECT_TRUE(eventually([&] { return read(look()).find("time") != std::string::npos; }));
     EXPECT_NE(read(look()).find("size = [640, 640]"), std::string::npos) << read(look());
-    screen_->tap("Control_L+f");
+    screen_->tap("Control_L+Shift_L+f");
     EXPECT_TRUE(eventually([&] { return screen_->pixel({3, 300}).g == 255; }));
     screen_->tap("Control_L+s");
     EXPECT_TRUE(eventually([&] {
