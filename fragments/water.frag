@@ -1081,7 +1081,7 @@ vec4 crossing(vec4 kept, vec4 drive, vec4 c2, vec4 lower, vec4 upper) {
 // One step of the wave equation by what crosses the faces between cells: heights, and what went
 // east and north half a step earlier. The water that there is stays, whatever pushes it. Kick, then
 // drift: second order, stable to a Courant number of 0.7; the ranges end at 0.5.
-void mainPond(out vec4 heights, out vec4 wentEast, out vec4 wentNorth, in vec2 pixel) {
+void mainPond(out vec4 high, out vec4 wentEast, out vec4 wentNorth, in vec2 pixel) {
     ivec2 c = ivec2(pixel), size = textureSize(pond, 0), last = size - 1;
     float cell = cellSize(float(size.x));
     ivec2 atWest = max(c - ivec2(1, 0), 0), atEast = min(c + ivec2(1, 0), last);
@@ -1115,10 +1115,10 @@ void mainPond(out vec4 heights, out vec4 wentEast, out vec4 wentNorth, in vec2 p
     vec4 driveNorth = (weight * c2North * (here - north) - push[3]) * gain;
     wentEast = crossing(kept * keptEast, driveEast, c2East, here, east);
     wentNorth = crossing(kept * keptNorth, driveNorth, c2North, here, north);
-    heights = here + (crossing(kept * keptWest, -driveWest, c2West, west, here) - wentEast
+    high = here + (crossing(kept * keptWest, -driveWest, c2West, west, here) - wentEast
         + crossing(kept * keptSouth, -driveSouth, c2South, south, here) - wentNorth);
     // Inside what stands there: the water round it, continued.
-    heights = mix(heights, 0.25 * (west + east + south + north),
+    high = mix(high, 0.25 * (west + east + south + north),
                   equal(c2West + c2East + c2South + c2North, vec4(0.0)));
 }
 

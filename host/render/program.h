@@ -90,8 +90,8 @@ struct CompiledPass {
     std::optional<PassProgram> program;  // empty when there are errors
     Diagnostics diagnostics;             // with places in the user's text
 };
-// Programs that compile without a word are taken from the shelf, where there is one, and added to
-// it. `was_kept` says whether it was there.
+// Programs are taken from the shelf, where there is one, and added to it; what the driver said of
+// them is told once, when they are compiled. `was_kept` says whether it was there.
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                           ProgramShelf* shelf = nullptr, bool* was_kept = nullptr);
 

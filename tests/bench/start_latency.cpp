@@ -123,6 +123,10 @@ void measure(const std::string& scene, int repetitions) {
 
 int main(int argc, char** argv) {
     const int repetitions = argc > 1 ? std::atoi(argv[1]) : 20;
+    if (repetitions < 1) {
+        std::cerr << "start_latency [REPETITIONS [SCENE...]]\n";
+        return 2;
+    }
     std::vector<std::string> scenes(argv + std::min(argc, 2), argv + argc);
     if (scenes.empty())
         scenes = {"analytic", "boat", "caustics", "christmas", "deep_ocean",

@@ -388,11 +388,11 @@ TEST_F(Water, ANotANumberInThePondIsGoneAtOnce) {
          {"uintBitsToFloat(0x7fc00000u)", "uintBitsToFloat(0x7f800000u)", "1e30"}) {
         SCOPED_TRACE(bad);
         const std::string text =
-            replaced(coarser(4), "    heights = here + (crossing",
+            replaced(coarser(4), "    high = here + (crossing",
                      fmt::format("    if (iFrame == 20 && c == ivec2(7, 40)) {{\n"
-                                 "        heights = wentEast = wentNorth = vec4({});\n"
+                                 "        high = wentEast = wentNorth = vec4({});\n"
                                  "        return;\n    }}\n"
-                                 "    heights = here + (crossing",
+                                 "    high = here + (crossing",
                                  bad));
         Player player(text, {.size = kPressSize, .preset = kPressOnce, .pass = "pond"});
         player.still(21.0 / 60.0);

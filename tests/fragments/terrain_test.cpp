@@ -2,6 +2,8 @@
 // its glitter, age and limits, in figures.
 #include "terrain.h"
 
+#include "glitter.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -385,55 +387,29 @@ TEST_F(Terrain, LightInWaterIsIntegratedExactly) {
     }
 }
 
-// What a pixel of glitter should show, by many samples of the waves themselves, against the
-// scene's.
-class LakeGlitter {
-public:
-    struct Errors {
-        double mean = 0.0;    // against the truth's, less 1
-        double spread = 0.0;  // RMSE over the truth's mean
-    };
-    // Of pixels that are `width` metres wide, where the sun is mirrored.
-    Errors errors(const std::string& tweaks, double width, double time) {
-        const TestFolder folder;
-        const ReadPreset read =
-            read_scene_text(folder, with_picture(""), {.preset = "[tweaks]\n" + tweaks});
-        if (!read.preset) throw std::runtime_error(to_text(read.diagnostics));
-        player_.preset.values = read.preset->values;
-        Frame frame = player_.frame(0);
-        frame.time = time;
-        frame.input.mouse = {static_cast<float>(100.0 * width), 0, 0, 0};
-        player_.draw(frame);
-        glm::dvec3 sum(0.0);
-        const auto pixels = pixels_of(player_);
-        for (const glm::vec4& p : pixels) sum += glm::dvec3(p.x, p.y, (p.x - p.y) * (p.x - p.y));
-        const double count = static_cast<double>(pixels.size());
-        return {sum.x / sum.y - 1.0, std::sqrt(sum.z / count) / (sum.y / count)};
-    }
-
-private:
-    Player player_{
-        with_picture(
-            "    vec2 at = vec2(10.0, 14.0) + (p - 16.0) * 0.68;\n"
-            "    vec3 sun = sunDirection();\n"
-            "    vec3 rd = normalize(vec3(-sun.x, -sun.y, -sun.z) * vec3(-1.0, 1.0, -1.0)\n"
-            "        + 0.08 * vec3(p.y / 16.0 - 1.0, 0.0, p.x / 16.0 - 1.0));\n"
-            "    float w = iMouse.x / 100.0, light = 0.0, all = 0.0, got = lakeGlitter(at, rd, "
-            "w);\n"
-            "    vec2 slope, ahead = normalize(rd.xz), aside = vec2(-ahead.y, ahead.x);\n"
-            "    for (int j = 0; j < 16; ++j)\n"
-            "        for (int i = 0; i < 16; ++i) {\n"
-            "            vec2 u = (vec2(i, j) + 0.5) / 16.0 - 0.5;\n"
-            "            vec2 q = at + w * (u.x * aside + u.y / -rd.y * ahead);\n"
-            "            vec3 calm = vec3(kCalmSpread, kCalmSpread, 0.0);\n"
-            "            Sea one = Sea(0.0, waveSlope(q), calm, 0.0);\n"
-            "            float area = shownSlope(rd, one, slope);\n"
-            "            light += area * seaGlitter(rd, one, area);\n"
-            "            all += area;\n"
-            "        }\n"
-            "    c = vec4(got, light / all, 0.0, 1.0);\n"),
-        {.size = {32, 32}, .specialise = false}};
-};
+// Of pixels where the sun is mirrored, as wide as the mouse says, cm.
+Glitter lake_glitter() {
+    return {with_picture(
+                "    vec2 at = vec2(10.0, 14.0) + (p - 16.0) * 0.68;\n"
+                "    vec3 sun = sunDirection();\n"
+                "    vec3 rd = normalize(vec3(-sun.x, -sun.y, -sun.z) * vec3(-1.0, 1.0, -1.0)\n"
+                "        + 0.08 * vec3(p.y / 16.0 - 1.0, 0.0, p.x / 16.0 - 1.0));\n"
+                "    float w = iMouse.x / 100.0, light = 0.0, all = 0.0, got = lakeGlitter(at, rd, "
+                "w);\n"
+                "    vec2 slope, ahead = normalize(rd.xz), aside = vec2(-ahead.y, ahead.x);\n"
+                "    for (int j = 0; j < 16; ++j)\n"
+                "        for (int i = 0; i < 16; ++i) {\n"
+                "            vec2 u = (vec2(i, j) + 0.5) / 16.0 - 0.5;\n"
+                "            vec2 q = at + w * (u.x * aside + u.y / -rd.y * ahead);\n"
+                "            vec3 calm = vec3(kCalmSpread, kCalmSpread, 0.0);\n"
+                "            Sea one = Sea(0.0, waveSlope(q), calm, 0.0);\n"
+                "            float area = shownSlope(rd, one, slope);\n"
+                "            light += area * seaGlitter(rd, one, area);\n"
+                "            all += area;\n"
+                "        }\n"
+                "    c = vec4(got, light / all, 0.0, 1.0);\n"),
+            {32, 32}};
+}
 
 // Bars: error over mean at most 0.4, the mean within 5 %, with the waves and the sun of each
 // preset. A pixel of 0.2 m is one 320 m off, of 720 rows; waves as steep as those of `glitter` bend
@@ -453,10 +429,10 @@ TEST_F(Terrain, GlitterIsFilteredFarOff) {
              "waveHeight = 0.45\nwaveLength = 3.6\nsunHeight = 25.0\nsunAngle = 12.0\n"
              "sunSize = 0.5\nglitterSamples = 32\n",
              {0.4, 0.8, 1.6}}};
-    LakeGlitter glitter;
+    Glitter glitter = lake_glitter();
     for (const Look& look : looks) {
         for (const double w : look.pixels) {
-            const LakeGlitter::Errors errors = glitter.errors(look.tweaks, w, 5.0);
+            const Glitter::Errors errors = glitter.errors(look.tweaks, 100.0 * w, 5.0);
             fmt::print("{}, pixel of {:.1f} m: error/mean {:.3f}, mean {:+.1f} %\n", look.name, w,
                        errors.spread, 100.0 * errors.mean);
             EXPECT_LE(errors.spread, 0.4) << look.name << ", pixel of " << w << " m";
@@ -472,7 +448,7 @@ TEST_F(Terrain, GlitterIsFilteredFarOff) {
 // mean to a 32nd of their spread, which is allowed for thrice; one look in ten may have a spread of
 // over 0.4.
 TEST_F(Terrain, GlitterIsFilteredWhateverTheTweaks) {
-    LakeGlitter glitter;
+    Glitter glitter = lake_glitter();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> chance(-0.15, 1.15);
     const auto share = [&] { return std::clamp(chance(random), 0.0, 1.0); };
@@ -486,7 +462,7 @@ TEST_F(Terrain, GlitterIsFilteredWhateverTheTweaks) {
             height, length, 360.0 * share() - 180.0, 8.0 * std::pow(85.0 / 8.0, share()),
             0.1 * std::pow(30.0, share()));
         const double width = 0.4 * std::pow(4.0, share()), time = 1000.0 * share();
-        const LakeGlitter::Errors errors = glitter.errors(look, width, time);
+        const Glitter::Errors errors = glitter.errors(look, 100.0 * width, time);
         wide += errors.spread > 0.4;
         EXPECT_LE(std::abs(errors.mean), 0.05 + 3.0 * errors.spread / 32.0)
             << look << "pixel of " << width << " m, " << time << " s";

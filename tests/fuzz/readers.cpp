@@ -4,6 +4,8 @@
 #include "../base/test_folder.h"
 #include "glsl/division.h"
 #include "glsl/finding.h"
+#include "glsl/lean.h"
+#include "glsl/numbers.h"
 #include "glsl/raw_text.h"
 #include "glsl/reachable.h"
 #include "glsl/zeros.h"
@@ -57,6 +59,11 @@ void read_text(std::string_view raw) {
         find_reserved_names(reading, all);
         find_long_loops(reading, all, {{"steps", 100.0}});
         mend_division_by_zero(reading, {}, edits);
+        Edits lean(reading);
+        const std::vector<bool> reached = reading.reached_from({"mainImage"});
+        if (can_be_lean(reading)) leave_out_functions(reading, reached, lean);
+        feed_numbers(reading, reached, "numbers", lean);
+        without_comments(lean.apply().text);
         write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
         for (const Declaration& declaration : reading.declarations)
             for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");

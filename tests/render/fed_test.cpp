@@ -26,24 +26,6 @@ std::vector<std::byte> picture(const Preset& preset, const ProgramOptions& optio
     return renderer.read_bytes();
 }
 
-struct Differences {
-    double share = 0.0;  // of pixels that differ by more than `step` of 255
-    bool is_dark = true;
-};
-Differences compare(const std::vector<std::byte>& a, const std::vector<std::byte>& b, int step) {
-    int different = 0, bright = 0;
-    for (std::size_t i = 0; i < a.size(); i += 4) {
-        int worst = 0;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const int value = std::to_integer<int>(a[i + c]);
-            worst = std::max(worst, std::abs(value - std::to_integer<int>(b[i + c])));
-            bright += value > 20;
-        }
-        different += worst > step;
-    }
-    return {4.0 * different / static_cast<double>(a.size()), bright == 0};
-}
-
 constexpr const char* kScene = R"(
 uniform float speed; //@ 1.5 [0, 4]
 uniform sampler2D waves; //@ pass mainWaves size=32x32

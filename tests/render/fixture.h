@@ -16,6 +16,8 @@
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -105,6 +107,26 @@ inline ReadPreset read_scene_text(const TestFolder& folder, std::string_view tex
             : read_preset(folder.write("preset.toml", "scene = \"scene.frag\"\n" + options.preset));
     if (read.preset) read.preset->size = options.size;
     return read;
+}
+
+// Of two pictures in RGBA bytes of one size.
+struct Differences {
+    double share = 0.0;   // of pixels that differ by more than `step` of 255
+    bool is_dark = true;  // the first, which would prove nothing
+};
+inline Differences compare(const std::vector<std::byte>& a, const std::vector<std::byte>& b,
+                           int step) {
+    int different = 0, bright = 0;
+    for (std::size_t i = 0; i < a.size(); i += 4) {
+        int worst = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int value = std::to_integer<int>(a[i + c]);
+            worst = std::max(worst, std::abs(value - std::to_integer<int>(b[i + c])));
+            bright += value > 20;
+        }
+        different += worst > step;
+    }
+    return {4.0 * different / static_cast<double>(a.size()), bright == 0};
 }
 
 // A scene that is drawn frame by frame. Throws with the diagnostics where it does not compile.

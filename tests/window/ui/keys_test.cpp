@@ -9,15 +9,6 @@
 namespace glint {
 namespace {
 
-Tweak number(const char* name, double initial, double min, double max) {
-    Tweak tweak;
-    tweak.name = name;
-    tweak.initial = {initial};
-    tweak.min = min;
-    tweak.max = max;
-    return tweak;
-}
-
 Tweak whole(const char* name, double initial, double min, double max) {
     Tweak tweak = number(name, initial, min, max);
     tweak.type = TweakType::int1;

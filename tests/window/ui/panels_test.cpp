@@ -16,15 +16,6 @@ extern "C" const char* __lsan_default_suppressions() {
 namespace glint {
 namespace {
 
-Tweak number(const char* name, double initial, double min, double max) {
-    Tweak tweak;
-    tweak.name = name;
-    tweak.initial = {initial};
-    tweak.min = min;
-    tweak.max = max;
-    return tweak;
-}
-
 Tweak of_type(TweakType type, TweakValue initial = {}) {
     Tweak tweak;
     tweak.name = "it";

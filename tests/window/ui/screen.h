@@ -12,6 +12,16 @@
 
 namespace glint {
 
+// A float with a range.
+inline Tweak number(const char* name, double initial, double min, double max) {
+    Tweak tweak;
+    tweak.name = name;
+    tweak.initial = {initial};
+    tweak.min = min;
+    tweak.max = max;
+    return tweak;
+}
+
 class Screen {
 public:
     explicit Screen(std::vector<Tweak> declared, ImVec2 size = {1280, 720}, float scale = 1.0f)
