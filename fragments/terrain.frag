@@ -29,7 +29,8 @@
 // Defaults From `glint study presets/terrain.toml`: reflections in the picture are 0.011 (RMSE)
 //          from traced ones, none 0.034; each costs a twentieth to a tenth more than the one before.
 //          35 reflectionSteps keep a ray at 32 reads. The pyramid is 0.005 from the many-step march
-//          in less than half of its frame; 128 marchSteps are 7e-4 from 512.
+//          in less than half of its frame; 160 marchSteps leave no more than 0.1 % of the rays out
+//          of steps over any land.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -69,7 +70,7 @@ uniform int   reflections;     //@ 1 {off, screen-space, traced} quality referen
 uniform int   border;          //@ 0 {stretch, fade} "what a ray finds that leaves the picture"
 uniform int   reflectionSteps; //@ 35 [4, 1024] log quality reference=1024 "of a ray in the picture"
 uniform int   march;           //@ 0 {pyramid, steps} quality reference=1 "of rays to land"
-uniform int   marchSteps;      //@ 128 [8, 512] log quality reference=512 "most for one ray to land"
+uniform int   marchSteps;      //@ 160 [8, 512] log quality reference=512 "most for one ray to land"
 uniform int   bends;           //@ 3 [1, 8] quality reference=8 "faces that light in water meets"
 uniform int   shadowSamples;   //@ 12 [1, 64] log quality reference=64 "rays to the sun's disc"
 uniform int   glitterSamples;  //@ 16 [1, 64] log quality reference=64 "of the waves in one pixel"
