@@ -48,8 +48,9 @@ inline std::string random_look(const Scene& scene, const std::vector<std::string
             const double at = share();
             component = tweak.log ? low * std::pow(high / low, at) : low + (high - low) * at;
         }
-        words += fmt::format("{}{}={}", words.empty() ? "" : " ", name,
-                             format_value(tweak, clamp_to_range(tweak, value)));
+        std::string text = format_value(tweak, clamp_to_range(tweak, value));
+        std::erase(text, ' ');
+        words += fmt::format("{}{}={}", words.empty() ? "" : " ", name, text);
     }
     return words;
 }
