@@ -84,7 +84,6 @@ private:
 
     void read_events();
     void hear(File& file, const Name& name, std::uint32_t mask);
-    void hear_name(File& file, const Name& name, std::uint32_t mask);
     void look(File& file);
     bool still_growing(File& file);
     static FileStamp stamp_of(const struct stat& status);

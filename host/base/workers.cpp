@@ -1,7 +1,6 @@
 #include "base/workers.h"
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <utility>

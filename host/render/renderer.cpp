@@ -3,7 +3,6 @@
 #include "gl/context.h"
 #include "render/room.h"
 
-#include <fmt/format.h>
 #include <glm/common.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// A verb of the command line: its options, and what it does with them. One file a verb.
+// A verb of the command line: its options, and what it does with them. One file a verb; those that
+// only the window calls share one.
 #pragma once
 
 #include "offline/common.h"

@@ -83,6 +83,7 @@ public:
     float largest_state() const;
 
     std::vector<float> picture() const;  // RGBA, rows bottom up
+    // What is checked, and how; valid as long as this.
     Renderer& renderer() { return *renderer_; }
     const Renderer& renderer() const { return *renderer_; }
     Context& context() { return context_; }

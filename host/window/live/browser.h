@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <future>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "window/live/held_rate.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace glint {
 namespace {

@@ -3,6 +3,7 @@
 #include "base/readable_file.h"
 #include "base/temporary_file.h"
 
+#include <algorithm>
 #include <span>
 #include <sstream>
 #include <stdexcept>

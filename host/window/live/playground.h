@@ -226,6 +226,7 @@ private:
     bool awaits_inputs() const { return inputs_.is_loading() || !arriving_.empty(); }
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void lay_fills_over(Preset& candidate);
+    void heard(bool is_read);
     void start_trial(const Preset& candidate, Programs programs, bool is_text);
     TweakValues tweaks_with(const Preset& text) const;
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <utility>
 
 namespace glint {
 namespace {
@@ -42,16 +41,17 @@ void Playground::mouse(glm::dvec2 fraction, bool down) {
     input_.mouse(fraction, down);
     recent_.mouse(fraction, down);
     recorder.mouse(fraction, down);
-    const bool is_read = renderer_ && renderer_->reads_mouse();
-    touched_ |= is_read;
-    is_replayable_ &= !is_read;
+    heard(renderer_ && renderer_->reads_mouse());
 }
 
 void Playground::key(int code, bool down) {
     input_.key(code, down);
     recent_.key(code, down);
     recorder.key(code, down);
-    const bool is_read = renderer_ && renderer_->reads_keyboard();
+    heard(renderer_ && renderer_->reads_keyboard());
+}
+
+void Playground::heard(bool is_read) {
     touched_ |= is_read;
     is_replayable_ &= !is_read;
 }

@@ -27,6 +27,7 @@
 #include "window/ui/shortcuts.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,8 +122,8 @@ private:
     // Studies and checks
     bool follow_findings();  // true when there is something new
     void grant_findings(const Wishes& wishes);
-    void start_study(const std::string& knob);
-    void start_check();
+    struct Subject;
+    void begin_finding(Subject& subject, const std::function<void()>& start);
     void stop_findings();
     void tell_findings(Facts& facts) const;
     // Each puts its picture into the view; false where there is none to show.

@@ -1,6 +1,5 @@
 #include "window/live/program_loader.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace glint {

@@ -1,15 +1,8 @@
 #include "window/live/sound.h"
 
 #include "window/trial/message.h"
-#include "window/trial/socket_process.h"
-
-#include <fmt/format.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -48,10 +41,6 @@ std::vector<std::filesystem::path> sounds_of(const Preset& preset) {
     return files;
 }
 
-LiveSound::~LiveSound() {
-    end();
-}
-
 LiveSound::Content LiveSound::content_of(const Preset& preset, std::vector<TweakValue> values) {
     Content content{.text = preset.scene.text, .values = std::move(values), .files = {}};
     std::error_code error;
@@ -71,7 +60,7 @@ void LiveSound::follow(const Preset* preset, std::vector<TweakValue> values,
         since_change_.restart();
     }
     if (!content_) return end();
-    if (process_ == 0 && (state.volume == 0.0f || !why_silent_.empty() || !start())) return;
+    if (process_.id() == 0 && (state.volume == 0.0f || !why_silent_.empty() || !start())) return;
     SoundOrder order{.scene = {}, .state = state};
     const bool rests = !sent_ || sent_->text != content_->text || since_change_.ms() > kRest;
     if (sent_ != content_ && rests) {
@@ -86,55 +75,34 @@ void LiveSound::follow(const Preset* preset, std::vector<TweakValue> values,
     }
     if (order.scene.empty() && is_in_step(told_, state)) return;
     told_ = state;
-    send(pack(order));
+    process_.send(pack(order));
 }
 
 bool LiveSound::start() {
-    const Launched launched = launch_on_socket("/proc/self/exe", "voice", device_);
-    process_ = launched.process;
-    socket_ = launched.pipe;
-    if (launched.error != 0) why_silent_ = std::strerror(launched.error);
-    return launched.error == 0;
+    const int error = process_.start("/proc/self/exe", "voice", device_);
+    if (error != 0) why_silent_ = std::strerror(error);
+    return error == 0;
 }
 
 void LiveSound::end() {
-    if (socket_ >= 0) ::close(std::exchange(socket_, -1));
-    outgoing_.clear();
-    incoming_.clear();
+    process_.end();
     sent_.reset();
     answered_ = true;
-    dying_.end(process_);
-}
-
-void LiveSound::send(const std::string& message) {
-    outgoing_ += message;
-    while (!outgoing_.empty()) {
-        const ssize_t sent =
-            ::send(socket_, outgoing_.data(), outgoing_.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-        if (sent <= 0) return;  // full, or broken, which update() finds out
-        outgoing_.erase(0, static_cast<std::size_t>(sent));
-    }
 }
 
 bool LiveSound::update() {
-    dying_.reap();
-    if (socket_ < 0) return false;
-    if (!outgoing_.empty()) send({});
-    std::array<char, 4096> buffer;
-    const ssize_t length = ::recv(socket_, buffer.data(), buffer.size(), MSG_DONTWAIT);
-    if (length < 0) return false;
-    if (length == 0) {
-        end();
-        why_silent_ = "the process that plays it has ended";
-        return true;
-    }
-    incoming_.append(buffer.data(), static_cast<std::size_t>(length));
-    for (std::size_t at; (at = incoming_.find('\n')) != std::string::npos;) {
-        const std::string line = incoming_.substr(0, at);
-        incoming_.erase(0, at + 1);
-        answered_ = true;
+    const bool goes_on = process_.receive();
+    std::string& arrived = process_.arrived;
+    bool is_new = false;
+    for (std::size_t at; (at = arrived.find('\n')) != std::string::npos;) {
+        const std::string line = arrived.substr(0, at);
+        arrived.erase(0, at + 1);
+        is_new = answered_ = true;
         why_silent_ = line.starts_with("silent ") ? line.substr(7) : "";
     }
+    if (goes_on) return is_new;
+    end();
+    why_silent_ = "the process that plays it has ended";
     return true;
 }
 

@@ -1,12 +1,10 @@
 // The sound of the scene in the window: played by another process, led from here.
 #pragma once
 
-#include "base/launch.h"
 #include "media/feed.h"
 #include "offline/common.h"
 #include "scene/preset.h"
-
-#include <sys/types.h>
+#include "window/trial/socket_process.h"
 
 #include <filesystem>
 #include <optional>
@@ -26,9 +24,6 @@ std::vector<std::filesystem::path> sounds_of(const Preset& preset);
 class LiveSound {
 public:
     explicit LiveSound(std::string device) : device_(std::move(device)) {}
-    ~LiveSound();
-    LiveSound(const LiveSound&) = delete;
-    LiveSound& operator=(const LiveSound&) = delete;
 
     // What is on the screen, the values of its tweaks, and where its time stands; null for nothing.
     // Tweaks are followed once they rest.
@@ -37,7 +32,7 @@ public:
     // Hears the process; does not wait. True when something is new.
     bool update();
     // For ::poll(): readable when update() has something to hear; -1 when there is no process.
-    int descriptor() const { return socket_; }
+    int descriptor() const { return process_.descriptor(); }
 
     // Whether the scene has a sound, and why it is not heard: "" while all is well.
     bool has_sound() const { return content_.has_value(); }
@@ -55,13 +50,9 @@ private:
 
     bool start();
     void end();
-    void send(const std::string& message);
 
     std::string device_;
-    pid_t process_ = 0;
-    Dying dying_;
-    int socket_ = -1;
-    std::string outgoing_, incoming_;
+    SocketProcess process_;
     std::optional<Content> content_, sent_;  // what there is; what the process has
     Stopwatch since_change_;
     bool answered_ = true;  // the process has made something of what it was sent last

@@ -19,12 +19,16 @@ class Standby {
 public:
     explicit Standby(const std::string& device);
 
-    // Makes them ready for what is shown now, in the background; those before are of no use.
+    // Makes them ready for what is shown now, in the background, at this size in pixels and this
+    // time in seconds; those before are of no use.
     void prepare(const Preset& shown, glm::ivec2 size, double time);
-    // Hears the process, and goes on. To be called again and again.
+    // Hears the process, and goes on, a few milliseconds a call. To be called again and again, with
+    // the context current that draws.
     void follow(ProgramShelf& shelf, Renderer& shown);
+    // Nothing is held or made ready any more.
     void stop();
 
+    // In the other process; here; done.
     bool is_preparing() const { return state_ == State::compiling; }
     bool is_loading() const { return state_ == State::loading; }
     bool is_ready() const { return state_ == State::ready; }

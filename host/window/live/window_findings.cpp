@@ -14,28 +14,19 @@ bool PlaygroundWindow::follow_findings() {
 void PlaygroundWindow::grant_findings(const Wishes& wishes) {
     if (wishes.cancel_study) study_.cancel();
     if (wishes.cancel_check) check_.cancel();
-    if (wishes.study) start_study(*wishes.study);
-    if (wishes.check) start_check();
+    if (wishes.study)
+        begin_finding(studied_,
+                      [&] { study_.start(playground_.preset_as_shown(), *wishes.study); });
+    if (wishes.check) begin_finding(checked_, [&] { check_.start(playground_.current_preset()); });
     dirty_ |= wishes.cancel_study || wishes.cancel_check || wishes.study || wishes.check;
 }
 
-void PlaygroundWindow::start_study(const std::string& knob) {
+void PlaygroundWindow::begin_finding(Subject& subject, const std::function<void()>& start) {
     if (!playground_.is_open()) return;
     pictures_.clear();
     try {
-        study_.start(playground_.preset_as_shown(), knob);
-        studied_ = {.values = playground_.tweaks.values()};
-    } catch (const std::runtime_error& error) {
-        notice(error.what());
-    }
-}
-
-void PlaygroundWindow::start_check() {
-    if (!playground_.is_open()) return;
-    pictures_.clear();
-    try {
-        check_.start(playground_.current_preset());
-        checked_ = {.values = playground_.tweaks.values()};
+        start();
+        subject = {.values = playground_.tweaks.values()};
     } catch (const std::runtime_error& error) {
         notice(error.what());
     }

@@ -4,9 +4,6 @@
 
 #include <glm/common.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace glint {
 namespace {
 

@@ -2,8 +2,8 @@
 // process of its own: neither its compiler nor its draws keep the window waiting.
 #pragma once
 
-#include "base/launch.h"
 #include "offline/common.h"
+#include "window/trial/socket_process.h"
 
 #include <filesystem>
 #include <string>
@@ -32,9 +32,6 @@ int refining_sample(int k, int count);
 class Refiner {
 public:
     explicit Refiner(std::string device, std::filesystem::path program = "/proc/self/exe");
-    ~Refiner();
-    Refiner(const Refiner&) = delete;
-    Refiner& operator=(const Refiner&) = delete;
 
     // Instead of what may still run. Does not wait.
     void start(const RefineOrder& order);
@@ -46,9 +43,9 @@ public:
     bool update();
 
     // For ::poll(): readable when update() may know more; -1 when no process runs.
-    int descriptor() const { return socket_; }
+    int descriptor() const { return process_.descriptor(); }
 
-    bool is_running() const { return process_ != 0; }
+    bool is_running() const { return process_.id() != 0; }
     // Samples that have been drawn, and of how many; 0 of 0 before the start.
     int done() const { return done_; }
     int of() const { return of_; }
@@ -58,15 +55,11 @@ public:
     bool take_picture() { return std::exchange(is_new_picture_, false); }
 
 private:
-    void send_order();
     bool take_arrived();
 
     std::string device_;
     std::filesystem::path program_;
-    pid_t process_ = 0;
-    Dying dying_;
-    int socket_ = -1;
-    std::string outgoing_, incoming_;
+    SocketProcess process_;
     int done_ = 0, of_ = 0;
     bool is_new_picture_ = false;
     Image picture_;

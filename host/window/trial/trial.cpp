@@ -2,14 +2,9 @@
 
 #include "scene/blame.h"
 #include "window/trial/message.h"
-#include "window/trial/socket_process.h"
 
 #include <fmt/format.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <cstring>
 #include <thread>
 
@@ -40,40 +35,24 @@ Trial::Trial(TrialOptions options) : options_(std::move(options)) {
     spawn();
 }
 
-Trial::~Trial() {
-    end_process();
-}
+Trial::~Trial() = default;
 
 void Trial::spawn() {
     if (!unavailable_.empty()) return;
     heard_ = std::make_unique<TrialAnswer>();
-    const Launched launched =
-        launch_on_socket(options_.program, "trial", options_.device, options_.niceness);
-    process_ = launched.process;
-    socket_ = launched.pipe;
+    const int error = process_.start(options_.program, "trial", options_.device, options_.niceness);
     note_time();
-    if (launched.error == 0) return;
-    unavailable_ = fmt::format("{} does not start: {}.", options_.program.string(),
-                               std::strerror(launched.error));
-}
-
-void Trial::end_process() {
-    if (socket_ >= 0) close(socket_);
-    socket_ = -1;
-    outgoing_.clear();
-    incoming_.clear();
-    renderer_.clear();
-    dying_.end(process_);
+    if (error == 0) return;
+    unavailable_ =
+        fmt::format("{} does not start: {}.", options_.program.string(), std::strerror(error));
 }
 
 // A new one, which is told of the candidate that still waits.
 void Trial::replace_process() {
-    end_process();
+    process_.end();
+    renderer_.clear();
     spawn();
-    if (is_running()) {
-        outgoing_ = order_;
-        send_pending();
-    }
+    if (is_running()) process_.send(order_);
 }
 
 void Trial::start(const Candidate& candidate) {
@@ -82,37 +61,16 @@ void Trial::start(const Candidate& candidate) {
     verdict_.state = TrialState::running;
     started_ = Clock::now();
     note_time();
-    if (process_ == 0) {
+    if (process_.id() == 0)
         replace_process();
-    } else {
-        outgoing_ += order_;
-        send_pending();
-    }
-}
-
-void Trial::send_pending() {
-    while (!outgoing_.empty() && socket_ >= 0) {
-        const ssize_t sent =
-            send(socket_, outgoing_.data(), outgoing_.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-        if (sent <= 0) return;  // full, or broken, which receive() finds out
-        outgoing_.erase(0, static_cast<std::size_t>(sent));
-    }
+    else
+        process_.send(order_);
 }
 
 void Trial::receive() {
-    std::array<char, 64 * 1024> buffer;
-    while (socket_ >= 0) {
-        const ssize_t length = recv(socket_, buffer.data(), buffer.size(), MSG_DONTWAIT);
-        if (length < 0 && (errno == EAGAIN || errno == EINTR)) break;
-        if (length > 0) {
-            incoming_.append(buffer.data(), static_cast<std::size_t>(length));
-            continue;
-        }
-        while (const auto message = take_message(incoming_)) hear(unpack_answer(*message));
-        hear_end_of_process();
-        return;
-    }
-    while (const auto message = take_message(incoming_)) hear(unpack_answer(*message));
+    const bool goes_on = process_.receive();
+    while (const auto message = take_message(process_.arrived)) hear(unpack_answer(*message));
+    if (!goes_on) hear_end_of_process();
 }
 
 void Trial::hear(TrialAnswer answer) {
@@ -133,15 +91,13 @@ void Trial::hear(TrialAnswer answer) {
 void Trial::hear_end_of_process() {
     std::optional<int> code;
     for (int i = 0; i < 20 && !code; ++i) {
-        code = ended(process_);
+        code = process_.exit_code();
         if (!code) std::this_thread::sleep_for(1ms);
     }
-    if (code) process_ = 0;
     const bool was_ready = !renderer_.empty();
     if (!was_ready && ++failed_starts_ == kMostFailedStarts && unavailable_.empty()) {
         unavailable_ = fmt::format("It was {} when it started.", ending_words(code.value_or(0)));
     }
-    end_process();
     const bool at_work = heard_->number == number_ && heard_->stage != TrialStage::ready;
     if (is_running() && at_work) {
         fail(TrialState::crashed,
@@ -180,13 +136,13 @@ std::string Trial::work() const {
 // What it does from now on is timed.
 void Trial::note_time() {
     heard_at_ = Clock::now();
-    heard_time_ = time_of(process_);
+    heard_time_ = time_of(process_.id());
 }
 
 bool Trial::is_too_slow() const {
     const double wall = seconds(Clock::now() - heard_at_);
     if (wall <= limit_seconds()) return false;  // most often, and without a question to the kernel
-    const ProcessTime now = time_of(process_);
+    const ProcessTime now = time_of(process_.id());
     return had_its_time(
         limit_seconds(), wall,
         {.used = now.used - heard_time_.used, .waited = now.waited - heard_time_.waited},
@@ -198,11 +154,9 @@ double Trial::limit_seconds() const {
 }
 
 const Verdict& Trial::poll() {
-    dying_.reap();
-    send_pending();
     receive();
     if (!is_running()) return verdict_;
-    if (!unavailable_.empty() && process_ == 0) {
+    if (!unavailable_.empty() && process_.id() == 0) {
         verdict_.state = TrialState::unavailable;
         verdict_.diagnostics.resize(1);
         verdict_.diagnostics[0].severity = Severity::warning;

@@ -2,9 +2,9 @@
 // ends or takes the GPU down cannot take the window with it.
 #pragma once
 
-#include "base/launch.h"
 #include "base/process_time.h"
 #include "offline/common.h"
+#include "window/trial/socket_process.h"
 
 #include <sys/types.h>
 
@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,14 +99,14 @@ public:
 
     // For ::poll(): readable when poll() may know more, also while no trial runs; -1 when there is
     // no process. It changes with the process.
-    int descriptor() const { return socket_; }
+    int descriptor() const { return process_.descriptor(); }
 
     // The renderer of the other process once it is ready, "" before; for telling whether it is the
     // window's.
     const std::string& renderer() const { return renderer_; }
 
     // The process that tries; 0 when there is none.
-    pid_t process() const { return process_; }
+    pid_t process() const { return process_.id(); }
 
     // What the process does with the newest candidate, in words such as "compiling image".
     std::string work() const;
@@ -119,9 +118,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     void spawn();
-    void end_process();
     void replace_process();
-    void send_pending();
     void receive();
     void hear(TrialAnswer answer);
     void note_time();
@@ -132,15 +129,12 @@ private:
     double limit_seconds() const;
 
     TrialOptions options_;
-    pid_t process_ = 0;
-    Dying dying_;
-    int socket_ = -1;
-    int failed_starts_ = 0;     // in a row
-    std::string unavailable_;   // why there can be no process
-    std::string renderer_;      // "": not ready yet
-    std::string order_;         // the newest candidate, as sent
-    std::uint64_t number_ = 0;  // of the newest candidate
-    std::string outgoing_, incoming_;
+    SocketProcess process_;
+    int failed_starts_ = 0;               // in a row
+    std::string unavailable_;             // why there can be no process
+    std::string renderer_;                // "": not ready yet
+    std::string order_;                   // the newest candidate, as sent
+    std::uint64_t number_ = 0;            // of the newest candidate
     std::unique_ptr<TrialAnswer> heard_;  // the last words, whichever candidate they are about
     Clock::time_point started_, heard_at_;
     ProcessTime heard_time_;  // of the process, then

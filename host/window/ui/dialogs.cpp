@@ -42,20 +42,23 @@ bool pressed(ImGuiKey key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
+// A heading, and a field below it that is ready to be typed into. True when Enter is pressed there.
+bool path_field(const Theme& theme, const char* heading, std::string& path) {
+    text_in(colours::kText, heading, theme.bold);
+    const float widest = ImGui::GetIO().DisplaySize.x - theme.px(60);
+    ImGui::SetNextItemWidth(std::min(theme.px(480), widest));
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    return ImGui::InputText("##path", &path, ImGuiInputTextFlags_EnterReturnsTrue);
+}
+
 void ask_path(Build& build, SavingState& state) {
-    const Theme& theme = build.theme;
     const bool begins = build.settings.save_as;
     if (begins)
         state = {proposed_path(build.facts.file).string(), build.facts.start_time.has_value()};
     build.settings.save_as = false;
     if (begins) ImGui::OpenPopup(kSaveAs);
     if (!begin_dialog(kSaveAs)) return;
-    text_in(colours::kText, "Save as a preset", theme.bold);
-    const float widest = ImGui::GetIO().DisplaySize.x - theme.px(60);
-    ImGui::SetNextItemWidth(std::min(theme.px(480), widest));
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    const bool entered =
-        ImGui::InputText("##path", &state.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = path_field(build.theme, "Save as a preset", state.path);
     fs::path path(state.path);
     if (!path.empty() && !is_preset(path)) path += ".toml";
     std::error_code error;
@@ -97,17 +100,11 @@ void choose_template(Build& build, NewSceneState& state) {
 
 void ask_new_scene(Build& build, NewSceneState& state) {
     constexpr const char* kNewScene = "New scene";
-    const Theme& theme = build.theme;
     const bool begins = std::exchange(build.settings.new_scene, false);
     if (begins) state.path = proposed_scene(build.facts.folder).string();
     if (begins) ImGui::OpenPopup(kNewScene);
     if (!begin_dialog(kNewScene)) return;
-    text_in(colours::kText, "A new scene", theme.bold);
-    const float widest = ImGui::GetIO().DisplaySize.x - theme.px(60);
-    ImGui::SetNextItemWidth(std::min(theme.px(480), widest));
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    const bool entered =
-        ImGui::InputText("##path", &state.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = path_field(build.theme, "A new scene", state.path);
     choose_template(build, state);
     fs::path path(state.path);
     if (!path.empty() && path.extension() != ".frag") path += ".frag";

@@ -12,7 +12,6 @@
 
 #include <imgui.h>
 
-#include <map>
 #include <random>
 
 namespace glint {

@@ -1,7 +1,6 @@
 #include "window/ui/layout.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace glint {
 namespace {
