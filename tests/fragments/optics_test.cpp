@@ -76,6 +76,29 @@ TEST_F(Optics, TheBoatsWavesKeepTheDispersionOfTheirDepth) {
     }
 }
 
+// Twice as far from a small lamp, a fourth of its light. (Close to it: what the other lamps of the
+// hall add is a few percent.)
+TEST_F(Optics, LampsFadeWithTheSquareOfTheDistance) {
+    struct {
+        const char *scene, *light;
+    } const cases[] = {
+        {"christmas",
+         "float lit(float far) {\n"
+         "    Lamp source = lamp(0);\n"
+         "    vec3 way = normalize(kAim - source.pos), p = source.pos + far * way;\n"
+         "    return (irradiance(p, -way, false, 1) - irradiance(p, -way, false, 0)).g;\n}\n"},
+        {"magic",
+         "float lit(float far) {\n"
+         "    vec3 p = thing(kLamps).xyz + vec3(0.0, far, 0.0), sheen;\n"
+         "    return lampsLight(p, vec3(0, -1, 0), vec3(1, 0, 0), 0.3, sheen).r;\n}\n"},
+    };
+    for (const auto& c : cases) {
+        const glm::vec4 light = value_of(c.scene, c.light, "vec2(lit(0.5), lit(1.0))");
+        EXPECT_GT(light.y, 0.0f) << c.scene;
+        EXPECT_NEAR(light.x / light.y, 4.0f, 0.5f) << c.scene;
+    }
+}
+
 // Q19: the mean of what fades evenly is exact, from clear air to ink.
 TEST_F(Optics, TheMeanOfAnEvenFadeIsExact) {
     std::vector<ProbeCase> cases;
