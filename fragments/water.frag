@@ -24,7 +24,7 @@
 //          the simulation; screen: only its size counts. relief, bend, heights, peaks, crest: the
 //          shape of the rings, once a frame. mirror, below, dudv: `planar` only.
 // Defaults From `glint study presets/water.toml`: traced costs less than planar here, which is
-//          0.040 (RMSE) off; 6 rays are 0.004 from 24; marchSteps 64 draw what 1024 do, and 192
+//          0.040 (RMSE) off; 6 rays are 0.004 from 24; marchSteps 64 draw what 1024 do, and 320
 //          leave no more than 0.1 % of the rays out of steps in the wildest rain; overstep 1.4 is
 //          0.002 from 1, in 7 % less time; 3 steps of refinement are 1e-5 from 8.
 // Licence  MIT
@@ -74,7 +74,7 @@ uniform float focalLength;     //@ 24 [12, 120] log unit=mm "of a lens on 36 x 2
 uniform float exposure;        //@ 0.0 [-6, 10] unit=stop "before the display curve"
 //@ group Quality
 uniform int   rays;            //@ 6 [2, 24] quality reference=24 "rays along one path"
-uniform int   marchSteps;      //@ 192 [4, 1024] log quality reference=1024 "towards the surface"
+uniform int   marchSteps;      //@ 320 [4, 1024] log quality reference=1024 "towards the surface"
 uniform float overstep;        //@ 1.4 [1, 3] quality reference=1 "1: never beyond what is safe"
 uniform int   refinement;      //@ 3 [0, 8] quality reference=8 "Illinois steps at the end"
 uniform int   antialias;       //@ 1 [1, 32] log quality reference=32 "paths a pixel"
@@ -296,7 +296,7 @@ float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
     float closing = steep + gRings.y * levelled;
     if (t >= end || closing <= 1e-6) return kFar;   // beside it, or faster up than waves rise
     vec2 ahead = step(0.0, rd.xz), nudge = 1e-4 * sign(rd.xz);   // m
-    float least = min(longestWave / 1.7, 1.0);   // short waves are cut by shorter steps
+    float least = min(square(longestWave / 1.7), 1.0);   // short waves are soon cut
     float gap = 1e-4, before = t, gapBefore = gap;
     for (int i = 0; i <= marchSteps; ++i) {
         vec3 p = ro + t * rd;

@@ -64,6 +64,23 @@ TEST_F(Optics, TheSunUnderLevelWaterIsWhereSnellPutsIt) {
         EXPECT_NEAR(value_of(c.scene, c.functions, c.ratio).x, c.index, 2e-3) << c.scene;
 }
 
+// What level water does not mirror goes through, and none is lost: of a beam that is bent towards
+// the vertical, the same light falls on level ground. (Red: the sun's own colour is 1 there.)
+TEST_F(Optics, LevelWaterLetsThroughWhatItDoesNotMirror) {
+    struct {
+        const char *scene, *share;
+    } const cases[] = {
+        {"deep_ocean",
+         "float probed() { Medium m = oceanMedium(); vec3 s = sunAbove();\n"
+         "    return m.sun.r * m.towards.y / (sunPower * (1.0 - fresnel(s.y, 1.34)) * s.y); }\n"},
+        {"caustics",
+         "float probed() { Medium m = waterMedium(); vec3 s = sunAbove();\n"
+         "    return m.sun.r * m.towards.y / (sunPower * (1.0 - fresnel(s.y, 1.3345)) * s.y); }\n"},
+    };
+    for (const auto& c : cases)
+        EXPECT_NEAR(value_of(c.scene, c.share, "probed()").x, 1.0, 1e-4) << c.scene;
+}
+
 // Waves over a depth d: (2 pi f)^2 = g k tanh(k d), to the digits of a float.
 TEST_F(Optics, TheBoatsWavesKeepTheDispersionOfTheirDepth) {
     std::vector<ProbeCase> cases;
@@ -73,6 +90,49 @@ TEST_F(Optics, TheBoatsWavesKeepTheDispersionOfTheirDepth) {
         const double k = cases[i].a.x, d = hz[i].y;
         const double right = std::sqrt(9.81 * k * std::tanh(k * d)) / (2.0 * std::acos(-1.0));
         EXPECT_NEAR(hz[i].x / right, 1.0, 1e-5) << k;
+    }
+}
+
+// Twice as far from a small lamp, a fourth of its light. (Close to it: what the other lamps of the
+// hall add is a few percent.)
+TEST_F(Optics, LampsFadeWithTheSquareOfTheDistance) {
+    struct {
+        const char *scene, *light;
+    } const cases[] = {
+        {"christmas",
+         "float lit(float far) {\n"
+         "    Lamp source = lamp(0);\n"
+         "    vec3 way = normalize(kAim - source.pos), p = source.pos + far * way;\n"
+         "    return (irradiance(p, -way, false, 1) - irradiance(p, -way, false, 0)).g;\n}\n"},
+        {"magic",
+         "float lit(float far) {\n"
+         "    vec3 p = thing(kLamps).xyz + vec3(0.0, far, 0.0), sheen;\n"
+         "    return lampsLight(p, vec3(0, -1, 0), vec3(1, 0, 0), 0.3, sheen).r;\n}\n"},
+    };
+    for (const auto& c : cases) {
+        const glm::vec4 light = value_of(c.scene, c.light, "vec2(lit(0.5), lit(1.0))");
+        EXPECT_GT(light.y, 0.0f) << c.scene;
+        EXPECT_NEAR(light.x / light.y, 4.0f, 0.5f) << c.scene;
+    }
+}
+
+// Q19: what a lake scatters towards the eye, along rays up and down: daylight fades with the depth,
+// and the light along the ray. Against 20,000 steps.
+TEST_F(Optics, TheGlowOfALakeIsTheSumAlongTheRay) {
+    Bar error("Q19 terrain: relative error of the lake's glow", 1e-4);
+    for (const double rise : {-0.9, -0.3, 0.0, 0.4, 0.9}) {
+        const std::vector<ProbeCase> one = {{.a = {static_cast<float>(rise), 0, 0, 0}}};
+        const glm::vec4 loss = probe(scene_text("terrain"), "waterLoss()", one)[0];
+        const glm::vec4 got = probe(
+            scene_text("terrain"), "lakeGlow(12.0, a.x, 10.0) / lakeGlow(12.0, 0.0, 1e-4)", one)[0];
+        for (int c = 0; c < 3; ++c) {
+            double sum = 0.0;
+            for (int k = 0; k < 20000; ++k) {
+                const double t = (k + 0.5) * 10.0 / 20000.0;
+                sum += std::exp(loss[c] * (0.7 * rise - 1.0) * t) * 10.0 / 20000.0;
+            }
+            error.see(std::abs(got[c] * 1e-4 / sum - 1.0), fmt::format("rise {}", rise));
+        }
     }
 }
 
