@@ -183,6 +183,7 @@ private:
     glm::ivec2 drawn_size(std::size_t index) const;
     bool is_tile(std::size_t index) const;
     Value value_of(const BuiltinUniform& uniform, std::size_t index, const Inputs& inputs) const;
+    Value channel_value(const BuiltinUniform& uniform, std::size_t pass, double time) const;
     glm::ivec3 channel_size(std::size_t pass, int channel) const;
     float channel_time(std::size_t pass, int channel, double time) const;
     std::size_t graph_index(std::size_t pass) const;

@@ -129,6 +129,28 @@ float Renderer::channel_time(std::size_t pass, int channel, double time) const {
     return found ? static_cast<float>(channels_.time_of(*found, time)) : 0.0f;
 }
 
+// What a pass is told of its channels: of all four, or of the one that the uniform is about.
+Renderer::Value Renderer::channel_value(const BuiltinUniform& uniform, std::size_t pass,
+                                        double time) const {
+    Value value;
+    if (uniform.builtin == Builtin::channel_struct) {
+        const glm::vec3 size(channel_size(pass, uniform.index));
+        if (uniform.name.ends_with(".size")) std::copy_n(&size.x, 3, value.floats.begin());
+        if (uniform.name.ends_with(".time"))
+            value.floats[0] = channel_time(pass, uniform.index, time);
+        if (uniform.name.ends_with(".loaded")) value.ints[0] = size.x > 0.0f;
+        return value;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const glm::vec3 size(channel_size(pass, i));
+        if (uniform.builtin == Builtin::channel_time)
+            value.floats[static_cast<std::size_t>(i)] = channel_time(pass, i, time);
+        else
+            std::copy_n(&size.x, 3, value.floats.begin() + 3 * i);
+    }
+    return value;
+}
+
 Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t index,
                                    const Inputs& inputs) const {
     const Frame& frame = inputs.frame;
@@ -167,24 +189,9 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
             value.ints[0] = static_cast<GLint>(tick(frame.time));
             break;
         case Builtin::channel_time:
-            for (int i = 0; i < 4; ++i)
-                f[static_cast<std::size_t>(i)] =
-                    channel_time(scene_.programs[index].pass, i, frame.time);
-            break;
         case Builtin::channel_resolution:
-            for (int i = 0; i < 4; ++i) {
-                const glm::vec3 size(channel_size(scene_.programs[index].pass, i));
-                std::copy_n(&size.x, 3, f.begin() + 3 * i);
-            }
-            break;
-        case Builtin::channel_struct: {
-            const glm::vec3 size(channel_size(scene_.programs[index].pass, uniform.index));
-            if (uniform.name.ends_with(".size")) std::copy_n(&size.x, 3, f.begin());
-            if (uniform.name.ends_with(".time"))
-                f[0] = channel_time(scene_.programs[index].pass, uniform.index, frame.time);
-            if (uniform.name.ends_with(".loaded")) value.ints[0] = size.x > 0.0f;
-            break;
-        }
+        case Builtin::channel_struct:
+            return channel_value(uniform, scene_.programs[index].pass, frame.time);
         case Builtin::jitter:
             if (is_jittered(preset_.scene, scene_.graph.passes[index]))
                 f[0] = inputs.jitter.x, f[1] = inputs.jitter.y;

@@ -4,6 +4,7 @@
 // Bars. A box that is there is never missed: not at an edge, not for a ray in the plane of a face,
 // near or far from the origin. Along an axis there is also no false hit. (A ray at an edge may
 // count as a hit a rounding beyond it: widening by 2 ulp is what closes the gaps, Ize 2013.)
+#include "bar.h"
 #include "intersections.h"
 
 #include <array>
@@ -20,16 +21,17 @@ const std::string kFaceless =
 
 constexpr std::size_t kRays = 32768;
 
-// Distance to the closed box |p - centre| <= 1, by division, axis by axis; 0 from within.
-Real reference(const glm::vec3& ro, const glm::vec3& rd, const glm::vec3& centre) {
+// Distance to the closed box |p - centre| <= half, by division, axis by axis; 0 from within.
+Real reference(const glm::vec3& ro, const glm::vec3& rd, const glm::vec3& centre,
+               const glm::vec3& half = glm::vec3(1.0f)) {
     Real near = 0.0L, far = 1e30L;
     for (int k = 0; k < 3; ++k) {
         const Real o = Real{ro[k]} - Real{centre[k]}, d = rd[k];
         if (std::abs(d) < 1e-37L) {  // denormals are zeros to the driver
-            if (std::abs(o) > 1.0L) return kMiss;
+            if (std::abs(o) > Real{half[k]}) return kMiss;
             continue;
         }
-        const Real a = (-1.0L - o) / d, b = (1.0L - o) / d;
+        const Real a = (-Real{half[k]} - o) / d, b = (Real{half[k]} - o) / d;
         near = std::max(near, std::min(a, b));
         far = std::min(far, std::max(a, b));
     }
@@ -177,6 +179,52 @@ TEST_F(Boxes, NoneIsMissedAndNoneInventedAlongAnAxis) {
                 compare(truth, [&](std::size_t i) { return Real{t[i].x}; });
             EXPECT_LE(distances.worst, 1e-5) << kind.name << " at " << place;
         }
+    }
+}
+
+// Q5: boxes of any size and shape, from a millimetre thin to a kilometre long, aimed at their edges
+// or along an axis.
+TEST_F(Boxes, NoneIsMissedWhateverTheCase) {
+    Bar missed("Q5 box: rays that miss what is there", 0.0);
+    Bar invented("Q5 box: hits of nothing along an axis", 0.0);
+    Random random{std::mt19937(8)};
+    for (int k = 0; k < 40; ++k) {
+        glm::vec3 half;
+        for (int c = 0; c < 3; ++c)
+            half[c] = static_cast<float>(std::pow(10.0, random.uniform(-3.0, 3.0)));
+        const bool along_axis = k % 2 == 1;
+        std::vector<ProbeCase> cases;
+        std::vector<Real> truth;
+        while (cases.size() < 16384) {
+            const auto axis = static_cast<int>(random.uniform(0.0, 3.0));
+            const auto side = [&] { return random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0; };
+            glm::vec3 ro, rd(0.0f);
+            if (along_axis) {
+                ro = glm::vec3(random.in_box(1.5 * glm::dvec3(half)));
+                rd[axis] = static_cast<float>(side());
+            } else {
+                glm::dvec3 target(side(), side(), side());
+                target[axis] = random.uniform(-1.0, 1.0);
+                const double away = std::pow(10.0, random.uniform(0.3, 3.0));
+                const FloatRay ray =
+                    ray_through(random, target * glm::dvec3(half), away * glm::length(half));
+                ro = ray.ro, rd = ray.rd;
+            }
+            const Real t = reference(ro, rd, glm::vec3(0.0f), half);
+            if (t == 0.0L) continue;
+            cases.push_back(
+                {.a = glm::vec4(ro, 0), .b = glm::vec4(rd, 0), .c = glm::vec4(half, 0)});
+            truth.push_back(t);
+        }
+        const auto t = probe_all(
+            kAnalytic +
+                "float probe_box(vec3 o, vec3 d, vec3 h) { vec3 f; return robustBox(o, d, h, f); }",
+            "probe_box(a.xyz, b.xyz, c.xyz)", cases);
+        const Misses found = count(truth, [&](std::size_t i) { return t[i].x > 0.0f; });
+        const std::string where = fmt::format("half {:.3g} {:.3g} {:.3g}, {}", half.x, half.y,
+                                              half.z, along_axis ? "along an axis" : "edges");
+        missed.see(static_cast<double>(found.missed), where);
+        if (along_axis) invented.see(static_cast<double>(found.invented), where);
     }
 }
 

@@ -1,4 +1,5 @@
 // The light on the floor in fragments/caustics.frag against photons traced in double precision.
+#include "bar.h"
 #include "probe.h"
 
 #include <glm/geometric.hpp>
@@ -301,6 +302,42 @@ TEST_F(Caustics, FoldedLightIsCountedOnceForEverySheet) {
         }
         of_method(look, reference, "folds = \"never\"\n");
         print_shortcuts(look, reference);
+    }
+}
+
+// Q14 over looks: calm ones against Newton's inverse, folded ones against photons.
+TEST_F(Caustics, CalmWaterIsRightWhateverTheCase) {
+    Bar rmse("Q14 caustics: calm water, RMSE", 1e-2), energy("Q14 caustics: calm, energy, %", 0.2);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int k = 0; k < 10; ++k) {
+        Look look = {.depth = 0.4 * std::pow(5.0, unit(random)),
+                     .length = 0.6 * std::pow(3.0, unit(random)),
+                     .elevation = 35.0 + 50.0 * unit(random),
+                     .azimuth = 360.0 * unit(random) - 180.0};
+        // As steep as still counts as calm: depth times curvature.
+        look.slope = std::min(0.12, 0.02 * look.length / look.depth / 0.9) * unit(random);
+        const Error error = of_method(look, inverse(look, waves_of(look)), "");
+        const std::string where = look.tweaks();
+        rmse.see(error.rmse, where);
+        energy.see(100.0 * std::abs(error.energy), where);
+    }
+}
+TEST_F(Caustics, FoldedLightIsRightWhateverTheCase) {
+    Bar relative("Q14 caustics: folded light, relMSE", 1e-2);
+    Bar energy("Q14 caustics: folded, energy, %", 1.0);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int k = 0; k < 6; ++k) {
+        const Look look = {.depth = 1.5 + 3.0 * unit(random),
+                           .slope = 0.05 + 0.07 * unit(random),
+                           .length = 0.7 + 0.8 * unit(random),
+                           .elevation = 45.0 + 40.0 * unit(random),
+                           .azimuth = 360.0 * unit(random) - 180.0};
+        const Map reference = photons(look, waves_of(look), 4096, 7);
+        const Error error = of_method(look, reference, "method = \"area\"\n");
+        relative.see(error.relative, look.tweaks());
+        energy.see(100.0 * std::abs(error.energy), look.tweaks());
     }
 }
 

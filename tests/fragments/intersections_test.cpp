@@ -8,6 +8,8 @@
 // would prove nothing.
 #include "intersections.h"
 
+#include "bar.h"
+
 #include <array>
 
 namespace glint {
@@ -177,6 +179,37 @@ TEST_F(Intersections, RaysThatStartInsideMeetTheFarSide) {
         // Relative to a distance that may be far below the shape's size.
         EXPECT_LE(at.robust.p99, 2e-5) << shape.name;
         EXPECT_EQ(at.robust.not_finite, 0u) << shape.name;
+    }
+}
+
+// Q3: spheres of a millimetre to a kilometre, near the origin and a thousand radii from it, seen
+// from 4 to 1e4 radii away.
+TEST_F(Intersections, SpheresHoldWhateverTheCase) {
+    Bar flips("Q3 sphere: share of rays that flip between hit and miss", 2e-4);
+    Bar distances("Q3 sphere: relative error of the distance, 99 % are below", 5e-7);
+    Random random{std::mt19937(3)};
+    for (int k = 0; k < 40; ++k) {
+        const auto radius = static_cast<float>(std::pow(10.0, random.uniform(-3.0, 3.0)));
+        const double away = std::pow(10.0, random.uniform(0.6, 4.0)) * radius;
+        const glm::vec3 centre(random.direction() * std::pow(10.0, random.uniform(-2.0, 3.0)) *
+                               double{radius});
+        std::vector<ProbeCase> cases;
+        std::vector<Real> truth;
+        while (cases.size() < 32768) {
+            const FloatRay ray = ray_through(
+                random, glm::dvec3(centre) + random.in_box(glm::dvec3(1.2 * radius)), away);
+            cases.push_back({.a = glm::vec4(ray.ro, 0),
+                             .b = glm::vec4(ray.rd, 0),
+                             .c = glm::vec4(centre, radius)});
+            truth.push_back(sphere(Real3(ray.ro) - Real3(centre), Real3(ray.rd), Real{radius}));
+        }
+        const auto t = probe_all(kAnalytic, "intersectSphere(a.xyz, b.xyz, c.xyz, c.w)", cases);
+        const Comparison found = compare(truth, [&](std::size_t i) { return Real{t[i].x}; });
+        const std::string where =
+            fmt::format("radius {:.3g} at {:.3g}, from {:.3g}", radius, glm::length(centre), away);
+        EXPECT_GT(found.hits, cases.size() / 20) << where;
+        flips.see(found.flips, where);
+        distances.see(found.p99, where);
     }
 }
 

@@ -1,6 +1,8 @@
 // The probe itself: what goes in and comes out, and one hash as an example of its use.
 #include "probe.h"
 
+#include "bar.h"
+
 #include <bit>
 #include <cstdint>
 
@@ -40,6 +42,63 @@ TEST_F(Probe, CallsTheFunctionsOfAWholeScene) {
 TEST_F(Probe, SaysWhatDoesNotCompile) {
     const std::vector<ProbeCase> one(1);
     EXPECT_THROW(probe("", "nothing(a)", one), std::runtime_error);
+}
+
+// Q8: a scene's hash gives the bits of C++'s, over 2^20 cells each round -1e6, 1e6 and beyond 2^24,
+// where a float no longer knows its neighbour. (That all scenes have one text of it is asked
+// elsewhere.) A case folds the hashes of 64 cells in a row.
+TEST_F(Probe, AHashOfTheScenesIsTheSameInCppOverMillionsOfCells) {
+    const std::string fold =
+        "#include \"" GLINT_REPOSITORY
+        "/fragments/sea.frag\"\n"
+        "vec4 folded(vec4 high, vec4 low) {\n"
+        "    ivec3 q = ivec3(high.xyz) * 65536 + ivec3(low.xyz);\n"
+        "    uvec3 sum = uvec3(0u);\n"
+        "    for (int k = 0; k < 64; ++k) sum = 31u * sum + hash3(q + ivec3(k, 0, 0));\n"
+        "    uvec2 all = uvec2(sum.x + 7u * sum.z, sum.y + 5u * sum.z);\n"
+        "    return vec4(all & 0xffffu, all >> 16u).xzyw;\n}\n";
+    const auto hash = [](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+        x = x * 1664525u + 1013904223u;
+        y = y * 1664525u + 1013904223u;
+        z = z * 1664525u + 1013904223u;
+        x += y * z, y += z * x, z += x * y;
+        x ^= x >> 16u, y ^= y >> 16u, z ^= z >> 16u;
+        x += y * z, y += z * x, z += x * y;
+        return std::array{x, y, z};
+    };
+    Bar different("Q8 hash: rows of 64 cells with other bits", 0.0);
+    for (const int far : {-1'000'000, 1'000'000, (1 << 24) + 1}) {
+        std::vector<ProbeCase> cases;
+        std::vector<std::array<std::uint32_t, 2>> wanted;
+        for (int i = 0; i < 16384; ++i) {
+            const std::array q = {far + 64 * (i % 16), -far + i / 16 % 32, far + i / 512};
+            ProbeCase one;
+            for (int c = 0; c < 3; ++c) {
+                const int n = q[static_cast<std::size_t>(c)];
+                one.a[c] = static_cast<float>(n >> 16);
+                one.b[c] = static_cast<float>(n & 65535);
+            }
+            cases.push_back(one);
+            std::array<std::uint32_t, 3> sum{};
+            for (int k = 0; k < 64; ++k) {
+                const auto h =
+                    hash(static_cast<std::uint32_t>(q[0] + k), static_cast<std::uint32_t>(q[1]),
+                         static_cast<std::uint32_t>(q[2]));
+                for (std::size_t c = 0; c < 3; ++c) sum[c] = 31u * sum[c] + h[c];
+            }
+            wanted.push_back({sum[0] + 7u * sum[2], sum[1] + 5u * sum[2]});
+        }
+        const auto got = probe(fold, "folded(a, b)", cases);
+        int wrong = 0;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const auto bits = [](float low, float high) {
+                return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16u;
+            };
+            wrong += bits(got[i].x, got[i].y) != wanted[i][0] ||
+                     bits(got[i].z, got[i].w) != wanted[i][1];
+        }
+        different.see(wrong, fmt::format("cells round {}", far));
+    }
 }
 
 // pcg3d in GLSL agrees with the textures of noise that the host makes (Jarzynski and Olano 2020).

@@ -1,6 +1,7 @@
 // The sea: rays to the waves, sunlight, glitter, age, in figures.
 #include "sea.h"
 
+#include "bar.h"
 #include "glitter.h"
 
 #include <algorithm>
@@ -118,6 +119,26 @@ TEST_F(SeaScene, NormalsAreAnalyticAndFiltered) {
     EXPECT_LE(worst_angle * 360.0 / kTau, 0.01) << "degrees, out to 1000 m";
 }
 
+// The same at another time: phases turn as deep water's dispersion says, out to 1000 m.
+TEST_F(SeaScene, WavesTravelAsDeepWaterLetsThem) {
+    constexpr double kTime = 5.0;  // s, of picture()
+    constexpr int kSide = 32;
+    const auto pixels = picture(
+        "    Sea s = sea((p - 16.0) * 62.5, vec3(0.0));\n    c = vec4(s.height, s.slope, 1.0);\n",
+        {kSide, kSide}, "");
+    Bar height("Q10 sea: height at 5 s, out to 1000 m, m", 5e-4);
+    Bar normal("Q10 sea: normal at 5 s, degrees RMS", 0.01);
+    double squares = 0.0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const double x = (i % kSide + 0.5 - 16.0) * 62.5, z = (i / kSide + 0.5 - 16.0) * 62.5;
+        const Surface s = surface(x, z, static_cast<std::uint64_t>(kTime * 65536.0), 24);
+        const glm::vec4& got = pixels[static_cast<std::size_t>(i)];
+        height.see(std::abs(got.x - s.height), fmt::format("{} {}", x, z));
+        squares += std::pow(got.y - s.x, 2.0) + std::pow(got.z - s.z, 2.0);
+    }
+    normal.see(std::sqrt(squares / (kSide * kSide)) * 360.0 / kTau, "1024 places");
+}
+
 // A height field has no overhangs, but steep sums look like cliffs, and rays to them grow long: at
 // the greatest height and sharpest crests the slopes of the long waves must sum to less than 0.95.
 TEST_F(SeaScene, SlopesOfTheLongWavesSumToLessThanOne) {
@@ -191,6 +212,49 @@ TEST_F(SeaScene, RaysMeetTheSeaWhereTheyShould) {
             << "with 4 to finish";
         EXPECT_LE(capped * percent, 0.1);
     }
+}
+
+// The sun in slopes of a Gaussian, for one unit of its light (Bruneton et al. 2010, eq. 7), from
+// any side: the mirrored share times the density of the slopes that mirror, over what the look
+// shows.
+TEST_F(SeaScene, TheSunsLobeIsThatOfTheSlopes) {
+    std::vector<ProbeCase> cases;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int i = 0; i < 4000; ++i) {
+        const double a = kTau * unit(random), y = -0.02 - 0.9 * unit(random);
+        cases.push_back({.a = {std::sqrt(1.0 - y * y) * std::cos(a), y,
+                               std::sqrt(1.0 - y * y) * std::sin(a), 0},
+                         .b = {0.6 * unit(random) - 0.3, 0.6 * unit(random) - 0.3,
+                               0.01 + 0.1 * unit(random), 0.01 + 0.1 * unit(random)}});
+    }
+    const auto got = probe(
+        scene_text("vec2 probed(vec3 rd, vec4 s) {\n"
+                   "    return vec2(seaGlitter(rd, Sea(0.0, s.xy, vec3(s.zw, 0.0), 0.0), 0.5),\n"
+                   "                length(sunDirection())); }\n"),
+        "probed(a.xyz, b)", cases);
+    const double sun_a = -16.0 * kTau / 360.0, sun_h = 6.0 * kTau / 360.0;
+    const glm::dvec3 sun(std::sin(sun_a) * std::cos(sun_h), std::sin(sun_h),
+                         -std::cos(sun_a) * std::cos(sun_h));
+    int seen = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        glm::dvec3 h = sun - glm::dvec3(cases[i].a);
+        h = h / std::sqrt(h.x * h.x + h.y * h.y + h.z * h.z);
+        const double wide = std::pow(0.25 * 0.27 * kTau / 360.0, 2.0);
+        const double vx = cases[i].b.z + wide, vz = cases[i].b.w + wide;
+        const double dx = -h.x / h.y - cases[i].b.x, dz = -h.z / h.y - cases[i].b.y;
+        const double density =
+            std::exp(-0.5 * (dx * dx / vx + dz * dz / vz)) / (kTau * std::sqrt(vx * vz));
+        const double c = sun.x * h.x + sun.y * h.y + sun.z * h.z;
+        const double g = std::sqrt(1.333 * 1.333 - 1.0 + c * c), p = (g - c) / (g + c);
+        const double q = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+        const double right =
+            0.5 * p * p * (1.0 + q * q) * density / (4.0 * std::pow(h.y, 4.0) * 0.5);
+        if (right < 1e-6 || h.y < 0.06) continue;
+        ++seen;
+        EXPECT_NEAR(got[i].x / right, 1.0, 2e-3) << i;  // 1e-5 of the upright is added to h
+    }
+    EXPECT_GT(seen, 1000);
 }
 
 // What a pixel of glitter should show, by many samples of the bare waves, against one filtered one.

@@ -1,6 +1,8 @@
 // The pool's waves, march, refraction and light against double precision.
 #include "water.h"
 
+#include "bar.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -89,6 +91,21 @@ TEST_F(Water, HeightsAndSlopesAreThoseOfDoublePrecision) {
         EXPECT_NEAR(bends[i].w, 0.0, 1e-6) << "a point hides no slope";
     }
     EXPECT_LE(worst_degrees, 0.01) << "normals within a hundredth of a degree";
+}
+
+// Q12: steeper sums than 0.95 fold over, or look like cliffs. Waves that break grow no more.
+TEST_F(Water, SlopesOfTheWavesSumToLessThanOne) {
+    Bar sum("Q12 water: sum of the waves' slopes", 0.95);
+    for (const auto& [height, longest] :
+         {std::pair{"0.12", "0.6"}, {"0.12", "1.7"}, {"0.05", "0.6"}, {"0.12", "6"}}) {
+        const PlaneWaves waves = plane_waves(
+            with_defaults(water_text(), {{"waveHeight", height}, {"longestWave", longest}}));
+        double slopes = 0.0;
+        for (std::size_t i = 0; i < 8; ++i)
+            slopes += waves.height[i] * std::hypot(waves.kx[i], waves.kz[i]);
+        sum.see(slopes, fmt::format("waveHeight={} longestWave={}", height, longest));
+    }
+    EXPECT_GT(sum.worst(), 0.85) << "the highest are meant to be near breaking";
 }
 
 // What a wide pixel no longer resolves, it must know as roughness: the variance of slope is kept.

@@ -92,7 +92,8 @@ TEST_F(Idle, AHangThatWasRefusedCostsNothing) {
           "    }\n"
           "    c = vec4(a);\n"
           "}\n");
-    ASSERT_TRUE(glint_->says("no frame within"));
+    // Its first frame was waited for, or small parts of it told how long it takes.
+    ASSERT_TRUE(glint_->says("not shown"));
     wait_for_rest();
     EXPECT_TRUE(uses_at_most(1.0, "paused, after a hang"));
 }

@@ -1,11 +1,16 @@
 #include "window/live/kept_files.h"
 
+#include "base/temporary_file.h"
+
 #include <algorithm>
-#include <functional>
+#include <chrono>
+#include <exception>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace glint {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -29,6 +34,29 @@ void forget_oldest(const fs::path& folder, std::uintmax_t most_bytes) {
         bytes += kept.bytes;
         if (bytes > most_bytes) fs::remove(kept.file, error);
     }
+}
+
+using Write = std::function<void(const fs::path&)>;
+
+void keep_in(const fs::path& folder, const std::string& name, std::uintmax_t most_bytes,
+             const Write& write) {
+    try {
+        make_folder(folder);
+        write(folder / name);
+        forget_oldest(folder, most_bytes);
+    } catch (const std::exception&) {
+        // A disk that is full or not ours; no memory. The next start does without.
+    }
+}
+
+}  // namespace
+
+void KeptFiles::keep(const std::string& name, Write write) {
+    const bool is_writing =
+        writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+    if (is_writing) return;
+    writing_ =
+        std::async(std::launch::async, keep_in, folder_, name, most_bytes_, std::move(write));
 }
 
 }  // namespace glint

@@ -1,12 +1,8 @@
 #include "window/live/kept_pictures.h"
 
 #include "base/hash.h"
-#include "base/temporary_file.h"
 #include "offline/examples.h"
-#include "window/live/kept_files.h"
 
-#include <chrono>
-#include <exception>
 #include <system_error>
 
 namespace glint {
@@ -14,39 +10,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write(const fs::path& file, const Image& picture, std::uintmax_t most_bytes) {
-    try {
-        make_folder(file.parent_path());
-        write_image(file, picture);
-        forget_oldest(file.parent_path(), most_bytes);
-    } catch (const std::exception&) {
-        // A disk that is full or not ours; no memory. The next start does without.
-    }
+std::string name_of(const fs::path& place) {
+    Hash digest;
+    digest.add(place.string());
+    return digest.text() + ".png";
 }
 
 }  // namespace
 
-fs::path KeptPictures::name_of(const fs::path& place) const {
-    Hash digest;
-    digest.add(place.string());
-    return folder_ / (digest.text() + ".png");
-}
-
 fs::path KeptPictures::find(const fs::path& place) const {
     std::error_code error;
-    const fs::path kept = name_of(place);
+    const fs::path kept = files_.folder() / name_of(place);
     return fs::is_regular_file(kept, error) ? kept : gallery_picture(place);
 }
 
-bool KeptPictures::is_writing() const {
-    return writing_.valid() &&
-           writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-}
-
 void KeptPictures::keep(const fs::path& place, Image picture) {
-    if (is_writing()) return;
-    writing_ = std::async(std::launch::async, [file = name_of(place), picture = std::move(picture),
-                                               most = most_bytes_] { write(file, picture, most); });
+    files_.keep(name_of(place), [picture = std::move(picture)](const fs::path& file) {
+        write_image(file, picture);
+    });
 }
 
 }  // namespace glint

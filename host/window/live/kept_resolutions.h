@@ -1,7 +1,8 @@
 // What a person chose for each scene's resolution, and what held its frame rate, kept between runs.
 #pragma once
 
-#include <filesystem>
+#include "window/live/kept_list.h"
+
 #include <optional>
 
 namespace glint {
@@ -16,16 +17,16 @@ struct KeptResolution {
 class KeptResolutions {
 public:
     // A scene a line, the newest first, a hundred at the most.
-    explicit KeptResolutions(std::filesystem::path file) : file_(std::move(file)) {}
+    explicit KeptResolutions(std::filesystem::path file) : list_(std::move(file), 100) {}
 
     // Of the file at this place (base/canonical_name.h).
     std::optional<KeptResolution> find(const std::filesystem::path& place) const;
 
-    // Where it cannot be written nothing is remembered.
+    // In the place of what was chosen for it before, as KeptList does.
     void keep(const std::filesystem::path& place, const KeptResolution& resolution) const;
 
 private:
-    std::filesystem::path file_;
+    KeptList list_;
 };
 
 }  // namespace glint

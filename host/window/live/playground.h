@@ -1,5 +1,10 @@
 // An open scene, live: it follows its files, keeps what a person has set, and draws when something
 // has changed. It knows no window and no panels, so it runs in tests without either.
+//
+// playground.cpp opens, places what has passed its trial, and follows tweaks; playground_frames.cpp
+// draws; playground_replay.cpp and playground_start.cpp play simulations to a time;
+// playground_inputs.cpp has the files of samplers; playground_pictures.cpp draws for others than
+// the screen.
 #pragma once
 
 #include "base/watcher.h"
@@ -11,11 +16,10 @@
 #include "scene/tweak_values.h"
 #include "window/live/input_loader.h"
 #include "window/live/kept_states.h"
+#include "window/live/live_programs.h"
 #include "window/live/reloader.h"
-#include "window/live/standby.h"
 #include "window/live/start_states.h"
 #include "window/trial/refiner.h"
-#include "window/trial/trial.h"
 
 #include <array>
 #include <deque>
@@ -25,133 +29,49 @@
 namespace glint {
 
 struct PlaygroundOptions {
-    std::string device;
-    bool specialise = true;        // once the tweaks rest
+    std::string device;            // as for make_egl_context, of the processes that try and refine
+    bool specialise = true;        // tweaks become constants once they rest
     double rest_seconds = 0.4;     // how long they rest before that
     double hopeless_ms = 10000.0;  // a frame that would take longer is refused
     // Where simulations that have been played up to their start are kept; empty: nowhere.
     std::filesystem::path start_states{};
 };
 
+// To be used on one thread. What a person typed wrong is told by diagnostics() and leaves on the
+// screen what was there; a lost GPU throws ContextLost from whatever uses it. Sizes are pixels of
+// the picture, times seconds of the scene, unless they say otherwise.
 class Playground {
     // A live frame catches up at most this much simulated time after a hitch.
     static constexpr double kLongestCatchUp = 0.25;  // s
 
 public:
-    // `context` is current and outlives the playground.
+    // `context` is current in every call, and outlives the playground. Throws std::system_error
+    // where the process has no descriptor left to follow files with.
     Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options = {});
     ~Playground();
 
-    // Opens a scene or a preset. What was open stays on the screen until the new one draws.
+    // --- The file ---
+
+    // Opens a scene or a preset, or this one anew. What was open stays on the screen until the new
+    // one draws, and for good where it cannot.
     void open(const std::filesystem::path& file);
 
     // Follows files and trials; does not wait. True when something has changed that a person sees.
     bool update();
-
-    // For ::poll(): readable when update() has something to do.
+    // For ::poll(): readable when update() has something to do. Valid until the next update().
     std::vector<int> descriptors() const;
 
-    // Whether a frame is due: time moves, or an input, a tweak, the size or the scene has changed.
-    bool wants_frame() const;
-
-    // Whether that frame is the first of a text that was saved or opened.
-    bool has_unseen_text() const { return reloader_.has_unseen(); }
-
-    // Draws what is due; `wall_seconds` have passed since the last call. True when the picture is
-    // new.
-    bool draw(double wall_seconds);
-
-    // In pixels of the picture. It stays as it is where there is no memory for the new size; the
-    // diagnostics tell.
-    void resize(glm::ivec2 size);
-    glm::ivec2 size() const { return size_; }
-
-    // The size that stills have and others are told of, where the screen shows a share of it.
-    void set_full_size(glm::ivec2 size) { full_size_ = size; }
-    // Its buffers would be cropped by another size: it keeps the one that its first frame had, in
-    // stills, too.
-    bool keeps_size() const {
-        return renderer_ && keeps_picture_size(preset_->scene, renderer_->graph());
-    }
-    // What the trial of the file that was opened took a frame of the full size to cost, ms; 0: not
-    // known.
-    double expected_ms() const { return expected_ms_; }
-
-    // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
-    // the picture, y up.
-    void mouse(glm::dvec2 fraction, bool down);
-    void key(int code, bool down);
-
-    // A tweak was moved: the next frame shows it.
-    void tweaks_changed();
-
-    // Fills the channel of this name, where the scene and its preset fill it by nothing, until the
-    // file is left: reads it again, and tries it.
-    void fill(const Sampler& channel);
-    // Leaves the channels to what the file says.
-    void forget_fills();
-    bool has_fills() const;
-
-    // The picture as a still would write it, RGB: drawn anew at its full size, the tweaks as
-    // constants.
-    Image still();
-    Metadata still_metadata() const;
-
-    // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
-    // stand. Null while nothing is open.
-    const Buffer* picture_of(TweakSet set);
-
-    // Nothing moves, and nothing is about to: the picture may be refined.
-    bool stands() const;
-    // For that; `picture_count()` says whether it is still about what is shown.
-    RefineOrder refine_order() const;
-    std::size_t picture_count() const { return pictures_; }
-
-    // Records mouse and keys from now on.
-    void start_recording() { recorder.start(instant_.time, input_); }
-
-    // The preset as it stands now: values, time, size, recorded events.
-    Preset current_preset() const;
-
-    // The same for another process to draw what is seen here, mouse and keys included. A scene that
-    // has to be played to its time is taken soon after its start.
-    Preset preset_as_shown() const;
-
     bool is_open() const { return renderer_ != nullptr; }
-    // Whether what is open has been drawn. A simulation is first played up to its start.
-    bool has_picture() const { return has_picture_; }
-    bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
-    // Something large goes to the driver in pieces; update() is to be called again at once.
-    bool is_sending() const {
-        return !arriving_.empty() || standby_.is_loading() ||
-               (reloader_.is_trying() && loader_.is_loading());
-    }
-    // Whether another thread still reads an input, wanted or not. It ends with the process.
-    bool is_reading_inputs() const { return inputs_.is_reading(); }
-    bool is_specialised() const { return reloader_.programs() == Programs::constants; }
-    // Whether a slider or a number can move without a compiler.
-    bool is_prepared() const { return standby_.is_ready(); }
-    // Nothing is left to be done in the background.
-    bool is_at_rest() const {
-        return reloader_.programs() != Programs::uniforms && !trial_.is_running() &&
-               !standby_.is_preparing() && !standby_.is_loading();
-    }
-    // Fraction done of a replay to a time that was jumped to, or 1.
-    double replayed() const;
-    // What the next picture waits for, in words such as "compiling image"; "" where nothing is
-    // waited for.
-    std::string waits_for() const;
-
-    // What is drawn, or null; its values are empty: `tweaks` has them.
+    // What is drawn, or null; its values are empty: `tweaks` has them. Valid until the next
+    // update(), as is all that is returned by reference here.
     const Preset* preset() const { return preset_.get(); }
-    // Whether a jump of time plays the scene again; from which times it can be, s, ascending,
-    // beside 0; and how many of its seconds are played in one, 0 before the first such jump.
-    bool simulates() const;
-    const std::vector<double>& kept_states() const { return kept_states_.times(); }
-    double replay_rate() const;
-
+    // What draws it, or null.
+    Renderer* renderer() { return renderer_.get(); }
     // What is shown as its file has it, without what was changed here; null until it is shown.
     const Preset* as_written() const { return reloader_.as_written(); }
+    // Whether this text of the file says what was read from it, or given to it, last.
+    bool is_as_read(const std::string& text) const;
+
     // The file has just been given this.
     void note_saved(const Preset& preset) {
         reloader_.note_saved(preset);
@@ -161,33 +81,136 @@ public:
     // What is shown has its file's name from now on, which has just been given this. All goes on:
     // time, buffers, undo.
     void go_on_in(const std::filesystem::path& file, const Preset& preset);
-    // Whether this text of the file says what was read from it, or given to it, last.
-    bool is_as_read(const std::string& text) const;
-    Renderer* renderer() { return renderer_.get(); }
+
+    // What is wrong with the newest text, and what could not be done for it since.
     const Diagnostics& diagnostics() const { return reloader_.diagnostics(); }
     // The newest text that was tried was refused, for the reasons that the diagnostics tell.
     bool shows_older_text() const { return reloader_.shows_older_text(); }
     // The last reloads, and how many there were in all.
     const std::deque<ReloadReport>& reports() const { return reloader_.reports(); }
     std::size_t report_count() const { return reloader_.report_count(); }
+
+    // --- What goes on in the background ---
+
+    // A text is tried, or an input that it names is read.
+    bool is_loading() const { return reloader_.is_trying() || awaits_inputs(); }
+    // Something large goes to the driver in pieces; update() is to be called again at once.
+    bool is_sending() const {
+        return !arriving_.empty() || programs_.is_linking_standby() ||
+               (reloader_.is_trying() && programs_.is_linking_tried());
+    }
+    // Whether another thread still reads an input, wanted or not. It ends with the process.
+    bool is_reading_inputs() const { return inputs_.is_reading(); }
+    // The picture is drawn with the tweaks written in.
+    bool is_specialised() const { return reloader_.programs() == Programs::constants; }
+    // Whether a slider or a number can move without a compiler.
+    bool is_prepared() const { return programs_.is_prepared(); }
+    // Nothing is left to be done.
+    bool is_at_rest() const {
+        return reloader_.programs() != Programs::uniforms && programs_.is_at_rest();
+    }
+    // What the next picture waits for, in words such as "compiling image"; "" where nothing is
+    // waited for.
+    std::string waits_for() const;
+
+    // --- Frames ---
+
+    // Whether a frame is due: time moves, or an input, a tweak, the size or the scene has changed.
+    bool wants_frame() const;
+    // Whether that frame is the first of a text that was saved or opened.
+    bool has_unseen_text() const { return reloader_.has_unseen(); }
+    // Draws what is due, and waits for the GPU; `wall_seconds` have passed since the last call.
+    // True when the picture is new: not while a simulation is played up to the time.
+    bool draw(double wall_seconds);
+
+    // Whether what is open has been drawn. A simulation is first played up to its start.
+    bool has_picture() const { return has_picture_; }
+    // Pictures drawn so far, of all files.
+    std::size_t picture_count() const { return pictures_; }
+    // What the last picture was drawn at, and what it took, ms of the clock.
     const Instant& instant() const { return instant_; }
     double frame_ms() const { return frame_ms_; }
+    // What the trial of the file that was opened took a frame of the full size to cost, ms; 0: not
+    // known.
+    double expected_ms() const { return expected_ms_; }
 
-    // Milliseconds a pass of the graph took last, and whether the last frame drew it. Empty unless
-    // measuring, which waits after every pass.
+    // Milliseconds a pass of the graph took last, and whether the last frame drew it.
     struct PassTime {
         double ms = 0.0;
         bool drawn = false;
     };
+    // In the order of the graph. Empty unless measuring.
     const std::vector<PassTime>& pass_times() const { return pass_times_; }
-    // The picture is kept in floats meanwhile: bytes hold no NaN.
+    // Frames wait after every pass meanwhile, and the picture is kept in floats: bytes hold no NaN.
     void measure_passes(bool on);
+
+    // It stays as it is where there is no memory for the new size; the diagnostics tell.
+    void resize(glm::ivec2 size);
+    glm::ivec2 size() const { return size_; }
+    // The size that stills have and others are told of, where the screen shows a share of it.
+    void set_full_size(glm::ivec2 size) { full_size_ = size; }
+    // Its buffers would be cropped by another size: it keeps the one that its first frame had, in
+    // stills, too.
+    bool keeps_size() const {
+        return renderer_ && keeps_picture_size(preset_->scene, renderer_->graph());
+    }
+
+    // --- What a person does ---
+
+    // Input, for the next frame; asks for one when the scene reads it. Positions are fractions of
+    // the picture, y up; codes those of the site's keyboard.
+    void mouse(glm::dvec2 fraction, bool down);
+    void key(int code, bool down);
+    // Records both from now on, into `recorder`.
+    void start_recording() { recorder.start(instant_.time, input_); }
+
+    // `tweaks` were changed: the next frame shows it.
+    void tweaks_changed();
+
+    // Fills the channel of this name, where the scene and its preset fill it by nothing, until the
+    // file is left: reads it again, and tries it.
+    void fill(const Sampler& channel);
+    // Leaves the channels to what the file says.
+    void forget_fills();
+    bool has_fills() const;
 
     // Time, whose only owner this is: keys and panels ask.
     const Transport& transport() const { return transport_; }
     void apply(const TimeEdit& edit) { transport_.apply(edit); }
     void apply(TimeEdit::What what) { apply({.what = what, .loop = {}}); }
 
+    // Whether a jump of time plays the scene again.
+    bool simulates() const;
+    // Fraction done of a replay to a time that was jumped to, or 1.
+    double replayed() const;
+    // From which times it can be, s, ascending, beside 0.
+    const std::vector<double>& kept_states() const { return kept_states_.times(); }
+    // How many of its seconds are played in one of the clock; 0 before the first such jump.
+    double replay_rate() const;
+
+    // --- The picture for others ---
+
+    // As a still would write it, RGB: drawn anew at its full size, the tweaks as constants. Nothing
+    // while nothing is open; throws std::runtime_error where there is no memory for that size.
+    Image still();
+    Metadata still_metadata() const;
+
+    // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
+    // stand. Null while nothing is open, and until programs are at hand that can draw it.
+    const Buffer* picture_of(TweakSet set);
+
+    // Nothing moves, and nothing is about to: the picture may be refined.
+    bool stands() const;
+    // For that; `picture_count()` says whether it is still about what is shown.
+    RefineOrder refine_order() const;
+
+    // The preset as it stands now: values, time, size, recorded events. While one is open.
+    Preset current_preset() const;
+    // The same for another process to draw what is seen here, mouse and keys included. A scene that
+    // has to be played to its time is taken soon after its start.
+    Preset preset_as_shown() const;
+
+    // The only owner of what the tweaks are now. Whoever changes them calls tweaks_changed().
     TweakValues tweaks{{}};
     Recorder recorder;
 
@@ -204,12 +227,8 @@ private:
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void lay_fills_over(Preset& candidate);
     void start_trial(const Preset& candidate, Programs programs, bool is_text);
-    const Verdict& follow_trial();
-    ProgramOptions program_options(Programs programs) const;
     TweakValues tweaks_with(const Preset& text) const;
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
-    void keep_what_was_drawn(Programs programs, bool is_text);
-    void tidy_shelf();
     void specialise_at_rest();
     void prepare_uniforms();
     void leave_constants();
@@ -244,14 +263,7 @@ private:
     Transport transport_;
     glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
-    ProgramShelf shelf_;
-    Trial trial_;
-    Standby standby_;
-    ProgramLoader loader_;  // of what was tried
-    // What is tried, with the values that it would be drawn with.
-    std::unique_ptr<Preset> tried_;
-    bool tried_is_text_ = false, tried_is_loaded_ = false;
-    bool tried_by_standby_ = false;
+    LivePrograms programs_;
     Reloader reloader_;
     InputLoader inputs_;
     StartStates start_states_;
@@ -273,9 +285,6 @@ private:
     Stopwatch since_tweak_;
     // What the programs that are drawn have written in; nothing where they are fed.
     std::optional<std::vector<TweakValue>> constants_;
-    std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
-    // The longest that a text of this file has been in a driver for its first draws.
-    double longest_compile_ms_ = 0.0;
 
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;

@@ -33,24 +33,34 @@
 
 namespace glint {
 
+// Positions and sizes are pixels of the window, y up, unless they say otherwise. What goes wrong
+// is told by notice() in the window, and leaves all as it was.
 class PlaygroundWindow {
 public:
+    // Opens the file of the options, or shows those of its folder. Throws UsageError where the
+    // options do not fit the file, std::runtime_error where there is no screen or no GL.
     explicit PlaygroundWindow(const ViewOptions& options);
-    // Until it is closed, or a signal asks the program to end: that one, or 0.
+    // Until it is closed, or a signal asks the program to end: that one, or 0. Throws ContextLost.
     int run();
+    // Whether another thread still uses what the end of the program takes down.
     bool is_reading_inputs() const { return playground_.is_reading_inputs(); }
 
 private:
-    // Input
+    // Input. Shortcuts come first, panels next, and the scene has what is left.
     void handle(const WindowEvent& event);
     void handle_key(const WindowEvent& event);
     void handle_mouse(const WindowEvent& event);
     void release_keys();
     bool run_shortcut(int key, int modifiers);
     void act(Action action);
+    void flip(Action action);  // one of the settings
+    void play_or_pause();
+    void hide_panels();
+    void undo(bool (TweakValues::*step)());
     void save_or_ask();
     void revert_or_say();
     void edit_first();
+    // The mouse is the scene's: neither a buffer is looked at, nor pixels, nor what a study found.
     bool is_over_scene() const {
         return settings_.view.sampler.empty() && settings_.view.zoom == 0.0 &&
                settings_.shown == Shown::scene;
@@ -62,34 +72,40 @@ private:
     void edit(const Diagnostic& diagnostic);
     void close_one();
     void toggle_free_aspect();
+    // Words that stand in the window for a while; "" takes them away.
     void notice(std::string text);
 
-    // What a person has done to the file, and what would take it away
+    // What would take unsaved work away, and is asked about first.
     struct Leaving {
         enum class For { quit, open, revert, record } what = For::quit;
         std::filesystem::path file;  // to be opened
     };
-    void leave(const Leaving& leaving);
+    void leave(const Leaving& leaving);  // asks, or goes
     void go(Leaving leaving);
     void take_answer(Answer answer);
-    void open(const std::filesystem::path& file);
+    void open(const std::filesystem::path& file);  // unasked
     void import_or_open(const std::filesystem::path& file);
     void browse(const std::filesystem::path& folder);
     void list_files();
     void make_new_scene(const NewScene& wanted);
+    // Under another name: goes on there, or where leave() was asked for.
     void save_as(const std::filesystem::path& file);
-    // Where the file says by now what nobody here has read, a person is asked first.
+    // True once it is written. Where the file says by now what nobody here has read, a person is
+    // asked first.
     enum class Over { nothing_unread, anything };
     bool save(const std::filesystem::path& file, Over over = Over::nothing_unread);
     bool write_look(const Preset& preset, const std::filesystem::path& file);
     void go_on_in(const std::filesystem::path& file, const Preset& preset);
+    // A sentence, or "" where it is possible.
     std::string why_no_save() const;
     std::string why_no_revert() const;
     void revert();
     void toggle_recording();
     void stop_recording();
+
+    // Unsaved work, which the state folder keeps for the next run
     bool is_unsaved() const;
-    std::span<const Event> unsaved_events() const;
+    std::span<const Event> unsaved_events() const;  // valid until the next event
     Preset preset_to_save() const;
     void lay_options_over();
     void keep_unsaved();
@@ -103,18 +119,19 @@ private:
     Kept work() const;
 
     // Studies and checks
-    bool follow_findings();
+    bool follow_findings();  // true when there is something new
     void grant_findings(const Wishes& wishes);
     void start_study(const std::string& knob);
     void start_check();
     void stop_findings();
     void tell_findings(Facts& facts) const;
+    // Each puts its picture into the view; false where there is none to show.
     bool show_finding();
     bool show_failure();
     bool show_comparison();
 
     // The resolution that is held while something moves, and what refines it when nothing does
-    glm::ivec2 full_size() const;
+    glm::ivec2 full_size() const;  // pixels of the picture
     void choose_resolution();
     void begin_resolution();
     void hold_rate();
@@ -136,19 +153,19 @@ private:
     // Drawing
     double wait_seconds() const;
     bool shows_clock() const;
-    double clock_tick() const;
+    double clock_tick() const;  // s
     void draw_frame();
-    void follow_sound(double at);
+    void follow_sound(double at);  // s of the clock
     void show_picture();
     void show_wipe(const Buffer& left, const Buffer& right, const BufferView& view);
-    Facts facts();
+    Facts facts();  // valid until the next frame: they point at what is kept here
     void gather_pixels();
     BufferView buffer_view() const;
     std::optional<glm::ivec2> frame_size() const;
     ScreenArea picture_area() const;
     ScreenArea view_area() const;
     glm::ivec2 viewed_size() const;
-    glm::dvec2 on_picture(glm::dvec2 position) const;
+    glm::dvec2 on_picture(glm::dvec2 position) const;  // a fraction, y up
     bool is_on_picture(glm::dvec2 position) const;
     ScreenArea fitted(glm::ivec2 size) const;
     void print_reports();

@@ -13,11 +13,11 @@ std::optional<std::size_t> pass_named(const Scene& scene, std::string_view name)
 }
 
 void ProgramLoader::start(const Preset& preset, const ProgramOptions& options,
-                          std::vector<std::string> passes) {
-    preset_ = std::make_unique<Preset>(preset);
+                          const std::vector<PassTrial>& passes) {
+    stop();
+    preset_ = preset;
     options_ = options;
-    passes_ = std::move(passes);
-    linked_.reset();
+    for (const PassTrial& pass : passes) passes_.push_back(pass.name);
 }
 
 void ProgramLoader::step(ProgramShelf& shelf, Renderer* same_text) {

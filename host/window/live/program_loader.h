@@ -4,8 +4,9 @@
 
 #include "offline/common.h"
 #include "render/renderer.h"
+#include "window/trial/trial.h"
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ std::optional<std::size_t> pass_named(const Scene& scene, std::string_view name)
 
 class ProgramLoader {
 public:
-    // The passes by name, those that the preset has; in the place of what was to be loaded.
+    // Of the passes that were tried those that the preset has; in the place of what was to be
+    // loaded.
     void start(const Preset& preset, const ProgramOptions& options,
-               std::vector<std::string> passes);
+               const std::vector<PassTrial>& passes);
     void stop() { passes_.clear(), linked_.reset(); }
     bool is_loading() const { return !passes_.empty() || linked_.has_value(); }
 
@@ -27,9 +29,9 @@ public:
     void step(ProgramShelf& shelf, Renderer* same_text);
 
 private:
-    std::unique_ptr<Preset> preset_;
+    std::optional<Preset> preset_;
     ProgramOptions options_;
-    std::vector<std::string> passes_;  // the next one is the last
+    std::vector<std::string> passes_;  // by name; the next one is the last
     std::optional<PassProgram> linked_;
 };
 

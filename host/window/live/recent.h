@@ -1,24 +1,23 @@
 // The files that were open last, kept between runs.
 #pragma once
 
-#include <filesystem>
-#include <vector>
+#include "window/live/kept_list.h"
 
 namespace glint {
 
 class Recent {
 public:
-    // One canonical name a line, the newest first.
-    explicit Recent(std::filesystem::path file) : file_(std::move(file)) {}
+    // One canonical name a line, a dozen at the most.
+    explicit Recent(std::filesystem::path file) : list_(std::move(file), 12) {}
 
-    // Those that are still there.
+    // Those that are still there, the newest first.
     std::vector<std::filesystem::path> files() const;
 
-    // Where it cannot be written nothing is remembered.
+    // Puts it first, as KeptList does.
     void add(const std::filesystem::path& opened) const;
 
 private:
-    std::filesystem::path file_;
+    KeptList list_;
 };
 
 }  // namespace glint

@@ -8,12 +8,6 @@ namespace {
 
 constexpr ProgramOptions kFed{.specialise = false, .lean = true, .feed = true};
 
-std::vector<std::string> names_of(const std::vector<PassTrial>& passes) {
-    std::vector<std::string> names;
-    for (const PassTrial& pass : passes) names.push_back(pass.name);
-    return names;
-}
-
 }  // namespace
 
 // Frames with uniforms are slower than those that a person is warned of.
@@ -54,7 +48,7 @@ void Standby::follow(ProgramShelf& shelf, Renderer& shown) {
     if (state_ == State::compiling && verdict.state != TrialState::running) {
         if (verdict.state == TrialState::passed) {
             state_ = State::loading;
-            passes_ = names_of(verdict.passes);
+            passes_ = verdict.passes;
             loader_.start(*preset_, options_, passes_);
         } else if (options_.feed && verdict.state != TrialState::unavailable) {
             options_.feed = false;  // more numbers than a program may be fed with
@@ -74,8 +68,9 @@ void Standby::follow(ProgramShelf& shelf, Renderer& shown) {
 
 bool Standby::draws(const Preset& preset, const ProgramShelf& shelf) const {
     // Most edits are of the picture, which is drawn last.
-    return is_ready() && std::ranges::all_of(std::views::reverse(passes_), [&](const auto& name) {
-               const auto pass = pass_named(preset.scene, name);
+    return is_ready() &&
+           std::ranges::all_of(std::views::reverse(passes_), [&](const PassTrial& tried) {
+               const auto pass = pass_named(preset.scene, tried.name);
                return pass && shelf.find(pass_text(preset, *pass, options_).text) != 0;
            });
 }

@@ -61,7 +61,7 @@ private:
     std::optional<Preset> preset_;  // what they are prepared for
     glm::ivec2 size_{1};
     double time_ = 0.0;
-    std::vector<std::string> passes_;  // that they draw
+    std::vector<PassTrial> passes_;  // that they draw
     std::optional<CompiledScene> scene_;
 };
 

@@ -1,10 +1,7 @@
 #include "window/live/start_states.h"
 
 #include "base/hash.h"
-#include "base/temporary_file.h"
-#include "window/live/kept_files.h"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -37,27 +34,18 @@ std::optional<Snapshot> read_file(const fs::path& file, const Provenance& wanted
     return std::nullopt;
 }
 
-void write_file(const fs::path& file, const Snapshot& snapshot, std::uintmax_t most_bytes) {
-    try {
-        make_folder(file.parent_path());
-        write_snapshot(file, snapshot);
-        forget_oldest(file.parent_path(), most_bytes);
-    } catch (const std::exception&) {
-        // A disk that is full or not ours; no memory.
-    }
-}
-
 }  // namespace
 
 void StartStates::read(const Preset& preset, const std::string& renderer) {
-    file_.clear();
-    if (folder_.empty() || preset.time <= 0.0) return;
+    name_.clear();
+    if (files_.folder().empty() || preset.time <= 0.0) return;
     provenance_ = provenance_at_start(preset, renderer);
-    file_ = folder_ / (digest_of(provenance_) + ".exr");
+    name_ = digest_of(provenance_) + ".exr";
+    const fs::path file = files_.folder() / name_;
     std::error_code error;
-    if (!fs::is_regular_file(file_, error)) return;
+    if (!fs::is_regular_file(file, error)) return;
     reading_ = std::async(std::launch::async,
-                          [file = file_, wanted = provenance_] { return read_file(file, wanted); });
+                          [file, wanted = provenance_] { return read_file(file, wanted); });
 }
 
 std::optional<Snapshot> StartStates::take() {
@@ -65,13 +53,11 @@ std::optional<Snapshot> StartStates::take() {
 }
 
 void StartStates::keep(Snapshot snapshot) {
-    const bool is_writing =
-        writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-    if (file_.empty() || is_writing) return;
+    if (name_.empty()) return;
     snapshot.provenance = provenance_;
-    writing_ = std::async(std::launch::async,
-                          [file = std::exchange(file_, {}), snapshot = std::move(snapshot),
-                           most = most_bytes_] { write_file(file, snapshot, most); });
+    files_.keep(std::exchange(name_, {}), [snapshot = std::move(snapshot)](const fs::path& file) {
+        write_snapshot(file, snapshot);
+    });
 }
 
 }  // namespace glint

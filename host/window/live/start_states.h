@@ -3,20 +3,18 @@
 #pragma once
 
 #include "offline/snapshot.h"
+#include "window/live/kept_files.h"
 
-#include <cstdint>
-#include <filesystem>
-#include <future>
 #include <optional>
+#include <string>
 
 namespace glint {
 
 class StartStates {
 public:
-    // One file a state, by a digest of all that it follows from, all together within `most_bytes`;
-    // the oldest go. An empty folder keeps none.
+    // One file a state, by a digest of all that it follows from. An empty folder keeps none.
     explicit StartStates(std::filesystem::path folder, std::uintmax_t most_bytes = 128u << 20)
-        : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+        : files_(std::move(folder), most_bytes) {}
 
     // Begins to read the state of a preset at its time, beside the window.
     void read(const Preset& preset, const std::string& renderer);
@@ -24,17 +22,14 @@ public:
     // What was found, once; waits for the reader. Nothing where there is none, or no whole one.
     std::optional<Snapshot> take();
 
-    // Writes the state of the preset that was read() last, whole or not at all, on a thread of its
-    // own. Where it cannot be written, nothing is kept.
+    // Keeps the state of the preset that was read() last, as KeptFiles does, once.
     void keep(Snapshot snapshot);
 
 private:
-    std::filesystem::path folder_;
-    std::uintmax_t most_bytes_;
-    std::filesystem::path file_;
+    KeptFiles files_;
+    std::string name_;  // in the folder; empty: nothing is to be kept
     Provenance provenance_;
     std::future<std::optional<Snapshot>> reading_;
-    std::future<void> writing_;
 };
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glint {
 
@@ -136,39 +137,51 @@ void PlaygroundWindow::toggle_free_aspect() {
                : fmt::format("The picture keeps to {} \u00d7 {}.", frame->x, frame->y));
 }
 
-void PlaygroundWindow::act(Action action) {
-    const auto time = [this](TimeEdit::What what) { playground_.apply(what); };
-    const auto flip = [](bool& setting) { setting = !setting; };
-    const auto changed = [this](bool any) {
-        if (any) playground_.tweaks_changed();
+void PlaygroundWindow::flip(Action action) {
+    using Flipped = std::pair<Action, bool PanelSettings::*>;
+    static constexpr Flipped kFlipped[] = {
+        {Action::mute, &PanelSettings::muted},          {Action::tweaks, &PanelSettings::tweaks},
+        {Action::passes, &PanelSettings::passes},       {Action::browser, &PanelSettings::browser},
+        {Action::transport, &PanelSettings::transport}, {Action::study, &PanelSettings::study},
+        {Action::check, &PanelSettings::check},         {Action::help, &PanelSettings::help},
     };
+    bool& setting = settings_.*std::ranges::find(kFlipped, action, &Flipped::first)->second;
+    setting = !setting;
+}
+
+void PlaygroundWindow::play_or_pause() {
+    const bool plays = playground_.transport().playing();
+    playground_.apply(plays ? TimeEdit::What::pause : TimeEdit::What::play);
+}
+
+void PlaygroundWindow::hide_panels() {
+    settings_.visible = !settings_.visible;
+    notice(settings_.visible ? "" : "Panels are hidden; Tab shows them again");
+}
+
+void PlaygroundWindow::undo(bool (TweakValues::*step)()) {
+    if ((playground_.tweaks.*step)()) playground_.tweaks_changed();
+}
+
+void PlaygroundWindow::act(Action action) {
     switch (action) {
         case Action::play_pause:
-            return time(playground_.transport().playing() ? TimeEdit::What::pause
-                                                          : TimeEdit::What::play);
+            return play_or_pause();
         case Action::step:
-            return time(TimeEdit::What::step);
+            return playground_.apply(TimeEdit::What::step);
         case Action::reset:
-            return time(TimeEdit::What::reset);
+            return playground_.apply(TimeEdit::What::reset);
         case Action::mute:
-            return flip(settings_.muted);
         case Action::tweaks:
-            return flip(settings_.tweaks);
         case Action::passes:
-            return flip(settings_.passes);
         case Action::browser:
-            return flip(settings_.browser);
         case Action::transport:
-            return flip(settings_.transport);
         case Action::study:
-            return flip(settings_.study);
         case Action::check:
-            return flip(settings_.check);
         case Action::help:
-            return flip(settings_.help);
+            return flip(action);
         case Action::hide_panels:
-            flip(settings_.visible);
-            return notice(settings_.visible ? "" : "Panels are hidden; Tab shows them again");
+            return hide_panels();
         case Action::close_panels:
             return close_one();
         case Action::search:
@@ -180,12 +193,12 @@ void PlaygroundWindow::act(Action action) {
             settings_.next_panel = action == Action::next_panel ? 1 : -1;
             return;
         case Action::undo:
-            return changed(playground_.tweaks.undo());
+            return undo(&TweakValues::undo);
         case Action::redo:
-            return changed(playground_.tweaks.redo());
+            return undo(&TweakValues::redo);
         case Action::randomise:
             playground_.tweaks.randomise(++random_seed_);
-            return changed(true);
+            return playground_.tweaks_changed();
         case Action::save:
             return save_or_ask();
         case Action::save_as:

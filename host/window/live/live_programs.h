@@ -1,0 +1,92 @@
+// The programs of an open scene: which are tried, and which are at hand.
+//
+// One other process tries what was opened or saved, another holds fed programs at standby; both
+// compile. Here their programs are linked from what the driver keeps, and nothing is linked twice.
+#pragma once
+
+#include "window/live/program_loader.h"
+#include "window/live/reloader.h"
+#include "window/live/standby.h"
+#include "window/trial/trial.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+// To be used on one thread, with the GL context current that draws.
+class LivePrograms {
+public:
+    // On this device. `specialise`: constants are wanted once the tweaks rest, and fed programs
+    // until then; else nothing but uniforms.
+    LivePrograms(const std::string& device, bool specialise);
+
+    // How a text is compiled for these programs.
+    ProgramOptions options(Programs programs) const;
+    // Those that have been linked, by their texts.
+    ProgramShelf& shelf() { return shelf_; }
+
+    // Another file: what its texts cost to compile is not known yet.
+    void forget_costs() { longest_compile_ms_ = 0.0; }
+
+    // Starts trying a preset, with the values that it would be drawn with, at this size in pixels
+    // and this time in seconds. What was tried before gives way.
+    void start_trial(Preset preset, Programs programs, bool is_text, glm::ivec2 size, double time);
+    // What is known of that trial; does not wait. Where it has passed and somebody awaits it, it
+    // is told as running until its programs are linked here, a few milliseconds a call. `drawn`
+    // has the text that is on the screen; null before the first. Valid until the next call.
+    const Verdict& follow_trial(bool is_awaited, Renderer* drawn);
+    // What was tried last.
+    const Preset& tried() const { return *tried_; }
+    // What the trial of a file that was opened took a frame to cost, ms; 0: not known.
+    double expected_ms() { return trial_.poll().expected_ms; }
+
+    // Makes fed programs ready for a text that is shown, in the background, once a text; asked for
+    // when there is nothing else to do.
+    bool wants_preparing() const { return specialise_ && prepared_text_ != text_; }
+    void prepare(const Preset& shown, glm::ivec2 size, double time);
+    // Hears that process, and goes on. To be called again and again.
+    void follow_standby(Renderer& drawn);
+
+    // Whether fed programs at hand draw this text as well, by other numbers.
+    bool draw(const Preset& text) const { return standby_.draws(text, shelf_); }
+    bool has_fed() const { return standby_.has_scene(); }
+    // Programs whose tweaks are uniforms, for the text on the screen. Nothing where none are at
+    // hand and the text takes too long to compile here.
+    std::optional<CompiledScene> take_fed(const Preset& shown);
+
+    // These are drawn from now on, in the place of `before`, which may be null and which the tweaks
+    // were fed to or not. Fed programs of the shown text stay at hand, whichever are drawn.
+    void note_drawn(Programs programs, bool is_text, Renderer* before, bool was_fed);
+    // Forgets programs that are neither drawn nor at hand, once the fed ones are.
+    void tidy(const Renderer& drawn);
+
+    // Fed programs are at hand: a slider or a number can move without a compiler.
+    bool is_prepared() const { return standby_.is_ready(); }
+    // Nothing is compiled or linked but what is tried by fed programs.
+    bool is_at_rest() const {
+        return !trial_.is_running() && !standby_.is_preparing() && !standby_.is_loading();
+    }
+    // Programs are being linked here; of what is tried, or at standby.
+    bool is_linking_tried() const { return loader_.is_loading(); }
+    bool is_linking_standby() const { return standby_.is_loading(); }
+    // What the trial does, in words such as "compiling image".
+    std::string work() const { return tried_by_standby_ ? standby_.work() : trial_.work(); }
+    // For ::poll(): readable when there is something to follow.
+    std::vector<int> descriptors() const { return {trial_.descriptor(), standby_.descriptor()}; }
+
+private:
+    bool specialise_;
+    ProgramShelf shelf_;
+    Trial trial_;
+    Standby standby_;
+    ProgramLoader loader_;  // of what was tried
+    std::optional<Preset> tried_;
+    bool tried_is_text_ = false, tried_is_linked_ = false, tried_by_standby_ = false;
+    std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
+    // The longest that a text of this file has been in a driver for its first draws.
+    double longest_compile_ms_ = 0.0;
+};
+
+}  // namespace glint

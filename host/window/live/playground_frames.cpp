@@ -1,0 +1,163 @@
+// An open scene, frame by frame: whether one is due, what it is drawn with, and drawing it.
+#include "window/live/playground.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+namespace glint {
+namespace {
+
+Date local_now() {
+    std::timespec now{};
+    std::timespec_get(&now, TIME_UTC);
+    std::tm local{};
+    localtime_r(&now.tv_sec, &local);
+    return {.year = local.tm_year + 1900,
+            .month = local.tm_mon + 1,
+            .day = local.tm_mday,
+            .seconds = local.tm_hour * 3600.0 + local.tm_min * 60.0 + local.tm_sec +
+                       static_cast<double>(now.tv_nsec) * 1e-9};
+}
+
+}  // namespace
+
+bool Playground::wants_frame() const {
+    if (!renderer_) return false;
+    const bool settles = !transport_.playing() && extra_frames_ < preset_->settle;
+    const bool time_moves = transport_.playing() ? follows_time() : transport_.wants_frame();
+    return touched_ || replay_at_ >= 0 || settles || time_moves;
+}
+
+bool Playground::follows_time() const {
+    const auto& passes = renderer_->graph().passes;
+    return !preset_->events.empty() ||
+           std::any_of(passes.begin(), passes.end(),
+                       [](const GraphPass& pass) { return pass.runs != Runs::on_change; });
+}
+
+void Playground::mouse(glm::dvec2 fraction, bool down) {
+    input_.mouse(fraction, down);
+    recent_.mouse(fraction, down);
+    recorder.mouse(fraction, down);
+    const bool is_read = renderer_ && renderer_->reads_mouse();
+    touched_ |= is_read;
+    is_replayable_ &= !is_read;
+}
+
+void Playground::key(int code, bool down) {
+    input_.key(code, down);
+    recent_.key(code, down);
+    recorder.key(code, down);
+    const bool is_read = renderer_ && renderer_->reads_keyboard();
+    touched_ |= is_read;
+    is_replayable_ &= !is_read;
+}
+
+void Playground::measure_passes(bool on) {
+    if (on == measuring_) return;
+    measuring_ = on;
+    pass_times_.clear();
+    if (!renderer_) return;
+    renderer_->set_picture_format(picture_format());
+    renderer_->draw_root(frame_again());
+}
+
+Frame Playground::next_frame(double wall_seconds) {
+    const double before = instant_.time;
+    // What is recorded is replayed by exports, which drop no simulated time: a frame that is too
+    // slow holds time up then. Below the limit, for the part of a step that was left over.
+    if (recorder.recording()) {
+        wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport_.rate());
+    }
+    instant_ = transport_.advance(wall_seconds);
+    if (instant_.frame == 0) frame_offset_ = 0;
+    const bool stands = instant_.frame > 0 && instant_.time == before && !instant_.jumped;
+    extra_frames_ = stands ? extra_frames_ + 1 : 0;
+    instant_.frame += frame_offset_;
+    Frame frame;
+    frame.time = instant_.time;
+    frame.time_delta = instant_.time_delta;
+    frame.frame_rate = instant_.frame_rate;
+    frame.frame = instant_.frame;
+    frame.date = shadertoy_date(local_now(), 0.0);
+    if (transport_.playing() && !instant_.jumped) replay_events(before, frame.time);
+    frame.input = input_.next_frame(size_);
+    frame.longest_catch_up = kLongestCatchUp;
+    recorder.frame(frame.time);
+    recent_.frame(frame.time);
+    if (!recent_.recording() || instant_.jumped) recent_.start(frame.time, input_);
+    recent_.forget_before(frame.time - 4.0 * kLongestCatchUp);
+    frame.events = recent_.events();
+    return frame;
+}
+
+// The preset's events go on while time does, also when a person has taken over.
+void Playground::replay_events(double from, double to) {
+    for (const Event& event : events_between(preset_->events, from, to)) {
+        input_.apply(event);
+        recent_.replayed(event);
+        recorder.replayed(event);
+    }
+}
+
+std::string Playground::waits_for() const {
+    if (reloader_.is_trying()) return programs_.work();
+    if (replay_at_ >= 0)
+        return fmt::format("playing up to {:g} s, {:.0f} % done", instant_.time, 100 * replayed());
+    return has_unseen_text() ? "drawing the first frame" : "";
+}
+
+bool Playground::draw(double wall_seconds) {
+    if (!renderer_) return false;
+    // Panels move over a picture that stands; no frame of the scene goes by then.
+    if (!transport_.playing() && !wants_frame()) return false;
+    const Stopwatch clock;
+    // While a replay is under way, time stands.
+    Frame frame = next_frame(replay_at_ < 0 ? wall_seconds : 0.0);
+    const bool plays_again = opening_ == Opening::plays_again;
+    if (plays_again) opening_ = Opening::done;
+    if (instant_.jumped || plays_again) {
+        begin_replay(plays_again);
+        take_start_state();
+    }
+    if (replay_at_ >= 0 && !replay_slice(frame)) return false;
+    notice_dropped_steps();
+
+    touched_ = false;
+    if (measuring_) {
+        pass_times_.resize(renderer_->graph().passes.size());
+        for (PassTime& pass : pass_times_) pass.drawn = false;
+        renderer_->after_pass = [this, watch = Stopwatch()](std::size_t pass) mutable {
+            context_.finish();
+            pass_times_[pass] = {.ms = watch.restart(), .drawn = true};
+        };
+    }
+    const bool drawn = renderer_->draw(frame);
+    has_picture_ |= drawn;
+    if (drawn) ++pictures_;
+    renderer_->after_pass = nullptr;
+    context_.finish();
+    drawn_input_ = frame.input;
+    drawn_date_ = frame.date;
+    if (drawn) frame_ms_ = clock.ms();
+    reloader_.drawn(clock.ms());
+    keep_live_state();
+    return drawn;
+}
+
+// The inputs of the frame that was drawn last.
+Frame Playground::frame_again() const {
+    Frame frame;
+    frame.time = instant_.time;
+    frame.time_delta = instant_.time_delta;
+    frame.frame_rate = instant_.frame_rate;
+    frame.frame = instant_.frame;
+    frame.date = drawn_date_;
+    frame.input = drawn_input_;
+    return frame;
+}
+
+}  // namespace glint

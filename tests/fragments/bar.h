@@ -1,0 +1,62 @@
+// Bars that the scenes are held to (Q1 to Q22 in bars.md): the worst of many cases, and where.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace glint {
+
+// Asserts at its end that its worst case is within the limit, and keeps that case with the test's
+// results, from which tests/fragments/bars writes its table. What is no number is the worst.
+class Bar {
+public:
+    enum class Side { at_most, at_least };
+
+    // name: the bar, the scene, what is measured and in which unit: "Q11 sea: rays off, %".
+    Bar(std::string name, double limit, Side side = Side::at_most)
+        : name_(std::move(name)), limit_(limit), side_(side) {}
+    Bar(const Bar&) = delete;
+    Bar& operator=(const Bar&) = delete;
+
+    void see(double value, std::string_view where) {
+        ++cases_;
+        failed_ += !holds(value);
+        const bool worse = side_ == Side::at_most ? !(value <= worst_) : !(value >= worst_);
+        if (cases_ > 1 && (std::isnan(worst_) || !worse)) return;
+        worst_ = value;
+        where_ = where;
+        std::replace(where_.begin(), where_.end(), '\n', ' ');
+    }
+    double worst() const { return worst_; }
+
+    ~Bar() {
+        const char* sign = side_ == Side::at_most ? "<=" : ">=";
+        fmt::print("{}: {:.4g} {} {:.4g} at worst of {}: {}\n", name_, worst_, sign, limit_, cases_,
+                   where_);
+        testing::Test::RecordProperty(
+            name_, fmt::format("{:.4g}|{}|{:.4g}|{}|{}", worst_, sign, limit_, cases_, where_));
+        EXPECT_GT(cases_, 0) << name_ << ": nothing was seen";
+        EXPECT_TRUE(holds(worst_)) << name_ << ": " << worst_ << " (" << sign << " " << limit_
+                                   << ") at " << where_ << "; in " << failed_ << " of " << cases_;
+    }
+
+private:
+    bool holds(double value) const {
+        return side_ == Side::at_most ? value <= limit_ : value >= limit_;
+    }
+
+    std::string name_;
+    double limit_;
+    Side side_;
+    double worst_ = 0.0;
+    std::string where_;
+    int cases_ = 0, failed_ = 0;
+};
+
+}  // namespace glint
