@@ -259,7 +259,7 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         bool over = overLarge || min(p.y, ro.y + tCell * rd.y) > top.x;
         float next = overLarge ? tLarge : tCell;
         if (over) above = vec2(t, p.y - top.x);   // or higher
-        for (int j = 0; j < (over ? 0 : 1); ++j) {   // no if, of which both sides are run
+        if (!over) {
             float f = p.y - groundHeight(p.xz);
             next = min(t + f / max(top.y * level - rd.y, 1e-3), tCell);
             if (f <= 0.0) below = vec2(t, f);
@@ -760,10 +760,9 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     vec3 p = ro + l.t * rd, nor = l.nor, q = toWreck(p - kWreckAt), albedo = vec3(0.0);
     float w = pixel * l.t, through = 0.0, open = 1.0;
     bool wooden = l.kind >= kPlank && l.kind <= kSpar;
-    // llvmpipe skips no branch, only loops.
-    for (int k = 0; k < (l.kind == kSand ? 1 : 0); ++k)
+    if (l.kind == kSand)
         albedo = floorColour(p, nor, w, clamp(-rd.y, 0.04, 1.0));
-    for (int k = 0; k < (wooden ? 1 : 0); ++k) albedo = woodColour(q, l.kind, w);
+    if (wooden) albedo = woodColour(q, l.kind, w);
     if (l.kind == kRope) albedo = vec3(0.12, 0.10, 0.07);
     if (l.kind == kSail) albedo = vec3(0.62, 0.58, 0.47);
     if (l.kind == kWeed) albedo = vec3(0.17, 0.18, 0.04);
@@ -773,10 +772,10 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     float seen = besideRock(p + 0.2 * nor, 0.1);
     if (wreck) {
         seen *= besideHull(q + 0.05 * shipNor, towards, 0.12);
-        for (int k = 0; k < (sailCloth > 0.0 && l.kind <= kTimber ? 1 : 0); ++k)
+        if (sailCloth > 0.0 && l.kind <= kTimber)
             seen *= besideSails(q, towards, 0.1);
         vec2 here = hullSpan(q - vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0));
-        for (int k = 0; k < (here.x < 2.0 && here.x < here.y ? 1 : 0); ++k)
+        if (here.x < 2.0 && here.x < here.y)
             open = clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0);
     }
     float below = max(depth - p.y, 0.0), facing = dot(nor, m.towards);
@@ -952,7 +951,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
         sum += l.cover * exp(-m.extinction * l.t) * layerLight(l, ro, rd, pixel, m);
         left -= l.cover;
     }
-    for (int k = 0; k < (rd.y > 0.0 && left > 0.004 ? 1 : 0); ++k)   // what is left is open water
+    if (rd.y > 0.0 && left > 0.004)   // what is left is open water
         sum += left * exp(-m.extinction * solid.t)
             * surfaceLight(ro + up * rd, rd, pixel * min(up, 200.0), m);
     vec3 once, sea = veil(depth - ro.y, rd, mean, m, once);
