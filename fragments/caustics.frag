@@ -6,20 +6,21 @@
 //
 // Method   A map holds, for each texel of the floor, the light that falls into it relative to flat
 //          water. Nothing can be drawn forward here, so forward methods are turned round: a pass
-//          keeps where the light of each surface cell lands, three levels of boxes over the cells
-//          find those that reach a texel, and the exact overlap of triangle and texel shares a
-//          triangle's light (area), or a photon counts where it lands (photons: one a cell and
-//          frame, at a new place in it, so the mean over frames is exact in expectation). Neither
-//          can lose light. Calm water needs one inverse search and 1/|J| instead. The same at two
-//          levels between gives the light on objects and in the water.
+//          keeps where the light of each surface cell lands, four levels of boxes over the cells
+//          find those that reach four by four texels, then one, and the exact overlap of triangle
+//          and texel shares a triangle's light (area), or a photon counts where it lands (photons:
+//          one a cell and frame, at a new place in it, so the mean over frames is exact in
+//          expectation). Neither can lose light. Calm water needs one inverse search and 1/|J|
+//          instead. The same at two levels between gives the light on objects and in the water.
 // Sources  Stam, Random caustics, SIGGRAPH (1996): periodic tiles. Guardado and Sanchez-Crespo, GPU
 //          Gems ch. 2 (2004): the shortcuts. Born and Wolf, Principles of Optics, 1.5: Fresnel.
 //          Daimon and Masumura, Appl. Opt. 46 (2007): water's indices. Roberts (2018): R2 sequence.
 //          Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Henyey and Greenstein, ApJ 93 (1941).
 // Units    1 unit = 1 m, y up, linear sRGB colour until the display curve; the floor is y = 0.
-// Passes   sand, waves: on change of a tweak. surface, landing to reach, caustics, slices: every
+// Passes   sand, waves: on change of a tweak. surface, landing to tiles, caustics, slices: every
 //          frame. clock: photons. frame...: the loop of `periodic`, on change of a tweak.
-// Bounds   A texel visits at most 96 x 96 of the largest boxes, in all under 65,535 turns.
+// Bounds   A tile visits at most 96 x 96 of the largest boxes, a texel all of a tile's quads: 44,000
+//          at the ends of all ranges, under the 65,535 turns of llvmpipe.
 // Defaults From `glint study presets/caustics.toml`, RMSE to 257 frames of photons: area 0.0016,
 //          one frame of photons 0.016 in nearly the same time; snell 0.064, periodic 0.075 and
 //          vertical 0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8, for a twentieth
@@ -68,18 +69,22 @@ uniform sampler2D sand;          //@ pass mainSand size=512x512 wrap=repeat filt
 uniform sampler2D waves;         //@ pass mainWaves size=16x1
 uniform sampler2D surface;       //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
 uniform sampler2D clock;         //@ pass mainClock size=1x1
-uniform sampler2D landing;       //@ pass mainLanding size=256x256
-uniform sampler2D split;         //@ pass mainLanding size=256x256
-uniform sampler2D cellBoxes;     //@ pass mainCells size=256x256
-uniform sampler2D blocks;        //@ pass mainBlocks size=64x64
-uniform sampler2D supers;        //@ pass mainSupers size=16x16
+uniform sampler2D landing;       //@ pass mainLanding size=256x256 filter=nearest
+uniform sampler2D split;         //@ pass mainLanding size=256x256 filter=nearest
+uniform sampler2D cellBoxes;     //@ pass mainCells size=256x256 filter=nearest
+uniform sampler2D quadBoxes;     //@ pass mainQuads size=128x128 filter=nearest
+uniform sampler2D blocks;        //@ pass mainBlocks size=64x64 filter=nearest
+uniform sampler2D supers;        //@ pass mainSupers size=16x16 filter=nearest
 uniform sampler2D reach;         //@ pass mainReach size=1x1
-uniform sampler2D frameLanding;  //@ pass mainFrameLanding size=512x512
-uniform sampler2D frameSplit;    //@ pass mainFrameLanding size=512x512
-uniform sampler2D frameCells;    //@ pass mainFrameCells size=512x512
-uniform sampler2D frameBlocks;   //@ pass mainFrameBlocks size=128x128
-uniform sampler2D frameSupers;   //@ pass mainFrameSupers size=32x32
+uniform sampler2D tiles;         //@ pass mainTiles size=96x96 filter=nearest
+uniform sampler2D frameLanding;  //@ pass mainFrameLanding size=512x512 filter=nearest
+uniform sampler2D frameSplit;    //@ pass mainFrameLanding size=512x512 filter=nearest
+uniform sampler2D frameCells;    //@ pass mainFrameCells size=512x512 filter=nearest
+uniform sampler2D frameQuads;    //@ pass mainFrameQuads size=256x256 filter=nearest
+uniform sampler2D frameBlocks;   //@ pass mainFrameBlocks size=128x128 filter=nearest
+uniform sampler2D frameSupers;   //@ pass mainFrameSupers size=32x32 filter=nearest
 uniform sampler2D frameReach;    //@ pass mainFrameReach size=4x4
+uniform sampler2D frameTiles;    //@ pass mainFrameTiles size=256x256 filter=nearest
 uniform sampler2D frames;        //@ pass mainFrames size=1024x1024
 uniform sampler2D caustics;      //@ pass mainCaustics size=256x256 wrap=repeat filter=mipmap
 uniform sampler2D slices;        //@ pass mainSlices size=128x128 wrap=repeat filter=mipmap
@@ -142,9 +147,6 @@ vec4 previousFrame(vec4 p) {   // NaN compares false
     return mix(vec4(0.0), p, lessThanEqual(abs(p), vec4(6e4)));
 }
 int lowestBit(int mask) { return (floatBitsToInt(float(mask & -mask)) >> 23) - 127; }
-ivec2 wrapped(ivec2 i, int period) {   // into 0 ... period - 1, for i above -64 periods
-    return (i + 64 * period) % period;
-}
 vec3 meanFade(vec3 x) {   // (1 - exp(-x)) / x, the mean of exp over a step
     vec3 series = 1.0 - x * 0.5 * (1.0 - x / 3.0 * (1.0 - x * 0.25));
     vec3 safe = mix(x, vec3(1.0), lessThan(abs(x), vec3(0.02)));
@@ -287,7 +289,7 @@ vec4 landingBox(sampler2D at, sampler2D pairs, ivec2 cell, ivec2 origin, int cou
     vec4 box = vec4(1e3, 1e3, -1e3, -1e3);
     vec2 start = method == kPhotons ? photonStart(cell, photonPass()) : vec2(0.0);
     for (int k = 0; k < (method == kPhotons ? 1 : 4); ++k) {
-        ivec2 corner = ivec2(k & 1, k >> 1), place = origin + wrapped(cell + corner, count);
+        ivec2 corner = ivec2(k & 1, k >> 1), place = origin + (cell + corner) % count;
         vec2 home = (vec2(corner) + start) / float(count);
         vec4 middle = texelFetch(at, place, 0), pair = middle.xyxy;
         if (dispersion > 0.0) pair = texelFetch(pairs, place, 0);
@@ -306,12 +308,49 @@ vec4 boxOf(sampler2D children, ivec2 first, int side, float cell) {
     }
     return box;
 }
-// Whether light of a box, at a part `fall` of the depth, meets a square; both in tiles.
-bool boxMeets(sampler2D boxes, ivec2 frame, ivec2 place, int count, float fall, vec4 texel) {
-    float side = 1.0 / float(count);
-    vec4 box = texelFetch(boxes, frame * count + wrapped(place, count), 0);
-    box = mix(vec4(0.0, 0.0, side, side), box, fall) + side * vec2(place).xyxy;
+// A place in a buffer of so many texels a side that `filter=nearest` reads; half the price of
+// texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, float texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
+vec2 wrapped(vec2 i, float period) { return i - period * floor(i / period); }   // whole numbers
+// Whether light of a box of `side` tiles at `place`, as it lands below `fall` of the depth, meets a
+// square; both in tiles.
+bool boxMeets(vec4 box, vec2 place, float side, float fall, vec4 texel) {
+    box = mix(vec4(0.0, 0.0, side, side), box, fall) + side * place.xyxy;
     return all(lessThanEqual(box.xy, texel.zw)) && all(greaterThanEqual(box.zw, texel.xy));
+}
+// The rectangle of quads whose light meets a square: the first one, and how many along x and z.
+vec4 quadsThatMeet(sampler2D boxes1, sampler2D boxes2, sampler2D boxes3, vec4 bounds, vec2 frame,
+                   float count, vec4 texel, float fall) {
+    float side = 16.0 / count, blockSide = 0.25 * side;
+    vec3 sizes = vec3(textureSize(boxes1, 0).x, textureSize(boxes2, 0).x, textureSize(boxes3, 0).x);
+    bounds = mix(vec4(0.0, 0.0, side, side), bounds, fall);
+    vec2 first = ceil((texel.xy - bounds.zw) / side), met = vec2(1e4), last = vec2(-1e4);
+    vec2 span = clamp(floor((texel.zw - bounds.xy) / side) - first + 1.0, 0.0, 96.0);
+    for (float y = 0.0; y < span.y; y += 1.0)
+        for (float x = 0.0; x < span.x; x += 1.0) {
+            vec2 super = first + vec2(x, y);
+            vec2 home = wrapped(super, count / 16.0) + frame * count / 16.0;
+            vec4 box = fetch(boxes3, home, sizes.z);
+            int inside = boxMeets(box, super, side, fall, texel) ? 16 : 0;
+            for (int k = 0; k < inside; ++k) {
+                vec2 block = vec2(k & 3, k >> 2);
+                box = fetch(boxes2, 4.0 * home + block, sizes.y);
+                block += 4.0 * super;
+                int within = boxMeets(box, block, blockSide, fall, texel) ? 4 : 0;
+                for (int j = 0; j < within; ++j) {
+                    vec2 quad = vec2(j & 1, j >> 1);
+                    box = fetch(boxes1, 8.0 * home + 2.0 * (block - 4.0 * super) + quad, sizes.x);
+                    quad += 2.0 * block;
+                    if (boxMeets(box, quad, 0.5 * blockSide, fall, texel)) {
+                        met = min(met, quad);
+                        last = max(last, quad);
+                    }
+                }
+            }
+        }
+    return vec4(met, max(last - met + 1.0, 0.0));
 }
 
 // Integral over the height of the unit square of the part of its width right of an edge; signed.
@@ -341,73 +380,77 @@ float cellLight(vec2 a, vec2 b, vec2 c, vec2 d, vec4 flux) {
     return (low * (flux.x + flux.y + flux.z) + high * (flux.y + flux.z + flux.w)) / 6.0;
 }
 
+// Light of a cell of the mesh, in three colours, in the square at `spot` of so many texels.
+vec3 cellColours(sampler2D at, sampler2D pairs, float size, vec2 cell, vec2 frame, float count,
+                 vec2 spot, float texels, float fall, bool tinted, int number) {
+    vec4 middle[4], pair[4];
+    vec2 home0 = wrapped(cell, count), aside = vec2(0.0);
+    vec2 home1 = home0 + 1.0 - count * step(count, home0 + 1.0);
+    if (method == kPhotons) aside = texels / count * photonStart(ivec2(home0), number);
+    for (int j = 0; j < (method == kPhotons ? 1 : 4); ++j) {
+        vec2 corner = vec2(j & 1, j >> 1), from = mix(home0, home1, corner) + count * frame;
+        vec2 place = ((cell + corner) * texels - spot * count) / count + aside;   // exact
+        middle[j] = fetch(at, from, size);
+        pair[j] = middle[j].xyxy;
+        if (tinted) pair[j] = fetch(pairs, from, size);
+        middle[j].xy = place + texels * fall * middle[j].xy;
+        pair[j] = place.xyxy + texels * fall * pair[j];
+    }
+    if (method == kPhotons)
+        return middle[0].z * vec3(insideUnit(pair[0].xy), insideUnit(middle[0].xy),
+                                  insideUnit(pair[0].zw));
+    vec4 flux = vec4(middle[0].z, middle[1].z, middle[2].z, middle[3].z);
+    vec3 light = vec3(cellLight(middle[0].xy, middle[1].xy, middle[2].xy, middle[3].xy, flux));
+    if (tinted) {
+        light.x = cellLight(pair[0].xy, pair[1].xy, pair[2].xy, pair[3].xy, flux);
+        light.z = cellLight(pair[0].zw, pair[1].zw, pair[2].zw, pair[3].zw, flux);
+    }
+    return light;
+}
+
 // Light that falls into a square of the floor, or of a level at a part `fall` of the depth, beside
-// flat water's. llvmpipe skips no branch, only loops: what meets is marked first, then visited.
-vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, sampler2D boxes2,
-            vec4 bounds, ivec2 frame, int count, ivec2 spot, int texels, float fall, bool tinted) {
-    float side = 16.0 / float(count), zoom = float(texels), unit = zoom / float(count);
-    vec4 texel = vec4(spot, spot + 1) / zoom;
-    bounds = mix(vec4(0.0, 0.0, side, side), bounds, fall);
-    ivec2 first = ivec2(ceil((texel.xy - bounds.zw) / side));
-    ivec2 span = clamp(ivec2(floor((texel.zw - bounds.xy) / side)) - first + 1, 0, 96);
-    int number = photonPass(), next = 0;
+// flat water's; quads: the rectangle of those that may send some. Pixels that are drawn together
+// take as many turns as the one with most: what meets is marked first, and whoever has a cell waits
+// until all have one.
+vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, vec4 quads,
+            vec2 frame, float count, vec2 spot, float texels, float fall, bool tinted) {
+    float size = float(textureSize(at, 0).x), quadSide = 2.0 / count;
+    vec4 texel = vec4(spot, spot + 1.0) / texels;
+    int number = photonPass(), area = int(quads.z * quads.w);
     vec3 sum = vec3(0.0);
-    for (int found = 0; found < span.x * span.y; ++found) {
-        bool met = false;
-        ivec2 super;
-        for (; next < span.x * span.y && !met; ++next) {
-            super = first + ivec2(next % span.x, next / span.x);
-            met = boxMeets(boxes2, frame, super, count / 16, fall, texel);
+    for (int next = 0; next < area;) {
+        int start = next, marks = 0, met = 0;
+        vec2 quad = vec2(0.0);
+        for (; next < min(start + 30, area); ++next) {
+            float row = floor((float(next) + 0.5) / quads.z);
+            quad = quads.xy + vec2(float(next) - row * quads.z, row);
+            vec4 box = fetch(boxes1, wrapped(quad, 0.5 * count) + 0.5 * count * frame, 0.5 * size);
+            if (boxMeets(box, quad, quadSide, fall, texel)) marks |= 1 << (next - start);
         }
-        if (!met) break;
-        int hits = 0;
-        for (int k = 0; k < (met ? 16 : 0); ++k)
-            if (boxMeets(boxes1, frame, 4 * super + ivec2(k & 3, k >> 2), count / 4, fall, texel))
-                hits |= 1 << k;
-        for (; hits != 0; hits &= hits - 1) {
-            int block = lowestBit(hits), cellHits = 0;
-            ivec2 low = 4 * (4 * super + ivec2(block & 3, block >> 2));
-            for (int k = 0; k < (met ? 16 : 0); ++k)
-                if (boxMeets(boxes0, frame, low + ivec2(k & 3, k >> 2), count, fall, texel))
-                    cellHits |= 1 << k;
-            for (; cellHits != 0; cellHits &= cellHits - 1) {
-                int k = lowestBit(cellHits);
-                ivec2 cell = low + ivec2(k & 3, k >> 2);
-                vec4 middle[4], pair[4];
-                for (int j = 0; j < (method == kPhotons ? 1 : 4); ++j) {
-                    ivec2 place = cell + ivec2(j & 1, j >> 1), from = frame * count;
-                    vec4 home = vec2(place * texels - spot * count).xyxy / float(count);   // exact
-                    if (method == kPhotons)
-                        home += unit * photonStart(wrapped(cell, count), number).xyxy;
-                    middle[j] = texelFetch(at, from + wrapped(place, count), 0);
-                    pair[j] = middle[j].xyxy;
-                    if (tinted) pair[j] = texelFetch(pairs, from + wrapped(place, count), 0);
-                    middle[j].xy = home.xy + zoom * fall * middle[j].xy;
-                    pair[j] = home + zoom * fall * pair[j];
+        for (; (marks | met) != 0;) {
+            for (; met == 0 && marks != 0; marks &= marks - 1) {
+                float i = float(start + lowestBit(marks)), row = floor((i + 0.5) / quads.z);
+                quad = 2.0 * (quads.xy + vec2(i - row * quads.z, row));
+                for (int k = 0; k < 4; ++k) {
+                    vec2 cell = quad + vec2(k & 1, k >> 1);
+                    vec4 box = fetch(boxes0, wrapped(cell, count) + count * frame, size);
+                    if (boxMeets(box, cell, 0.5 * quadSide, fall, texel)) met |= 1 << k;
                 }
-                vec3 light;
-                if (method == kPhotons) {
-                    light = middle[0].z * vec3(insideUnit(pair[0].xy), insideUnit(middle[0].xy),
-                                               insideUnit(pair[0].zw));
-                } else {
-                    vec4 flux = vec4(middle[0].z, middle[1].z, middle[2].z, middle[3].z);
-                    light = vec3(cellLight(middle[0].xy, middle[1].xy, middle[2].xy, middle[3].xy,
-                                           flux));
-                    if (tinted) {
-                        light.x = cellLight(pair[0].xy, pair[1].xy, pair[2].xy, pair[3].xy, flux);
-                        light.z = cellLight(pair[0].zw, pair[1].zw, pair[2].zw, pair[3].zw, flux);
-                    }
-                }
-                sum += unit * unit * light;
             }
+            if (met == 0) break;
+            int bit = lowestBit(met);
+            met &= met - 1;
+            sum += cellColours(at, pairs, size, quad + vec2(bit & 1, bit >> 1), frame, count, spot,
+                               texels, fall, tinted, number);
         }
     }
-    return sum;
+    return sum * square(texels / count);
 }
-// The same from the buffers of this moment.
-vec3 gatherNow(ivec2 place, int texels, float fall, bool tinted) {
-    return gather(landing, split, cellBoxes, blocks, supers, texelFetch(reach, ivec2(0), 0),
-                  ivec2(0), meshCells(), place, texels, fall, tinted);
+// The same from the buffers of this moment; tile: where `tiles` keeps the quads of this square.
+vec3 gatherNow(vec2 place, float texels, vec2 tile, float fall, bool tinted) {
+    vec4 quads = fetch(tiles, tile + floor(place / 4.0), 96.0);
+    return gather(landing, split, cellBoxes, quadBoxes, quads, vec2(0.0), float(meshCells()), place,
+                  texels, fall, tinted);
 }
 
 // ---- Objects ------------------------------------------------------------------------------------
@@ -772,14 +815,32 @@ void mainLanding(out vec4 middle, out vec4 pair, in vec2 pixel) {
 void mainCells(out vec4 colour, in vec2 pixel) {
     colour = landingBox(landing, split, ivec2(pixel), ivec2(0), meshCells());
 }
+void mainQuads(out vec4 colour, in vec2 pixel) {
+    colour = boxOf(cellBoxes, ivec2(pixel) * 2, 2, 1.0 / float(meshCells()));
+}
 void mainBlocks(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(cellBoxes, ivec2(pixel) * 4, 4, 1.0 / float(meshCells()));
+    colour = boxOf(quadBoxes, ivec2(pixel) * 2, 2, 2.0 / float(meshCells()));
 }
 void mainSupers(out vec4 colour, in vec2 pixel) {
     colour = boxOf(blocks, ivec2(pixel) * 4, 4, 4.0 / float(meshCells()));
 }
 void mainReach(out vec4 colour, in vec2 pixel) {
     colour = boxOf(supers, ivec2(0), meshCells() / 16, 0.0);
+}
+
+// The quads that may light each square of 4 x 4 texels: of the floor, above them of the two slices.
+void mainTiles(out vec4 colour, in vec2 pixel) {
+    vec2 tile = floor(pixel);
+    float fall = 1.0, side = 1.0 / 64.0;
+    colour = vec4(0.0);
+    if (tile.y >= 64.0) {
+        fall = tile.x < 32.0 ? kLevels.x : kLevels.y;
+        tile -= vec2(tile.x < 32.0 ? 0.0 : 32.0, 64.0);
+        side = 1.0 / 32.0;
+    }
+    if (method < kArea || max(tile.x, tile.y) * side >= 1.0) return;
+    colour = quadsThatMeet(quadBoxes, blocks, supers, texelFetch(reach, ivec2(0), 0), vec2(0.0),
+                           float(meshCells()), side * vec4(tile, tile + 1.0), fall);
 }
 
 // The loop of `periodic`: frame k stands in column k % 4 and row k / 4 of each buffer.
@@ -794,8 +855,11 @@ void mainFrameCells(out vec4 colour, in vec2 pixel) {
     ivec2 at = ivec2(pixel), cell = at % kFrameCells;
     colour = landingBox(frameLanding, frameSplit, cell, at - cell, kFrameCells);
 }
+void mainFrameQuads(out vec4 colour, in vec2 pixel) {
+    colour = boxOf(frameCells, ivec2(pixel) * 2, 2, 1.0 / float(kFrameCells));
+}
 void mainFrameBlocks(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(frameCells, ivec2(pixel) * 4, 4, 1.0 / float(kFrameCells));
+    colour = boxOf(frameQuads, ivec2(pixel) * 2, 2, 2.0 / float(kFrameCells));
 }
 void mainFrameSupers(out vec4 colour, in vec2 pixel) {
     colour = boxOf(frameBlocks, ivec2(pixel) * 4, 4, 4.0 / float(kFrameCells));
@@ -803,13 +867,19 @@ void mainFrameSupers(out vec4 colour, in vec2 pixel) {
 void mainFrameReach(out vec4 colour, in vec2 pixel) {
     colour = boxOf(frameSupers, ivec2(pixel) * (kFrameCells / 16), kFrameCells / 16, 0.0);
 }
+void mainFrameTiles(out vec4 colour, in vec2 pixel) {
+    vec2 frame = floor(pixel / 64.0), tile = floor(pixel) - 64.0 * frame;
+    colour = quadsThatMeet(frameQuads, frameBlocks, frameSupers,
+                           texelFetch(frameReach, ivec2(frame), 0), frame, float(kFrameCells),
+                           vec4(tile, tile + 1.0) / 64.0, 1.0);
+}
 void mainFrames(out vec4 colour, in vec2 pixel) {
     colour = vec4(1.0);
     if (method != kPeriodic) return;
-    ivec2 at = ivec2(pixel), frame = at / kMap;
-    colour.rgb = gather(frameLanding, frameSplit, frameCells, frameBlocks, frameSupers,
-                        texelFetch(frameReach, frame, 0), frame, kFrameCells,
-                        at % kMap, kMap, 1.0, dispersion > 0.0);
+    vec2 frame = floor(pixel / float(kMap)), at = floor(pixel) - float(kMap) * frame;
+    colour.rgb = gather(frameLanding, frameSplit, frameCells, frameQuads,
+                        fetch(frameTiles, floor(pixel / 4.0), 256.0), frame, float(kFrameCells),
+                        at, float(kMap), 1.0, dispersion > 0.0);
 }
 // Five frames of the loop, the next fading in while the oldest fades out. Their weights lag by
 // 1.2 / 1.05 frames, by which the loop runs ahead.
@@ -843,7 +913,7 @@ void mainCaustics(out vec4 colour, in vec2 pixel) {
     } else if (method == kArea && isCalm()) {
         colour.rgb = vec3(inverseLight(u, 1.0));
     } else {
-        colour.rgb = gatherNow(ivec2(pixel), kMap, 1.0, dispersion > 0.0);
+        colour.rgb = gatherNow(floor(pixel), float(kMap), vec2(0.0), 1.0, dispersion > 0.0);
         if (method == kPhotons)
             colour.rgb = mix(previousFrame(texelFetch(caustics, ivec2(pixel), 0)).rgb, colour.rgb,
                              1.0 / float(photonPass()));
@@ -858,7 +928,7 @@ void mainSlices(out vec4 colour, in vec2 pixel) {
     if (method < kArea) return;   // these know the floor only: its pattern fades upwards
     for (int i = 0; i < 2; ++i)
         colour[i] = method == kArea && isCalm() ? inverseLight(u, kLevels[i])
-            : gatherNow(ivec2(pixel), kSliceMap, kLevels[i], false).g;
+            : gatherNow(floor(pixel), float(kSliceMap), vec2(32 * i, 64), kLevels[i], false).g;
     if (method == kPhotons)
         colour.xy = mix(previousFrame(texelFetch(slices, ivec2(pixel), 0)).xy, colour.xy,
                         1.0 / float(photonPass()));

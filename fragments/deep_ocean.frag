@@ -22,8 +22,8 @@
 //          Wolf, Principles of Optics, 1.5: Fresnel. Sun et al., SIGGRAPH (2005): airlight.
 // Units    1 unit = 1 m, y up from the sand, linear sRGB colour until the display curve. The wreck
 //          has a frame of its own: x to the bow, y up from the keel, z to starboard.
-// Passes   ground to grain, rig, garden: on change of a tweak only. swarm, surface, splat and
-//          splatShape, caustics: every frame, small.
+// Passes   ground to grain, rig, garden: on change of a tweak only. swarm, surface, splat,
+//          caustics: every frame, small.
 // Bounds   The loops of a pixel stay below 30,000 turns with every reference on.
 // Defaults From `glint study presets/deep_ocean.toml`: marchSteps 128 would draw what 1024 do; 256
 //          leave no more than 0.1 % of the rays out of steps over any floor; 12 shaftSamples are
@@ -92,8 +92,7 @@ uniform sampler2D rig;         //@ pass mainRig size=32x2 filter=nearest
 uniform sampler2D garden;      //@ pass mainGarden size=64x2 filter=nearest
 uniform sampler2D swarm;       //@ pass mainSwarm size=16x1 filter=nearest
 uniform sampler2D surface;     //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
-uniform sampler2D splat;       //@ pass mainSurface size=128x128 filter=nearest
-uniform sampler2D splatShape;  //@ pass mainSurface size=128x128 filter=nearest
+uniform sampler2D splat;       //@ pass mainSurface size=128x128 wrap=repeat filter=nearest
 uniform sampler2D caustics;    //@ pass mainCaustics size=128x128 format=r32f wrap=repeat filter=mipmap
 
 // ---- Constants and numbers ----------------------------------------------------------------------
@@ -107,6 +106,7 @@ const float kClearance = 3.0;              // m, of water over the highest floor
 const float kCell = 2.0, kPatch = 8.0;     // m, of the cells of `tops` and of `summits`
 const float kNet = 8.0;                    // m, tile of the waves
 const int   kNetTexels = 128, kWaves = 10, kReach = 8;   // kReach: texels that light moves aside
+const float kSplatSteps = 340.0;           // a texel, of what `splat` keeps in 12 bits
 const float kGravity = 9.81;               // m/s^2
 const vec3  kWreckAt = vec3(0.0, -1.25, 0.0);            // m, the keel amidships
 const float kPitch = 0.07;                 // rad, of the ship, stern down
@@ -259,7 +259,7 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         bool over = overLarge || min(p.y, ro.y + tCell * rd.y) > top.x;
         float next = overLarge ? tLarge : tCell;
         if (over) above = vec2(t, p.y - top.x);   // or higher
-        for (int j = 0; j < (over ? 0 : 1); ++j) {   // no if, of which both sides are run
+        if (!over) {
             float f = p.y - groundHeight(p.xz);
             next = min(t + f / max(top.y * level - rd.y, 1e-3), tCell);
             if (f <= 0.0) below = vec2(t, f);
@@ -760,10 +760,9 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     vec3 p = ro + l.t * rd, nor = l.nor, q = toWreck(p - kWreckAt), albedo = vec3(0.0);
     float w = pixel * l.t, through = 0.0, open = 1.0;
     bool wooden = l.kind >= kPlank && l.kind <= kSpar;
-    // llvmpipe skips no branch, only loops.
-    for (int k = 0; k < (l.kind == kSand ? 1 : 0); ++k)
+    if (l.kind == kSand)
         albedo = floorColour(p, nor, w, clamp(-rd.y, 0.04, 1.0));
-    for (int k = 0; k < (wooden ? 1 : 0); ++k) albedo = woodColour(q, l.kind, w);
+    if (wooden) albedo = woodColour(q, l.kind, w);
     if (l.kind == kRope) albedo = vec3(0.12, 0.10, 0.07);
     if (l.kind == kSail) albedo = vec3(0.62, 0.58, 0.47);
     if (l.kind == kWeed) albedo = vec3(0.17, 0.18, 0.04);
@@ -773,10 +772,10 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     float seen = besideRock(p + 0.2 * nor, 0.1);
     if (wreck) {
         seen *= besideHull(q + 0.05 * shipNor, towards, 0.12);
-        for (int k = 0; k < (sailCloth > 0.0 && l.kind <= kTimber ? 1 : 0); ++k)
+        if (sailCloth > 0.0 && l.kind <= kTimber)
             seen *= besideSails(q, towards, 0.1);
         vec2 here = hullSpan(q - vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0));
-        for (int k = 0; k < (here.x < 2.0 && here.x < here.y ? 1 : 0); ++k)
+        if (here.x < 2.0 && here.x < here.y)
             open = clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0);
     }
     float below = max(depth - p.y, 0.0), facing = dot(nor, m.towards);
@@ -952,7 +951,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
         sum += l.cover * exp(-m.extinction * l.t) * layerLight(l, ro, rd, pixel, m);
         left -= l.cover;
     }
-    for (int k = 0; k < (rd.y > 0.0 && left > 0.004 ? 1 : 0); ++k)   // what is left is open water
+    if (rd.y > 0.0 && left > 0.004)   // what is left is open water
         sum += left * exp(-m.extinction * solid.t)
             * surfaceLight(ro + up * rd, rd, pixel * min(up, 200.0), m);
     vec3 once, sea = veil(depth - ro.y, rd, mean, m, once);
@@ -1111,8 +1110,8 @@ vec4 netWave(int i) {
     return vec4(n, 1.0, max(floor(slow * hz * loopSeconds + 0.5), 1.0));
 }
 // The waves: slopes and their square; where light from a point of the tile lands, in texels from
-// it, and the inverse covariance and the height of its Gaussian there.
-void mainSurface(out vec4 slopes, out vec4 landing, out vec4 shape, in vec2 pixel) {
+// it (two numbers of 12 bits in one), and the inverse covariance of its Gaussian there.
+void mainSurface(out vec4 slopes, out vec4 landing, in vec2 pixel) {
     vec2 u = pixel / float(kNetTexels), slope = vec2(0.0);
     vec3 curve = vec3(0.0);   // xx, xz, zz
     float now = cycles(1.0 / loopSeconds), bent = 0.0;
@@ -1128,26 +1127,27 @@ void mainSurface(out vec4 slopes, out vec4 landing, out vec4 shape, in vec2 pixe
     slopes = vec4(waveSlope * slope, square(waveSlope) * dot(slope, slope), 1.0);
     float fall = 0.85 * netSharpness * inversesqrt(bent);    // m
     vec2 aside = -fall * float(kNetTexels) / kNet * slope;   // texels
-    landing = vec4(aside * min(1.0, 5.5 * inversesqrt(max(dot(aside, aside), 1e-6))), 0.0, 1.0);
+    aside *= min(1.0, 5.5 * inversesqrt(max(dot(aside, aside), 1e-6)));
+    aside = floor(aside * kSplatSteps + 2048.5);
     mat2 j = mat2(1.0 - fall * curve.x, -fall * curve.y, -fall * curve.y, 1.0 - fall * curve.z);
     mat2 wide = 0.36 * j * transpose(j) + mat2(0.34);        // the sun's disc blurs by the latter
     float size = max(determinant(wide), 1e-4);
-    shape = vec4(wide[1][1], -wide[0][1], wide[0][0], 0.0) / size;
-    shape.w = inversesqrt(size) / (2.0 * kPi);
+    landing = vec4(aside.x + 4096.0 * aside.y, vec3(wide[1][1], -wide[0][1], wide[0][0]) / size);
 }
 void mainCaustics(out vec4 colour, in vec2 pixel) {
-    ivec2 here = ivec2(pixel);
     float sum = 0.0;
     for (int z = -kReach; z <= kReach; ++z) {   // a disc: corners are out of reach
         int wide = int(sqrt(square(float(kReach) + 1.0) - float(z * z) - 0.5));
         for (int x = -wide; x <= wide; ++x) {
-            ivec2 from = (here + ivec2(x, z)) & (kNetTexels - 1);
-            vec2 d = vec2(x, z) + texelFetch(splat, from, 0).xy;
-            vec4 s = texelFetch(splatShape, from, 0);
-            sum += s.w * exp(-0.5 * (s.x * d.x * d.x + 2.0 * s.y * d.x * d.y + s.z * d.y * d.y));
+            vec4 s = textureLod(splat, (pixel + vec2(x, z)) / float(kNetTexels), 0.0);
+            float row = floor(s.x / 4096.0);
+            vec2 d = vec2(x, z) + (vec2(s.x - 4096.0 * row, row) - 2048.0) / kSplatSteps;
+            // The height of a Gaussian follows from its width.
+            sum += sqrt(s.y * s.w - s.z * s.z)
+                * exp(-0.5 * (s.y * d.x * d.x + 2.0 * s.z * d.x * d.y + s.w * d.y * d.y));
         }
     }
-    colour = vec4(sum, 0.0, 0.0, 1.0);
+    colour = vec4(sum / (2.0 * kPi), 0.0, 0.0, 1.0);
 }
 
 // ---- Image --------------------------------------------------------------------------------------

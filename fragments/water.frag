@@ -698,7 +698,7 @@ float coneOf(Ray r) { return sqrt(0.5 * (dot(r.dx, r.dx) + dot(r.dy, r.dy)) + r.
 
 // Light that arrives against a ray. level: the water is a plane, for planar pictures. reach: the
 // distance to what is met first. First come the paths of light, then the matt points on them, two
-// at a time: a loop is the only thing that llvmpipe ever skips.
+// at a time, so that pixels which are drawn together light them together.
 vec3 render(Ray r, bool level, out float reach) {
     vec3 sum = vec3(0.0);
     Ray later = r;
