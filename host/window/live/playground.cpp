@@ -68,6 +68,7 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       full_size_(size),
       trial_({.device = options.device}),
       standby_(options.device),
+      sketcher_(options.device),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
       inputs_(texture_limits()),
@@ -129,6 +130,10 @@ void Playground::start_trial(const Preset& candidate, Programs programs, bool is
                  .time = transport_.time(),
                  .images = {},
                  .is_text = is_text});
+    since_trial_.restart();
+    wants_sketch_ = is_text && !tried_by_standby_;
+    if (sketcher_.is_drawing()) sketcher_.stop();
+    sketch_.reset();
 }
 
 // What has passed there is taken up here, pass by pass, before anybody hears of it. Standby's
@@ -165,7 +170,7 @@ void Playground::open(const std::filesystem::path& file) {
 
 std::vector<int> Playground::descriptors() const {
     return {watcher_.descriptor(), trial_.descriptor(), standby_.descriptor(),
-            inputs_.descriptor()};
+            sketcher_.descriptor(), inputs_.descriptor()};
 }
 
 bool Playground::update() {
@@ -174,12 +179,13 @@ bool Playground::update() {
     notice_saves();
     if (reloader_.follow()) load_missing_inputs();
     follow_inputs();
+    const bool is_sketched = follow_sketch();
     prepare_uniforms();
     // The tweaks may have moved while constants were compiled, or before there was anything else.
     const bool may_follow = is_specialised() || standby_.has_scene();
     if (constants_ && *constants_ != tweaks.values() && may_follow) leave_constants();
     specialise_at_rest();
-    return reports != report_count() || was_loading != is_loading() || touched_;
+    return reports != report_count() || was_loading != is_loading() || touched_ || is_sketched;
 }
 
 void Playground::notice_saves() {

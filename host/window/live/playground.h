@@ -15,12 +15,14 @@
 #include "window/live/standby.h"
 #include "window/live/start_states.h"
 #include "window/trial/refiner.h"
+#include "window/trial/sketcher.h"
 #include "window/trial/trial.h"
 
 #include <array>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace glint {
 
@@ -100,6 +102,12 @@ public:
     // The same instant with the values of one of the two tweak sets, drawn from the buffers as they
     // stand. Null while nothing is open.
     const Buffer* picture_of(TweakSet set);
+
+    // The first picture of a text that was saved and is compiled still, as large as what is shown;
+    // null where there is none.
+    const Buffer* sketch() const { return awaits_text() ? sketch_.get() : nullptr; }
+    // How long that took from the save on, ms; once, when there is a new one.
+    std::optional<double> take_sketch_ms() { return std::exchange(sketch_ms_, std::nullopt); }
 
     // Nothing moves, and nothing is about to: the picture may be refined.
     bool stands() const;
@@ -212,6 +220,14 @@ private:
     void tidy_shelf();
     void specialise_at_rest();
     void prepare_uniforms();
+    bool follow_sketch();
+    bool may_sketch() const;
+    void start_sketch();
+    RefineOrder sketch_order() const;
+    void give_buffers(RefineOrder& order);
+    bool awaits_text() const {
+        return reloader_.state() == ReloadState::trying_text || reloader_.has_unseen();
+    }
     void leave_constants();
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
@@ -247,6 +263,11 @@ private:
     ProgramShelf shelf_;
     Trial trial_;
     Standby standby_;
+    Sketcher sketcher_;
+    std::unique_ptr<Buffer> sketch_;
+    std::optional<double> sketch_ms_;
+    bool wants_sketch_ = false;
+    Stopwatch since_trial_;
     ProgramLoader loader_;  // of what was tried
     // What is tried, with the values that it would be drawn with.
     std::unique_ptr<Preset> tried_;

@@ -140,6 +140,7 @@ private:
     void draw_frame();
     void follow_sound(double at);
     void show_picture();
+    bool show_sketch(const BufferView& view);
     void show_wipe(const Buffer& left, const Buffer& right, const BufferView& view);
     Facts facts();
     void gather_pixels();

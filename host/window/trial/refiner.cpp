@@ -20,18 +20,27 @@ int refining_sample(int k, int count) {
     return static_cast<int>((count / 2 + std::int64_t{k} * step) % count);
 }
 
-Refiner::Refiner(std::string device, std::filesystem::path program)
-    : device_(std::move(device)), program_(std::move(program)) {}
+Refiner::Refiner(std::string device, std::filesystem::path program, std::string verb, int output)
+    : device_(std::move(device)),
+      program_(std::move(program)),
+      verb_(std::move(verb)),
+      output_(output) {}
 
 Refiner::~Refiner() {
     stop();
 }
 
-void Refiner::start(const RefineOrder& order) {
-    stop();
-    const Launched launched = launch_on_socket(program_, "refine", device_);
+void Refiner::prepare() {
+    if (process_ != 0 || is_refused_) return;
+    const Launched launched = launch_on_socket(program_, verb_, device_, 0, output_);
     process_ = launched.process;
     socket_ = launched.pipe;
+    of_ = done_ = 0;
+}
+
+void Refiner::start(const RefineOrder& order) {
+    if (of_ > 0) stop();
+    prepare();
     if (process_ == 0) return;
     of_ = order.samples;
     outgoing_ = pack(order);
@@ -73,6 +82,7 @@ bool Refiner::update() {
             socket_ = -1;
             dying_.end(process_);
             take_arrived();
+            is_refused_ = of_ == 0;
             if (done_ < of_) of_ = done_ = 0;  // it could not; nothing more comes
             return true;
         }

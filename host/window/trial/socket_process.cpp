@@ -9,9 +9,10 @@
 namespace glint {
 
 Launched launch_on_socket(const std::filesystem::path& program, const std::string& verb,
-                          const std::string& device, int niceness) {
+                          const std::string& device, int niceness, int output) {
     Launch wanted{.words = {program.string(), verb},
                   .input = kSocket,
+                  .output = output,
                   .group = Launch::Group::session,
                   .default_signals = true,
                   .core_files = false,
