@@ -157,6 +157,7 @@ private:
     EndSignals end_signals_;
     ViewOptions options_;  // size and tweaks are those of the file that was opened first
     KeptPictures kept_pictures_;
+    StartPicture::Reading begun_picture_;
     Window window_;
     StartPicture start_picture_;
     CrashMark crash_mark_;

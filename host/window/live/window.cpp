@@ -70,8 +70,9 @@ std::span<const std::string_view> template_names() {
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
       kept_pictures_(home_folder("XDG_CACHE_HOME", ".cache") / "pictures"),
+      begun_picture_(StartPicture::begin(kept_pictures_.find(canonical_name(options.file)))),
       window_(size_at_start(options), "Glint"),
-      start_picture_(kept_pictures_.find(canonical_name(options.file))),
+      start_picture_(std::move(begun_picture_)),
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
       playground_(window_, window_.size(),
