@@ -47,6 +47,7 @@ constexpr VerbEntry kVerbs[] = {
     {"trial", nullptr, trial_verb},
     {"voice", nullptr, voice_verb},
     {"refine", nullptr, refine_verb},
+    {"sketch", nullptr, sketch_verb},
 #endif
 };
 

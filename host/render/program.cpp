@@ -176,6 +176,12 @@ GLuint ProgramShelf::add(const std::string& text, Program program) {
     return (programs_[text] = std::move(program)).id();
 }
 
+const std::string* ProgramShelf::text_of(GLuint id) const {
+    for (const auto& [text, program] : programs_)
+        if (program.id() == id) return &text;
+    return nullptr;
+}
+
 void ProgramShelf::keep_only(const std::vector<GLuint>& ids) {
     std::erase_if(programs_, [&](const auto& entry) {
         return std::ranges::find(ids, entry.second.id()) == ids.end();

@@ -75,6 +75,8 @@ public:
     // 0 where there is none.
     GLuint find(const std::string& text) const;
     GLuint add(const std::string& text, Program program);
+    // Null where it is not here.
+    const std::string* text_of(GLuint id) const;
     // All others go.
     void keep_only(const std::vector<GLuint>& ids);
     std::size_t size() const { return programs_.size(); }

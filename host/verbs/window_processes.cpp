@@ -1,4 +1,4 @@
-// `glint trial`, `refine` and `voice`: processes of the window; for no person to call.
+// `glint trial`, `refine`, `sketch` and `voice`: processes of the window; for no person to call.
 #include "verbs/options.h"
 #include "verbs/verb.h"
 #include "window/live/voice.h"
@@ -24,6 +24,10 @@ std::unique_ptr<Verb> trial_verb() {
 
 std::unique_ptr<Verb> refine_verb() {
     return process_verb<run_refine>();
+}
+
+std::unique_ptr<Verb> sketch_verb() {
+    return process_verb<run_sketch>();
 }
 
 std::unique_ptr<Verb> voice_verb() {

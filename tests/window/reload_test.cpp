@@ -118,6 +118,28 @@ Colour colour_of(int number) {
     return {number % 200 + 20, number / 200 + 20, 90};
 }
 
+// Drawn at once, and compiled for long.
+std::string long_text(const Colour& colour) {
+    std::string text = "void mainImage(out vec4 c, in vec2 p) {\n    float x = p.x;\n";
+    for (int i = 0; i < 300; ++i)
+        text += fmt::format("    x = sin(x * {}.5) + pow(abs(cos(x)), {}.25);\n", i, i % 7 + 1);
+    return text + fmt::format("    c = vec4(vec3({}, {}, {}) / 255.0 + x * 1e-6, 1);\n}}\n",
+                              colour.r, colour.g, colour.b);
+}
+
+TEST_F(Reload, ATextThatIsCompiledForLongIsSketchedFirst) {
+    open(long_text({0, 200, 0}));
+    ASSERT_TRUE(shows({0, 200, 0}, kMargin));
+    EXPECT_EQ(glint_->count("sketched"), 0) << "there is no window's picture before the first";
+    write(scene(), long_text({200, 0, 0}));
+    EXPECT_TRUE(shows({200, 0, 0}, kMargin));
+    EXPECT_TRUE(glint_->says(": shown;", 2));
+    EXPECT_TRUE(shows({200, 0, 0}, kMargin));
+    const std::string said = glint_->errors();
+    EXPECT_EQ(glint_->count("sketched"), 1);
+    EXPECT_LT(said.find("sketched"), said.rfind(": shown;")) << said;
+}
+
 TEST_F(Reload, EveryWayOfSavingEndsOnTheScreen) {
     open(text_of({1, 2, 3}));
     int number = 0;

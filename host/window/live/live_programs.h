@@ -39,6 +39,10 @@ public:
     const Verdict& follow_trial(bool is_awaited, Renderer* drawn);
     // What was tried last.
     const Preset& tried() const { return *tried_; }
+    // Whether that is by fed programs, which are compiled where nobody waits.
+    bool is_tried_by_standby() const { return tried_by_standby_; }
+    // The longest that a text of this file has been in a driver for its first draws, ms.
+    double longest_compile_ms() const { return longest_compile_ms_; }
     // What the trial of a file that was opened took a frame to cost, ms; 0: not known.
     double expected_ms() { return trial_.poll().expected_ms; }
 
@@ -85,7 +89,6 @@ private:
     std::optional<Preset> tried_;
     bool tried_is_text_ = false, tried_is_linked_ = false, tried_by_standby_ = false;
     std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
-    // The longest that a text of this file has been in a driver for its first draws.
     double longest_compile_ms_ = 0.0;
 };
 

@@ -49,6 +49,7 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       size_(size),
       full_size_(size),
       programs_(options.device, options.specialise),
+      sketcher_(options.device),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
       inputs_(texture_limits()),
@@ -97,6 +98,10 @@ void Playground::start_trial(const Preset& candidate, Programs programs, bool is
     Preset tried = candidate;
     if (is_text) tried.values = tweaks_with(candidate).values();
     programs_.start_trial(std::move(tried), programs, is_text, full_size_, transport_.time());
+    since_trial_.restart();
+    wants_sketch_ = is_text && !programs_.is_tried_by_standby();
+    if (sketcher_.is_drawing()) sketcher_.stop();
+    sketch_.reset();
 }
 
 void Playground::open(const std::filesystem::path& file) {
@@ -108,7 +113,8 @@ void Playground::open(const std::filesystem::path& file) {
 
 std::vector<int> Playground::descriptors() const {
     std::vector<int> descriptors = programs_.descriptors();
-    descriptors.insert(descriptors.end(), {watcher_.descriptor(), inputs_.descriptor()});
+    descriptors.insert(descriptors.end(),
+                       {watcher_.descriptor(), sketcher_.descriptor(), inputs_.descriptor()});
     return descriptors;
 }
 
@@ -118,12 +124,13 @@ bool Playground::update() {
     notice_saves();
     if (reloader_.follow()) load_missing_inputs();
     follow_inputs();
+    const bool is_sketched = follow_sketch();
     prepare_uniforms();
     // The tweaks may have moved while constants were compiled, or before there was anything else.
     const bool may_follow = is_specialised() || programs_.has_fed();
     if (constants_ && *constants_ != tweaks.values() && may_follow) leave_constants();
     specialise_at_rest();
-    return reports != report_count() || was_loading != is_loading() || touched_;
+    return reports != report_count() || was_loading != is_loading() || touched_ || is_sketched;
 }
 
 void Playground::notice_saves() {

@@ -20,11 +20,13 @@
 #include "window/live/reloader.h"
 #include "window/live/start_states.h"
 #include "window/trial/refiner.h"
+#include "window/trial/sketcher.h"
 
 #include <array>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace glint {
 
@@ -199,6 +201,12 @@ public:
     // stand. Null while nothing is open, and until programs are at hand that can draw it.
     const Buffer* picture_of(TweakSet set);
 
+    // The first picture of a text that was saved and is compiled still, as large as what is shown;
+    // null where there is none.
+    const Buffer* sketch() const { return awaits_text() ? sketch_.get() : nullptr; }
+    // How long that took from the save on, ms; once, when there is a new one.
+    std::optional<double> take_sketch_ms() { return std::exchange(sketch_ms_, std::nullopt); }
+
     // Nothing moves, and nothing is about to: the picture may be refined.
     bool stands() const;
     // For that; `picture_count()` says whether it is still about what is shown.
@@ -232,6 +240,14 @@ private:
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
     void specialise_at_rest();
     void prepare_uniforms();
+    bool follow_sketch();
+    bool may_sketch() const;
+    void start_sketch();
+    RefineOrder sketch_order() const;
+    void give_buffers(RefineOrder& order);
+    bool awaits_text() const {
+        return reloader_.state() == ReloadState::trying_text || reloader_.has_unseen();
+    }
     void leave_constants();
     Frame next_frame(double wall_seconds);
     void replay_events(double from, double to);
@@ -265,6 +281,11 @@ private:
     glm::ivec2 size_, full_size_, refused_size_{0};
     Watcher watcher_;
     LivePrograms programs_;
+    Sketcher sketcher_;
+    std::unique_ptr<Buffer> sketch_;
+    std::optional<double> sketch_ms_;
+    bool wants_sketch_ = false;
+    Stopwatch since_trial_;
     Reloader reloader_;
     InputLoader inputs_;
     StartStates start_states_;

@@ -158,6 +158,7 @@ private:
     void draw_frame();
     void follow_sound(double at);  // s of the clock
     void show_picture();
+    bool show_sketch(const BufferView& view);
     void show_wipe(const Buffer& left, const Buffer& right, const BufferView& view);
     Facts facts();  // valid until the next frame: they point at what is kept here
     void gather_pixels();
@@ -174,6 +175,7 @@ private:
     EndSignals end_signals_;
     ViewOptions options_;  // size and tweaks are those of the file that was opened first
     KeptPictures kept_pictures_;
+    StartPicture::Reading begun_picture_;
     Window window_;
     StartPicture start_picture_;
     CrashMark crash_mark_;

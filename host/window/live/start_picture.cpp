@@ -36,12 +36,14 @@ Image picture_of(const Buffer& buffer, int longest) {
     return picture_without_alpha(std::move(pixels), small);
 }
 
+StartPicture::Reading StartPicture::begin(const std::filesystem::path& file) {
+    if (file.empty()) return {};
+    return {file, std::async(std::launch::async, [file] { return read_image(file); })};
+}
+
 void StartPicture::read(const std::filesystem::path& file) {
     if (file == file_) return;
-    clear();
-    file_ = file;
-    if (file.empty()) return;
-    reading_ = std::async(std::launch::async, [file] { return read_image(file); });
+    *this = StartPicture(begin(file));
 }
 
 bool StartPicture::update() {

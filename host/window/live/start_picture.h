@@ -7,13 +7,23 @@
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <utility>
 
 namespace glint {
 
 class StartPicture {
 public:
+    // Begun before there is a window, whose driver takes longer to start than most pictures to
+    // read.
+    struct Reading {
+        std::filesystem::path file;
+        std::future<Image> image;
+    };
+    static Reading begin(const std::filesystem::path& file);
+
     StartPicture() = default;
-    explicit StartPicture(const std::filesystem::path& file) { read(file); }
+    explicit StartPicture(Reading reading)
+        : file_(std::move(reading.file)), reading_(std::move(reading.image)) {}
 
     // Begins to read the file beside the window; "" shows nothing. What was shown goes, unless it
     // is this file's.

@@ -69,8 +69,9 @@ std::span<const std::string_view> template_names() {
 PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
       kept_pictures_(home_folder("XDG_CACHE_HOME", ".cache") / "pictures"),
+      begun_picture_(StartPicture::begin(kept_pictures_.find(canonical_name(options.file)))),
       window_(size_at_start(options), "Glint"),
-      start_picture_(kept_pictures_.find(canonical_name(options.file))),
+      start_picture_(std::move(begun_picture_)),
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
       playground_(window_, window_.size(),
@@ -208,6 +209,8 @@ void PlaygroundWindow::draw_frame() {
         panels_.update(facts(), playground_.tweaks, playground_.transport(), settings_);
     panels_.draw();
     window_.swap();
+    if (const auto ms = playground_.sketch() ? playground_.take_sketch_ms() : std::nullopt)
+        say("{}: sketched after {:.1f} ms\n", file_.filename().string(), *ms);
     print_reports();
     grant(wishes);
 }
@@ -244,7 +247,7 @@ void PlaygroundWindow::show_picture() {
     glClear(GL_COLOR_BUFFER_BIT);
     if (show_start_picture() || !playground_.has_picture() || show_finding()) return;
     BufferView view = buffer_view();
-    if (show_refined(view)) return;
+    if (show_sketch(view) || show_refined(view)) return;
     const Output viewed = find_output(playground_, settings_.view.sampler);
     view.output = viewed.output;
     const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
@@ -255,6 +258,14 @@ void PlaygroundWindow::show_picture() {
     const auto other = playground_.tweaks.shown() == TweakSet::a ? TweakSet::b : TweakSet::a;
     const Buffer* picture = playground_.picture_of(other);
     show_wipe(*buffer, picture ? *picture : *buffer, view);
+}
+
+// While a text that was saved is compiled.
+bool PlaygroundWindow::show_sketch(const BufferView& view) {
+    const Buffer* sketch = playground_.sketch();
+    if (!sketch || !is_over_scene() || settings_.passes || settings_.wipe) return false;
+    viewer_.show(*sketch, view, view_area());
+    return true;
 }
 
 // One picture left of the line, another right of it.

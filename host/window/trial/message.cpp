@@ -69,10 +69,15 @@ void members(const auto& all, Is<PassState> auto& value) {
     auto& [pass, shape, steps_done, bytes] = value;
     all(pass, shape, steps_done, bytes);
 }
+void members(const auto& all, Is<GivenBuffer> auto& value) {
+    auto& [pass, feeds_state, text_hash, reads, size, outputs, begin] = value;
+    all(pass, feeds_state, text_hash, reads, size, outputs, begin);
+}
 void members(const auto& all, Is<RefineOrder> auto& value) {
-    auto& [preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state] =
-        value;
-    all(preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state);
+    auto& [preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state,
+           given] = value;
+    all(preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state,
+        given);
 }
 
 void members(const auto& all, Is<SoundOrder> auto& value) {

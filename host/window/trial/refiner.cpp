@@ -14,12 +14,22 @@ int refining_sample(int k, int count) {
     return static_cast<int>((count / 2 + std::int64_t{k} * step) % count);
 }
 
-Refiner::Refiner(std::string device, std::filesystem::path program)
-    : device_(std::move(device)), program_(std::move(program)) {}
+Refiner::Refiner(std::string device, std::filesystem::path program, std::string verb, int output)
+    : device_(std::move(device)),
+      program_(std::move(program)),
+      verb_(std::move(verb)),
+      output_(output) {}
+
+void Refiner::prepare() {
+    if (is_running() || is_refused_) return;
+    process_.start(program_, verb_, device_, 0, output_);
+    of_ = done_ = 0;
+}
 
 void Refiner::start(const RefineOrder& order) {
-    stop();
-    if (process_.start(program_, "refine", device_) != 0) return;
+    if (of_ > 0) stop();
+    prepare();
+    if (!is_running()) return;
     of_ = order.samples;
     process_.send(pack(order));
 }
@@ -35,7 +45,8 @@ bool Refiner::update() {
     const bool goes_on = process_.receive();
     const bool is_new = take_arrived();
     if (goes_on) return is_new;
-    process_.end();                    // it is done, or gone
+    process_.end();  // it is done, or gone
+    is_refused_ = of_ == 0;
     if (done_ < of_) of_ = done_ = 0;  // it could not; nothing more comes
     return true;
 }

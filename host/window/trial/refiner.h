@@ -12,6 +12,17 @@
 
 namespace glint {
 
+// What a buffer of the scene holds already, for a process that need not draw it.
+struct GivenBuffer {
+    std::size_t pass = 0;              // of the scene
+    bool feeds_state = false;          // as it is, whatever its text says by now
+    std::size_t text_hash = 0;         // of the text that it was drawn with
+    std::vector<std::size_t> reads{};  // passes
+    glm::ivec2 size{0};
+    int outputs = 1;
+    std::size_t begin = 0;  // in shared memory, RGBA in floats, an output after the other
+};
+
 // What is to be drawn. Text, values and what the scene has simulated are sent as they stand here;
 // only the files of its samplers are read there.
 struct RefineOrder {
@@ -24,6 +35,7 @@ struct RefineOrder {
     glm::vec4 date{0.0f};
     Input input{};
     std::vector<PassState> state{};
+    std::vector<GivenBuffer> given{};  // to a sketch
 };
 
 // Which of `count` samples comes k-th, so that those so far lie all over the pixel.
@@ -31,7 +43,12 @@ int refining_sample(int k, int count);
 
 class Refiner {
 public:
-    explicit Refiner(std::string device, std::filesystem::path program = "/proc/self/exe");
+    // `verb`: what the other process does; `output`: what stands there at its standard output.
+    explicit Refiner(std::string device, std::filesystem::path program = "/proc/self/exe",
+                     std::string verb = "refine", int output = kNothing);
+
+    // Has a process at hand, unless one runs or cannot.
+    void prepare();
 
     // Instead of what may still run. Does not wait.
     void start(const RefineOrder& order);
@@ -46,6 +63,7 @@ public:
     int descriptor() const { return process_.descriptor(); }
 
     bool is_running() const { return process_.id() != 0; }
+    pid_t process() const { return process_.id(); }  // 0 when there is none
     // Samples that have been drawn, and of how many; 0 of 0 before the start.
     int done() const { return done_; }
     int of() const { return of_; }
@@ -59,6 +77,9 @@ private:
 
     std::string device_;
     std::filesystem::path program_;
+    std::string verb_;
+    int output_;
+    bool is_refused_ = false;  // it ended before it was told anything
     SocketProcess process_;
     int done_ = 0, of_ = 0;
     bool is_new_picture_ = false;
@@ -68,5 +89,8 @@ private:
 // `glint refine`: the other process. Takes one order from standard input, which is a socket, and
 // answers there. Throws UsageError when it is none.
 void run_refine(const std::string& device);
+
+// `glint sketch`: the same, once (window/trial/sketcher.h).
+void run_sketch(const std::string& device);
 
 }  // namespace glint

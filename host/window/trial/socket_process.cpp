@@ -14,10 +14,11 @@
 namespace glint {
 
 int SocketProcess::start(const std::filesystem::path& program, const std::string& verb,
-                         const std::string& device, int niceness) {
+                         const std::string& device, int niceness, int output) {
     end();
     Launch wanted{.words = {program.string(), verb},
                   .input = kSocket,
+                  .output = output,
                   .group = Launch::Group::session,
                   .default_signals = true,
                   .core_files = false,

@@ -19,12 +19,12 @@ public:
     SocketProcess(const SocketProcess&) = delete;
     SocketProcess& operator=(const SocketProcess&) = delete;
 
-    // Starts `program VERB [DEVICE]` with a socket as its standard input, and nothing else of ours:
-    // no blocked or ignored signal, and no terminal, so that Ctrl+C is not for it. It ends with us,
-    // even in the middle of a draw. What ran before is ended. Why there is none, as errno has it;
-    // 0 where there is.
+    // Starts `program VERB [DEVICE]` with a socket as its standard input, `output`, a descriptor of
+    // ours, as its standard output, and nothing else of ours: no blocked or ignored signal, and no
+    // terminal, so that Ctrl+C is not for it. It ends with us, even in the middle of a draw. What
+    // ran before is ended. Why there is none, as errno has it; 0 where there is.
     int start(const std::filesystem::path& program, const std::string& verb,
-              const std::string& device, int niceness = 0);
+              const std::string& device, int niceness = 0, int output = kNothing);
 
     // Kills it; what was on its way is lost. Costs nothing where there is none.
     void end();

@@ -1,0 +1,117 @@
+// What a saved text will look like is drawn by a process that compiles quickly, while another one
+// compiles what is to be drawn for good.
+#include "window/live/playground.h"
+#include "window/live/start_picture.h"
+
+#include <algorithm>
+#include <ranges>
+#include <tuple>
+#include <utility>
+
+namespace glint {
+namespace {
+
+// A text that is compiled within this time needs none.
+constexpr double kSoon = 60.0;  // ms
+
+// Wherever it stands in the text.
+auto declared(const Sampler& s) {
+    return std::tie(s.name, s.tab, s.type, s.source, s.filter, s.wrap, s.vflip, s.pass, s.output,
+                    s.files, s.noise_channels, s.noise_size, s.plays);
+}
+auto declared(const Pass& p) {
+    return std::tie(p.name, p.entry, p.outputs, p.size, p.scale, p.format, p.cube, p.step.numerator,
+                    p.step.denominator);
+}
+
+bool same_declared(const auto& a, const auto& b) {
+    return std::ranges::equal(
+        a, b, [](const auto& x, const auto& y) { return declared(x) == declared(y); });
+}
+
+std::size_t bytes_of_output(glm::ivec2 size) {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4 * sizeof(float);
+}
+
+}  // namespace
+
+// Else buffers and inputs may hold something else than the new text would put there.
+bool Playground::may_sketch() const {
+    return context_.is_software() && has_picture_ && replay_at_ < 0 && !awaits_inputs() &&
+           reloader_.as_written() &&
+           same_declared(preset_->scene.passes, programs_.tried().scene.passes) &&
+           same_declared(preset_->scene.samplers, programs_.tried().scene.samplers) &&
+           same_declared(preset_->channels, programs_.tried().channels);
+}
+
+// True when there is one that was not there before.
+bool Playground::follow_sketch() {
+    const bool is_heavy = programs_.longest_compile_ms() > kSoon;
+    if (!awaits_text()) {
+        if (sketcher_.is_drawing() || sketch_) sketcher_.stop();
+        sketch_.reset();
+        wants_sketch_ = false;
+        const bool is_quiet = has_picture_ && reloader_.state() == ReloadState::idle;
+        if (is_quiet && context_.is_software() && is_heavy) sketcher_.prepare();
+    }
+    if (wants_sketch_ && (is_heavy || since_trial_.ms() > kSoon)) {
+        wants_sketch_ = false;
+        if (may_sketch()) start_sketch();
+    }
+    if (!sketcher_.update() || !awaits_text()) return false;
+    sketch_ = buffer_of(sketcher_.picture());
+    sketch_ms_ = since_trial_.ms();
+    return true;
+}
+
+void Playground::start_sketch() {
+    RefineOrder order = sketch_order();
+    give_buffers(order);
+    sketcher_.start(order);
+}
+
+// The frame that was drawn last, by the new text.
+RefineOrder Playground::sketch_order() const {
+    const Frame frame = frame_again();
+    RefineOrder order{.preset = programs_.tried(),
+                      .samples = 1,
+                      .time = frame.time,
+                      .time_delta = frame.time_delta,
+                      .frame_rate = frame.frame_rate,
+                      .frame = frame.frame,
+                      .date = frame.date,
+                      .input = frame.input};
+    order.preset.size = size_;
+    return order;
+}
+
+void Playground::give_buffers(RefineOrder& order) {
+    const auto& passes = renderer_->graph().passes;
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const BufferShape& shape = renderer_->buffer(i).shape();
+        const std::string* text = programs_.shelf().text_of(renderer_->scene().programs[i].id);
+        if (!fills_a_buffer(passes[i].pass) || shape.cube) continue;
+        order.given.push_back({.pass = passes[i].pass,
+                               .feeds_state = passes[i].feeds_state,
+                               .text_hash = text ? sketch_hash(*text) : 0,
+                               .reads = passes[i].reads,
+                               .size = shape.size,
+                               .outputs = shape.outputs,
+                               .begin = bytes});
+        bytes += bytes_of_output(shape.size) * static_cast<std::size_t>(shape.outputs);
+    }
+    const std::span<std::byte> memory = sketcher_.memory(bytes);
+    if (memory.size() < bytes) order.given.clear();
+    for (const GivenBuffer& given : order.given) {
+        const std::size_t index = static_cast<std::size_t>(
+            std::ranges::find(passes, given.pass, &GraphPass::pass) - passes.begin());
+        const std::size_t size = bytes_of_output(given.size);
+        for (std::size_t output = 0; output < static_cast<std::size_t>(given.outputs); ++output)
+            glGetTextureImage(renderer_->buffer(index).texture(output), 0, GL_RGBA, GL_FLOAT,
+                              static_cast<GLsizei>(size),
+                              memory.subspan(given.begin + output * size, size).data());
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,17 @@
+// What the processes that refine and sketch have in common: an order comes, pictures go.
+#pragma once
+
+#include "render/renderer.h"
+#include "window/trial/refiner.h"
+
+namespace glint {
+
+// Waits for it. Where the window is gone, or has moved on, so is this process.
+RefineOrder receive_refine_order();
+
+Frame frame_of(const RefineOrder& order);
+
+// How many samples are done, and, where there is one, the picture of them.
+void send_refined(int done, Renderer* renderer);
+
+}  // namespace glint
