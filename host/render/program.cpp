@@ -1,5 +1,7 @@
 #include "render/program.h"
 
+#include "gl/context.h"
+#include "glsl/loops.h"
 #include "render/driver_log.h"
 #include "scene/blame.h"
 
@@ -188,6 +190,16 @@ void ProgramShelf::keep_only(const std::vector<GLuint>& ids) {
     });
 }
 
+// The same program for less work of drivers that draw in software. What they say of it would tell
+// places of another text, so that where they say anything the text itself is asked.
+static LinkedProgram make_pass_program(const std::string& text) {
+    if (draws_in_software()) {
+        LinkedProgram linked = make_program(test_loops_at_end(text));
+        if (linked.program && linked.log.empty()) return linked;
+    }
+    return make_program(text);
+}
+
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                           ProgramShelf* shelf, bool* was_kept) {
     PassText source = pass_text(preset, pass, options);
@@ -197,7 +209,7 @@ CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramO
     program.id = shelf ? shelf->find(source.text) : 0;
     if (was_kept) *was_kept = program.id != 0;
     if (program.id == 0) {
-        LinkedProgram linked = make_program(source.text);
+        LinkedProgram linked = make_pass_program(source.text);
         result.diagnostics = read_driver_log(preset.scene, linked.log, source);
         if (!linked.program && !has_errors(result.diagnostics)) {
             result.diagnostics.push_back(
