@@ -43,6 +43,7 @@ constexpr VerbEntry kVerbs[] = {
     {"bench", "milliseconds a frame and a pass", bench_verb},
     {"check", "numerical stability at every extreme", check_verb},
     {"study", "error against run time", study_verb},
+    {"probe", "any value of the shader, at a pixel", probe_verb},
 #ifdef GLINT_WINDOW
     {"trial", nullptr, trial_verb},
     {"voice", nullptr, voice_verb},

@@ -26,6 +26,23 @@ std::size_t EditMap::origin(std::size_t at) const {
     return piece.is_own ? piece.from : piece.from + (at - piece.at);
 }
 
+bool Edits::takes_before(std::uint32_t token) const {
+    const std::uint32_t use = reading_.tokens[token].use;
+    return use == kNone || reading_.uses[use].tokens.begin == token ||
+           may_write_out(reading_.uses[use]);
+}
+
+bool Edits::takes_after(std::uint32_t token) const {
+    const std::uint32_t use = reading_.tokens[token].use;
+    return use == kNone || reading_.uses[use].tokens.end == token + 1 ||
+           may_write_out(reading_.uses[use]);
+}
+
+bool Edits::takes_replacement(std::uint32_t token) const {
+    return reading_.stands_alone({token, token + 1}) ||
+           may_write_out(reading_.uses[reading_.tokens[token].use]);
+}
+
 bool Edits::before(std::uint32_t token, std::string words) {
     const std::uint32_t use = reading_.tokens[token].use;
     if (use != kNone && reading_.uses[use].tokens.begin != token)

@@ -45,6 +45,11 @@ public:
     // Bytes of the text itself, whatever they hold.
     void replace_bytes(Span span, std::string words);
 
+    // Whether these would say true: for those whose words need each other.
+    bool takes_before(std::uint32_t token) const;
+    bool takes_after(std::uint32_t token) const;
+    bool takes_replacement(std::uint32_t token) const;
+
     bool empty() const { return changes_.empty() && within_.empty(); }
     // Changes that overlap an earlier place are left out.
     EditedText apply() const;

@@ -287,9 +287,19 @@ std::unordered_set<std::string_view> zero_tweaks(const Preset& preset,
     return names;
 }
 
+// The host's main(), for another one to call at a place that it chooses.
+std::string in_words_of_probe(std::string main) {
+    constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+        {"void main()", "void glint_draw()"}, {"gl_FragCoord", "glint_coord"}};
+    for (const auto& [theirs, ours] : kWords)
+        for (std::size_t at = main.find(theirs); at != main.npos; at = main.find(theirs, at))
+            main.replace(at, theirs.size(), ours);
+    return main;
+}
+
 // What the driver reads before the user's text.
 std::string prologue(const Preset& preset, std::size_t pass, const ProgramOptions& options,
-                     const Reading& reading, bool colour_is_defined) {
+                     const ProbeWish* probe, const Reading& reading, bool colour_is_defined) {
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
     const char* out = colour_is_defined ? "inout" : "out";
@@ -300,11 +310,15 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     text += kUniforms;
     text += old_names(reading);
     text += channel_declarations(preset, pass, reading);
-    text += sound                     ? sound_main(reading)
-            : image                   ? image_main(out, options)
-            : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
-                                      : buffer_main(scene.passes[pass], out, options);
-    return text + own_overloads(reading);
+    std::string main = sound                     ? sound_main(reading)
+                       : image                   ? image_main(out, options)
+                       : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
+                                                 : buffer_main(scene.passes[pass], out, options);
+    if (probe) {
+        main = probe_declarations(probe->kind) + in_words_of_probe(std::move(main)) +
+               probe_main(probe->kind, output_names(scene, pass).size());
+    }
+    return text + main + own_overloads(reading);
 }
 
 // Says whether the text is to lose its comments, too.
@@ -337,7 +351,8 @@ EditedText specialised_text(const Preset& preset) {
     return edits.apply();
 }
 
-PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
+PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options,
+                   const ProbeWish* probe) {
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
     const bool plain_main = image && scene.image_entry == "main";
@@ -349,13 +364,18 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
+    else if (probe)
+        put_in_place_of("gl_FragCoord", "glint_coord", reading, edits);
     name_parameters(reading, edits);
     mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
 
     PassText result;
     const bool is_lean = leave_out(reading, entry_of(scene, pass), options, edits, result);
     result.unset = write_zeros(reading, edits, entry, options.marked);
-    result.text = prologue(preset, pass, options, reading, defined);
+    if (probe)
+        result.probed =
+            instrument(reading, *probe, reading.reached_from({entry_of(scene, pass)}), edits);
+    result.text = prologue(preset, pass, options, probe, reading, defined);
     result.text += numbers_uniform(result.numbers);
     if (plain_main) result.text += kBeforePlainMain;
     result.user_begin = result.text.size();

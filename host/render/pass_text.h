@@ -1,6 +1,7 @@
 // The GLSL text of one pass: prologue, `main`, then the user's text.
 #pragma once
 
+#include "glsl/probe.h"
 #include "glsl/zeros.h"
 #include "scene/passes.h"
 
@@ -40,10 +41,13 @@ struct PassText {
     EditMap map;                               // from these to Scene::text
     std::vector<Unset> unset;                  // of Scene::text
     std::vector<float> numbers;                // of kNumbers, where they are fed
+    Probed probed;                             // places are bytes of Scene::text
 
     // The byte of Scene::text that one of these stands for; nothing for the host's own text.
     std::optional<std::size_t> origin(std::size_t at) const;
 };
-PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options);
+// With a wish, the text tells what happens in it, in two more outputs (glsl/probe.h).
+PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options,
+                   const ProbeWish* probe = nullptr);
 
 }  // namespace glint

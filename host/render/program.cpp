@@ -202,7 +202,11 @@ static LinkedProgram make_pass_program(const std::string& text) {
 
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                           ProgramShelf* shelf, bool* was_kept) {
-    PassText source = pass_text(preset, pass, options);
+    return compile_text(preset, pass, pass_text(preset, pass, options), shelf, was_kept);
+}
+
+CompiledPass compile_text(const Preset& preset, std::size_t pass, PassText source,
+                          ProgramShelf* shelf, bool* was_kept) {
     CompiledPass result;
     PassProgram program;
     program.pass = pass;

@@ -96,5 +96,8 @@ struct CompiledPass {
 // them is told once, when they are compiled. `was_kept` says whether it was there.
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                           ProgramShelf* shelf = nullptr, bool* was_kept = nullptr);
+// The same of a text that is written already.
+CompiledPass compile_text(const Preset& preset, std::size_t pass, PassText source,
+                          ProgramShelf* shelf = nullptr, bool* was_kept = nullptr);
 
 }  // namespace glint

@@ -356,7 +356,11 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     const bool new_buffers = update_versions(index);
     if (!new_uniforms && !new_buffers && !force && drawn_[index].ever) return;
     drawn_[index].ever = true;
-    if (before_pass) before_pass(index);
+    if (before_pass) {
+        drawing_ = &inputs.frame;
+        before_pass(index);
+        drawing_ = nullptr;
+    }
 
     const bool root = index == scene_.root;
     const bool averaged = root && average_;
@@ -553,6 +557,19 @@ void Renderer::warm_up(const PassProgram& program) {
     bind_samplers(program);
     glBindFramebuffer(GL_FRAMEBUFFER, nobodys.target());
     glViewport(0, 0, shape.size.x, shape.size.y);
+    const PlainDraw plain;
+    draw_triangle();
+}
+
+void Renderer::draw_variant(const Variant& variant, const Frame& frame) {
+    const PassProgram& program = variant.program;
+    send_all(program, graph_index(program.pass),
+             {.frame = drawing_ ? *drawing_ : frame, .face = variant.face});
+    glBindVertexArray(vertex_array_.id());
+    glUseProgram(program.id);
+    bind_samplers(program);
+    glBindFramebuffer(GL_FRAMEBUFFER, variant.framebuffer);
+    glViewport(0, 0, variant.size.x, variant.size.y);
     const PlainDraw plain;
     draw_triangle();
 }

@@ -121,6 +121,17 @@ public:
     // drivers finish compiling inside the first draw.
     void warm_up(const PassProgram& program);
 
+    // Draws another program for one of the passes into a framebuffer of one's own, of which `area`
+    // is drawn, with all that the pass itself would read: called by before_pass, what it is about
+    // to read, and else what stands in the buffers, with this frame. `face` is that of a cube.
+    struct Variant {
+        const PassProgram& program;
+        GLuint framebuffer = 0;
+        glm::ivec2 size{0};
+        int face = 0;
+    };
+    void draw_variant(const Variant& variant, const Frame& frame);
+
     // One output of any pass as RGBA floats, rows bottom up. Waits for the GPU.
     std::vector<float> read_buffer(std::size_t graph_index, std::size_t output) const;
 
@@ -174,6 +185,7 @@ private:
     void set_instant(const Frame& frame);
     bool is_kept(std::size_t index) const;
     bool update_uniforms(std::size_t index, const Inputs& inputs);
+    void send_all(const PassProgram& program, std::size_t index, const Inputs& inputs);
     bool update_versions(std::size_t index);
     void bind_samplers(const PassProgram& program);
     void draw_calls(std::size_t index, GLuint target);
@@ -207,6 +219,7 @@ private:
     VertexArray vertex_array_;
     bool force_root_ = false;
     bool root_drawn_ = false;
+    const Frame* drawing_ = nullptr;  // within before_pass: the frame, or step of a simulation
     // The tile that is drawn, and where in it the one that was asked for begins: quads of four
     // pixels, in which derivatives are taken, stand where they stand in the whole picture.
     glm::ivec2 tile_origin_{0}, tile_size_{0}, tile_margin_{0};

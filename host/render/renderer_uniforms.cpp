@@ -113,6 +113,21 @@ bool Renderer::update_uniforms(std::size_t index, const Inputs& inputs) {
     return changed;
 }
 
+// To a program that is no pass's own.
+void Renderer::send_all(const PassProgram& program, std::size_t index, const Inputs& inputs) {
+    for (const BuiltinUniform& uniform : program.builtins) {
+        const Value value = value_of(uniform, index, inputs);
+        send(program.id, uniform, {value.floats.data(), value.ints[0]});
+    }
+    for (const TweakUniform& uniform : program.tweaks)
+        send(program.id, uniform.location, preset_.scene.tweaks[uniform.tweak].type,
+             values_[uniform.tweak]);
+    if (program.numbers_location >= 0)
+        glProgramUniform4fv(program.id, program.numbers_location,
+                            static_cast<GLsizei>(program.numbers.size() / 4),
+                            program.numbers.data());
+}
+
 // What a pass reads as iChannel0..3, in pixels; 0 where nothing is bound.
 glm::ivec3 Renderer::channel_size(std::size_t pass, int channel) const {
     const auto found = find_sampler(preset_, pass, fmt::format("iChannel{}", channel));

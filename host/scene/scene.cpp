@@ -7,6 +7,7 @@
 #include "scene/annotation.h"
 #include "scene/builtin.h"
 #include "scene/lint.h"
+#include "scene/probe_note.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
 
@@ -158,7 +159,7 @@ bool Builder::is_allowance(Span note) {
 void Builder::use_note(Span note) {
     if (auto heading = parse_group(note_text(note)))
         group_ = std::move(*heading);
-    else
+    else if (!parse_probe_note(note_text(note)))
         warning(note.begin - 3,
                 "no uniform on this line: nothing comes of this annotation; put it behind a "
                 "uniform, or write //@ group NAME");

@@ -1,6 +1,7 @@
 // `glint still`: one frame to a picture file.
 #include "offline/still.h"
 
+#include "measure/probe/run.h"
 #include "verbs/options.h"
 #include "verbs/verb.h"
 
@@ -33,6 +34,11 @@ std::unique_ptr<Verb> still_verb() {
     return std::make_unique<VerbWith<StillOptions>>(
         declare, [](const StillOptions& options, const Stopwatch& since_start) {
             run_still(options, since_start);
+            say_broken_assertions({.view = options.view,
+                                   .time = options.time,
+                                   .frame = options.frame,
+                                   .settle = options.settle,
+                                   .fps = options.fps});
         });
 }
 

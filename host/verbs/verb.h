@@ -45,6 +45,7 @@ std::unique_ptr<Verb> import_verb();
 std::unique_ptr<Verb> info_verb();
 std::unique_ptr<Verb> new_verb();
 std::unique_ptr<Verb> open_verb();
+std::unique_ptr<Verb> probe_verb();
 std::unique_ptr<Verb> refine_verb();
 std::unique_ptr<Verb> sketch_verb();
 std::unique_ptr<Verb> sequence_verb();

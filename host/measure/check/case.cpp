@@ -153,6 +153,7 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     add_poison_cases(list, subject, effort);
     add_other_cases(list, subject);
     add_unset_case(list, subject);
+    add_assertion_case(list, subject);
     end_group();
     add_step_cases(list, subject);
     end_group();

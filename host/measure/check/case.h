@@ -62,6 +62,7 @@ void add_mouse_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_step_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
 void add_unset_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_assertion_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
 

@@ -1,0 +1,85 @@
+#include "glsl/operands.h"
+
+#include "glsl/parser.h"
+
+#include <algorithm>
+
+namespace glint {
+
+// Of what ends before `end`: `a[i].x`, `(a + b)`, `f(x).y`.
+std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop) {
+    const auto token = [&](std::uint32_t i) -> const Token& { return reading.tokens[i]; };
+    std::uint32_t at = end;
+    while (at > stop) {
+        const Token& last = token(at - 1);
+        if ((last.is(")") || last.is("]")) && reading.partner[at - 1] != kNone) {
+            at = reading.partner[at - 1];
+            if (at > stop &&
+                (token(at - 1).is_word() || token(at - 1).is(")") || token(at - 1).is("]")))
+                continue;
+            break;
+        }
+        if (last.kind == TokenKind::number) return at - 1;
+        if (!last.is_word() || is_keyword(last.text)) break;
+        --at;
+        if (at <= stop || !token(at - 1).is(".")) break;
+        --at;
+    }
+    return at;
+}
+
+// Of a unary expression: signs, a name or number or parentheses, and what follows them.
+std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint32_t stop) {
+    const auto token = [&](std::uint32_t i) -> const Token& { return reading.tokens[i]; };
+    std::uint32_t at = begin;
+    while (at < stop && (token(at).is("-") || token(at).is("+") || token(at).is("!") ||
+                         token(at).is("~") || token(at).is("++") || token(at).is("--")))
+        ++at;
+    if (at < stop && (token(at).is_word() || token(at).kind == TokenKind::number)) ++at;
+    while (at < stop) {
+        if (const std::uint32_t close = reading.close_of(at);
+            close != kNone && !token(at).is("{")) {
+            at = close + 1;
+        } else if (token(at).is(".") || token(at).is("++") || token(at).is("--")) {
+            ++at;
+            if (at < stop && token(at - 1).is(".")) ++at;
+        } else {
+            break;
+        }
+    }
+    return std::min(at, stop);
+}
+
+// Up to the comma, semicolon, colon or bracket that ends it.
+std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop) {
+    const auto token = [&](std::uint32_t i) -> const Token& { return reading.tokens[i]; };
+    int questions = 0;
+    for (; at < stop; ++at) {
+        if (const std::uint32_t close = reading.close_of(at); close != kNone) {
+            at = close;
+        } else if (token(at).is("?")) {
+            ++questions;
+        } else if (token(at).is(":")) {
+            if (questions-- == 0) return at;
+        } else if (token(at).is(",") || token(at).is(";") || reading.partner[at] != kNone) {
+            return at;
+        }
+    }
+    return std::min(at, stop);
+}
+
+// Tokens as a person would spell them.
+std::string close_spelling(const Reading& reading, TokenRange range) {
+    std::string text;
+    for (std::uint32_t at = range.begin; at < range.end; ++at) {
+        const Token& token = reading.tokens[at];
+        const bool is_spaced = at > range.begin && token.space_before;
+        const bool joins = at > range.begin && token.kind != TokenKind::symbol &&
+                           reading.tokens[at - 1].kind != TokenKind::symbol;
+        if (is_spaced || joins) text += ' ';
+        text += token.text;
+    }
+    return text;
+}
+
+}  // namespace glint

@@ -1,0 +1,22 @@
+// Where the operand of an operator begins and ends.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <string>
+
+namespace glint {
+
+// The first token of what ends before `end`: of `a[i].x`, `(a + b)`, `f(x).y`; `end` for none.
+std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop);
+
+// Behind a unary expression: signs, a name or number or parentheses, and what follows them.
+std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint32_t stop);
+
+// The comma, semicolon, colon or bracket that ends what begins at `at`.
+std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop);
+
+// Tokens as a person has spelled them, on one line.
+std::string close_spelling(const Reading& reading, TokenRange range);
+
+}  // namespace glint

@@ -1,0 +1,568 @@
+#include "glsl/probe.h"
+
+#include "glsl/operands.h"
+#include "glsl/parser.h"
+#include "glsl/probe_types.h"
+#include "glsl/variables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace glint {
+namespace {
+
+constexpr std::array<std::string_view, 11> kAssigning = {
+    "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "<<=", ">>=", "^="};
+constexpr std::array<std::string_view, 11> kReads = {
+    "texture",     "textureLod",      "texelFetch",     "textureGrad",
+    "textureProj", "textureOffset",   "textureProjLod", "textureLodOffset",
+    "texture2D",   "texture2DLodEXT", "textureCube"};
+constexpr std::array<std::string_view, 11> kDomains = {"sqrt",  "inversesqrt", "log",      "log2",
+                                                       "pow",   "acos",        "asin",     "acosh",
+                                                       "atanh", "mod",         "normalize"};
+
+class Instrumenter {
+public:
+    Instrumenter(const Reading& reading, const ProbeWish& wish, Edits& edits)
+        : reading_(reading), wish_(wish), edits_(edits), variables_(reading) {
+        fixed_.resize(reading.tokens.size());
+        for (const Declaration& declaration : reading.declarations) {
+            const auto mark = [&](TokenRange range) {
+                std::fill(fixed_.begin() + range.begin, fixed_.begin() + range.end, true);
+            };
+            if (declaration.is_const && declaration.scope != Scope::parameter)
+                mark(declaration.tokens);
+            for (const Declarator& one : declaration.names) {
+                mark(one.array);
+                if (!one.initial.empty()) fixed_[one.initial.begin - 1] = true;  // its `=`
+            }
+        }
+    }
+
+    Probed run(const std::vector<bool>& reached) {
+        if (!reading_.is_balanced) return std::move(probed_);
+        for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
+            if (reached[i] && reading_.functions[i].is_defined()) over_function(i);
+        probed_.refused.assign(wish_.expressions.size(), "it stands in no function that is run");
+        for (std::size_t i = 0; i < wish_.expressions.size(); ++i) {
+            for (std::uint32_t f = 0; f < reading_.functions.size(); ++f)
+                if (reached[f] && reading_.functions[f].is_defined()) place_expression(i, f);
+        }
+        add_structs();
+        write();
+        return std::move(probed_);
+    }
+
+private:
+    struct Words {
+        std::uint32_t token;
+        enum class Where : std::uint8_t { before, instead, after } where;
+        TokenRange of;  // what they belong to: of two at one place the inner one is nearer to it
+        std::string words;
+    };
+    const Token& token(std::uint32_t at) const { return reading_.tokens[at]; }
+
+    // The number of a new site; nothing where none is wanted.
+    std::optional<std::size_t> add_site(SiteKind kind, std::string name, std::uint32_t at) {
+        const std::size_t place = reading_.place(at).begin;
+        const auto holds = [&](Span span) { return span.begin <= place && place < span.end; };
+        if (!wish_.only.empty() && std::ranges::none_of(wish_.only, holds)) return {};
+        if (std::ranges::find(wish_.without, place) != wish_.without.end()) return {};
+        if (!wish_.expressions.empty()) return {};
+        return new_site(kind, std::move(name), place);
+    }
+    std::size_t new_site(SiteKind kind, std::string name, std::size_t place) {
+        probed_.sites.push_back({kind, std::move(name),
+                                 std::string(reading_.word(reading_.functions[function_].name)),
+                                 place});
+        return probed_.sites.size() - 1;
+    }
+
+    // Words on both sides of a range, or none.
+    bool wrap(TokenRange range, std::string before, std::string after) {
+        if (range.empty()) return false;
+        if (!edits_.takes_before(range.begin) || !edits_.takes_after(range.end - 1)) {
+            probed_.left_out.push_back(reading_.place(range.begin).begin);
+            return false;
+        }
+        if (!before.empty())
+            words_.push_back({range.begin, Words::Where::before, range, std::move(before)});
+        if (!after.empty())
+            words_.push_back({range.end - 1, Words::Where::after, range, std::move(after)});
+        return true;
+    }
+
+    // `a, b`, which is not to be taken for two arguments.
+    bool has_comma(TokenRange range) const {
+        return expression_end(reading_, range.begin, range.end) != range.end;
+    }
+
+    // Hands an expression through `glint_v(7, …)`.
+    void hand_through(SiteKind kind, std::string name, std::uint32_t at, TokenRange range,
+                      const char* function = "glint_v", const std::string& more = "") {
+        const auto site = add_site(kind, std::move(name), at);
+        if (!site) return;
+        const char *open = has_comma(range) ? "(" : "", *close = has_comma(range) ? ")" : "";
+        if (!wrap(range, fmt::format("{}({},{}", function, *site, open), close + more + ")"))
+            probed_.sites.pop_back();
+    }
+
+    void add_statement(SiteKind kind, std::string name, std::uint32_t at, TokenRange statement,
+                       const char* call) {
+        const auto site = add_site(kind, std::move(name), at);
+        if (!site) return;
+        if (!wrap(statement, fmt::format("{{{}; ", fmt::format(fmt::runtime(call), *site)), "}"))
+            probed_.sites.pop_back();
+    }
+
+    // Behind the brace of a body.
+    void add_at_head(SiteKind kind, const std::string& name, std::uint32_t at, std::uint32_t brace,
+                     const std::string& call) {
+        const auto site = add_site(kind, name, at);
+        if (!site) return;
+        if (!edits_.takes_after(brace)) return probed_.sites.pop_back();
+        words_.push_back({brace,
+                          Words::Where::after,
+                          {brace, brace + 1},
+                          " " + fmt::format(fmt::runtime(call), *site) + ";"});
+    }
+
+    bool is_variable(TokenRange range) const;
+    bool is_whole_array(TokenRange range) const;
+
+    void over_function(std::uint32_t index);
+    void over_statement(std::uint32_t index);
+    void over_tokens(TokenRange range);
+    void over_assignment(std::uint32_t at, TokenRange room);
+    void over_step(std::uint32_t at, TokenRange room);
+    void over_declaration(const Declaration& declaration);
+    void over_condition(const Statement& statement, TokenRange condition);
+    void over_division(std::uint32_t at, TokenRange room);
+    void over_index(std::uint32_t at);
+    void over_call(const Call& call);
+    void over_loop(std::uint32_t index);
+    std::vector<TokenRange> outs_in(TokenRange range) const;
+    std::string outs_behind(TokenRange range, std::uint32_t at);
+    // Beside a brace, or behind or before a statement.
+    struct Room {
+        std::uint32_t brace = kNone, statement = kNone;
+        bool is_behind = false;
+    };
+    Room room_at(Span line, std::uint32_t function) const;
+    void place_expression(std::size_t index, std::uint32_t function);
+    void add_structs();
+    void write();
+
+    const Reading& reading_;
+    const ProbeWish& wish_;
+    Edits& edits_;
+    Variables variables_;
+    std::vector<bool> fixed_;  // by token: what must stay a constant, or is no expression
+    std::vector<Words> words_;
+    std::uint32_t function_ = 0;
+    Probed probed_;
+};
+
+// A name with members and indices that can be evaluated once more.
+bool Instrumenter::is_variable(TokenRange range) const {
+    if (range.empty() || !token(range.begin).is_word()) return false;
+    for (std::uint32_t at = range.begin; at < range.end; ++at) {
+        const Token& one = token(at);
+        if (one.is("(") || one.is("++") || one.is("--") || is_one_of(one.text, kAssigning))
+            return false;
+    }
+    return operand_end(reading_, range.begin, range.end) == range.end;
+}
+
+// Which nothing is overloaded for.
+bool Instrumenter::is_whole_array(TokenRange range) const {
+    const auto found = variables_.find(range.begin, function_);
+    if (!found.declaration) return false;
+    const auto brackets = [&](TokenRange array) {
+        int count = 0;
+        for (std::uint32_t at = array.begin; at < array.end; ++at)
+            if (const std::uint32_t close = reading_.close_of(at); close != kNone)
+                ++count, at = close;
+        return count;
+    };
+    const int known = brackets(found.name->array) + brackets(found.declaration->type_array);
+    return known > brackets({range.begin, range.end});
+}
+
+void Instrumenter::over_function(std::uint32_t index) {
+    const Function& function = reading_.functions[index];
+    function_ = index;
+    const std::uint32_t brace = function.body.begin;
+    if (wish_.kind == ProbeKind::cost)
+        add_at_head(SiteKind::call, std::string(reading_.word(function.name)), function.name, brace,
+                    "glint_n({},2)");
+    for (const std::uint32_t parameter : function.parameters) {
+        const Declaration& one = reading_.declarations[parameter];
+        if (wish_.kind != ProbeKind::values || one.names.empty() || (one.is_out && !one.is_in))
+            continue;
+        const Declarator& name = one.names.front();
+        if (!one.type_array.empty() || !name.array.empty() ||
+            reading_.word(one.type).find("sampler") != std::string_view::npos)
+            continue;
+        add_at_head(SiteKind::parameter, std::string(reading_.word(name.name)), name.name, brace,
+                    fmt::format("glint_v({{}},{})", reading_.word(name.name)));
+    }
+    const std::uint32_t end = reading_.statements[function.first_statement].next;
+    for (std::uint32_t i = function.first_statement; i < end; ++i) over_statement(i);
+    if (wish_.kind == ProbeKind::values) return;
+    for (const Call& call : reading_.calls)
+        if (call.function == index && !fixed_[call.name]) over_call(call);
+}
+
+void Instrumenter::over_statement(std::uint32_t index) {
+    const Statement& statement = reading_.statements[index];
+    const std::size_t sites = probed_.sites.size();
+    const bool values = wish_.kind == ProbeKind::values;
+    switch (statement.kind) {
+        case StatementKind::block:
+        case StatementKind::empty:
+        case StatementKind::case_:
+        case StatementKind::unknown:
+            return;
+        case StatementKind::declaration: {
+            over_declaration(reading_.declarations[statement.declaration]);
+            over_tokens(statement.tokens);
+            const bool is_in_block =
+                statement.parent == kNone ||
+                reading_.statements[statement.parent].kind == StatementKind::block;
+            if (!values || !is_in_block || !edits_.takes_after(statement.tokens.end - 1)) return;
+            const std::string outs = outs_behind(statement.tokens, statement.tokens.begin);
+            if (!outs.empty())
+                words_.push_back(
+                    {statement.tokens.end - 1, Words::Where::after, statement.tokens, " " + outs});
+            return;
+        }
+        case StatementKind::expression: {
+            over_tokens(statement.tokens);
+            if (!values) return;
+            const std::string outs = outs_behind(statement.tokens, statement.tokens.begin);
+            if (!outs.empty()) wrap(statement.tokens, "{", " " + outs + "}");
+            break;
+        }
+        case StatementKind::return_:
+            over_tokens(statement.head);
+            if (statement.head.empty()) break;
+            if (wish_.kind != ProbeKind::cost && reading_.functions[function_].type_array.empty())
+                hand_through(SiteKind::returned,
+                             std::string(reading_.word(reading_.functions[function_].name)),
+                             statement.tokens.begin, statement.head);
+            return;
+        case StatementKind::for_:
+        case StatementKind::while_:
+        case StatementKind::do_:
+            if (statement.declaration != kNone)
+                over_declaration(reading_.declarations[statement.declaration]);
+            over_tokens(statement.head);
+            over_loop(index);
+            return over_condition(statement, statement.condition);
+        case StatementKind::if_:
+        case StatementKind::switch_:
+            over_tokens(statement.head);
+            return over_condition(statement, statement.head);
+        case StatementKind::break_:
+        case StatementKind::continue_:
+        case StatementKind::discard:
+            break;
+    }
+    if (values && probed_.sites.size() == sites)
+        add_statement(SiteKind::reached, close_spelling(reading_, statement.tokens),
+                      statement.tokens.begin, statement.tokens, "glint_r({})");
+}
+
+void Instrumenter::over_tokens(TokenRange range) {
+    for (std::uint32_t at = range.begin; at < range.end; ++at) {
+        if (fixed_[at] || token(at).kind != TokenKind::symbol) continue;
+        if (wish_.kind != ProbeKind::cost && is_one_of(token(at).text, kAssigning))
+            over_assignment(at, range);
+        if (wish_.kind == ProbeKind::values && (token(at).is("++") || token(at).is("--")))
+            over_step(at, range);
+        if (wish_.kind != ProbeKind::faults) continue;
+        if (token(at).is("/") || token(at).is("%") || token(at).is("/=") || token(at).is("%="))
+            over_division(at, range);
+        if (token(at).is("[")) over_index(at);
+    }
+}
+
+void Instrumenter::over_assignment(std::uint32_t at, TokenRange room) {
+    const TokenRange to = {operand_begin(reading_, at, room.begin), at};
+    if (to.empty() || !token(to.begin).is_word()) return;
+    if (is_whole_array(to)) return probed_.left_out.push_back(reading_.place(to.begin).begin);
+    hand_through(SiteKind::assigned, close_spelling(reading_, to), to.begin,
+                 {to.begin, expression_end(reading_, at + 1, room.end)});
+}
+
+// `i++` and `++i`: of the former, what the variable is afterwards.
+void Instrumenter::over_step(std::uint32_t at, TokenRange room) {
+    const bool is_prefix = at + 1 < room.end && (token(at + 1).is_word() || token(at + 1).is("("));
+    if (is_prefix) {
+        const std::uint32_t end = operand_end(reading_, at + 1, room.end);
+        return hand_through(SiteKind::assigned, close_spelling(reading_, {at + 1, end}), at + 1,
+                            {at, end});
+    }
+    const TokenRange what = {operand_begin(reading_, at, room.begin), at};
+    if (!is_variable(what)) return;
+    hand_through(SiteKind::assigned, close_spelling(reading_, what), what.begin,
+                 {what.begin, at + 1}, "glint_w", "," + reading_.spelled(what));
+}
+
+void Instrumenter::over_declaration(const Declaration& declaration) {
+    if (wish_.kind == ProbeKind::cost) return;
+    for (const Declarator& one : declaration.names) {
+        if (one.initial.empty()) continue;
+        if (!one.array.empty() || !declaration.type_array.empty()) {
+            probed_.left_out.push_back(reading_.place(one.name).begin);
+            continue;
+        }
+        const std::string name(reading_.word(one.name));
+        if (!declaration.is_const) {
+            hand_through(SiteKind::assigned, name, one.name, one.initial);
+            continue;
+        }
+        const Statement& own = reading_.statements[declaration.statement];
+        const std::uint32_t last = declaration.tokens.end - 1;
+        if (wish_.kind != ProbeKind::values || own.kind != StatementKind::declaration ||
+            !edits_.takes_after(last))
+            continue;
+        if (const auto site = add_site(SiteKind::assigned, name, one.name))
+            words_.push_back({last, Words::Where::after, own.tokens,
+                              fmt::format(" glint_v({},{});", *site, name)});
+    }
+}
+
+// What calls within a range hand to `out` parameters.
+std::vector<TokenRange> Instrumenter::outs_in(TokenRange range) const {
+    std::vector<TokenRange> outs;
+    for (const Call& call : reading_.calls) {
+        if (call.name < range.begin || call.name >= range.end) continue;
+        const std::vector<TokenRange> arguments = reading_.arguments_of(call);
+        for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name))) {
+            const Function& function = reading_.functions[index];
+            if (function.parameters.size() != arguments.size()) continue;
+            for (std::size_t i = 0; i < arguments.size(); ++i) {
+                const bool is_known = std::ranges::find(outs, arguments[i]) != outs.end();
+                if (reading_.declarations[function.parameters[i]].is_out && !is_known &&
+                    is_variable(arguments[i]) && !is_whole_array(arguments[i]))
+                    outs.push_back(arguments[i]);
+            }
+        }
+    }
+    return outs;
+}
+
+// `glint_v(8,t);` for each of them.
+std::string Instrumenter::outs_behind(TokenRange range, std::uint32_t at) {
+    std::string text;
+    for (const TokenRange out : outs_in(range)) {
+        const auto site = add_site(SiteKind::assigned, close_spelling(reading_, out), at);
+        if (site) text += fmt::format("glint_v({},{});", *site, reading_.spelled(out));
+    }
+    return text;
+}
+
+void Instrumenter::over_condition(const Statement& statement, TokenRange condition) {
+    const bool declares = statement.declaration != kNone && statement.kind != StatementKind::for_;
+    if (wish_.kind != ProbeKind::values || condition.empty() || declares) return;
+    std::string outs;
+    if (statement.kind != StatementKind::switch_)
+        outs = outs_behind(condition, statement.tokens.begin);
+    std::ranges::replace(outs, ';', ',');
+    const auto site =
+        add_site(SiteKind::condition, close_spelling(reading_, condition), condition.begin);
+    if (!site) return;
+    const bool commas = has_comma(condition);
+    const std::string open = fmt::format("glint_v({},{}", *site, commas ? "(" : "");
+    const std::string close = commas ? "))" : ")";
+    const bool is_there =
+        outs.empty() ? wrap(condition, open, close)
+                     : wrap(condition, "(glint_if=(" + open, close + ")," + outs + "glint_if)");
+    if (!is_there) probed_.sites.pop_back();
+}
+
+void Instrumenter::over_loop(std::uint32_t index) {
+    if (wish_.kind != ProbeKind::cost || index + 1 >= reading_.statements.size()) return;
+    const Statement& loop = reading_.statements[index];
+    const Statement& body = reading_.statements[index + 1];
+    const std::string name(reading_.word(loop.tokens.begin));
+    if (body.parent != index) return;
+    if (body.kind == StatementKind::block)
+        add_at_head(SiteKind::turn, name, loop.tokens.begin, body.tokens.begin, "glint_n({},0)");
+    else
+        add_statement(SiteKind::turn, name, loop.tokens.begin, body.tokens, "glint_n({},0)");
+}
+
+void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
+    const bool assigns = token(at).text.size() == 2;
+    const std::uint32_t end = assigns ? expression_end(reading_, at + 1, room.end)
+                                      : operand_end(reading_, at + 1, room.end);
+    const TokenRange divisor = {at + 1, end};
+    if (divisor.empty() || (divisor.size() == 1 && token(at + 1).kind == TokenKind::number)) return;
+    const std::uint32_t begin = operand_begin(reading_, at, room.begin);
+    hand_through(SiteKind::division, close_spelling(reading_, {begin, end}), begin, divisor,
+                 "glint_d");
+}
+
+void Instrumenter::over_index(std::uint32_t at) {
+    const std::uint32_t close = reading_.close_of(at);
+    if (close == kNone || at == 0 || !token(at - 1).is_word() || close - at < 2) return;
+    if (at >= 2 && token(at - 2).is(".")) return;
+    if (close - at == 2 && token(at + 1).kind == TokenKind::number) return;
+    const auto found = variables_.find(at - 1, function_);
+    if (!found.declaration) return;
+    const std::string_view type = reading_.word(found.declaration->type);
+    std::string length = fmt::format("{}.length()", token(at - 1).text);
+    if (found.name->array.empty() && found.declaration->type_array.empty()) {
+        const std::size_t digit = type.find_first_of("234");
+        if (digit == type.npos) return;
+        length = type[digit];
+    }
+    hand_through(SiteKind::index, close_spelling(reading_, {at - 1, close + 1}), at - 1,
+                 {at + 1, close}, "glint_i", "," + length);
+}
+
+void Instrumenter::over_call(const Call& call) {
+    const TokenRange whole = {call.name, call.brackets.end};
+    const std::string_view name = reading_.word(call.name);
+    if (wish_.kind == ProbeKind::cost && is_one_of(name, kReads))
+        return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint_n");
+    const bool is_known = is_one_of(name, kDomains) || (name == "atan" && call.arity == 2);
+    if (wish_.kind != ProbeKind::faults || !is_known) return;
+    if (!edits_.takes_replacement(call.name) || !edits_.takes_after(call.brackets.begin)) return;
+    const auto site = add_site(SiteKind::domain, close_spelling(reading_, whole), call.name);
+    if (!site) return;
+    words_.push_back({call.name,
+                      Words::Where::instead,
+                      {call.name, call.name + 1},
+                      fmt::format("glint_{}", name)});
+    words_.push_back({call.brackets.begin, Words::Where::after, whole, fmt::format("{},", *site)});
+}
+
+// Behind the last statement of the line, as it stands in no other of that line; before what leaves
+// the place; at the head of a loop's or a function's body.
+Instrumenter::Room Instrumenter::room_at(Span line, std::uint32_t f) const {
+    const Function& function = reading_.functions[f];
+    const auto& statements = reading_.statements;
+    const std::uint32_t end = statements[function.first_statement].next;
+    std::uint32_t chosen = kNone, around = function.first_statement, next = kNone;
+    for (std::uint32_t i = function.first_statement + 1; i < end; ++i) {
+        const Statement& one = statements[i];
+        const Span place = reading_.place(one.tokens);
+        const bool is_there = line.begin <= place.begin && place.begin < line.end;
+        const bool is_one = one.kind != StatementKind::block && one.kind != StatementKind::case_;
+        if (is_there && is_one && (chosen == kNone || statements[chosen].next <= i)) chosen = i;
+        if (place.begin < line.begin && line.begin < place.end) around = i;
+        if (next == kNone && place.begin >= line.end) next = i;
+    }
+    if (chosen == kNone && statements[around].kind != StatementKind::block) chosen = around;
+    if (chosen == kNone) {  // an empty line: before what follows in the same block, or at its end
+        if (reading_.place(function.body).begin >= line.begin) return {function.body.begin, kNone};
+        if (next != kNone && statements[next].parent == around) return {kNone, next, false};
+        return {statements[around].tokens.end - 1, kNone};
+    }
+    const StatementKind kind = statements[chosen].kind;
+    const bool is_loop =
+        kind == StatementKind::for_ || kind == StatementKind::while_ || kind == StatementKind::do_;
+    if (is_loop && statements[chosen + 1].kind == StatementKind::block)
+        return {statements[chosen + 1].tokens.begin, kNone};
+    return {kNone, chosen,
+            kind == StatementKind::declaration || kind == StatementKind::expression ||
+                kind == StatementKind::empty};
+}
+
+void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
+    const ProbeExpression& asked = wish_.expressions[index];
+    const Span whole = reading_.place(reading_.functions[f].tokens);
+    if (asked.line.begin >= whole.end || asked.line.end <= whole.begin) return;
+    function_ = f;
+    const Room room = room_at(asked.line, f);
+    const std::size_t site =
+        new_site(asked.is_assertion ? SiteKind::assertion : SiteKind::expression, asked.text,
+                 asked.line.begin);
+    const std::string call = fmt::format(
+        "{}({},({}));", wish_.kind == ProbeKind::faults ? "glint_a" : "glint_v", site, asked.text);
+    bool is_there = false;
+    if (room.brace != kNone) {
+        const bool opens = token(room.brace).is("{");
+        is_there = opens ? edits_.takes_after(room.brace) : edits_.takes_before(room.brace);
+        if (is_there)
+            words_.push_back({room.brace,
+                              opens ? Words::Where::after : Words::Where::before,
+                              {room.brace, room.brace + 1},
+                              " " + call + " "});
+    } else {
+        const Statement& one = reading_.statements[room.statement];
+        const bool is_in_block =
+            one.parent == kNone || reading_.statements[one.parent].kind == StatementKind::block;
+        const char *open = is_in_block ? "" : "{", *close = is_in_block ? "" : "}";
+        is_there = room.is_behind ? wrap(one.tokens, open, " " + call + close)
+                                  : wrap(one.tokens, open + call + " ", close);
+    }
+    if (!is_there) probed_.sites.pop_back();
+    probed_.refused[index] = is_there ? "" : "a macro keeps that place";
+}
+
+void Instrumenter::add_structs() {
+    StructTypes types(reading_);
+    probed_.structs.resize(reading_.structs.size());
+    for (const Declaration& declaration : reading_.declarations) {
+        if (declaration.structure == kNone || declaration.scope != Scope::global) continue;
+        const std::uint32_t last = declaration.tokens.end - 1;
+        if (wish_.kind == ProbeKind::cost || !edits_.takes_after(last)) continue;
+        const std::string text = types.overload(declaration.structure, wish_.kind);
+        if (text.empty()) continue;
+        probed_.structs[declaration.structure] = types.leaves(declaration.structure);
+        words_.push_back({last, Words::Where::after, {last, last + 1}, " " + text});
+    }
+}
+
+// From left to right: what stands before a token from the outside in, what stands behind it from
+// the inside out.
+void Instrumenter::write() {
+    std::ranges::stable_sort(words_, {}, [](const Words& one) {
+        const bool is_after = one.where == Words::Where::after;
+        const auto size = static_cast<std::int64_t>(one.of.size());
+        return std::tuple(one.token, one.where, is_after ? size : -size);
+    });
+    for (Words& one : words_) {
+        if (one.where == Words::Where::before)
+            edits_.before(one.token, std::move(one.words));
+        else if (one.where == Words::Where::after)
+            edits_.after(one.token, std::move(one.words));
+        else
+            edits_.replace({one.token, one.token + 1}, std::move(one.words));
+    }
+}
+
+}  // namespace
+
+Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vector<bool>& reached,
+                  Edits& edits) {
+    return Instrumenter(reading, wish, edits).run(reached);
+}
+
+std::string refusal_of_expression(std::string_view text) {
+    const Reading reading = read_glsl(text, {});
+    if (reading.tokens.empty()) return "it is empty";
+    if (!reading.directives.empty() || !reading.comments.empty())
+        return "it is to be an expression alone";
+    std::vector<std::string_view> open;
+    for (const Token& token : reading.tokens) {
+        if (token.is(";") || token.is("{") || token.is("}") || token.kind == TokenKind::strange ||
+            token.kind == TokenKind::quoted || (token.is_word() && is_keyword(token.text)))
+            return "it is to be an expression alone";
+        if (token.is("++") || token.is("--") || is_one_of(token.text, kAssigning))
+            return "it would change a variable";
+    }
+    return reading.is_balanced ? "" : "its brackets do not balance";
+}
+
+}  // namespace glint

@@ -1,0 +1,38 @@
+// The types whose values can be told, and how they are cut into leaves of up to four numbers.
+#pragma once
+
+#include "glsl/probe.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+// 0 to 15 of "float" … "bvec4"; -1 of others.
+int probe_type_of(std::string_view type);
+// 2 to 4 of a matrix; 0 of what is none.
+int matrix_columns(std::string_view type);
+int matrix_rows(std::string_view type);
+
+// The structs of a text.
+class StructTypes {
+public:
+    // `reading` must outlive this.
+    explicit StructTypes(const Reading& reading) : reading_(reading) {}
+
+    // `.nor`, `.m[0]`, `.hit.t`; empty where some member cannot be told.
+    ProbeLeaves leaves(std::uint32_t structure) const;
+    // `S glint_v(int i, S v) { … }`; empty where there can be none.
+    std::string overload(std::uint32_t structure, ProbeKind kind) const;
+
+private:
+    struct Leaf {
+        std::string path, type;
+    };
+    bool add_leaves(std::uint32_t structure, const std::string& path, int depth,
+                    std::vector<Leaf>& leaves) const;
+    const Reading& reading_;
+};
+
+}  // namespace glint

@@ -1,0 +1,31 @@
+// What the scene's own text asserts: `//@ assert t >= 0.0 "behind the eye"`.
+#include "measure/check/case.h"
+#include "measure/probe/assertions.h"
+
+#include <fmt/format.h>
+
+namespace glint {
+namespace {
+
+constexpr double kPlayed = 2.0;  // s of a simulation
+
+void check_assertions(Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    const auto draw = [&] { subject.show(subject.opened().time, kPlayed); };
+    const std::vector<BrokenAssertion> broken = broken_assertions(
+        subject.preset, subject.renderer(), {.specialise = subject.specialised()}, draw);
+    if (broken.empty()) return;
+    const BrokenAssertion& first = broken.front();
+    result.fail(fmt::format(
+        "{}:{}: {}{}", first.file, first.line, sentence_of(first),
+        broken.size() > 1 ? fmt::format("; {} more do not hold", broken.size() - 1) : ""));
+}
+
+}  // namespace
+
+void add_assertion_case(std::vector<Case>& list, const CheckSubject& subject) {
+    if (has_assertions(subject.scene()))
+        list.push_back({.name = "asserted values", .run = check_assertions});
+}
+
+}  // namespace glint

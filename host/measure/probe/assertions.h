@@ -1,0 +1,34 @@
+// What a text asks of its own values: `//@ assert t >= 0.0 "behind the eye"`, `//@ watch nor`.
+#pragma once
+
+#include "measure/probe/probe.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct BrokenAssertion {
+    std::string file{};
+    int line = 0, column = 0;
+    std::string expression{}, why{}, pass{};
+    glm::ivec2 pixel{0};     // the first
+    std::size_t pixels = 0;  // in all frames that were drawn
+};
+
+bool has_assertions(const Scene& scene);
+
+// The expressions of `//@ watch EXPR`.
+ProbeWish watched(const Scene& scene);
+
+// Of all passes that `draw` has the renderer draw, in the order of the text. Throws ProbeRefused
+// for an expression that is none.
+std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& renderer,
+                                               const ProgramOptions& options,
+                                               const std::function<void()>& draw);
+
+// `assert t >= 0.0 "behind the eye" does not hold in 12 pixels of image, first at 17,40`.
+std::string sentence_of(const BrokenAssertion& broken);
+
+}  // namespace glint

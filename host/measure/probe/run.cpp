@@ -1,0 +1,243 @@
+#include "measure/probe/run.h"
+
+#include "base/json_text.h"
+#include "base/say.h"
+#include "base/terminal.h"
+#include "measure/probe/assertions.h"
+#include "measure/probe/cost.h"
+#include "measure/probe/faults.h"
+#include "measure/probe/series.h"
+#include "measure/probe/session.h"
+#include "offline/frames.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace glint {
+namespace {
+
+constexpr int kMostHits = 10000;  // of one site
+
+void require_sense(const ProbeOptions& options) {
+    if (!options.line.empty() && !options.expression.empty())
+        throw UsageError("Give either --line or --expr, not both.");
+    const bool has_site = !options.line.empty() || !options.expression.empty();
+    if (options.cost && options.faults)
+        throw UsageError("Give either --cost or --faults, not both.");
+    if ((options.cost || options.faults) && (has_site || options.hit || !options.along.empty()))
+        throw UsageError(
+            "--cost and --faults are of the whole pass: leave --line, --expr, --hit "
+            "and --along away.");
+    const bool is_map = !options.map.empty() && !options.cost;
+    if (!has_site && (options.hit || !options.along.empty() || is_map))
+        throw UsageError("--hit, --along and --map are of one value: name it by --line or --expr.");
+    if (!options.along.empty() && !options.map.empty())
+        throw UsageError("Give either --along or --map, not both.");
+    if (!options.frames.empty() && options.along != "time")
+        throw UsageError("--frames is for --along time.");
+}
+
+ProbeWish wish_of(const ProbeOptions& options, const ProbeSession& session) {
+    ProbeWish wish;
+    if (!options.line.empty()) wish.only.push_back(session.line(options.line));
+    if (!options.expression.empty())
+        wish.expressions.push_back(session.expression(options.expression));
+    return wish;
+}
+
+// Which of a line's sites a series is of: the last that is given a value.
+std::size_t only_site(const Probe& probe, const ProbeOptions& options) {
+    const auto& sites = probe.probed().sites;
+    const auto is_value = [](const ProbeSite& site) { return site.kind != SiteKind::reached; };
+    const auto last = std::find_if(sites.rbegin(), sites.rend(), is_value);
+    if (last == sites.rend())
+        throw UsageError(fmt::format("Line {} gives no variable a value.", options.line));
+    return static_cast<std::size_t>(sites.rend() - last) - 1;
+}
+
+void print_row(const ProbeValue& row, bool has_hits) {
+    const std::string how = has_hits        ? fmt::format("  [{} of {}]", row.hit, row.hits)
+                            : row.hits == 1 ? std::string()
+                                            : fmt::format("  [the last of {}]", row.hits);
+    const std::string value = shown_value(row.value, row.type);
+    std::string what =
+        row.kind == "condition" ? row.name + " is " + value : row.name + " = " + value;
+    if (row.kind == "returned")  // `trace.nor`, where that gives back a struct
+        what = fmt::format("return{} {}", row.name.substr(row.function.size()), value);
+    say_result("{}:{}: {}: {}{}\n", std::filesystem::path(row.file).filename().string(), row.line,
+               row.function, row.kind == "reached" ? row.name : what, how);
+}
+
+void print(const Probing& probing, const ProbeOptions& options) {
+    for (const std::string& note : probing.notes) say_warning(note);
+    if (probing.same == "discarded") say_warning("this pixel is discarded, and tells nothing");
+    if (probing.same.starts_with("no"))
+        say_warning("the instrumented program draws another colour here, " + probing.same);
+    if (options.view.json) return say_result("{}\n", json_text(to_json(probing)));
+    say_result("{}  {}  pixel {},{} of {}x{}  frame {} ({:g} s)\n",
+               std::filesystem::path(probing.scene).filename().string(), probing.pass,
+               probing.pixel.x, probing.pixel.y, probing.size.x, probing.size.y, probing.frame,
+               probing.time);
+    for (const ProbeValue& row : probing.values) print_row(row, !options.line.empty());
+    for (const ProbeSeries& series : probing.series) say_result("{}", shown(series));
+    if (probing.cost) say_result("{}", shown(*probing.cost));
+    if (options.faults)
+        say_result("{}\n", probing.first_bad ? sentence_of(*probing.first_bad) : "no fault");
+    else if (probing.values.empty() && probing.series.empty() && !probing.cost)
+        say_result("nothing of this was reached at this pixel\n");
+}
+
+// The wanted hit alone, where one is wanted.
+void keep_hit(std::vector<ProbeValue>& rows, const ProbeOptions& options) {
+    if (options.hit)
+        std::erase_if(rows, [&](const ProbeValue& row) { return row.hit != *options.hit; });
+}
+
+void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& options,
+                 const ProbePlace& place, Probing& found) {
+    const bool has_hits = !options.line.empty() || !options.expression.empty();
+    std::vector<ProbeValue> rows, seen;
+    std::optional<Probe> watch;
+    if (ProbeWish wish = watched(session.preset().scene); !has_hits && !wish.expressions.empty())
+        watch.emplace(session.preset(), session.pass(), session.program_options(), wish);
+    session.at_frame(options, [&](const Frame& frame) {
+        if (watch) seen = watch->values_at(session.renderer(), frame, place);
+        rows = has_hits ? probe.hits_at(session.renderer(), frame, place, kMostHits)
+                        : probe.values_at(session.renderer(), frame, place);
+    });
+    keep_hit(rows, options);
+    found = session.probing(place);
+    found.values = std::move(seen);
+    found.values.insert(found.values.end(), rows.begin(), rows.end());
+    if (probe.is_discarded())
+        found.same = "discarded";
+    else if (!session.shape().cube && !probe.probed().sites.empty())
+        found.same = same_colour(session.renderer().read_pixel(session.index(), 0, place.pixel),
+                                 probe.colour(), session.shape().format);
+}
+
+void probe_picture(ProbeSession& session, Probe& probe, const ProbeOptions& options,
+                   const ProbePlace& place, Probing& found) {
+    const std::size_t site = only_site(probe, options);
+    std::vector<ProbeCell> cells;
+    session.at_frame(options, [&](const Frame& frame) {
+        cells = probe.map(session.renderer(), frame, site, options.hit.value_or(0), place.face);
+    });
+    found = session.probing(place);
+    found.series.push_back(series_of(cells, session.shape().size, place.pixel,
+                                     options.along.empty() ? "map" : options.along));
+    found.series.back().what = probe.row(site);
+    found.series.back().what.type = type_of(cells);
+    if (!options.map.empty()) write_map(options.map, cells, session.shape().size);
+}
+
+void probe_frames(ProbeSession& session, Probe& probe, const ProbeOptions& options,
+                  const ProbePlace& place, Probing& found) {
+    const Frames wanted =
+        frames_of(options.frames.empty() ? "0:59" : options.frames, "", options.fps);
+    const Playback playback{.end = wanted.last() / options.fps, .fps = options.fps};
+    const std::size_t site = only_site(probe, options);
+    ProbeSeries series{.along = "time", .what = probe.row(site)};
+    const bool stateful = session.renderer().graph().stateful;
+    std::int64_t next = 0;
+    for (int k = stateful ? 0 : wanted[0]; k <= wanted.last(); ++k) {
+        const Frame frame = playback.frame(session.preset(), k);
+        if (k != wanted[next]) {
+            if (stateful) session.renderer().advance(frame);
+            continue;
+        }
+        ++next;
+        std::vector<ProbeValue> rows;
+        session.draw(frame, [&](const Frame& now) {
+            rows = probe.hits_at(session.renderer(), now, place, kMostHits);
+        });
+        keep_hit(rows, options);
+        add_to(series, frame.time, rows);
+    }
+    found = session.probing(place);
+    found.series.push_back(std::move(series));
+}
+
+// Plays up to the frame and looks at every pass that is drawn on the way.
+std::optional<ProbeFault> find_fault(ProbeSession& session, const ProbeOptions& options,
+                                     const ProgramOptions& program) {
+    FaultWatch watch(session.preset(), session.renderer(), program);
+    const Playback playback{.end = options.frame ? *options.frame / options.fps
+                                                 : options.time.value_or(session.preset().time),
+                            .fps = options.fps};
+    const bool stateful = session.renderer().graph().stateful;
+    session.renderer().reset();
+    for (int k = stateful ? 0 : playback.last_frame();
+         k <= playback.last_frame() && !watch.is_seen(); ++k) {
+        const Frame frame = playback.frame(session.preset(), k);
+        watch.begin(frame);
+        session.renderer().redraw();
+        session.renderer().draw(frame);
+    }
+    return watch.first();
+}
+
+// Where zeros hide what is never given a value, it is looked for only once nothing else is found.
+void probe_faults(ProbeSession& session, const ProbeOptions& options, const ProbePlace& place,
+                  Probing& found) {
+    ProgramOptions program = session.program_options();
+    found.first_bad = find_fault(session, options, program);
+    if (!found.first_bad) {
+        program.marked = Span{0, session.preset().scene.text.size()};
+        found.first_bad = find_fault(session, options, program);
+    }
+    std::optional<ProbeFault> fault = std::move(found.first_bad);
+    found = session.probing(place);
+    found.first_bad = std::move(fault);
+}
+
+}  // namespace
+
+void run_probe(const ProbeOptions& options) {
+    require_sense(options);
+    ProbeSession session(options);
+    const ProbePlace place = session.place(options);
+    Probing found;
+    try {
+        if (options.faults || options.cost) {
+            if (options.faults) {
+                probe_faults(session, options, place, found);
+            } else {
+                ProbeCost cost = cost_of(session, options, options.map);
+                found = session.probing(place);
+                found.cost = std::move(cost);
+            }
+            return print(found, options);
+        }
+        Probe probe(session.preset(), session.pass(), session.program_options(),
+                    wish_of(options, session));
+        if (options.along == "time")
+            probe_frames(session, probe, options, place, found);
+        else if (!options.map.empty() || !options.along.empty())
+            probe_picture(session, probe, options, place, found);
+        else
+            probe_pixel(session, probe, options, place, found);
+        found.notes = probe.notes();
+    } catch (const ProbeRefused& refused) {
+        if (options.expression.empty()) throw;
+        throw UsageError(fmt::format("--expr {}", refused.what()));
+    }
+    print(found, options);
+}
+
+void say_broken_assertions(const ProbeOptions& options) {
+    const ReadPreset read = read_preset(options.view.file);
+    if (!read.preset || !has_assertions(read.preset->scene)) return;
+    ProbeSession session(options);
+    const Frame& frame = session.play_to(options);
+    const auto draw = [&] { session.renderer().draw(frame); };
+    for (const BrokenAssertion& broken :
+         broken_assertions(session.preset(), session.renderer(), session.program_options(), draw))
+        say_diagnostic(
+            {Severity::warning, {broken.file, broken.line, broken.column}, sentence_of(broken)});
+}
+
+}  // namespace glint

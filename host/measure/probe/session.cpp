@@ -1,0 +1,122 @@
+#include "measure/probe/session.h"
+
+#include "offline/input_files.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+namespace glint {
+namespace {
+
+// "320,180".
+std::optional<glm::ivec2> parse_pixel(const std::string& text) {
+    glm::ivec2 pixel{0};
+    const char* end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, pixel.x);
+    if (x.ec != std::errc() || x.ptr == end || *x.ptr != ',') return {};
+    const auto y = std::from_chars(x.ptr + 1, end, pixel.y);
+    if (y.ec != std::errc() || y.ptr != end) return {};
+    return pixel;
+}
+
+}  // namespace
+
+ProbeSession::ProbeSession(const ProbeOptions& options)
+    : preset_(open_preset(options.view)),
+      pass_(find_pass(preset_.scene, options.pass)),
+      specialised_(options.view.specialise),
+      context_(make_egl_context(options.view.device)) {
+    // The picture in floats, so that no difference hides in its bytes.
+    renderer_.emplace(preset_,
+                      compile_or_stop(preset_, {.root = pass_, .program = program_options()}),
+                      RenderOptions{.size = preset_.size, .picture_format = PixelFormat::rgba32f});
+    load_inputs(preset_, *renderer_);
+}
+
+std::size_t ProbeSession::index() const {
+    const auto& passes = renderer_->graph().passes;
+    return static_cast<std::size_t>(std::ranges::find(passes, pass_, &GraphPass::pass) -
+                                    passes.begin());
+}
+
+ProbePlace ProbeSession::place(const ProbeOptions& options) const {
+    const glm::ivec2 size = shape().size;
+    if (options.at.empty()) return {.pixel = size / 2, .face = options.face};
+    const auto pixel = parse_pixel(options.at);
+    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x >= size.x || pixel->y >= size.y)
+        throw UsageError(
+            fmt::format("--at {}: write X,Y from 0,0 at the bottom left to {},{}, as in 17,40.",
+                        options.at, size.x - 1, size.y - 1));
+    return {.pixel = *pixel, .face = options.face};
+}
+
+void ProbeSession::draw(const Frame& frame, const Ask& ask) {
+    bool was_asked = false;
+    renderer_->before_pass = [&](std::size_t index) {
+        if (index != this->index()) return;
+        ask(frame);
+        was_asked = true;
+    };
+    renderer_->draw(frame);
+    renderer_->before_pass = nullptr;
+    if (!was_asked) ask(frame);  // nothing had changed: the buffers stand as it would read them
+    context_->finish();
+}
+
+const Frame& ProbeSession::play_to(const ProbeOptions& options) {
+    if (options.time && options.frame) throw UsageError("Give either --time or --frame, not both.");
+    const double end =
+        options.frame ? *options.frame / options.fps : options.time.value_or(preset_.time);
+    int rendered = 0;
+    frame_ = play(preset_, *renderer_, {.end = end, .fps = options.fps},
+                  options.settle.value_or(preset_.settle), rendered);
+    return frame_;
+}
+
+void ProbeSession::at_frame(const ProbeOptions& options, const Ask& ask) {
+    draw(play_to(options), ask);
+}
+
+Probing ProbeSession::probing(const ProbePlace& place) const {
+    return {.scene = preset_.scene.files.front().string(),
+            .renderer = context_->renderer(),
+            .pass = pass_name(preset_.scene, pass_),
+            .size = shape().size,
+            .pixel = place.pixel,
+            .frame = frame_.frame,
+            .time = frame_.time};
+}
+
+Span ProbeSession::line(const std::string& text) const {
+    const Scene& scene = preset_.scene;
+    const std::size_t colon = text.rfind(':');
+    const std::string digits = colon == text.npos ? text : text.substr(colon + 1);
+    int number = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (read.ec != std::errc() || read.ptr != digits.data() + digits.size())
+        throw UsageError(
+            fmt::format("--line {}: write a line, as in 412 or shared.glsl:12.", text));
+    const std::string file = colon == text.npos ? "" : text.substr(0, colon);
+    std::size_t begin = 0;
+    for (const Origin& origin : scene.origins) {
+        const std::size_t end = std::min(scene.text.find('\n', begin), scene.text.size() - 1) + 1;
+        const std::filesystem::path& path = scene.files[origin.file];
+        const bool is_file =
+            file.empty() ? origin.file == 0 : path == file || path.filename() == file;
+        if (is_file && origin.line == number) return {begin, end};
+        begin = end;
+    }
+    throw UsageError(fmt::format("There is no line {} in the scene.", text));
+}
+
+ProbeExpression ProbeSession::expression(const std::string& text) const {
+    const std::size_t at = text.rfind('@');
+    if (at == text.npos)
+        throw UsageError(fmt::format(
+            "--expr {}: write an expression and its line, as in 'dot(nor, rd)@412'.", text));
+    return {.text = text.substr(0, at), .line = line(text.substr(at + 1))};
+}
+
+}  // namespace glint

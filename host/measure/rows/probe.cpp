@@ -1,0 +1,170 @@
+#include "measure/rows/probe.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A float as the shortest number that is the same one.
+Json number(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+    const auto single = static_cast<float>(value);
+    return static_cast<double>(single) == value ? std::stod(fmt::format("{}", single)) : value;
+}
+
+double number_from(const Json& json) {
+    if (json.is_number()) return static_cast<double>(json.get<float>());
+    const std::string word = json.get<std::string>();
+    if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    return word == "inf" ? infinite : -infinite;
+}
+
+Json numbers(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(number(value));
+    return list;
+}
+
+Json pair(glm::ivec2 v) {
+    return {v.x, v.y};
+}
+
+Json to_json(const ProbeValue& value) {
+    return {{"file", value.file},           {"line", value.line},
+            {"column", value.column},       {"function", value.function},
+            {"name", value.name},           {"kind", value.kind},
+            {"type", value.type},           {"hit", value.hit},
+            {"hits", value.hits},           {"order", value.order},
+            {"value", numbers(value.value)}};
+}
+
+ProbeValue value_from(const Json& json) {
+    ProbeValue value{.file = json.at("file"),
+                     .line = json.at("line"),
+                     .column = json.at("column"),
+                     .function = json.at("function"),
+                     .name = json.at("name"),
+                     .kind = json.at("kind"),
+                     .type = json.at("type"),
+                     .hit = json.at("hit"),
+                     .hits = json.at("hits"),
+                     .order = json.at("order")};
+    for (const Json& one : json.at("value")) value.value.push_back(number_from(one));
+    return value;
+}
+
+Json to_json(const ProbeSeries& series) {
+    Json json = {
+        {"along", series.along},    {"name", series.what.name},    {"line", series.what.line},
+        {"type", series.what.type}, {"min", numbers(series.min)},  {"max", numbers(series.max)},
+        {"nan", series.nan},        {"infinite", series.infinite}, {"unreached", series.unreached}};
+    if (series.along == "map") return json;
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < series.values.size(); ++i)
+        rows.push_back({{"at", series.at[i]}, {"value", numbers(series.values[i])}});
+    json["rows"] = std::move(rows);
+    return json;
+}
+
+Json counts(const std::array<double, 3>& three) {
+    return {{"loops", three[0]}, {"reads", three[1]}, {"calls", three[2]}};
+}
+
+Json to_json(const ProbeCost& cost) {
+    Json json = counts(cost.mean);
+    json["most"] = counts(cost.most);
+    json["lines"] = Json::array();
+    for (const ProbeLineCost& line : cost.lines)
+        json["lines"].push_back({{"file", line.file},
+                                 {"line", line.line},
+                                 {"function", line.function},
+                                 {"name", line.name},
+                                 {"kind", line.kind},
+                                 {"a_pixel", line.a_pixel},
+                                 {"most", line.most}});
+    json["runs"] = Json::array();
+    for (const ProbeCost::Run& run : cost.runs) {
+        Json row = {{"size", pair(run.size)}, {"time", run.time}, {"ms", run.ms}};
+        row.update(counts(run.counts));
+        json["runs"].push_back(std::move(row));
+    }
+    constexpr std::array kNames = {"loops", "reads", "calls"};
+    for (std::size_t i = 0; i < 3; ++i)
+        json["explains"][kNames[i]] = cost.explains[i] ? Json(*cost.explains[i]) : Json();
+    return json;
+}
+
+Json to_json(const ProbeFault& fault) {
+    return {{"file", fault.file},
+            {"line", fault.line},
+            {"column", fault.column},
+            {"function", fault.function},
+            {"expression", fault.expression},
+            {"what", fault.what},
+            {"operands", numbers(fault.operands)},
+            {"pass", fault.pass},
+            {"pixel", pair(fault.pixel)},
+            {"frame", fault.frame},
+            {"pixels", fault.pixels},
+            {"is_seen", fault.is_seen}};
+}
+
+}  // namespace
+
+Json to_json(const Probing& probing) {
+    Json json = {{"scene", probing.scene},     {"renderer", probing.renderer},
+                 {"size", pair(probing.size)}, {"pixel", pair(probing.pixel)},
+                 {"frame", probing.frame},     {"time", probing.time},
+                 {"pass", probing.pass},       {"same", probing.same},
+                 {"values", Json::array()}};
+    for (const ProbeValue& value : probing.values) json["values"].push_back(to_json(value));
+    for (const ProbeSeries& series : probing.series) json["series"].push_back(to_json(series));
+    if (probing.cost) json["cost"] = to_json(*probing.cost);
+    if (probing.first_bad) json["first_bad"] = to_json(*probing.first_bad);
+    json["notes"] = probing.notes;
+    return json;
+}
+
+Probing probing_from_json(const Json& json) {
+    Probing probing{.scene = json.at("scene"),
+                    .renderer = json.at("renderer"),
+                    .pass = json.at("pass"),
+                    .size = {json.at("size")[0], json.at("size")[1]},
+                    .pixel = {json.at("pixel")[0], json.at("pixel")[1]},
+                    .frame = json.at("frame"),
+                    .time = json.at("time"),
+                    .same = json.at("same"),
+                    .notes = json.at("notes")};
+    for (const Json& value : json.at("values")) probing.values.push_back(value_from(value));
+    return probing;
+}
+
+std::string shown_value(const std::vector<double>& value, const std::string& type) {
+    if (value.empty()) return "";
+    std::string text;
+    for (const double number : value) {
+        if (!text.empty()) text += ", ";
+        if (type.starts_with('b'))
+            text += number != 0.0 ? "true" : "false";
+        else if (type.starts_with('i') || type.starts_with('u'))
+            text += fmt::format("{:.0f}", number);
+        else
+            text += fmt::format("{:.7g}", number);
+    }
+    return value.size() == 1 ? text : "(" + text + ")";
+}
+
+std::string sentence_of(const ProbeFault& fault) {
+    return fmt::format("{}:{}: {}: {}, pixel {},{}, frame {}", fault.file, fault.line,
+                       fault.expression, fault.what, fault.pixel.x, fault.pixel.y, fault.frame);
+}
+
+}  // namespace glint

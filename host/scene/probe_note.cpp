@@ -1,0 +1,40 @@
+#include "scene/probe_note.h"
+
+#include "base/words.h"
+#include "scene/scene_text.h"
+
+namespace glint {
+
+std::optional<ProbeNote> parse_probe_note(std::string_view annotation) {
+    const std::string_view text = trimmed(annotation);
+    const std::string_view word = text.substr(0, text.find_first_of(" \t("));
+    if (word != "assert" && word != "watch") return std::nullopt;
+    ProbeNote note{.is_assertion = word == "assert"};
+    std::string_view rest = trimmed(text.substr(word.size()));
+    if (const std::size_t quote = rest.find('"'); quote != rest.npos && rest.ends_with('"')) {
+        if (quote + 1 < rest.size()) note.why = rest.substr(quote + 1, rest.size() - quote - 2);
+        rest = trimmed(rest.substr(0, quote));
+    }
+    note.expression = rest;
+    return note;
+}
+
+std::vector<ProbeNote> find_probe_notes(const Scene& scene) {
+    std::vector<ProbeNote> notes;
+    if (scene.text.find("//@") == scene.text.npos) return notes;
+    const Reading reading = read_glsl(scene.text, known_of_scene());
+    for (const Span span : find_notes(reading)) {
+        auto note = parse_probe_note(
+            std::string_view(scene.text).substr(span.begin, span.end - span.begin));
+        if (!note) continue;
+        const std::size_t before = scene.text.rfind('\n', span.begin);
+        const std::size_t behind = scene.text.find('\n', span.begin);
+        note->begin = before == scene.text.npos ? 0 : before + 1;
+        note->end = behind == scene.text.npos ? scene.text.size() : behind + 1;
+        note->place = scene.place_at(span.begin - 3);
+        notes.push_back(std::move(*note));
+    }
+    return notes;
+}
+
+}  // namespace glint

@@ -1,0 +1,27 @@
+// `//@ assert t >= 0.0 "behind the eye"` and `//@ watch nor`: what a text says of its own values.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+struct ProbeNote {
+    bool is_assertion = false;  // else it is watched
+    std::string expression{};
+    std::string why{};               // "" where nothing is said
+    std::size_t begin = 0, end = 0;  // bytes of Scene::text: the line on which it stands
+    Place place{};
+};
+
+// Of what follows `//@`; nothing where it is another kind of note. Has no place.
+std::optional<ProbeNote> parse_probe_note(std::string_view annotation);
+
+// In the order of the text.
+std::vector<ProbeNote> find_probe_notes(const Scene& scene);
+
+}  // namespace glint

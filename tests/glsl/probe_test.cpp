@@ -1,0 +1,118 @@
+// Texts that tell what happens in them.
+#include "glsl/probe.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace glint {
+namespace {
+
+std::string instrumented(const std::string& text, const ProbeWish& wish = {}) {
+    const Reading reading = read_glsl(text, known_of_driver());
+    Edits edits(reading);
+    instrument(reading, wish, std::vector<bool>(reading.functions.size(), true), edits);
+    return edits.apply().text;
+}
+
+// What becomes of a function's body.
+std::string in_function(const std::string& body, ProbeKind kind = ProbeKind::values) {
+    const std::string head = "void put(out float a, float b); void f() {";
+    const std::string text = instrumented(head + " " + body + " }", {.kind = kind});
+    EXPECT_TRUE(text.starts_with(head)) << text;
+    const std::string inner = text.substr(head.size(), text.size() - head.size() - 2);
+    return kind == ProbeKind::cost ? inner : inner.substr(1);
+}
+
+TEST(ProbeText, HandsThroughWhatAVariableIsGiven) {
+    EXPECT_EQ(in_function("float a = 1.; a += b;"), "float a = glint_v(0,1.); glint_v(1,a += b);");
+    EXPECT_EQ(in_function("p.xz = q[i].yx;"), "glint_v(0,p.xz = q[i].yx);");
+    EXPECT_EQ(in_function("a = b = c;"), "glint_v(0,a = glint_v(1,b = c));");
+    EXPECT_EQ(in_function("const float a = 1.;"), "const float a = 1.; glint_v(0,a);");
+}
+
+TEST(ProbeText, KeepsWhatIsOnlySometimesEvaluated) {
+    EXPECT_EQ(in_function("c ? a = 1. : d;"), "c ? glint_v(0,a = 1.) : d;");
+    EXPECT_EQ(in_function("c && (a = d);"), "c && (glint_v(0,a = d));");
+    EXPECT_EQ(in_function("if (c) a = 1.; else b = 2.;"),
+              "if (glint_v(0,c)) glint_v(1,a = 1.); else glint_v(2,b = 2.);");
+}
+
+TEST(ProbeText, TellsASteppedVariableAsItIsAfterwards) {
+    EXPECT_EQ(in_function("i++;"), "glint_w(0,i++,i);");
+    EXPECT_EQ(in_function("--i;"), "glint_v(0,--i);");
+    EXPECT_EQ(in_function("if (x) ++i;"), "if (glint_v(0,x)) glint_v(1,++i);");
+}
+
+TEST(ProbeText, TellsWhatACallHandsOut) {
+    EXPECT_EQ(in_function("put(a, 1.);"), "{put(a, 1.); glint_v(0,a);}");
+    EXPECT_EQ(
+        in_function("for (int i = 0; i < n; i++) break;"),
+        "for (int i = glint_v(0,0); glint_v(2,i < n); glint_w(1,i++,i)) {glint_r(3); break;}");
+}
+
+TEST(ProbeText, KeepsCommasTogether) {
+    EXPECT_EQ(in_function("while (i++, i < n) break;"),
+              "while (glint_v(1,(glint_w(0,i++,i), i < n))) {glint_r(2); break;}");
+}
+
+TEST(ProbeText, TellsParametersAndResults) {
+    EXPECT_EQ(instrumented("float f(vec2 p, out float q) { return p.x; }"),
+              "float f(vec2 p, out float q) { glint_v(0,p); return glint_v(1,p.x); }");
+    EXPECT_EQ(instrumented("float f(sampler2D s) { return g(s); }"),
+              "float f(sampler2D s) { return glint_v(0,g(s)); }");
+}
+
+TEST(ProbeText, HandsAMacrosUseThroughAsAWhole) {
+    EXPECT_EQ(instrumented("#define SET(x) x = 1.\nvoid f() { SET(a); }"),
+              "#define SET(x) x = 1.\nvoid f() { glint_v(0,SET(a)); }");
+}
+
+TEST(ProbeText, TellsStructsByTheirMembers) {
+    const std::string text = instrumented("struct S { float t; mat2 m; };\nvoid f() { s = g(); }");
+    EXPECT_NE(text.find("S glint_v(int i,S v){glint_l(i+0,320,v.t);glint_l(i+65536,321,v.m[0]);"
+                        "glint_l(i+131072,321,v.m[1]);return v;}"),
+              text.npos)
+        << text;
+}
+
+TEST(ProbeText, InstrumentsTheLinesAloneThatAreAskedFor) {
+    const std::string text = "void f() {\na = 1.;\nb = 2.;\n}";
+    const std::size_t line = text.find("b");
+    EXPECT_EQ(instrumented(text, {.only = {{line, line + 8}}}),
+              "void f() {\na = 1.;\nglint_v(0,b = 2.);\n}");
+}
+
+TEST(ProbeText, PutsAnExpressionBehindItsLine) {
+    const std::string text = "void f() {\nfloat a = 1.;\nif (a > 0.) return;\nb = 2.;\n}";
+    const auto with = [&](const std::string& line) {
+        const std::size_t at = text.find(line);
+        return instrumented(text,
+                            {.expressions = {{.text = "a*2.", .line = {at, at + line.size()}}}});
+    };
+    EXPECT_EQ(with("float a = 1.;\n"),
+              "void f() {\nfloat a = 1.; glint_v(0,(a*2.));\nif (a > 0.) return;\nb = 2.;\n}");
+    EXPECT_EQ(with("if (a > 0.) return;\n"),
+              "void f() {\nfloat a = 1.;\nglint_v(0,(a*2.)); if (a > 0.) return;\nb = 2.;\n}");
+}
+
+TEST(ProbeText, RefusesWhatIsNoExpression) {
+    EXPECT_EQ(refusal_of_expression("dot(nor, rd)"), "");
+    for (const char* text : {"", "a; b", "a = 1.", "i++", "f(", "}", "return a", "#if 1", "a // b"})
+        EXPECT_NE(refusal_of_expression(text), "") << text;
+}
+
+TEST(ProbeText, CountsTurnsReadsAndCalls) {
+    EXPECT_EQ(in_function("for (;;) a = texture(s, p);", ProbeKind::cost),
+              " glint_n(0,2); for (;;) {glint_n(1,0); a = glint_n(2,texture(s, p));}");
+}
+
+TEST(ProbeText, ChecksWhatHasADomain) {
+    EXPECT_EQ(in_function("a = sqrt(b) / c;", ProbeKind::faults),
+              "glint_v(0,a = glint_sqrt(2,b) / glint_d(1,c));");
+    EXPECT_EQ(in_function("vec3 v; a = v[i];", ProbeKind::faults),
+              "vec3 v; glint_v(0,a = v[glint_i(1,i,3)]);");
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,207 @@
+// Where a fault is born, what an assertion says, what a pixel costs.
+#include "../render/fixture.h"
+#include "measure/probe/assertions.h"
+#include "measure/probe/faults.h"
+#include "scene/probe_note.h"
+
+namespace glint {
+namespace {
+
+class ProbeFaults : public GlTest {};
+
+std::optional<ProbeFault> first_fault(Player& player, int frames = 1,
+                                      const ProgramOptions& options = {}) {
+    FaultWatch watch(player.preset, player.renderer(), options);
+    for (int k = 0; k < frames && !watch.is_seen(); ++k) {
+        const Frame frame = player.frame(k);
+        watch.begin(frame);
+        player.draw(frame);
+    }
+    return watch.first();
+}
+
+std::string image(const std::string& body) {
+    return "void mainImage(out vec4 c, in vec2 p) {\n" + body + "\n}";
+}
+
+TEST_F(ProbeFaults, NameTheOperationItsOperandsAndThePixel) {
+    struct {
+        const char *body, *expression, *what;
+    } cases[] = {
+        {"float d = p.x - 2.0; c = vec4(sqrt(d));", "sqrt(d)", "sqrt(-1.5)"},
+        {"float d = p.x - 0.5; c = vec4(1.0 / d);", "1.0 / d", "division by zero"},
+        {"float d = p.x - 0.5; c = vec4(log(d));", "log(d)", "log(0)"},
+        {"float d = p.x + 0.75; c = vec4(acos(d));", "acos(d)", "acos(1.25)"},
+        {"float d = p.x - 2.0; c = vec4(pow(d, 0.5));", "pow(d, 0.5)", "pow(-1.5, 0.5)"},
+        {"vec3 d = vec3(p.x - 0.5); c = vec4(normalize(d), 1);", "normalize(d)",
+         "normalize of a vector of length 0"},
+        {"float d = exp(p.x * 200.0); c = vec4(d);", "d", "Inf is born"},
+    };
+    for (const auto& [body, expression, what] : cases) {
+        Player player(image(body), {.size = {1, 1}});
+        const auto fault = first_fault(player);
+        ASSERT_TRUE(fault) << body;
+        EXPECT_EQ(fault->expression, expression);
+        EXPECT_EQ(fault->what, what);
+        EXPECT_EQ(fault->line, 2);
+        EXPECT_EQ(fault->function, "mainImage");
+        EXPECT_TRUE(fault->is_seen) << body;
+    }
+}
+
+TEST_F(ProbeFaults, AreNotSeenWhereNothingIsWrong) {
+    Player player(image("c = vec4(sqrt(p.x) / p.y, log(p.x), acos(p.x / 4.0), 1.0);"));
+    EXPECT_FALSE(first_fault(player));
+}
+
+TEST_F(ProbeFaults, FindAnIndexOutOfRange) {
+    Player player(image("float a[3]; a[0] = a[1] = a[2] = 1.0; int i = int(p.x) + 2; c = "
+                        "vec4(a[i]);"),
+                  {.size = {2, 1}});
+    const auto fault = first_fault(player);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->what, "index 3 of 3");
+    EXPECT_EQ(fault->pixel, glm::ivec2(1, 0));
+}
+
+TEST_F(ProbeFaults, AreBornInTheFirstFrameAndPassThatHasThem) {
+    Player player(
+        "uniform sampler2D sum; //@ pass mainSum\n"
+        "void mainSum(out vec4 c, in vec2 p) {\n"
+        "    float left = 3.0 - texelFetch(sum, ivec2(p), 0).x;\n"
+        "    c = vec4(texelFetch(sum, ivec2(p), 0).x + 1.0 + 0.0 * sqrt(left - 0.5)); }\n" +
+        image("c = texelFetch(sum, ivec2(p), 0) / 9.0;"));
+    const auto fault = first_fault(player, 10);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->pass, "sum");
+    EXPECT_EQ(fault->line, 4);
+    EXPECT_EQ(fault->frame, 3);
+    EXPECT_EQ(fault->operands, std::vector<double>{-0.5});
+    EXPECT_EQ(fault->pixels, 8u);
+}
+
+TEST_F(ProbeFaults, FindAValueThatNothingHasGiven) {
+    Player player(image("float never; if (p.x < 0.0) never = 1.0; float d = never + 1.0; c = "
+                        "vec4(d);"),
+                  {.size = {1, 1}});
+    const auto fault = first_fault(player, 1, {.marked = Span{0, player.preset.scene.text.size()}});
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->expression, "d");
+    EXPECT_EQ(fault->what, "a value that nothing has given it");
+}
+
+std::vector<BrokenAssertion> broken(Player& player) {
+    return broken_assertions(player.preset, player.renderer(), {}, [&] { player.draw(0); });
+}
+
+TEST_F(ProbeFaults, CountThePixelsWhereAnAssertionDoesNotHold) {
+    Player player(image("float t = p.x - 1.0;\n"
+                        "//@ assert t >= 0.0 \"behind the eye\"\n"
+                        "for (int i = 0; i < 3; ++i) {\n"
+                        "    //@ assert i < 2\n"
+                        "    c += t;\n"
+                        "}\n"
+                        "//@ watch t\n"),
+                  {.size = {4, 2}});
+    const auto list = broken(player);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(sentence_of(list[0]),
+              "assert t >= 0.0 \"behind the eye\" does not hold in 2 pixels of image, first at "
+              "0,0");
+    EXPECT_EQ(list[0].line, 3);
+    EXPECT_EQ(list[1].pixels, 6u);  // where the first holds
+    EXPECT_FALSE(find_probe_notes(player.preset.scene).back().is_assertion);
+}
+
+TEST_F(ProbeFaults, CountTurnsReadsAndCallsOfAPixel) {
+    Player player(
+        "uniform sampler2D grain; //@ noise rgba 16\n"
+        "float f(int n) { float s = 0.0; for (int i = 0; i < n; ++i) s += texelFetch(grain, "
+        "ivec2(i), 0).x; return s; }\n" +
+        image("c = vec4(f(int(p.x)) + f(2));"));
+    Probe probe(player.preset, kImagePass, {}, {.kind = ProbeKind::cost});
+    player.draw(0);
+    const auto cells = probe.map(player.renderer(), player.frame(0), 0, 0);
+    EXPECT_EQ(cells[3].kept, (std::array<std::uint32_t, 4>{5, 5, 3, 0}));
+    EXPECT_EQ(cells[0].kept, (std::array<std::uint32_t, 4>{2, 2, 3, 0}));
+}
+
+// How many pixels of a scene an instrumented program draws as the plain one does.
+struct Comparison {
+    std::size_t pixels = 0, bits = 0, bytes = 0;
+    std::string refused{};
+};
+Comparison compare_with_plain(const std::filesystem::path& file) {
+    Comparison result;
+    ReadPreset read = read_preset(file);
+    if (!read.preset) return {.refused = "not read"};
+    Preset& preset = *read.preset;
+    preset.size = {48, 32};
+    CompileResult compiled = compile_scene(preset, {});
+    if (!compiled.scene) return {.refused = "not compiled"};
+    Renderer renderer(preset, std::move(*compiled.scene),
+                      {.size = preset.size, .picture_format = PixelFormat::rgba32f});
+    load_inputs(preset, renderer);
+    const std::size_t index = renderer.graph().passes.size() - 1;
+    std::vector<ProbeCell> cells;
+    try {
+        Probe probe(preset, kImagePass, {}, {});
+        renderer.before_pass = [&](std::size_t drawn) {
+            if (drawn == index) cells = probe.map(renderer, Frame{}, 0, 0);
+        };
+        for (int k = 0; k < 3; ++k)
+            renderer.draw(Playback{.end = 1e6, .fps = 60.0}.frame(preset, k));
+        renderer.before_pass = nullptr;
+    } catch (const ProbeRefused& refused) {
+        return {.refused = refused.what()};
+    }
+    const std::vector<float> plain = renderer.read_floats();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i].told[3] == 0) continue;  // discarded
+        const std::string same =
+            same_colour({plain[i * 4], plain[i * 4 + 1], plain[i * 4 + 2], plain[i * 4 + 3]},
+                        cells[i].colour, PixelFormat::rgba32f);
+        ++result.pixels;
+        result.bits += same == "bits";
+        result.bytes += same == "bits" || same == "bytes";
+    }
+    return result;
+}
+
+// Of all scenes in a folder, those whose names have this in them; tells of each.
+void compare_all(const char* folder, std::string_view ending, std::string_view within) {
+    std::size_t files = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(GLINT_REPOSITORY) / folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.ends_with(ending) || name.find(within) == name.npos) continue;
+        const Comparison found = compare_with_plain(entry.path());
+        if (found.refused.starts_with("not ")) continue;
+        ++files;
+        fmt::print("{:<44} {:>5} pixels, {:>5} the same bits, {:>5} bytes {}\n", name, found.pixels,
+                   found.bits, found.bytes, found.refused);
+        EXPECT_EQ(found.refused, "") << name;
+        // A driver may reorder sums where more of them are kept: a silhouette may flip.
+        EXPECT_GE(static_cast<double>(found.bytes), 0.999 * static_cast<double>(found.pixels))
+            << name;
+    }
+    EXPECT_GT(files, 0u);
+}
+
+class ProbeScenes : public GlTest {};
+
+TEST_F(ProbeScenes, ShortTextsAreDrawnAsThePlainOnesAre) {
+    compare_all("tests/corpus/shaders", ".glsl", "golfed");
+    compare_all("tests/corpus/shaders", ".glsl", "macro_o");
+}
+
+TEST_F(ProbeScenes, LongAllTextsOfTheCorpusAreDrawnAsThePlainOnesAre) {
+    compare_all("tests/corpus/shaders", ".glsl", "");
+}
+
+TEST_F(ProbeScenes, LongAllScenesAreDrawnAsThePlainOnesAre) {
+    compare_all("fragments", ".frag", "");
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,202 @@
+// Values of a shader at a pixel, against what the same arithmetic gives here.
+#include "measure/probe/probe.h"
+
+#include "../render/fixture.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace glint {
+namespace {
+
+class ProbeTest : public GlTest {};
+
+struct Answer {
+    std::vector<ProbeValue> values;
+    std::array<float, 4> colour{};
+    glm::vec4 plain{0.0f};
+    std::vector<std::string> notes;
+
+    const ProbeValue& of(std::string_view name, int hit = 0) const {
+        for (const ProbeValue& one : values)
+            if (one.name == name && (hit == 0 || one.hit == hit)) return one;
+        throw std::runtime_error(fmt::format("{} has no value", name));
+    }
+    double number(std::string_view name, int hit = 0) const { return of(name, hit).value.at(0); }
+};
+
+Answer ask(Player& player, glm::ivec2 pixel, int k = 0, const ProbeWish& wish = {},
+           std::string_view pass = "image", bool all_hits = false) {
+    Answer answer;
+    const std::size_t index = player.graph_index(pass);
+    Probe probe(player.preset, player.renderer().graph().passes[index].pass, {}, wish);
+    const Frame frame = player.frame(k);
+    player.renderer().before_pass = [&](std::size_t drawn) {
+        if (drawn != index) return;
+        answer.values = all_hits ? probe.hits_at(player.renderer(), frame, {pixel}, 1000)
+                                 : probe.values_at(player.renderer(), frame, {pixel});
+        answer.colour = probe.colour();
+    };
+    player.renderer().redraw();
+    player.draw(frame);
+    player.renderer().before_pass = nullptr;
+    answer.plain = player.renderer().read_pixel(index, 0, pixel);
+    answer.notes = probe.notes();
+    return answer;
+}
+
+std::string image(const std::string& body) {
+    return "void mainImage(out vec4 c, in vec2 p) { " + body + " }";
+}
+
+TEST_F(ProbeTest, TellsWhatAnIndependentComputationGives) {
+    Player player(
+        "float map(vec3 p) { return length(p) - 1.0; }\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    vec3 rd = normalize(vec3(p / 16.0 - 0.5, 2.0)), ro = vec3(0, 0, -3);\n"
+        "    float t = 0.0;\n"
+        "    for (int i = 0; i < 5; i++) t += map(ro + rd * t);\n"
+        "    c = vec4(t);\n"
+        "}\n",
+        {.size = {16, 16}});
+    const Answer all = ask(player, {5, 11}, 0, {}, "image", true);
+    const glm::dvec3 rd = glm::normalize(glm::dvec3(5.5 / 16.0 - 0.5, 11.5 / 16.0 - 0.5, 2.0));
+    double t = 0.0;
+    // Rounding of a dozen operations near 3, each of at most 2^-23 of that.
+    constexpr double kRounding = 12 * 3 / 8388608.0;
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(all.of("rd").value[static_cast<std::size_t>(i)], rd[i], kRounding);
+    for (int hit = 1; hit <= 5; ++hit) {
+        const glm::dvec3 at = glm::dvec3(0, 0, -3) + rd * t;
+        const double d = glm::length(at) - 1.0;
+        EXPECT_NEAR(all.number("map", hit), d, kRounding) << hit;
+        t += d;
+        // t has one value before the loop, where it is declared.
+        double told = NAN;
+        for (const ProbeValue& one : all.values)
+            if (one.name == "t" && one.hits == 5 && one.hit == hit) told = one.value[0];
+        EXPECT_NEAR(told, t, kRounding) << hit;
+    }
+    EXPECT_EQ(all.of("map").hits, 5);
+    EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
+}
+
+TEST_F(ProbeTest, TellsEveryType) {
+    Player player(
+        "struct Hit { float t; vec3 nor; ivec2 id[2]; };\n"
+        "Hit hit(float t) { return Hit(t, vec3(1, 2, 3), ivec2[2](ivec2(4, 5), ivec2(6, 7))); }\n" +
+        image("int i = -3; uint u = 4000000000u; bool b = true; bvec2 bb = bvec2(true, false);\n"
+              "vec4 v = vec4(1, 2, 3, 4); mat2x3 m = mat2x3(1, 2, 3, 4, 5, 6); Hit h = hit(0.5);\n"
+              "uvec3 w = uvec3(7u); float nan = uintBitsToFloat(0x7FC00001u);\n"
+              "v.zx *= 2.0; h.nor.y = 9.0; i++; c = v + h.t;"));
+    const Answer all = ask(player, {1, 1});
+    EXPECT_EQ(all.of("u").value, std::vector<double>{4000000000.0});
+    EXPECT_EQ(all.of("b").value, std::vector<double>{1});
+    EXPECT_EQ(all.of("bb").value, (std::vector<double>{1, 0}));
+    EXPECT_EQ(all.of("v").value, (std::vector<double>{1, 2, 3, 4}));
+    EXPECT_EQ(all.of("v.zx").value, (std::vector<double>{6, 2}));
+    EXPECT_EQ(all.of("m[0]").value, (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(all.of("m[1]").value, (std::vector<double>{4, 5, 6}));
+    EXPECT_EQ(all.of("h.t").value, std::vector<double>{0.5});
+    EXPECT_EQ(all.of("h.nor").value, (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(all.of("h.id[1]").value, (std::vector<double>{6, 7}));
+    EXPECT_EQ(all.of("h.nor.y").value, std::vector<double>{9});
+    EXPECT_EQ(all.of("i").value, std::vector<double>{-3});
+    EXPECT_TRUE(std::isnan(all.number("nan")));
+    EXPECT_EQ(all.of("w").type, "uvec3");
+}
+
+TEST_F(ProbeTest, EvaluatesNothingThatTheSourceDoesNot) {
+    Player player(
+        "int calls = 0;\n"
+        "bool touch() { calls += 1; return true; }\n"
+        "float early(float x) { if (x < 2.0) return 1.0; calls += 100; return 2.0; }\n" +
+        image("bool a = false && touch(); bool b = true || touch(); bool d = p.x < 0.0 ? touch() : "
+              "false;\nfloat e = early(0.5); c = vec4(float(calls), e, 0, 1);"));
+    const Answer all = ask(player, {2, 1});
+    EXPECT_EQ(all.colour[0], 0.0f);
+    EXPECT_EQ(all.plain.x, 0.0f);
+    EXPECT_THROW((void)all.of("touch"), std::runtime_error);
+    EXPECT_EQ(all.number("early"), 1.0);
+    EXPECT_EQ(all.of("early").hits, 1);
+}
+
+TEST_F(ProbeTest, FollowsOutAndInoutParameters) {
+    Player player("void split(float a, out float b, inout float s) { b = a * 2.0; s += b; }\n" +
+                  image("float b, s = 1.0; split(p.x, b, s); if (s > 0.0) c = vec4(b, s, 0, 1);"));
+    const Answer all = ask(player, {1, 0});  // p.x = 1.5
+    EXPECT_EQ(all.number("b"), 3.0);
+    EXPECT_EQ(all.number("s"), 4.0 - 3.0);  // where split() is entered and main declares it
+    EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
+}
+
+TEST_F(ProbeTest, HasTheTrueNeighboursForDerivatives) {
+    Player player(image("float w = fwidth(p.x * p.x); c = vec4(w);"), {.size = {8, 4}});
+    for (const int x : {2, 3}) {
+        const Answer all = ask(player, {x, 1});
+        EXPECT_EQ(all.number("w"), 3.5 * 3.5 - 2.5 * 2.5);
+        EXPECT_EQ(all.plain.x, static_cast<float>(all.number("w")));
+    }
+}
+
+TEST_F(ProbeTest, SeesTheSameFormerFrameAsAFeedbackPass) {
+    Player player(
+        "uniform sampler2D sum; //@ pass mainSum\n"
+        "void mainSum(out vec4 c, in vec2 p) {\n"
+        "    float before = texelFetch(sum, ivec2(p), 0).x; c = vec4(before + 1.0); }\n" +
+        image("c = texelFetch(sum, ivec2(p), 0);"));
+    player.draw_frames(0, 4);
+    const Answer all = ask(player, {1, 1}, 4, {}, "sum");
+    EXPECT_EQ(all.number("before"), 4.0);
+    EXPECT_EQ(all.plain.x, 5.0f);
+    EXPECT_EQ(all.colour[0], 5.0f);
+}
+
+TEST_F(ProbeTest, EvaluatesAnyExpressionAtALine) {
+    const std::string text = image("float a = p.x;\n a *= 2.0;\n c = vec4(a);");
+    Player player(text);
+    const std::size_t at = player.preset.scene.text.find(" a *= 2.0;\n");
+    const Answer all =
+        ask(player, {2, 0}, 0,
+            {.expressions = {{.text = "vec2(a, p.y) * 3.0", .line = {at, at + 11}}}});
+    EXPECT_EQ(all.values.size(), 1u);
+    EXPECT_EQ(all.values[0].value, (std::vector<double>{15.0, 1.5}));
+    EXPECT_THROW(
+        ask(player, {0, 0}, 0, {.expressions = {{.text = "a = 1.0", .line = {at, at + 11}}}}),
+        ProbeRefused);
+    EXPECT_THROW(
+        ask(player, {0, 0}, 0, {.expressions = {{.text = "nobody", .line = {at, at + 11}}}}),
+        ProbeRefused);
+}
+
+TEST_F(ProbeTest, LeavesOutWhatTheDriverDoesNotTakeAndSaysSo) {
+    Player player(
+        image("struct Local { float x; }; Local l = Local(1.0); float a = l.x + 1.0;\n"
+              "float b = 3.0; c = vec4(a + b);"));
+    const Answer all = ask(player, {0, 0});
+    EXPECT_EQ(all.number("b"), 3.0);
+    EXPECT_FALSE(all.notes.empty());
+    EXPECT_EQ(all.plain.x, all.colour[0]);
+}
+
+TEST_F(ProbeTest, HasItsRowsInOneJson) {
+    Probing probing{.scene = "a.frag", .pass = "image", .size = {4, 2}, .pixel = {1, 0}};
+    probing.values.push_back({.file = "a.frag",
+                              .line = 3,
+                              .name = "d",
+                              .type = "vec2",
+                              .hit = 2,
+                              .hits = 5,
+                              .value = {0.1f, NAN}});
+    const Probing back = probing_from_json(to_json(probing));
+    EXPECT_EQ(back.values.at(0).name, "d");
+    EXPECT_EQ(back.values.at(0).value.at(0), static_cast<double>(0.1f));
+    EXPECT_TRUE(std::isnan(back.values.at(0).value.at(1)));
+    EXPECT_EQ(back.pixel, glm::ivec2(1, 0));
+}
+
+}  // namespace
+}  // namespace glint
