@@ -5,6 +5,7 @@
 #include "gl/context.h"
 #include "verbs/show.h"
 #include "verbs/verb.h"
+#include "verbs/version.h"
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
@@ -25,7 +26,7 @@ namespace {
 
 struct VerbEntry {
     const char* name;
-    const char* help;  // null: stands in no help text, for it is the window that calls it
+    const char* help;  // null: stands in no help text, for no person calls it
     std::unique_ptr<Verb> (*make)();
 };
 
@@ -44,6 +45,8 @@ constexpr VerbEntry kVerbs[] = {
     {"check", "numerical stability at every extreme", check_verb},
     {"study", "error against run time", study_verb},
     {"probe", "any value of the shader, at a pixel", probe_verb},
+    {"complete", nullptr, complete_verb},
+    {"manual", nullptr, manual_verb},
 #ifdef GLINT_WINDOW
     {"trial", nullptr, trial_verb},
     {"voice", nullptr, voice_verb},
@@ -190,7 +193,8 @@ int run(int argc, char** argv) {
     open_what_is_closed();
     const SignalHandler pipe_without_reader = ignore_signals_of_writes();
     CLI::App app("glint: a shader playground. `glint FILE` opens a scene or a preset.", "glint");
-    app.set_version_flag("--version", "glint " GLINT_VERSION);
+    app.set_version_flag("--version", version_text,
+                         "version and commit, the driver, and the libraries it was built with");
     app.require_subcommand(1);
     const std::vector<DeclaredVerb> verbs = declare_verbs(app);
     app.footer(

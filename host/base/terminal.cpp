@@ -45,7 +45,9 @@ Terminal terminal_at_stderr() {
         return value && *value;
     };
     const char* kind = std::getenv("TERM");
-    terminal.has_colours = !is_set("NO_COLOR") && !(kind && std::string_view(kind) == "dumb");
+    // Emacs compiles on a terminal that it does not emulate, whatever TERM says.
+    terminal.has_colours = !is_set("NO_COLOR") && !is_set("INSIDE_EMACS") &&
+                           !(kind && std::string_view(kind) == "dumb");
     winsize size{};
     if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
         terminal.columns = size.ws_col;

@@ -13,7 +13,8 @@ struct Terminal {
     int columns = 80;
 };
 
-// What stands at stderr. Without colours where NO_COLOR is set to anything, or TERM is "dumb".
+// What stands at stderr. Without colours where NO_COLOR or INSIDE_EMACS is set to anything, or TERM
+// is "dumb".
 Terminal terminal_at_stderr();
 
 // to_string(); on a terminal its colours, and below it the line that it speaks of. The first line

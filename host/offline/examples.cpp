@@ -16,14 +16,16 @@ void append_sorted(std::vector<fs::path>& list, const fs::path& folder, const ch
     std::sort(list.begin() + first, list.end());
 }
 
-// Of the build folder's program the repository; of one that was copied with its folders, theirs.
+// Of the build folder's program the repository; of one that is installed share/glint of its prefix;
+// of one that was copied with its folders, theirs.
 fs::path home_of_examples() {
     std::error_code error;
     fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
     for (; folder.has_relative_path(); folder = folder.parent_path())
-        if (fs::is_directory(folder / "presets", error) &&
-            fs::is_directory(folder / "fragments", error))
-            return folder;
+        for (const fs::path& home : {folder, folder / "share/glint"})
+            if (fs::is_directory(home / "presets", error) &&
+                fs::is_directory(home / "fragments", error))
+                return home;
     return {};
 }
 

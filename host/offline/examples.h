@@ -10,7 +10,7 @@ namespace glint {
 std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder);
 
 // The presets that come with the program, one a scene: from presets/ in the nearest folder above
-// the program that has one. Empty where it was taken elsewhere alone.
+// the program that has one, or has one in share/glint. Empty where it was taken elsewhere alone.
 std::vector<std::filesystem::path> examples();
 
 // The picture that comes with a preset, of the repository's gallery. Empty where there is none.

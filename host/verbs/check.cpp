@@ -21,7 +21,8 @@ void declare(CLI::App& verb, CheckOptions& check) {
     verb.add_option("--hang", check.hang_seconds,
                     "s that one frame may take; less where --seconds are nearly over")
         ->check(from(1.0, 1e5));
-    verb.add_option("-o,--output", check.output, "a folder for the pictures of failures");
+    verb.add_option("-o,--output", check.output, "a folder for the pictures of failures")
+        ->type_name(kFolder);
     CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");
     verb.add_flag("--lines", check.lines, "a JSON object a line, whenever a case ends")
         ->excludes(json);

@@ -9,7 +9,7 @@ namespace {
 
 void declare(CLI::App& verb, ExportOptions& options) {
     add_view(verb, options.view, false);
-    verb.add_option("-o,--output", options.output, "a folder")->required();
+    verb.add_option("-o,--output", options.output, "a folder")->type_name(kFolder)->required();
     add_examples(verb, {"glint export presets/magic.toml -o tabs"});
 }
 

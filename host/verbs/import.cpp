@@ -8,8 +8,10 @@ namespace glint {
 namespace {
 
 void declare(CLI::App& verb, ImportOptions& import) {
-    verb.add_option("input", import.input, "a .json file, or a folder of tabs")->required();
-    verb.add_option("-o,--output", import.output, "a .frag file")->required();
+    verb.add_option("input", import.input, "a .json file, or a folder of tabs")
+        ->type_name(kFile)
+        ->required();
+    verb.add_option("-o,--output", import.output, "a .frag file")->type_name(kFile)->required();
     verb.add_flag("--anywhere", import.anywhere,
                   "let it name files outside its folder, such as ../wood.png");
     add_examples(verb,

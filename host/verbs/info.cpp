@@ -343,7 +343,8 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
 
 void declare(CLI::App& verb, InfoOptions& info) {
     add_view(verb, info.view);
-    verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass");
+    verb.add_option("--source", info.source, "print the GLSL that the driver sees for a pass")
+        ->type_name(kPass);
     add_examples(verb, {"glint info presets/christmas.toml",
                         "glint info presets/water.toml --source image"});
 }

@@ -33,6 +33,7 @@ void declare(CLI::App& verb, NewOptions& options) {
     std::vector<std::string> names;
     for (const SceneTemplate& each : scene_templates()) names.emplace_back(each.name);
     verb.add_option("name", options.name, "the file, such as rings or scenes/rings.frag")
+        ->type_name(kFile)
         ->required();
     verb.add_option("--from", options.from, "what it begins with; " + options.from + " otherwise")
         ->check(one_of(names));

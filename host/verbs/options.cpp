@@ -12,7 +12,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
         if (std::ranges::find(words, text) != words.end()) return std::string();
         return fmt::format("{} is none of {}{}", in_quotes(text), all, did_you_mean(text, words));
     };
-    return {check, all};
+    return {check, all, kMenu};
 }
 
 void add_off_switch(CLI::App& verb, const std::string& name, bool& value, const std::string& help) {
@@ -29,17 +29,20 @@ void add_examples(CLI::App& verb, std::initializer_list<std::string_view> lines)
 namespace {
 
 void add_looks(CLI::App& verb, ViewOptions& view, const std::string& size) {
-    verb.add_option("--size", view.size, size);
-    verb.add_option("--tweak", view.tweaks, "name=value, as often as needed")
+    verb.add_option("--size", view.size, size)->type_name("WxH");
+    verb.add_option("--tweak", view.tweaks, "a value of the scene's, as often as needed")
+        ->type_name(kTweak)
         ->allow_extra_args(false);
     verb.add_option("--device", view.device,
-                    "which GPU: a number, a part of its name, or surfaceless");
+                    "which GPU: a number, a part of its name, or surfaceless")
+        ->type_name("GPU");
 }
 
 }  // namespace
 
 void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
     verb.add_option("file", view.file, "a preset (.toml), a scene (.frag), or a Shadertoy (.json)")
+        ->type_name(kFile)
         ->required();
     add_looks(verb, view, "pixels, such as 1280x720; the preset's otherwise");
     add_off_switch(verb, "--no-specialise", view.specialise,
@@ -50,6 +53,7 @@ void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
 void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOptions& view,
                const std::string& size) {
     verb.add_option("files", files, "presets (.toml), scenes (.frag), or Shadertoys (.json)")
+        ->type_name(kFile)
         ->required();
     add_looks(verb, view, size);
 }
@@ -71,9 +75,11 @@ void add_picture(CLI::App& verb, PictureOptions& picture) {
     verb.add_option("--quality", picture.format.quality, "of a .jpg file; 95 otherwise")
         ->check(from(1, 100));
     verb.add_option("--from-state", picture.state.from,
-                    "go on from this state of the simulation; with %06d: from the newest of use");
+                    "go on from this state of the simulation; with %06d: from the newest of use")
+        ->type_name(kFile);
     verb.add_option("--save-state", picture.state.save,
-                    "keep the state that the last frame is drawn from in this file");
+                    "keep the state that the last frame is drawn from in this file")
+        ->type_name(kFile);
 }
 
 }  // namespace glint

@@ -27,6 +27,15 @@ CLI::Validator from(Number least, Number most) {
     return {check, bounds};
 }
 
+// What an option or argument names, as --help shows it behind the option. Completion offers what
+// there is of it; the endings of files are those that the help text names.
+inline constexpr const char* kFile = "FILE";
+inline constexpr const char* kFolder = "FOLDER";
+inline constexpr const char* kTweak = "NAME=VALUE";
+inline constexpr const char* kVaried = "NAME=VALUES";
+inline constexpr const char* kPass = "PASS";
+inline constexpr const char* kMenu = "menu";  // not shown: the name of what one_of() makes
+
 // One of a few words.
 CLI::Validator one_of(std::vector<std::string> words);
 

@@ -9,17 +9,21 @@ namespace {
 
 void declare(CLI::App& verb, SequenceOptions& sequence) {
     add_picture(verb, sequence);
-    verb.add_option("-o,--output", sequence.output,
-                    "out.%04d.png (or exr, jpg, tif, hdr), out.mp4 (or webm, mov, gif), or -; "
-                    "may be left out with --save-state or --from-pictures");
+    verb.add_option(
+            "-o,--output", sequence.output,
+            "out.%04d.png (or .exr, .jpg, .tif, .hdr), out.mp4 (or .webm, .mov, .gif), or -; "
+            "may be left out with --save-state or --from-pictures")
+        ->type_name(kFile);
     verb.add_option("--frames", sequence.frames,
-                    "FIRST:LAST or FIRST:LAST:STEP; the first ten seconds otherwise");
-    verb.add_option("--shard", sequence.shard, "K/N: only the K-th of N shares of the pictures");
+                    "FIRST:LAST or FIRST:LAST:STEP; the first ten seconds otherwise")
+        ->type_name("FRAMES");
+    verb.add_option("--shard", sequence.shard, "K/N: only the K-th of N shares of the pictures")
+        ->type_name("SHARE");
     verb.add_flag("--resume", sequence.resume,
                   "leave pictures alone that are there and are what would be written");
-    verb.add_option(
-        "--from-pictures", sequence.from_pictures,
-        "frames/%06d.png that others have drawn: check them, and make the film of them");
+    verb.add_option("--from-pictures", sequence.from_pictures,
+                    "frames/%06d.png that others have drawn: check them, and make the film of them")
+        ->type_name(kFile);
     verb.add_option("--save-state-every", sequence.state.save_every,
                     "keep the state before each frame that is a multiple of this")
         ->check(from(1, 1 << 30));

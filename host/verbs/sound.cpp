@@ -9,7 +9,9 @@ namespace {
 
 void declare(CLI::App& verb, SoundOptions& sound) {
     add_view(verb, sound.view);
-    verb.add_option("-o,--output", sound.output, "a .wav, .flac or .ogg file")->required();
+    verb.add_option("-o,--output", sound.output, "a .wav, .flac or .ogg file")
+        ->type_name(kFile)
+        ->required();
     verb.add_option("--seconds", sound.seconds, "from the start; 180 otherwise")
         ->check(from(0.0, 1e5));
     add_examples(verb, {"glint sound presets/sea.toml -o surf.ogg --seconds 5"});

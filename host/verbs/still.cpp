@@ -11,12 +11,14 @@ namespace {
 void declare(CLI::App& verb, StillOptions& still) {
     add_picture(verb, still);
     verb.add_option("-o,--output", still.output, "a .png, .exr, .jpg, .tif or .hdr file")
+        ->type_name(kFile)
         ->required();
     verb.add_option("--time", still.time, "s; the preset's otherwise")->check(from(0.0, 1e9));
     verb.add_option("--frame", still.frame, "instead of --time")->check(from(0, 1 << 30));
     verb.add_option("--settle", still.settle, "more frames with time held still")
         ->check(from(0, 1'000'000));
-    verb.add_option("--pass", still.pass, "write this buffer instead of the picture");
+    verb.add_option("--pass", still.pass, "write this buffer instead of the picture")
+        ->type_name(kPass);
     verb.add_option(
             "--tile", still.tile,
             "draw in tiles of at most so many pixels a side; huge pictures do so by themselves")

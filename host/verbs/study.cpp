@@ -13,18 +13,22 @@ void declare(CLI::App& verb, StudyOptions& study) {
                    "feed tweaks as uniforms instead of writing them in as constants");
     verb.add_option("--vary", study.vary,
                     "name, name=a,b,c or name=a,...,z: instead of all quality tweaks")
+        ->type_name(kVaried)
         ->allow_extra_args(false);
-    verb.add_option("--reference", study.reference, "name=value that counts as the truth")
+    verb.add_option("--reference", study.reference, "what counts as the truth")
+        ->type_name(kTweak)
         ->allow_extra_args(false);
-    verb.add_option("--second", study.second, "name=value to measure the reference by")
+    verb.add_option("--second", study.second, "what to measure the reference by")
+        ->type_name(kTweak)
         ->allow_extra_args(false);
     verb.add_option_function<std::string>(
             "--metric", [&study](const std::string& word) { study.time_only = word == "time"; },
             "error against time, or time alone: cost over size")
         ->check(one_of({"error", "time"}));
-    verb.add_option("--pass", study.pass, "compare this buffer instead of the picture");
+    verb.add_option("--pass", study.pass, "compare this buffer instead of the picture")
+        ->type_name(kPass);
     verb.add_option("--frames", study.frames, "timed frames a row")->check(from(15, 100'000));
-    verb.add_option("-o,--output", study.output, "a folder for the report");
+    verb.add_option("-o,--output", study.output, "a folder for the report")->type_name(kFolder);
     CLI::Option* csv = verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
     CLI::Option* json = verb.add_flag("--json", study.view.json, "one JSON object on stdout");
     verb.add_flag("--lines", study.lines, "a JSON object a line, whenever a picture is drawn")

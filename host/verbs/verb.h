@@ -40,9 +40,11 @@ private:
 
 std::unique_ptr<Verb> bench_verb();
 std::unique_ptr<Verb> check_verb();
+std::unique_ptr<Verb> complete_verb();
 std::unique_ptr<Verb> export_verb();
 std::unique_ptr<Verb> import_verb();
 std::unique_ptr<Verb> info_verb();
+std::unique_ptr<Verb> manual_verb();
 std::unique_ptr<Verb> new_verb();
 std::unique_ptr<Verb> open_verb();
 std::unique_ptr<Verb> probe_verb();

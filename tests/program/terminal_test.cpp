@@ -90,6 +90,10 @@ TEST_F(AtATerminal, TheSeverityHasAColourUnlessNobodyWantsOne) {
               std::string::npos);
     EXPECT_EQ(told({"still", "scene.frag"}, {{"NO_COLOR", ""}, {"TERM", "dumb"}}).find('\033'),
               std::string::npos);
+    EXPECT_EQ(told({"still", "scene.frag"},
+                   {{"NO_COLOR", ""}, {"TERM", "xterm"}, {"INSIDE_EMACS", "28.2,compile"}})
+                  .find('\033'),
+              std::string::npos);
 }
 
 }  // namespace
