@@ -356,11 +356,9 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     const bool new_buffers = update_versions(index);
     if (!new_uniforms && !new_buffers && !force && drawn_[index].ever) return;
     drawn_[index].ever = true;
-    if (before_pass) {
-        drawing_ = &inputs.frame;
-        before_pass(index);
-        drawing_ = nullptr;
-    }
+    drawing_ = &inputs.frame;
+    if (before_pass) before_pass(index);
+    drawing_ = nullptr;
 
     const bool root = index == scene_.root;
     const bool averaged = root && average_;

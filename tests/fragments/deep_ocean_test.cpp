@@ -111,7 +111,8 @@ TEST_F(DeepOcean, NoiseHasNoSeamBetweenCellsNorAfterItsPeriod) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
         EXPECT_NEAR(edge[i].x, edge[i].y, 1e-6);
         EXPECT_NEAR(edge[i].z, edge[i].w, 1e-6);
-        EXPECT_EQ(period[i].x, period[i].y);
+        // The same corners; a driver may round the two copies of the text each in its own way.
+        EXPECT_NEAR(period[i].x, period[i].y, 2e-7);
     }
 }
 
