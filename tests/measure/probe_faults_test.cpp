@@ -189,17 +189,18 @@ void compare_all(const char* folder, std::string_view ending, std::string_view w
 }
 
 class ProbeScenes : public GlTest {};
+class AllProbeScenes : public ProbeScenes {};
 
 TEST_F(ProbeScenes, ShortTextsAreDrawnAsThePlainOnesAre) {
     compare_all("tests/corpus/shaders", ".glsl", "golfed");
     compare_all("tests/corpus/shaders", ".glsl", "macro_o");
 }
 
-TEST_F(ProbeScenes, LongAllTextsOfTheCorpusAreDrawnAsThePlainOnesAre) {
+TEST_F(AllProbeScenes, OfTheCorpusAreDrawnAsThePlainOnesAre) {
     compare_all("tests/corpus/shaders", ".glsl", "");
 }
 
-TEST_F(ProbeScenes, LongAllScenesAreDrawnAsThePlainOnesAre) {
+TEST_F(AllProbeScenes, OfOursAreDrawnAsThePlainOnesAre) {
     compare_all("fragments", ".frag", "");
 }
 
