@@ -94,6 +94,13 @@ std::vector<BrokenAssertion> broken(Player& player) {
     return broken_assertions(player.preset, player.renderer(), {}, [&] { player.draw(0); });
 }
 
+TEST_F(ProbeFaults, BrokenAssertionsAreFoundWhereNothingHasMovedSince) {
+    Player player(image("//@ assert p.x < 1.0\nc = vec4(1.0);"), {.size = {2, 1}});
+    player.draw(0);
+    ASSERT_EQ(broken(player).size(), 1u);
+    EXPECT_EQ(broken(player)[0].pixels, 1u);
+}
+
 TEST_F(ProbeFaults, CountThePixelsWhereAnAssertionDoesNotHold) {
     Player player(image("float t = p.x - 1.0;\n"
                         "//@ assert t >= 0.0 \"behind the eye\"\n"

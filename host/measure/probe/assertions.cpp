@@ -76,6 +76,7 @@ std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& r
         const std::string pass = pass_name(preset.scene, renderer.graph().passes[index].pass);
         look(probes[index], renderer, index, pass, notes, found);
     };
+    renderer.reset();  // what nothing has changed would not be drawn, and not be looked at
     draw();
     renderer.before_pass = nullptr;
     std::erase_if(found, [](const BrokenAssertion& one) { return one.pixels == 0; });

@@ -22,8 +22,8 @@ bool has_assertions(const Scene& scene);
 // The expressions of `//@ watch EXPR`.
 ProbeWish watched(const Scene& scene);
 
-// Of all passes that `draw` has the renderer draw, in the order of the text. Throws ProbeRefused
-// for an expression that is none.
+// Of all passes that `draw` has the renderer draw, from its start, in the order of the text. Throws
+// ProbeRefused for an expression that is none.
 std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& renderer,
                                                const ProgramOptions& options,
                                                const std::function<void()>& draw);
