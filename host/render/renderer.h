@@ -121,9 +121,9 @@ public:
     // drivers finish compiling inside the first draw.
     void warm_up(const PassProgram& program);
 
-    // Draws another program for one of the passes into a framebuffer of one's own, of which `area`
-    // is drawn, with all that the pass itself would read: called by before_pass, what it is about
-    // to read, and else what stands in the buffers, with this frame. `face` is that of a cube.
+    // Draws another program for one of the passes into a framebuffer of one's own, of this size in
+    // pixels, with all that the pass itself would read: called by before_pass, what it is about to
+    // read, and else what stands in the buffers, with this frame. `face` is that of a cube.
     struct Variant {
         const PassProgram& program;
         GLuint framebuffer = 0;

@@ -95,7 +95,6 @@ void FaultWatch::look(std::size_t index) {
     Probe& probe = probes_[index];
     const BufferShape& shape = renderer_.buffer(index).shape();
     if (probe.probed().sites.empty()) return;
-    broken_.resize(probe.probed().sites.size());
     for (int face = 0; face < (shape.cube ? 6 : 1); ++face) {
         const std::vector<ProbeCell> cells = probe.map(renderer_, *frame_, 0, 0, face);
         const ProbeCell* found = nullptr;
@@ -104,7 +103,6 @@ void FaultWatch::look(std::size_t index) {
         };
         for (const ProbeCell& cell : cells) {
             if (!has_fault(cell)) continue;
-            ++broken_[site_of(cell)];
             if (!found || (is_finite(*found) && !is_finite(cell))) found = &cell;
         }
         if (!found || (first_ && is_finite(*found))) continue;

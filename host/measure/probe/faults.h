@@ -24,8 +24,6 @@ public:
     bool is_seen() const { return first_ && first_->is_seen; }
     // Of what is seen in a pixel, or else of all.
     const std::optional<ProbeFault>& first() const { return first_; }
-    // Pixels of the last frame, by expression of the wish.
-    const std::vector<std::size_t>& broken() const { return broken_; }
 
 private:
     void look(std::size_t index);
@@ -36,7 +34,6 @@ private:
     std::vector<Probe> probes_;  // in the order of the graph
     const Frame* frame_ = nullptr;
     std::optional<ProbeFault> first_;
-    std::vector<std::size_t> broken_;
     bool is_marked_;
 };
 

@@ -22,6 +22,7 @@ namespace {
 constexpr int kMostHits = 10000;  // of one site
 
 void require_sense(const ProbeOptions& options) {
+    if (options.time && options.frame) throw UsageError("Give either --time or --frame, not both.");
     if (!options.line.empty() && !options.expression.empty())
         throw UsageError("Give either --line or --expr, not both.");
     const bool has_site = !options.line.empty() || !options.expression.empty();

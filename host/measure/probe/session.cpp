@@ -66,7 +66,6 @@ void ProbeSession::draw(const Frame& frame, const Ask& ask) {
 }
 
 const Frame& ProbeSession::play_to(const ProbeOptions& options) {
-    if (options.time && options.frame) throw UsageError("Give either --time or --frame, not both.");
     const double end =
         options.frame ? *options.frame / options.fps : options.time.value_or(preset_.time);
     int rendered = 0;
