@@ -4,9 +4,10 @@
 namespace glint {
 namespace {
 
-class Finder {
+class CallFinder {
 public:
-    Finder(const std::vector<Token>& tokens, Syntax& syntax) : tokens_(tokens), syntax_(syntax) {}
+    CallFinder(const std::vector<Token>& tokens, Syntax& syntax)
+        : tokens_(tokens), syntax_(syntax) {}
 
     void find_in(TokenRange range, std::uint32_t function);
 
@@ -18,7 +19,7 @@ private:
     std::vector<std::uint32_t> open_;  // calls whose parentheses are open, kNone for other brackets
 };
 
-void Finder::find_in(TokenRange range, std::uint32_t function) {
+void CallFinder::find_in(TokenRange range, std::uint32_t function) {
     open_.clear();
     for (std::uint32_t at = range.begin; at < range.end; ++at) {
         if (tokens_[at].is(",")) {
@@ -33,7 +34,7 @@ void Finder::find_in(TokenRange range, std::uint32_t function) {
 }
 
 // At a bracket.
-void Finder::open(std::uint32_t at, std::uint32_t begin, std::uint32_t function) {
+void CallFinder::open(std::uint32_t at, std::uint32_t begin, std::uint32_t function) {
     open_.push_back(kNone);
     if (!tokens_[at].is("(")) return;
     std::uint32_t name = at;  // before an array's length, too: `float[2](a, b)`
@@ -49,7 +50,7 @@ void Finder::open(std::uint32_t at, std::uint32_t begin, std::uint32_t function)
 }  // namespace
 
 void find_calls(const std::vector<Token>& tokens, Syntax& syntax) {
-    Finder finder(tokens, syntax);
+    CallFinder finder(tokens, syntax);
     for (const Item& item : syntax.items) {
         if (item.kind == Item::Kind::function && syntax.functions[item.index].is_defined())
             finder.find_in(syntax.functions[item.index].body, item.index);

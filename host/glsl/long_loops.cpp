@@ -19,9 +19,10 @@ bool is_loop(StatementKind kind) {
            kind == StatementKind::do_;
 }
 
-class Finder {
+class LongLoopFinder {
 public:
-    Finder(const Reading& reading, const std::unordered_map<std::string_view, double>& known)
+    LongLoopFinder(const Reading& reading,
+                   const std::unordered_map<std::string_view, double>& known)
         : reading_(reading),
           constants_(reading, known),
           bounds_(reading.statements.size()),
@@ -137,7 +138,7 @@ private:
 
 std::vector<Finding> find_long_loops(const Reading& reading, const std::vector<bool>& wanted,
                                      const std::unordered_map<std::string_view, double>& known) {
-    return Finder(reading, known).find(wanted);
+    return LongLoopFinder(reading, known).find(wanted);
 }
 
 }  // namespace glint

@@ -108,9 +108,9 @@ struct Name {
     const char* what = "";
 };
 
-class Finder {
+class ShadowFinder {
 public:
-    Finder(const Reading& reading, const std::vector<bool>& wanted)
+    ShadowFinder(const Reading& reading, const std::vector<bool>& wanted)
         : reading_(reading), wanted_(wanted) {
         const auto end = static_cast<std::uint32_t>(reading.tokens.size());
         for (const Function& function : reading.functions)
@@ -189,7 +189,7 @@ private:
 }  // namespace
 
 std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted) {
-    return Finder(reading, wanted).find();
+    return ShadowFinder(reading, wanted).find();
 }
 
 std::vector<Finding> find_reserved_names(const Reading& reading, const std::vector<bool>& wanted) {

@@ -9,7 +9,7 @@ namespace glint {
 namespace {
 
 // Statements within statements: no person writes more, and the stack holds them.
-constexpr int kDeepest = 400;
+constexpr int kDeepestStatement = 400;
 
 StatementKind kind_of(std::string_view word) {
     constexpr std::array<std::pair<std::string_view, StatementKind>, 13> kKinds = {
@@ -55,7 +55,7 @@ void Parser::parse_statement(std::uint32_t parent, std::uint32_t stop, int depth
         case StatementKind::while_:
         case StatementKind::do_:
         case StatementKind::switch_:
-            if (depth >= kDeepest)
+            if (depth >= kDeepestStatement)
                 give_up(before, index, stop, "statements nested this deep are not read");
             else if (!parse_compound(index, stop, depth + 1))
                 give_up(before, index, stop, "this statement is not understood");

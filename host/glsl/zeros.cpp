@@ -19,9 +19,9 @@ struct Site {
     std::uint32_t token = kNone;  // behind which, or before which for a result
 };
 
-class Finder {
+class ZeroFinder {
 public:
-    Finder(const Reading& reading, std::string_view entry)
+    ZeroFinder(const Reading& reading, std::string_view entry)
         : reading_(reading), uses_(reading), entry_(entry) {}
 
     // In the order of the text.
@@ -155,7 +155,7 @@ std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string
     std::vector<Unset> unset;
     if (!reading.is_balanced) return unset;
     Writer writer(reading, edits);
-    for (Site& site : Finder(reading, entry).find()) {
+    for (Site& site : ZeroFinder(reading, entry).find()) {
         const std::size_t at = site.unset.at;
         if (!writer.write(site, marked && marked->begin <= at && at < marked->end))
             site.unset.why_not = "it has more than 1024 numbers, or a macro keeps it";

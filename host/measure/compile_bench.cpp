@@ -38,9 +38,9 @@ void use_cache(const std::string& folder) {
 }
 
 // Milliseconds by pass.
-using PassTimes = std::map<std::size_t, double>;
+using PassMs = std::map<std::size_t, double>;
 
-CompiledScene compile_timed(const Preset& preset, bool specialise, PassTimes& ms) {
+CompiledScene compile_timed(const Preset& preset, bool specialise, PassMs& ms) {
     std::optional<std::size_t> compiling;
     Stopwatch clock;
     const auto note = [&](std::size_t next) {
@@ -56,8 +56,8 @@ CompiledScene compile_timed(const Preset& preset, bool specialise, PassTimes& ms
 }
 
 // The first draw of every pass; its pixels take their part of it.
-PassTimes draw_timed(const Preset& preset, Context& context, Renderer& renderer) {
-    PassTimes ms;
+PassMs draw_timed(const Preset& preset, Context& context, Renderer& renderer) {
+    PassMs ms;
     Stopwatch clock;
     const auto& passes = renderer.graph().passes;
     renderer.after_pass = [&](std::size_t index) {
@@ -135,7 +135,7 @@ Json passes_json(const Preset& preset, bool specialise, const std::vector<Json>&
     return list;
 }
 
-void print_table(const Json& json) {
+void print_compile_table(const Json& json) {
     say_result("{}, {}, {}, medians of {} rounds\n", json["renderer"].get<std::string>(),
                json["size"].get<std::string>(), json["specialised"] ? "specialised" : "uniform-fed",
                json["rounds"].get<int>());
@@ -158,12 +158,12 @@ void run_compile_once(const BenchOptions& options) {
     use_cache(options.compile_cache.string());
     const Preset preset = open_preset(options.view);
     const auto context = make_egl_context(options.view.device);
-    PassTimes compile_ms;
+    PassMs compile_ms;
     Renderer renderer(preset, compile_timed(preset, options.view.specialise, compile_ms),
                       {.size = preset.size});
     load_inputs(preset, renderer);
     context->finish();
-    PassTimes first_draw_ms = draw_timed(preset, *context, renderer);
+    PassMs first_draw_ms = draw_timed(preset, *context, renderer);
     Json json = {{"renderer", context->renderer()}, {"passes", Json::array()}};
     for (const GraphPass& pass : renderer.graph().passes)
         json["passes"].push_back({{"name", pass_name(preset.scene, pass.pass)},
@@ -193,7 +193,7 @@ void run_compile_bench(const BenchOptions& options) {
     if (options.view.json)
         say_result("{}\n", json_text(json));
     else
-        print_table(json);
+        print_compile_table(json);
 }
 
 }  // namespace glint

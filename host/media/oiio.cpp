@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Module {
+struct OiioModule {
     GlintOiioBegin* begin = nullptr;
     GlintOiioWrite* write = nullptr;
     GlintOiioEnd* end = nullptr;
@@ -33,7 +33,7 @@ struct Module {
     GlintExrRead* read_parts = nullptr;
 };
 
-Module load_module() {
+OiioModule load_module() {
     void* module = open_module("glint-oiio.so", "image");
     return {.begin = find_function<GlintOiioBegin>(module, "glint_oiio_begin"),
             .write = find_function<GlintOiioWrite>(module, "glint_oiio_write"),
@@ -44,8 +44,8 @@ Module load_module() {
 }
 
 // The dynamic linker loads a library once a process; so does this. At exit it is waited for.
-std::shared_future<Module> module_loading() {
-    static const std::shared_future<Module> loading =
+std::shared_future<OiioModule> module_loading() {
+    static const std::shared_future<OiioModule> loading =
         std::async(std::launch::async, load_module).share();
     return loading;
 }
@@ -137,7 +137,7 @@ private:
 
     TemporaryFile& out_;
     fs::path file_;
-    Module module_;
+    OiioModule module_;
     void* open_ = nullptr;
     int error_ = 0;
     std::array<char, 512> cause_{};

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Module {
+struct SoundModule {
     GlintSoundRead* read;
     GlintSoundOpen* open;
     GlintSoundAppend* append;
@@ -22,14 +22,14 @@ struct Module {
     GlintSpectrum* spectrum;
 };
 
-const Module& module() {
-    static const Module kModule = [] {
+const SoundModule& module() {
+    static const SoundModule kModule = [] {
         void* file = open_module("glint-sound.so", "sound");
-        return Module{.read = find_function<GlintSoundRead>(file, "glint_sound_read"),
-                      .open = find_function<GlintSoundOpen>(file, "glint_sound_open"),
-                      .append = find_function<GlintSoundAppend>(file, "glint_sound_append"),
-                      .close = find_function<GlintSoundClose>(file, "glint_sound_close"),
-                      .spectrum = find_function<GlintSpectrum>(file, "glint_spectrum")};
+        return SoundModule{.read = find_function<GlintSoundRead>(file, "glint_sound_read"),
+                           .open = find_function<GlintSoundOpen>(file, "glint_sound_open"),
+                           .append = find_function<GlintSoundAppend>(file, "glint_sound_append"),
+                           .close = find_function<GlintSoundClose>(file, "glint_sound_close"),
+                           .spectrum = find_function<GlintSpectrum>(file, "glint_spectrum")};
     }();
     return kModule;
 }

@@ -39,7 +39,7 @@ Share share_of(const std::string& text) {
     return {numbers[0], numbers[1]};
 }
 
-constexpr int kMostFrames = 1 << 30;  // as `still` takes them
+constexpr int kLastFrame = 1 << 30;  // as `still` takes them
 
 }  // namespace
 
@@ -48,12 +48,12 @@ Frames frames_of(const std::string& text, const std::string& shard, double fps) 
     if (!text.empty()) {
         range = numbers_in(text, ':');
         if (range.size() == 2) range.push_back(1);
-        if (range.size() != 3 || range[0] < 0 || range[1] < range[0] || range[1] > kMostFrames ||
+        if (range.size() != 3 || range[0] < 0 || range[1] < range[0] || range[1] > kLastFrame ||
             range[2] < 1) {
             throw UsageError(
                 fmt::format("--frames {}: write FIRST:LAST or FIRST:LAST:STEP, as in 0:299; frames "
                             "end at {}.",
-                            text, kMostFrames));
+                            text, kLastFrame));
         }
     }
     const Share share = share_of(shard);

@@ -157,7 +157,7 @@ void Reader::read_scene_key(const toml::table& root) {
         return;
     }
     fs::path file = preset_.file.parent_path() / *name;
-    if (file.extension() == ".toml") {
+    if (is_preset(file)) {
         result_.diagnostics.push_back(
             {Severity::error, place(node->source()),
              fmt::format("{} is a preset, and no scene; write scene = \"NAME.frag\"",
@@ -538,9 +538,13 @@ void read_bare_scene(const fs::path& file, ReadPreset& result) {
 
 }  // namespace
 
+bool is_preset(const fs::path& file) {
+    return file.extension() == ".toml";
+}
+
 ReadPreset read_preset(const fs::path& file) {
     ReadPreset result;
-    if (file.extension() != ".toml") {
+    if (!is_preset(file)) {
         read_bare_scene(file, result);
         return result;
     }

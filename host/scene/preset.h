@@ -42,9 +42,11 @@ struct ReadPreset {
     std::vector<std::filesystem::path> files;
 };
 
-// Reads a preset with its scene (".toml"), or a scene with its defaults (any other name; ".json": a
-// shader of the site). Never
-// throws for what the files say.
+// By its name alone, which ends in ".toml"; any other is a scene.
+bool is_preset(const std::filesystem::path& file);
+
+// Reads a preset with its scene, or a scene with its defaults (".json": a shader of the site).
+// Never throws for what the files say.
 ReadPreset read_preset(const std::filesystem::path& file);
 
 // A preset's text as read_preset would read it in `file`, but for this scene, whichever it names.

@@ -16,7 +16,7 @@ namespace glint {
 
 namespace {
 
-constexpr int kLargestSize = 16384;  // pixels; what every desktop GL can draw into
+constexpr int kLargestTexture = 16384;  // pixels; what every desktop GL can draw into
 
 bool is_identifier(std::string_view text) {
     const auto letter = [](char c) {
@@ -30,7 +30,7 @@ std::optional<int> parse_length(std::string_view text) {
     int length = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (length < 1 || length > kLargestSize) return std::nullopt;
+    if (length < 1 || length > kLargestTexture) return std::nullopt;
     return length;
 }
 
@@ -265,7 +265,7 @@ void SamplerParser::parse_size(std::string_view value, std::size_t at) {
     const auto lengths = parse_lengths(value);
     if (!lengths || lengths->size() > 2)
         return words.complain(at, fmt::format("size is {}; write 256 or 256x128, each from 1 to {}",
-                                              in_quotes(value), kLargestSize));
+                                              in_quotes(value), kLargestTexture));
     if (is_cube() && lengths->front() != lengths->back())
         return words.complain(at, "the faces of a cube are square; write size=256");
     result.size = Option<glm::ivec2>{{lengths->front(), lengths->back()}, at};
@@ -330,7 +330,7 @@ std::string parse_noise(std::string_view text, Sampler& sampler) {
     const std::size_t dimensions = is_volume ? 3 : is_cube ? 1 : 2;
     if (!lengths || (lengths->size() != 1 && lengths->size() != dimensions))
         return fmt::format("{} is no noise; {}, each from 1 to {}", in_quotes(text), how,
-                           kLargestSize);
+                           kLargestTexture);
     const bool one = lengths->size() == 1;
     const glm::ivec3 pixels(lengths->front(), (*lengths)[one ? 0 : 1],
                             is_volume ? lengths->back() : 1);

@@ -28,11 +28,10 @@ void declare(CLI::App& verb, BenchOptions& bench) {
 }  // namespace
 
 std::unique_ptr<Verb> bench_verb() {
-    return std::make_unique<VerbWith<BenchOptions>>(
-        declare, [](const BenchOptions& options, const Stopwatch&) {
-            if (!options.compile_cache.empty()) return run_compile_once(options);
-            options.compile ? run_compile_bench(options) : run_bench(options);
-        });
+    return make_verb<BenchOptions>(declare, [](const BenchOptions& options, const Stopwatch&) {
+        if (!options.compile_cache.empty()) return run_compile_once(options);
+        options.compile ? run_compile_bench(options) : run_bench(options);
+    });
 }
 
 }  // namespace glint

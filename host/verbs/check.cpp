@@ -33,7 +33,7 @@ void declare(CLI::App& verb, CheckOptions& check) {
 }  // namespace
 
 std::unique_ptr<Verb> check_verb() {
-    return std::make_unique<VerbWith<CheckOptions>>(
+    return make_verb<CheckOptions>(
         declare, [](const CheckOptions& options, const Stopwatch&) { run_check(options); });
 }
 

@@ -16,7 +16,7 @@ void declare(CLI::App& verb, ExportOptions& options) {
 }  // namespace
 
 std::unique_ptr<Verb> export_verb() {
-    return std::make_unique<VerbWith<ExportOptions>>(
+    return make_verb<ExportOptions>(
         declare, [](const ExportOptions& options, const Stopwatch&) { run_export(options); });
 }
 

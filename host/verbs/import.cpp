@@ -21,7 +21,7 @@ void declare(CLI::App& verb, ImportOptions& import) {
 }  // namespace
 
 std::unique_ptr<Verb> import_verb() {
-    return std::make_unique<VerbWith<ImportOptions>>(
+    return make_verb<ImportOptions>(
         declare, [](const ImportOptions& options, const Stopwatch&) { run_import(options); });
 }
 

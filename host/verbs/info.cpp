@@ -352,7 +352,7 @@ void declare(CLI::App& verb, InfoOptions& info) {
 }  // namespace
 
 std::unique_ptr<Verb> info_verb() {
-    return std::make_unique<VerbWith<InfoOptions>>(declare, run_info);
+    return make_verb<InfoOptions>(declare, run_info);
 }
 
 }  // namespace glint

@@ -44,7 +44,7 @@ void declare(CLI::App& verb, NewOptions& options) {
 }  // namespace
 
 std::unique_ptr<Verb> new_verb() {
-    return std::make_unique<VerbWith<NewOptions>>(declare, run_new);
+    return make_verb<NewOptions>(declare, run_new);
 }
 
 }  // namespace glint

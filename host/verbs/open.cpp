@@ -51,7 +51,7 @@ void declare(CLI::App& verb, ViewOptions& options) {
 }  // namespace
 
 std::unique_ptr<Verb> open_verb() {
-    return std::make_unique<VerbWith<ViewOptions>>(declare, run_open);
+    return make_verb<ViewOptions>(declare, run_open);
 }
 
 }  // namespace glint

@@ -50,7 +50,7 @@ void declare(CLI::App& verb, ProbeOptions& probe) {
 }  // namespace
 
 std::unique_ptr<Verb> probe_verb() {
-    return std::make_unique<VerbWith<ProbeOptions>>(
+    return make_verb<ProbeOptions>(
         declare, [](const ProbeOptions& options, const Stopwatch&) { run_probe(options); });
 }
 

@@ -37,7 +37,7 @@ void declare(CLI::App& verb, SequenceOptions& sequence) {
 }  // namespace
 
 std::unique_ptr<Verb> sequence_verb() {
-    return std::make_unique<VerbWith<SequenceOptions>>(
+    return make_verb<SequenceOptions>(
         declare, [](const SequenceOptions& options, const Stopwatch&) { run_sequence(options); });
 }
 

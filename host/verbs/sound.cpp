@@ -20,7 +20,7 @@ void declare(CLI::App& verb, SoundOptions& sound) {
 }  // namespace
 
 std::unique_ptr<Verb> sound_verb() {
-    return std::make_unique<VerbWith<SoundOptions>>(
+    return make_verb<SoundOptions>(
         declare, [](const SoundOptions& options, const Stopwatch&) { run_sound(options); });
 }
 

@@ -42,7 +42,7 @@ void declare(CLI::App& verb, StudyOptions& study) {
 }  // namespace
 
 std::unique_ptr<Verb> study_verb() {
-    return std::make_unique<VerbWith<StudyOptions>>(
+    return make_verb<StudyOptions>(
         declare, [](const StudyOptions& options, const Stopwatch&) { run_study(options); });
 }
 

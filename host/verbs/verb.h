@@ -38,6 +38,12 @@ private:
     Run run_;
 };
 
+template <class Options>
+std::unique_ptr<Verb> make_verb(typename VerbWith<Options>::Declare declare,
+                                typename VerbWith<Options>::Run run) {
+    return std::make_unique<VerbWith<Options>>(declare, run);
+}
+
 std::unique_ptr<Verb> bench_verb();
 std::unique_ptr<Verb> check_verb();
 std::unique_ptr<Verb> complete_verb();

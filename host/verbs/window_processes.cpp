@@ -11,7 +11,7 @@ namespace {
 // Of a verb that is told of a device alone.
 template <void (*run)(const std::string& device)>
 std::unique_ptr<Verb> process_verb() {
-    return std::make_unique<VerbWith<std::string>>(
+    return make_verb<std::string>(
         [](CLI::App& verb, std::string& device) { verb.add_option("device", device); },
         [](const std::string& device, const Stopwatch&) { run(device); });
 }

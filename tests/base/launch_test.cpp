@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace glint {
+namespace glint::launch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -226,4 +226,4 @@ TEST(Dying, TakesAlongWhatTheProcessHasStarted) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::launch_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <sstream>
 
-namespace glint {
+namespace glint::memory_test {
 namespace {
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
@@ -55,4 +55,4 @@ TEST(Memory, WhereThereIsNoGroupThereIsNoLimit) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::memory_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::nearest_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ TEST(DidYouMean, SwappedLettersAreOneMistake) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::nearest_file_test

@@ -11,7 +11,7 @@
 #include <csignal>
 #include <thread>
 
-namespace glint {
+namespace glint::process_time_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -72,4 +72,4 @@ TEST(ProcessTime, OneThatSleepsWaitsForNobody) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::process_time_test

@@ -12,7 +12,7 @@
 
 #include <cstring>
 
-namespace glint {
+namespace glint::readable_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ TEST_F(ReadableFiles, WhatMayNotBeReadIsRefused) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::readable_file_test

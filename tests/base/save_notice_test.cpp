@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::save_notice_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -151,4 +151,4 @@ TEST(IsAnother, AsksForMoreWhereNobodyTells) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::save_notice_test

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace glint {
+namespace glint::source_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ TEST_F(OnATerminal, WhatHasNoLineIsTheMessageAlone) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::source_line_test

@@ -21,7 +21,7 @@
 #include <random>
 #include <thread>
 
-namespace glint {
+namespace glint::watcher_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -433,4 +433,4 @@ TEST(Watcher, KeepsNoDescriptorsAndNoWatches) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::watcher_test

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace glint {
+namespace glint::workers_test {
 namespace {
 
 TEST(Workers, OfOneThreadDoTheirJobsInOrder) {
@@ -98,4 +98,4 @@ TEST(Workers, ThatGoBringWhatIsBegunToAnEndAndDropTheRest) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::workers_test

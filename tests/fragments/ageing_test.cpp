@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::ageing_test {
 namespace {
 
 class Ageing : public GlTest, public testing::WithParamInterface<const char*> {};
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Ageing,
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::ageing_test

@@ -9,7 +9,7 @@
 #include <complex>
 #include <cstdint>
 
-namespace glint {
+namespace glint::boat_test {
 namespace {
 
 using BoatScene = GlTest;
@@ -30,18 +30,12 @@ std::vector<glm::vec4> texels(std::string_view text, const std::string& preset, 
                               glm::ivec2 size = {96, 54}, const std::string& pass = "image") {
     Player player(text, {.size = size, .preset = preset, .pass = pass});
     player.still(time);
-    const std::vector<float> values = player.floats();
-    std::vector<glm::vec4> result(values.size() / 4);
-    std::memcpy(result.data(), values.data(), values.size() * sizeof(float));
-    return result;
+    return pixels_of(player);
 }
 
 // A picture of our own in the scene's place; `body` writes c from the pixel p.
-std::string with_picture(std::string_view body) {
-    return fmt::format(
-        "#define mainImage scene_image\n#include \"{}\"\n#undef mainImage\n"
-        "void mainImage(out vec4 c, in vec2 p) {{\n    loadWavelets();\n    loadBoat();\n{}}}\n",
-        kBoatFile, body);
+std::string boat_picture(std::string_view body) {
+    return with_picture(kBoatFile, fmt::format("    loadWavelets();\n    loadBoat();\n{}", body));
 }
 
 // ---- The float ----
@@ -276,7 +270,7 @@ TEST_F(BoatScene, RaysMeetTheSeaWhereTheyShould) {
                 "    vec3 ro = vec3(0.037 * i, {:.9f}, -0.021 * i);\n"
                 "    vec3 rd = vec3({:.9f} * cos(turn), {:.9f}, {:.9f} * sin(turn));\n",
                 one.eye, level, down, level);
-            const auto hits = texels(with_picture(ray + "    c = vec4(hitWaves(ro, rd, 0.0, kFar), "
+            const auto hits = texels(boat_picture(ray + "    c = vec4(hitWaves(ro, rd, 0.0, kFar), "
                                                         "float(seaEvaluations), 0.0, 1.0);\n"),
                                      one.tweaks, 5.0, {64, 16});
             int wrong = 0, flipped = 0, capped = 0;
@@ -329,7 +323,7 @@ TEST_F(BoatScene, RaysMeetTheSeaWhereTheyShould) {
 // through. Points in the ball, from half its radius on, by chance.
 TEST_F(BoatScene, HerFieldIsNeverMoreThanTheDistance) {
     const auto got = texels(
-        with_picture(
+        boat_picture(
             "    float worst = 0.0;\n"
             "    int part;\n"
             "    for (int k = 0; k < 16; ++k) {\n"
@@ -365,11 +359,11 @@ TEST_F(BoatScene, RaysMeetTheBoatWhereTheyShould) {
         "    vec3 to = vec3(1.6, 3.0, 3.6) * (s - vec3(0.5, 0.12, 0.5));\n"
         "    vec3 rd = normalize(gAxes * to + vec3(0.0, gHeave, 0.0) - ro);\n";
     const auto marched =
-        texels(with_picture(ray + "    Hit h = hitBoat(ro, rd, 0.0, kFar);\n"
+        texels(boat_picture(ray + "    Hit h = hitBoat(ro, rd, 0.0, kFar);\n"
                                   "    c = vec4(h.t, h.part, dot(h.nor, rd), 1.0);\n"),
                "", 1.0, {64, 40});
     const auto walked =
-        texels(with_picture(ray + "    vec3 o = toBoat(ro), d = rd * gAxes;\n"
+        texels(boat_picture(ray + "    vec3 o = toBoat(ro), d = rd * gAxes;\n"
                                   "    vec2 span = boatSpan(o, d, 0.0);\n"
                                   "    float t = span.x;\n"
                                   "    bool met = false;\n"
@@ -523,4 +517,4 @@ TEST_F(BoatScene, TheWakeStaysBounded) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::boat_test

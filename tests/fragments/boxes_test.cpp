@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace glint {
+namespace glint::boxes_test {
 namespace {
 
 using Boxes = GlTest;
@@ -248,4 +248,4 @@ TEST_F(Boxes, FromInsideTheFarFaceIsMet) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::boxes_test

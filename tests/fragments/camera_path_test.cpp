@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::camera_path_test {
 namespace {
 
 using CameraPath = GlTest;
@@ -135,4 +135,4 @@ TEST_F(CameraPath, TheBlockIsSeenFromAllSidesWithoutABreak) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::camera_path_test

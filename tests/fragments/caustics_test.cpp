@@ -16,7 +16,7 @@
 #include <numbers>
 #include <random>
 
-namespace glint {
+namespace glint::caustics_test {
 namespace {
 
 using Caustics = GlTest;
@@ -509,4 +509,4 @@ TEST_F(Caustics, AMethodDrawsOnlyItsOwnPasses) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::caustics_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace glint {
+namespace glint::contraction_test {
 namespace {
 
 using Contraction = GlTest;
@@ -170,4 +170,4 @@ TEST_F(Contraction, AnEdgeIsTheOppositeOfItsReverseFused) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::contraction_test

@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-namespace glint {
+namespace glint::deep_ocean_test {
 namespace {
 
 using DeepOcean = GlTest;
@@ -462,4 +462,4 @@ TEST_F(DeepOcean, IsFiniteAtEveryExtreme) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::deep_ocean_test

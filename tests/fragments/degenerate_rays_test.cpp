@@ -19,7 +19,7 @@
 #include <numbers>
 #include <random>
 
-namespace glint {
+namespace glint::degenerate_rays_test {
 namespace {
 
 using DegenerateRays = GlTest;
@@ -245,4 +245,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DegenerateStarts, testing::ValuesIn(kRooms),
                          [](const auto& room) { return room.param.scene; });
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::degenerate_rays_test

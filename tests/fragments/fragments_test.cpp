@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glint {
+namespace glint::fragments_test {
 namespace {
 
 struct Found {
@@ -110,4 +110,4 @@ TEST(Fragments, FunctionsOfOneNameAreOneText) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::fragments_test

@@ -12,7 +12,7 @@
 
 #include <array>
 
-namespace glint {
+namespace glint::intersections_test {
 namespace {
 
 using Intersections = GlTest;
@@ -245,4 +245,4 @@ TEST_F(Intersections, SpecialRaysGiveNumbers) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::intersections_test

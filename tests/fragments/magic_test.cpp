@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::magic_test {
 namespace {
 
 using Magic = GlTest;
@@ -41,4 +41,4 @@ TEST_F(Magic, ErrorsOfShadowsInTheHazeCancelBetweenNeighbours) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::magic_test

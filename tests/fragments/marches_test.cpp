@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::marches_test {
 namespace {
 
 struct Field {
@@ -205,4 +205,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Marches, testing::ValuesIn(kFields),
                          [](const auto& field) { return field.param.scene; });
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::marches_test

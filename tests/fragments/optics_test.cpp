@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::optics_test {
 namespace {
 
 using Optics = GlTest;
@@ -155,4 +155,4 @@ TEST_F(Optics, TheMeanOfAnEvenFadeIsExact) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::optics_test

@@ -7,7 +7,7 @@
 #include <complex>
 #include <cstdint>
 
-namespace glint {
+namespace glint::pond_test {
 namespace {
 
 // pcg3d, Jarzynski and Olano 2020, as the scene has it.
@@ -405,4 +405,4 @@ TEST_F(Water, ANotANumberInThePondIsGoneAtOnce) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::pond_test

@@ -8,6 +8,22 @@
 
 namespace glint {
 
+// A scene of ours with a picture of our own; `body` writes c from the pixel p.
+inline std::string with_picture(std::string_view file, std::string_view body) {
+    return fmt::format(
+        "#define mainImage scene_image\n#include \"{}\"\n#undef mainImage\n"
+        "void mainImage(out vec4 c, in vec2 p) {{\n{}}}\n",
+        file, body);
+}
+
+// Every pixel of what was drawn.
+inline std::vector<glm::vec4> pixels_of(Player& player) {
+    const std::vector<float> values = player.floats();
+    std::vector<glm::vec4> pixels(values.size() / 4);
+    std::memcpy(pixels.data(), values.data(), values.size() * sizeof(float));
+    return pixels;
+}
+
 // The inputs of one case: `a`, `b`, `c` and `d` in the expression.
 struct ProbeCase {
     glm::vec4 a{0.0f}, b{0.0f}, c{0.0f}, d{0.0f};

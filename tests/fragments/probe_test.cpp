@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace glint {
+namespace glint::probe_test {
 namespace {
 
 using Probe = GlTest;
@@ -124,4 +124,4 @@ TEST_F(Probe, AHashInTheShaderIsTheNoiseOfTheHost) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::probe_test

@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace glint {
+namespace glint::refraction_test {
 namespace {
 
 using Refraction = GlTest;
@@ -164,4 +164,4 @@ TEST_F(Refraction, TheDisplayCurveIsWithinZeroAndOneAndNeverFalls) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::refraction_test

@@ -3,39 +3,28 @@
 
 #include "probe.h"
 
-#include <cstring>
-
 namespace glint {
 
 inline const std::string kSeaFile = std::string(GLINT_REPOSITORY) + "/fragments/sea.frag";
 
 // The scene with a picture of our own; what stands in `body` writes c from the pixel p.
-inline std::string with_picture(std::string_view body) {
-    return fmt::format(
-        "#define mainImage scene_image\n#include \"{}\"\n#undef mainImage\n"
-        "void mainImage(out vec4 c, in vec2 p) {{\n"
-        "    readFrames();\n"
-        "    Eye e = camera();\n"
-        "    vec3 rd = viewRay(e, p);\n"
-        "    float angle = 1.0 / (e.lens * iResolution.y);\n"
-        "    Surface u = surfaceAt(e, rd, ivec2(p));\n"
-        "    bool mirrors = u.id == kWater || u.id == kGlass;\n"
-        "    vec3 from = u.pos + 0.002 * u.nor;\n"
-        "{}}}\n",
-        kSeaFile, body);
-}
-
-inline std::vector<glm::vec4> pixels_of(Player& player) {
-    const std::vector<float> values = player.floats();
-    std::vector<glm::vec4> pixels(values.size() / 4);
-    std::memcpy(pixels.data(), values.data(), values.size() * sizeof(float));
-    return pixels;
+inline std::string sea_picture(std::string_view body) {
+    return with_picture(kSeaFile,
+                        fmt::format("readFrames();\n"
+                                    "    Eye e = camera();\n"
+                                    "    vec3 rd = viewRay(e, p);\n"
+                                    "    float angle = 1.0 / (e.lens * iResolution.y);\n"
+                                    "    Surface u = surfaceAt(e, rd, ivec2(p));\n"
+                                    "    bool mirrors = u.id == kWater || u.id == kGlass;\n"
+                                    "    vec3 from = u.pos + 0.002 * u.nor;\n"
+                                    "{}",
+                                    body));
 }
 
 // Every pixel's value of such a picture, with the scene's clock at 5 s.
 inline std::vector<glm::vec4> picture(std::string_view body, glm::ivec2 size,
                                       const std::string& tweaks) {
-    Player player(with_picture(body), {.size = size, .preset = "[tweaks]\n" + tweaks});
+    Player player(sea_picture(body), {.size = size, .preset = "[tweaks]\n" + tweaks});
     Frame frame = player.frame(0);
     frame.time = 5.0;
     player.draw(frame);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-namespace glint {
+namespace glint::sea_mirror_test {
 namespace {
 
 using SeaScene = GlTest;
@@ -65,7 +65,7 @@ public:
 private:
     std::vector<glm::vec4> drawn(Player& player, const std::string& tweaks, double time) {
         const TestFolder folder;
-        const ReadPreset read = read_scene_text(folder, with_picture(""),
+        const ReadPreset read = read_scene_text(folder, sea_picture(""),
                                                 {.preset = "[tweaks]\nedgeFade = 0.0\n" + tweaks});
         if (!read.preset) throw std::runtime_error(to_text(read.diagnostics));
         player.preset.values = read.preset->values;
@@ -78,7 +78,7 @@ private:
     glm::ivec2 size_;
     // Where the exact ray meets something: its pixel, its depth, what the picture has there.
     Player truth_{
-        with_picture(
+        sea_picture(
             "    Hit h = hitAll(from, u.away, angle, u.id == kGlass, !mirrors);\n"
             "    vec3 v = toView(e, from + min(h.t, 1e5) * u.away);\n"
             "    vec2 at = toPixel(e, v);\n"
@@ -94,12 +94,11 @@ private:
             "    c = vec4(at, kind == 0.0 ? 0.0 : kind + part, 1.0);\n"),
         {.size = size_, .specialise = false}};
     Player walk_{
-        with_picture(
-            "    vec2 found;\n"
-            "    bool doubtful;\n"
-            "    float sure = walkScreen(e, from, u.away, 0.5, mirrors, found, doubtful);\n"
-            "    sure = doubtful ? 0.25 : sure > 0.0 ? 0.5 : 0.0;\n"
-            "    c = vec4(found, float(walkFetches) + sure, 1.0);\n"),
+        sea_picture("    vec2 found;\n"
+                    "    bool doubtful;\n"
+                    "    float sure = walkScreen(e, from, u.away, 0.5, mirrors, found, doubtful);\n"
+                    "    sure = doubtful ? 0.25 : sure > 0.0 ? 0.5 : 0.0;\n"
+                    "    c = vec4(found, float(walkFetches) + sure, 1.0);\n"),
         {.size = size_, .specialise = false}};
 };
 
@@ -271,4 +270,4 @@ TEST_F(SeaScene, ABlurredGlassGathersEvenlyAndNothingFromBehindIt) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::sea_mirror_test

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <random>
 
-namespace glint {
+namespace glint::sea_test {
 namespace {
 
 using SeaScene = GlTest;
@@ -332,7 +332,7 @@ TEST_F(SeaScene, GlitterIsFilteredFarOff) {
 // Of pixels round the sun's azimuth, as far off as the mouse says, m.
 Glitter sea_glitter() {
     return {
-        with_picture(
+        sea_picture(
             "    float eye = cameraHeight, far = iMouse.x, w = 0.002 * far;\n"
             "    float a = radians(sunAngle + (p.x - 16.0) * 0.56), y = -eye / far;\n"
             "    vec2 ahead = vec2(sin(a), -cos(a)), aside = vec2(-ahead.y, ahead.x), slope;\n"
@@ -440,4 +440,4 @@ TEST_F(SeaScene, LooksTheSameAfterAYear) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::sea_test

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace glint {
+namespace glint::surfaces_test {
 namespace {
 
 using Surfaces = GlTest;
@@ -195,4 +195,4 @@ TEST_F(Surfaces, NormalsAreRightForAnEyeUpToAKilometreAway) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::surfaces_test

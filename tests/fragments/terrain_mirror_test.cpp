@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace glint {
+namespace glint::terrain_mirror_test {
 namespace {
 
 using Terrain = GlTest;
@@ -82,25 +82,27 @@ private:
         "    float reach = blockSpan(at, away, face).y;\n";
     glm::ivec2 size_;
     Player truth_{
-        with_picture(
-            kStart +
-            "    float t = hitLand(at, away, 0.0, wet ? reach : 0.0);\n"
-            "    vec3 v = toView(e, at + min(t, 1e4) * away);\n"
-            "    vec2 to = toPixel(e, v);\n"
-            "    bool inside = v.z > kNear && clamp(to, vec2(0.0), iResolution.xy - 0.01) == to;\n"
-            // Shown: nothing lies between the eye and the point.
-            "    vec3 sight = at + min(t, 1e4) * away - e.pos;\n"
-            "    Hit h = intersect(e.pos, normalize(sight));\n"
-            "    bool shown = inside && h.id == kLand && h.t > length(sight) - 0.3;\n"
-            "    c = vec4(to, !wet ? 0.0 : t < kFar && shown ? 2.0 : 1.0, 1.0);\n"),
+        with_picture(kTerrainFile,
+                     kStart +
+                         "    float t = hitLand(at, away, 0.0, wet ? reach : 0.0);\n"
+                         "    vec3 v = toView(e, at + min(t, 1e4) * away);\n"
+                         "    vec2 to = toPixel(e, v);\n"
+                         "    bool inside = v.z > kNear && clamp(to, vec2(0.0), iResolution.xy - "
+                         "0.01) == to;\n"
+                         // Shown: nothing lies between the eye and the point.
+                         "    vec3 sight = at + min(t, 1e4) * away - e.pos;\n"
+                         "    Hit h = intersect(e.pos, normalize(sight));\n"
+                         "    bool shown = inside && h.id == kLand && h.t > length(sight) - 0.3;\n"
+                         "    c = vec4(to, !wet ? 0.0 : t < kFar && shown ? 2.0 : 1.0, 1.0);\n"),
         {.size = size_, .specialise = false}};
     Player walk_{
-        with_picture(kStart +
-                     "    vec2 found;\n"
-                     "    bool doubtful;\n"
-                     "    float sure = walkPicture(e, at, away, reach, wet, found, doubtful);\n"
-                     "    sure = doubtful ? 0.25 : sure > 0.0 ? 0.5 : 0.0;\n"
-                     "    c = vec4(found, float(walkFetches) + sure, 1.0);\n"),
+        with_picture(kTerrainFile,
+                     kStart +
+                         "    vec2 found;\n"
+                         "    bool doubtful;\n"
+                         "    float sure = walkPicture(e, at, away, reach, wet, found, doubtful);\n"
+                         "    sure = doubtful ? 0.25 : sure > 0.0 ? 0.5 : 0.0;\n"
+                         "    c = vec4(found, float(walkFetches) + sure, 1.0);\n"),
         {.size = size_, .specialise = false}};
 };
 
@@ -179,7 +181,7 @@ TEST_F(Terrain, ScreenSpaceRaysHoldOverViewsAndLands) {
 TEST_F(Terrain, ScreenSpaceIsNearTraced) {
     const auto seen = [&](const char* how) {
         return drawn(
-            with_picture("    pictureAt(c, p);\n"),
+            with_picture(kTerrainFile, "    pictureAt(c, p);\n"),
             {.size = {480, 270},
              .preset = fmt::format("[tweaks]\n{}reflections = \"{}\"\n", kMirrorView, how)});
     };
@@ -198,4 +200,4 @@ TEST_F(Terrain, ScreenSpaceIsNearTraced) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::terrain_mirror_test

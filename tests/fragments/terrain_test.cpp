@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <random>
 
-namespace glint {
+namespace glint::terrain_test {
 namespace {
 
 using Terrain = GlTest;
@@ -390,6 +390,7 @@ TEST_F(Terrain, LightInWaterIsIntegratedExactly) {
 // Of pixels where the sun is mirrored, as wide as the mouse says, cm.
 Glitter lake_glitter() {
     return {with_picture(
+                kTerrainFile,
                 "    vec2 at = vec2(10.0, 14.0) + (p - 16.0) * 0.68;\n"
                 "    vec3 sun = sunDirection();\n"
                 "    vec3 rd = normalize(vec3(-sun.x, -sun.y, -sun.z) * vec3(-1.0, 1.0, -1.0)\n"
@@ -513,4 +514,4 @@ TEST_F(Terrain, IsFiniteWhereTweaksEnd) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::terrain_test

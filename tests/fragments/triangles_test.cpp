@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace glint {
+namespace glint::triangles_test {
 namespace {
 
 using Triangles = GlTest;
@@ -281,4 +281,4 @@ TEST_F(Triangles, WithoutAreaIsAMiss) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::triangles_test

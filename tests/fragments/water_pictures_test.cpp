@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::water_pictures_test {
 namespace {
 
 std::vector<std::string> drawn(const std::string& tweaks) {
@@ -168,4 +168,4 @@ TEST_F(Water, AnySizeAndMouseAndAgeIsFinite) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::water_pictures_test

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::water_test {
 namespace {
 
 // The plane waves as the scene has them, in double from here on.
@@ -427,4 +427,4 @@ TEST_F(Water, CalmWavesGatherLightAsTheyShould) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::water_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace glint {
+namespace glint::division_test {
 namespace {
 
 std::string mended(std::string_view text) {
@@ -38,4 +38,4 @@ TEST(Division, ByAConstantThatIsZeroIsMultiplication) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::division_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::edits_test {
 namespace {
 
 // The first token of this spelling, of those that a compiler sees.
@@ -81,4 +81,4 @@ TEST(Edits, ReplaceRanges) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::edits_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace glint {
+namespace glint::finding_test {
 namespace {
 
 // "shadowed-name at `b`: the text's end" for each finding.
@@ -157,4 +157,4 @@ TEST(LongLoops, AreThoseWhoseTurnsTogetherPassTheBudget) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::finding_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::lean_test {
 namespace {
 
 std::string lean(std::string_view text) {
@@ -63,4 +63,4 @@ TEST(Lean, WhatIsNotUnderstoodOrAsksForItsLineStaysWhole) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::lean_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::loops_test {
 namespace {
 
 std::string in_function(const std::string& words) {
@@ -55,4 +55,4 @@ TEST(Loops, StayWhereTheirTestHasNoSecondPlace) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::loops_test

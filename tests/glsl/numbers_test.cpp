@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::numbers_test {
 namespace {
 
 using Fed = std::pair<std::string, std::vector<float>>;
@@ -74,4 +74,4 @@ TEST(Numbers, BeyondAllFloatsAreLeft) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::numbers_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::preprocess_test {
 namespace {
 
 // The tokens that a compiler sees, a space between them.
@@ -169,4 +169,4 @@ TEST(Directives, WithoutTheirPartnersAreTold) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::preprocess_test

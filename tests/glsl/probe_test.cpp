@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::probe_test {
 namespace {
 
 std::string instrumented(const std::string& text, const ProbeWish& wish = {}) {
@@ -115,4 +115,4 @@ TEST(ProbeText, ChecksWhatHasADomain) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::probe_test

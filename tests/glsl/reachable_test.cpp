@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::reachable_test {
 namespace {
 
 std::string reached(std::string_view text, Known known = known_of_driver()) {
@@ -68,4 +68,4 @@ TEST(Reachable, LeavesOutOtherTabs) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::reachable_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace glint {
+namespace glint::reader_test {
 namespace {
 
 std::string repeated(const std::string& piece, std::size_t bytes) {
@@ -112,4 +112,4 @@ TEST(Reader, LosesNoByte) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::reader_test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::syntax_test {
 namespace {
 
 Reading read(std::string_view text) {
@@ -168,4 +168,4 @@ TEST(Brackets, ThatDoNotBalanceAreTold) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::syntax_test

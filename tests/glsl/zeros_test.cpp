@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::zeros_test {
 namespace {
 
 std::string zeroed(const std::string& text) {
@@ -245,4 +245,4 @@ TEST(Zeros, TakeNoSecondsForAVastText) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::zeros_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::check_plan_test {
 namespace {
 
 TEST(FrameWait, IsBoundedByTheSecondsThatAreLeftAndByTheHang) {
@@ -111,4 +111,4 @@ TEST_F(CheckPlan, TheEffortSaysHowManyAreRandomAndWhetherBuffersArePoisoned) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::check_plan_test

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-namespace glint {
+namespace glint::inlining_test {
 namespace {
 
 const std::string kHead =
@@ -87,4 +87,4 @@ TEST(InliningOfNothing, BrokenModulesAreNoTrouble) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::inlining_test

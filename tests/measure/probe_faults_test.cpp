@@ -4,7 +4,7 @@
 #include "measure/probe/faults.h"
 #include "scene/probe_note.h"
 
-namespace glint {
+namespace glint::probe_faults_test {
 namespace {
 
 class ProbeFaults : public GlTest {};
@@ -212,4 +212,4 @@ TEST_F(AllProbeScenes, OfOursAreDrawnAsThePlainOnesAre) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::probe_faults_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::probe_test {
 namespace {
 
 class ProbeTest : public GlTest {};
@@ -199,4 +199,4 @@ TEST_F(ProbeTest, HasItsRowsInOneJson) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::probe_test

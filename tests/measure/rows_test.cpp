@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace glint {
+namespace glint::rows_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -128,4 +128,4 @@ TEST(CaseRows, FailuresStandAboveAndThoseWithMorePixelsFirst) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::rows_test

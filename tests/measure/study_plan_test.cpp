@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::study_plan_test {
 namespace {
 
 using Values = std::vector<std::string>;
@@ -277,4 +277,4 @@ TEST(StudyFormats, WhatCannotBeVariedIsToldWithWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::study_plan_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::study_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ TEST(StudyKeys, DifferWhereAValueOrTheFramesDo) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::study_store_test

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-namespace glint {
+namespace glint::analyser_test {
 namespace {
 
 constexpr long kBlock = 735;  // 1/60 s
@@ -110,4 +110,4 @@ TEST(Analyser, ItBeginsAnewAtItsEndAndFadesNotBeyond) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::analyser_test

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace glint {
+namespace glint::cube_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -243,4 +243,4 @@ TEST_F(VolumeFiles, AreRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::cube_test

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-namespace glint {
+namespace glint::facts_test {
 namespace {
 
 TEST(ImageFacts, AgreeWithThePictureOfEveryKindOfFile) {
@@ -40,4 +40,4 @@ TEST(ImageFacts, RefuseWhatIsNoPicture) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::facts_test

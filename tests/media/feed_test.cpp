@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::feed_test {
 namespace {
 
 constexpr std::size_t kChunk = 441;  // 10 ms
@@ -143,4 +143,4 @@ TEST(SoundFeed, WhatIsNotMadeYetIsSilent) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::feed_test

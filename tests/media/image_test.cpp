@@ -10,7 +10,7 @@
 #include <cstring>
 #include <limits>
 
-namespace glint {
+namespace glint::image_test {
 namespace {
 
 Image u8_image(glm::ivec2 size, int channels, const std::vector<int>& values) {
@@ -423,4 +423,4 @@ TEST_F(ImageFile, DamagedBytesNeverCrash) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::image_test

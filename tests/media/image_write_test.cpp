@@ -13,7 +13,7 @@
 #include <cstring>
 #include <thread>
 
-namespace glint {
+namespace glint::image_write_test {
 namespace {
 
 // No file may grow beyond `bytes` while this lives: what a full disk does, at the byte we choose.
@@ -153,4 +153,4 @@ TEST_F(ImageFile, WritersOfOneFileDoNotMix) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::image_write_test

@@ -15,7 +15,7 @@
 #include <numbers>
 #include <string>
 
-namespace glint {
+namespace glint::sound_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST_F(SoundFiles, AFullDiskIsTold) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::sound_file_test

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-namespace glint {
+namespace glint::frames_test {
 namespace {
 
 std::vector<int> list(const std::string& text, const std::string& shard = "", double fps = 60.0) {
@@ -65,4 +65,4 @@ TEST(Frames, WhatMakesNoSenseIsAUsageError) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::frames_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::playback_test {
 namespace {
 
 TEST(Playback, EndsAtItsTimeWithAFrameOfTheRestOfIt) {
@@ -32,4 +32,4 @@ TEST(Playback, FramesAreOneFrameApartAfterYears) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::playback_test

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace glint::cli {
+namespace glint::cli::broken_output_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -167,4 +167,4 @@ TEST_F(BrokenOutput, AFullStdoutIsAFailure) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::broken_output_test

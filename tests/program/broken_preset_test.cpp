@@ -2,7 +2,7 @@
 #include "command.h"
 #include "media/image.h"
 
-namespace glint::cli {
+namespace glint::cli::broken_preset_test {
 namespace {
 
 struct Case {
@@ -159,4 +159,4 @@ TEST_F(BrokenPreset, AMissingPictureOfAChannelIsToldAtItsLine) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::broken_preset_test

@@ -2,7 +2,7 @@
 #include "command.h"
 #include "media/image.h"
 
-namespace glint::cli {
+namespace glint::cli::broken_scene_test {
 namespace {
 
 struct Mistake {
@@ -237,4 +237,4 @@ TEST_F(BrokenScene, AFileThatMayNotBeReadIsMissing) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::broken_scene_test

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <sstream>
 
-namespace glint::cli {
+namespace glint::cli::check_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -291,4 +291,4 @@ TEST_F(Check, LinesTellOfEachCaseAsItEnds) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::check_test

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace glint::cli {
+namespace glint::cli::check_unset_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -84,4 +84,4 @@ TEST_F(CheckUnset, SaysOfWhichValuesItIsNotSure) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::check_unset_test

@@ -1,7 +1,7 @@
 // GLSL that a driver would compile for minutes, into gigabytes, or until it crashes.
 #include "command.h"
 
-namespace glint::cli {
+namespace glint::cli::compile_limits_test {
 namespace {
 
 // A number of 2^`times` terms, by macros that double.
@@ -82,4 +82,4 @@ TEST_F(CompileLimits, TellOfADriverThatOverflowsItsStack) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::compile_limits_test

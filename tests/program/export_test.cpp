@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace glint::cli {
+namespace glint::cli::export_test {
 namespace {
 
 constexpr std::string_view kScene =
@@ -151,4 +151,4 @@ TEST_F(Export, ALargeSceneComesBackAsItWas) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::export_test

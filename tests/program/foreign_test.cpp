@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace glint::cli {
+namespace glint::cli::foreign_test {
 namespace {
 
 class Foreign : public InAFolder {
@@ -201,4 +201,4 @@ TEST_F(Foreign, AnEmptyChannelIsToldOnceWithItsLine) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::foreign_test

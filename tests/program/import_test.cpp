@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace glint::cli {
+namespace glint::cli::import_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -550,4 +550,4 @@ TEST_F(Import, MistakesOfAFileOfTheSiteHaveThePlacesThatItsSceneWouldHave) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::import_test

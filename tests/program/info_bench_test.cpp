@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-namespace glint::cli {
+namespace glint::cli::info_bench_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -315,4 +315,4 @@ TEST_F(InfoAndBench, CompileSaysOnceWhatDoesNotCompile) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::info_bench_test

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace glint::cli {
+namespace glint::cli::interrupted_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -145,4 +145,4 @@ TEST_F(Interrupted, CtrlCEndsALongSimulationAtOnce) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::interrupted_test

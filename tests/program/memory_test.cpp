@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace glint::cli {
+namespace glint::cli::memory_test {
 namespace {
 
 constexpr std::size_t kMebibyte = 1 << 20;
@@ -147,4 +147,4 @@ TEST_F(LittleMemory, WhatCannotBeDrawnInItIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::memory_test

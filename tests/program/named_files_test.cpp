@@ -4,7 +4,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace glint::cli {
+namespace glint::cli::named_files_test {
 namespace {
 
 class NamedFiles : public InAFolder {
@@ -111,4 +111,4 @@ TEST_F(NamedFiles, NamesThatNeverMeetAreTaken) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::named_files_test

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace glint::cli {
+namespace glint::cli::new_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -91,4 +91,4 @@ TEST_F(New, TheNameMayBeAPathAndEndsWithFragOnce) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::new_test

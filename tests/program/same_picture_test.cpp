@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace glint::cli {
+namespace glint::cli::same_picture_test {
 namespace {
 
 constexpr std::string_view kScene =
@@ -125,4 +125,4 @@ TEST_F(Christmas, ConstantsUniformsAndEveryAccelerationGiveTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::same_picture_test

@@ -13,7 +13,7 @@
 #include <thread>
 #include <tuple>
 
-namespace glint::cli {
+namespace glint::cli::sequence_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -488,4 +488,4 @@ TEST_F(Sequence, WhatMakesNoSenseIsSaidBeforeAnythingIsDrawn) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::sequence_test

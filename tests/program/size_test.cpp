@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace glint::cli {
+namespace glint::cli::size_test {
 namespace {
 
 class Size : public InAFolder {
@@ -132,4 +132,4 @@ TEST_F(Size, WhatCannotBeDrawnIsRefusedInOneSentenceThatSaysWhy) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::size_test

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <numbers>
 
-namespace glint::cli {
+namespace glint::cli::sound_test {
 namespace {
 
 // 441 Hz on the left, half as loud as can be; the sample's number on the right.
@@ -167,4 +167,4 @@ TEST_F(Sound, WhatCannotBeIsSaid) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::sound_test

@@ -6,7 +6,7 @@
 
 #include <thread>
 
-namespace glint::cli {
+namespace glint::cli::state_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -268,4 +268,4 @@ TEST_F(State, ADiskThatFillsUpKeepsTheOldStateAndThePicturesBefore) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::state_test

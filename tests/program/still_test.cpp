@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace glint::cli {
+namespace glint::cli::still_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -535,4 +535,4 @@ TEST_F(Still, APresetFillsChannelsAndReplaysEvents) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::still_test

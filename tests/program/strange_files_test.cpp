@@ -4,7 +4,7 @@
 
 #include <sys/stat.h>
 
-namespace glint::cli {
+namespace glint::cli::strange_files_test {
 namespace {
 
 class StrangeFiles : public InAFolder {
@@ -162,4 +162,4 @@ TEST_F(StrangeFiles, AVolumeLargerThanTheMemoryIsRefusedByItsName) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::strange_files_test

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-namespace glint::cli {
+namespace glint::cli::study_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -400,4 +400,4 @@ TEST_F(Study, MistakesHaveTheSameCodesAsAStill) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::study_test

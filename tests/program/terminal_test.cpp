@@ -3,7 +3,7 @@
 
 #include <sys/ioctl.h>
 
-namespace glint::cli {
+namespace glint::cli::terminal_test {
 namespace {
 
 // A terminal of 80 columns with nobody before it.
@@ -97,4 +97,4 @@ TEST_F(AtATerminal, TheSeverityHasAColourUnlessNobodyWantsOne) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::terminal_test

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace glint::cli {
+namespace glint::cli::unheard_test {
 namespace {
 
 // A picture, a film, and so on: a call, what it leaves behind, and its exit code.
@@ -155,4 +155,4 @@ TEST_F(Unheard, AFileThatMayNotGrowIsTheReasonThatIsGiven) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::unheard_test

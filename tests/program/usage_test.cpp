@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-namespace glint::cli {
+namespace glint::cli::usage_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -257,4 +257,4 @@ TEST_F(Usage, AnUnknownDeviceIsToldWithThoseThatThereAre) {
 }
 
 }  // namespace
-}  // namespace glint::cli
+}  // namespace glint::cli::usage_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace glint {
+namespace glint::average_test {
 namespace {
 
 using Averaging = GlTest;
@@ -135,4 +135,4 @@ TEST_F(Averaging, BuffersOfThePicturesOwnPixelsMoveWithItAndStateStandsStill) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::average_test

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::conformance_buffers_test {
 namespace {
 
 using Buffers = GlTest;
@@ -405,4 +405,4 @@ TEST_F(Buffers, ACubeIsLargeAndHalfPreciseUnlessToldOtherwise) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::conformance_buffers_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace glint {
+namespace glint::conformance_input_files_test {
 namespace {
 
 using InputFiles = GlTest;
@@ -245,4 +245,4 @@ TEST_F(InputFiles, APresetFillsAChannelWithASound) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::conformance_input_files_test

@@ -2,7 +2,7 @@
 #include "fixture.h"
 #include "render/pass_text.h"
 
-namespace glint {
+namespace glint::conformance_program_test {
 namespace {
 
 using WrappedProgram = GlTest;
@@ -287,4 +287,4 @@ TEST_F(WrappedProgram, TheChannelStructsAreThereInTheImagePass) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::conformance_program_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace glint {
+namespace glint::conformance_samplers_test {
 namespace {
 
 using Samplers = GlTest;
@@ -326,4 +326,4 @@ TEST_F(Samplers, SamplersOfTypesThatNothingFillsDoNotDisturbTheOthers) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::conformance_samplers_test

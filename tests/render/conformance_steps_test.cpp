@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::conformance_steps_test {
 namespace {
 
 using Steps = GlTest;
@@ -240,4 +240,4 @@ TEST_F(Steps, AStepShorterThanAFrameShowsOnlyItsLastState) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::conformance_steps_test

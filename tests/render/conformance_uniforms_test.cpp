@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::conformance_uniforms_test {
 namespace {
 
 using Uniforms = GlTest;
@@ -224,4 +224,4 @@ TEST_F(Uniforms, ChannelResolutionTellsWhatIsBound) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::conformance_uniforms_test

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-namespace glint {
+namespace glint::diagnostics_test {
 namespace {
 
 using Complaints = GlTest;
@@ -372,4 +372,4 @@ TEST(DriverLog, ColumnsForgetWhatTheHostInserted) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::diagnostics_test

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-namespace glint {
+namespace glint::fed_test {
 namespace {
 
 constexpr ProgramOptions kConstants{.specialise = true, .lean = true};
@@ -120,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(Long, FedScenes,
                          [](const auto& scene) { return std::string(scene.param); });
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::fed_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::graph_test {
 namespace {
 
 std::vector<Pass> passes(std::size_t count) {
@@ -146,4 +146,4 @@ TEST(PassGraph, AWantedBufferMayStandBeforeOneThatItReadsBack) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::graph_test

@@ -3,7 +3,7 @@
 
 #include "fixture.h"
 
-namespace glint {
+namespace glint::readback_test {
 namespace {
 
 class ReadbackTest : public GlTest {};
@@ -39,4 +39,4 @@ TEST_F(ReadbackTest, PicturesOnTheWayAreNotDrawnOver) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::readback_test

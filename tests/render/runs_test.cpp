@@ -3,7 +3,7 @@
 
 #include <map>
 
-namespace glint {
+namespace glint::runs_test {
 namespace {
 
 using LeftOut = GlTest;
@@ -257,4 +257,4 @@ TEST_F(LeftOut, SettlingHoldsTimeWhileFramesCountOn) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::runs_test

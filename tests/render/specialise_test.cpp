@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace glint {
+namespace glint::specialise_test {
 namespace {
 
 using Specialised = GlTest;
@@ -224,4 +224,4 @@ TEST_F(Specialised, StripsGiveTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::specialise_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::annotation_test {
 namespace {
 
 struct ReadTweak {
@@ -447,4 +447,4 @@ TEST(TweakValue, IsMovedIntoItsRange) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::annotation_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace glint {
+namespace glint::frame_test {
 namespace {
 
 constexpr glm::ivec2 kSize(100, 50);
@@ -217,4 +217,4 @@ TEST(InputState, ItsEventsLeadToTheSameState) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::frame_test

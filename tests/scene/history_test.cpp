@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::history_test {
 namespace {
 
 void do_once(History& history, const std::string& name, double before, double after) {
@@ -66,4 +66,4 @@ TEST(History, SomethingNewCutsOffWhatWasUndone) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::history_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::lint_test {
 namespace {
 
 using List = std::vector<std::string>;
@@ -152,4 +152,4 @@ TEST(Lint, EndsSoonForManyFunctions) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::lint_test

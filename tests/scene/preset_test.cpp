@@ -1,7 +1,7 @@
 // Presets: what they set, and what they say about each thing that a person may get wrong.
 #include "scene/preset.h"
 
-#include "../base/test_folder.h"
+#include "read_text.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::preset_test {
 namespace {
 
 const std::string kScene = R"(uniform float choppiness; //@ 0.6 [0, 1]
@@ -25,12 +25,6 @@ void mainWaves(out vec4 c, in vec2 f) { c = vec4(1); }
 void mainSky(out vec4 c, in vec2 f, in vec3 ro, in vec3 rd) { c = vec4(1); }
 void mainImage(out vec4 c, in vec2 f) { c = vec4(1); }
 )";
-
-std::string all(const Diagnostics& diagnostics) {
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics) text += to_string(diagnostic) + "\n";
-    return text;
-}
 
 ReadPreset read(std::string_view text) {
     const TestFolder folder;
@@ -282,4 +276,4 @@ TEST(Diagnostic, GuessesTheWordThatWasMeant) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::preset_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace glint {
+namespace glint::preset_writer_test {
 namespace {
 
 constexpr const char* kScene = R"(
@@ -443,4 +443,4 @@ TEST_F(PresetWriter, WhatCannotBeWrittenIsAnErrorAndNoBrokenFile) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::preset_writer_test

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::recording_test {
 namespace {
 
 constexpr glm::ivec2 kSize(1280, 720);
@@ -214,4 +214,4 @@ TEST(Recorder, RecordsNothingUnlessItWasStarted) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::recording_test

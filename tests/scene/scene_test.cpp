@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::scene_test {
 namespace {
 
 TEST(Scene, TheSmallestIsMainImageAlone) {
@@ -358,4 +358,4 @@ TEST(Scene, ATabHasSamplersOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::scene_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::text_test {
 namespace {
 
 std::string lines(int count, std::string_view line) {
@@ -265,4 +265,4 @@ TEST(Include, IsReadOnlyWhereItIsOne) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::text_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace glint {
+namespace glint::transport_test {
 namespace {
 
 constexpr double kStep = Transport::kStep;
@@ -259,4 +259,4 @@ TEST(Transport, UnevenFramesDoNotDriftFromTheClock) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::transport_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <set>
 
-namespace glint {
+namespace glint::tweak_values_test {
 namespace {
 
 Tweak slider(std::string name, double initial, double min, double max) {
@@ -520,4 +520,4 @@ TEST(RandomValue, DependsOnTheNameAndNotOnTheOtherTweaks) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::tweak_values_test

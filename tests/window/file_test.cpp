@@ -4,7 +4,7 @@
 #include <csignal>
 #include <string>
 
-namespace glint::window {
+namespace glint::window::file_test {
 namespace {
 
 constexpr glm::ivec2 kMargin{3, 300};
@@ -138,4 +138,4 @@ TEST_F(File, ThePanelsHaveTheKeysFromF6OrCtrlFToEsc) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::file_test

@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::findings_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -175,4 +175,4 @@ TEST_F(Findings, AFailureOfACheckShowsItsFrame) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::findings_test

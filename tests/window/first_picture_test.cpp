@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <set>
 
-namespace glint::window {
+namespace glint::window::first_picture_test {
 namespace {
 
 // Tried for two seconds, and refused then.
@@ -164,4 +164,4 @@ void mainImage(out vec4 c, in vec2 p) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::first_picture_test

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::idle_test {
 namespace {
 
 // s; a hundredth of it is three ticks of the clock that counts.
@@ -99,4 +99,4 @@ TEST_F(Idle, AHangThatWasRefusedCostsNothing) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::idle_test

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::input_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -223,4 +223,4 @@ TEST_F(Input, WhatIsTypedIntoAFieldDoesNotReachTheScene) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::input_test

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::manners_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -87,4 +87,4 @@ TEST_F(LargeScreen, AtTwiceTheScaleWindowPanelsAndMouseAreTwiceAsLarge) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::manners_test

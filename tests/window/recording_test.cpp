@@ -10,7 +10,7 @@
 #include <numeric>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::recording_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -83,4 +83,4 @@ TEST_F(Recording, ABoatThatIsDrivenByKeysIsReplayedToTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::recording_test

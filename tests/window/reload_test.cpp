@@ -14,7 +14,7 @@
 #include <iostream>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::reload_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -345,4 +345,4 @@ TEST_F(Reload, ASoakOfReloadsLosesNoSaveAndNoMemory) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::reload_test

@@ -9,7 +9,7 @@
 
 #include <csignal>
 
-namespace glint::window {
+namespace glint::window::slow_input_test {
 namespace {
 
 void write_picture(const fs::path& file, const Colour& colour) {
@@ -176,4 +176,4 @@ TEST_F(SlowInput, APipeInItsPlaceIsToldAndTheNextSaveIsShown) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::slow_input_test

@@ -14,7 +14,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace glint::window {
+namespace glint::window::sound_test {
 namespace {
 
 // The picture is green; the sound counts: left is the sample's number modulo 4096, over 8192.
@@ -194,4 +194,4 @@ TEST_F(LiveSoundTest, ASceneWithoutSoundStartsNoProcessForOneAndLoadsNoLibraryOf
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::sound_test

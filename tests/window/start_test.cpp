@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-namespace glint::window {
+namespace glint::window::start_test {
 namespace {
 
 class Start : public Window {
@@ -88,4 +88,4 @@ TEST_F(Start, TheNewButtonWritesASceneAndOpensIt) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::start_test

@@ -9,7 +9,7 @@
 #include <csignal>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::survival_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -182,4 +182,4 @@ TEST_F(Survival, WhatWasNeverShownIsNotSavedOver) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::survival_test

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::transport_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -228,4 +228,4 @@ TEST_F(Transport, FullScreenCoversTheScreenAndComesBack) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::transport_test

@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-namespace glint::window {
+namespace glint::window::tweaks_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -178,4 +178,4 @@ TEST_F(Drag, ASaveInTheMiddleOfADragDoesNotTakeTheSliderAway) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::tweaks_test

@@ -13,7 +13,7 @@
 #include <csignal>
 #include <cstdio>
 
-namespace glint::window {
+namespace glint::window::wayland_test {
 namespace {
 
 // What a command prints on stdout, without the end of its line, and its exit code.
@@ -123,4 +123,4 @@ TEST_F(Wayland, TheWindowEndsWithItsCompositor) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::wayland_test

@@ -5,7 +5,7 @@
 #include <functional>
 #include <tuple>
 
-namespace glint::window {
+namespace glint::window::work_test {
 namespace {
 
 constexpr glm::ivec2 kMargin{3, 300};
@@ -367,4 +367,4 @@ TEST_F(Aspect, AWindowIsNoLargerThanTheScreenAndEscLeavesFullScreen) {
 }
 
 }  // namespace
-}  // namespace glint::window
+}  // namespace glint::window::work_test

@@ -2,6 +2,7 @@
 
 #include "base/launch.h"
 #include "offline/examples.h"
+#include "scene/preset.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -36,7 +37,7 @@ void append_files(std::vector<fs::path>& list, std::set<fs::path>& known, const 
 
 // A scene has its ending, which tells it from the preset of its name.
 std::string shown_name(const fs::path& file) {
-    return (file.extension() == ".toml" ? file.stem() : file.filename()).string();
+    return (is_preset(file) ? file.stem() : file.filename()).string();
 }
 
 // Lowest priority, and silent: a scene that does not compile simply has no thumbnail. It ends with

@@ -12,7 +12,7 @@ namespace glint {
 namespace {
 
 // A text that is compiled within this time needs none.
-constexpr double kSoon = 60.0;  // ms
+constexpr double kSoonMs = 60.0;
 
 // Wherever it stands in the text.
 auto declared(const Sampler& s) {
@@ -46,7 +46,7 @@ bool Playground::may_sketch() const {
 
 // True when there is one that was not there before.
 bool Playground::follow_sketch() {
-    const bool is_heavy = programs_.longest_compile_ms() > kSoon;
+    const bool is_heavy = programs_.longest_compile_ms() > kSoonMs;
     if (!awaits_text()) {
         if (sketcher_.is_drawing() || sketch_) sketcher_.stop();
         sketch_.reset();
@@ -54,7 +54,7 @@ bool Playground::follow_sketch() {
         const bool is_quiet = has_picture_ && reloader_.state() == ReloadState::idle;
         if (is_quiet && context_.is_software() && is_heavy) sketcher_.prepare();
     }
-    if (wants_sketch_ && (is_heavy || since_trial_.ms() > kSoon)) {
+    if (wants_sketch_ && (is_heavy || since_trial_.ms() > kSoonMs)) {
         wants_sketch_ = false;
         if (may_sketch()) start_sketch();
     }

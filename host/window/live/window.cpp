@@ -375,7 +375,7 @@ void PlaygroundWindow::print_reports() {
             pause_at_open_ = false;
             lay_options_over();
             find_unsaved();
-        } else if (reports[i].shown && reports[i].file.extension() != ".toml") {
+        } else if (reports[i].shown && !is_preset(reports[i].file)) {
             stop_findings();  // they are about another text
         }
         empty_channels_ = empty_channels(playground_);
@@ -416,7 +416,7 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
     dirty_ |= !wishes.time.empty();
     if (wishes.open) leave({Leaving::For::open, *wishes.open});
     if (wishes.start_time) start_time_ = wishes.start_time->seconds;
-    if (wishes.save && file_.extension() == ".toml") save(file_);
+    if (wishes.save && is_preset(file_)) save(file_);
     if (wishes.save_as) save_as(*wishes.save_as);
     if (wishes.new_scene) make_new_scene(*wishes.new_scene);
     if (wishes.revert) leave({Leaving::For::revert, {}});

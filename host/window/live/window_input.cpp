@@ -225,7 +225,7 @@ void PlaygroundWindow::act(Action action) {
 void PlaygroundWindow::save_or_ask() {
     const std::string why_not = why_no_save();
     if (!why_not.empty()) return notice(why_not);
-    if (file_.extension() == ".toml")
+    if (is_preset(file_))
         save(file_);
     else
         settings_.save_as = true;

@@ -6,7 +6,7 @@ namespace glint {
 namespace {
 
 // Of a kept picture; larger ones are made smaller.
-constexpr int kLongestKept = 1920;  // pixels
+constexpr int kLongestSide = 1920;  // pixels
 // Of the sides: a picture that was held below this does not replace a better one.
 constexpr double kCoarse = 0.24;
 // How old the picture may be that a window leaves which is killed.
@@ -51,7 +51,7 @@ void PlaygroundWindow::keep_picture() {
     const Buffer& drawn = playground_.renderer()->buffer(root);
     const bool is_coarse = !refined_ && drawn.shape().size.x < kCoarse * full_size().x;
     if (is_coarse && !kept_pictures_.find(place_).empty()) return;
-    kept_pictures_.keep(place_, picture_of(refined_ ? *refined_ : drawn, kLongestKept));
+    kept_pictures_.keep(place_, picture_of(refined_ ? *refined_ : drawn, kLongestSide));
 }
 
 void PlaygroundWindow::tell_start(Facts& facts) const {

@@ -28,10 +28,6 @@ std::string read_text(const fs::path& file) {
     return read_bytes(file, why_not).value_or("");
 }
 
-bool is_preset(const fs::path& file) {
-    return file.extension() == ".toml";
-}
-
 bool same(std::span<const Event> a, std::span<const Event> b) {
     return std::ranges::equal(a, b, [](const Event& x, const Event& y) {
         return x.time == y.time && x.key == y.key && x.down == y.down && x.mouse == y.mouse;

@@ -1,4 +1,5 @@
 // Scenes and presets to choose from.
+#include "scene/preset.h"
 #include "window/ui/interface.h"
 #include "window/ui/widgets.h"
 
@@ -10,10 +11,6 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_preset(const fs::path& file) {
-    return file.extension() == ".toml";
-}
 
 // The scene under which an entry stands: its own if it is one; for a preset the one that it names.
 fs::path scene_of(const BrowserEntry& entry, std::span<const BrowserEntry> all) {

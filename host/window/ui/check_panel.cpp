@@ -110,7 +110,7 @@ void case_details(Build& build, const CaseResult& found) {
     ImGui::Dummy({0, theme.px(2)});
 }
 
-void introduction() {
+void introduce_check() {
     ImGui::PushTextWrapPos(0.0f);
     text_in(colours::kDim,
             "Brings the scene to every extreme, small and out of sight: ages up to a year, all "
@@ -135,7 +135,7 @@ void check_panel(Build& build) {
     }
     ImGui::PopStyleVar();
     ImGui::Dummy({0, 0});  // the usual distance below, by which the panel finds its height
-    if (build.facts.cases.empty() && !build.facts.check_work.running) introduction();
+    if (build.facts.cases.empty() && !build.facts.check_work.running) introduce_check();
     end_panel(build, PanelId::check);
 }
 

@@ -1,4 +1,5 @@
 // What has to be answered before a person goes on: where to save, what to do with unsaved work.
+#include "scene/preset.h"
 #include "window/ui/interface.h"
 #include "window/ui/widgets.h"
 
@@ -14,10 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSaveAs = "Save as";
-
-bool is_preset(const fs::path& file) {
-    return file.extension() == ".toml";
-}
 
 // Where a new preset would go: beside an open preset, else into the folder of presets.
 fs::path proposed_path(const fs::path& file) {

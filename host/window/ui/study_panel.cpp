@@ -214,7 +214,7 @@ void one_study(Build& build, StudyState& state, const Study& study) {
     study_facts(study);
 }
 
-void introduction() {
+void introduce_study() {
     ImGui::PushTextWrapPos(0.0f);
     text_in(colours::kDim,
             "Draws the scene as it stands with each value of its quality tweaks, and compares the "
@@ -240,7 +240,7 @@ void study_panel(Build& build, StudyState& state) {
         if (state.hovering && *state.hovering < study.rows.size())
             row_tip(build, study, study.rows[*state.hovering]);
     } else if (!build.facts.study_work.running) {
-        introduction();
+        introduce_study();
     }
     end_panel(build, PanelId::study);
 }

@@ -1,4 +1,5 @@
 // The bar at the top: what is open, toggles for the panels, the picture's own settings.
+#include "scene/preset.h"
 #include "window/ui/interface.h"
 #include "window/ui/shortcuts.h"
 #include "window/ui/widgets.h"
@@ -33,10 +34,6 @@ void title(Build& build, float widest) {
     ImGui::SameLine();
 }
 
-bool is_preset(const Facts& facts) {
-    return facts.file.extension() == ".toml";
-}
-
 // What can be done to the file; why not, where there is nothing to do.
 struct FileAction {
     const char* name;
@@ -46,7 +43,7 @@ struct FileAction {
 };
 
 std::array<FileAction, 3> file_actions(const Facts& facts) {
-    const char* save = is_preset(facts) ? "Save the preset" : "Save as a preset of this scene";
+    const char* save = is_preset(facts.file) ? "Save the preset" : "Save as a preset of this scene";
     return {{{"Save", save, Action::save, facts.why_no_save},
              {"Save as\u2026", "Save as another preset", Action::save_as,
               facts.scene ? "" : "Nothing is open."},
@@ -57,7 +54,7 @@ std::array<FileAction, 3> file_actions(const Facts& facts) {
 void wish_for(Build& build, Action action) {
     if (action == Action::revert)
         build.wishes.revert = true;
-    else if (action == Action::save && is_preset(build.facts))
+    else if (action == Action::save && is_preset(build.facts.file))
         build.wishes.save = true;
     else
         build.settings.save_as = true;

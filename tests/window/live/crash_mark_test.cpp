@@ -10,7 +10,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace glint {
+namespace glint::crash_mark_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST(CrashMarks, WaitForTheNextStartOfTheirOwnSceneWhoeverHasTheNumberOfTheProce
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::crash_mark_test

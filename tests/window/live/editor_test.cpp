@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace glint {
+namespace glint::editor_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ TEST_F(Editors, OutliveTheTerminal) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::editor_test

@@ -6,7 +6,7 @@
 #include <functional>
 #include <set>
 
-namespace glint {
+namespace glint::held_rate_test {
 namespace {
 
 constexpr double kWanted = 50.0;  // ms
@@ -138,4 +138,4 @@ TEST(HeldRate, ItTellsWhatTheFullSizeWouldTake) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::held_rate_test

@@ -13,7 +13,7 @@
 #include <csignal>
 #include <optional>
 
-namespace glint {
+namespace glint::input_loader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST_F(InputLoaders, ItGoesWhileAFileIsStillRead) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::input_loader_test

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <thread>
 
-namespace glint {
+namespace glint::kept_pictures_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ TEST(KeptResolutions, AHundredAreKeptAndABrokenFileIsNone) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::kept_pictures_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::kept_states_test {
 namespace {
 
 constexpr std::size_t kSize = 1000;  // bytes of a state
@@ -73,4 +73,4 @@ TEST(KeptStates, OneThatIsTooLargeIsNotKeptNorAskedForAgain) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::kept_states_test

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace glint {
+namespace glint::recent_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ TEST_F(RecentFiles, AListThatIsBrokenOrCannotBeWrittenIsNoTrouble) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::recent_test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::reloader_test {
 namespace {
 
 using enum ReloadState;
@@ -510,4 +510,4 @@ TEST_F(Reloading, OnlyTheLastHundredReportsAreKept) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::reloader_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::start_states_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ TEST(StartStates, NothingIsKeptWithoutAFolderOrAtTheStartOfTime) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::start_states_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::unsaved_work_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST_F(Unsaved, WhereNothingCanBeWrittenIsSaid) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::unsaved_work_test

@@ -12,7 +12,7 @@
 #include <set>
 #include <thread>
 
-namespace glint {
+namespace glint::refiner_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST(Refiner, WhatCannotBeRefinedSaysNothingAndRests) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::refiner_test

@@ -10,7 +10,7 @@
 #include <functional>
 #include <thread>
 
-namespace glint {
+namespace glint::sketcher_test {
 namespace {
 
 bool eventually(const std::function<bool()>& is_true) {
@@ -124,4 +124,4 @@ TEST_F(Sketch, TheProcessAtHandDrawsAndSoDoesTheNext) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::sketcher_test

@@ -19,7 +19,7 @@
 #include <sstream>
 #include <thread>
 
-namespace glint {
+namespace glint::trial_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -423,4 +423,4 @@ TEST(LikelyEndlessLoop, IsTheOneThatStandsOut) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::trial_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::dialogs_test {
 namespace {
 
 class Dialogs : public ::testing::Test {
@@ -176,4 +176,4 @@ TEST(Popups, AreClosedByEsc) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::dialogs_test

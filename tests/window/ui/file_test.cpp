@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::file_test {
 namespace {
 
 class File : public testing::Test {
@@ -166,4 +166,4 @@ TEST(Browser, ToldWhatIsInView) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::file_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::findings_test {
 namespace {
 
 ImVec2 at(const ImRect& rect, float x, float y = 0.5f) {
@@ -255,4 +255,4 @@ TEST(Findings, StandWithExtremeNumbersAndTexts) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::findings_test

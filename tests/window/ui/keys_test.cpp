@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::keys_test {
 namespace {
 
 Tweak whole(const char* name, double initial, double min, double max) {
@@ -173,4 +173,4 @@ TEST_F(Keys, ANameThatNothingHasKeepsThemInTheField) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::keys_test

@@ -13,7 +13,7 @@ extern "C" const char* __lsan_default_suppressions() {
     return "leak:libfontconfig";
 }
 
-namespace glint {
+namespace glint::panels_test {
 namespace {
 
 Tweak of_type(TweakType type, TweakValue initial = {}) {
@@ -418,4 +418,4 @@ TEST(Panels, ComeToRestWhenNothingMoves) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::panels_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::resolution_test {
 namespace {
 
 std::optional<ImRect> words(Screen& screen) {
@@ -80,4 +80,4 @@ TEST(Waiting, WordsAndAGroundStandWhereThereIsNoPictureAndGoWithIt) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::resolution_test

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace glint {
+namespace glint::start_page_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST_F(StartPage, NewNeverTakesANameThatIsThere) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::start_page_test

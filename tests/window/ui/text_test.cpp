@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace glint {
+namespace glint::text_test {
 namespace {
 
 Tweak ranged(double min, double max, double step = 0.0) {
@@ -82,4 +82,4 @@ TEST(Layout, PanelsStandInsideTheScreenAndLeaveRoomForThePicture) {
 }
 
 }  // namespace
-}  // namespace glint
+}  // namespace glint::text_test
