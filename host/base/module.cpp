@@ -11,9 +11,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Beside the program in the build folder; of one that is installed, in lib/glint/ of its prefix; of
-// the tests' programs, in the build folder's host/.
-constexpr const char* kFolders[] = {"", "../lib/glint", "../host", "../../host"};
+// Beside the program in the build folder; of one that is installed, in lib/glint/modules/ of its
+// prefix; of the tests' programs, in the build folder's host/.
+constexpr const char* kFolders[] = {"", "../lib/glint/modules", "../host", "../../host"};
 
 fs::path module_file(const char* name) {
     std::error_code error;

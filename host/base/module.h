@@ -7,7 +7,7 @@
 
 namespace glint {
 
-// Loads glint-NAME.so from beside the program, from lib/glint of the prefix where that is
+// Loads glint-NAME.so from beside the program, from lib/glint/modules of the prefix where that is
 // installed, or from the build folder. It stays loaded. `what` names its library in the message:
 // throws std::runtime_error with a whole sentence.
 void* open_module(const char* name, std::string_view what);
