@@ -104,6 +104,7 @@ TEST_F(Transport, AStepIsASixtiethOfASecondAndOneFrame) {
     for (int i = 0; i < 3; ++i) {
         const int before = time(), frame_before = frame();
         screen_->tap("Control_L+period");
+        EXPECT_TRUE(eventually([&] { return frame() != frame_before; }));
         settle();
         EXPECT_NEAR(time() - before, 10000 / 60.0, 1.0);
         EXPECT_EQ(frame(), frame_before + 1);
@@ -116,6 +117,7 @@ TEST_F(Transport, ResetGoesToTheFirstFrameAndStaysPaused) {
     pause();
     ASSERT_GT(time(), 0);
     screen_->tap("Control_L+r");
+    EXPECT_TRUE(eventually([&] { return time() == 0; }));
     settle();
     EXPECT_EQ(time(), 0);
     EXPECT_EQ(frame(), 0);
