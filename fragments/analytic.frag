@@ -205,7 +205,10 @@ float textbookBox(vec3 ro, vec3 rd, vec3 halfSize, out vec3 face) {   // as six 
             nearest = t;
             face = side * axis;
         }
-        ro = ro.yzx; rd = rd.yzx; halfSize = halfSize.yzx; axis = axis.zxy;
+        ro = ro.yzx;
+        rd = rd.yzx;
+        halfSize = halfSize.yzx;
+        axis = axis.zxy;
     }
     return nearest < kFar ? nearest : -1.0;
 }
@@ -265,9 +268,13 @@ vec3 alongExactly(vec3 ro, vec3 rd, float t) {
     return sum + ((ro - (sum - part)) + (product - part) + lost);
 }
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 // Slides a ray's start to the point nearest the origin, and says how far: then all numbers are of
@@ -368,7 +375,8 @@ vec2 torusAlong(vec3 ro, vec3 rd, float small, float t) {
 // steps that leave the first have shown that it has none, and begin again on the second. From
 // within the ring both flanks rise. The last step is on the form not multiplied out.
 float robustTorus(vec3 ro, vec3 rd, float large, float small) {
-    ro /= large; small /= large;
+    ro /= large;
+    small /= large;
     float s = slideNear(ro, rd);
     s += slideNear(ro, rd);
     float ff = dot(ro, ro), room2 = square(1.0 + small) * kWiden - ff, room = sqrt(max(room2, 0.0));
@@ -431,13 +439,19 @@ bool meetsBox(vec3 ro, vec3 inv, vec3 lo, vec3 hi, float tMax) {
 }
 
 void keepNearer(inout Hit h, float t, int id) {
-    if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
+    if (t > 0.0 && t < h.t) {
+        h.t = t;
+        h.id = id;
+    }
 }
 void meetTriangle(vec3 ro, vec3 rd, mat3 corners, mat3 seen, float slid, inout float t,
                   inout mat3 met) {
     float found = robust ? slid + robustTriangle(seen[0], seen[1], seen[2])
         : textbookTriangle(ro, rd, corners[0], corners[1], corners[2]);
-    if (found > 0.0 && found < t) { t = found; met = corners; }
+    if (found > 0.0 && found < t) {
+        t = found;
+        met = corners;
+    }
 }
 vec3 gemCorner(int k, float side) {   // of an icosahedron: two rings of five
     vec2 ring = 0.894427191 * kFive[(side > 0.0 ? k : k + 3) % 5];
@@ -460,7 +474,10 @@ void meetGem(vec3 ro, vec3 rd, inout Hit h) {
         meetTriangle(ro, rd, mat3(a, b, c), mat3(aS, bS, cS), slid, t, met);
         meetTriangle(ro, rd, mat3(b, d, c), mat3(bS, dS, cS), slid, t, met);
         meetTriangle(ro, rd, mat3(-pole, d, b), mat3(footS, dS, bS), slid, t, met);
-        a = c; b = d; aS = cS; bS = dS;
+        a = c;
+        b = d;
+        aS = cS;
+        bS = dS;
     }
     if (t == h.t) return;
     if (robust)
@@ -654,14 +671,20 @@ float besideRing(vec3 ro, vec3 rd, float rim, float tMax) {
     float h = sqrt(w2) / 6.0, best = t0, least = 1e9;
     for (int k = -5; k <= 5; k += 2) {   // the nearest of six points, then parabolas through three
         float d2 = ringDistance2(ro + (t0 + h * float(k)) * rd);
-        if (d2 < least) { least = d2; best = t0 + h * float(k); }
+        if (d2 < least) {
+            least = d2;
+            best = t0 + h * float(k);
+        }
     }
     for (int k = 0; k < 3; ++k) {
         float a = ringDistance2(ro + (best - h) * rd), b = ringDistance2(ro + (best + h) * rd);
         float bend = a - 2.0 * least + b, shift = bend > 1e-9 ? 0.5 * h * (a - b) / bend : 0.0;
         float next = clamp(best + shift, best - h, best + h);
         float d2 = ringDistance2(ro + next * rd);
-        if (d2 < least) { least = d2; best = next; }
+        if (d2 < least) {
+            least = d2;
+            best = next;
+        }
         h *= 0.35;
     }
     return besideEdge(sqrt(least) - kRing.y, best, rim, tMax);
@@ -859,7 +882,10 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
         vec3 passed = share * through;
         vec3 side = robust ? liftOff(q, facing) : q, below = robust ? liftOff(q, -facing) : q;
         vec3 raised = toWorld(side), sunk = toWorld(below);
-        if (!robust) { raised = p + kTextbookLift * facing; sunk = p - kTextbookLift * facing; }
+        if (!robust) {
+            raised = p + kTextbookLift * facing;
+            sunk = p - kTextbookLift * facing;
+        }
         share *= mirror;
         width = vec2(w, width.y + 2.0 * w * bend / max(cosine, 0.1));
         bool follow = maxComponent(passed) > maxComponent(share);
@@ -879,7 +905,9 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
         if (maxComponent(share) <= kLeastThroughput) {
             if (pending == 0) break;
             --pending;
-            ro = laterRo[pending]; rd = laterRd[pending]; share = laterShare[pending];
+            ro = laterRo[pending];
+            rd = laterRd[pending];
+            share = laterShare[pending];
             width = laterWidth[pending];
             within = laterWithin[pending];
         }

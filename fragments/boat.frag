@@ -124,8 +124,14 @@ struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -401,7 +407,8 @@ float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
         float close0 = -rd.y - dot(m0.a * m0.rate, n * (1.0 + 4.0 * crest() * c));
         float f = f0 - moversHeight(m1, t), close = close0 + steep1, over = max(f0 - top1, 0.0);
         ++seaEvaluations;
-        if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
+        if (f <= 0.0) below = vec2(t, f);
+        else above = vec2(t, f);
         ahead = f > 0.0 && t < leave;
         f = max(f, 0.0);
         float far = 2.4 * f / max(close + sqrt(close * close + bend0 * f), 1e-6);
@@ -412,8 +419,13 @@ float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (int k = 0; k < 4; ++k) {
         t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
         float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
-        if (f > 0.0) { above = vec2(t, f); below.y *= 0.5; }
-        else { below = vec2(t, f); above.y *= 0.5; }
+        if (f > 0.0) {
+            above = vec2(t, f);
+            below.y *= 0.5;
+        } else {
+            below = vec2(t, f);
+            above.y *= 0.5;
+        }
     }
     return t;
 }
@@ -533,15 +545,24 @@ float boatField(vec3 p, out int part) {
     part = -well > solid ? kWell : side.y > max(side.x, ends) ? kDeck : kPlanks;
 
     float rail = max(length(vec2(side.x, side.y + 0.012)) - 0.024, 0.96 * (ends - 0.03));
-    if (rail < best) { best = rail; part = kRail; }
+    if (rail < best) {
+        best = rail;
+        part = kRail;
+    }
     float thwart = min(abs(p.z - kMastAt) - 0.13, abs(p.z + 0.70) - 0.14);
     thwart = max(max(thwart, abs(p.y - 0.19) - 0.016), side.x + 0.012);
-    if (thwart < best) { best = thwart; part = kThwart; }
+    if (thwart < best) {
+        best = thwart;
+        part = kThwart;
+    }
     float under = keelAt(clamp(p.z, kStern, kBow));   // keel and stem
     float keel = max(max(abs(p.x) - 0.022, ends - 0.03),
                      max(0.7 * (under - 0.05 - p.y), side.y - 0.03));
     keel = max(keel, min(0.7 * (p.y - under - 0.06), 2.2 - p.z));
-    if (keel < best) { best = keel; part = kRail; }
+    if (keel < best) {
+        best = keel;
+        part = kRail;
+    }
 
     vec3 m = p - vec3(0.0, 0.0, kMastAt);
     float spar = max(0.99 * (length(m.xz) - 0.046 + 0.006 * p.y), max(p.y - kMastTop, -0.1 - p.y));
@@ -554,10 +575,16 @@ float boatField(vec3 p, out int part) {
     spar = min(spar, stick(o, vec3(0.0, 0.235, -1.45), vec3(-0.06, 0.235, 0.95), 0.021));
     vec3 h = vec3(turn(p.xz - vec2(0.0, kStern - 0.09), gRudder), p.y).xzy;
     spar = min(spar, stick(h, vec3(0.0, 0.62, -0.05), vec3(0.0, 0.70, 0.85), 0.018));
-    if (spar < best) { best = spar; part = kSpar; }
+    if (spar < best) {
+        best = spar;
+        part = kSpar;
+    }
     vec3 blade = abs(h - vec3(0.0, 0.14, -0.15)) - vec3(0.016, 0.50, 0.15 - 0.1 * min(h.y, 0.4));
     float rudder = 0.97 * max(blade.x, max(blade.y, blade.z));
-    if (rudder < best) { best = rudder; part = kRudder; }
+    if (rudder < best) {
+        best = rudder;
+        part = kRudder;
+    }
 
     if (sail) {   // a triangle that bellies to lee
         float reach = kChord * clamp((kHead - q.y) / (kHead - kTack), 0.0, 1.0);
@@ -567,7 +594,10 @@ float boatField(vec3 p, out int part) {
         float leech = dot(q.zy - vec2(kChord, kTack), vec2(0.8381, 0.5455));
         float foot = 0.99 * (kTack - 0.10 * q.z * (kChord - q.z) - q.y);
         float cloth = max(0.9 * abs(q.x - belly) - 0.007, max(leech, max(0.8 * foot, 0.05 - q.z)));
-        if (cloth < best) { best = cloth; part = kCloth; }
+        if (cloth < best) {
+            best = cloth;
+            part = kCloth;
+        }
     }
     return best;
 }
@@ -575,7 +605,10 @@ vec3 toBoat(vec3 p) { return (p - vec3(0.0, gHeave, 0.0)) * gAxes; }
 // Where a ray in the boat's frame may meet her; nothing when y < x.
 vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
     vec3 lo = vec3(-0.9, -0.5, -2.6), hi = vec3(0.9, kMastTop, 2.36);
-    if (sail) { lo.x = -1.75; hi.x = 1.75; }
+    if (sail) {
+        lo.x = -1.75;
+        hi.x = 1.75;
+    }
     vec3 inv = safeInverse(rd), a = (lo - grow - ro) * inv, b = (hi + grow - ro) * inv;
     vec3 n = min(a, b), f = max(a, b);
     return vec2(max(maxComponent(n), 0.0), min(f.x, min(f.y, f.z)));
@@ -595,7 +628,10 @@ Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
         ahead = !met && t < span.y;
     }
     Hit h = Hit(t, part, vec3(0.0, 1.0, 0.0), o + t * d);
-    if (!(t < span.y) || f > 0.02) { h.part = kNone; h.t = kFar; }   // or out of steps far from her
+    if (!(t < span.y) || f > 0.02) {   // or out of steps far from her
+        h.part = kNone;
+        h.t = kFar;
+    }
     float w = 0.0015 + 0.2 * pixel * min(t, 100.0);
     vec3 g = vec3(0.0);
     int corners = h.part == kNone ? 0 : 4;   // not a constant: a loop may end early, code cannot
@@ -819,7 +855,8 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
         bool up = (todo & 1) != 0;
         Hit x = hitBoat(p + vec3(0.0, up ? 0.004 : -0.002, 0.0), up ? away : down, angle,
                         up ? 30.0 : min(deep, 8.0));
-        if (up) m = x; else bottom = x;
+        if (up) m = x;
+        else bottom = x;
         todo &= todo - 1;
     }
     bool shown = m.part != kNone, hull = bottom.part != kNone;
@@ -1051,7 +1088,10 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
     now -= kWorld * floor(now / kWorld + 0.5);
     float heading = place.z + swing;
     heading -= 2.0 * kPi * floor(heading / (2.0 * kPi) + 0.5);
-    if (k == 0) { colour = vec4(now, heading, goal + (speed - goal) * lose); return; }
+    if (k == 0) {
+        colour = vec4(now, heading, goal + (speed - goal) * lose);
+        return;
+    }
     if (k == 1) {
         float lag = (clamp(way.z, -2.0, 2.0) + swing) * exp(-dt / 0.8);
         colour = vec4(steer + (turning - steer) * keep, mix(helm, way.y, exp(-5.0 * dt)), lag, 1.0);
@@ -1069,7 +1109,10 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
         vec2 at = mix(now, place.xy, back / dt);
         if (distance(now, place.xy) > 100.0) at = now;   // over the world's edge
         float target = (hullTarget(at, heading, back) + aside)[k - 2];
-        if (fresh) { s = vec2(target, 0.0); before = target; }
+        if (fresh) {
+            s = vec2(target, 0.0);
+            before = target;
+        }
         s = floatStep(s, stiff, loss, part, before, target);
         before = target;
         fresh = false;

@@ -107,8 +107,14 @@ struct Lamp { vec3 pos; vec3 power; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -140,9 +146,13 @@ float fresnel(float cosI, float eta) {
 
 // ---- Geometry -----------------------------------------------------------------------------------
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
@@ -161,7 +171,10 @@ void clipPlane(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
     if (abs(speed) < 1e-20) speed = 1e-20;
     float t = (d - dot(nor, ro)) / speed;
     if (speed > 0.0) span.y = min(span.y, t);
-    else if (t > span.x) { span.x = t; entry = vec4(nor, d); }
+    else if (t > span.x) {
+        span.x = t;
+        entry = vec4(nor, d);
+    }
 }
 void clipPair(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
               inout vec2 span, inout vec4 entry) {
@@ -225,7 +238,10 @@ int leafPlace(int leaf) {
 void meetOrnament(int id, vec4 s, vec3 ro, vec3 rd, inout Hit h) {
     float t = intersectSphere(ro, rd, s.xyz, abs(s.w));
     bool nearer = t < h.t || (t == h.t && id < h.id);   // so no order of tests can matter
-    if (t > 0.0 && nearer) { h.t = t; h.id = id; }
+    if (t > 0.0 && nearer) {
+        h.t = t;
+        h.id = id;
+    }
 }
 // Share of a lamp's disc that a sphere leaves free; rim: slope of the disc's radius seen from ro.
 float besideSphere(vec3 ro, vec3 rd, float rim, float tMax, vec4 s) {
@@ -552,7 +568,10 @@ Hit closestHit(vec3 ro, vec3 rd) {
     for (int k = 0; k < orbitingBalls; ++k) {
         vec4 s = texelFetch(moving, ivec2(k, 1), 0);
         float t = intersectSphere(ro, rd, s.xyz, s.w);
-        if (t > 0.0 && t < h.t) { h.t = t; h.id = kBall + k; }
+        if (t > 0.0 && t < h.t) {
+            h.t = t;
+            h.id = kBall + k;
+        }
     }
     vec4 n;
     vec2 span = clipTrunk(ro, rd, 0.0, h.t, n);
@@ -670,13 +689,17 @@ vec3 radiance(vec3 ro, vec3 rd, float pixel) {
         vec3 mirrored = throughput * mirror;
         if (glassy) {
             if (maxComponent(mirrored) > maxComponent(laterThroughput)) {
-                laterRo = liftOff(p, nor); laterRd = normalize(reflected);
-                laterThroughput = mirrored; laterWidth0 = w; laterWidth = width;
+                laterRo = liftOff(p, nor);
+                laterRd = normalize(reflected);
+                laterThroughput = mirrored;
+                laterWidth0 = w;
+                laterWidth = width;
             }
             throughput *= throughGlass(rd, nor, abs(ball.w));
             ro = liftOff(ball.xyz + abs(ball.w) * nor, nor);
         } else {
-            ro = liftOff(p, facing); rd = normalize(reflected);
+            ro = liftOff(p, facing);
+            rd = normalize(reflected);
             throughput = mirrored;
         }
         width0 = w;
@@ -686,8 +709,11 @@ vec3 radiance(vec3 ro, vec3 rd, float pixel) {
         }
         if (maxComponent(throughput) < kLeastThroughput) {
             if (maxComponent(laterThroughput) < kLeastThroughput) break;
-            ro = laterRo; rd = laterRd; throughput = laterThroughput;
-            width0 = laterWidth0; width = laterWidth;
+            ro = laterRo;
+            rd = laterRd;
+            throughput = laterThroughput;
+            width0 = laterWidth0;
+            width = laterWidth;
             laterThroughput = vec3(0.0);
         }
     }
@@ -839,9 +865,18 @@ void mainMoving(out vec4 colour, in vec2 pixel) {
             float along = share * 2.96;
             vec4 ring = vec4(1.22, 0.64, 1.22, 0.64);   // radius, height, and those of the next
             float start = 1.74;
-            if (along < 1.74) { ring = vec4(0.92, 1.67, 1.22, 0.64); start = 0.82; }
-            if (along < 0.82) { ring = vec4(0.60, 2.50, 0.92, 1.67); start = 0.22; }
-            if (along < 0.22) { ring = vec4(0.22, 3.24, 0.60, 2.50); start = 0.0; }
+            if (along < 1.74) {
+                ring = vec4(0.92, 1.67, 1.22, 0.64);
+                start = 0.82;
+            }
+            if (along < 0.82) {
+                ring = vec4(0.60, 2.50, 0.92, 1.67);
+                start = 0.22;
+            }
+            if (along < 0.22) {
+                ring = vec4(0.22, 3.24, 0.60, 2.50);
+                start = 0.0;
+            }
             float round = (along - start) / ring.x;
             vec2 here = mix(ring.xy, ring.zw, smoothstep(0.86, 1.0, round));
             a = 2.0 * kPi * round;

@@ -130,8 +130,14 @@ struct Layer { float t, cover; int kind; vec3 nor; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -272,8 +278,13 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (int k = 0; k < 4; ++k) {
         float s = mix(above.x, below.x, above.y / max(above.y - below.y, 1e-20));
         float f = ro.y + s * rd.y - groundHeight(ro.xz + s * rd.xz);
-        if (f > 0.0) { above = vec2(s, f); below.y *= 0.5; }
-        else { below = vec2(s, f); above.y *= 0.5; }
+        if (f > 0.0) {
+            above = vec2(s, f);
+            below.y *= 0.5;
+        } else {
+            below = vec2(s, f);
+            above.y *= 0.5;
+        }
         ++seabedEvaluations;
     }
     return mix(above.x, below.x, above.y / max(above.y - below.y, 1e-20));
@@ -1038,7 +1049,10 @@ void mainRig(out vec4 colour, in vec2 pixel) {
         vec4(-3.2, 0.9, -4.7, 0.08));
     int k = int(pixel.x), row = int(pixel.y);
     vec4 a = vec4(0.0), b = vec4(0.0);
-    if (k < kSpars) { a = from[k]; b = to[k]; }
+    if (k < kSpars) {
+        a = from[k];
+        b = to[k];
+    }
     int rope = k - kSpars, stay = rope - kShrouds;
     if (rope >= 0 && rope < kShrouds) {
         bool fore = rope < 6;

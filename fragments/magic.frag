@@ -118,8 +118,14 @@ struct Ray {
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -170,9 +176,13 @@ vec4 attitude(int id) { return texelFetch(things, ivec2(id, 1), 0); }
 
 // ---- Geometry -----------------------------------------------------------------------------------
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
@@ -197,7 +207,10 @@ void clipPlane(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
     if (abs(speed) < 1e-20) speed = 1e-20;
     float t = (d - dot(nor, ro)) / speed;
     if (speed > 0.0) span.y = min(span.y, t);
-    else if (t > span.x) { span.x = t; entry = vec4(nor, d); }
+    else if (t > span.x) {
+        span.x = t;
+        entry = vec4(nor, d);
+    }
 }
 void clipPair(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
               inout vec2 span, inout vec4 entry) {
@@ -268,7 +281,10 @@ void meetSolid(int id, vec3 ro, vec3 rd, inout Hit h) {
 void meetRound(int id, vec3 ro, vec3 rd, inout Hit h) {
     vec4 s = thing(id);
     float t = intersectSphere(ro, rd, s.xyz, abs(s.w));
-    if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
+    if (t > 0.0 && t < h.t) {
+        h.t = t;
+        h.id = id;
+    }
 }
 
 // What a ray can meet that starts at, or ends in, the middle of a map: bits of round things, of

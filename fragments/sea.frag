@@ -122,8 +122,14 @@ struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -261,7 +267,8 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
         float close0 = -rd.y - dot(m0.a * m0.rate, n * (1.0 + 4.0 * crest() * c));
         float f = f0 - moversHeight(m1, t), close = close0 + steep1, over = max(f0 - top1, 0.0);
         ++seaEvaluations;
-        if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
+        if (f <= 0.0) below = vec2(t, f);
+        else above = vec2(t, f);
         ahead = f > 0.0 && t < leave;
         f = max(f, 0.0);
         float far = 2.4 * f / max(close + sqrt(close * close + bend0 * f), 1e-6);
@@ -272,8 +279,13 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (int k = 0; k < 4; ++k) {
         t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
         float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
-        if (f > 0.0) { above = vec2(t, f); below.y *= 0.5; }
-        else { below = vec2(t, f); above.y *= 0.5; }
+        if (f > 0.0) {
+            above = vec2(t, f);
+            below.y *= 0.5;
+        } else {
+            below = vec2(t, f);
+            above.y *= 0.5;
+        }
     }
     return t;
 }
@@ -393,7 +405,10 @@ vec4 clusterField(int c, vec3 p, out int id) {
     vec4 f = rabbitField(p);
     if (c == 0) {
         vec4 ring = ringField(p);
-        if (ring.w < f.w) { f = ring; id = kRing; }
+        if (ring.w < f.w) {
+            f = ring;
+            id = kRing;
+        }
     }
     return f;
 }
@@ -468,7 +483,11 @@ Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
         int id;
         float f = clusterField(c, p, id).w;
         bool met = f < 1e-4 + 0.1 * pixel * t && t < best;
-        if (met) { best = t; hit = c; at = p; }
+        if (met) {
+            best = t;
+            hit = c;
+            at = p;
+        }
         t += f;
         if (met || t >= min(end, best)) more = onward(w, c, t, end);
     }
@@ -601,7 +620,10 @@ float cloudCover(vec3 rd, float width) {
     float sum = 0.0, gain = 0.5;
     for (int k = 0; k < 5; ++k) {
         float keep = clamp(1.3 - w * exp2(float(k)), 0.0, 1.0);
-        if (keep <= 0.0) { sum += gain; break; }   // the rest averages to half
+        if (keep <= 0.0) {   // the rest averages to half
+            sum += gain;
+            break;
+        }
         sum += gain * mix(0.5, cloudNoise(p * exp2(float(k)) + 512.0, 512 << k, 40 + k), keep);
         gain *= 0.5;
     }
@@ -657,7 +679,10 @@ vec3 thingLight(int id, vec3 p, vec3 nor, vec3 d, vec4 stuff, float share, float
     vec3 sunny = sunBeam() * share, around = ambientLight(nor) * open;
     float lit = max(facingSun, 0.0), grazing = square(square(1.0 - facingEye)) * (1.0 - facingEye);
     upWeight = vec3(id == kRing || stuff.w < 0.0 ? fresnel(facingEye, 1.45) : 0.0);
-    if (id == kGilt) { upWeight = mix(stuff.rgb, vec3(1.0), grazing); stuff.rgb *= 0.1; }
+    if (id == kGilt) {
+        upWeight = mix(stuff.rgb, vec3(1.0), grazing);
+        stuff.rgb *= 0.1;
+    }
     float mirrorLine = max(dot(reflect(d, nor), sunDirection()), 0.0);
     vec3 light = upWeight * sunny * (lit * 8.0 * exp2(130.0 * (mirrorLine - 1.0)));
     if (id == kFur && stuff.w >= 0.0) {
@@ -770,7 +795,10 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
         doubtful = doubtful || !hit && (texel.w > edge || s >= inside && close);
         edge = close && deep < 10.0 ? texel.w + 0.1 : kFar;
         open = !hit && s < inside;
-        if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
+        if (open) {
+            before = s > gap.x ? max(s, gap.y) : s;
+            s = before + perStep;
+        }
     }
     // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water.
     vec2 rough = vec2(before, s), fine = rough + vec2(-6.0, 2.0) * perPixel;
@@ -778,7 +806,8 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     for (int j = 0; j < 6; ++j) {
         float m = 0.5 * (fine.x + fine.y);
         vec3 q = onLine(l, m);
-        if (q.z > smoothAt(q.xy)) fine.y = m; else fine.x = m;
+        if (q.z > smoothAt(q.xy)) fine.y = m;
+        else fine.x = m;
     }
     vec3 q = onLine(l, fine.y);
     vec4 texel = shownIn(ivec2(q.xy));
@@ -786,7 +815,8 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     for (int j = 0; j < 5 && astray && hit; ++j) {   // over an edge: by whole pixels
         float m = 0.5 * (rough.x + rough.y);
         q = onLine(l, m);
-        if (q.z > shownIn(ivec2(q.xy)).w) rough.y = m; else rough.x = m;
+        if (q.z > shownIn(ivec2(q.xy)).w) rough.y = m;
+        else rough.x = m;
         ++walkFetches;
     }
     if (astray) {
@@ -868,7 +898,11 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
         : 0.5 + 0.12 * sin(2.0 * sway + 1.0);
     vec2 tilt = s.slope * (c == 0 ? 0.9 : 0.4);
     if (c == 1) tilt += 0.16 * vec2(sin(heading), cos(heading));   // head up
-    if (c == 2) { place = kMirrorAt; heading = radians(mirrorAngle); tilt = vec2(0.0); }
+    if (c == 2) {
+        place = kMirrorAt;
+        heading = radians(mirrorAngle);
+        tilt = vec2(0.0);
+    }
     if (c < 3) {
         colour = (k & 1) == 0 ? vec4(place, heading) : vec4(tilt, 0.0, 0.0);
     } else {

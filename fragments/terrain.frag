@@ -127,8 +127,14 @@ struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
@@ -310,7 +316,8 @@ float stepLand(vec3 ro, vec3 rd, float t0, float t1) {
     for (int k = 0; k < 24; ++k) {
         float m = 0.5 * (a + b);
         vec3 p = ro + m * rd;
-        if (p.y > landHeight(p.xz)) a = m; else b = m;
+        if (p.y > landHeight(p.xz)) a = m;
+        else b = m;
     }
     return b;
 }
@@ -345,7 +352,10 @@ Hit intersect(vec3 ro, vec3 rd) {
     h.t = meetLand(ro, rd, span.x, min(span.y, level));
     h.nor = vec3(0.0, 1.0, 0.0);
     if (h.t < kFar) h.id = kLand;
-    else if (level < kFar) { h.t = max(level, span.x); h.id = kWater; }
+    else if (level < kFar) {
+        h.t = max(level, span.x);
+        h.id = kWater;
+    }
     return h;
 }
 
@@ -720,7 +730,8 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
         for (int j = 0; j < 6 && hit; ++j) {
             float m = 0.5 * (low + high);
             vec3 q = onLine(l, m);
-            if (q.z > texelFetch(normalDepth, ivec2(q.xy), 0).w) high = m; else low = m;
+            if (q.z > texelFetch(normalDepth, ivec2(q.xy), 0).w) high = m;
+            else low = m;
             ++walkFetches;
         }
         vec3 q = onLine(l, high), on = onLine(l, min(high + 2.0 * perPixel, inside));
@@ -743,7 +754,10 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
     if (border == 0) {
         vec2 last = onLine(l, inside).xy;
         bool there = int(texelFetch(colours, ivec2(last), 0).w) == kLand;
-        if (sure == 0.0 && inside < 1.0 && there) { found = last; sure = 1.0; }
+        if (sure == 0.0 && inside < 1.0 && there) {
+            found = last;
+            sure = 1.0;
+        }
     } else {
         vec2 rim = min(found, size - found) / size;
         sure *= smoothstep(0.0, 0.08, min(rim.x, rim.y));

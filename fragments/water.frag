@@ -131,8 +131,14 @@ struct Matt { vec3 pos, nor, x, y, carry; float cosine; int id; bool wet; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -328,8 +334,15 @@ float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
         float now = side * (p.y - waterHeight(p.xz));
         ++evaluations;
         bool same = (now > 0.0) == (gap > 0.0) && i > 0;   // the other end is kept: halve its gap
-        if (now > 0.0) { lo = t; gapLo = now; if (same) gapHi *= 0.5; }
-        else           { hi = t; gapHi = now; if (same) gapLo *= 0.5; }
+        if (now > 0.0) {
+            lo = t;
+            gapLo = now;
+            if (same) gapHi *= 0.5;
+        } else {
+            hi = t;
+            gapHi = now;
+            if (same) gapLo *= 0.5;
+        }
         gap = now;
     }
     return t;
@@ -337,9 +350,13 @@ float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
 
 // ---- Geometry -----------------------------------------------------------------------------------
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 vec2 columnPlace(int i) { return kColumnFirst + kColumnStep * vec2(i & 1, i >> 1); }
@@ -553,8 +570,7 @@ vec3 lampsOn(vec3 p, vec3 nor, bool wet) {
                 float r2 = dot(to, to) + 0.02, r = sqrt(r2);
                 float facing = 0.15 + 0.85 * max(dot(to, nor) / r, 0.0);
                 sum += exp(-absorption() * r) * (1.1 * facing / r2);
-            }
-        else {   // through the surface: as a glowing floor
+            } else {   // through the surface: as a glowing floor
             vec2 beyond = max(abs(p.xz) - kPool, 0.0);
             float near = 1.0 / (1.0 + 0.35 * square(p.y) + 2.0 * dot(beyond, beyond));
             sum += exp(-absorption() * 2.0) * (0.10 * (0.55 - 0.45 * nor.y) * near);
@@ -751,7 +767,8 @@ vec3 render(Ray r, bool level, out float reach) {
                 ny = bent * r.oy;
                 Matt m = Matt(r.o, nor, r.ox, r.oy, r.carry * (1.0 - share), cosine, h.id, r.wet);
                 if (h.id != kSky && h.id != kBall) {
-                    if (points == 0) here = m; else next = m;
+                    if (points == 0) here = m;
+                    else next = m;
                     ++points;
                 }
                 if (h.id == kPaving) r.rough += 0.01;
