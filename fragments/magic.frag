@@ -84,7 +84,8 @@ uniform sampler2D directions;      //@ pass mainDirections size=64x320
 
 // ---- Constants and numbers ----------------------------------------------------------------------
 // Sizes and orbits keep all things apart (see Apart above). What moves is known by a number, its
-// column in the buffer `things`: balls below kBalls, fill-lit ones below kCubes, then solids, lamps.
+// column in the buffer `things`: balls below kBalls, fill-lit ones below kCubes, then solids,
+// lamps.
 
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
@@ -135,9 +136,9 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 
-// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8 ...
-// pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020). What it
-// leaves of an error is the finest grain, and no net as of a lattice.
+// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8
+// ... pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020).
+// What it leaves of an error is the finest grain, and no net as of a lattice.
 float shuffledQuarters(ivec2 p) {
     float sum = 0.0, part = 0.25;
     for (int k = 0; k < 6; ++k) {
@@ -464,8 +465,9 @@ vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width, float jit
 }
 
 // ---- Materials ----------------------------------------------------------------------------------
-// Patterns are drawn as a pixel's mean, not at its middle: the mean over [a, b] of a line or a stripe
-// is the difference of its integral at b and at a, divided by b - a. So nothing far off shimmers.
+// Patterns are drawn as a pixel's mean, not at its middle: the mean over [a, b] of a line or a
+// stripe is the difference of its integral at b and at a, divided by b - a. So nothing far off
+// shimmers.
 
 // Edges are rounded for light only: near one the normal leans over to the face beyond. A line is
 // engraved along those of a bipyramid.
@@ -551,9 +553,9 @@ vec3 hallCeiling(vec2 p, float w) {
 
 // ---- Transport ----------------------------------------------------------------------------------
 // At each surface light splits: a mirrored ray, and in glass a refracted one. The tree that follows
-// would double with every bounce; here two rays are alive, the brightest and one that waits. A third
-// is lost, which changes no pixel, not even where all is glass of an index of 2.4. A ray's weight is
-// the share of its light that reaches the eye: the product of all shares on its way.
+// would double with every bounce; here two rays are alive, the brightest and one that waits. A
+// third is lost, which changes no pixel, not even where all is glass of an index of 2.4. A ray's
+// weight is the share of its light that reaches the eye: the product of all shares on its way.
 const float kLeastCosine = 0.04;   // a footprint grows with 1 / cosine; no further than this
 const vec3  kFloorBounce = vec3(0.048, 0.054, 0.176), kHallBounce = vec3(0.008, 0.007, 0.020);
 const vec3  kFillAt = vec3(-3.0, 8.0, 9.0), kFillPower = vec3(1.8, 1.6, 1.2);   // m; from afar
@@ -745,8 +747,8 @@ void camera(out vec3 ro, out vec3 right, out vec3 forward) {
 // ---- Passes -------------------------------------------------------------------------------------
 // What does not depend on the pixel is worked out once: the gain of light behind a ball, where all
 // things are, and which of them can lie in each direction from a lamp or the eye. That last map is
-// why a hundred shadow cones a pixel cost little: a cone asks for the bits of its cell, and tests
-// only the two or three things that they name.
+// why shadow cones cost little: a cone asks for the bits of its cell, and tests only the few things
+// that they name.
 
 // Gain of parallel light behind a glass ball: tangent off the axis across, r / distance up.
 void mainGain(out vec4 colour, in vec2 pixel) {
@@ -859,8 +861,8 @@ void mainThings(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
-// From a pixel to a ray and from light to a display: a pinhole, since a floor that mirrors a hall
-// shows no depth of field, and one curve, the same in all scenes.
+// From a pixel to a ray, by a pinhole, and from light to what a display shows, by one curve, which
+// is the same in all scenes.
 
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.

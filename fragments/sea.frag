@@ -84,8 +84,8 @@ uniform sampler2D smoothDepth; //@ buffer normalDepth filter=linear
 uniform sampler2D lightBuffer; //@ pass mainLight format=rgba16f filter=nearest
 
 // ---- Constants and numbers ----------------------------------------------------------------------
-// Light is in units of kSunPower, the sun's above the air; lengths are metres. Waves are constants,
-// not chance: their spread of directions and steepness was chosen by eye.
+// The sun gives kSunPower above the air; sky and all else follow from that. Waves are a table:
+// groups of four, so that a vec4 holds a group and one instruction works on all of it.
 
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
