@@ -289,7 +289,8 @@ bool isCalm() {
 // L is easy, its inverse is not: who lands here? A triangle of water lands on a triangle of floor;
 // each texel wants all triangles that overlap it. Every cell of water keeps a box round where its
 // light lands, every 4 x 4 cells a box round those, and so on: a texel asks from the coarsest boxes
-// down, and shares out each triangle's light by the exact area of overlap. So none is lost.
+// down, and shares out each triangle's light by the exact area of overlap. So none is lost, and
+// a texel stays finite where J = 0: it holds the light that falls into it, however sharp the line.
 
 int meshCells() { return method == kPhotons ? kPhotonCells : cells / 16 * 16; }
 int photonPass() {   // from 1

@@ -287,6 +287,7 @@ float hitLand(vec3 ro, vec3 rd, float t0, float t1) {
         if (min(y, p.y + leave * rd.y) > top) {
             s = leave;
             ivec2 next = clamp(ivec2(o + s * d + nudge), 0, kCells - 1);
+            // Out of the square of the next level, too: that one may be jumped again.
             if ((next >> (shift + 2)) != (c >> 2)) level = min(level + 1, 3);
         } else if (level > 0) {
             --level;
