@@ -82,6 +82,9 @@ uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to 
 uniform int   antialiasing;    //@ 1 [1, 64] log quality reference=64 "rays through one pixel"
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// The set is laid out in metres round the studio's origin. `magnitude` then scales it, moves it or
+// steps the eye back; the formulas below see world units alone, so they meet the numbers that hurt.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
 const float kFar = 1e30;                   // a miss
@@ -160,6 +163,11 @@ vec3 refractExactly(vec3 rd, vec3 nor, float eta) {
 }
 
 // ---- Textbook forms: shapes at the origin, the ray as it comes ----------------------------------
+// Put p = ro + t rd into a shape's equation and a polynomial in t is left. A quadric gives a t^2 +
+// 2 b t + c = 0, so t = (-b +- sqrt(b^2 - a c)) / a. Right on paper: but from a distance D a sphere
+// of radius r has b^2 and a c near D^2, and their difference, which decides over hit or miss, near
+// r^2. A float has 24 bits; where (D / r)^2 nears 2^24, at 4,000 radii, none is left.
+
 float firstAhead(float near, float far) { return near > 0.0 ? near : far > 0.0 ? far : -1.0; }
 
 vec2 textbookRoots(float a, float b, float c) {   // of a t^2 + 2 b t + c
@@ -205,7 +213,10 @@ float textbookBox(vec3 ro, vec3 rd, vec3 halfSize, out vec3 face) {   // as six 
             nearest = t;
             face = side * axis;
         }
-        ro = ro.yzx; rd = rd.yzx; halfSize = halfSize.yzx; axis = axis.zxy;
+        ro = ro.yzx;
+        rd = rd.yzx;
+        halfSize = halfSize.yzx;
+        axis = axis.zxy;
     }
     return nearest < kFar ? nearest : -1.0;
 }
@@ -243,9 +254,16 @@ float textbookTorus(vec3 ro, vec3 rd, float large, float small) {   // axis y; F
 }
 
 // ---- Robust forms -------------------------------------------------------------------------------
-// Drivers may fuse a product with a sum into one rounding, and take (a + b) - a for b; GLSL ES cannot
-// forbid it. Both spoil what is built on roundings: splits by subtractions, the lost part of a sum,
-// and that a b - c d is the negative of c d - a b. Masks of bits they leave alone.
+// The same equations, met from close by. Slide the ray's start to its point nearest the shape: then
+// b = 0, and r^2 - |ro|^2 has numbers of the shape's own size. The distance slid is added last. A
+// triangle is met by the signs of three edge functions, each a difference of two products; two
+// triangles that share an edge work out the same two products, so that one has e and the other
+// exactly -e: the ray is on one side of the edge or the other, and never in between (no edge
+// leaks).
+//
+// Drivers may fuse a product with a sum into one rounding, and take (a + b) - a for b; GLSL ES
+// cannot forbid it. Both spoil what is built on roundings: splits by subtractions, the lost part of
+// a sum, and that a b - c d is the negative of c d - a b. Masks of bits they leave alone.
 vec3 upperHalf(vec3 v) { return uintBitsToFloat(floatBitsToUint(v) & 0xfffff000u); }
 // A float for sure: it has lost its last bit.
 vec3 settled(vec3 v) { return uintBitsToFloat(floatBitsToUint(v) & 0xfffffffeu); }
@@ -265,9 +283,13 @@ vec3 alongExactly(vec3 ro, vec3 rd, float t) {
     return sum + ((ro - (sum - part)) + (product - part) + lost);
 }
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 // Slides a ray's start to the point nearest the origin, and says how far: then all numbers are of
@@ -368,7 +390,8 @@ vec2 torusAlong(vec3 ro, vec3 rd, float small, float t) {
 // steps that leave the first have shown that it has none, and begin again on the second. From
 // within the ring both flanks rise. The last step is on the form not multiplied out.
 float robustTorus(vec3 ro, vec3 rd, float large, float small) {
-    ro /= large; small /= large;
+    ro /= large;
+    small /= large;
     float s = slideNear(ro, rd);
     s += slideNear(ro, rd);
     float ff = dot(ro, ro), room2 = square(1.0 + small) * kWiden - ff, room = sqrt(max(room2, 0.0));
@@ -400,6 +423,10 @@ float robustTorus(vec3 ro, vec3 rd, float large, float small) {
 }
 
 // ---- Scene --------------------------------------------------------------------------------------
+// Every shape has a frame of its own, in which it stands at the origin, upright; the ray is brought
+// there. All are asked in turn, and the nearest answer ahead stays. What lies on the surface is
+// then worked out once, for the winner: `settle` says where and how it faces.
+
 vec3 inGem(vec3 v) {   // the crystal turns about a tilted axis
     v.xy = turn(v.xy, 0.35);
     v.xz = turn(v.xz, 2.0 * kPi * cycles(0.03125));
@@ -431,13 +458,19 @@ bool meetsBox(vec3 ro, vec3 inv, vec3 lo, vec3 hi, float tMax) {
 }
 
 void keepNearer(inout Hit h, float t, int id) {
-    if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
+    if (t > 0.0 && t < h.t) {
+        h.t = t;
+        h.id = id;
+    }
 }
 void meetTriangle(vec3 ro, vec3 rd, mat3 corners, mat3 seen, float slid, inout float t,
                   inout mat3 met) {
     float found = robust ? slid + robustTriangle(seen[0], seen[1], seen[2])
         : textbookTriangle(ro, rd, corners[0], corners[1], corners[2]);
-    if (found > 0.0 && found < t) { t = found; met = corners; }
+    if (found > 0.0 && found < t) {
+        t = found;
+        met = corners;
+    }
 }
 vec3 gemCorner(int k, float side) {   // of an icosahedron: two rings of five
     vec2 ring = 0.894427191 * kFive[(side > 0.0 ? k : k + 3) % 5];
@@ -460,7 +493,10 @@ void meetGem(vec3 ro, vec3 rd, inout Hit h) {
         meetTriangle(ro, rd, mat3(a, b, c), mat3(aS, bS, cS), slid, t, met);
         meetTriangle(ro, rd, mat3(b, d, c), mat3(bS, dS, cS), slid, t, met);
         meetTriangle(ro, rd, mat3(-pole, d, b), mat3(footS, dS, bS), slid, t, met);
-        a = c; b = d; aS = cS; bS = dS;
+        a = c;
+        b = d;
+        aS = cS;
+        bS = dS;
     }
     if (t == h.t) return;
     if (robust)
@@ -526,6 +562,15 @@ Hit meetScene(vec3 ro, vec3 rd) {
     return h;
 }
 
+// Into the box by clamping, then out to the face that was met.
+vec3 settleOnBox(Hit h, inout vec3 q) {
+    bool cube = h.id == kCubeId;
+    vec3 centre = cube ? kCubeCentre : kPlinthCentre, size = cube ? kCubeHalf : kPlinthHalf;
+    float angle = cube ? kCubeTurn : kPlinthTurn;
+    vec3 v = clamp(inBox(q - centre, angle), -size, size);
+    q = centre + inBox(mix(v, size * h.face, abs(h.face)), -angle);
+    return inBox(h.face, -angle);
+}
 // Moves a point near a surface, m, onto it; gives the outward normal.
 vec3 settle(Hit h, inout vec3 q) {
     vec3 nor = vec3(0.0, 1.0, 0.0), v = q;
@@ -571,12 +616,7 @@ vec3 settle(Hit h, inout vec3 q) {
         nor = kMirrorNormal;
         q -= dot(q - kMirrorCentre, nor) * nor;
     } else {
-        bool cube = h.id == kCubeId;
-        vec3 centre = cube ? kCubeCentre : kPlinthCentre, size = cube ? kCubeHalf : kPlinthHalf;
-        float angle = cube ? kCubeTurn : kPlinthTurn;
-        v = clamp(inBox(q - centre, angle), -size, size);
-        q = centre + inBox(mix(v, size * h.face, abs(h.face)), -angle);
-        nor = inBox(h.face, -angle);
+        nor = settleOnBox(h, q);
     }
     return nor;
 }
@@ -596,6 +636,12 @@ vec3 arrive(vec3 ro, vec3 rd, Hit h, out vec3 q) {
 }
 
 // ---- Light --------------------------------------------------------------------------------------
+// A lamp is a disc. The cone from a point to it has the slope rim = radius / distance; how far the
+// cone's axis passes from a shape, over the cone's width rim t there, says what share of the cone
+// is free: one evaluation a shape instead of many rays. Free shares of several shapes multiply,
+// which is right for shapes that do not overlap as seen from there; more, thinner cones make it
+// exact.
+
 // Share of a lamp's disc that a sphere leaves free; rim: slope of the disc's radius seen from ro.
 float besideSphere(vec3 ro, vec3 rd, float rim, float tMax, vec4 s) {
     vec3 f = s.xyz - ro;
@@ -654,14 +700,20 @@ float besideRing(vec3 ro, vec3 rd, float rim, float tMax) {
     float h = sqrt(w2) / 6.0, best = t0, least = 1e9;
     for (int k = -5; k <= 5; k += 2) {   // the nearest of six points, then parabolas through three
         float d2 = ringDistance2(ro + (t0 + h * float(k)) * rd);
-        if (d2 < least) { least = d2; best = t0 + h * float(k); }
+        if (d2 < least) {
+            least = d2;
+            best = t0 + h * float(k);
+        }
     }
     for (int k = 0; k < 3; ++k) {
         float a = ringDistance2(ro + (best - h) * rd), b = ringDistance2(ro + (best + h) * rd);
         float bend = a - 2.0 * least + b, shift = bend > 1e-9 ? 0.5 * h * (a - b) / bend : 0.0;
         float next = clamp(best + shift, best - h, best + h);
         float d2 = ringDistance2(ro + next * rd);
-        if (d2 < least) { least = d2; best = next; }
+        if (d2 < least) {
+            least = d2;
+            best = next;
+        }
         h *= 0.35;
     }
     return besideEdge(sqrt(least) - kRing.y, best, rim, tMax);
@@ -730,6 +782,9 @@ vec3 irradiance(vec3 q, vec3 nor, int id) {
 }
 
 // ---- Shading ------------------------------------------------------------------------------------
+// A path splits in two at glass. Following both doubles the rays with each bounce, choosing one by
+// chance is noisy: here the stronger goes on, and up to kPending weaker ones wait for its end.
+
 // Coverage of a pixel of width w, centred at x, by lines of half-width h at every integer.
 float lines(float x, float h, float w) {
     w = max(w, 1e-4);
@@ -786,6 +841,110 @@ vec3 softboxes(vec3 q, vec3 nor, float w) {
                        + vec3(6.0, 5.2, 4.4) * front);
 }
 
+// What a ray meets, as light sees it.
+struct Surface {
+    vec3 q, facing;       // place, m; the normal on the ray's side
+    vec3 lit;             // the normal for light, where that is another
+    vec3 mirror;          // share that goes on mirrored
+    vec3 through;         // share that goes on behind the surface, along `behind`
+    vec3 behind;
+    vec3 albedo, shine;   // colour of what scatters; light of its own
+    float cosine;         // between the ray and the normal
+    float bend;           // curvature, 1/m: how fast a mirrored footprint spreads
+    bool glassy, inside;
+};
+
+Surface surfaceAt(vec3 ro, vec3 rd, Hit h, bool within) {
+    Surface s;
+    vec3 p = ro + h.t * rd, onto = toStudio(p);
+    s.q = onto;
+    vec3 nor = robust ? arrive(ro, rd, h, s.q) : settle(h, onto);
+    s.glassy = h.id == kBallId || h.id == kCubeId || h.id == kGemId;
+    s.inside = s.glassy ? within : h.id == kMirrorId && dot(rd, nor) > 0.0;
+    s.facing = s.inside ? -nor : nor;
+    s.cosine = clamp(-dot(rd, s.facing), 0.0, 1.0);
+    s.lit = s.facing;
+    s.behind = rd;
+    s.mirror = s.through = s.albedo = s.shine = vec3(0.0);
+    s.bend = 0.0;
+    return s;
+}
+
+// What glass leaves of light after t metres (Beer): its tint is that of a metre of the ball, of
+// half a metre of the others.
+vec3 glassLeft(int id, float t) {
+    vec3 tint = linearColour(id == kGemId ? gemColour : glassColour);
+    return pow(max(tint, 1e-4), vec3(t / (id == kBallId ? 1.0 : 0.5)));
+}
+void dressGlass(int id, vec3 rd, inout Surface s) {
+    float eta = s.inside ? glassIndex : 1.0 / glassIndex;   // index before over index beyond
+    s.mirror = vec3(fresnel(s.cosine, 1.0 / eta));
+    s.through = 1.0 - s.mirror;
+    s.behind = refractExactly(rd, s.facing, eta);
+    s.bend = id == kBallId ? 1.0 / kBall.w : 0.0;
+}
+
+// Floor and wall are one sheet, bent where they meet, as in a photographer's studio; the dial lies
+// on the floor's middle. w: footprint.
+void dressStudio(int id, vec3 rd, float w, inout Surface s) {
+    float rho = length(s.q.xz), arc = id == kWallId ? s.q.y : rho - kWall;
+    float rise = smoothstep(-kCove, kCove, arc);
+    if (s.facing.y > -0.5) {   // not the ceiling
+        vec3 inward = -unit(vec3(s.q.x, 0.0, s.q.z));
+        s.lit = unit(mix(vec3(0.0, 1.0, 0.0), inward, rise));
+    }
+    s.albedo = linearColour(studioColour) * 0.9;
+    s.shine = s.albedo * gels(s.q);
+    float stage = 1.0 - smoothstep(kDial - 0.5 * w, kDial + 0.5 * w + 0.001, rho);
+    if (id == kFloorId && stage > 0.0) {
+        float brass = inlay * dial(s.q.xz, rd.xz / max(abs(rd.y), 1e-4), w);
+        float clear = fresnel(s.cosine, kIorVarnish);
+        s.mirror = floorGloss * stage * mix(vec3(clear), vec3(0.45, 0.30, 0.13), 0.7 * brass);
+        s.albedo = mix(s.albedo * mix(1.0, 0.55, stage), vec3(0.62, 0.36, 0.12), 0.8 * brass);
+    } else {
+        s.shine += softboxes(s.q, s.facing, w);
+    }
+}
+
+// All else: metals mirror in their colour, glazed things are matt under a clear coat.
+void dressSolid(int id, inout Surface s) {
+    if (id == kChromeId) {
+        s.mirror = metal(vec3(0.90, 0.92, 0.95), s.cosine);
+        s.bend = 1.0 / kChrome.w;
+    } else if (id == kRingId) {
+        s.mirror = metal(linearColour(goldColour), s.cosine);
+        s.bend = 1.0 / kRing.y;
+    } else if (id == kMirrorId) {
+        s.mirror = s.inside ? vec3(0.02) : vec3(0.88, 0.90, 0.90);
+        s.albedo = s.inside ? vec3(0.03) : vec3(0.0);
+    } else {
+        s.albedo = id == kEggId ? vec3(0.80, 0.72, 0.62)
+            : id == kPearlId ? vec3(0.85, 0.80, 0.74)
+            : id == kBerryId ? vec3(0.60, 0.03, 0.05)
+            : id == kConeId ? vec3(0.85, 0.42, 0.05)
+            : id == kPlinthId ? vec3(0.05, 0.24, 0.28) : vec3(0.62, 0.26, 0.20);
+        s.mirror = vec3(fresnel(s.cosine, kIorVarnish));
+        s.bend = id == kPlinthId || id == kDrumTopId ? 0.0 : 2.5;
+    }
+}
+void dress(int id, vec3 rd, float w, inout Surface s) {
+    if (s.glassy) {
+        dressGlass(id, rd, s);
+    } else if (id == kLampId) {
+        s.shine = (dot(rd, s.facing) > 0.0 ? 0.02 : 14.0) * keyPower * linearColour(keyColour);
+    } else if (id <= kWallId) {
+        dressStudio(id, rd, w, s);
+    } else {
+        dressSolid(id, s);
+    }
+}
+
+// Where a ray goes on from, in world units, on the side that `side` points to. What the textbooks
+// do, a fixed lift, is too little far from the origin and too much for a small world.
+vec3 goOn(vec3 p, vec3 q, vec3 side) {
+    return robust ? toWorld(liftOff(q, side)) : p + kTextbookLift * side;
+}
+
 // Light that arrives at ro (world) against rd. pixel: angle of a pixel, rad.
 vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
     vec3 sum = vec3(0.0), share = vec3(1.0);
@@ -795,91 +954,42 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
     int pending = 0;
     for (int ray = 0; ray < bounces; ++ray) {
         Hit h = meetScene(ro, rd);
-        vec3 p = ro + h.t * rd, q = toStudio(p), onto = q;
-        vec3 nor = robust ? arrive(ro, rd, h, q) : settle(h, onto);
+        vec3 p = ro + h.t * rd;
         float t = h.t / worldScale, w = width.x + width.y * t;
-        bool glassy = h.id == kBallId || h.id == kCubeId || h.id == kGemId;
-        bool inside = glassy ? within : h.id == kMirrorId && dot(rd, nor) > 0.0;
-        vec3 facing = inside ? -nor : nor, mirror = vec3(0.0), albedo = vec3(0.0);
-        float cosine = clamp(-dot(rd, facing), 0.0, 1.0), bend = 0.0;
-        vec3 shine = vec3(0.0), through = vec3(0.0), behind = rd, lit = facing;
-        if (glassy) {
-            float eta = inside ? glassIndex : 1.0 / glassIndex;
-            vec3 tint = linearColour(h.id == kGemId ? gemColour : glassColour);
-            if (inside) share *= pow(max(tint, 1e-4), vec3(t / (h.id == kBallId ? 1.0 : 0.5)));
-            mirror = vec3(fresnel(cosine, 1.0 / eta));
-            through = 1.0 - mirror;
-            behind = refractExactly(rd, facing, eta);
-            bend = h.id == kBallId ? 1.0 / kBall.w : 0.0;
-        } else if (h.id == kLampId) {
-            shine = (dot(rd, nor) > 0.0 ? 0.02 : 14.0) * keyPower * linearColour(keyColour);
-        } else if (h.id <= kWallId) {
-            float rho = length(q.xz), arc = h.id == kWallId ? q.y : rho - kWall;
-            float rise = smoothstep(-kCove, kCove, arc);
-            if (nor.y > -0.5) {   // floor and wall are one sheet, bent
-                vec3 inward = -unit(vec3(q.x, 0.0, q.z));
-                lit = unit(mix(vec3(0.0, 1.0, 0.0), inward, rise));
-            }
-            albedo = linearColour(studioColour) * 0.9;
-            shine = albedo * gels(q);
-            float stage = 1.0 - smoothstep(kDial - 0.5 * w, kDial + 0.5 * w + 0.001, rho);
-            if (h.id == kFloorId && stage > 0.0) {
-                float brass = inlay * dial(q.xz, rd.xz / max(abs(rd.y), 1e-4), w);
-                float clear = fresnel(cosine, kIorVarnish);
-                mirror = floorGloss * stage * mix(vec3(clear), vec3(0.45, 0.30, 0.13), 0.7 * brass);
-                albedo = mix(albedo * mix(1.0, 0.55, stage), vec3(0.62, 0.36, 0.12), 0.8 * brass);
-            } else {
-                shine += softboxes(q, nor, w);
-            }
-        } else if (h.id == kChromeId) {
-            mirror = metal(vec3(0.90, 0.92, 0.95), cosine);
-            bend = 1.0 / kChrome.w;
-        } else if (h.id == kRingId) {
-            mirror = metal(linearColour(goldColour), cosine);
-            bend = 1.0 / kRing.y;
-        } else if (h.id == kMirrorId) {
-            mirror = inside ? vec3(0.02) : vec3(0.88, 0.90, 0.90);
-            albedo = inside ? vec3(0.03) : vec3(0.0);
-        } else {   // glazed
-            albedo = h.id == kEggId ? vec3(0.80, 0.72, 0.62)
-                : h.id == kPearlId ? vec3(0.85, 0.80, 0.74)
-                : h.id == kBerryId ? vec3(0.60, 0.03, 0.05)
-                : h.id == kConeId ? vec3(0.85, 0.42, 0.05)
-                : h.id == kPlinthId ? vec3(0.05, 0.24, 0.28) : vec3(0.62, 0.26, 0.20);
-            mirror = vec3(fresnel(cosine, kIorVarnish));
-            bend = h.id == kPlinthId || h.id == kDrumTopId ? 0.0 : 2.5;
-        }
-        if (maxComponent(share * albedo) > kLeastThroughput)
-            shine += (1.0 - mirror) * albedo * irradiance(q, lit, h.id);
-        sum += share * shine;
+        Surface s = surfaceAt(ro, rd, h, within);
+        if (s.glassy && s.inside) share *= glassLeft(h.id, t);
+        dress(h.id, rd, w, s);
+        if (maxComponent(share * s.albedo) > kLeastThroughput)
+            s.shine += (1.0 - s.mirror) * s.albedo * irradiance(s.q, s.lit, h.id);
+        sum += share * s.shine;
 
         // Two ways on: the stronger is followed, the other waits.
-        vec3 nextRd = reflect(rd, facing);   // and above the surface, whatever was rounded
-        nextRd = unit(nextRd + max(1e-4 - dot(nextRd, facing), 0.0) * facing);
-        vec3 passed = share * through;
-        vec3 side = robust ? liftOff(q, facing) : q, below = robust ? liftOff(q, -facing) : q;
-        vec3 raised = toWorld(side), sunk = toWorld(below);
-        if (!robust) { raised = p + kTextbookLift * facing; sunk = p - kTextbookLift * facing; }
-        share *= mirror;
-        width = vec2(w, width.y + 2.0 * w * bend / max(cosine, 0.1));
+        vec3 nextRd = reflect(rd, s.facing);   // and above the surface, whatever was rounded
+        nextRd = unit(nextRd + max(1e-4 - dot(nextRd, s.facing), 0.0) * s.facing);
+        vec3 passed = share * s.through;
+        vec3 raised = goOn(p, s.q, s.facing), sunk = goOn(p, s.q, -s.facing);
+        share *= s.mirror;
+        width = vec2(w, width.y + 2.0 * w * s.bend / max(s.cosine, 0.1));
         bool follow = maxComponent(passed) > maxComponent(share);
         vec3 other = follow ? share : passed;
         if (maxComponent(other) > kLeastThroughput && pending < kPending) {
             laterRo[pending] = follow ? raised : sunk;
-            laterRd[pending] = follow ? nextRd : behind;
+            laterRd[pending] = follow ? nextRd : s.behind;
             laterShare[pending] = other;
             laterWidth[pending] = width;
-            laterWithin[pending] = inside == follow && glassy;
+            laterWithin[pending] = s.inside == follow && s.glassy;
             ++pending;
         }
         ro = follow ? sunk : raised;
-        rd = follow ? behind : nextRd;
+        rd = follow ? s.behind : nextRd;
         share = follow ? passed : share;
-        within = inside != follow && glassy;
+        within = s.inside != follow && s.glassy;
         if (maxComponent(share) <= kLeastThroughput) {
             if (pending == 0) break;
             --pending;
-            ro = laterRo[pending]; rd = laterRd[pending]; share = laterShare[pending];
+            ro = laterRo[pending];
+            rd = laterRd[pending];
+            share = laterShare[pending];
             width = laterWidth[pending];
             within = laterWithin[pending];
         }
@@ -888,6 +998,9 @@ vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
 }
 
 // ---- Error of the hit distance ------------------------------------------------------------------
+// How wrong is t? No reference is needed: the hit point, formed in twice the digits, lies off the
+// surface by some gap; the gap over the ray's speed towards the surface is what t is out by.
+
 vec3 heat(float x) {   // black, violet, red, orange, pale yellow; 0 to 1
     vec3 c = mix(vec3(0.0, 0.0, 0.02), vec3(0.10, 0.01, 0.25), smoothstep(0.0, 0.25, x));
     c = mix(c, vec3(0.55, 0.02, 0.16), smoothstep(0.2, 0.5, x));
@@ -924,6 +1037,10 @@ vec3 errorView(vec3 ro, vec3 rd, vec2 uv) {   // uv: the picture's height is 1, 
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// `robust` is one branch for the whole pixel: specialised, the other formulas are not in the
+// program. Where the eye steps back by `magnitude`, the lens grows as long, so that the picture
+// stays.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {

@@ -100,6 +100,9 @@ uniform sampler2D motif; //@ pass mainMotif size=512x512 format=rgba8 wrap=repea
 uniform sampler2D relief;      //@ pass mainRelief size=192x192 wrap=repeat filter=linear
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// All waves fit a square of kWorld, so that the world repeats after it, and all is drawn round the
+// boat: coordinates stay small, and floats fine, however far she sails.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
 const float kFar = 1e9;                    // m, a miss
@@ -124,8 +127,14 @@ struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -196,6 +205,11 @@ vec3 sunLight() {
 vec3 sunBleached() { return mix(sunLight(), vec3(maxComponent(sunLight())), 0.3); }   // as on film
 
 // ---- The float ----------------------------------------------------------------------------------
+// Heave, pitch and roll are each a weight on a damped spring, whose free end the waves move:
+// x'' + c x' + k x = k f(t). Small steps of x and x' in turn explode once k t^2 passes about 4.
+// But with f a straight line during the step the equation has a solution in closed form (Juckett;
+// Hochbruck and Ostermann): it is exact for any stiffness, damping and length of step.
+
 float meanDecay(float x) {   // (1 - exp(-x)) / x, x >= 0
     return x < 0.02 ? 1.0 - x * 0.5 * (1.0 - x / 3.0 * (1.0 - x * 0.25))
         : (1.0 - exp(-min(x, 80.0))) / x;
@@ -236,6 +250,12 @@ vec2 floatStep(vec2 s, float k, float c, float t, float f0, float f1) {
 }
 
 // ---- The sea ------------------------------------------------------------------------------------
+// A height field: a sum of cosines, each a little sharpened by its second harmonic, h(p) = sum a
+// (cos x + B cos 2x) with x = k.p - w t, and w^2 = g |k| tanh(|k| depth): long waves run faster,
+// and shallow water slows them (Airy, 1845). Phases are counted in whole ticks of `iTick`, so that
+// none is lost after a year. A pixel that holds many short waves sees their mean slope, and how
+// much slopes differ (the spread), which widens the mirrored sun instead of making it flicker.
+
 // Wave i, of twenty from long to short: wave vector, which fits the world, and amplitude.
 vec3 waveOf(int i) {
     float x = float(i), last = longestWave * 0.0722;   // 0.72^8
@@ -401,7 +421,8 @@ float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
         float close0 = -rd.y - dot(m0.a * m0.rate, n * (1.0 + 4.0 * crest() * c));
         float f = f0 - moversHeight(m1, t), close = close0 + steep1, over = max(f0 - top1, 0.0);
         ++seaEvaluations;
-        if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
+        if (f <= 0.0) below = vec2(t, f);
+        else above = vec2(t, f);
         ahead = f > 0.0 && t < leave;
         f = max(f, 0.0);
         float far = 2.4 * f / max(close + sqrt(close * close + bend0 * f), 1e-6);
@@ -412,8 +433,13 @@ float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (int k = 0; k < 4; ++k) {
         t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
         float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
-        if (f > 0.0) { above = vec2(t, f); below.y *= 0.5; }
-        else { below = vec2(t, f); above.y *= 0.5; }
+        if (f > 0.0) {
+            above = vec2(t, f);
+            below.y *= 0.5;
+        } else {
+            below = vec2(t, f);
+            above.y *= 0.5;
+        }
     }
     return t;
 }
@@ -438,8 +464,8 @@ float shownSlope(vec3 rd, Sea s, out vec2 slope) {
     slope = s.slope + lean * (ahead / area);
     return area;
 }
-// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7,
-// with the shown area in closed form, and the first term of an Edgeworth series for the tails).
+// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq.
+// 7, with the shown area in closed form, and the first term of an Edgeworth series for the tails).
 float seaGlitter(vec3 rd, Sea s, float area) {
     vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
     if (h.y < 0.05) return 0.0;
@@ -497,6 +523,10 @@ float lightGathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry
 }
 
 // ---- The boat -----------------------------------------------------------------------------------
+// Known by a distance that is never too long: then a ray that steps by it cannot pass through her
+// (Hart). The hull at a station z is half an ellipse, from keel to sheer; deck, thwarts, spars and
+// sail are boxes and sticks cut and joined by max and min. The least of them tells the part, too.
+
 float sheerAt(float z) { return 0.40 + 0.31 * square((z + 0.35) / 2.5); }   // top of the side
 float keelAt(float z) {
     return -0.27 + 0.64 * square(max(z - 1.0, 0.0) / 1.3) + 0.12 * square(max(-z - 0.7, 0.0) / 1.4);
@@ -524,8 +554,14 @@ float stick(vec3 p, vec3 a, vec3 b, float r) {
     vec3 u = p - a, v = b - a;
     return length(u - clamp(dot(u, v) / dot(v, v), 0.0, 1.0) * v) - r;
 }
-// Never more than the distance; part: what is nearest.
-float boatField(vec3 p, out int part) {
+void keepNearest(float d, int its, inout float best, inout int part) {
+    if (d < best) {
+        best = d;
+        part = its;
+    }
+}
+// Planks and deck, hollowed by the well; rail, thwarts and keel.
+float hullField(vec3 p, out int part) {
     vec2 side = hullSides(p);
     float ends = hullEnds(p), solid = max(side.x, max(side.y, ends));
     float well = max(max(side.x + 0.02, kBottom - p.y), max(kAfterDeck - p.z, p.z - kDeckEnd));
@@ -533,49 +569,59 @@ float boatField(vec3 p, out int part) {
     part = -well > solid ? kWell : side.y > max(side.x, ends) ? kDeck : kPlanks;
 
     float rail = max(length(vec2(side.x, side.y + 0.012)) - 0.024, 0.96 * (ends - 0.03));
-    if (rail < best) { best = rail; part = kRail; }
+    keepNearest(rail, kRail, best, part);
     float thwart = min(abs(p.z - kMastAt) - 0.13, abs(p.z + 0.70) - 0.14);
     thwart = max(max(thwart, abs(p.y - 0.19) - 0.016), side.x + 0.012);
-    if (thwart < best) { best = thwart; part = kThwart; }
+    keepNearest(thwart, kThwart, best, part);
     float under = keelAt(clamp(p.z, kStern, kBow));   // keel and stem
     float keel = max(max(abs(p.x) - 0.022, ends - 0.03),
                      max(0.7 * (under - 0.05 - p.y), side.y - 0.03));
     keel = max(keel, min(0.7 * (p.y - under - 0.06), 2.2 - p.z));
-    if (keel < best) { best = keel; part = kRail; }
-
-    vec3 m = p - vec3(0.0, 0.0, kMastAt);
+    keepNearest(keel, kRail, best, part);
+    return best;
+}
+// Mast, boom, oars, tiller, and the rudder's blade. m: from the mast's foot; q: in the sail's
+// frame.
+void gearField(vec3 p, vec3 m, vec3 q, inout float best, inout int part) {
     float spar = max(0.99 * (length(m.xz) - 0.046 + 0.006 * p.y), max(p.y - kMastTop, -0.1 - p.y));
-    // The sail's frame: x to lee, y up, z along the boom.
-    float c = cos(gBoom), s = sin(gBoom);
-    vec3 q = vec3(c * m.x + s * m.z, p.y, s * m.x - c * m.z);
     if (sail) spar = min(spar, stick(q, vec3(0.0, 1.30, 0.04), vec3(-0.03, 0.96, 2.06), 0.020));
     // Oars, and the tiller.
     vec3 o = vec3(abs(p.x) - 0.40, p.y, p.z);
     spar = min(spar, stick(o, vec3(0.0, 0.235, -1.45), vec3(-0.06, 0.235, 0.95), 0.021));
     vec3 h = vec3(turn(p.xz - vec2(0.0, kStern - 0.09), gRudder), p.y).xzy;
     spar = min(spar, stick(h, vec3(0.0, 0.62, -0.05), vec3(0.0, 0.70, 0.85), 0.018));
-    if (spar < best) { best = spar; part = kSpar; }
+    keepNearest(spar, kSpar, best, part);
     vec3 blade = abs(h - vec3(0.0, 0.14, -0.15)) - vec3(0.016, 0.50, 0.15 - 0.1 * min(h.y, 0.4));
     float rudder = 0.97 * max(blade.x, max(blade.y, blade.z));
-    if (rudder < best) { best = rudder; part = kRudder; }
-
-    if (sail) {   // a triangle that bellies to lee
-        float reach = kChord * clamp((kHead - q.y) / (kHead - kTack), 0.0, 1.0);
-        float along = clamp(q.z, 0.0, reach);
-        float belly = 0.26 * clamp(2.5 * gBoom, -1.0, 1.0) * along
-            * (1.0 - along / max(reach, 1e-3));
-        float leech = dot(q.zy - vec2(kChord, kTack), vec2(0.8381, 0.5455));
-        float foot = 0.99 * (kTack - 0.10 * q.z * (kChord - q.z) - q.y);
-        float cloth = max(0.9 * abs(q.x - belly) - 0.007, max(leech, max(0.8 * foot, 0.05 - q.z)));
-        if (cloth < best) { best = cloth; part = kCloth; }
-    }
+    keepNearest(rudder, kRudder, best, part);
+}
+// A triangle that bellies to lee. q: x to lee, y up, z along the boom.
+float clothField(vec3 q) {
+    float reach = kChord * clamp((kHead - q.y) / (kHead - kTack), 0.0, 1.0);
+    float along = clamp(q.z, 0.0, reach);
+    float belly = 0.26 * clamp(2.5 * gBoom, -1.0, 1.0) * along
+        * (1.0 - along / max(reach, 1e-3));
+    float leech = dot(q.zy - vec2(kChord, kTack), vec2(0.8381, 0.5455));
+    float foot = 0.99 * (kTack - 0.10 * q.z * (kChord - q.z) - q.y);
+    return max(0.9 * abs(q.x - belly) - 0.007, max(leech, max(0.8 * foot, 0.05 - q.z)));
+}
+// Never more than the distance; part: what is nearest.
+float boatField(vec3 p, out int part) {
+    float best = hullField(p, part), c = cos(gBoom), s = sin(gBoom);
+    vec3 m = p - vec3(0.0, 0.0, kMastAt);
+    vec3 q = vec3(c * m.x + s * m.z, p.y, s * m.x - c * m.z);   // the sail's frame
+    gearField(p, m, q, best, part);
+    if (sail) keepNearest(clothField(q), kCloth, best, part);
     return best;
 }
 vec3 toBoat(vec3 p) { return (p - vec3(0.0, gHeave, 0.0)) * gAxes; }
 // Where a ray in the boat's frame may meet her; nothing when y < x.
 vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
     vec3 lo = vec3(-0.9, -0.5, -2.6), hi = vec3(0.9, kMastTop, 2.36);
-    if (sail) { lo.x = -1.75; hi.x = 1.75; }
+    if (sail) {
+        lo.x = -1.75;
+        hi.x = 1.75;
+    }
     vec3 inv = safeInverse(rd), a = (lo - grow - ro) * inv, b = (hi + grow - ro) * inv;
     vec3 n = min(a, b), f = max(a, b);
     return vec2(max(maxComponent(n), 0.0), min(f.x, min(f.y, f.z)));
@@ -595,7 +641,10 @@ Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
         ahead = !met && t < span.y;
     }
     Hit h = Hit(t, part, vec3(0.0, 1.0, 0.0), o + t * d);
-    if (!(t < span.y) || f > 0.02) { h.part = kNone; h.t = kFar; }   // or out of steps far from her
+    if (!(t < span.y) || f > 0.02) {   // or out of steps far from her
+        h.part = kNone;
+        h.t = kFar;
+    }
     float w = 0.0015 + 0.2 * pixel * min(t, 100.0);
     vec3 g = vec3(0.0);
     int corners = h.part == kNone ? 0 : 4;   // not a constant: a loop may end early, code cannot
@@ -695,6 +744,9 @@ vec4 paintOf(int part, vec3 q, float w, inout vec3 nor) {
 }
 
 // ---- Light --------------------------------------------------------------------------------------
+// What each thing sends to the eye: sky and deep water by looking up a blurred picture of the sky,
+// sand and wood as matt surfaces, varnish and foam above them.
+
 // The sky's picture goes from the horizon to straight up, finest low; a: how clear the view of the
 // sun is. cone: rad, what is seen as one.
 vec4 heavens(vec3 rd, float cone) {
@@ -783,115 +835,194 @@ bool meetsBoat(vec3 ro, vec3 rd, float tMax) {   // perhaps: her box
 }
 
 // ---- Transport ----------------------------------------------------------------------------------
+// Light on a pixel of sea comes on two ways: mirrored, from sky or boat, and refracted, from the
+// sand or the hull under water, dimmed by exp(-sigma path) (Beer). Fresnel shares it out between
+// them. The sun meets the boat on up to four of their legs. What could not be met anyway is
+// skipped, and all rays of a kind go through one loop, so that the march stands in the program
+// once.
+
 vec3 viewRay(Eye e, vec2 pixel) {
     vec2 uv = (pixel - 0.5 * iResolution.xy) / iResolution.y;
     return normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
 }
-vec3 render(Eye e, vec3 rd, float angle, float chance) {
-    vec3 sun = sunDirection();
-    float t = hitWaves(e.pos, rd, angle, kFar);
-    if (t > 0.0 && hullBody(toBoat(e.pos + t * rd)) < 0.0) t = -1.0;   // she keeps the sea out
-    Hit h = hitBoat(e.pos, rd, angle, t > 0.0 ? t : kFar);
-    bool wet = h.part == kNone && t > 0.0;
-    t = wet ? min(t, 1e5) : 1.0;
-    vec3 p = e.pos + t * rd;
-    vec2 white, slope;
-    Sea s = seaAt(p.xz, seaFootprint(rd, angle * t), white);
-    float area = shownSlope(rd, s, slope);
-    vec3 facet = normalize(vec3(-slope, 1.0).xzy), away = reflect(rd, facet);
-    away = normalize(vec3(away.x, max(away.y, 0.02), away.z));   // biased: no light between waves
-    float cosine = clamp(-dot(facet, rd), 0.0, 1.0), mirrored = fresnel(cosine, kIorWater);
-    float cone = wet ? 1.2 * sqrt(s.spread.x + s.spread.y) + angle : angle;
-    vec3 distant = wet ? away : rd;
-    vec4 far = heavens(distant, cone);
-    vec3 light = far.rgb;
+// A point of the sea that the eye meets, and both ways on from there.
+struct Water {
+    vec3 p;                // m
+    Sea sea;
+    vec2 white;            // crests in line, foam of the wake
+    float area;            // shown by the rough surface, of a level metre
+    vec3 facet;            // mean normal of what is shown
+    vec3 away, down;       // mirrored and refracted, unit
+    float mirrored;        // Fresnel's share
+    float t;               // from the eye
+    float deep;            // m along `down` to the sand
+};
+// Where the sun's light on the ground came in, for a point of sand or hull under water.
+struct Sunken {
+    vec3 ground, from;     // the point, and its place of entry
+    vec3 back;             // the way there, unit
+    vec3 ray;              // the sun's way down in level water
+    float gather;          // how much the waves gather it
+    float down, path;      // m: its depth, and its distance from `from`
+};
 
-    // From the water: what is mirrored, what is seen through it. Rays that miss her are skipped.
+Water waterAt(Eye e, vec3 rd, float angle, float t, bool wet) {
+    Water s;
+    s.t = t;
+    s.p = e.pos + t * rd;
+    vec2 slope;
+    s.sea = seaAt(s.p.xz, seaFootprint(rd, angle * t), s.white);
+    s.area = shownSlope(rd, s.sea, slope);
+    s.facet = normalize(vec3(-slope, 1.0).xzy);
+    s.away = reflect(rd, s.facet);   // biased: no light between waves
+    s.away = normalize(vec3(s.away.x, max(s.away.y, 0.02), s.away.z));
+    float cosine = clamp(-dot(s.facet, rd), 0.0, 1.0);
+    s.mirrored = fresnel(cosine, kIorWater);
     float eta = 1.0 / kIorWater, k2 = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
-    vec3 down = normalize(eta * rd + (eta * cosine - sqrt(k2)) * facet);
-    down.y = min(down.y, -0.05);
-    float deep = wet ? (depth + p.y) / -down.y : 1.0, before = wet ? t : 0.0;
-    Hit m = h, bottom = h;
-    bottom.part = kNone;
-    int todo = wet ? (reflection && meetsBoat(p, away, 30.0) ? 1 : 0)
-        + (meetsBoat(p, down, min(deep, 8.0)) ? 2 : 0) : 0;
+    s.down = normalize(eta * rd + (eta * cosine - sqrt(k2)) * s.facet);
+    s.down.y = min(s.down.y, -0.05);
+    s.deep = wet ? (depth + s.p.y) / -s.down.y : 1.0;
+    return s;
+}
+
+// The boat as the water shows her: mirrored, and below its surface. Rays that miss her box are
+// skipped. The bits of `todo` are the rays that are left, and a turn of the loop takes one.
+void boatFromWater(Water s, float angle, inout Hit mirrored, inout Hit below) {
+    float reach = min(s.deep, 8.0);
+    int todo = (reflection && meetsBoat(s.p, s.away, 30.0) ? 1 : 0)
+        + (meetsBoat(s.p, s.down, reach) ? 2 : 0);
     for (int turns = 0; turns < 2 && todo != 0; ++turns) {
         bool up = (todo & 1) != 0;
-        Hit x = hitBoat(p + vec3(0.0, up ? 0.004 : -0.002, 0.0), up ? away : down, angle,
-                        up ? 30.0 : min(deep, 8.0));
-        if (up) m = x; else bottom = x;
+        Hit x = hitBoat(s.p + vec3(0.0, up ? 0.004 : -0.002, 0.0), up ? s.away : s.down, angle,
+                        up ? 30.0 : reach);
+        if (up) mirrored = x;
+        else below = x;
         todo &= todo - 1;
     }
-    bool shown = m.part != kNone, hull = bottom.part != kNone;
-    vec3 q = (wet ? p : e.pos) + min(m.t, 1e3) * distant;
-    float path = hull ? bottom.t : deep;
-    vec3 ground = p + path * down;
-    // Sunlight under water: its place of entry, and how much of it the waves gather.
+}
+
+// path: m from the surface along s.down; low: towards the sun, never below the horizon.
+Sunken sunkenAt(Water s, float path, float angle, vec3 low, bool wet) {
+    Sunken g;
     mat2 byslope;
     vec2 entry;
-    vec3 low = sun;
-    low.y = max(sun.y, 0.01);
-    vec3 ray = sunUnderWater(low, byslope);
-    float sunk = max(-ground.y, 0.0), gather = lightGathered(ground.xz, sunk, ray, byslope, entry);
-    float blurred = 4.0 * angle * (t + path) / max(-down.y, 0.1);
-    gather = mix(gather, 1.0, 1.0 - exp(-min(blurred * blurred * 8.0, 40.0)));
-    vec3 from = vec3(entry, wet ? moversAt(entry) : 0.0).xzy;
-    vec3 back = normalize(from - ground + vec3(0.0, 1e-4, 0.0));
-    float sunken = distance(from, ground);
-    // Shadows: on the water, on the boat, and both parts of the way to the ground.
+    g.ground = s.p + path * s.down;
+    g.ray = sunUnderWater(low, byslope);
+    g.down = max(-g.ground.y, 0.0);
+    g.gather = lightGathered(g.ground.xz, g.down, g.ray, byslope, entry);
+    float blurred = 4.0 * angle * (s.t + path) / max(-s.down.y, 0.1);   // a pixel, m on the sand
+    g.gather = mix(g.gather, 1.0, 1.0 - exp(-min(blurred * blurred * 8.0, 40.0)));
+    g.from = vec3(entry, wet ? moversAt(entry) : 0.0).xzy;
+    g.back = normalize(g.from - g.ground + vec3(0.0, 1e-4, 0.0));
+    g.path = distance(g.from, g.ground);
+    return g;
+}
+
+// Shares of the sun past the boat: x on the water, y on her (at q, if she is shown), z and w on
+// both legs of the way to the ground: above the water and below it.
+vec4 sunShares(Water s, Sunken g, vec3 q, vec3 nor, vec3 low, bvec2 wetShown, float chance) {
     vec4 share = vec4(1.0);
-    todo = shadows == 0 || overcast >= 1.0 ? 0 : (wet && meetsBoat(p, sun, kFar) ? 1 : 0)
-        + (shown ? 2 : 0) + (wet && meetsBoat(from, low, kFar) ? 4 : 0)
-        + (wet && meetsBoat(ground, back, sunken) ? 8 : 0);
+    bool wet = wetShown.x;
+    int todo = shadows == 0 || overcast >= 1.0 ? 0
+        : (wet && meetsBoat(s.p, sunDirection(), kFar) ? 1 : 0) + (wetShown.y ? 2 : 0)
+        + (wet && meetsBoat(g.from, low, kFar) ? 4 : 0)
+        + (wet && meetsBoat(g.ground, g.back, g.path) ? 8 : 0);
     for (int turns = 0; turns < 4 && todo != 0; ++turns) {
         int bit = todo & -todo;
-        vec3 o = bit == 1 ? p : bit == 2 ? q + 0.006 * m.nor : from;
-        if (bit == 8) o = ground + 0.01 * back;
+        vec3 o = bit == 1 ? s.p : bit == 2 ? q + 0.006 * nor : g.from;
+        if (bit == 8) o = g.ground + 0.01 * g.back;
         float blur = bit == 1 ? 0.004 : bit == 2 ? 0.0 : bit == 4 ? 0.010 : 0.05;
-        float seen = boatShade(o, bit == 8 ? back : low, blur, bit == 8 ? sunken : kFar, chance);
+        float seen = boatShade(o, bit == 8 ? g.back : low, blur, bit == 8 ? g.path : kFar, chance);
         share = mix(share, vec4(seen), equal(ivec4(bit), ivec4(1, 2, 4, 8)));
         todo &= todo - 1;
     }
-    if (shown) light = boatLight(m, q, distant, share.y, angle * (before + min(m.t, 1e3)));
-    if (wet) {
-        vec4 stuff = seabed(ground.xz, angle * (t + path) / -down.y);
-        vec3 nor = hull ? bottom.nor : normalize(vec3(stuff.w * 0.88, 1.0, stuff.w * 0.47));
-        vec3 albedo = hull ? vec3(0.16, 0.022, 0.018) : stuff.rgb, sigma = absorption();
-        float facing = max(dot(nor, ray) / ray.y, 0.0) * low.y * (1.0 - fresnel(low.y, kIorWater));
-        vec3 lit = 0.9 * gAmbient * exp(-1.2 * sigma * sunk) * (0.6 + 0.4 * nor.y)
-            + sunLight() * (share.z * share.w * facing * gather) * exp(-sigma * sunken);
-        vec3 left = exp(-sigma * path);   // crests are thin, light comes through them
-        vec3 body = bodyLight(mix(0.25, 1.0, share.x)) * (1.0 + 2.5 * max(white.x, 0.0));
-        vec3 through = albedo * lit * left + body * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
-        through = mix(body, through, hull ? 1.0 : floorShare);
-        light = mirrored * light + (1.0 - mirrored) * through;
-        light += sunBleached() * (kPi * share.x * seaGlitter(rd, s, area));
-        if (foam > 0.0) {
-            float breaking = smoothstep(0.20, 0.52, white.x + 0.16 * (foam - 0.5));
-            float amount = foam * breaking + white.y;
-            float cover = foamCover(p.xz, min(amount, 1.0), angle * t);
-            vec3 snow = 0.75 * (gAmbient + sunLight() * (max(dot(facet, sun), 0.0) * share.x));
-            light = mix(light, snow, cover);
-        }
-    } else if (!shown) {
-        float away2 = dot(rd - sun, rd - sun), r2 = square(radians(sunSize));
-        float edge = max(angle, 1e-4) * 0.5 * sqrt(r2);
-        float disc = far.a * (1.0 - smoothstep(r2 - edge, r2 + edge, away2));
-        light += sunBleached() * (disc * 600.0 + far.a * (0.0016 / (away2 + 0.0006) + 0.02));
-    }
+    return share;
+}
+
+// Light out of the water: sand or hull in sun and sky, and what the water itself scatters.
+vec3 throughWater(Water s, Sunken g, Hit below, float path, float angle, vec4 share, vec3 low) {
+    bool hull = below.part != kNone;
+    vec4 stuff = seabed(g.ground.xz, angle * (s.t + path) / -s.down.y);
+    vec3 nor = hull ? below.nor : normalize(vec3(stuff.w * 0.88, 1.0, stuff.w * 0.47));
+    vec3 albedo = hull ? vec3(0.16, 0.022, 0.018) : stuff.rgb, sigma = absorption();
+    float facing = max(dot(nor, g.ray) / g.ray.y, 0.0) * low.y * (1.0 - fresnel(low.y, kIorWater));
+    vec3 lit = 0.9 * gAmbient * exp(-1.2 * sigma * g.down) * (0.6 + 0.4 * nor.y)
+        + sunLight() * (share.z * share.w * facing * g.gather) * exp(-sigma * g.path);
+    vec3 left = exp(-sigma * path);   // crests are thin, light comes through them
+    vec3 body = bodyLight(mix(0.25, 1.0, share.x)) * (1.0 + 2.5 * max(s.white.x, 0.0));
+    vec3 through = albedo * lit * left + body * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
+    return mix(body, through, hull ? 1.0 : floorShare);
+}
+// Foam where crests of several waves come together, and in the wake. seen: of the sun.
+vec3 underFoam(Water s, vec3 light, float angle, float seen) {
+    float breaking = smoothstep(0.20, 0.52, s.white.x + 0.16 * (foam - 0.5));
+    float amount = foam * breaking + s.white.y;
+    float cover = foamCover(s.p.xz, min(amount, 1.0), angle * s.t);
+    float facing = max(dot(s.facet, sunDirection()), 0.0);
+    vec3 snow = 0.75 * (gAmbient + sunLight() * (facing * seen));
+    return mix(light, snow, cover);
+}
+// The sun's disc and the glow round it; clear: how clear the sky before it is.
+vec3 sunSeen(vec3 rd, float angle, float clear) {
+    vec3 sun = sunDirection();
+    float away2 = dot(rd - sun, rd - sun), r2 = square(radians(sunSize));
+    float edge = max(angle, 1e-4) * 0.5 * sqrt(r2);
+    float disc = clear * (1.0 - smoothstep(r2 - edge, r2 + edge, away2));
+    return sunBleached() * (disc * 600.0 + clear * (0.0016 / (away2 + 0.0006) + 0.02));
+}
+// Haze before a thing `reach` m away, then rain before all; open: nothing but sky is there.
+vec3 throughAir(vec3 light, vec3 rd, float angle, float reach, bool open) {
     vec3 level = normalize(vec3(rd.x, 1e-3, rd.z) + vec3(0.0, 0.02, 0.0));
-    float reach = wet ? t : shown ? m.t : kFar;
-    if (wet || shown)
-        light = mix(heavens(level, 0.05).rgb, light, exp(-min(reach / visibility, 60.0)));
+    if (!open) light = mix(heavens(level, 0.05).rgb, light, exp(-min(reach / visibility, 60.0)));
     if (rain > 0.0) {
-        float veil = wet || shown ? 0.0 : 1.0 - exp(-min(900.0 / visibility, 60.0));
+        float veil = open ? 1.0 - exp(-min(900.0 / visibility, 60.0)) : 0.0;
         light = mix(light, heavens(level, 0.3).rgb, veil * (1.0 - smoothstep(0.0, 0.5, rd.y)));
         light += 0.16 * gAmbient * rainStreaks(rd, angle);
     }
     return light;
 }
 
+// Light that arrives at the eye against rd. angle: of a pixel, rad; chance: turns the shadow's
+// rays.
+vec3 render(Eye e, vec3 rd, float angle, float chance) {
+    float t = hitWaves(e.pos, rd, angle, kFar);
+    if (t > 0.0 && hullBody(toBoat(e.pos + t * rd)) < 0.0) t = -1.0;   // she keeps the sea out
+    Hit h = hitBoat(e.pos, rd, angle, t > 0.0 ? t : kFar);
+    bool wet = h.part == kNone && t > 0.0;
+    t = wet ? min(t, 1e5) : 1.0;
+    Water s = waterAt(e, rd, angle, t, wet);
+    vec3 distant = wet ? s.away : rd;
+    vec4 far = heavens(distant, wet ? 1.2 * sqrt(s.sea.spread.x + s.sea.spread.y) + angle : angle);
+    vec3 light = far.rgb;
+
+    Hit m = h, below = h;   // the boat, seen or mirrored, and under water
+    below.part = kNone;
+    if (wet) boatFromWater(s, angle, m, below);
+    bool shown = m.part != kNone;
+    vec3 q = (wet ? s.p : e.pos) + min(m.t, 1e3) * distant;
+    vec3 low = sunDirection();
+    low.y = max(low.y, 0.01);
+    float path = below.part != kNone ? below.t : s.deep;
+    Sunken g = sunkenAt(s, path, angle, low, wet);
+    vec4 share = sunShares(s, g, q, m.nor, low, bvec2(wet, shown), chance);
+
+    float before = wet ? t : 0.0;
+    if (shown) light = boatLight(m, q, distant, share.y, angle * (before + min(m.t, 1e3)));
+    if (wet) {
+        vec3 through = throughWater(s, g, below, path, angle, share, low);
+        light = s.mirrored * light + (1.0 - s.mirrored) * through;
+        light += sunBleached() * (kPi * share.x * seaGlitter(rd, s.sea, s.area));
+        if (foam > 0.0) light = underFoam(s, light, angle, share.x);
+    } else if (!shown) {
+        light += sunSeen(rd, angle, far.a);
+    }
+    return throughAir(light, rd, angle, wet ? t : shown ? m.t : kFar, !wet && !shown);
+}
+
 // ---- Passes -------------------------------------------------------------------------------------
+// What no pixel need work out for itself: the sky once per look, the boat's state and her wake 240
+// times a second, whatever the frame rate, and what all pixels share of a frame: waves and axes.
+
 // Single scattering in clear and hazy air, by the angle to the sun's bearing and the height.
 void mainAir(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / iResolution.xy;
@@ -1025,6 +1156,28 @@ vec3 hullTarget(vec2 place, float heading, float back) {
     }
     return vec3(sum, atan(bow), atan(side));
 }
+// One of heave, pitch and roll after a step: position, speed, and the target it followed. Heave is
+// stiffest; aside: the hull's own lean and squat, which move the targets.
+vec4 floated(vec4 own, int which, bool fresh, vec2 was, vec2 now, float heading, vec3 aside) {
+    float stiff = stiffness * (which == 0 ? 1.0 : which == 1 ? 1.2 : 0.7);
+    float loss = damping * (which == 2 ? 0.6 : 1.0);
+    vec2 s = clamp(own.xy, vec2(-50.0, -5e4), vec2(50.0, 5e4));
+    float before = own.z, dt = iTimeDelta, part = dt / float(substeps);
+    for (int i = 1; i <= substeps; ++i) {
+        float back = dt - float(i) * part;
+        vec2 at = mix(now, was, back / dt);
+        if (distance(now, was) > 100.0) at = now;   // over the world's edge
+        float target = (hullTarget(at, heading, back) + aside)[which];
+        if (fresh) {
+            s = vec2(target, 0.0);
+            before = target;
+        }
+        s = floatStep(s, stiff, loss, part, before, target);
+        before = target;
+        fresh = false;
+    }
+    return vec4(clamp(s, -5e4, 5e4), before, 0.0);
+}
 float key(int code) { return step(0.5, texelFetch(keys, ivec2(code, 0), 0).x); }
 
 // 0: place, heading (to the right), speed. 1: turning, rudder, what the camera lags, 1 once there
@@ -1051,30 +1204,18 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
     now -= kWorld * floor(now / kWorld + 0.5);
     float heading = place.z + swing;
     heading -= 2.0 * kPi * floor(heading / (2.0 * kPi) + 0.5);
-    if (k == 0) { colour = vec4(now, heading, goal + (speed - goal) * lose); return; }
+    if (k == 0) {
+        colour = vec4(now, heading, goal + (speed - goal) * lose);
+        return;
+    }
     if (k == 1) {
         float lag = (clamp(way.z, -2.0, 2.0) + swing) * exp(-dt / 0.8);
         colour = vec4(steer + (turning - steer) * keep, mix(helm, way.y, exp(-5.0 * dt)), lag, 1.0);
         return;
     }
-    // Heave is stiffest; the hull's own lean and squat move the targets.
     float wind = radians(windAngle) - heading, lean = sail ? 0.10 * sin(wind) : 0.0;
     vec3 aside = vec3(0.0, 0.016 * speed, lean + 0.05 * speed * turning);
-    float stiff = stiffness * (k == 2 ? 1.0 : k == 3 ? 1.2 : 0.7);
-    float loss = damping * (k == 4 ? 0.6 : 1.0);
-    vec2 s = clamp(own.xy, vec2(-50.0, -5e4), vec2(50.0, 5e4));
-    float before = own.z, part = dt / float(substeps);
-    for (int i = 1; i <= substeps; ++i) {
-        float back = dt - float(i) * part;
-        vec2 at = mix(now, place.xy, back / dt);
-        if (distance(now, place.xy) > 100.0) at = now;   // over the world's edge
-        float target = (hullTarget(at, heading, back) + aside)[k - 2];
-        if (fresh) { s = vec2(target, 0.0); before = target; }
-        s = floatStep(s, stiff, loss, part, before, target);
-        before = target;
-        fresh = false;
-    }
-    colour = vec4(clamp(s, -5e4, 5e4), before, 0.0);
+    colour = floated(own, k - 2, fresh, place.xy, now, heading, aside);
 }
 
 // The wave equation on a torus of 192 cells that goes along with her: heights, their speed half a
@@ -1202,6 +1343,9 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// The eye stands in `poses`; here are only its rays, spread over the pixel.
+// Dither of one step of 255 hides the bands of an evening sky.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {

@@ -5,27 +5,24 @@
 // from the classic shortcut to photons that are gathered without bound.
 //
 // Method   A map holds, for each texel of the floor, the light that falls into it relative to flat
-//          water. Nothing can be drawn forward here, so forward methods are turned round: a pass
-//          keeps where the light of each surface cell lands, four levels of boxes over the cells
-//          find those that reach four by four texels, then one, and the exact overlap of triangle
-//          and texel shares a triangle's light (area), or a photon counts where it lands (photons:
-//          one a cell and frame, at a new place in it, so the mean over frames is exact in
-//          expectation). Neither can lose light. Calm water needs one inverse search and 1/|J|
-//          instead. The same at two levels between gives the light on objects and in the water.
-// Sources  Stam, Random caustics, SIGGRAPH (1996): periodic tiles. Guardado and Sanchez-Crespo, GPU
-//          Gems ch. 2 (2004): the shortcuts. Born and Wolf, Principles of Optics, 1.5: Fresnel.
-//          Daimon and Masumura, Appl. Opt. 46 (2007): water's indices. Roberts (2018): R2 sequence.
-//          Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Henyey and Greenstein, ApJ 93 (1941).
-// Units    1 unit = 1 m, y up, linear sRGB colour until the display curve; the floor is y = 0.
-// Passes   sand, waves: on change of a tweak. surface, landing to tiles, caustics, slices: every
-//          frame. clock: photons. frame...: the loop of `periodic`, on change of a tweak.
-// Bounds   A tile visits at most 96 x 96 of the largest boxes, a texel all of a tile's quads: 44,000
-//          at the ends of all ranges, under the 65,535 turns of llvmpipe.
-// Defaults From `glint study presets/caustics.toml`, RMSE to 257 frames of photons: area 0.0016,
-//          one frame of photons 0.016 in nearly the same time; snell 0.064, periodic 0.075 and
-//          vertical 0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8, for a twentieth
-//          more.
-// Licence  MIT
+// water. Nothing can be drawn forward here, so forward methods are turned round: a pass keeps where
+// the light of each surface cell lands, four levels of boxes over the cells find those that reach
+// four by four texels, then one, and the exact overlap of triangle and texel shares a triangle's
+// light (area), or a photon counts where it lands (photons: one a cell and frame, at a new place in
+// it, so the mean over frames is exact in expectation). Neither can lose light. Calm water needs
+// one inverse search and 1/|J| instead. The same at two levels between gives the light on objects
+// and in the water. Sources  Stam, Random caustics, SIGGRAPH (1996): periodic tiles. Guardado and
+// Sanchez-Crespo, GPU Gems ch. 2 (2004): the shortcuts. Born and Wolf, Principles of Optics, 1.5:
+// Fresnel. Daimon and Masumura, Appl. Opt. 46 (2007): water's indices. Roberts (2018): R2 sequence.
+// Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Henyey and Greenstein, ApJ 93 (1941). Units    1
+// unit = 1 m, y up, linear sRGB colour until the display curve; the floor is y = 0. Passes   sand,
+// waves: on change of a tweak. surface, landing to tiles, caustics, slices: every frame. clock:
+// photons. frame...: the loop of `periodic`, on change of a tweak. Bounds   A tile visits at most
+// 96 x 96 of the largest boxes, a texel all of a tile's quads: 44,000 at the ends of all ranges,
+// under the 65,535 turns of llvmpipe. Defaults From `glint study presets/caustics.toml`, RMSE to
+// 257 frames of photons: area 0.0016, one frame of photons 0.016 in nearly the same time; snell
+// 0.064, periodic 0.075 and vertical 0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8,
+// for a twentieth more. Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
 //@ group Water
@@ -90,6 +87,9 @@ uniform sampler2D caustics;      //@ pass mainCaustics size=256x256 wrap=repeat 
 uniform sampler2D slices;        //@ pass mainSlices size=128x128 wrap=repeat filter=mipmap
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// The water repeats after a square of kTile, and so does all that follows from it: coordinates in
+// it are u, from 0 to 1 a tile.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;
 const float kTile = 4.5;                   // m, side of the square after which the water repeats
@@ -109,17 +109,23 @@ const float kColumnGap = 2.2;              // m, from one of a row to the next
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 
-// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8 ...
-// pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020). What it
-// leaves of an error is the finest grain, and no net as of a lattice.
+// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8
+// ... pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020).
+// What it leaves of an error is the finest grain, and no net as of a lattice.
 float shuffledQuarters(ivec2 p) {
     float sum = 0.0, part = 0.25;
     for (int k = 0; k < 6; ++k) {
@@ -165,6 +171,13 @@ float fresnel(float cosI, float eta) {
 }
 
 // ---- Water --------------------------------------------------------------------------------------
+// A sum of sines h(p) = sum a sin(k.p - w t) with whole waves in the tile and w^2 = g |k|. Where it
+// slopes by s, Snell's law sends sunlight bend(s) metres aside for each metre down: light that
+// enters at p lands at L(p) = p + (depth + h) bend(s). What the floor sees is how L squeezes areas:
+// a patch of water that lands on a tenth of its area is ten times as bright there, 1 / |J| with J =
+// dL/dp. Where several patches land on one place their light adds, and where J = 0 there is a
+// bright line.
+
 struct Water { float height; vec2 slope; vec3 curve; };   // m; 1; xx, xz and zz, 1/m
 
 // The water over a point of the tile, in tiles; now, or in a frame of the loop.
@@ -222,8 +235,8 @@ float fluxThrough(vec2 slope) {
         / (1.0 - fresnel(sun.y, kIorWater.y));
 }
 
-// 1 where the surface at u sees the sun, 0 where a wave stands before it: a walk to where the ray is
-// above the highest crest, for waves that are steeper than the sun is high.
+// 1 where the surface at u sees the sun, 0 where a wave stands before it: a walk to where the ray
+// is above the highest crest, for waves that are steeper than the sun is high.
 float besideWaves(vec2 u, float height, bool now, int frame) {
     vec3 sun = sunAbove();
     vec2 most = texelFetch(waves, ivec2(kWaves, 0), 0).xy;   // slope and height that no wave passes
@@ -273,6 +286,12 @@ bool isCalm() {
 }
 
 // ---- Gathering ----------------------------------------------------------------------------------
+// L is easy, its inverse is not: who lands here? A triangle of water lands on a triangle of floor;
+// each texel wants all triangles that overlap it. Every cell of water keeps a box round where its
+// light lands, every 4 x 4 cells a box round those, and so on: a texel asks from the coarsest boxes
+// down, and shares out each triangle's light by the exact area of overlap. So none is lost, and
+// a texel stays finite where J = 0: it holds the light that falls into it, however sharp the line.
+
 int meshCells() { return method == kPhotons ? kPhotonCells : cells / 16 * 16; }
 int photonPass() {   // from 1
     return method == kPhotons ? int(1024.0 * texelFetch(clock, ivec2(0), 0).w) : 1;
@@ -454,6 +473,9 @@ vec3 gatherNow(vec2 place, float texels, vec2 tile, float fall, bool tinted) {
 }
 
 // ---- Objects ------------------------------------------------------------------------------------
+// Distances by formula, joined by their minimum; a ray steps by them and cannot pass through
+// (Hart). The narrowest gap on the way to the sun, over the sun's blur there, is the soft shadow.
+
 float torus(vec3 p, float r, float thick) { return length(vec2(length(p.xz) - r, p.y)) - thick; }
 // A cylinder along y with rounded edges and, on its side, flutes.
 float drum(vec3 p, float r, float halfHeight, bool fluted) {
@@ -542,6 +564,10 @@ float sunSeen(vec3 p, vec3 towards, float blur) {
 }
 
 // ---- Shading ------------------------------------------------------------------------------------
+// Light fades in water as exp(-extinction t) (Beer), and is scattered: once from the sun, with the
+// pattern of the surface in it (shafts), and many times, as a soft field. The pattern at any depth
+// is read between four levels, of which the surface is even.
+
 struct Medium { vec3 absorption, extinction, diffuse, towards, sun; };   // 1/m; unit; irradiance
 
 Medium waterMedium() {
@@ -676,60 +702,76 @@ vec3 mattLight(vec3 p, vec3 nor, vec3 albedo, float w, Medium m) {
     return albedo / kPi * sum;
 }
 
+// Where a ray from within leaves the water's box: to its floor or surface, or with tiles to a wall.
+float toBounds(vec3 ro, vec3 rd, out vec3 nor, out bool wall) {
+    float up = max(abs(rd.y), 1e-4);
+    float t = min((rd.y > 0.0 ? max(depth - ro.y, 0.0) : ro.y) / up, 200.0);
+    nor = vec3(0.0, 1.0, 0.0);
+    wall = false;
+    if (ground == 1) {
+        vec2 along = mix(rd.xz, vec2(1e-9), lessThan(abs(rd.xz), vec2(1e-9)));
+        vec2 far = (mix(-kPool, kPool, greaterThan(along, vec2(0.0))) - ro.xz) / along;
+        float side = max(min(far.x, far.y), 0.0);
+        wall = side < t;
+        if (wall) nor = far.x < far.y ? vec3(-sign(rd.x), 0, 0) : vec3(0, 0, -sign(rd.z));
+        t = min(t, side);
+    }
+    return t;
+}
+// Light from an object (hit), or else from ground or wall. A footprint w is 1 / grazing as long on
+// a slanted face, so sqrt of that wide in the mean.
+vec3 solidLight(vec3 p, vec3 rd, vec3 nor, bool hit, float w, Medium m) {
+    float grazing = max(abs(dot(rd, nor)), 0.02);
+    vec3 albedo;
+    if (hit) {
+        nor = objectNormal(p);
+        albedo = objectColour(map(p, false).y, p);
+        grazing = 1.0;
+    } else if (ground == 1) {
+        albedo = mosaicColour(p, nor, min(vec2(w, w / grazing), 1.0));
+    } else {
+        albedo = sandColour(p, w * inversesqrt(grazing), nor);
+    }
+    return mattLight(p, nor, albedo, w * inversesqrt(grazing), m);
+}
+// The surface from below: sky through it, gives that light; p and rd become the mirrored ray's, and
+// mirror its share.
+vec3 throughSurface(inout vec3 p, inout vec3 rd, float w, out float mirror) {
+    float texels = w * inversesqrt(max(rd.y, 0.02)) / kTile * 128.0, lod = log2(max(texels, 1.0));
+    vec4 wave = textureLod(surface, p.xz / kTile, lod);
+    p += rd * (wave.x / max(rd.y, 0.15));   // from the mean level to the wave, one step
+    wave = textureLod(surface, p.xz / kTile, lod);
+    vec3 level = normalize(vec3(-wave.y, 1.0, -wave.z));
+    float cosine = clamp(dot(rd, level), 0.02, 1.0);
+    // Of slopes within the footprint; below a texel what the filter makes up fades away.
+    float rough = max(wave.w - dot(wave.yz, wave.yz), 0.0) * min(texels * texels, 1.0);
+    mirror = fresnel(cosine, 1.0 / kIorWater.y);
+    vec3 through = refract(rd, -level, kIorWater.y);
+    rd = reflect(rd, level);
+    rd = normalize(vec3(rd.x, min(rd.y, -0.03), rd.z));
+    return skyColour(through, rough);
+}
+
 // Light that arrives at ro against rd; pixel: angle of a pixel, rad. A second ray follows what the
 // surface reflects from below.
 vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
     Medium m = waterMedium();
-    vec3 sum = vec3(0.0), throughput = vec3(1.0);
-    float width = 0.0;
+    vec3 sum = vec3(0.0), throughput = vec3(1.0), nor;
+    float width = 0.0, mirror;
     for (int ray = 0; ray < 2; ++ray) {
-        float up = max(abs(rd.y), 1e-4);
-        float t = min((rd.y > 0.0 ? max(depth - ro.y, 0.0) : ro.y) / up, 200.0);
-        vec3 nor = vec3(0.0, 1.0, 0.0);
-        bool wall = false;
-        if (ground == 1) {
-            vec2 along = mix(rd.xz, vec2(1e-9), lessThan(abs(rd.xz), vec2(1e-9)));
-            vec2 far = (mix(-kPool, kPool, greaterThan(along, vec2(0.0))) - ro.xz) / along;
-            float side = max(min(far.x, far.y), 0.0);
-            wall = side < t;
-            if (wall) nor = far.x < far.y ? vec3(-sign(rd.x), 0, 0) : vec3(0, 0, -sign(rd.z));
-            t = min(t, side);
-        }
-        float object = intersectObjects(ro, rd, pixel);
+        bool wall;
+        float t = toBounds(ro, rd, nor, wall), object = intersectObjects(ro, rd, pixel);
         bool hit = object < t;
         t = min(t, object);
         sum += throughput * inscatter(ro, rd, t, m, jitter);
         throughput *= exp(-m.extinction * t);
         vec3 p = ro + t * rd;
         float w = width + pixel * t;
-        if (hit || wall || rd.y <= 0.0) {
-            float grazing = max(abs(dot(rd, nor)), 0.02);
-            vec3 albedo;
-            if (hit) {
-                nor = objectNormal(p);
-                albedo = objectColour(map(p, false).y, p);
-                grazing = 1.0;
-            } else if (ground == 1) {
-                albedo = mosaicColour(p, nor, min(vec2(w, w / grazing), 1.0));
-            } else {
-                albedo = sandColour(p, w * inversesqrt(grazing), nor);
-            }
-            return sum + throughput * mattLight(p, nor, albedo, w * inversesqrt(grazing), m);
-        }
-        float texels = w * inversesqrt(max(rd.y, 0.02)) / kTile * 128.0, lod = log2(max(texels, 1.0));
-        vec4 wave = textureLod(surface, p.xz / kTile, lod);
-        p += rd * (wave.x / max(rd.y, 0.15));   // from the mean level to the wave, one step
-        wave = textureLod(surface, p.xz / kTile, lod);
-        vec3 level = normalize(vec3(-wave.y, 1.0, -wave.z));
-        float cosine = clamp(dot(rd, level), 0.02, 1.0);
-        // Of slopes within the footprint; below a texel what the filter makes up fades away.
-        float rough = max(wave.w - dot(wave.yz, wave.yz), 0.0) * min(texels * texels, 1.0);
-        float mirror = fresnel(cosine, 1.0 / kIorWater.y);
-        vec3 through = refract(rd, -level, kIorWater.y);
-        sum += throughput * (1.0 - mirror) * skyColour(through, rough);
+        if (hit || wall || rd.y <= 0.0)
+            return sum + throughput * solidLight(p, rd, nor, hit, w, m);
+        vec3 above = throughSurface(p, rd, w, mirror);
+        sum += throughput * (1.0 - mirror) * above;
         throughput *= mirror;
-        rd = reflect(rd, level);
-        rd = normalize(vec3(rd.x, min(rd.y, -0.03), rd.z));
         ro = vec3(p.x, depth - 1e-3, p.z);
         if (ground == 1) ro.xz = clamp(ro.xz, 1e-3 - kPool, kPool - 1e-3);
         width = w;
@@ -738,6 +780,10 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
+// The forward map is turned round in steps, each a small buffer: where light lands, boxes of cells,
+// boxes of boxes, which boxes reach each square of 4 x 4 texels, and at last each texel's light.
+// Photons are counted by the same means, and their mean over frames is kept.
+
 // Whole waves in the tile along x and z, slope before it is scaled, Hz. Deep water: the floor would
 // slow only what is longer than twice the depth.
 vec4 waveShape(int i) {
@@ -935,6 +981,9 @@ void mainSlices(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// The eye stands in the water and goes round a point of the floor. A pixel's noise moves the
+// samples of the shafts; it is the finest grain, which the eye averages.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {

@@ -74,6 +74,9 @@ uniform sampler2D ornamentTree;    //@ pass mainTree size=64x256
 uniform sampler2D moving;          //@ pass mainMoving size=256x2
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// Lengths are metres; y = 0 is the floor, the tree stands on it at the origin. A hit is told by a
+// number: an ornament's own, or one from kFloor on.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
 const float kFar = 1e9;                    // m, a miss
@@ -107,8 +110,14 @@ struct Lamp { vec3 pos; vec3 power; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -139,10 +148,19 @@ float fresnel(float cosI, float eta) {
 }
 
 // ---- Geometry -----------------------------------------------------------------------------------
+// A convex solid is where all its half-spaces dot(n, p) <= d overlap, so a ray shares one span
+// [enter, leave] with it: each half-space cuts the span at t = (d - n.ro) / (n.rd), in front if the
+// ray runs into it, behind if it runs out. An edge is where two cuts change places in a maximum: no
+// ray finds a gap between two faces, as there is none between numbers. So no edge can leak.
+
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
@@ -161,7 +179,10 @@ void clipPlane(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
     if (abs(speed) < 1e-20) speed = 1e-20;
     float t = (d - dot(nor, ro)) / speed;
     if (speed > 0.0) span.y = min(span.y, t);
-    else if (t > span.x) { span.x = t; entry = vec4(nor, d); }
+    else if (t > span.x) {
+        span.x = t;
+        entry = vec4(nor, d);
+    }
 }
 void clipPair(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
               inout vec2 span, inout vec4 entry) {
@@ -208,6 +229,14 @@ vec3 toGift(vec3 v) { return vec3(turn(v.xz, kGiftTurn), v.y).xzy; }
 vec3 fromGift(vec3 v) { return vec3(turn(v.xz, -kGiftTurn), v.y).xzy; }
 
 // ---- Ornaments ----------------------------------------------------------------------------------
+// Up to 4096 spheres, and a hierarchy of boxes over them: a heap, in which node n has the children
+// 2n and 2n + 1, so that it needs no pointers; leaves follow a Hilbert curve, so that neighbours in
+// the heap are neighbours in space. A ray goes down where it meets a box, and skips the subtree
+// where not. How does it come back without a stack? `trail` is a number with one bit a level: 0
+// while the first child is looked at, 1 for the second. Adding 1 to it carries through all levels
+// that are done, and the zeros that the carry leaves say how many levels up the next subtree lies
+// (Laine). It is 1 again when the root is done.
+
 vec4 texelOf(sampler2D buffer, int index, int row) {
     return texelFetch(buffer, ivec2(index & (kRow - 1), row + (index >> 6)), 0);
 }
@@ -225,7 +254,10 @@ int leafPlace(int leaf) {
 void meetOrnament(int id, vec4 s, vec3 ro, vec3 rd, inout Hit h) {
     float t = intersectSphere(ro, rd, s.xyz, abs(s.w));
     bool nearer = t < h.t || (t == h.t && id < h.id);   // so no order of tests can matter
-    if (t > 0.0 && nearer) { h.t = t; h.id = id; }
+    if (t > 0.0 && nearer) {
+        h.t = t;
+        h.id = id;
+    }
 }
 // Share of a lamp's disc that a sphere leaves free; rim: slope of the disc's radius seen from ro.
 float besideSphere(vec3 ro, vec3 rd, float rim, float tMax, vec4 s) {
@@ -310,6 +342,10 @@ float besideOrnaments(vec3 ro, vec3 rd, float rim, float tMax, float free) {
 }
 
 // ---- Light --------------------------------------------------------------------------------------
+// A lamp is a disc; from a point it is seen under a cone of slope radius / distance. What one thing
+// hides of that cone is a closed form of how far the cone's axis passes from it; free shares of
+// several things multiply. More, thinner cones (`shadowSamples`) make that exact.
+
 Lamp lamp(int k) {
     if (k == 0) return Lamp(vec3(-3.4, 5.8, 5.0), 105.0 * lampPower * linearColour(keyColour));
     if (k == 1) return Lamp(vec3(4.5, 4.7, -3.3), 100.0 * lampPower * linearColour(roseColour));
@@ -331,8 +367,8 @@ float visibility(vec3 ro, vec3 rd, float rim, float tMax) {
     vec3 body = toGift(ro - kBodyCentre), lid = toGift(ro - kLidCentre), qd = toGift(rd);
     vec2 inner, outer;
     float free = 1.0;
-    // Trunk, body, lid; each against the inner and the outer rim. Drivers unroll loops whose end they
-    // know, and compile each copy.
+    // Trunk, body, lid; each against the inner and the outer rim. Drivers unroll loops whose end
+    // they know, and compile each copy.
     int solids = tMax > 0.0 ? 3 : 0, rims = tMax > 0.0 ? 2 : 0;
     for (int k = 0; k < solids; ++k) {
         for (int side = 0; side < rims; ++side) {
@@ -438,6 +474,11 @@ vec3 glow(vec3 ro, vec3 rd, float tMax, float width0, float width, bool mirrored
 }
 
 // ---- Materials ----------------------------------------------------------------------------------
+// Patterns are means over the pixel's footprint: the mean over [a, b] of a line is the difference
+// of its integral at both ends, over b - a. A path then goes on: mirrored; or through a glass ball,
+// which is two bends and a chord between them, worked out in one go since a sphere looks the same
+// from everywhere within.
+
 // Coverage of a pixel of width w, centred at x, by lines of half-width h at every integer.
 float lines(float x, float h, float w) {
     w = max(w, 1e-4);
@@ -552,7 +593,10 @@ Hit closestHit(vec3 ro, vec3 rd) {
     for (int k = 0; k < orbitingBalls; ++k) {
         vec4 s = texelFetch(moving, ivec2(k, 1), 0);
         float t = intersectSphere(ro, rd, s.xyz, s.w);
-        if (t > 0.0 && t < h.t) { h.t = t; h.id = kBall + k; }
+        if (t > 0.0 && t < h.t) {
+            h.t = t;
+            h.id = kBall + k;
+        }
     }
     vec4 n;
     vec2 span = clipTrunk(ro, rd, 0.0, h.t, n);
@@ -564,7 +608,8 @@ Hit closestHit(vec3 ro, vec3 rd) {
     keepNearer(h, span, fromGift(n.xyz), n.w, kBodyCentre, kBody);
     span = clipBox(toGift(ro - kLidCentre), qd, kLidHalf, 0.0, h.t, n);
     keepNearer(h, span, fromGift(n.xyz), n.w, kLidCentre, kLid);
-    // The room from inside: the nearest of the planes ahead, which the inverse knows for a zero too.
+    // The room from inside: the nearest of the planes ahead, which the inverse knows for a zero
+    // too.
     vec3 inverse = safeInverse(rd), ahead = mix(-kRoom, kRoom, greaterThan(inverse, vec3(0.0)));
     ahead.y = max(ahead.y, 0.0);
     vec3 far = max((ahead - ro) * inverse, 0.0);
@@ -612,89 +657,133 @@ vec3 throughGlass(inout vec3 rd, inout vec3 nor, float r) {
     return share;
 }
 
+// What a path carries on: a ray, the share of its light that reaches the eye, and its footprint,
+// which is width0 at its start and gains `width` a metre.
+struct Leg {
+    vec3 ro, rd, throughput;
+    float width0, width;
+};
+// What a ray meets, as light sees it.
+struct Surface {
+    vec3 p, facing;                 // place, and outward normal
+    vec3 nor;                       // the normal that mirrors: planks tilt
+    vec3 mirror, albedo, shine;     // share that goes on mirrored; colour; light of its own
+    vec4 ball;                      // of a sphere: centre and radius, negative for glass; or 0
+    float w, cosine;                // footprint; between the ray and the normal
+};
+
+// Back onto the surface, whatever the rounding of a long ray.
+Surface arrive(Leg leg, Hit h) {
+    Surface s;
+    s.p = leg.ro + h.t * leg.rd;
+    s.facing = h.face.xyz;
+    s.ball = vec4(0.0);
+    if (h.id < kFloor) s.ball = texelOf(ornamentTree, h.id, 0);
+    if (h.id >= kBall) s.ball = texelFetch(moving, ivec2(h.id - kBall, 1), 0);
+    if (s.ball.w != 0.0) {
+        s.facing = normalize(s.p - s.ball.xyz);
+        s.p = s.ball.xyz + abs(s.ball.w) * s.facing;
+    } else {
+        s.p -= (dot(s.facing, s.p) - h.face.w) * s.facing;
+    }
+    s.nor = s.facing;
+    s.mirror = s.albedo = s.shine = vec3(0.0);
+    s.w = leg.width0 + leg.width * h.t;
+    s.cosine = clamp(-dot(leg.rd, s.facing), 0.0, 1.0);
+    return s;
+}
+
+// The room, the trunk, the star, the gift.
+void clotheFlat(int id, vec3 rd, inout float width, inout Surface s) {
+    if (id == kWall) {
+        s.shine += nightWall(s.p, s.nor, s.w / max(s.cosine, 0.2));
+    } else if (id == kFloor) {
+        vec2 slope = rd.xz / max(-rd.y, 1e-4);
+        s.albedo = floorAlbedo(s.p, min(s.w * sqrt(1.0 + slope * slope), vec2(20.0)), s.nor);
+        float level = clamp(-dot(rd, s.nor), 0.0, 1.0);
+        s.mirror = vec3(floorGloss * fresnel(level, kIorVarnish));
+        width += 0.03;   // rad, the varnish is satin
+    } else if (id == kTrunk) {   // gilt courses with grooves between them
+        float polish = 1.0 - 0.75 * lines(s.p.y / 0.15, 0.035, s.w / 0.15);
+        s.albedo = vec3(0.24, 0.115, 0.03) * polish;
+        s.mirror = metal(vec3(0.52, 0.34, 0.13), s.cosine) * polish;
+    } else if (id == kStar) {
+        s.shine += vec3(1.0, 0.50, 0.09) * (starGlow * (0.35 + 1.9 * s.cosine * s.cosine));
+        s.mirror = 0.5 * metal(vec3(0.90, 0.62, 0.22), s.cosine);
+    } else {
+        s.albedo = giftAlbedo(toGift(s.p - kBodyCentre), abs(toGift(s.nor)), id == kLid, s.w);
+        s.mirror = vec3(fresnel(s.cosine, kIorVarnish));
+    }
+}
+// Ornaments and small balls. A footprint w on a ball of radius r spans the angle w / r; mirrored, 2
+// w / r.
+void clotheRound(int id, inout float width, inout Surface s) {
+    if (id < kFloor) {
+        s.mirror = s.ball.w < 0.0 ? vec3(fresnel(s.cosine, kIorGlass))
+            : metal(texelOf(ornamentTree, id, 64).rgb, s.cosine);
+        width += 2.0 * s.w / (abs(s.ball.w) * max(s.cosine, 0.04));
+    } else {
+        s.albedo = (id & 1) == 0 ? vec3(0.85, 0.52, 0.02) : vec3(0.62, 0.012, 0.02);
+        s.mirror = vec3(fresnel(s.cosine, kIorVarnish));
+        width += 2.0 * s.w / s.ball.w;
+    }
+}
+
+// From a surface on. In glass the refracted ray goes on, and the mirrored one takes the queue's one
+// place if it is brighter than what waits there.
+void goOn(Surface s, inout Leg leg, inout Leg later) {
+    vec3 reflected = reflect(leg.rd, s.nor);   // and above the surface, though its planks tilt
+    reflected += max(1e-4 - dot(reflected, s.facing), 0.0) * s.facing;
+    vec3 mirrored = leg.throughput * s.mirror;
+    leg.width0 = s.w;
+    if (s.ball.w < 0.0) {
+        if (maxComponent(mirrored) > maxComponent(later.throughput))
+            later = Leg(liftOff(s.p, s.nor), normalize(reflected), mirrored, s.w, leg.width);
+        vec3 nor = s.nor;
+        leg.throughput *= throughGlass(leg.rd, nor, abs(s.ball.w));
+        leg.ro = liftOff(s.ball.xyz + abs(s.ball.w) * nor, nor);
+    } else {
+        leg.ro = liftOff(s.p, s.facing);
+        leg.rd = normalize(reflected);
+        leg.throughput = mirrored;
+    }
+}
+
 // Light that arrives at ro against rd. pixel: angle of a pixel, rad.
 vec3 radiance(vec3 ro, vec3 rd, float pixel) {
-    vec3 sum = vec3(0.0), throughput = vec3(1.0);
-    vec3 laterRo = ro, laterRd = rd, laterThroughput = vec3(0.0);   // the queue's one place
-    float width0 = 0.0, width = pixel, laterWidth0 = 0.0, laterWidth = pixel;
+    vec3 sum = vec3(0.0);
+    Leg leg = Leg(ro, rd, vec3(1.0), 0.0, pixel);
+    Leg later = Leg(ro, rd, vec3(0.0), 0.0, pixel);
     for (int ray = 0; ray < bounces; ++ray) {
-        Hit h = closestHit(ro, rd);
-        vec3 p = ro + h.t * rd, nor = h.face.xyz;
-        vec4 ball = vec4(0.0);
-        if (h.id < kFloor) ball = texelOf(ornamentTree, h.id, 0);
-        if (h.id >= kBall) ball = texelFetch(moving, ivec2(h.id - kBall, 1), 0);
-        if (ball.w != 0.0) {   // back onto the surface, whatever the rounding of a long ray
-            nor = normalize(p - ball.xyz);
-            p = ball.xyz + abs(ball.w) * nor;
-        } else {
-            p -= (dot(nor, p) - h.face.w) * nor;
+        Hit h = closestHit(leg.ro, leg.rd);
+        Surface s = arrive(leg, h);
+        s.shine = glow(leg.ro, leg.rd, h.t, leg.width0, leg.width, ray > 0);
+        if (snow > 0.0 && ray == 0) s.shine += snowfall(leg.ro, leg.rd, h.t, pixel);
+        if (s.ball.w != 0.0) clotheRound(h.id, leg.width, s);
+        else clotheFlat(h.id, leg.rd, leg.width, s);
+        int lamps = maxComponent(leg.throughput * s.albedo) > kLeastThroughput ? 3 : 0;
+        vec3 matt = s.albedo * irradiance(s.p, s.facing, h.id >= kBall, lamps);
+        sum += leg.throughput * (s.shine + (1.0 - s.mirror) * matt);
+        goOn(s, leg, later);
+        // Biased: the surroundings stand for what a wide cone gathers.
+        if (leg.width > mirrorBlur) {
+            sum += leg.throughput * surroundings(leg.rd);
+            leg.throughput = vec3(0.0);
         }
-        vec3 shine = glow(ro, rd, h.t, width0, width, ray > 0);
-        if (snow > 0.0 && ray == 0) shine += snowfall(ro, rd, h.t, pixel);
-        vec3 mirror = vec3(0.0), albedo = vec3(0.0), facing = nor;
-        float w = width0 + width * h.t, cosine = clamp(-dot(rd, nor), 0.0, 1.0);
-        bool glassy = ball.w < 0.0;
-        if (h.id == kWall) {
-            shine += nightWall(p, nor, w / max(cosine, 0.2));
-        } else if (h.id == kFloor) {
-            vec2 slope = rd.xz / max(-rd.y, 1e-4);
-            albedo = floorAlbedo(p, min(w * sqrt(1.0 + slope * slope), vec2(20.0)), nor);
-            float level = clamp(-dot(rd, nor), 0.0, 1.0);
-            mirror = vec3(floorGloss * fresnel(level, kIorVarnish));
-            width += 0.03;   // rad, the varnish is satin
-        } else if (h.id < kFloor) {
-            mirror = glassy ? vec3(fresnel(cosine, kIorGlass))
-                : metal(texelOf(ornamentTree, h.id, 64).rgb, cosine);
-            width += 2.0 * w / (abs(ball.w) * max(cosine, 0.04));
-        } else if (h.id >= kBall) {
-            albedo = (h.id & 1) == 0 ? vec3(0.85, 0.52, 0.02) : vec3(0.62, 0.012, 0.02);
-            mirror = vec3(fresnel(cosine, kIorVarnish));
-            width += 2.0 * w / ball.w;
-        } else if (h.id == kTrunk) {   // gilt courses with grooves between them
-            float polish = 1.0 - 0.75 * lines(p.y / 0.15, 0.035, w / 0.15);
-            albedo = vec3(0.24, 0.115, 0.03) * polish;
-            mirror = metal(vec3(0.52, 0.34, 0.13), cosine) * polish;
-        } else if (h.id == kStar) {
-            shine += vec3(1.0, 0.50, 0.09) * (starGlow * (0.35 + 1.9 * cosine * cosine));
-            mirror = 0.5 * metal(vec3(0.90, 0.62, 0.22), cosine);
-        } else {
-            albedo = giftAlbedo(toGift(p - kBodyCentre), abs(toGift(nor)), h.id == kLid, w);
-            mirror = vec3(fresnel(cosine, kIorVarnish));
-        }
-        int lamps = maxComponent(throughput * albedo) > kLeastThroughput ? 3 : 0;
-        vec3 matt = albedo * irradiance(p, facing, h.id >= kBall, lamps);
-        sum += throughput * (shine + (1.0 - mirror) * matt);
-
-        vec3 reflected = reflect(rd, nor);   // and above the surface, though its planks tilt
-        reflected += max(1e-4 - dot(reflected, facing), 0.0) * facing;
-        vec3 mirrored = throughput * mirror;
-        if (glassy) {
-            if (maxComponent(mirrored) > maxComponent(laterThroughput)) {
-                laterRo = liftOff(p, nor); laterRd = normalize(reflected);
-                laterThroughput = mirrored; laterWidth0 = w; laterWidth = width;
-            }
-            throughput *= throughGlass(rd, nor, abs(ball.w));
-            ro = liftOff(ball.xyz + abs(ball.w) * nor, nor);
-        } else {
-            ro = liftOff(p, facing); rd = normalize(reflected);
-            throughput = mirrored;
-        }
-        width0 = w;
-        if (width > mirrorBlur) {   // biased: the surroundings stand for what a wide cone gathers
-            sum += throughput * surroundings(rd);
-            throughput = vec3(0.0);
-        }
-        if (maxComponent(throughput) < kLeastThroughput) {
-            if (maxComponent(laterThroughput) < kLeastThroughput) break;
-            ro = laterRo; rd = laterRd; throughput = laterThroughput;
-            width0 = laterWidth0; width = laterWidth;
-            laterThroughput = vec3(0.0);
+        if (maxComponent(leg.throughput) < kLeastThroughput) {
+            if (maxComponent(later.throughput) < kLeastThroughput) break;
+            leg = later;
+            later.throughput = vec3(0.0);
         }
     }
     return sum;
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
+// Built when the number of ornaments changes, and then kept: where they are, their order along the
+// Hilbert curve (each counts how many come before it), and the boxes, from the leaves up. Each
+// frame only the few things that move are placed.
+
 float tiledNoise(vec2 unit, ivec2 period, int seed) {   // value noise on a torus
     vec2 p = unit * vec2(period), f = fract(p), s = f * f * (3.0 - 2.0 * f);
     ivec2 a = ivec2(p) % period, b = (a + 1) % period;   // unit in [0, 1)
@@ -839,9 +928,18 @@ void mainMoving(out vec4 colour, in vec2 pixel) {
             float along = share * 2.96;
             vec4 ring = vec4(1.22, 0.64, 1.22, 0.64);   // radius, height, and those of the next
             float start = 1.74;
-            if (along < 1.74) { ring = vec4(0.92, 1.67, 1.22, 0.64); start = 0.82; }
-            if (along < 0.82) { ring = vec4(0.60, 2.50, 0.92, 1.67); start = 0.22; }
-            if (along < 0.22) { ring = vec4(0.22, 3.24, 0.60, 2.50); start = 0.0; }
+            if (along < 1.74) {
+                ring = vec4(0.92, 1.67, 1.22, 0.64);
+                start = 0.82;
+            }
+            if (along < 0.82) {
+                ring = vec4(0.60, 2.50, 0.92, 1.67);
+                start = 0.22;
+            }
+            if (along < 0.22) {
+                ring = vec4(0.22, 3.24, 0.60, 2.50);
+                start = 0.0;
+            }
             float round = (along - start) / ring.x;
             vec2 here = mix(ring.xy, ring.zw, smoothstep(0.86, 1.0, round));
             a = 2.0 * kPi * round;
@@ -861,6 +959,9 @@ void mainMoving(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// The eye goes round the tree. One ray goes through the middle of a pixel: what a pixel shows in
+// the mean is the business of footprints, above.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {

@@ -96,6 +96,9 @@ uniform sampler2D splat;       //@ pass mainSurface size=128x128 wrap=repeat fil
 uniform sampler2D caustics;    //@ pass mainCaustics size=128x128 format=r32f wrap=repeat filter=mipmap
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// Lengths are metres; the floor and the waves repeat after squares of their own, so that a buffer
+// holds all of them. What a ray meets is told by its kind, from kSand to kWeed.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
 const float kFar = 1e9;                    // m, a miss
@@ -130,17 +133,23 @@ struct Layer { float t, cover; int kind; vec3 nor; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 
-// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8 ...
-// pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020). What it
-// leaves of an error is the finest grain, and no net as of a lattice.
+// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8
+// ... pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020).
+// What it leaves of an error is the finest grain, and no net as of a lattice.
 float shuffledQuarters(ivec2 p) {
     float sum = 0.0, part = 0.25;
     for (int k = 0; k < 6; ++k) {
@@ -272,14 +281,24 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (int k = 0; k < 4; ++k) {
         float s = mix(above.x, below.x, above.y / max(above.y - below.y, 1e-20));
         float f = ro.y + s * rd.y - groundHeight(ro.xz + s * rd.xz);
-        if (f > 0.0) { above = vec2(s, f); below.y *= 0.5; }
-        else { below = vec2(s, f); above.y *= 0.5; }
+        if (f > 0.0) {
+            above = vec2(s, f);
+            below.y *= 0.5;
+        } else {
+            below = vec2(s, f);
+            above.y *= 0.5;
+        }
         ++seabedEvaluations;
     }
     return mix(above.x, below.x, above.y / max(above.y - below.y, 1e-20));
 }
 
 // ---- The wreck ----------------------------------------------------------------------------------
+// The hull is where a point lies within the curve of its section: at a station x that curve is a
+// power of the height. How far |z| passes it, divided by the slope's length, is nearly the distance
+// and kept below it; planks, frames, beams and the hole are cut and joined by max and min. A ray
+// steps by that field and cannot pass through (sphere tracing, Hart).
+
 vec3 toWreck(vec3 v) {
     v.xz = turn(v.xz, radians(wreckAngle));
     v.xy = turn(v.xy, kPitch);
@@ -399,6 +418,11 @@ float besideHull(vec3 p, vec3 towards, float blur) {
 }
 
 // ---- Thin things --------------------------------------------------------------------------------
+// A rope is thinner than a pixel. So it is not hit or missed: it covers a share of the pixel, the
+// overlap of two intervals. What covers a pixel in part is kept in a list of kLayers by distance
+// and blended in that order, each behind what the nearer ones leave open: share = cover prod (1 -
+// cover). An edge is then clean from any distance, and behind a tear stands what is really there.
+
 Layer layers[kLayers];   // of this pixel, the nearest first
 
 void addLayer(Layer l) {
@@ -613,6 +637,11 @@ void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
 }
 
 // ---- Light --------------------------------------------------------------------------------------
+// Water dims light as exp(-extinction t) (Beer) and scatters it. For even sunlight the light that
+// is scattered once into a ray has a closed form, (1 - exp(-x)) / x; shafts are how much less or
+// more the sun shines at a few points of the ray. Light that is scattered more often is one soft
+// field.
+
 vec3 sunAbove() {   // unit vector towards it
     float e = radians(min(sunElevation, 89.99)), a = radians(sunAngle);
     return vec3(sin(a) * cos(e), sin(e), -cos(a) * cos(e));
@@ -710,6 +739,10 @@ vec3 surfaceLight(vec3 p, vec3 rd, float w, Medium m) {
 }
 
 // ---- Shading ------------------------------------------------------------------------------------
+// Ground and wood are matt, in three lights: sun, with the net that the waves draw in it; the field
+// from all sides; and the jellyfish. Patterns fade to their mean as the pixel's footprint outgrows
+// them.
+
 // Albedo and normal of the floor; w: the pixel's footprint, m, and along the ray.
 vec3 floorColour(vec3 p, inout vec3 nor, float w, float grazing) {
     float wide = w * inversesqrt(grazing), lod = floor(log2(max(wide * 4.0, 1.0)) + 0.5);
@@ -797,6 +830,71 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     return albedo / kPi * (sum + near * jellyGlow * linearColour(jellyColour));
 }
 
+// A bell that pulses: its near and its far side, each a skin of glowing water, brighter where the
+// ray runs along it (1 / cosine), with ribs, a rim in scallops and a clover of four leaves. f, d:
+// the ray where the bell is a unit sphere; t0: where it passes nearest to the middle.
+vec3 bellLight(vec3 f, vec3 d, vec3 rd, vec4 jelly, vec2 size, float t0, float pixel, float tMax) {
+    vec3 light = vec3(0.0), closest = f + t0 * d;
+    float reach2 = dot(d, d), depth2 = 1.0 - dot(closest, closest);
+    float w = pixel * max(t0, 0.0), part = w / jelly.w;   // of the bell in a pixel
+    for (int j = -1; j < 2; j += 2) {
+        float t = t0 + float(j) * sqrt(max(depth2, 0.0) / reach2);
+        vec3 q = f + t * d;
+        float rim = smoothstep(-0.03 - part, 0.03 + part,
+                               q.y + 0.29 + 0.05 * cos(16.0 * atan(q.x, q.z + 1e-6)));
+        float skin = 0.14 / max(abs(dot(unit(q / size.xyx), rd)), max(0.1, sqrt(0.5 * part)));
+        float a = atan(q.x, q.z + 1e-6), r = length(q.xz);
+        float fine = clamp(1.5 - w / (0.2 * jelly.w), 0.0, 1.0);
+        float ribs = 1.0 + fine * 0.5 * cos(16.0 * a) * smoothstep(0.15, 0.7, r);
+        float leaf = 1.0 - smoothstep(0.0, 0.14, abs(r - 0.36 - 0.10 * cos(4.0 * a)));
+        float band = 1.0 - smoothstep(-0.28, 0.0, q.y);
+        leaf *= step(0.0, q.y);
+        bool shown = depth2 > 0.0 && t > 0.1 && t < tMax;
+        if (shown) light += rim * (skin * ribs * vec3(1.0) + 0.5 * leaf * vec3(1.1, 0.7, 1.0)
+            + 0.35 * band * vec3(0.9, 1.0, 1.1)) * min(depth2 * jelly.w / max(w, 1e-4), 1.0);
+    }
+    return light;
+}
+// Four frilled arms and a fringe of tentacles, as a strip that faces the ray: each hangs where a
+// wave that runs down it says, and covers a share of the pixel. u: m aside; s: bells down; wide: a
+// pixel, m.
+float armsCover(int k, vec4 jelly, float u, float s, float wide, float squeeze) {
+    float strands = 0.0;
+    for (int j = 0; j < 10; ++j) {
+        bool arm = j < 4;
+        float place = arm ? 0.16 * (float(j) - 1.5) : 0.28 * (float(j - 4) - 2.5);
+        float tall = arm ? 2.6 : 4.6 + 1.1 * sin(2.3 * float(j + k));
+        float lag = 2.0 * kPi * (cycles(0.1875) + 0.17 * float(j)) - 1.3 * s;
+        float at = jelly.w * (place * (1.0 - 0.3 * squeeze) * (1.0 + 0.12 * s)
+            + 0.09 * s * sin(lag));
+        float half1 = jelly.w * (arm ? 0.055 * (1.0 + 0.5 * sin(9.0 * s + 2.0 * lag)) : 0.014)
+            * clamp(1.2 - s / tall, 0.0, 1.0);
+        strands += overlap(u, wide, at - half1, at + half1) * (arm ? 0.5 : 0.6)
+            * clamp(1.0 - s / tall, 0.0, 1.0);
+    }
+    return strands;
+}
+// Light that the water scatters round all jellyfish, along a ray as far as it is seen in the mean.
+// marks: bits of those that the ray may meet themselves. across: level, unit, across the ray.
+float halosAlong(vec3 ro, vec3 rd, vec2 across, float tMax, float mean, float dim,
+                 out int marks) {
+    float halo = 0.0, level2 = dot(rd.xz, rd.xz);
+    marks = 0;
+    for (int k = 0; k < jellyfish; ++k) {
+        vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
+        vec3 f = jelly.xyz - ro;
+        float t = dot(f, rd), away = sqrt(max(dot(f, f) - t * t, 0.0) + square(0.6 * jelly.w));
+        vec2 ends = vec2(mean - t, t) / away;   // their arcs, about
+        ends *= inversesqrt(1.0 + ends * ends);
+        halo += exp(-dim * (max(t, 0.0) + 2.0 * away)) * jelly.w * jelly.w
+            * (ends.x + ends.y) / away;
+        float side = abs(dot(f.xz, across));
+        float low = f.y - rd.y * dot(f.xz, rd.xz) / level2;   // the bell above the ray, m
+        bool hangs = side < 1.4 * jelly.w && low > -1.2 * jelly.w && low < 6.5 * jelly.w;
+        if ((hangs || away < 1.5 * jelly.w) && t > 0.0 && t < tMax + 2.0) marks |= 1 << k;
+    }
+    return halo;
+}
 // Glow of the jellyfish along a ray: bells, arms and tentacles as far as they are seen, and round
 // each the light that the water scatters.
 vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m) {
@@ -804,64 +902,21 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m)
     vec3 dim = m.absorption + jellyReach * haze;
     float level2 = dot(rd.xz, rd.xz);
     vec2 across = vec2(rd.z, -rd.x) * inversesqrt(level2);
-    float halo = 0.0;
-    int marks = 0;
-    for (int k = 0; k < jellyfish; ++k) {
-        vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
-        vec3 f = jelly.xyz - ro;
-        float t = dot(f, rd), away = sqrt(max(dot(f, f) - t * t, 0.0) + square(0.6 * jelly.w));
-        vec2 ends = vec2(mean - t, t) / away;   // their arcs, about
-        ends *= inversesqrt(1.0 + ends * ends);
-        halo += exp(-dim.g * (max(t, 0.0) + 2.0 * away)) * jelly.w * jelly.w
-            * (ends.x + ends.y) / away;
-        float side = abs(dot(f.xz, across));
-        float low = f.y - rd.y * dot(f.xz, rd.xz) / level2;   // the bell above the ray, m
-        bool hangs = side < 1.4 * jelly.w && low > -1.2 * jelly.w && low < 6.5 * jelly.w;
-        if ((hangs || away < 1.5 * jelly.w) && t > 0.0 && t < tMax + 2.0) marks |= 1 << k;
-    }
+    int marks;
+    float halo = halosAlong(ro, rd, across, tMax, mean, dim.g, marks);
     for (; marks != 0; marks &= marks - 1) {
         int k = lowestBit(marks);
         vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
         float beat = 2.0 * kPi * (cycles(0.375 + 0.03125 * float(k % 3)) + kGolden * float(k));
         float squeeze = 0.5 + 0.5 * sin(beat + 0.6 * sin(beat));
         vec2 size = jelly.w * vec2(1.0 - 0.17 * squeeze, 0.62 + 0.13 * squeeze);
-        vec3 light = vec3(0.0), f = (ro - jelly.xyz) / size.xyx, d = rd / size.xyx;
-        float t0 = -dot(f, d) / dot(d, d), reach2 = dot(d, d);
-        vec3 closest = f + t0 * d;
-        float depth2 = 1.0 - dot(closest, closest);
-        float w = pixel * max(t0, 0.0), part = w / jelly.w;   // of the bell in a pixel
-        for (int j = -1; j < 2; j += 2) {   // the bell's near and far side
-            float t = t0 + float(j) * sqrt(max(depth2, 0.0) / reach2);
-            vec3 q = f + t * d;
-            float rim = smoothstep(-0.03 - part, 0.03 + part,
-                                   q.y + 0.29 + 0.05 * cos(16.0 * atan(q.x, q.z + 1e-6)));
-            float skin = 0.14 / max(abs(dot(unit(q / size.xyx), rd)), max(0.1, sqrt(0.5 * part)));
-            float a = atan(q.x, q.z + 1e-6), r = length(q.xz);
-            float fine = clamp(1.5 - w / (0.2 * jelly.w), 0.0, 1.0);
-            float ribs = 1.0 + fine * 0.5 * cos(16.0 * a) * smoothstep(0.15, 0.7, r);
-            float leaf = 1.0 - smoothstep(0.0, 0.14, abs(r - 0.36 - 0.10 * cos(4.0 * a)));
-            float band = 1.0 - smoothstep(-0.28, 0.0, q.y);
-            leaf *= step(0.0, q.y);
-            bool shown = depth2 > 0.0 && t > 0.1 && t < tMax;
-            if (shown) light += rim * (skin * ribs * vec3(1.0) + 0.5 * leaf * vec3(1.1, 0.7, 1.0)
-                + 0.35 * band * vec3(0.9, 1.0, 1.1)) * min(depth2 * jelly.w / max(w, 1e-4), 1.0);
-        }
-        // Four frilled arms and a fringe of tentacles, as a strip that faces the ray.
+        vec3 f = (ro - jelly.xyz) / size.xyx, d = rd / size.xyx;
+        float t0 = -dot(f, d) / dot(d, d);
+        vec3 light = bellLight(f, d, rd, jelly, size, t0, pixel, tMax);
         float t = -dot(ro.xz - jelly.xz, rd.xz) / level2;
         float u = dot(ro.xz + t * rd.xz - jelly.xz, across), v = jelly.y - ro.y - t * rd.y;
-        float s = v / jelly.w, wide = pixel * max(t, 0.0), strands = 0.0;
-        for (int j = 0; j < 10; ++j) {
-            bool arm = j < 4;
-            float place = arm ? 0.16 * (float(j) - 1.5) : 0.28 * (float(j - 4) - 2.5);
-            float tall = arm ? 2.6 : 4.6 + 1.1 * sin(2.3 * float(j + k));
-            float lag = 2.0 * kPi * (cycles(0.1875) + 0.17 * float(j)) - 1.3 * s;
-            float at = jelly.w * (place * (1.0 - 0.3 * squeeze) * (1.0 + 0.12 * s)
-                + 0.09 * s * sin(lag));
-            float half1 = jelly.w * (arm ? 0.055 * (1.0 + 0.5 * sin(9.0 * s + 2.0 * lag)) : 0.014)
-                * clamp(1.2 - s / tall, 0.0, 1.0);
-            strands += overlap(u, wide, at - half1, at + half1) * (arm ? 0.5 : 0.6)
-                * clamp(1.0 - s / tall, 0.0, 1.0);
-        }
+        float s = v / jelly.w;
+        float strands = armsCover(k, jelly, u, s, pixel * max(t, 0.0), squeeze);
         if (t > 0.1 && t < tMax && s > 0.1) light += strands * smoothstep(0.1, 0.35, s)
             * vec3(0.9, 0.85, 1.1);
         sum += glow * light * exp(-dim * max(t0, 0.0)) * (0.75 + 0.25 * squeeze)
@@ -894,6 +949,9 @@ float specksAlong(vec3 ro, vec3 rd, float tMax, float pixel) {
 }
 
 // ---- Camera -------------------------------------------------------------------------------------
+// The eye goes round the wreck, never in it, in the ground or above the water. Then all is put
+// together by distance: the water in between, what covers the pixel in part, what lies behind.
+
 Eye camera() {
     bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
@@ -914,7 +972,7 @@ Eye camera() {
 
 // Light that arrives at ro against rd; pixel: angle of a pixel, rad.
 vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
-    if (dot(rd.xz, rd.xz) < 1e-12) rd.x = 1e-6;   // upright strips face every ray but an upright one
+    if (dot(rd.xz, rd.xz) < 1e-12) rd.x = 1e-6;   // upright strips face all rays but upright ones
     Medium m = oceanMedium();
     float least = min(m.extinction.x, min(m.extinction.y, m.extinction.z));
     float sight = min(7.0 / max(least, 0.05), 140.0);
@@ -962,6 +1020,11 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
+// Drawn once per look: the floor, what follows from it (slopes, highest points, its shadow),
+// textures, and where ropes and kelp are. Each frame: jellyfish, waves, and the net of light, for
+// which each point of the waves says where its light lands, and each texel of the floor asks the
+// points nearby.
+
 void mainGround(out vec4 colour, in vec2 pixel) {
     vec2 p = (pixel / float(kGround) - step(0.5, pixel / float(kGround))) * kTile;
     colour = vec4(floorShape(p), 0.0, 1.0);
@@ -1038,7 +1101,10 @@ void mainRig(out vec4 colour, in vec2 pixel) {
         vec4(-3.2, 0.9, -4.7, 0.08));
     int k = int(pixel.x), row = int(pixel.y);
     vec4 a = vec4(0.0), b = vec4(0.0);
-    if (k < kSpars) { a = from[k]; b = to[k]; }
+    if (k < kSpars) {
+        a = from[k];
+        b = to[k];
+    }
     int rope = k - kSpars, stay = rope - kShrouds;
     if (rope >= 0 && rope < kShrouds) {
         bool fore = rope < 6;
@@ -1151,6 +1217,9 @@ void mainCaustics(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// A pixel's noise moves the samples of the shafts; it is the finest grain, which the eye averages.
+// Half a step of dither, of the 255 that a display has, hides the bands of dark water.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {

@@ -83,6 +83,10 @@ uniform sampler2D things;          //@ pass mainThings size=48x2
 uniform sampler2D directions;      //@ pass mainDirections size=64x320
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// Sizes and orbits keep all things apart (see Apart above). What moves is known by a number, its
+// column in the buffer `things`: balls below kBalls, fill-lit ones below kCubes, then solids,
+// lamps.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
 const float kFar = 1e9;                    // m, a miss
@@ -118,17 +122,23 @@ struct Ray {
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 
-// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8 ...
-// pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020). What it
-// leaves of an error is the finest grain, and no net as of a lattice.
+// A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8
+// ... pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020).
+// What it leaves of an error is the finest grain, and no net as of a lattice.
 float shuffledQuarters(ivec2 p) {
     float sum = 0.0, part = 0.25;
     for (int k = 0; k < 6; ++k) {
@@ -169,10 +179,19 @@ vec4 thing(int id) { return texelFetch(things, ivec2(id, 0), 0); }
 vec4 attitude(int id) { return texelFetch(things, ivec2(id, 1), 0); }
 
 // ---- Geometry -----------------------------------------------------------------------------------
+// A convex solid is where all its half-spaces dot(n, p) <= d overlap, so what a ray has in common
+// with it is one span [enter, leave]: each half-space cuts the span at t = (d - n.ro) / (n.rd), the
+// front if the ray runs into it, the back if it runs out (Cyrus and Beck, 1978). An edge is where
+// two cuts change places in a maximum: no gap between faces, as there is none between numbers.
+
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity
@@ -197,7 +216,10 @@ void clipPlane(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
     if (abs(speed) < 1e-20) speed = 1e-20;
     float t = (d - dot(nor, ro)) / speed;
     if (speed > 0.0) span.y = min(span.y, t);
-    else if (t > span.x) { span.x = t; entry = vec4(nor, d); }
+    else if (t > span.x) {
+        span.x = t;
+        entry = vec4(nor, d);
+    }
 }
 void clipPair(vec3 ro, vec3 rd, vec3 nor, float d, float widen,
               inout vec2 span, inout vec4 entry) {
@@ -268,7 +290,10 @@ void meetSolid(int id, vec3 ro, vec3 rd, inout Hit h) {
 void meetRound(int id, vec3 ro, vec3 rd, inout Hit h) {
     vec4 s = thing(id);
     float t = intersectSphere(ro, rd, s.xyz, abs(s.w));
-    if (t > 0.0 && t < h.t) { h.t = t; h.id = id; }
+    if (t > 0.0 && t < h.t) {
+        h.t = t;
+        h.id = id;
+    }
 }
 
 // What a ray can meet that starts at, or ends in, the middle of a map: bits of round things, of
@@ -300,6 +325,11 @@ Hit intersect(vec3 ro, vec3 rd, int map) {
 }
 
 // ---- Light --------------------------------------------------------------------------------------
+// A lamp of radius R at distance d is seen under a cone of slope R / d. What one thing hides of the
+// cone has a closed form; what several hide is taken to be independent: their free shares multiply.
+// Many thin cones make that exact, since each sees one thing or none. Light itself is
+// radiance = power * cosine / d^2 (1/m^2), for a surface of albedo 1.
+
 vec3 lampLight(int k) {
     return lampPower * (k == 0 ? 36.0 * linearColour(redColour)
         : k == 1 ? 130.0 * linearColour(blueColour) : 190.0 * linearColour(violetColour));
@@ -435,6 +465,10 @@ vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width, float jit
 }
 
 // ---- Materials ----------------------------------------------------------------------------------
+// Patterns are drawn as a pixel's mean, not at its middle: the mean over [a, b] of a line or a
+// stripe is the difference of its integral at b and at a, divided by b - a. So nothing far off
+// shimmers.
+
 // Edges are rounded for light only: near one the normal leans over to the face beyond. A line is
 // engraved along those of a bipyramid.
 vec3 rounded(int id, vec3 p, vec3 nor, float w, out float engraved) {
@@ -517,16 +551,156 @@ vec3 hallCeiling(vec2 p, float w) {
     return hallLight * (bars * night + vec3(0.004, 0.004, 0.014));
 }
 
-// ---- Camera -------------------------------------------------------------------------------------
-void camera(out vec3 ro, out vec3 right, out vec3 forward) {
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
-    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
-    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
-    float height = clamp(cameraHeight - 8.0 * orbit.y, 0.1, 12.0);
-    ro = vec3(cameraDistance * sin(angle), height, cameraDistance * cos(angle));
-    right = vec3(cos(angle), 0.0, -sin(angle));
-    forward = normalize(vec3(0.0, targetHeight, 0.0) + targetShift * right - ro);
-    right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+// ---- Transport ----------------------------------------------------------------------------------
+// At each surface light splits: a mirrored ray, and in glass a refracted one. The tree that follows
+// would double with every bounce; here two rays are alive, the brightest and one that waits. A
+// third is lost, which changes no pixel, not even where all is glass of an index of 2.4. A ray's
+// weight is the share of its light that reaches the eye: the product of all shares on its way.
+const float kLeastCosine = 0.04;   // a footprint grows with 1 / cosine; no further than this
+const vec3  kFloorBounce = vec3(0.048, 0.054, 0.176), kHallBounce = vec3(0.008, 0.007, 0.020);
+const vec3  kFillAt = vec3(-3.0, 8.0, 9.0), kFillPower = vec3(1.8, 1.6, 1.2);   // m; from afar
+
+// What a ray meets, as light sees it.
+struct Surface {
+    vec3 p, nor;           // place, and outward normal
+    vec3 bent;             // the normal for light: edges of solids are rounded
+    vec3 mirror, albedo;   // share that goes on mirrored; colour of what scatters the rest
+    vec3 shine;            // light of its own
+    float alpha;           // width of the lamps' sheen
+    float w, width;        // footprint here, and what it gains a metre once mirrored
+    float cosine;          // between the ray and the normal
+    bool clear;            // glass: what is not mirrored goes in
+};
+
+// From within glass: back inside, and out. Beer's law: a metre lets through glassTint, t metres
+// glassTint^t. Snell's law in vectors: outside the ray runs along n rd - (n c - k) nor, where
+// k^2 = 1 - n^2 (1 - c^2) is negative where all is reflected.
+void leaveGlass(Ray ray, out Ray one, inout Ray other) {
+    vec3 p = ray.ro, nor;
+    float t = leaveSolid(ray.inside, p, ray.rd, nor);
+    vec3 weight = ray.weight * exp(t * log(max(linearColour(glassTint), 1e-3)));
+    float cosine = clamp(dot(nor, ray.rd), 0.0, 1.0);
+    float back = fresnel(cosine, 1.0 / glassIndex);
+    float k2 = (1.0 - glassIndex) * (1.0 + glassIndex) + square(glassIndex * cosine);
+    one = ray;
+    one.ro = liftOff(p, -nor);
+    one.rd = normalize(reflect(ray.rd, nor));
+    one.weight = weight * back;
+    if (k2 > 0.0) {
+        other.ro = liftOff(p, nor);
+        other.rd = normalize(glassIndex * ray.rd - (glassIndex * cosine - sqrt(k2)) * nor);
+        other.weight = weight * (1.0 - back);
+        other.inside = -1;
+    }
+}
+
+// Where a ray meets something, moved back onto it: along a long ray t is rounded, and a start a
+// thousandth off would meet its own surface again.
+Surface arrive(Ray ray, Hit h) {
+    Surface s;
+    vec4 c = thing(min(h.id, kFloor - 1));
+    s.p = ray.ro + h.t * ray.rd;
+    s.nor = h.face.xyz;
+    s.w = ray.width0 + ray.width * h.t;
+    if (h.id < kCubes) {
+        s.nor = normalize(s.p - c.xyz);
+        s.p = c.xyz + abs(c.w) * s.nor;
+    } else if (h.id != kWall) {
+        s.p -= (dot(s.nor, s.p) - h.face.w) * s.nor;
+    }
+    s.cosine = clamp(-dot(ray.rd, s.nor), 0.0, 1.0);
+    s.clear = h.id < kFloor && c.w < 0.0;
+    s.bent = s.nor;
+    s.width = ray.width;
+    s.mirror = s.albedo = s.shine = vec3(0.0);
+    s.alpha = 0.25;
+    return s;
+}
+
+// The hall: its wall and ceiling shine and send nothing on; the floor is stone under polish.
+void clothe(int id, vec3 rd, inout Surface s) {
+    vec3 golden = linearColour(gold);
+    if (id == kWall) {
+        s.shine = hallWall(s.p, s.w / max(s.cosine, 0.2));
+    } else if (id == kCeiling) {
+        s.shine = hallCeiling(s.p.xz, s.w / max(s.cosine, 0.2));
+    } else {
+        float inlay;
+        vec2 slope = rd.xz / max(-rd.y, 1e-4);
+        s.albedo = floorStone(s.p.xz, s.w, slope, inlay);
+        s.albedo = mix(s.albedo, 0.5 * golden, inlay);
+        s.mirror = vec3(fresnel(s.cosine, kIorStone));
+        s.mirror = gloss * mix(s.mirror, metal(golden, s.cosine), 0.5 * inlay);
+        s.alpha = mix(0.6, 0.28, gloss);
+    }
+}
+
+// What floats in it. A footprint w on a ball of radius r spans the angle w / r, and twice that once
+// mirrored: far things in a ball are drawn as blurred as its pixels are wide.
+void clotheThing(int id, inout Surface s) {
+    float engraved = 0.0, radius = thing(id).w;
+    vec3 golden = linearColour(gold);
+    if (id >= kCubes) s.bent = rounded(id, s.p, s.nor, s.w, engraved);
+    if (s.clear) {
+        s.mirror = vec3(fresnel(s.cosine, glassIndex));
+        if (id < kBalls) s.width += s.w / abs(radius);
+    } else if (id < kBalls) {
+        s.mirror = metal(linearColour(mirrorTint), s.cosine);
+        s.width += 2.0 * s.w / (abs(radius) * max(s.cosine, kLeastCosine));
+    } else if (id < kCubes) {
+        s.albedo = 0.75 * golden;
+        s.mirror = 0.3 * metal(golden, s.cosine);
+        s.alpha = 0.36;
+        s.width += 2.0 * s.w / (radius * max(s.cosine, kLeastCosine));
+    } else if (id < kBipyramids) {
+        s.mirror = vec3(fresnel(s.cosine, kIorVarnish));
+        s.albedo = vec3(0.42, 0.44, 0.52);
+    } else {
+        s.albedo = (0.26 - 0.16 * engraved) * golden;
+        s.mirror = (0.8 - 0.5 * engraved) * metal(golden, s.cosine);
+        s.alpha = 0.42;
+    }
+}
+
+// What a surface scatters towards the eye. The fill light reaches what is golden and nothing else:
+// it is no lamp of the hall, casts no shadow, and wraps round a body, as a cube of its half cosine.
+vec3 scattered(int id, vec3 rd, Surface s) {
+    vec3 sheen, lit = lampsLight(s.p, s.bent, rd, s.alpha, sheen);
+    lit += lampPower * mix(kFloorBounce, kHallBounce, 0.5 + 0.5 * s.nor.y);   // without shadows
+    if (id < kCubes || (id >= kBipyramids && id < kFloor)) {
+        vec3 fill = kFillAt - s.p;
+        float facing = 0.5 + 0.5 * dot(fill, s.bent) * inversesqrt(dot(fill, fill));
+        lit += fillLight * kFillPower * facing * facing * facing;
+    }
+    float left = 1.0 - min(s.mirror.r, min(s.mirror.g, s.mirror.b));
+    return left * s.albedo * lit + s.mirror * sheen;
+}
+
+// Through the hall to the first thing; gives the light that comes from there and from the haze
+// before it. one: mirrored on; other: into glass.
+vec3 crossHall(inout Ray ray, float jitter, out Ray one, inout Ray other) {
+    Hit h = intersect(ray.ro, ray.rd, ray.map);
+    vec3 sum = ray.weight * lampGlow(ray.ro, ray.rd, h.t, ray.width0, ray.width, jitter);
+    ray.weight *= exp(-haze * h.t);
+    Surface s = arrive(ray, h);
+    if (h.id < kFloor) clotheThing(h.id, s);
+    else clothe(h.id, ray.rd, s);
+    sum += ray.weight * s.shine;
+    if (maxComponent(s.albedo * ray.weight) > kLeastThroughput)
+        sum += ray.weight * scattered(h.id, ray.rd, s);
+
+    vec3 back = reflect(ray.rd, s.clear ? s.nor : s.bent);
+    back += max(1e-4 - dot(back, s.nor), 0.0) * s.nor;   // above the face itself, bent or not
+    int map = h.id == kFloor && ray.map == kEye ? kEyeMirrored : kNowhere;
+    one = Ray(liftOff(s.p, s.nor), normalize(back), ray.weight * s.mirror, s.w, s.width, -1, map);
+    if (s.clear) {
+        float eta = 1.0 / glassIndex;
+        float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * s.cosine);
+        vec3 into = normalize(eta * ray.rd + (eta * s.cosine - sqrt(k2)) * s.nor);
+        other = Ray(liftOff(s.p, -s.nor), into, ray.weight * (1.0 - s.mirror), s.w, s.width, h.id,
+                    kNowhere);
+    }
+    return sum;
 }
 
 // Light that arrives at ro against rd. pixel: angle of a pixel, rad.
@@ -537,102 +711,9 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
     for (int n = 0; n < bounces; ++n) {
         Ray one = ray, other = ray;   // what leaves this surface: mirrored, and refracted
         other.weight = vec3(0.0);
-        if (ray.inside >= 0) {
-            vec3 p = ray.ro, nor;
-            float t = leaveSolid(ray.inside, p, ray.rd, nor);
-            vec3 weight = ray.weight * exp(t * log(max(linearColour(glassTint), 1e-3)));
-            float cosine = clamp(dot(nor, ray.rd), 0.0, 1.0);
-            float back = fresnel(cosine, 1.0 / glassIndex);
-            float k2 = (1.0 - glassIndex) * (1.0 + glassIndex) + square(glassIndex * cosine);
-            one.ro = liftOff(p, -nor);
-            one.rd = normalize(reflect(ray.rd, nor));
-            one.weight = weight * back;
-            if (k2 > 0.0) {
-                other.ro = liftOff(p, nor);
-                other.rd = normalize(glassIndex * ray.rd - (glassIndex * cosine - sqrt(k2)) * nor);
-                other.weight = weight * (1.0 - back);
-                other.inside = -1;
-            }
-        } else {
-            Hit h = intersect(ray.ro, ray.rd, ray.map);
-            vec3 p = ray.ro + h.t * ray.rd, nor = h.face.xyz;
-            float w = ray.width0 + ray.width * h.t, clear = exp(-haze * h.t);
-            sum += ray.weight * lampGlow(ray.ro, ray.rd, h.t, ray.width0, ray.width,
-                                         fract(jitter + kGolden * float(n)));
-            ray.weight *= clear;
-            vec4 c = thing(min(h.id, kFloor - 1));
-            if (h.id < kCubes) {   // back onto the surface, whatever the rounding of a long ray
-                nor = normalize(p - c.xyz);
-                p = c.xyz + abs(c.w) * nor;
-            } else if (h.id != kWall) {
-                p -= (dot(nor, p) - h.face.w) * nor;
-            }
-            float cosine = clamp(-dot(ray.rd, nor), 0.0, 1.0), alpha = 0.25;
-            vec3 bent = nor;
-            float engraved = 0.0;
-            if (h.id >= kCubes && h.id < kFloor) bent = rounded(h.id, p, nor, w, engraved);
-            float width = ray.width, coat = fresnel(cosine, kIorVarnish);
-            vec3 mirror = vec3(coat), albedo = vec3(0.0);
-            bool clearBody = h.id < kFloor && c.w < 0.0;
-            vec3 golden = linearColour(gold);
-            if (h.id == kWall) {
-                sum += ray.weight * hallWall(p, w / max(cosine, 0.2));
-                mirror = vec3(0.0);
-            } else if (h.id == kCeiling) {
-                sum += ray.weight * hallCeiling(p.xz, w / max(cosine, 0.2));
-                mirror = vec3(0.0);
-            } else if (h.id == kFloor) {
-                float inlay;
-                vec2 slope = ray.rd.xz / max(-ray.rd.y, 1e-4);
-                albedo = floorStone(p.xz, w, slope, inlay);
-                albedo = mix(albedo, 0.5 * golden, inlay);
-                mirror = vec3(fresnel(cosine, kIorStone));
-                mirror = gloss * mix(mirror, metal(golden, cosine), 0.5 * inlay);
-                alpha = mix(0.6, 0.28, gloss);
-            } else if (clearBody) {
-                mirror = vec3(fresnel(cosine, glassIndex));
-                if (h.id < kBalls) width += w / abs(c.w);
-            } else if (h.id < kBalls) {
-                mirror = metal(linearColour(mirrorTint), cosine);
-                width += 2.0 * w / (abs(c.w) * max(cosine, 0.04));
-            } else if (h.id < kCubes) {
-                albedo = 0.75 * golden;
-                mirror = 0.3 * metal(golden, cosine);
-                alpha = 0.36;
-                width += 2.0 * w / (c.w * max(cosine, 0.04));
-            } else if (h.id < kBipyramids) {
-                albedo = vec3(0.42, 0.44, 0.52);
-            } else {
-                albedo = (0.26 - 0.16 * engraved) * golden;
-                mirror = (0.8 - 0.5 * engraved) * metal(golden, cosine);
-                alpha = 0.42;
-            }
-            if (maxComponent(albedo * ray.weight) > kLeastThroughput) {
-                vec3 sheen, lit = lampsLight(p, bent, ray.rd, alpha, sheen);
-                float up = 0.5 + 0.5 * nor.y;   // floor and hall, without shadows
-                lit += lampPower * mix(vec3(0.048, 0.054, 0.176), vec3(0.008, 0.007, 0.020), up);
-                if (h.id < kCubes || (h.id >= kBipyramids && h.id < kFloor)) {
-                    vec3 fill = vec3(-3.0, 8.0, 9.0) - p;
-                    float facing = 0.5 + 0.5 * dot(fill, bent) * inversesqrt(dot(fill, fill));
-                    lit += fillLight * vec3(1.8, 1.6, 1.2) * facing * facing * facing;
-                }
-                float left = 1.0 - min(mirror.r, min(mirror.g, mirror.b));
-                sum += ray.weight * (left * albedo * lit + mirror * sheen);
-            }
-            vec3 back = reflect(ray.rd, clearBody ? nor : bent);   // and above the face itself
-            back += max(1e-4 - dot(back, nor), 0.0) * nor;
-            int map = h.id == kFloor && ray.map == kEye ? kEyeMirrored : kNowhere;
-            one = Ray(liftOff(p, nor), normalize(back), ray.weight * mirror, w, width, -1, map);
-            if (clearBody) {
-                float eta = 1.0 / glassIndex;
-                float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
-                vec3 bentIn = normalize(eta * ray.rd + (eta * cosine - sqrt(k2)) * nor);
-                other = Ray(liftOff(p, -nor), bentIn, ray.weight * (1.0 - mirror), w, width, h.id,
-                            kNowhere);
-            }
-        }
-        // On with the brightest of these and the one that waits; the next bright one waits. (That the
-        // third is lost changes no pixel, not even where all is glass of an index of 2.4.)
+        if (ray.inside >= 0) leaveGlass(ray, one, other);
+        else sum += crossHall(ray, fract(jitter + kGolden * float(n)), one, other);
+        // On with the brightest of these and the one that waits; the next bright one waits.
         bool swap = maxComponent(other.weight) > maxComponent(one.weight);
         ray = swap ? other : one;
         if (swap) other = one;
@@ -648,7 +729,27 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
     return sum;
 }
 
+// ---- Camera -------------------------------------------------------------------------------------
+// The eye goes round the hall's axis and looks at a point near it; `mainDirections` asks for its
+// place, too. On 36 x 24 mm film a lens of focal length f sees 24 mm / f of a metre a metre away.
+
+void camera(out vec3 ro, out vec3 right, out vec3 forward) {
+    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
+    float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
+    float height = clamp(cameraHeight - 8.0 * orbit.y, 0.1, 12.0);
+    ro = vec3(cameraDistance * sin(angle), height, cameraDistance * cos(angle));
+    right = vec3(cos(angle), 0.0, -sin(angle));
+    forward = normalize(vec3(0.0, targetHeight, 0.0) + targetShift * right - ro);
+    right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+}
+
 // ---- Passes -------------------------------------------------------------------------------------
+// What does not depend on the pixel is worked out once: the gain of light behind a ball, where all
+// things are, and which of them can lie in each direction from a lamp or the eye. That last map is
+// why shadow cones cost little: a cone asks for the bits of its cell, and tests only the few things
+// that they name.
+
 // Gain of parallel light behind a glass ball: tangent off the axis across, r / distance up.
 void mainGain(out vec4 colour, in vec2 pixel) {
     vec2 uv = (pixel - 0.5) / (kGainSize - 1.0);
@@ -760,6 +861,9 @@ void mainThings(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// From a pixel to a ray, by a pinhole, and from light to what a display shows, by one curve, which
+// is the same in all scenes.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {

@@ -84,6 +84,9 @@ uniform sampler2D smoothDepth; //@ buffer normalDepth filter=linear
 uniform sampler2D lightBuffer; //@ pass mainLight format=rgba16f filter=nearest
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// The sun gives kSunPower above the air; sky and all else follow from that. Waves are a table:
+// groups of four, so that a vec4 holds a group and one instruction works on all of it.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
 const float kFar = 1e9;                    // m, a miss
@@ -122,8 +125,14 @@ struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -160,6 +169,13 @@ vec3 sunDirection() {
 }
 
 // ---- The sea ------------------------------------------------------------------------------------
+// A height field: a sum of cosines, each a little sharpened by its second harmonic, h(p) = sum a
+// (cos x + B cos 2x) with x = k.p - w t and w^2 = g |k|, as in deep water (Airy, 1845). A pixel
+// near the horizon covers many waves. Of those it sees the mean slope, which it mirrors by, and how
+// much slopes differ, the spread: a Gaussian of slopes turns the sun's image into a lobe whose
+// height is the share of slopes that send sunlight here (Cox and Munk). So a wave never vanishes:
+// what leaves the surface as shape comes back as roughness, and nothing flickers.
+
 // Wave vectors of a group in the world's frame.
 void waveVectors(int g, out vec4 x, out vec4 z) {
     float c = cos(radians(windAngle)), s = sin(radians(windAngle));
@@ -173,9 +189,9 @@ vec4 waveTurns(vec4 k, uint tick) {   // cycles since the start, deep-water disp
 float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wave has two crests
 
 // Adds four waves, averaged over a Gaussian footprint with covariance blur (xx, zz, xz; m^2): a
-// cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread, and
-// to the tails a cosine's fourth cumulant, -3/2 of its variance squared.
-// varied: mean square of the gain over the square of its mean.
+// cosine keeps exp(-(k sigma)^2 / 2) of its height, and what its slope loses goes to the spread,
+// and to the tails a cosine's fourth cumulant, -3/2 of its variance squared. varied: mean square of
+// the gain over the square of its mean.
 void addWaves(int g, vec2 p, vec3 blur, float gain, float varied, inout Sea s) {
     vec4 x, z;
     waveVectors(g, x, z);
@@ -206,7 +222,8 @@ Sea sea(vec2 p, vec3 blur) {
     vec2 gain = gust(p, blur);
     float varied = 1.0 + gain.y / (gain.x * gain.x), calm = s.spread.x + s.spread.y;
     for (int g = kMovers; g < 6; ++g) addWaves(g, p, blur, ripples * gain.x, varied, s);
-    float both = s.spread.x + s.spread.y;   // slopes under gusts: Gaussians of many widths, long tails
+    float both = s.spread.x + s.spread.y;
+    // Slopes under gusts are Gaussians of many widths: together they have long tails.
     s.tails = (s.tails + 8.0 * (varied - 1.0) * square(both - calm)) / (16.0 * square(both));
     return s;
 }
@@ -261,7 +278,8 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
         float close0 = -rd.y - dot(m0.a * m0.rate, n * (1.0 + 4.0 * crest() * c));
         float f = f0 - moversHeight(m1, t), close = close0 + steep1, over = max(f0 - top1, 0.0);
         ++seaEvaluations;
-        if (f <= 0.0) below = vec2(t, f); else above = vec2(t, f);
+        if (f <= 0.0) below = vec2(t, f);
+        else above = vec2(t, f);
         ahead = f > 0.0 && t < leave;
         f = max(f, 0.0);
         float far = 2.4 * f / max(close + sqrt(close * close + bend0 * f), 1e-6);
@@ -272,8 +290,13 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (int k = 0; k < 4; ++k) {
         t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
         float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
-        if (f > 0.0) { above = vec2(t, f); below.y *= 0.5; }
-        else { below = vec2(t, f); above.y *= 0.5; }
+        if (f > 0.0) {
+            above = vec2(t, f);
+            below.y *= 0.5;
+        } else {
+            below = vec2(t, f);
+            above.y *= 0.5;
+        }
     }
     return t;
 }
@@ -298,8 +321,8 @@ float shownSlope(vec3 rd, Sea s, out vec2 slope) {
     slope = s.slope + lean * (ahead / area);
     return area;
 }
-// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7,
-// with the shown area in closed form, and the first term of an Edgeworth series for the tails).
+// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq.
+// 7, with the shown area in closed form, and the first term of an Edgeworth series for the tails).
 float seaGlitter(vec3 rd, Sea s, float area) {
     vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
     if (h.y < 0.05) return 0.0;
@@ -316,6 +339,10 @@ float seaGlitter(vec3 rd, Sea s, float area) {
 }
 
 // ---- Things -------------------------------------------------------------------------------------
+// Rabbits, ring and frame are fields whose value is never more than the distance to the surface: a
+// ray may step on by it and cannot pass through (sphere tracing, Hart). For an ellipsoid with least
+// radius low, (|p / r| - 1) low is such a bound; a smooth union lowers it further, where two meet.
+
 // Fields carry their gradient: vec4(gradient, value). A value is never more than the distance.
 vec4 ellipsoid(vec3 p, vec3 r) {
     vec3 u = p / r;
@@ -393,7 +420,10 @@ vec4 clusterField(int c, vec3 p, out int id) {
     vec4 f = rabbitField(p);
     if (c == 0) {
         vec4 ring = ringField(p);
-        if (ring.w < f.w) { f = ring; id = kRing; }
+        if (ring.w < f.w) {
+            f = ring;
+            id = kRing;
+        }
     }
     return f;
 }
@@ -468,7 +498,11 @@ Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
         int id;
         float f = clusterField(c, p, id).w;
         bool met = f < 1e-4 + 0.1 * pixel * t && t < best;
-        if (met) { best = t; hit = c; at = p; }
+        if (met) {
+            best = t;
+            hit = c;
+            at = p;
+        }
         t += f;
         if (met || t >= min(end, best)) more = onward(w, c, t, end);
     }
@@ -555,6 +589,11 @@ vec4 paint(int id, vec3 p, float w) {
 }
 
 // ---- The sky ------------------------------------------------------------------------------------
+// Sunlight scattered once on its way through air that thins with height: at each point of the view
+// ray, what the sun sends through the air above, times the share that turns towards the eye, times
+// what is left behind that point: sum T_view(t) (beta_R P_R + beta_M P_M) T_sun(t) dt. It is worked
+// out once per look, into a buffer over half the dome, since the sky is the same on both its sides.
+
 // Density of air (Rayleigh, Mie, ozone) at a height, relative to the sea's level.
 vec3 airDensity(float y) {
     return vec3(exp(-y / 8e3), exp(-y / 1.2e3), max(0.0, 1.0 - abs(y - 25e3) / 15e3));
@@ -601,7 +640,10 @@ float cloudCover(vec3 rd, float width) {
     float sum = 0.0, gain = 0.5;
     for (int k = 0; k < 5; ++k) {
         float keep = clamp(1.3 - w * exp2(float(k)), 0.0, 1.0);
-        if (keep <= 0.0) { sum += gain; break; }   // the rest averages to half
+        if (keep <= 0.0) {   // the rest averages to half
+            sum += gain;
+            break;
+        }
         sum += gain * mix(0.5, cloudNoise(p * exp2(float(k)) + 512.0, 512 << k, 40 + k), keep);
         gain *= 0.5;
     }
@@ -657,7 +699,10 @@ vec3 thingLight(int id, vec3 p, vec3 nor, vec3 d, vec4 stuff, float share, float
     vec3 sunny = sunBeam() * share, around = ambientLight(nor) * open;
     float lit = max(facingSun, 0.0), grazing = square(square(1.0 - facingEye)) * (1.0 - facingEye);
     upWeight = vec3(id == kRing || stuff.w < 0.0 ? fresnel(facingEye, 1.45) : 0.0);
-    if (id == kGilt) { upWeight = mix(stuff.rgb, vec3(1.0), grazing); stuff.rgb *= 0.1; }
+    if (id == kGilt) {
+        upWeight = mix(stuff.rgb, vec3(1.0), grazing);
+        stuff.rgb *= 0.1;
+    }
     float mirrorLine = max(dot(reflect(d, nor), sunDirection()), 0.0);
     vec3 light = upWeight * sunny * (lit * 8.0 * exp2(130.0 * (mirrorLine - 1.0)));
     if (id == kFur && stuff.w >= 0.0) {
@@ -680,6 +725,13 @@ vec3 deepLight() {   // scattered back by deep water
 float codeShare(float code) { return (fract(code) - 0.5) * 2.0; }
 
 // ---- Screen-space rays --------------------------------------------------------------------------
+// The picture knows the depth at each of its pixels. A mirrored ray's image is a straight line, and
+// 1 / depth is linear along it: so the line is walked pixel by pixel, and where the ray's depth
+// first passes what the picture shows, it has met that (McGuire and Mara). Three things can go
+// wrong: a step passes behind a thin thing (so each pixel tells how deep its thing is), a grazing
+// view has metres of water in half a pixel (so depth is interpolated), and the picture does not
+// show what the ray would meet (so such rays are called doubtful, and traced exactly).
+
 Eye camera() {
     vec4 at = texelFetch(poses, ivec2(6, 0), 0), to = texelFetch(poses, ivec2(7, 0), 0);
     vec3 forward = normalize(to.xyz - at.xyz);
@@ -723,6 +775,106 @@ float behindThing(vec4 texel, float depth) {
 struct Line { vec2 pa, pb; float ka, kb; };
 vec3 onLine(Line l, float s) { return vec3(mix(l.pa, l.pb, s), 1.0 / mix(l.ka, l.kb, s)); }
 
+// A ray's image, and where on it something may be met; all but `own` are shares of the line.
+struct Course {
+    Line l;
+    vec3 own;                  // normal of the surface that the ray leaves, which it never meets
+    vec2 gap;                  // between these there is nothing
+    float inside;              // as far the line is in the picture
+    float perPixel, perStep;
+    float start;               // beyond the pixel it starts in
+};
+// Clips a ray to what can be hit, to the near plane, to the picture. False where nothing is left.
+bool plotCourse(Eye e, vec3 ro, vec3 rd, out Course c) {
+    vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
+    vec4 parts = reachOfRay(ro, rd);
+    vec2 reach = vec2(min(parts.x, parts.z), max(parts.y, parts.w));
+    if (a.z <= kNear) return false;
+    if (a.z + reach.y * d.z < kNear) reach.y = (kNear - a.z) / d.z;   // towards the camera
+    if (reach.x >= reach.y) return false;
+    vec3 b = a + reach.y * d;
+    c.own = texelFetch(normalDepth, ivec2(toPixel(e, a)), 0).xyz;
+    c.own *= inversesqrt(max(dot(c.own, c.own), 1e-12));
+    a += reach.x * d;
+    c.l = Line(toPixel(e, a), toPixel(e, b), 1.0 / a.z, 1.0 / b.z);
+    vec2 dp = c.l.pb - c.l.pa;
+    vec2 room = mix(c.l.pa / max(-dp, 1e-4), (iResolution.xy - 0.01 - c.l.pa) / max(dp, 1e-4),
+                    greaterThan(dp, vec2(0.0)));
+    c.inside = clamp(min(room.x, room.y), 0.0, 1.0);
+    c.gap = clamp((parts.yz - reach.x) / (reach.y - reach.x), 0.0, 1.0);   // shares of the ray
+    c.gap = min(c.gap * b.z / mix(vec2(a.z), vec2(b.z), c.gap), c.inside);
+    c.perPixel = 1.0 / max(max(abs(dp.x), abs(dp.y)), 1.0);
+    float part = max(c.inside - max(c.gap.y - c.gap.x, 0.0), 0.01);   // what may be met
+    c.perStep = reflections == 1 ? part / 32.0
+        : max(min(stride * c.perPixel, max(part / 32.0, c.perPixel)), part * sqrt(stride) / 60.0);
+    c.start = reach.x > 0.0 ? 0.0 : 0.7 * c.perPixel;
+    return true;
+}
+
+// Steps along the line until the depth of one step's ends spans what a pixel shows. rough: the ends
+// of the last step. doubtful: the ray was close before a thing, and there the thing ends, or the
+// line.
+bool marchCourse(Course c, vec3 rd, inout vec2 rough, inout bool doubtful) {
+    float s = rough.y, before = rough.x, edge = kFar;
+    int left = reflections == 1 ? 34 : 2048;
+    bool open = before < c.inside, hit = false;
+    for (; left > 0 && open; --left) {
+        s = min(s, c.inside);
+        vec3 q = onLine(c.l, s);
+        vec2 z = vec2(onLine(c.l, before).z, q.z);
+        vec4 texel = shownIn(ivec2(q.xy));
+        ++walkFetches;
+        float slack = abs(z.y - z.x), deep = length(texel.xyz);
+        bool facing = dot(texel.xyz, c.own) < 0.999 * deep;   // as the start does: never met
+        hit = max(z.x, z.y) > texel.w + bias && behindThing(texel, min(z.x, z.y)) < slack
+            && facing && dot(texel.xyz, rd) < 0.7 * deep;
+        float least = abs(z.y - z.x) + (rd.y < 0.0 ? 0.05 * z.y : 0.0);   // m, over water
+        bool close = texel.w - z.y < (facing && deep < 10.0 ? 0.3 : least);
+        doubtful = doubtful || !hit && (texel.w > edge || s >= c.inside && close);
+        edge = close && deep < 10.0 ? texel.w + 0.1 : kFar;
+        open = !hit && s < c.inside;
+        if (open) {
+            before = s > c.gap.x ? max(s, c.gap.y) : s;
+            s = before + c.perStep;
+        }
+    }
+    rough = vec2(before, s);
+    return hit;
+}
+
+// The place in the last step, by halving: first with depth interpolated between pixels, since at a
+// grazing view half a pixel is metres of water; over an edge, where that lies, by whole pixels.
+// end: where it lies; astray: neither fits.
+vec3 closeIn(Course c, vec3 rd, bool hit, vec2 rough, out float end, out bool astray) {
+    vec2 fine = rough + vec2(-6.0, 2.0) * c.perPixel;
+    fine = vec2(max(fine.x, min(c.start, rough.y)), min(fine.y, c.inside));
+    for (int j = 0; j < 6; ++j) {
+        float m = 0.5 * (fine.x + fine.y);
+        vec3 q = onLine(c.l, m);
+        if (q.z > smoothAt(q.xy)) fine.y = m;
+        else fine.x = m;
+    }
+    end = fine.y;
+    vec3 q = onLine(c.l, fine.y);
+    vec4 texel = shownIn(ivec2(q.xy));
+    astray = behindThing(texel, q.z) > 0.0 || dot(texel.xyz, rd) > 0.0;
+    for (int j = 0; j < 5 && astray && hit; ++j) {
+        float m = 0.5 * (rough.x + rough.y);
+        q = onLine(c.l, m);
+        if (q.z > shownIn(ivec2(q.xy)).w) rough.y = m;
+        else rough.x = m;
+        ++walkFetches;
+    }
+    if (astray) {
+        q = onLine(c.l, rough.y);
+        texel = shownIn(ivec2(q.xy));
+        float deep = length(texel.xyz);
+        astray = q.z - texel.w > 0.025 || dot(texel.xyz, rd) > 0.3 * deep
+            || dot(texel.xyz, c.own) > 0.999 * deep;
+    }
+    return q;
+}
+
 // Walks the depth buffer along a ray. found: the pixel that it meets; the value: how sure, for soft
 // edges; 0 is a miss. doubtful: the picture does not tell for certain.
 float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 found,
@@ -730,84 +882,28 @@ float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 fo
     found = vec2(0.0);
     doubtful = false;
     walkFetches = 0;
-    vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
-    vec4 parts = reachOfRay(ro, rd);
-    vec2 reach = vec2(min(parts.x, parts.z), max(parts.y, parts.w));
-    if (!wanted || a.z <= kNear) return 0.0;
-    if (a.z + reach.y * d.z < kNear) reach.y = (kNear - a.z) / d.z;   // towards the camera
-    if (reach.x >= reach.y) return 0.0;
-    vec3 own = texelFetch(normalDepth, ivec2(toPixel(e, a)), 0).xyz, b = a + reach.y * d;
-    own *= inversesqrt(max(dot(own, own), 1e-12));
-    a += reach.x * d;
-    Line l = Line(toPixel(e, a), toPixel(e, b), 1.0 / a.z, 1.0 / b.z);
-    vec2 dp = l.pb - l.pa, size = iResolution.xy;
-    vec2 room = mix(l.pa / max(-dp, 1e-4), (size - 0.01 - l.pa) / max(dp, 1e-4),
-                    greaterThan(dp, vec2(0.0)));
-    float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the line in the picture
-    vec2 gap = clamp((parts.yz - reach.x) / (reach.y - reach.x), 0.0, 1.0);   // nothing is there
-    gap = min(gap * b.z / mix(vec2(a.z), vec2(b.z), gap), inside);   // as shares of the line
-    float perPixel = 1.0 / max(max(abs(dp.x), abs(dp.y)), 1.0);
-    float part = max(inside - max(gap.y - gap.x, 0.0), 0.01);   // what may be met
-    float perStep = reflections == 1 ? part / 32.0
-        : max(min(stride * perPixel, max(part / 32.0, perPixel)), part * sqrt(stride) / 60.0);
-    float s = perStep * (1.0 - jitter * chance), start = reach.x > 0.0 ? 0.0 : 0.7 * perPixel;
-    float before = min(start, s), edge = kFar;
-    int left = reflections == 1 ? 34 : 2048;
-    bool open = before < inside, hit = false;
-    for (; left > 0 && open; --left) {
-        s = min(s, inside);
-        vec3 q = onLine(l, s);
-        vec2 z = vec2(onLine(l, before).z, q.z);
-        vec4 texel = shownIn(ivec2(q.xy));
-        ++walkFetches;
-        float slack = abs(z.y - z.x), deep = length(texel.xyz);
-        bool facing = dot(texel.xyz, own) < 0.999 * deep;   // as the start does: never met
-        hit = max(z.x, z.y) > texel.w + bias && behindThing(texel, min(z.x, z.y)) < slack
-            && facing && dot(texel.xyz, rd) < 0.7 * deep;
-        // It was close before a thing, and there the thing ends, or the line.
-        float least = abs(z.y - z.x) + (rd.y < 0.0 ? 0.05 * z.y : 0.0);   // m, over water
-        bool close = texel.w - z.y < (facing && deep < 10.0 ? 0.3 : least);
-        doubtful = doubtful || !hit && (texel.w > edge || s >= inside && close);
-        edge = close && deep < 10.0 ? texel.w + 0.1 : kFar;
-        open = !hit && s < inside;
-        if (open) { before = s > gap.x ? max(s, gap.y) : s; s = before + perStep; }
-    }
-    // Between pixels depth is interpolated: at a grazing view half a pixel is metres of water.
-    vec2 rough = vec2(before, s), fine = rough + vec2(-6.0, 2.0) * perPixel;
-    fine = vec2(max(fine.x, min(start, s)), min(fine.y, inside));
-    for (int j = 0; j < 6; ++j) {
-        float m = 0.5 * (fine.x + fine.y);
-        vec3 q = onLine(l, m);
-        if (q.z > smoothAt(q.xy)) fine.y = m; else fine.x = m;
-    }
-    vec3 q = onLine(l, fine.y);
-    vec4 texel = shownIn(ivec2(q.xy));
-    bool astray = behindThing(texel, q.z) > 0.0 || dot(texel.xyz, rd) > 0.0;
-    for (int j = 0; j < 5 && astray && hit; ++j) {   // over an edge: by whole pixels
-        float m = 0.5 * (rough.x + rough.y);
-        q = onLine(l, m);
-        if (q.z > shownIn(ivec2(q.xy)).w) rough.y = m; else rough.x = m;
-        ++walkFetches;
-    }
-    if (astray) {
-        q = onLine(l, rough.y);
-        texel = shownIn(ivec2(q.xy));
-        float deep = length(texel.xyz);
-        astray = q.z - texel.w > 0.025 || dot(texel.xyz, rd) > 0.3 * deep
-            || dot(texel.xyz, own) > 0.999 * deep;
-    }
+    Course c;
+    if (!wanted || !plotCourse(e, ro, rd, c)) return 0.0;
+    float first = c.perStep * (1.0 - jitter * chance), end;
+    vec2 rough = vec2(min(c.start, first), first);
+    bool hit = marchCourse(c, rd, rough, doubtful), astray;
+    vec3 q = closeIn(c, rd, hit, rough, end, astray);
     if (!hit) return 0.0;
     // How far below what is shown the ray is two pixels on: too little, and the place is vague.
-    vec3 on = onLine(l, min(fine.y + 2.0 * perPixel, 1.0));
+    vec3 on = onLine(c.l, min(end + 2.0 * c.perPixel, 1.0));
     vec2 shown = vec2(smoothAt(q.xy), smoothAt(on.xy));
     walkFetches += 9;
     doubtful = doubtful || astray || on.z - shown.y < 1.2 * abs(shown.y - shown.x);
     found = q.xy;
-    vec2 rim = min(q.xy, size - q.xy) / size;
+    vec2 rim = min(q.xy, iResolution.xy - q.xy) / iResolution.xy;
     return smoothstep(0.0, max(edgeFade, 1e-4), min(rim.x, rim.y));
 }
 
 // ---- Passes and sound ---------------------------------------------------------------------------
+// First the whole picture's geometry is drawn once, as two outputs of one pass: what each pixel is
+// made of, and how it faces and how far it is. Then its light. Only then is the picture drawn,
+// which reads both at any pixel: that is what rays on the screen walk through.
+
 // Single scattering, with a share of light that has been scattered more often and comes from all
 // around. x: sine of half the angle from the sun's azimuth, y: root of the sine of elevation.
 void mainSky(out vec4 colour, in vec2 pixel) {
@@ -868,7 +964,11 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
         : 0.5 + 0.12 * sin(2.0 * sway + 1.0);
     vec2 tilt = s.slope * (c == 0 ? 0.9 : 0.4);
     if (c == 1) tilt += 0.16 * vec2(sin(heading), cos(heading));   // head up
-    if (c == 2) { place = kMirrorAt; heading = radians(mirrorAngle); tilt = vec2(0.0); }
+    if (c == 2) {
+        place = kMirrorAt;
+        heading = radians(mirrorAngle);
+        tilt = vec2(0.0);
+    }
     if (c < 3) {
         colour = (k & 1) == 0 ? vec4(place, heading) : vec4(tilt, 0.0, 0.0);
     } else {
@@ -879,9 +979,9 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
 }
 
 // albedo: colour, for water the lost slope variance; in w the kind of surface + a share of 1 of the
-// light that comes through, for water of its slopes' tails. normalDepth: the normal, as long as the thing is deep behind the pixel,
-// and 1 over the depth along the view's axis, which is linear over the picture of a plane: so half
-// a pixel of a calm sea is exact, however grazing the view.
+// light that comes through, for water of its slopes' tails. normalDepth: the normal, as long as the
+// thing is deep behind the pixel, and 1 over the depth along the view's axis, which is linear over
+// the picture of a plane: so half a pixel of a calm sea is exact, however grazing the view.
 void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
     readFrames();
     Eye e = camera();
@@ -1001,6 +1101,10 @@ vec2 mainSound(int samp, float time) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// Each pixel is a thing, whose light is known already, or water, glass or sky, which show something
+// else: one ray is sent on (several, where the glass blurs), and what it meets is mixed over the
+// sky.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {
@@ -1011,91 +1115,109 @@ vec3 display(vec3 light) {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
+// What a mirrored ray meets.
+struct Met {
+    vec3 thing;    // light of a thing
+    float sure;    // how sure that is, over sea and sky
+    bool wet;      // water, seen in the glass
+    float far;     // m
+    vec3 glass;    // normal of a glass, 0 for none
+};
+Met metExactly(Surface u, vec3 from, vec3 away, float angle, float cone, float chance) {
+    Hit h = hitAll(from, away, angle, u.id == kGlass, u.id == kSky || u.id > kGlass);
+    vec3 q = from + min(h.t, 1e4) * away, upWeight;
+    vec4 stuff = paint(h.id, q, angle * u.t + (angle + cone) * h.t);
+    vec3 thing = thingLight(h.id, q, h.nor, away, stuff, sunlight(q, h.nor, chance),
+                            roomAround(q, h.nor), upWeight);
+    thing += upWeight * ambientLight(h.nor) / kPi;
+    return Met(thing, h.id > kGlass ? 1.0 : 0.0, h.id == kWater, h.t,
+               h.id == kGlass ? h.nor : vec3(0.0));
+}
+// By the pixel that shows it. s: the sea where the ray comes to it; the picture's own, where that
+// is sure.
+void metInPicture(vec2 found, bool onGlass, inout Met m, inout Sea s) {
+    vec4 stuff = texelFetch(albedo, ivec2(found), 0);
+    vec3 nor = texelFetch(normalDepth, ivec2(found), 0).xyz;
+    nor = normalize(nor + vec3(0.0, 1e-6, 0.0));
+    m.thing = texelFetch(lightBuffer, ivec2(found), 0).rgb;
+    int id = m.sure > 0.0 ? int(stuff.w) : kSky;
+    if (id == kGlass) m.glass = nor;
+    if (id == kWater) {
+        s.slope = mix(s.slope, -nor.xz / max(nor.y, 1e-3), m.sure);
+        s.spread = mix(s.spread, stuff.rgb, m.sure);
+        s.tails = mix(s.tails, codeShare(stuff.w), m.sure);
+        m.wet = onGlass;
+    }
+    if (id <= kGlass) m.sure = 0.0;
+}
+
+// Light along one mirrored ray, or from the open sky along the view's own. cone: of it, rad.
+vec3 mirroredLight(Eye e, Surface u, vec3 away, float angle, float cone, vec2 chance) {
+    bool onSea = u.id == kWater, onGlass = u.id == kGlass, exact = reflections == 3;
+    vec3 from = u.pos + 0.002 * u.nor, light = vec3(0.0), upWeight = vec3(1.0);
+    Met m = Met(vec3(0.0), 0.0, onGlass && away.y < -1e-3 && u.pos.y > 0.0,
+                -u.pos.y / min(away.y, -1e-4), vec3(0.0));
+    vec2 found = vec2(0.0), leaning;
+    if (reflections == 1 || reflections == 2)
+        m.sure = walkScreen(e, from, away, chance.x, onSea || onGlass, found, exact);
+    while (exact) {   // no `if`: what a loop does not run is skipped, where no pixel is in doubt
+        m = metExactly(u, from, away, angle, cone, chance.y);
+        break;
+    }
+    m.far = min(m.far, 1e5);
+    vec3 q = u.pos + m.far * away;
+    Sea s = sea(q.xz, seaFootprint(away, angle * u.t + (angle + cone) * m.far));
+    if (!exact) metInPicture(found, onGlass, m, s);
+    float shown = shownSlope(away, s, leaning);
+    if (m.wet) {
+        vec3 n = normalize(vec3(-leaning, 1.0).xzy);
+        float f = fresnel(clamp(-dot(n, away), 0.0, 1.0), kIorWater);
+        light = sunBeam() * seaGlitter(away, s, shown) + (1.0 - f) * deepLight();
+        upWeight = vec3(f);
+        away = reflect(away, n);
+    }
+    if (m.glass != vec3(0.0)) away = reflect(away, m.glass);
+    bool disc = u.id == kSky || onGlass && !m.wet;
+    light += upWeight * mirrorSky(away, onSea ? 0.1 : angle + cone, disc);
+    return mix(light, m.thing, m.sure);
+}
+
+// What is seen through the water: rabbits and frame below the waterline, or the deep. Light is lost
+// on the way up to the eye, and on its own way down.
+vec3 throughSea(Surface u, vec3 rd, float angle) {
+    float eta = 1.0 / kIorWater, c = clamp(-dot(rd, u.nor), 0.0, 1.0);
+    float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * c);
+    vec3 down = normalize(eta * rd + (eta * c - sqrt(k2)) * u.nor), upWeight;
+    Hit h = hitThings(u.pos + 1e-4 * down, down, angle, u.id == kWater ? 6.0 : 0.0);
+    vec3 q = u.pos + h.t * down;
+    vec4 stuff = paint(h.id, q, angle * u.t);
+    vec3 left = exp(-kAbsorption / clarity * (h.t + 1.5 * max(-q.y, 0.0)));
+    vec3 below = thingLight(h.id, q, h.nor, down, stuff, 1.0, 0.8, upWeight);
+    return mix(deepLight(), below, h.id > kGlass ? left : vec3(0.0));
+}
+
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     readFrames();
     Eye e = camera();
     vec3 rd = viewRay(e, fragCoord), chance = random3(ivec3(ivec2(fragCoord * 16.0), 3));
     float angle = 1.0 / (e.lens * iResolution.y);
     Surface u = surfaceAt(e, rd, ivec2(fragCoord));
-    bool onSea = u.id == kWater, onGlass = u.id == kGlass;
     vec4 lit = texelFetch(lightBuffer, ivec2(fragCoord), 0);
     vec3 sum = vec3(0.0);
-    // What water and glass mirror, and what is above the horizon.
-    bool blurred = onGlass && mirrorBlur > 0.0;
+    bool blurred = u.id == kGlass && mirrorBlur > 0.0;
     int rays = blurred ? mirrorRays : 1;
     float cone = blurred ? 1.4 * mirrorBlur * inversesqrt(float(rays)) : 0.0;   // of one ray, rad
     // R2 from pixel to pixel; evenly apart among the samples of one.
     float spin = fract(dot(floor(fragCoord), vec2(0.7548777, 0.5698403)) + fragCoord.x);
     for (int k = 0; k < rays; ++k) {
-        vec3 away = u.away, from = u.pos + 0.002 * u.nor;
+        vec3 away = u.away;
         if (blurred) away = blurredRay(away, u.nor, float(k), vec2(spin, chance.z));
-        // The thing that is met, with how sure that is, over the open sea and the sky.
-        float sure = 0.0, far = -u.pos.y / min(away.y, -1e-4);
-        bool wet = onGlass && away.y < -1e-3 && u.pos.y > 0.0;
-        vec3 thing = vec3(0.0), glass = vec3(0.0), upWeight = vec3(1.0);
-        vec2 found = vec2(0.0);
-        bool exact = reflections == 3;
-        if (reflections == 1 || reflections == 2)
-            sure = walkScreen(e, from, away, chance.x, onSea || onGlass, found, exact);
-        while (exact) {   // for that is skipped where the picture tells
-            Hit h = hitAll(from, away, angle, onGlass, u.id == kSky || u.id > kGlass);
-            vec3 q = from + min(h.t, 1e4) * away;
-            vec4 stuff = paint(h.id, q, angle * u.t + (angle + cone) * h.t);
-            thing = thingLight(h.id, q, h.nor, away, stuff, sunlight(q, h.nor, chance.y),
-                               roomAround(q, h.nor), upWeight);
-            thing += upWeight * ambientLight(h.nor) / kPi;
-            sure = h.id > kGlass ? 1.0 : 0.0;
-            wet = h.id == kWater;
-            far = h.t;
-            if (h.id == kGlass) glass = h.nor;
-            break;
-        }
-        far = min(far, 1e5);
-        vec3 q = u.pos + far * away;
-        Sea s = sea(q.xz, seaFootprint(away, angle * u.t + (angle + cone) * far));
-        if (!exact) {
-            vec4 stuff = texelFetch(albedo, ivec2(found), 0);
-            vec3 nor = texelFetch(normalDepth, ivec2(found), 0).xyz;
-            nor = normalize(nor + vec3(0.0, 1e-6, 0.0));
-            thing = texelFetch(lightBuffer, ivec2(found), 0).rgb;
-            int id = sure > 0.0 ? int(stuff.w) : kSky;
-            if (id == kGlass) glass = nor;
-            if (id == kWater) {   // the picture's own sea, where it is sure
-                s.slope = mix(s.slope, -nor.xz / max(nor.y, 1e-3), sure);
-                s.spread = mix(s.spread, stuff.rgb, sure);
-                s.tails = mix(s.tails, codeShare(stuff.w), sure);
-                wet = onGlass;
-            }
-            if (id <= kGlass) sure = 0.0;
-        }
-        vec3 light = vec3(0.0);
-        upWeight = vec3(1.0);
-        vec2 leaning;
-        float shown = shownSlope(away, s, leaning);
-        if (wet) {
-            vec3 n = normalize(vec3(-leaning, 1.0).xzy);
-            float f = fresnel(clamp(-dot(n, away), 0.0, 1.0), kIorWater);
-            light = sunBeam() * seaGlitter(away, s, shown) + (1.0 - f) * deepLight();
-            upWeight = vec3(f);
-            away = reflect(away, n);
-        }
-        if (glass != vec3(0.0)) away = reflect(away, glass);
-        bool disc = u.id == kSky || onGlass && !wet;
-        light += upWeight * mirrorSky(away, onSea ? 0.1 : angle + cone, disc);
-        sum += u.mirrored / float(rays) * mix(light, thing, sure);
+        sum += u.mirrored / float(rays) * mirroredLight(e, u, away, angle, cone, chance.xy);
     }
     if (u.id > kGlass) sum = lit.rgb;
-    // What is seen through the water: rabbits and frame below the waterline, or the deep.
-    float eta = 1.0 / kIorWater, c = clamp(-dot(rd, u.nor), 0.0, 1.0);
-    float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * c);
-    vec3 down = normalize(eta * rd + (eta * c - sqrt(k2)) * u.nor), upWeight;
-    Hit h = hitThings(u.pos + 1e-4 * down, down, angle, onSea ? 6.0 : 0.0);
-    vec3 q = u.pos + h.t * down;
-    vec4 stuff = paint(h.id, q, angle * u.t);
-    vec3 left = exp(-kAbsorption / clarity * (h.t + 1.5 * max(-q.y, 0.0)));
-    vec3 below = thingLight(h.id, q, h.nor, down, stuff, 1.0, 0.8, upWeight);
-    if (onSea) {
-        sum += (1.0 - u.mirrored) * mix(deepLight(), below, h.id > kGlass ? left : vec3(0.0));
+    vec3 below = throughSea(u, rd, angle);
+    if (u.id == kWater) {
+        sum += (1.0 - u.mirrored) * below;
         vec2 slope;
         sum += sunBeam() * (lit.w * seaGlitter(rd, u.sea, shownSlope(rd, u.sea, slope)));
         vec3 level = normalize(vec3(rd.x, 1e-3, rd.z));   // the air in between

@@ -2,36 +2,32 @@
 //
 // Snow over rock over green, trees, and a lake so clear that one sees its bed, with closed sides
 // and a bottom, afloat above the clouds. It holds together from every side, from below and through
-// the water. The lake finds what it mirrors by walking the picture's own depth, and exactly
-// where that does not tell for certain, or everywhere, for comparison.
+// the water. The lake finds what it mirrors by walking the picture's own depth, and exactly where
+// that does not tell for certain, or everywhere, for comparison.
 //
 // Method   Land is a height at 513 x 513 nodes, drawn once, bilinear between them; a pyramid of
-//          greatest heights lets a ray jump over what it cannot touch, and the patch that it meets
-//          is solved as a quadratic, so no step can be too long and no edge leaks. Shadows and the
-//          open part of the sky are drawn once too. Waves are gradient noise whose third axis is
-//          time and closes after 64 cells. Their slopes and the products of these are averaged by
-//          mipmaps: what a pixel cannot show widens the cone in which clouds are mirrored, and what
-//          its parts cannot, the sun's lobe in each: glitter that is 0.1 to 0.37 of its mean off.
-//          Light in the water is followed through all of its faces, with absorption and scattering
-//          in closed form.
-// Sources  Perlin, SIGGRAPH (2002): noise. Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Tevs,
-//          Ihrke, Seidel, I3D (2008): maximum mipmaps. McGuire and Mara, JCGT 3(4) (2014): rays in
-//          the picture. Olano and Baker, I3D (2010): mean products of slopes. Ross, Dion, Potvin,
-//          JOSA A 22 (2005), and Bruneton, Neyret, Holzschuch, CGF 29 (2010): glitter. Nishita et
-//          al., SIGGRAPH (1993): sky. Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel
-//          (1979): phyllotaxis. Potmesil and Chakravarty, SIGGRAPH (1981): circles of confusion.
-// Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
+// greatest heights lets a ray jump over what it cannot touch, and the patch that it meets is solved
+// as a quadratic, so no step can be too long and no edge leaks. Shadows and the open part of the
+// sky are drawn once too. Waves are gradient noise whose third axis is time and closes after 64
+// cells. Their slopes and the products of these are averaged by mipmaps: what a pixel cannot show
+// widens the cone in which clouds are mirrored, and what its parts cannot, the sun's lobe in each:
+// glitter that is 0.1 to 0.37 of its mean off. Light in the water is followed through all of its
+// faces, with absorption and scattering in closed form. Sources  Perlin, SIGGRAPH (2002): noise.
+// Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Tevs, Ihrke, Seidel, I3D (2008): maximum mipmaps.
+// McGuire and Mara, JCGT 3(4) (2014): rays in the picture. Olano and Baker, I3D (2010): mean
+// products of slopes. Ross, Dion, Potvin, JOSA A 22 (2005), and Bruneton, Neyret, Holzschuch, CGF
+// 29 (2010): glitter. Nishita et al., SIGGRAPH (1993): sky. Born and Wolf, Principles of Optics,
+// 1.5: Fresnel. Vogel (1979): phyllotaxis. Potmesil and Chakravarty, SIGGRAPH (1981): circles of
+// confusion. Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
 // Passes   tile, cloudTile, bare, land, peaks, sky, ambient, lightMap: on change of a tweak. Every
-//          frame: waves, gathered, colours + normalDepth; picture where `tiltShift` blurs it.
-// Bounds   Biased: waves tilt the water and do not move it; light that leaves the water meets the
-//          sky, and land where reflections are traced, but never water again. The loops of a
-//          pixel stay below 30,000 turns with every reference on.
-// Defaults From `glint study presets/terrain.toml`: reflections in the picture are 0.011 (RMSE)
-//          from traced ones, none 0.034; each costs a twentieth to a tenth more than the one before.
-//          35 reflectionSteps keep a ray at 32 reads. The pyramid is 0.005 from the many-step march
-//          in less than half of its frame; 160 marchSteps leave no more than 0.1 % of the rays out
-//          of steps over any land.
-// Licence  MIT
+// frame: waves, gathered, colours + normalDepth; picture where `tiltShift` blurs it. Bounds
+// Biased: waves tilt the water and do not move it; light that leaves the water meets the sky, and
+// land where reflections are traced, but never water again. The loops of a pixel stay below 30,000
+// turns with every reference on. Defaults From `glint study presets/terrain.toml`: reflections in
+// the picture are 0.011 (RMSE) from traced ones, none 0.034; each costs a twentieth to a tenth more
+// than the one before. 35 reflectionSteps keep a ray at 32 reads. The pyramid is 0.005 from the
+// many-step march in less than half of its frame; 160 marchSteps leave no more than 0.1 % of the
+// rays out of steps over any land. Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
 //@ group Land
@@ -93,6 +89,9 @@ uniform sampler2D picture;     //@ pass mainPicture filter=nearest
 uniform sampler2D softPicture; //@ buffer picture filter=mipmap
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// The block is 2 kHalf wide and stands round the origin; y = 0 is near the lake's usual level. All
+// that chance decides is drawn from hashes of whole numbers, so that a land has a number.
+
 const float kPi = 3.14159265358979;
 const float kGolden = 0.61803398874989;    // turns between neighbours of a phyllotaxis
 const float kFar = 1e9;                    // m, a miss
@@ -127,8 +126,14 @@ struct Eye { vec3 pos, right, up, forward; float lens; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
@@ -190,6 +195,13 @@ vec3 perlinPlane(vec2 p, int plane, int wrap) {
 }
 
 // ---- Land ---------------------------------------------------------------------------------------
+// A height over (x, z): eight hills of the form exp(-r), bent so that none is round, and six
+// octaves of gradient noise, each with half the width and half the height of the one before; low
+// land has the noise itself, high land its ridges, -|n|. Drawn once into a buffer, it is from then
+// on bilinear between nodes: along a ray such a patch is a quadratic in t, so that a hit is solved
+// and not sought. A pyramid holds the greatest height of ever larger squares: a ray above that
+// jumps over the square.
+
 float landTop() { return max(texelFetch(ambient, ivec2(7, 0), 0).x, waterLevel) + 0.1; }
 vec2 landUv(vec2 p) { return ((p + kHalf) * kPerCell + 0.5) / float(kCells + 1); }
 
@@ -275,6 +287,7 @@ float hitLand(vec3 ro, vec3 rd, float t0, float t1) {
         if (min(y, p.y + leave * rd.y) > top) {
             s = leave;
             ivec2 next = clamp(ivec2(o + s * d + nudge), 0, kCells - 1);
+            // Out of the square of the next level, too: that one may be jumped again.
             if ((next >> (shift + 2)) != (c >> 2)) level = min(level + 1, 3);
         } else if (level > 0) {
             --level;
@@ -310,7 +323,8 @@ float stepLand(vec3 ro, vec3 rd, float t0, float t1) {
     for (int k = 0; k < 24; ++k) {
         float m = 0.5 * (a + b);
         vec3 p = ro + m * rd;
-        if (p.y > landHeight(p.xz)) a = m; else b = m;
+        if (p.y > landHeight(p.xz)) a = m;
+        else b = m;
     }
     return b;
 }
@@ -345,11 +359,18 @@ Hit intersect(vec3 ro, vec3 rd) {
     h.t = meetLand(ro, rd, span.x, min(span.y, level));
     h.nor = vec3(0.0, 1.0, 0.0);
     if (h.t < kFar) h.id = kLand;
-    else if (level < kFar) { h.t = max(level, span.x); h.id = kWater; }
+    else if (level < kFar) {
+        h.t = max(level, span.x);
+        h.id = kWater;
+    }
     return h;
 }
 
 // ---- The sky ------------------------------------------------------------------------------------
+// Sunlight scattered once in air that thins with height, summed along the ray into a small buffer;
+// clouds are a flat layer of noise. A cone that is wider than a cloud sees their mean: what water
+// mirrors is read from a smaller mip level, and so does not swirl.
+
 // Density of air (Rayleigh, Mie, ozone) at a height, relative to the sea's level.
 vec3 airDensity(float y) {
     return vec3(exp(-y / 8e3), exp(-y / 1.2e3), max(0.0, 1.0 - abs(y - 25e3) / 15e3));
@@ -426,6 +447,10 @@ vec3 background(vec3 rd, float width, bool disc) {
 }
 
 // ---- Water --------------------------------------------------------------------------------------
+// The lake is level; its waves are slopes in a buffer. A mip level of it holds the mean of slopes
+// and of their squares, so the variance that a pixel hides is E[s^2] - E[s]^2 (Olano and Baker): it
+// widens the lobe of the sun, P(slope that mirrors the sun to the eye), instead of being lost.
+
 vec3 waterLoss() { return -log(clamp(linearColour(waterTint), 0.002, 0.998)) / 10.0; }   // 1/m
 
 // Slopes of the lake and what a pixel of width w, seen along rd, cannot show of them: the mean of
@@ -460,8 +485,8 @@ float shownSlope(vec3 rd, Sea s, out vec2 slope) {
     slope = s.slope + lean * (ahead / area);
     return area;
 }
-// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq. 7,
-// with the shown area in closed form, and the first term of an Edgeworth series for the tails).
+// The sun in a sea of nearly Gaussian slopes, for one unit of its light (Bruneton et al. 2010, eq.
+// 7, with the shown area in closed form, and the first term of an Edgeworth series for the tails).
 float seaGlitter(vec3 rd, Sea s, float area) {
     vec3 h = normalize(sunDirection() - rd + vec3(0.0, 1e-5, 0.0));
     if (h.y < 0.05) return 0.0;
@@ -511,6 +536,10 @@ vec3 lakeGlow(float depth, float rise, float t) {
 }
 
 // ---- Light on land ------------------------------------------------------------------------------
+// Matt ground in sun and sky, whose shadow and open share were drawn once; Phong's lobe, strongest
+// on damp shores. In the water a pair of rays is followed: one in the air and one in the water,
+// which at each face trade what they carry by Fresnel's share.
+
 // Colour of land: sand, meadow, rock, snow, trees; up: y of its normal; n, fine: of the
 // tile; w: m on the ground that a pixel shows.
 vec3 landColour(vec3 p, float up, float tree, vec4 n, vec4 fine, float w) {
@@ -636,6 +665,10 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
 }
 
 // ---- Screen-space rays and camera ---------------------------------------------------------------
+// The picture knows the depth at each of its pixels, and 1 / depth is linear along the image of a
+// ray: the ray's image is walked until its depth passes what the picture shows. Each pixel also
+// says how deep its land is behind it, so that a ray may pass behind a peak.
+
 Eye camera() {
     bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
@@ -673,6 +706,75 @@ float depthOfLand(vec3 p, vec3 rd) {
 }
 
 int walkFetches = 0;   // of the depth buffer, for measurements
+// A ray's image, and shares of it: as far as it is in the picture, a pixel, a step, its first
+// pixel.
+struct Track {
+    Line l;
+    float inside, perPixel, perStep, start;
+};
+// Clips a ray to the near plane and the picture. False where nothing is left.
+bool layTrack(Eye e, vec3 ro, vec3 rd, float reach, out Track k) {
+    vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
+    if (a.z <= kNear || reach <= 0.0) return false;
+    if (a.z + reach * d.z < kNear) reach = (kNear - a.z) / d.z;   // towards the camera
+    vec3 b = a + reach * d;
+    k.l = Line(toPixel(e, a), toPixel(e, b), 1.0 / a.z, 1.0 / b.z);
+    vec2 dp = k.l.pb - k.l.pa, size = iResolution.xy;
+    vec2 room = mix(k.l.pa / max(-dp, 1e-4), (size - 0.01 - k.l.pa) / max(dp, 1e-4),
+                    greaterThan(dp, vec2(0.0)));
+    k.inside = clamp(min(room.x, room.y), 0.0, 1.0);
+    k.perPixel = 1.0 / max(max(abs(dp.x), abs(dp.y)), 1.0);
+    k.perStep = 1.0 / ceil(clamp(k.inside / k.perPixel, 1.0, float(reflectionSteps)));
+    k.start = min(0.7 * k.perPixel, k.inside);
+    return true;
+}
+
+// Where a walk stands: its last two places as shares of the line, and how much of it is done.
+struct Step { float before, at, walked; };
+void stepOn(Track k, inout Step s) {
+    s.before = s.at;
+    s.walked = min(s.walked + k.perStep, 1.0);
+    s.at = mix(k.start, k.inside, s.walked);
+}
+// Steps until land lies between the depths of a step's ends. close: it was just above land, or
+// below it by less than the land may be deep.
+bool walkOn(Track k, inout Step s, inout bool open, inout bool close) {
+    bool hit = false;
+    for (int n = 0; n < reflectionSteps && open; ++n) {
+        float z = onLine(k.l, s.at).z, zBefore = onLine(k.l, s.before).z;
+        vec4 texel = texelFetch(normalDepth, ivec2(onLine(k.l, s.at).xy), 0);
+        float deep = length(texel.xyz);
+        ++walkFetches;
+        hit = deep > 0.02 && max(z, zBefore) > texel.w
+            && min(z, zBefore) - texel.w < deep + abs(z - zBefore);
+        float over = texel.w - max(z, zBefore), slack = abs(z - zBefore);
+        close = close || !hit && deep > 0.02 && over < 0.5 * slack
+            && over > -2.0 * deep - 2.0 * slack;
+        open = !hit && s.at < k.inside;
+        if (open) stepOn(k, s);
+    }
+    return hit;
+}
+// Halves the last step down to the pixel. True where the ray really meets what is shown there;
+// vague: over an edge, or two pixels on it is hardly deeper below what is shown.
+bool holds(Track k, Step s, bool hit, out vec2 at, out bool vague) {
+    float low = s.before, high = s.at;
+    for (int j = 0; j < 6 && hit; ++j) {
+        float m = 0.5 * (low + high);
+        vec3 q = onLine(k.l, m);
+        if (q.z > texelFetch(normalDepth, ivec2(q.xy), 0).w) high = m;
+        else low = m;
+        ++walkFetches;
+    }
+    vec3 q = onLine(k.l, high), on = onLine(k.l, min(high + 2.0 * k.perPixel, k.inside));
+    vec4 texel = texelFetch(normalDepth, ivec2(q.xy), 0);
+    float behind = q.z - texel.w, deep = length(texel.xyz);
+    float rise = abs(texelFetch(normalDepth, ivec2(on.xy), 0).w - texel.w);
+    at = q.xy;
+    vague = behind > 0.02 + 0.5 * rise || on.z - texel.w < 2.0 * rise;
+    return hit && behind > -0.01 && behind < deep && deep > 0.02;
+}
+
 // Walks the depth buffer along a ray that ends after `reach`, where it is out of the block and in
 // the sky. found: the pixel where it meets land; the value: how sure; 0 is a miss. A ray that
 // leaves the picture before finds what stands at the border there, or fades towards it.
@@ -682,76 +784,41 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
     found = vec2(0.0);
     doubtful = false;
     walkFetches = 0;
-    vec3 a = toView(e, ro), d = toView(e, e.pos + rd);
-    if (!wanted || a.z <= kNear || reach <= 0.0) return 0.0;
-    if (a.z + reach * d.z < kNear) reach = (kNear - a.z) / d.z;   // towards the camera
-    vec3 b = a + reach * d;
-    Line l = Line(toPixel(e, a), toPixel(e, b), 1.0 / a.z, 1.0 / b.z);
-    vec2 dp = l.pb - l.pa, size = iResolution.xy;
-    vec2 room = mix(l.pa / max(-dp, 1e-4), (size - 0.01 - l.pa) / max(dp, 1e-4),
-                    greaterThan(dp, vec2(0.0)));
-    float inside = clamp(min(room.x, room.y), 0.0, 1.0);   // share of the line in the picture
-    float perPixel = 1.0 / max(max(abs(dp.x), abs(dp.y)), 1.0);
-    float perStep = 1.0 / ceil(clamp(inside / perPixel, 1.0, float(reflectionSteps)));
-    float start = min(0.7 * perPixel, inside), before = start, sure = 0.0;
-    float walked = perStep, s = mix(start, inside, walked);
-    bool open = start < inside, close = false;
+    Track k;
+    if (!wanted || !layTrack(e, ro, rd, reach, k)) return 0.0;
+    float sure = 0.0;
+    Step s = Step(k.start, mix(k.start, k.inside, k.perStep), k.perStep);
+    bool open = k.start < k.inside, close = false;
     for (int attempt = 0; attempt < 3 && open; ++attempt) {   // again where a hit does not hold
-        bool hit = false;
-        for (int k = 0; k < reflectionSteps && open; ++k) {
-            float z = onLine(l, s).z, zBefore = onLine(l, before).z;
-            vec4 texel = texelFetch(normalDepth, ivec2(onLine(l, s).xy), 0);
-            float deep = length(texel.xyz);
-            ++walkFetches;
-            hit = deep > 0.02 && max(z, zBefore) > texel.w
-                && min(z, zBefore) - texel.w < deep + abs(z - zBefore);
-            // Just above it, or below it by less than the land may be deep.
-            float over = texel.w - max(z, zBefore), slack = abs(z - zBefore);
-            close = close || !hit && deep > 0.02 && over < 0.5 * slack
-                && over > -2.0 * deep - 2.0 * slack;
-            open = !hit && s < inside;
-            if (open) {
-                before = s;
-                walked = min(walked + perStep, 1.0);
-                s = mix(start, inside, walked);
-            }
-        }
-        float low = before, high = s;
-        for (int j = 0; j < 6 && hit; ++j) {
-            float m = 0.5 * (low + high);
-            vec3 q = onLine(l, m);
-            if (q.z > texelFetch(normalDepth, ivec2(q.xy), 0).w) high = m; else low = m;
-            ++walkFetches;
-        }
-        vec3 q = onLine(l, high), on = onLine(l, min(high + 2.0 * perPixel, inside));
-        vec4 texel = texelFetch(normalDepth, ivec2(q.xy), 0);
-        float behind = q.z - texel.w, deep = length(texel.xyz);
-        float rise = abs(texelFetch(normalDepth, ivec2(on.xy), 0).w - texel.w);
-        if (hit && behind > -0.01 && behind < deep && deep > 0.02) {
-            found = q.xy;
+        vec2 at;
+        bool vague, hit = walkOn(k, s, open, close);
+        if (holds(k, s, hit, at, vague)) {
+            found = at;
             sure = 1.0;
         }
-        // Over an edge; or two pixels on it is hardly deeper below what is shown: where is vague.
-        bool vague = behind > 0.02 + 0.5 * rise || on.z - texel.w < 2.0 * rise;
         doubtful = doubtful || hit && (sure == 0.0 || vague);
-        open = hit && sure == 0.0 && s < inside;
-        before = s;
-        walked = min(walked + perStep, 1.0);
-        s = mix(start, inside, walked);
+        open = hit && sure == 0.0 && s.at < k.inside;
+        stepOn(k, s);
     }
     doubtful = doubtful || sure == 0.0 && close;
     if (border == 0) {
-        vec2 last = onLine(l, inside).xy;
+        vec2 last = onLine(k.l, k.inside).xy;
         bool there = int(texelFetch(colours, ivec2(last), 0).w) == kLand;
-        if (sure == 0.0 && inside < 1.0 && there) { found = last; sure = 1.0; }
+        if (sure == 0.0 && k.inside < 1.0 && there) {
+            found = last;
+            sure = 1.0;
+        }
     } else {
-        vec2 rim = min(found, size - found) / size;
+        vec2 rim = min(found, iResolution.xy - found) / iResolution.xy;
         sure *= smoothstep(0.0, 0.08, min(rim.x, rim.y));
     }
     return sure;
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
+// From what never changes to what always does: noise, land, its pyramid, sky and light are drawn
+// once per look; waves and the picture's geometry every frame.
+
 // A tile of noise: x and y are about 0 to 1; zw is a noise's slope, about -1 to 1.
 void mainTile(out vec4 colour, in vec2 pixel) {
     vec2 p = pixel / iResolution.xy;
@@ -1028,6 +1095,9 @@ void mainPicture(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// Land is lit already where the pass of geometry met it. Water is left: what it mirrors, by the
+// picture or exactly, and what is seen in it.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {

@@ -101,6 +101,9 @@ uniform sampler2D mirror;      //@ pass mainMirror
 uniform sampler2D below;       //@ pass mainBelow
 
 // ---- Constants and numbers ----------------------------------------------------------------------
+// The pool is a box round the origin, the terrace lies round it, and what stands in it has a number
+// of its own. Colours are of the materials; light comes from the sky's buffer and the sun alone.
+
 const float kPi = 3.14159265358979;
 const float kFar = 1e9;                       // m, a miss
 const float kGravity = 9.81;                  // m/s2
@@ -131,8 +134,14 @@ struct Matt { vec3 pos, nor, x, y, carry; float cosine; int id; bool wet; };
 
 uvec3 hash3(ivec3 q) {
     uvec3 v = uvec3(q) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y; return v;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
@@ -193,6 +202,13 @@ vec3 sunColour() {
 }
 
 // ---- Waves --------------------------------------------------------------------------------------
+// The surface is a height over the pool's plane: waves of wind, which are cosines with exact
+// phases, and rings, which are a simulation in a buffer. For light all that counts is the slope,
+// which turns a ray, and the second derivatives, which say how much a bundle of rays spreads or
+// gathers. A ray finds the surface by steps that cannot pass it: with gap g above the water, the
+// ray closing in at the speed c of its own fall plus the steepest rise of the waves, nothing is
+// nearer than g / c.
+
 // What all rays of a pixel share, fetched once: the eight plane waves of this frame and the sum of
 // their heights, the greatest height and slope of the rings, the lanterns, light of the whole sky.
 vec4 gKx[2], gKz[2], gHeight[2], gPhase[2];
@@ -279,6 +295,43 @@ vec3 waterBend(vec2 p) {
     return second;
 }
 
+// How far a ray can go in its patch of the pool, whose own rings are less high and steep than the
+// worst: to the patch's far side where it stays above them, else as its own slope bound allows.
+float stepOverRings(vec3 ro, vec3 rd, vec3 inv, float t, float gap, float side, float steep) {
+    vec2 ahead = step(0.0, rd.xz), nudge = 1e-4 * sign(rd.xz);   // m
+    vec3 p = ro + t * rd;
+    vec2 at = (p.xz + nudge + kPool) / kPatch;
+    vec2 c = clamp(floor(at), vec2(0.0), 2.0 * kPool / kPatch - 1.0);
+    vec2 most = texelFetch(peaks, ivec2(c), 0).xy;
+    vec2 sides = ((c + ahead) * kPatch - kPool - ro.xz) * inv.xz;
+    float leave = max(min(sides.x, sides.y) - t, 0.0);
+    float over = min(side * p.y, side * (p.y + leave * rd.y)) - gCrests - most.x;
+    float near = overstep * gap / max(steep + most.y * length(rd.xz), 1e-6);
+    return over > 0.0 ? leave : min(near, leave);
+}
+// Between a point above the water and one below it (x: t, y: gap): where a line through both gaps
+// is 0. The end that stays twice in a row counts half its gap, so that neither stays for ever
+// (Illinois).
+float closeInOnWater(vec3 ro, vec3 rd, float side, vec2 lo, vec2 hi, inout int evaluations) {
+    float t = hi.x, gap = hi.y;
+    for (int i = 0; i < refinement && abs(gap) > 2e-5; ++i) {   // m
+        t = clamp(hi.x - hi.y * (hi.x - lo.x) / min(hi.y - lo.y, -1e-12), lo.x, hi.x);
+        vec3 p = ro + t * rd;
+        float now = side * (p.y - waterHeight(p.xz));
+        ++evaluations;
+        bool same = (now > 0.0) == (gap > 0.0) && i > 0;
+        if (now > 0.0) {
+            lo = vec2(t, now);
+            if (same) hi.y *= 0.5;
+        } else {
+            hi = vec2(t, now);
+            if (same) lo.y *= 0.5;
+        }
+        gap = now;
+    }
+    return t;
+}
+
 // Where a ray meets the water before tMax, else kFar. wet: it comes from below. Steps are as long
 // as the steepest possible surface allows, times `overstep` (which may also skip a crest's last 2
 // cm, 0.1 mm deep). Rings are steep where a drop has fallen: each patch of the pool knows how
@@ -295,7 +348,6 @@ float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
     steep -= side * rd.y;
     float closing = steep + gRings.y * levelled;
     if (t >= end || closing <= 1e-6) return kFar;   // beside it, or faster up than waves rise
-    vec2 ahead = step(0.0, rd.xz), nudge = 1e-4 * sign(rd.xz);   // m
     float least = min(square(longestWave / 1.7), 1.0);   // short waves are soon cut
     float gap = 1e-4, before = t, gapBefore = gap;
     for (int i = 0; i <= marchSteps; ++i) {
@@ -307,39 +359,26 @@ float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
         before = t;
         gapBefore = gap;
         float far = overstep * gap / closing;
-        if (ripples) {
-            vec2 at = (p.xz + nudge + kPool) / kPatch;
-            vec2 c = clamp(floor(at), vec2(0.0), 2.0 * kPool / kPatch - 1.0);
-            vec2 most = texelFetch(peaks, ivec2(c), 0).xy;
-            vec2 sides = ((c + ahead) * kPatch - kPool - ro.xz) * inv.xz;
-            float leave = max(min(sides.x, sides.y) - t, 0.0);
-            float over = min(side * p.y, side * (p.y + leave * rd.y)) - gCrests - most.x;
-            float near = overstep * gap / max(steep + most.y * levelled, 1e-6);
-            far = max(far, over > 0.0 ? leave : min(near, leave));
-        }
+        if (ripples) far = max(far, stepOverRings(ro, rd, inv, t, gap, side, steep));
         t += max(far, (overstep - 1.0) * least * (0.05 + 0.01 * t) + 1e-4);
         t = min(t, end);
     }
     if (gap > 0.0) return t >= end ? kFar : t;   // out of steps: nearly there
-    float lo = before, hi = t, gapLo = gapBefore, gapHi = gap;
-    for (int i = 0; i < refinement && abs(gap) > 2e-5; ++i) {   // m
-        t = clamp(hi - gapHi * (hi - lo) / min(gapHi - gapLo, -1e-12), lo, hi);
-        vec3 p = ro + t * rd;
-        float now = side * (p.y - waterHeight(p.xz));
-        ++evaluations;
-        bool same = (now > 0.0) == (gap > 0.0) && i > 0;   // the other end is kept: halve its gap
-        if (now > 0.0) { lo = t; gapLo = now; if (same) gapHi *= 0.5; }
-        else           { hi = t; gapHi = now; if (same) gapLo *= 0.5; }
-        gap = now;
-    }
-    return t;
+    return closeInOnWater(ro, rd, side, vec2(before, gapBefore), vec2(t, gap), evaluations);
 }
 
 // ---- Geometry -----------------------------------------------------------------------------------
+// All solids are met in closed form: slabs, spheres, upright cylinders. One call finds the nearest,
+// for rays in air and under water alike.
+
 float intersectSphere(vec3 ro, vec3 rd, vec3 c, float r) {          // |rd| = 1
-    vec3 f = ro - c; float b = dot(f, rd); vec3 l = f - b * rd; float d = r * r - dot(l, l);
+    vec3 f = ro - c;
+    float b = dot(f, rd);
+    vec3 l = f - b * rd;
+    float d = r * r - dot(l, l);
     if (d < 0.0) return -1.0;
-    float s = sqrt(d); return -b - s > 0.0 ? -b - s : -b + s;
+    float s = sqrt(d);
+    return -b - s > 0.0 ? -b - s : -b + s;
 }
 
 vec2 columnPlace(int i) { return kColumnFirst + kColumnStep * vec2(i & 1, i >> 1); }
@@ -360,6 +399,33 @@ void meetSolidBox(vec3 ro, vec3 inv, vec3 lo, vec3 hi, int id, inout Hit h) {
 void meetSolidSphere(vec3 ro, vec3 rd, vec4 ball, int id, inout Hit h) {
     float t = intersectSphere(ro, rd, ball.xyz, ball.w);
     if (t > 0.0 && t < h.t) h = Hit(t, (ro + t * rd - ball.xyz) / ball.w, id);
+}
+
+// Six columns on feet, with heads, under two beams: all upright, so that one distance from the axis
+// tells of shaft and foot.
+void meetColumns(vec3 ro, vec3 rd, vec3 inv, inout Hit h) {
+    float across = max(dot(rd.xz, rd.xz), 1e-12);
+    float disc = ((rd.y < 0.0 ? kFootTop : kHead) - ro.y) * inv.y;   // of all feet, or heads
+    for (int i = 0; i < 6; ++i) {
+        vec2 to = columnPlace(i) - ro.xz;
+        float mid = dot(to, rd.xz) / across;
+        vec2 off = to - mid * rd.xz;
+        float away2 = dot(off, off), s = sqrt(max(square(kShaft) - away2, 0.0) / across);
+        float t = mid - s > 0.0 ? mid - s : mid + s, y = ro.y + t * rd.y;
+        if (away2 < square(kShaft) && t > 0.0 && t < h.t && y < kColumnTop && y > -depth)
+            h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kShaft, kColumn);
+        t = mid - sqrt(max(square(kFoot) - away2, 0.0) / across);
+        y = ro.y + t * rd.y;
+        bool thick = y < kFootTop || y > kHead && y < kColumnTop;
+        if (away2 < square(kFoot) && t > 0.0 && t < h.t && thick && y > -depth)
+            h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kFoot, kStone);
+        if (disc > 0.0 && disc < h.t && away2 + square(disc - mid) * across < square(kFoot))
+            h = Hit(disc, vec3(0.0, -sign(rd.y), 0.0), kStone);
+    }
+    for (int i = 0; i < 2; ++i) {
+        vec3 mid = vec3(columnPlace(i).x, kColumnTop + kBeamHalf.y, columnPlace(2).y);
+        meetSolidBox(ro, inv, mid - kBeamHalf, mid + kBeamHalf, kStone, h);
+    }
 }
 
 // The nearest solid thing. wet: from under water the far wall is a wall; from above one sees over.
@@ -383,30 +449,7 @@ Hit intersect(vec3 ro, vec3 rd, bool wet) {
         bool paved = max(abs(p.x) - kPool.x, p.y - kPool.y) > 0.0 && p.y > -kPool.y;
         if (paved && max(abs(p.x), p.y) < kTerrace) h = Hit(toDeck, vec3(0, 1, 0), kPaving);
     }
-    if (columns) {
-        float across = max(dot(rd.xz, rd.xz), 1e-12);
-        float disc = ((rd.y < 0.0 ? kFootTop : kHead) - ro.y) * inv.y;   // of all feet, or heads
-        for (int i = 0; i < 6; ++i) {
-            vec2 to = columnPlace(i) - ro.xz;
-            float mid = dot(to, rd.xz) / across;
-            vec2 off = to - mid * rd.xz;
-            float away2 = dot(off, off), s = sqrt(max(square(kShaft) - away2, 0.0) / across);
-            float t = mid - s > 0.0 ? mid - s : mid + s, y = ro.y + t * rd.y;
-            if (away2 < square(kShaft) && t > 0.0 && t < h.t && y < kColumnTop && y > -depth)
-                h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kShaft, kColumn);
-            t = mid - sqrt(max(square(kFoot) - away2, 0.0) / across);
-            y = ro.y + t * rd.y;
-            bool thick = y < kFootTop || y > kHead && y < kColumnTop;
-            if (away2 < square(kFoot) && t > 0.0 && t < h.t && thick && y > -depth)
-                h = Hit(t, vec3(t * rd.xz - to, 0.0).xzy / kFoot, kStone);
-            if (disc > 0.0 && disc < h.t && away2 + square(disc - mid) * across < square(kFoot))
-                h = Hit(disc, vec3(0.0, -sign(rd.y), 0.0), kStone);
-        }
-        for (int i = 0; i < 2; ++i) {
-            vec3 mid = vec3(columnPlace(i).x, kColumnTop + kBeamHalf.y, columnPlace(2).y);
-            meetSolidBox(ro, inv, mid - kBeamHalf, mid + kBeamHalf, kStone, h);
-        }
-    }
+    if (columns) meetColumns(ro, rd, inv, h);
     if (steps)
         for (int i = 0; i < 4; ++i)
             meetSolidBox(ro, inv, vec3(stepReach(i), -depth - 1.0, kStepsAlong.x),
@@ -553,8 +596,7 @@ vec3 lampsOn(vec3 p, vec3 nor, bool wet) {
                 float r2 = dot(to, to) + 0.02, r = sqrt(r2);
                 float facing = 0.15 + 0.85 * max(dot(to, nor) / r, 0.0);
                 sum += exp(-absorption() * r) * (1.1 * facing / r2);
-            }
-        else {   // through the surface: as a glowing floor
+            } else {   // through the surface: as a glowing floor
             vec2 beyond = max(abs(p.xz) - kPool, 0.0);
             float near = 1.0 / (1.0 + 0.35 * square(p.y) + 2.0 * dot(beyond, beyond));
             sum += exp(-absorption() * 2.0) * (0.10 * (0.55 - 0.45 * nor.y) * near);
@@ -588,6 +630,9 @@ vec3 waterGlow(vec3 ro, vec3 rd, float t) {
 }
 
 // ---- Materials ----------------------------------------------------------------------------------
+// A tile is seen through moving water at any slant and size, so colours are means over the ray's
+// footprint: joints by the integral of a line, tones that fade to their mean as tiles shrink.
+
 // What mirrors, and how much. A path goes on with it.
 vec3 shineOf(int id, float cosine, bool wet) {
     if (id == kBall) return mix(vec3(0.88, 0.87, 0.85), vec3(1.0), pow(1.0 - cosine, 5.0));
@@ -665,6 +710,12 @@ vec3 lightFrom(Matt m) {
 }
 
 // ---- Transport ----------------------------------------------------------------------------------
+// A ray carries its derivatives by the pixel's x and y: ox, oy (of its start) and dx, dy (of its
+// direction), and every mirror and every bend changes them by the derivative of its own formula
+// (Igehy). So at the end of any path its footprint is known: |ox + t dx| is as wide as one pixel.
+// At water a path splits; the refracted ray goes on first, the mirrored one waits in a queue of
+// one.
+
 // A ray's differentials where it meets the plane of normal nor after t.
 void landAt(inout Ray r, float t, vec3 nor) {
     float slope = dot(r.d, nor);
@@ -696,6 +747,77 @@ bool refractRay(inout Ray r, vec3 nor, vec3 nx, vec3 ny, float eta) {
 }
 float coneOf(Ray r) { return sqrt(0.5 * (dot(r.dx, r.dx) + dot(r.dy, r.dy)) + r.rough); }
 
+// Where a ray meets the water before h: the waves, or for planar pictures the plane.
+float meetWater(Ray r, Hit h, bool level, float side) {
+    int count;   // of no interest here
+    float t = h.t;
+    if (!level) {
+        t = min(t, marchWater(r.o, r.d, h.t, r.wet, count));
+    } else if (side * r.d.y < 0.0) {
+        float down = -r.o.y * safeInverse(r.d).y;
+        vec2 p = abs(r.o.xz + down * r.d.xz);
+        if (down > 0.0 && down < h.t && p.x < kPool.x && p.y < kPool.y) t = down;
+    }
+    return t;
+}
+// The water's normal at the ray's start, and how it changes over the pixel. What waves the pixel
+// hides makes the ray rough: a mirrored ray turns by twice the slope, so its spread is 4 times
+// that.
+void waterNormal(inout Ray r, float side, out vec3 nor, out vec3 nx, out vec3 ny) {
+    vec2 slope;
+    vec3 second;
+    r.rough += 4.0 * waterShape(r.o.xz, r.ox.xz, r.oy.xz, slope, second);
+    float scale = side * inversesqrt(1.0 + dot(slope, slope));
+    nor = scale * vec3(-slope.x, 1.0, -slope.y);
+    nx = -scale * vec3(dot(second.xy, r.ox.xz), 0.0, dot(second.yz, r.ox.xz));
+    ny = -scale * vec3(dot(second.xy, r.oy.xz), 0.0, dot(second.yz, r.oy.xz));
+}
+
+// One leg of a path: to what the ray meets, and on from there. sum: gains what shines on the leg.
+// later: the mirrored ray, where the refracted one goes on. True where a matt point, m, is met.
+bool followLeg(inout Ray r, inout Ray later, bool level, inout float reach, inout vec3 sum,
+               out Matt m) {
+    Hit h = intersect(r.o, r.d, r.wet);
+    float side = r.wet ? -1.0 : 1.0, t = meetWater(r, h, level, side);
+    bool onWater = t < h.t;
+    if (reach < 0.0) reach = t;
+    if (r.wet) {
+        sum += r.carry * waterGlow(r.o, r.d, min(t, 50.0));
+        r.carry *= exp(-absorption() * min(t, 50.0));
+    }
+    if (!onWater && h.id == kSky) {
+        sum += r.carry * background(r.d, coneOf(r));
+        r.carry = vec3(0.0);
+    }
+    vec3 nor = onWater ? vec3(0.0, side, 0.0) : h.nor, nx = vec3(0.0), ny = vec3(0.0);
+    if (onWater || h.id != kSky) landAt(r, t, nor);
+    if (onWater && !level) waterNormal(r, side, nor, nx, ny);
+    float cosine = clamp(-dot(r.d, nor), onWater ? 1e-3 : 0.0, 1.0);
+    vec3 share = vec3(fresnel(cosine, r.wet ? 1.0 / kIorWater : kIorWater));
+    bool matt = !onWater && h.id != kSky && h.id != kBall;
+    if (!onWater) {
+        share = shineOf(h.id, cosine, r.wet);
+        float bent = h.id == kBall ? 1.0 / kBallPlace.w : h.id >= kLantern ? 6.0 : 0.0;
+        nx = bent * r.ox;
+        ny = bent * r.oy;
+    }
+    m = Matt(r.o, nor, r.ox, r.oy, r.carry * (1.0 - share), cosine, h.id, r.wet);
+    if (!onWater && h.id == kPaving) r.rough += 0.01;
+    Ray on = r;
+    reflectRay(r, nor, nx, ny);
+    r.d = normalize(r.d + max(0.002 - dot(r.d, nor), 0.0) * nor);   // up from the surface
+    r.carry *= share;
+    r.o = onWater ? r.o + vec3(0.0, 2e-4 * side, 0.0) : liftOff(r.o, nor);
+    if (onWater && refractRay(on, nor, nx, ny, on.wet ? kIorWater : 1.0 / kIorWater)) {
+        on.o.y -= 2e-4 * side;
+        on.wet = !on.wet;
+        on.carry *= 1.0 - share;
+        if (maxComponent(r.carry) > maxComponent(later.carry)) later = r;
+        r = on;
+    }
+    return matt;
+}
+
 // Light that arrives against a ray. level: the water is a plane, for planar pictures. reach: the
 // distance to what is met first. First come the paths of light, then the matt points on them, two
 // at a time, so that pixels which are drawn together light them together.
@@ -706,67 +828,15 @@ vec3 render(Ray r, bool level, out float reach) {
     reach = -1.0;
     bool alive = true;
     for (int k = 0; k < rays && alive;) {
-        Matt here, next;
+        Matt here, next, met;
         here.carry = vec3(0.0);
         next.carry = vec3(0.0);
         int points = 0;
         for (; k < rays && alive && points < 2; ++k) {
-            Hit h = intersect(r.o, r.d, r.wet);
-            int count;   // of no interest here
-            float t = h.t, side = r.wet ? -1.0 : 1.0;
-            if (!level) {
-                t = min(t, marchWater(r.o, r.d, h.t, r.wet, count));
-            } else if (side * r.d.y < 0.0) {
-                float down = -r.o.y * safeInverse(r.d).y;
-                vec2 p = abs(r.o.xz + down * r.d.xz);
-                if (down > 0.0 && down < h.t && p.x < kPool.x && p.y < kPool.y) t = down;
-            }
-            bool onWater = t < h.t;
-            if (reach < 0.0) reach = t;
-            if (r.wet) {
-                sum += r.carry * waterGlow(r.o, r.d, min(t, 50.0));
-                r.carry *= exp(-absorption() * min(t, 50.0));
-            }
-            if (!onWater && h.id == kSky) {
-                sum += r.carry * background(r.d, coneOf(r));
-                r.carry = vec3(0.0);
-            }
-            vec3 nor = onWater ? vec3(0.0, side, 0.0) : h.nor, nx = vec3(0.0), ny = vec3(0.0);
-            if (onWater || h.id != kSky) landAt(r, t, nor);
-            if (onWater && !level) {
-                vec2 slope;
-                vec3 second;
-                r.rough += 4.0 * waterShape(r.o.xz, r.ox.xz, r.oy.xz, slope, second);
-                float scale = side * inversesqrt(1.0 + dot(slope, slope));
-                nor = scale * vec3(-slope.x, 1.0, -slope.y);
-                nx = -scale * vec3(dot(second.xy, r.ox.xz), 0.0, dot(second.yz, r.ox.xz));
-                ny = -scale * vec3(dot(second.xy, r.oy.xz), 0.0, dot(second.yz, r.oy.xz));
-            }
-            float cosine = clamp(-dot(r.d, nor), onWater ? 1e-3 : 0.0, 1.0);
-            vec3 share = vec3(fresnel(cosine, r.wet ? 1.0 / kIorWater : kIorWater));
-            if (!onWater) {
-                share = shineOf(h.id, cosine, r.wet);
-                float bent = h.id == kBall ? 1.0 / kBallPlace.w : h.id >= kLantern ? 6.0 : 0.0;
-                nx = bent * r.ox;
-                ny = bent * r.oy;
-                Matt m = Matt(r.o, nor, r.ox, r.oy, r.carry * (1.0 - share), cosine, h.id, r.wet);
-                if (h.id != kSky && h.id != kBall) {
-                    if (points == 0) here = m; else next = m;
-                    ++points;
-                }
-                if (h.id == kPaving) r.rough += 0.01;
-            }
-            Ray on = r;
-            reflectRay(r, nor, nx, ny);
-            r.d = normalize(r.d + max(0.002 - dot(r.d, nor), 0.0) * nor);   // up from the surface
-            r.carry *= share;
-            r.o = onWater ? r.o + vec3(0.0, 2e-4 * side, 0.0) : liftOff(r.o, nor);
-            if (onWater && refractRay(on, nor, nx, ny, on.wet ? kIorWater : 1.0 / kIorWater)) {
-                on.o.y -= 2e-4 * side;
-                on.wet = !on.wet;
-                on.carry *= 1.0 - share;
-                if (maxComponent(r.carry) > maxComponent(later.carry)) later = r;
-                r = on;
+            if (followLeg(r, later, level, reach, sum, met)) {
+                if (points == 0) here = met;
+                else next = met;
+                ++points;
             }
             if (maxComponent(r.carry) < kLeastCarry) {
                 alive = maxComponent(later.carry) >= kLeastCarry;
@@ -782,7 +852,10 @@ vec3 render(Ray r, bool level, out float reach) {
     return sum;
 }
 
-// ---- Camera -------------------------------------------------------------------------------------
+// ---- Camera and planar pictures -----------------------------------------------------------------
+// The eye goes round a point of the pool. A ray's direction is v / |v|; its derivatives follow by
+// the quotient rule.
+
 // The eye, and right, up and forward as columns. size: of the picture, pixels.
 mat3 cameraFrame(vec2 size, out vec3 ro) {
     vec2 drag = mouse == 0 ? (iMouse.xy - abs(iMouse.zw)) / size : vec2(0.0);
@@ -818,7 +891,11 @@ Ray camera(vec2 at, vec2 size) {
     return r;
 }
 
-// ---- Planar -------------------------------------------------------------------------------------
+// The classic way, for comparison: a flat mirror shows the picture of a camera turned upside down
+// below it, a flat refractor that of a camera which sees the bottom raised. Waves shift what is
+// looked up in them. A slope s turns a mirrored ray by 2 s, so over the distance d to what is seen
+// it shifts by 2 s d: d stands in the picture's alpha, and at a waterline it is 0.
+
 const vec3 kUp = vec3(0.0, 1.0, 0.0);
 
 vec4 planarPicture(vec2 pixel, bool under) {
@@ -886,6 +963,11 @@ vec3 planarWater(Ray r, float t) {
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
+// The simulation is the wave equation h'' = c^2 (h_xx + h_zz) on a grid, stepped 240 times a
+// second: stable as long as a wave crosses less than 0.7 of a cell a step (Courant, Friedrichs,
+// Lewy). Then what the picture wants of it: slopes, second derivatives, and how steep and high each
+// patch can be.
+
 // Single scattering in clear and hazy air, by the angle to the sun's bearing and the height.
 void mainAir(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / iResolution.xy;
@@ -1213,6 +1295,9 @@ void mainDudv(out vec4 colour, in vec2 pixel) {
 }
 
 // ---- Image --------------------------------------------------------------------------------------
+// Traced, a pixel is one path of light. Planar, all but the water is a path, too, and the water's
+// pixels come from two pictures.
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {
