@@ -799,14 +799,19 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     float line = exp2(180.0 * (dot(away, sun) - 1.0)) * 30.0;
     return light + gloss * (seen + sunLight() * (share * line * step(0.0, lit)));
 }
-// Share of a pixel that foam covers, for an amount of it.
+// Share of a pixel that foam covers, for an amount of it. Wind draws it out: the noise is stretched
+// along the wind, by matrices of whole numbers, so that it still fits the world's square.
 float foamCover(vec2 p, float amount, float w) {
     vec2 unit = (p + gPlace) / kWorld;
-    float lod = log2(max(w * 102.4, 1e-3)), soft = 0.10 + 0.05 * clamp(lod, 0.0, 6.0);
-    float lace = 0.6 * textureLod(motif, mat2(89.0, 37.0, -37.0, 89.0) * unit, lod).g
-        + 0.6 * textureLod(motif, mat2(31.0, -17.0, 17.0, 31.0) * unit, lod - 1.4).g - 0.1;
+    float a = radians(windAngle), lod = log2(max(w * 102.4, 1e-3));
+    vec2 along = vec2(sin(a), -cos(a)), across = vec2(along.y, -along.x);
+    vec2 wide1 = floor(104.0 * across + 0.5), long1 = floor(30.0 * along + 0.5);
+    vec2 wide2 = floor(43.0 * across + 0.5), long2 = floor(17.0 * along + 0.5);
+    float fine = textureLod(motif, vec2(dot(wide1, unit), dot(long1, unit)), lod).g;
+    float large = textureLod(motif, vec2(dot(wide2, unit), dot(long2, unit)), lod - 1.3).g;
+    float lace = 0.65 * fine + 0.6 * large - 0.12, soft = 0.14 + 0.05 * clamp(lod, 0.0, 6.0);
     float torn = smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace);
-    return min(1.3 * amount, 1.0) * torn * (0.55 + 0.45 * lace);
+    return min(1.2 * amount, 1.0) * torn * (0.35 + 0.65 * min(lace, 1.0));
 }
 // Streaks of rain on three shells round the eye; w: angle of a pixel.
 float rainStreaks(vec3 rd, float w) {
@@ -949,7 +954,8 @@ vec3 throughWater(Water s, Sunken g, Hit below, float path, float angle, vec4 sh
     vec3 lit = 0.9 * gAmbient * exp(-1.2 * sigma * g.down) * (0.6 + 0.4 * nor.y)
         + sunLight() * (share.z * share.w * facing * g.gather) * exp(-sigma * g.path);
     vec3 left = exp(-sigma * path);   // crests are thin, light comes through them
-    vec3 body = bodyLight(mix(0.25, 1.0, share.x)) * (1.0 + 2.5 * max(s.white.x, 0.0));
+    float lift = s.white.x > 0.0 ? 2.5 : 0.7;   // and troughs are deep and shaded
+    vec3 body = bodyLight(mix(0.25, 1.0, share.x)) * max(1.0 + lift * s.white.x, 0.45);
     vec3 through = albedo * lit * left + body * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
     return mix(body, through, hull ? 1.0 : floorShare);
 }

@@ -124,6 +124,7 @@ const vec4  kYardTo[kSails] = vec4[kSails](
     vec4(8.9, 9.8, 2.9, 1.0), vec4(7.9, 13.2, 2.0, 0.85), vec4(2.9, 9.2, 3.1, 0.7),
     vec4(1.7, 16.2, 2.2, 0.55), vec4(6.6, 15.2, 0.0, 0.8));
 const int   kSand = 1, kPlank = 2, kTimber = 3, kSpar = 4, kRope = 5, kSail = 6, kWeed = 7;
+const float kRim = 3.5;                    // of wood before the sun, of the field's light
 const int   kLayers = 4;                   // things in front of each other that are kept
 const float kSpeckCell = 0.8;              // m, one speck in each; repeats after 32
 
@@ -773,8 +774,9 @@ vec3 floorColour(vec3 p, inout vec3 nor, float w, float grazing) {
     nor = unit(mix(sandy, unit(nor - 0.7 * slope), rock));
     return mix(sand, stone, rock);
 }
-// Albedo of wood; q: in the wreck's frame.
-vec3 woodColour(vec3 q, int kind, float w) {
+// Albedo of wood; q: in the wreck's frame, and bump what roughens the normal there. Weed grows on
+// it, and pale crusts where the grain stands high.
+vec3 woodColour(vec3 q, int kind, float w, out vec3 bump) {
     vec4 hull = hullSide(q);
     float strake = kind == kPlank ? hull.y * kStrakes : q.z / 0.3;
     float tall = kind == kPlank ? hull.w / kStrakes : 0.3, apart = clamp(1.5 - w / tall, 0.0, 1.0);
@@ -782,10 +784,14 @@ vec3 woodColour(vec3 q, int kind, float w) {
     float seam = overlap(strake - floor(strake + 0.5), w / tall, -0.06, 0.06) * apart;
     float r = random3(ivec3(int(floor(strake)), int(floor(q.x / 2.7)), 9)).x;
     float lod = log2(max(w / 2.0 * 256.0, 1.0));
-    vec2 grown = textureLod(grain, vec2(q.x, q.y + q.z) / vec2(5.0, 2.0), floor(lod + 0.5)).xy;
+    vec4 grown = textureLod(grain, vec2(q.x, q.y + q.z) / vec2(5.0, 2.0), floor(lod + 0.5));
+    vec4 crust = textureLod(grain, vec2(q.x + 0.4 * q.z, q.y) / vec2(2.6, 1.3), floor(lod + 1.1));
+    bump = vec3(grown.z + crust.z, grown.w + crust.w, grown.w - 0.6 * crust.z);
     vec3 wood = mix(vec3(0.17, 0.115, 0.075), vec3(0.34, 0.26, 0.18), mix(0.5, r, apart));
     wood = mix(wood, vec3(0.20, 0.24, 0.11), smoothstep(0.42, 0.72, grown.x));
-    return wood * (1.0 - 0.75 * seam) * (0.55 + 0.9 * grown.x);
+    float patches = smoothstep(0.56, 0.74, 0.6 * grown.x + 0.4 * crust.x);
+    wood = mix(wood * (0.55 + 0.9 * grown.x), vec3(0.50, 0.47, 0.38), 0.55 * patches);
+    return wood * (1.0 - 0.85 * seam);
 }
 
 // Light from a surface to the eye.
@@ -795,7 +801,11 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     bool wooden = l.kind >= kPlank && l.kind <= kSpar;
     if (l.kind == kSand)
         albedo = floorColour(p, nor, w, clamp(-rd.y, 0.04, 1.0));
-    if (wooden) albedo = woodColour(q, l.kind, w);
+    if (wooden) {
+        vec3 bump;
+        albedo = woodColour(q, l.kind, w, bump);
+        nor = unit(nor - 0.20 * fromWreck(bump - dot(bump, toWreck(nor)) * toWreck(nor)));
+    }
     if (l.kind == kRope) albedo = vec3(0.12, 0.10, 0.07);
     if (l.kind == kSail) albedo = vec3(0.62, 0.58, 0.47);
     if (l.kind == kWeed) albedo = vec3(0.17, 0.18, 0.04);
@@ -813,11 +823,16 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     }
     float below = max(depth - p.y, 0.0), facing = dot(nor, m.towards);
     facing = max(facing, 0.0) + through * max(-facing, 0.0);
+    // Slime on wood glows at its outline, where the sun stands behind.
+    float edge = wooden ? square(1.0 - min(abs(dot(l.nor, rd)), 1.0)) : 0.0;
+    float rim = edge * edge * max(dot(rd, m.towards), 0.0);
     vec3 net = 1.0 + vec3(0.85, 1.0, 1.1) * (netAt(p, m, w) - 1.0);
     vec3 sum = m.sun * exp(-m.extinction * below / m.towards.y) * (facing * seen)
         * max(net, 0.0);
-    sum += open * exp(-m.diffuse * below) * fieldLight(m) * (0.55 + 0.45 * nor.y)
-        * (1.0 + 0.5 * through);
+    vec3 above = unit(vec3(0.0, 1.0, 0.0) + 0.8 * m.towards);   // where the field is strongest
+    float spread = wooden ? 0.72 + 0.5 * dot(nor, above) : 0.55 + 0.45 * nor.y;
+    sum += open * exp(-m.diffuse * below) * fieldLight(m)
+        * (max(spread, 0.0) * (1.0 + 0.5 * through) + kRim * rim);
     // The jellyfish light what is near them.
     float near = 0.0;
     for (int k = 0; k < (jellyLamps ? jellyfish : 0); ++k) {

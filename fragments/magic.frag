@@ -103,6 +103,7 @@ const float kHallRadius = 27.0;            // m
 const float kHallHeight = 15.0;            // m
 const float kNiches = 18.0;
 const float kRise[6] = float[6](0.421, 0.012, 0.039, 0.571, 0.378, 0.891);   // cycles at time 0
+const float kRays = 48.0;                  // of the floor's compass rose
 const float kTile = 1.2;                   // m, between parallel joints of the floor
 const vec2  kGainSize = vec2(128.0, 64.0); // texels
 const float kGainTan = 1.0;               // the last tangent in the table
@@ -522,8 +523,17 @@ vec3 floorStone(vec2 p, float w, vec2 slope, out float inlay) {
         float radius = k == 0 ? kInnerShell : k == 1 ? kOuterShell : kOuterShell + 0.14;
         rings += lines(clamp((r - radius) / 20.0, -0.5, 0.5), k == 0 ? 0.001 : 0.0006, wide / 20.0);
     }
+    // A compass rose between the shells: rays of brass, each second one short.
+    float turns = (atan(p.y, p.x + 1e-9) / (2.0 * kPi) + 0.5) * kRays;
+    float across = w * (1.0 + length(slope)) * kRays / (2.0 * kPi * max(r, 0.5));   // in rays
+    float reach = mod(floor(turns + 0.5), 2.0) < 0.5 ? 1.0 : 0.45;
+    float from = (r - kInnerShell - 0.12) / (kOuterShell - kInnerShell - 0.24);
+    float soft = 0.5 * wide / (kOuterShell - kInnerShell) + 0.01;
+    float along = smoothstep(-soft, soft, from) * smoothstep(-soft, soft, reach - from);
+    float half1 = 0.15 * clamp(1.0 - from / reach, 0.0, 1.0);
+    rings += along * lines(turns, half1, across);
     inlay = pattern * min(rings, 1.0);
-    return linearColour(floorColour) * (1.0 + pattern * (0.10 * tone - 0.6 * joints));
+    return linearColour(floorColour) * (1.0 + pattern * (0.17 * tone - 0.65 * joints));
 }
 
 // The wall: niches with a round arch, lit from their feet, and what of that light leaves them.
@@ -538,7 +548,12 @@ vec3 hallWall(vec3 p, float w) {
     float lit = (1.6 * exp(-0.55 * y) + 0.10) * exp(-0.5 * x * x);
     float spill = exp(-0.30 * y) / (1.0 + 0.35 * x * x);
     float edge = rim * min(0.06 / w, 1.0) * (0.12 + 0.5 * exp(-0.4 * y));
-    return hallLight * colour * (niche * lit + edge + 0.07 * spill + 0.004);
+    // A screen before the light: a lattice of crossing bars, and panels on the wall between.
+    float lattice = max(lines((x + y) / 0.55, 0.07, w / 0.4), lines((x - y) / 0.55, 0.07, w / 0.4));
+    lit *= 1.0 - 0.55 * lattice;
+    float seams = max(lines(y / 2.3, 0.012, w / 2.3), lines(cell * 3.0, 0.018, 3.0 * w / pitch));
+    spill *= 1.0 - 0.7 * seams * (1.0 - niche);
+    return hallLight * colour * (niche * lit + edge + 0.10 * spill + 0.004);
 }
 // The ceiling: two rings of panes, seen above all in what shines.
 vec3 hallCeiling(vec2 p, float w) {

@@ -101,8 +101,11 @@ const vec3  kOzone = vec3(0.65e-6, 1.88e-6, 0.085e-6);    // 1/m at 25 km
 const float kMie = 4e-6;                   // 1/m at sea level and haze 1
 const float kNear = 0.05;                  // m, depth of the near plane of screen-space rays
 const int   kSky = 0, kWater = 1, kGlass = 2, kGilt = 3, kRing = 4, kFur = 5, kBack = 6;
+const float kGlow = 1.5;                   // of crests before the sun
+const float kRim = 1.0;                    // of fur before the sun
 const int   kTraceSteps = 72;              // for one cluster of things
 const vec3  kMirrorAt = vec3(1.12, 0.0, 0.35);           // m
+const float kBevel = 0.10;                 // m, the ground edge of the glass, half under the frame
 const float kArch = 0.52, kSpring = 1.12, kTube = 0.045;  // m: half width, where it bends, frame
 // Waves: numbers 1/m in the wind's frame, long to short, and steepness.
 const vec4 kWaveX[6] = vec4[6](
@@ -556,6 +559,13 @@ float sunlight(vec3 p, vec3 nor, float seed) {
     return sum / float(sunSamples);
 }
 
+const float kSunk = 0.31;                  // m, of the rabbit that swims
+// How wet a float is at a point: a band that the water has just left, ragged at its upper edge.
+float waterline(vec3 p, bool first, vec3 q) {
+    float above = p.y - (first ? frames[0].at.y : frames[1].at.y + kSunk);
+    above += 0.008 * sin(41.0 * q.x + 2.0 * sin(33.0 * q.z)) + 0.004 * sin(90.0 * q.z);
+    return smoothstep(-0.05, -0.01, above) * (1.0 - smoothstep(0.018, 0.034, above));
+}
 // What a thing is made of: colour, and in w how much of the light behind it comes through.
 vec4 paint(int id, vec3 p, float w) {
     if (id == kGilt) return vec4(0.95, 0.62, 0.22, 0.0);
@@ -566,11 +576,12 @@ vec4 paint(int id, vec3 p, float w) {
         float a = atan(q.z, q.x + (q.x == 0.0 ? 1e-9 : 0.0)) * (2.0 / kPi) + 0.5;
         float edge = (abs(fract(a) - 0.5) - 0.27) * 0.48;
         float red = smoothstep(-0.5 * w - 0.002, 0.5 * w + 0.002, -edge);
-        return vec4(mix(vec3(0.82, 0.80, 0.76), vec3(0.66, 0.035, 0.025), red), 0.0);
+        vec3 tint = mix(vec3(0.82, 0.80, 0.76), vec3(0.66, 0.035, 0.025), red);
+        return vec4(tint * (1.0 - 0.35 * waterline(p, first, q)), 0.0);
     }
+    vec3 tint = linearColour(furColour) * (1.0 - 0.55 * waterline(p, first, q));
     q.x = abs(q.x);
     vec3 ear = toEar(q);
-    vec3 tint = linearColour(furColour);
     vec3 pink = vec3(0.85, 0.36, 0.30);
     float inside = smoothstep(0.0, 0.012, ear.z)
         * (1.0 - smoothstep(0.7, 1.0, length(ear.xy / vec2(0.034, 0.14))));
@@ -657,10 +668,12 @@ vec3 airLight(vec3 rd, float width, bool disc) {
     float cosine = dot(rd, sun), away2 = max(2.0 - 2.0 * cosine, 0.0);
     if (clouds > 0.0 && rd.y > 0.0) {
         float cover = cloudCover(rd, width);
-        float silver = 0.07 + 0.22 / (1.0 + 14.0 * away2);
+        // Thin edges pass the sun's light on, the more the nearer to it; thick middles shade
+        // themselves.
+        float silver = 0.07 + 0.30 / (1.0 + 14.0 * away2);
         vec3 lit = sunBeam() * silver * 1.1 + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.2;
         sum = mix(sum, mix(sum, lit, 0.8), cover * (1.0 - 0.25 * cover));
-        sum *= 1.0 - 0.18 * cover * cover;
+        sum *= mix(vec3(1.0), vec3(0.76, 0.72, 0.75), cover * cover);
     }
     if (disc) {
         float sun2 = square(radians(sunSize)), r2 = sun2 + 0.5 * square(width);
@@ -713,6 +726,12 @@ vec3 thingLight(int id, vec3 p, vec3 nor, vec3 d, vec4 stuff, float share, float
         light += vec3(1.0, 0.50, 0.34) * sunny * (0.13 * stuff.w * max(-facingSun, 0.0));
     }
     return light + stuff.rgb / kPi * (lit * sunny + around);
+}
+// Dry hairs at the outline of fur, before the sun: they glow. share: of the sun.
+vec3 rimLight(int id, vec3 nor, vec3 d, vec4 stuff, float share) {
+    if (id != kFur || stuff.w < 0.0) return vec3(0.0);
+    float outline = square(1.0 - clamp(-dot(nor, d), 0.0, 1.0));
+    return stuff.rgb * sunBeam() * (kRim * share * outline * max(dot(sunDirection(), d), 0.0));
 }
 vec3 mirrorSky(vec3 d, float width, bool disc) {   // biased: below the horizon the sea, dimmer
     float dim = mix(0.45, 1.0, smoothstep(-0.15, 0.1, d.y));
@@ -959,7 +978,7 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
     if (c == 3) at = cameraDistance * vec2(sin(angle), cos(angle));
     float sway = 2.0 * kPi * cycles(0.0625);
     Sea s = sea(at, c == 3 ? vec3(0.01, 0.01, 0.0) : vec3(0.06, 0.06, 0.0));
-    vec3 place = vec3(at, s.height + (c == 1 ? -0.31 : 0.0)).xzy;
+    vec3 place = vec3(at, s.height - (c == 1 ? kSunk : 0.0)).xzy;
     float heading = c == 0 ? radians(rabbitAngle) + 0.10 * sin(sway)
         : 0.5 + 0.12 * sin(2.0 * sway + 1.0);
     vec2 tilt = s.slope * (c == 0 ? 0.9 : 0.4);
@@ -1007,6 +1026,12 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
 
 // What a pixel shows first, and where it mirrors to with what share.
 struct Surface { int id; float t; vec3 pos, nor, away; float mirrored; Sea sea; };
+// The glass is ground off along its edge, which leans out there by a tenth.
+vec3 bevelled(vec3 p, vec3 nor) {
+    vec3 q = (p - frames[2].at) * frames[2].axes, edge = archField(q.xy);
+    vec3 out1 = frames[2].axes * vec3(edge.xy, 0.0);
+    return normalize(nor + (edge.z > -kBevel ? 0.10 : 0.0) * out1);
+}
 Surface surfaceAt(Eye e, vec3 rd, ivec2 pixel) {
     vec4 stuff = texelFetch(albedo, pixel, 0), facing = shownIn(pixel);
     vec3 nor = normalize(facing.xyz);
@@ -1016,6 +1041,7 @@ Surface surfaceAt(Eye e, vec3 rd, ivec2 pixel) {
     u.pos = e.pos + u.t * rd;
     u.nor = nor;
     u.sea = Sea(0.0, -nor.xz / max(nor.y, 1e-3), stuff.rgb, codeShare(stuff.w));
+    if (u.id == kGlass) u.nor = nor = bevelled(u.pos, nor);
     u.mirrored = u.id == kGlass ? 0.95 : 1.0;
     u.away = u.id == kGlass ? normalize(reflect(rd, nor)) : rd;
     vec2 slope;
@@ -1059,6 +1085,7 @@ void mainLight(out vec4 colour, in vec2 pixel) {
     float share = sunlight(p + 0.1 * behind * sunDirection(), nor, chance);
     vec3 light = thingLight(id, p, nor, rd, stuff, share, roomAround(p, nor), upWeight);
     light += upWeight * mirrorSky(reflect(rd, nor), 0.05, false);
+    light += rimLight(id, nor, rd, stuff, share);
     colour = vec4(light, share);
 }
 
@@ -1127,9 +1154,9 @@ Met metExactly(Surface u, vec3 from, vec3 away, float angle, float cone, float c
     Hit h = hitAll(from, away, angle, u.id == kGlass, u.id == kSky || u.id > kGlass);
     vec3 q = from + min(h.t, 1e4) * away, upWeight;
     vec4 stuff = paint(h.id, q, angle * u.t + (angle + cone) * h.t);
-    vec3 thing = thingLight(h.id, q, h.nor, away, stuff, sunlight(q, h.nor, chance),
-                            roomAround(q, h.nor), upWeight);
-    thing += upWeight * ambientLight(h.nor) / kPi;
+    float share = sunlight(q, h.nor, chance);
+    vec3 thing = thingLight(h.id, q, h.nor, away, stuff, share, roomAround(q, h.nor), upWeight);
+    thing += rimLight(h.id, h.nor, away, stuff, share) + upWeight * ambientLight(h.nor) / kPi;
     return Met(thing, h.id > kGlass ? 1.0 : 0.0, h.id == kWater, h.t,
                h.id == kGlass ? h.nor : vec3(0.0));
 }
@@ -1196,6 +1223,44 @@ vec3 throughSea(Surface u, vec3 rd, float angle) {
     return mix(deepLight(), below, h.id > kGlass ? left : vec3(0.0));
 }
 
+// Light through a crest: the sun behind it goes a short way through the water at its top, and comes
+// out where its face leans towards the eye.
+vec3 crestGlow(Surface u, vec3 rd) {
+    vec2 sun = normalize(sunDirection().xz + vec2(0.0, 1e-9));
+    float behind = 0.5 + 0.5 * dot(normalize(rd.xz + vec2(0.0, 1e-9)), sun);
+    float thin = smoothstep(-0.05, 0.16, u.pos.y), leans = max(-dot(u.nor.xz, rd.xz), 0.0);
+    return sunBeam() * linearColour(waterColour)
+        * (kGlow * square(behind) * thin * leans * exp(-u.t / 12.0));
+}
+// Metres on the water from a point to where it laps at something.
+float toThings(vec3 p) {
+    float far = 1.0;
+    if (clusterThere(0)) far = abs(distance(p.xz, frames[0].at.xz) - 0.305) - 0.087;
+    if (clusterThere(1)) {
+        vec3 q = (p - frames[1].at) * frames[1].axes;
+        vec4 body = ellipsoid(q - vec3(0.0, 0.17, -0.03), vec3(0.185, 0.20, 0.20));
+        vec4 chest = ellipsoid(q - vec3(0.0, 0.28, 0.05), vec3(0.125, 0.14, 0.115));
+        far = min(far, join(body, chest, 0.08).w);
+    }
+    if (clusterThere(2)) {
+        vec2 q = ((p - frames[2].at) * frames[2].axes).xz;
+        far = min(far, max(length(vec2(max(abs(q.x) - kArch, 0.0), q.y)) - 0.2 * kTube, 0.0));
+        far = min(far, length(vec2(abs(q.x) - kArch, q.y)) - kTube);
+    }
+    return far;
+}
+// Foam there: a rim of bubbles, and torn lace beyond it. w: footprint of the pixel, m.
+float lapping(Surface u, float w) {
+    float far = max(toThings(u.pos), 0.0);
+    if (far > 0.16) return 0.0;
+    vec2 at = 42.0 * u.pos.xz + vec2(2.0 * sin(2.0 * kPi * cycles(0.125)), 512.0);
+    float lace = 0.6 * cloudNoise(at, 1024, 61) + 0.4 * cloudNoise(2.3 * at, 4096, 62);
+    float amount = 0.60 * exp(-far / 0.025), soft = 0.08 + 4.0 * w;
+    float torn = smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace + 0.2);
+    float rim = 1.0 - smoothstep(0.0, 0.008 + w, far);
+    return max(0.7 * torn, 0.5 * rim);
+}
+
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     readFrames();
     Eye e = camera();
@@ -1217,9 +1282,12 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     if (u.id > kGlass) sum = lit.rgb;
     vec3 below = throughSea(u, rd, angle);
     if (u.id == kWater) {
-        sum += (1.0 - u.mirrored) * below;
+        sum += (1.0 - u.mirrored) * (below + crestGlow(u, rd));
         vec2 slope;
         sum += sunBeam() * (lit.w * seaGlitter(rd, u.sea, shownSlope(rd, u.sea, slope)));
+        float lit1 = lit.w * max(dot(u.nor, sunDirection()), 0.0);
+        vec3 snow = 0.8 / kPi * (ambientLight(u.nor) + lit1 * sunBeam());
+        sum = mix(sum, snow, lapping(u, angle * u.t));
         vec3 level = normalize(vec3(rd.x, 1e-3, rd.z));   // the air in between
         sum = mix(clearSky(level), sum, exp(-4e-5 * haze * u.t));
     }

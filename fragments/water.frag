@@ -1019,6 +1019,38 @@ float ridge(float turns, int seed) {   // smooth noise round the horizon
     return mix(random3(ivec3(c.x, seed, 3)).x, random3(ivec3(c.y, seed, 3)).x, s);
 }
 
+// Streaks on the sea, -0.5 to 0.5, where wind roughens it: noise on its plane, drawn out along the
+// wind. An octave fades as a row of the picture, dv of v, comes to span its cells.
+float windStreaks(vec3 rd, float v) {
+    float up = v * v, weight = 0.5, sum = 0.0, dv = 2.0 / iResolution.y;
+    vec2 q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.016, 0.055) + 0.5;
+    float row = 0.055 * 2.0 * abs(v) * dv / square(up + 0.004);
+    for (int i = 0; i < 6; ++i) {
+        float keep = clamp(1.4 - row * float(6 << i), 0.0, 1.0);
+        sum += weight * keep * (tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 50 + i) - 0.5);
+        q += 0.04 * sum;
+        weight *= 0.62;
+    }
+    return sum;
+}
+// The sea beyond the pool. It is rough, so it mirrors what stands higher; it glitters, and where
+// one looks down into it the blue of deep water comes up. v: root of the depression's sine; turned:
+// from the sun, in half turns.
+vec3 farSea(vec3 rd, float v, float turned, vec3 sun, vec3 night) {
+    float up = v * v, streak = windStreaks(rd, v);
+    vec3 above = texture(air, vec2(turned, sqrt(min(up + 0.16, 1.0)))).rgb + night;
+    float mirrored = (0.12 + 0.55 * exp(-9.0 * up)) * (1.0 + 1.5 * streak);
+    vec3 light = above * mirrored;
+    vec3 down = sunColour() * max(sun.y, 0.0) + texture(air, vec2(turned, 0.75)).rgb;
+    light += down * vec3(0.008, 0.060, 0.085) * (1.0 - exp(-6.0 * up)) * (1.0 - 0.8 * streak);
+    light += sunColour() * vec3(0.0003, 0.001, 0.0014);
+    vec2 off = normalize(rd.xz + 1e-6) - normalize(sun.xz + 1e-6);
+    light += 0.55 * sunColour() * (1.0 + 1.6 * streak)
+        * exp(-dot(off, off) / (0.010 + 0.6 * up * up)
+              - 60.0 * square(0.02 + 0.16 * max(sun.y, 0.0) - up));
+    vec3 mist = texture(air, vec2(turned, 0.1)).rgb + night;
+    return mix(mist, light, exp(-kEyeLevel / max(up, 1e-4) / 9000.0));
+}
 // All round: sky, thin clouds, headlands, the sea below.
 void mainSky(out vec4 colour, in vec2 pixel) {
     vec2 uv = pixel / iResolution.xy;
@@ -1048,16 +1080,9 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     float hills = smoothstep(-0.0015, 0.0015, land - up);
     vec3 far = light * mix(vec3(0.20, 0.24, 0.32), vec3(1.0), 0.35);
     light = mix(light, far, hills);
-    if (v < 0.0) {   // the sea is rough, so it mirrors what stands higher; and it glitters
-        vec3 above = texture(air, vec2(turned, sqrt(min(up + 0.16, 1.0)))).rgb + night;
-        vec3 seaLight = above * (0.12 + 0.55 * exp(-9.0 * up));
-        seaLight += sunColour() * vec3(0.0003, 0.001, 0.0014);
-        vec2 off = normalize(rd.xz + 1e-6) - normalize(sun.xz + 1e-6);
-        seaLight += 0.55 * sunColour() * exp(-dot(off, off) / (0.010 + 0.6 * up * up)
-                                          - 60.0 * square(0.02 + 0.16 * max(sun.y, 0.0) - up));
-        vec3 mist = texture(air, vec2(turned, 0.1)).rgb + night;
-        seaLight = mix(mist, seaLight, exp(-kEyeLevel / max(up, 1e-4) / 9000.0));
-        light = mix(seaLight, far, 0.5 * hills * exp(-30.0 * up));
+    if (v < 0.0) {
+        vec3 distant = farSea(rd, v, turned, sun, night);
+        light = mix(distant, far, 0.5 * hills * exp(-30.0 * up));
     }
     colour = vec4(min(light, 6e4), step(0.0, v) * (1.0 - hills) * (1.0 - 0.8 * thick));
 }
