@@ -634,8 +634,11 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
         // On with the brightest of these and the one that waits; the next bright one waits. (That the
         // third is lost changes no pixel, not even where all is glass of an index of 2.4.)
         bool swap = maxComponent(other.weight) > maxComponent(one.weight);
-        ray = swap ? other : one;
-        if (swap) other = one;
+        ray = one;
+        if (swap) {  // browsers choose no structs by ?:
+            ray = other;
+            other = one;
+        }
         float best = maxComponent(ray.weight);
         if (maxComponent(other.weight) > maxComponent(later.weight)) later = other;
         if (best < maxComponent(later.weight)) {
