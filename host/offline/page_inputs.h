@@ -8,7 +8,7 @@
 
 namespace glint {
 
-// What fills a sampler, and how it is read; `buffer` says where a pass stands in the page's plan.
+// What fills a sampler, and how it is read. Of a buffer, which output; the plan adds the pass.
 // Throws std::runtime_error that names the file.
 nlohmann::ordered_json page_input(const Sampler& sampler, const TextureLimits& limits);
 

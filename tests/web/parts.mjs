@@ -71,6 +71,14 @@ test("a key is held, pressed in one frame, and toggled; repeats do not count", (
     assert.deepEqual(rows(), [0, 0, 255]);
 });
 
+test("a frame that is drawn alone sees only what was done since the one before as new", () => {
+    const tape = new Tape([{t: 0.2, key: 65, down: true}, {t: 0.2, mouse: [0.5, 0.5], down: true}, {t: 0.5, key: 66, down: true}]);
+    const frame = playedFrame({date: [2000, 1, 1, 0]}, 30, 0.5);
+    const {keys, mouse} = tape.reader().input(frame.time, [10, 10], frame.from);
+    assert.deepEqual([keys[65], keys[256 + 65], keys[256 + 66]], [255, 0, 255]);
+    assert.deepEqual(mouse, [5, 5, 5, -5]);
+});
+
 test("an event counts as new in one step, also where it comes while others are due", () => {
     const tape = new Tape([{t: 1, key: 32, down: true}]), reader = tape.reader();
     const pressed = (to, from) => reader.input(to, [1, 1], from).keys[256 + 32];

@@ -24,10 +24,10 @@ export function frameAt(plan, time, delta, frame) {
     return {time, delta, rate: 1 / delta, frame, date: dateAfter(plan.date, time)};
 }
 
-// Frame k of a playback that ends at `end`; beyond its last one time stands still.
+// Frame k of a playback that ends at `end`; beyond its last one time stands still. What was done after `from` is new.
 export function playedFrame(plan, k, end) {
-    const last = lastFrame(end), at = i => i >= last ? end : i / FPS;
-    return frameAt(plan, at(k), k === 0 || k > last ? 1 / 60 : at(k) - at(k - 1), k);
+    const last = lastFrame(end), at = i => i >= last ? end : i / FPS, from = k ? at(k - 1) : -Infinity;
+    return {...frameAt(plan, at(k), k === 0 || k > last ? 1 / 60 : at(k) - from, k), from};
 }
 
 // Time that runs while it plays, by the clock of the browser; after a hitch it goes on where it stood.

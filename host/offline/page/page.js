@@ -65,7 +65,7 @@ async function seek(time) {
     player.reset();
     reader = tape.reader();
     index = player.isStateful ? 0 : end;
-    const input = frame => Object.assign(frame, reader.input(frame.time, player.size), {tape});
+    const input = frame => Object.assign(frame, reader.input(frame.time, player.size, frame.from), {tape});
     for (let count = 1; index < end;) {
         const began = performance.now();
         for (let i = 0; i < count && index < end; ++i) player.draw(input(playedFrame(plan, index++, time)), true);
