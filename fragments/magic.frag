@@ -730,8 +730,11 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
         else sum += crossHall(ray, fract(jitter + kGolden * float(n)), one, other);
         // On with the brightest of these and the one that waits; the next bright one waits.
         bool swap = maxComponent(other.weight) > maxComponent(one.weight);
-        ray = swap ? other : one;
-        if (swap) other = one;
+        ray = one;
+        if (swap) {  // browsers choose no structs by ?:
+            ray = other;
+            other = one;
+        }
         float best = maxComponent(ray.weight);
         if (maxComponent(other.weight) > maxComponent(later.weight)) later = other;
         if (best < maxComponent(later.weight)) {

@@ -6,6 +6,7 @@
 #include "gl/context.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
+#include "offline/page.h"
 #include "offline/site_text.h"
 #include "scene/scene_text.h"
 
@@ -350,6 +351,9 @@ void Exporter::write(const fs::path& folder) {
 }  // namespace
 
 void run_export(const ExportOptions& options) {
+    if (is_page(options.output)) return write_page(options);
+    if (!options.controls)
+        throw UsageError("--no-controls is for a page; name one: -o scene.html.");
     const Preset preset = open_preset(options.view);
     const auto context = make_egl_context(options.view.device);
     Exporter(preset).write(options.output);

@@ -67,7 +67,8 @@ struct SoundOptions {
 
 struct ExportOptions {
     ViewOptions view;
-    std::filesystem::path output;  // a folder; made where it is missing
+    std::filesystem::path output;  // a folder, made where it is missing; or a page, NAME.html
+    bool controls = true;          // of a page
 };
 
 struct ImportOptions {

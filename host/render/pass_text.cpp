@@ -273,6 +273,13 @@ void specialise(const Preset& preset, std::optional<std::size_t> only, Edits& ed
     }
 }
 
+void name_tweaks(const Scene& scene, Edits& edits) {
+    for (std::size_t i = 0; i < scene.tweaks.size(); ++i) {
+        const Tweak& tweak = scene.tweaks[i];
+        edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end}, named_tweak(i));
+    }
+}
+
 // Those of specialise() that become a 0.
 std::unordered_set<std::string_view> zero_tweaks(const Preset& preset,
                                                  const ProgramOptions& options) {
@@ -339,6 +346,10 @@ std::string numbers_uniform(const std::vector<float>& numbers) {
 
 }  // namespace
 
+std::string named_tweak(std::size_t tweak) {
+    return fmt::format("glint_tweak{}", tweak);
+}
+
 std::optional<std::size_t> PassText::origin(std::size_t at) const {
     if (at < user_begin || at >= user_end) return std::nullopt;
     return map.origin(at - user_begin);
@@ -358,7 +369,10 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const bool plain_main = image && scene.image_entry == "main";
     const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
     Edits edits(reading);
-    if (options.specialise || options.constant) specialise(preset, options.constant, edits);
+    if (options.specialise || options.constant)
+        specialise(preset, options.constant, edits);
+    else if (options.named)
+        name_tweaks(scene, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);

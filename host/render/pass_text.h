@@ -15,6 +15,9 @@ namespace glint {
 struct ProgramOptions {
     bool specialise = true;                 // write the tweaks in as constants
     std::optional<std::size_t> constant{};  // without `specialise`: this one alone
+    // Without `specialise`: a tweak's declaration becomes the name that named_tweak() gives, for
+    // whoever defines it as one thing or the other.
+    bool named = false;
     bool average = false;  // the picture in linear light at a sub-pixel position, to be added up
     bool tiles = false;    // the picture is drawn in tiles, each at an origin of its own
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first
@@ -30,6 +33,9 @@ struct ProgramOptions {
 // The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
 // its line ends are kept.
 EditedText specialised_text(const Preset& preset);
+
+// "glint_tweak3".
+std::string named_tweak(std::size_t tweak);
 
 // The uniform of vec4s that numbers are fed by.
 inline constexpr const char* kNumbers = "glint_numbers";

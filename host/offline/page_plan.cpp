@@ -1,0 +1,233 @@
+#include "offline/page_plan.h"
+
+#include "offline/common.h"
+#include "offline/page_inputs.h"
+#include "render/buffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The passes' texts are the scene's with a few words changed: what they share stands there once.
+class Lines {
+public:
+    // Pairs of first line and count.
+    Json runs_of(const std::string& text);
+    Json list() && { return std::move(list_); }
+
+private:
+    Json list_ = Json::array();
+    std::unordered_map<std::string, std::size_t> known_;
+};
+
+Json Lines::runs_of(const std::string& text) {
+    std::vector<std::size_t> runs;
+    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+        end = std::min(text.find('\n', begin), text.size());
+        const std::string line = text.substr(begin, end - begin);
+        // A line that follows in the list as it does here goes on with the run, also where an
+        // earlier one is the same.
+        const std::size_t next = runs.empty() ? 0 : runs[runs.size() - 2] + runs.back();
+        if (!runs.empty() && next < list_.size() && list_[next] == line) {
+            ++runs.back();
+            continue;
+        }
+        const auto [known, is_new] = known_.try_emplace(line, list_.size());
+        // Within a new text the empty and closing lines repeat; a copy costs less than a run.
+        const bool is_short = line.size() < 8 && next == list_.size();
+        if (is_new || is_short) list_.push_back(line);
+        const std::size_t at = is_new || is_short ? list_.size() - 1 : known->second;
+        if (!runs.empty() && at == next)
+            ++runs.back();
+        else
+            runs.insert(runs.end(), {at, 1});
+    }
+    return runs;
+}
+
+class Planner {
+public:
+    explicit Planner(const Preset& preset) : preset_(preset), limits_(texture_limits()) {}
+
+    Json passes(const CompiledScene& scene);
+    Json plan(const CompiledScene& scene, const CompiledScene* sound);
+
+private:
+    Json pass_json(const CompiledScene& scene, std::size_t index);
+    void add_shape(Json& json, const CompiledScene& scene, std::size_t index) const;
+    std::size_t input_of(const CompiledScene& scene, std::size_t sampler);
+
+    const Preset& preset_;
+    TextureLimits limits_;
+    Lines lines_;
+    Json inputs_ = Json::array();
+    std::map<std::pair<const CompiledScene*, std::size_t>, std::size_t> known_inputs_;
+    Diagnostics diagnostics_;
+};
+
+// The size of a pass's buffer: pixels, or a share of the picture's.
+void add_size(Json& json, const Pass& pass) {
+    if (pass.size || pass.cube) {
+        const glm::ivec2 size = buffer_size(pass, glm::ivec2(1));
+        json["size"] = {size.x, size.y};
+    } else {
+        json["scale"] = pass.scale;
+    }
+}
+
+std::size_t Planner::input_of(const CompiledScene& scene, std::size_t sampler) {
+    const auto [known, is_new] = known_inputs_.try_emplace({&scene, sampler}, inputs_.size());
+    if (!is_new) return known->second;
+    const Sampler& read = sampler_at(preset_, sampler);
+    Json input;
+    try {
+        input = page_input(read, limits_);
+    } catch (const NoRoom&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        diagnostics_.push_back({Severity::error, read.place, error.what(), true});
+    }
+    if (read.source == Source::buffer) {
+        const auto& passes = scene.graph.passes;
+        const auto pass = std::ranges::find(passes, read.pass, &GraphPass::pass);
+        if (pass != passes.end()) input["pass"] = pass - passes.begin();
+        add_size(input, preset_.scene.passes[read.pass]);
+    }
+    inputs_.push_back(std::move(input));
+    return known->second;
+}
+
+void Planner::add_shape(Json& json, const CompiledScene& scene, std::size_t index) const {
+    const GraphPass& graph = scene.graph.passes[index];
+    if (!fills_a_buffer(graph.pass)) return;
+    const Pass& pass = preset_.scene.passes[graph.pass];
+    add_size(json, pass);
+    json["format"] = name_of(pass.format);
+    json["outputs"] = pass.outputs.size();
+    if (pass.cube) json["cube"] = true;
+    if (graph.feedback) json["double"] = true;
+    if (pass.step) json["step"] = {pass.step.numerator, pass.step.denominator};
+    for (const PassProgram& reader : scene.programs) {
+        for (const SamplerUniform& uniform : reader.samplers) {
+            const Sampler& sampler = sampler_at(preset_, uniform.sampler);
+            if (sampler.source == Source::buffer && sampler.pass == graph.pass &&
+                sampler.filter == Filter::mipmap)
+                json["mipmaps"] = true;
+        }
+    }
+}
+
+Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
+    const PassProgram& program = scene.programs[index];
+    const PassText text = pass_text(preset_, program.pass, {.specialise = false, .named = true});
+    const auto user = text.text.begin() + static_cast<std::ptrdiff_t>(text.user_begin);
+    Json json = {{"name", pass_name(preset_.scene, program.pass)},
+                 {"text", lines_.runs_of(text.text)},
+                 {"first", std::count(text.text.begin(), user, '\n')}};
+    add_shape(json, scene, index);
+    Json samplers = Json::object(), channels = Json::object();
+    for (const SamplerUniform& uniform : program.samplers)
+        samplers[sampler_at(preset_, uniform.sampler).name] = input_of(scene, uniform.sampler);
+    for (const std::size_t sampler : channels_told_of(preset_, program)) {
+        if (sampler_at(preset_, sampler).source == Source::none) continue;
+        channels[sampler_at(preset_, sampler).name.substr(8)] = input_of(scene, sampler);
+    }
+    if (!samplers.empty()) json["samplers"] = samplers;
+    if (!channels.empty()) json["channels"] = channels;
+    return json;
+}
+
+Json Planner::passes(const CompiledScene& scene) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < scene.programs.size(); ++i) list.push_back(pass_json(scene, i));
+    return list;
+}
+
+// As many numbers as the tweak has.
+Json numbers(const Tweak& tweak, const TweakValue& value) {
+    return std::vector<double>(value.begin(), value.begin() + component_count(tweak.type));
+}
+
+Json tweak_json(const Tweak& tweak, const TweakValue& value) {
+    Json json = {
+        {"name", tweak.name}, {"type", glsl_name(tweak.type)}, {"value", numbers(tweak, value)}};
+    if (tweak.min && tweak.max) json["range"] = {*tweak.min, *tweak.max};
+    if (!tweak.names.empty()) json["names"] = tweak.names;
+    if (tweak.is_colour) json["colour"] = true;
+    if (tweak.log) json["log"] = true;
+    if (tweak.step > 0.0) json["step"] = tweak.step;
+    if (!tweak.unit.empty()) json["unit"] = tweak.unit;
+    if (!tweak.group.empty()) json["group"] = tweak.group;
+    if (!tweak.description.empty()) json["what"] = tweak.description;
+    return json;
+}
+
+Json tweaks_json(const Preset& preset) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < preset.values.size(); ++i)
+        list.push_back(tweak_json(preset.scene.tweaks[i], preset.values[i]));
+    return list;
+}
+
+Json events_json(const Preset& preset) {
+    Json list = Json::array();
+    for (const Event& event : preset.events) {
+        Json json = {{"t", event.time}, {"down", event.down}};
+        if (event.key >= 0)
+            json["key"] = event.key;
+        else
+            json["mouse"] = {event.mouse.x, event.mouse.y};
+        list.push_back(json);
+    }
+    return list;
+}
+
+// [line, file, line of it], where one does not follow from the line before.
+Json origins_json(const Scene& scene) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < scene.origins.size(); ++i) {
+        const Origin& here = scene.origins[i];
+        const bool follows = i > 0 && scene.origins[i - 1].file == here.file &&
+                             scene.origins[i - 1].line + 1 == here.line;
+        if (!follows) list.push_back({i + 1, here.file, here.line});
+    }
+    return list;
+}
+
+Json Planner::plan(const CompiledScene& scene, const CompiledScene* sound) {
+    Json files = Json::array();
+    for (const auto& file : preset_.scene.files) files.push_back(file.filename().string());
+    Json json = {
+        {"title", preset_.title.empty() ? preset_.file.stem().string() : preset_.title},
+        {"size", {preset_.size.x, preset_.size.y}},
+        {"time", preset_.time},
+        {"settle", preset_.settle},
+        {"date", {preset_.date.year, preset_.date.month, preset_.date.day, preset_.date.seconds}},
+        {"stateful", scene.graph.stateful},
+        {"keepsSize", keeps_picture_size(preset_.scene, scene.graph)},
+        {"tweaks", tweaks_json(preset_)},
+        {"events", events_json(preset_)},
+        {"passes", passes(scene)}};
+    if (sound) json["sound"] = passes(*sound);
+    report(diagnostics_);
+    json["inputs"] = std::move(inputs_);
+    json["files"] = std::move(files);
+    json["origins"] = origins_json(preset_.scene);
+    json["lines"] = std::move(lines_).list();
+    return json;
+}
+
+}  // namespace
+
+Json page_plan(const Preset& preset, const CompiledScene& scene, const CompiledScene* sound) {
+    return Planner(preset).plan(scene, sound);
+}
+
+}  // namespace glint

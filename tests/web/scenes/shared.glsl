@@ -1,0 +1,3 @@
+vec3 shared(vec2 p) {
+    return vec3(p, 0.5);
+}
