@@ -56,13 +56,13 @@ std::string optional_number(const std::optional<double>& value) {
 
 std::string row_text(const StudyRow& row) {
     const Timing& ms = row.ms;
-    std::string text =
-        fmt::format("<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td>{:.3f}",
-                    !row.failed.empty() ? " class=failed"
-                    : row.pareto        ? " class=pareto"
-                                        : "",
-                    escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median,
-                    ms.min, ms.max, row.all_passes_ms);
+    std::string text = fmt::format(
+        "<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td class=text>{}<td>{:.3f}",
+        !row.failed.empty() ? " class=failed"
+        : row.pareto        ? " class=pareto"
+                            : "",
+        escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median, ms.low, ms.high,
+        row.verdict ? to_string(*row.verdict) : "", row.all_passes_ms);
     if (!row.failed.empty()) {
         return text + fmt::format("<td class=words colspan=6>{}\n", escaped(row.failed));
     }
@@ -77,7 +77,8 @@ std::string row_text(const StudyRow& row) {
 
 std::string table(const Study& study) {
     std::string text = fmt::format(
-        "<div class=table><table><tr><th class=text>{}<th>ms<th>min – max<th>ms, all passes",
+        "<div class=table><table><tr><th class=text>{}<th>ms<th>95 of 100 within<th "
+        "class=text>time<th>ms, all passes",
         escaped(study.knob));
     if (!study.time_only) {
         text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>";
@@ -87,8 +88,10 @@ std::string table(const Study& study) {
     text += "</table></div>\n";
     if (study.time_only) return text;
     return text +
-           "<p class=facts><span class=pareto>Shaded</span>: no other value is both faster and "
-           "nearer. ~: within ten times of the reference's own error.</p>\n";
+           "<p class=facts><span class=pareto>Shaded</span>: no other value is told to be better "
+           "in "
+           "time or error, and worse in neither. ~: within ten times of the reference's own "
+           "error.</p>\n";
 }
 
 std::string figure(const std::string& file, const std::string& caption) {
