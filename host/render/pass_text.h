@@ -13,8 +13,8 @@
 namespace glint {
 
 struct ProgramOptions {
-    bool specialise = true;                 // write the tweaks in as constants
-    std::optional<std::size_t> constant{};  // without `specialise`: this one alone
+    bool specialise = true;                // write the tweaks in as constants
+    std::vector<std::size_t> constants{};  // without `specialise`: these alone
     bool average = false;  // the picture in linear light at a sub-pixel position, to be added up
     bool tiles = false;    // the picture is drawn in tiles, each at an origin of its own
     bool clamp_to_bytes = false;  // with `average`: what a display would clip is clipped first

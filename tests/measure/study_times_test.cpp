@@ -123,11 +123,13 @@ TEST(StudyTimes, RanksAreCountedExactly) {
 std::vector<bool> frontier(const std::vector<double>& true_ms, const std::vector<double>& errors,
                            std::uint64_t seed, double own_error) {
     const Timed run = timed(true_ms, seed, 30.0);
-    Study study{.reference_error = Difference{.rmse = own_error}, .look = run.rounds.look};
+    // By a second seed, of which each has its part.
+    Study study{.reference_error = Difference{.rmse = own_error * std::numbers::sqrt2},
+                .look = run.rounds.look};
     for (std::size_t i = 0; i < true_ms.size(); ++i) {
         study.rows.push_back({.times = run.rounds.rows[i], .error = Difference{.rmse = errors[i]}});
     }
-    judge(study, true, true);
+    judge(study, {.second_work = {SecondWork::Kind::seed, 1.0}}, true);
     std::vector<bool> stars;
     for (const StudyRow& row : study.rows) stars.push_back(row.pareto);
     return stars;
@@ -152,7 +154,7 @@ TEST(StudyTimes, AnErrorThatIsNotToldApartIsNoReasonForMoreTime) {
 TEST(StudyTimes, AVerdictIsBesideThePresetsOwnValue) {
     Study study{.rows = {{.times = {{5, 5}, {5, 5}, {5, 5}}},
                          {.times = {{5, 5}, {5, 5}, {5, 5}}, .is_preset = true}}};
-    judge(study, true, true);
+    judge(study, {}, true);
     EXPECT_EQ(study.rows[0].verdict, TimeVerdict::not_told_apart);
     EXPECT_FALSE(study.rows[1].verdict);
 }

@@ -45,8 +45,9 @@ MeasuredScene::MeasuredScene(const Preset& preset, const Setting& setting, Conte
       context_(context),
       options_(options),
       renderer_(preset_,
-                compile_or_stop(
-                    preset_, {.root = options.pass, .program = {.specialise = options.specialise}}),
+                compile_or_stop(preset_, {.root = options.pass,
+                                          .program = {.specialise = options.specialise,
+                                                      .constants = options.constants}}),
                 {.size = preset_.size, .picture_format = PixelFormat::rgba32f}) {
     load_inputs(preset_, renderer_);
 }
@@ -57,6 +58,14 @@ Preset MeasuredScene::with(const Preset& preset, const Setting& setting) {
     result.settle = setting.settle;
     if (setting.format) result.scene.passes[setting.format->pass].format = setting.format->format;
     return result;
+}
+
+void MeasuredScene::set(const Setting& setting) {
+    preset_.values = setting.values;
+    preset_.settle = setting.settle;
+    renderer_.set_values(setting.values);
+    renderer_.reset();
+    drawn_ = 0;
 }
 
 Frame MeasuredScene::next_frame() {

@@ -13,9 +13,10 @@
 namespace glint {
 
 struct MeasureOptions {
-    std::size_t pass = kImagePass;  // what is compared
-    std::size_t output = 0;         // which of its outputs
-    bool specialise = true;         // tweaks written in as constants
+    std::size_t pass = kImagePass;         // what is compared
+    std::size_t output = 0;                // which of its outputs
+    bool specialise = true;                // tweaks written in as constants
+    std::vector<std::size_t> constants{};  // without `specialise`: these alone
 };
 
 // A scene with a setting, as a still would draw it. `context` is current, and outlives it.
@@ -27,6 +28,9 @@ public:
 
     // Plays it to the preset's time and draws: RGBA of what is compared, rows bottom up.
     std::vector<float> draw_picture();
+
+    // Another setting, where tweaks are no constants; everything begins anew.
+    void set(const Setting& setting);
 
     // One frame more, 1/60 s later; of a scene that settles, with time held, and as long as all its
     // frames together take.

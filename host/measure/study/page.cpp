@@ -54,6 +54,11 @@ std::string optional_number(const std::optional<double>& value) {
     return value ? fmt::format("{:.2f}", *value) : "–";
 }
 
+std::string worst_text(const StudyRow& row) {
+    if (!row.worst) return {};
+    return fmt::format(" worst {} in {}", three_digits(row.worst->rmse), escaped(row.worst->view));
+}
+
 std::string row_text(const StudyRow& row) {
     const Timing& ms = row.ms;
     std::string text = fmt::format(
@@ -72,7 +77,7 @@ std::string row_text(const StudyRow& row) {
                               three_digits(e.rmse), three_digits(e.max),
                               std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
                               percent(e.share_off), three_digits(e.relative_mse),
-                              row.near_reference ? "~" : "");
+                              (row.near_reference ? "~" : "") + worst_text(row));
 }
 
 std::string table(const Study& study) {
@@ -119,16 +124,24 @@ std::string facts(const Study& study) {
     std::string text =
         fmt::format("<p class=facts>{}×{}, {}<br>{}<br>Clock: {}.", study.size.x, study.size.y,
                     escaped(study.renderer), escaped(study.machine), to_string(study.clock));
+    if (!study.views.empty()) {
+        text += fmt::format("<br>Over {} views: {}.", study.views.size(),
+                            escaped(fmt::format("{}", fmt::join(study.views, ", "))));
+    }
     if (!study.time_only) {
-        text += fmt::format("<br>Compared: {}. Reference: {}; its own error: {}.",
-                            study.pass == "image"
-                                ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
-                                : escaped(study.pass),
-                            escaped(study.reference),
-                            study.reference_error
-                                ? fmt::format("{} by {}", three_digits(study.reference_error->rmse),
-                                              escaped(study.second))
-                                : "not known");
+        text += fmt::format(
+            "<br>Compared: {}. Reference: {}; its own error: {}.",
+            study.pass == "image" ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
+                                  : escaped(study.pass),
+            escaped(study.reference),
+            study.reference_error
+                ? fmt::format("{} by {}", three_digits(study.own_error), escaped(study.second))
+                : "not known");
+        if (study.rival) {
+            text += fmt::format("<br>Second reference: {}; its own error: {}; they differ by {}.",
+                                escaped(study.rival->value), three_digits(study.rival->own_error),
+                                three_digits(study.rival->difference.rmse));
+        }
     }
     return text + "</p>\n";
 }
@@ -152,6 +165,11 @@ std::string section(const Study& study, std::size_t number) {
     if (study.cost_exponent) {
         text += fmt::format("<p>Cost: time ~ {}<sup>{:.2f}</sup> over the larger half</p>\n",
                             escaped(study.knob), *study.cost_exponent);
+    }
+    if (study.best) {
+        const StudyRow& best = study.rows[*study.best];
+        text += fmt::format("<p>The budget chooses <b>{}</b>: {:.3f} ms, RMSE {}.</p>\n",
+                            escaped(best.value), best.ms.median, three_digits(best.error->rmse));
     }
     for (const std::string& note : study.notes) {
         text += fmt::format("<p class=note>{}</p>\n", escaped(note));

@@ -4,12 +4,15 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
+#include "measure/study/joint.h"
 #include "measure/study/measure.h"
+#include "measure/study/over.h"
 #include "measure/study/page.h"
 #include "measure/study/result.h"
 #include "measure/study/store.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
+#include "scene/preset_writer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,17 +28,21 @@ using Json = nlohmann::ordered_json;
 // Tells on stdout how far the studies of a file have come, for those who do not want to wait.
 class Lines {
 public:
-    Lines(bool wanted, const StudyPlan& plan, bool time_only) : wanted_(wanted) {
+    Lines(bool wanted, const StudyPlan& plan, bool time_only, std::size_t views) : wanted_(wanted) {
         for (const Knob& knob : plan.knobs) {
-            of_ += knob.values.size() + (time_only ? 0 : knob.second ? 2 : 1) + 1;
+            of_ += knob.values.size() + 1;
+            if (time_only) continue;
+            of_ += 1 + knob.second.has_value() + knob.rival.has_value() +
+                   (knob.rival && knob.rival->second);
         }
+        of_ *= views;
     }
 
     // The study as it stands now. `done`: another picture is drawn, or its times are all taken.
-    void tell(Study study, bool more_is_better, bool on_software, bool done) {
+    void tell(Study study, const Knob& knob, bool on_software, bool done) {
         done_ += done;
         if (!wanted_) return;
-        judge(study, more_is_better, on_software);
+        judge(study, knob, on_software);
         const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
         say_result("{}\n", json_text(line, -1));
         flush_results();
@@ -60,7 +67,7 @@ struct Scenery {
 };
 
 void tell(const Scenery& scenery, const Knob& knob, const Study& study, bool done = true) {
-    scenery.lines.tell(study, knob.more_is_better, scenery.context.is_software(), done);
+    scenery.lines.tell(study, knob, scenery.context.is_software(), done);
 }
 
 bool is_encoded(const Scenery& scenery) {
@@ -243,6 +250,32 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
     tell(scenery, knob, study);
 }
 
+// The reference, and what it is measured by; none where only times are wanted.
+std::optional<Reference> draw_references(const Scenery& scenery, const Knob& knob, Study& study) {
+    if (study.time_only) return std::nullopt;
+    const auto draw = [&](const KnobValue& value) { return draw_reference(scenery, knob, value); };
+    const auto apart = [&](const Reference& a, const Reference& b) {
+        return difference(a.picture, b.picture, is_encoded(scenery));
+    };
+    Reference reference = draw(knob.reference);
+    study.reference_picture = reference.file;
+    tell(scenery, knob, study);
+    if (knob.second) {
+        study.reference_error = apart(draw(*knob.second), reference);
+        tell(scenery, knob, study);
+    }
+    if (!knob.rival) return reference;
+    const Reference rival = draw(knob.rival->value);
+    study.rival = {.value = knob.rival->value.text, .difference = apart(rival, reference)};
+    tell(scenery, knob, study);
+    if (knob.rival->second) {
+        const double rmse = apart(draw(*knob.rival->second), rival).rmse;
+        study.rival->own_error = own_error(rmse, knob.rival->work, std::nullopt);
+        tell(scenery, knob, study);
+    }
+    return reference;
+}
+
 Study study_knob(const Scenery& scenery, const Knob& knob) {
     Study study{.scene = scenery.preset.file.string(),
                 .knob = knob.name,
@@ -253,23 +286,13 @@ Study study_knob(const Scenery& scenery, const Knob& knob) {
                 .size = scenery.size,
                 .pass = scenery.options.pass,
                 .time_only = scenery.options.time_only,
+                .is_joint = has_budget(scenery.options),
                 .notes = knob.notes};
-    std::optional<Reference> reference;
-    if (!study.time_only) {
-        reference = draw_reference(scenery, knob, knob.reference);
-        study.reference_picture = reference->file;
-        tell(scenery, knob, study);
-        if (knob.second) {
-            const Reference second = draw_reference(scenery, knob, *knob.second);
-            study.reference_error =
-                difference(second.picture, reference->picture, is_encoded(scenery));
-            tell(scenery, knob, study);
-        }
-    }
+    const std::optional<Reference> reference = draw_references(scenery, knob, study);
     Scenes scenes;
     draw_rows(scenery, knob, reference ? &*reference : nullptr, study, scenes);
     time_rows(scenery, knob, study, scenes);
-    judge(study, knob.more_is_better, scenery.context.is_software());
+    judge(study, knob, scenery.context.is_software());
     return study;
 }
 
@@ -296,28 +319,47 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     const Preset preset = open_preset(view);
     const std::size_t pass = find_pass(preset.scene, options.pass);
     const SceneFacts facts = scene_facts(preset, pass);
-    const StudyPlan plan = plan_study(preset, facts, options);
-    Lines lines(options.lines, plan, options.time_only);
-    const Scenery scenery{
-        .options = options,
-        .preset = preset,
-        .context = context,
-        .store = store,
-        .how = {.pass = pass,
-                .output = output_of(preset.scene, pass, options.pass),
-                .specialise = view.specialise},
-        .size = size_of(preset, pass),
-        .name = file.stem().string(),
-        .key = key_of_preset(preset, context.renderer(), options.pass, view.specialise),
-        .lines = lines};
+    StudyPlan plan = plan_study(preset, facts, options);
+    const MeasureOptions how{.pass = pass,
+                             .output = output_of(preset.scene, pass, options.pass),
+                             .specialise = view.specialise};
+    if (has_budget(options)) plan.knobs = {joint_knob(preset, plan.knobs, options, context, how)};
+    const std::vector<View> views = views_over(preset, options);
+    Lines lines(options.lines, plan, options.time_only, std::max<std::size_t>(views.size(), 1));
+    const auto scenery = [&](const Preset& seen, const std::string& name) {
+        return Scenery{
+            .options = options,
+            .preset = seen,
+            .context = context,
+            .store = store,
+            .how = how,
+            .size = size_of(seen, pass),
+            .name = name,
+            .key = key_of_preset(seen, context.renderer(), options.pass, view.specialise),
+            .lines = lines};
+    };
     if (plan.knobs.empty()) {
         say_warning(fmt::format(
             "{} has no quality tweaks and accumulates nothing; name a tweak with --vary",
             file.string()));
     }
     for (const Knob& knob : plan.knobs) {
-        studies.push_back(study_knob(scenery, knob));
+        std::vector<Study> seen;
+        for (const View& one : views) {
+            seen.push_back(study_knob(scenery(one.preset, file.stem().string() + "-" + one.name),
+                                      knob_in(one, preset, knob)));
+        }
+        if (seen.empty()) {
+            studies.push_back(study_knob(scenery(preset, file.stem().string()), knob));
+        } else {
+            studies.push_back(over_all(views, seen));
+            judge(studies.back(), knob, context.is_software());
+        }
         Study& study = studies.back();
+        if (has_budget(options)) {
+            choose_best(study, options);
+            lines.tell(study, knob, context.is_software(), false);
+        }
         for (const std::string& left_out : plan.left_out) {
             study.notes.push_back("left out: " + left_out);
         }
@@ -346,12 +388,40 @@ void require_report_apart(const StudyOptions& options) {
     }
 }
 
+// What the budget has chosen becomes a quality of the preset in this file, which keeps what else it
+// has; where there is none, of the studied one.
+void write_best(const StudyOptions& options, const std::vector<Study>& studies) {
+    if (studies.empty() || !studies.front().best) return;
+    const Study& study = studies.front();
+    const bool exists = std::filesystem::exists(options.output);
+    ReadPreset read = read_preset(exists ? options.output : options.files.front());
+    report(read.diagnostics);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    Preset& preset = *read.preset;
+    QualitySet best{.name = options.name, .values = {}};
+    std::string list = study.rows[*study.best].value, wrong;
+    std::ranges::replace(list, ' ', ',');
+    best.values = turned_values(preset.scene.tweaks, {}, list, wrong);
+    if (!wrong.empty()) throw std::runtime_error(wrong);
+    std::erase_if(preset.qualities, [&](const QualitySet& q) { return q.name == best.name; });
+    preset.qualities.push_back(std::move(best));
+    std::string why_not;
+    const auto bytes = exists ? read_bytes(options.output, why_not) : std::string();
+    const PresetText text = write_preset(preset, options.output, bytes.value_or(""));
+    report(text.diagnostics);
+    if (!text.text) throw Stop(ExitCode::failure);
+    write_whole_file(options.output, std::as_bytes(std::span(*text.text)));
+}
+
 }  // namespace
 
 void run_study(const StudyOptions& options) {
-    if (!options.output.empty()) require_report_apart(options);
+    const bool to_preset = options.output.extension() == ".toml";
+    if (to_preset && (!has_budget(options) || options.files.size() != 1))
+        throw UsageError("-o with a preset takes one FILE, and --ms or --rmse.");
+    if (!options.output.empty() && !to_preset) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
-    const StudyStore store(options.output);
+    const StudyStore store(to_preset ? std::filesystem::path() : options.output);
     std::vector<Study> studies;
     ExitCode code = ExitCode::done;
     for (const std::filesystem::path& file : options.files) {
@@ -363,7 +433,8 @@ void run_study(const StudyOptions& options) {
     }
     std::string csv = csv_header();
     for (const Study& study : studies) csv += to_csv(study);
-    if (!options.output.empty()) {
+    if (to_preset) write_best(options, studies);
+    if (!options.output.empty() && !to_preset) {
         write_whole_file(options.output / "study.csv", std::as_bytes(std::span(csv)));
         const std::string json = json_text(to_json(studies, context->renderer())) + "\n";
         write_whole_file(options.output / "study.json", std::as_bytes(std::span(json)));
