@@ -77,7 +77,7 @@ uniform float targetShift;     //@ 0.0 [-3, 3] unit=m "of the point looked at, t
 uniform float focalLength;     //@ 40 [12, 200] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.4 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
-uniform int   bounces;         //@ 10 [1, 48] log quality reference=48 "rays along one path"
+uniform int   bounces;         //@ 10 [1, 48] log quality reference=48 second=intersector=textbook "rays along one path"
 uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to each light"
 uniform int   antialiasing;    //@ 1 [1, 64] log quality reference=64 "rays through one pixel"
 

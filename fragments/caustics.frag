@@ -36,7 +36,7 @@ uniform vec3  waterTint;       //@ #6ecbe0 "what white light becomes over the di
 uniform float tintDistance;    //@ 6.0 [0.5, 50] log unit=m "that light goes to take on the tint"
 uniform float haze;            //@ 0.08 [0, 0.5] unit=1/m "light scattered out of its way"
 //@ group Light
-uniform int method; //@ 3 {vertical, snell, periodic, area, photons} quality reference=4 "of light"
+uniform int method; //@ 3 {vertical, snell, periodic, area, photons} quality reference=4 second=area "of light"
 uniform int   folds;           //@ 0 {automatic, never, always} "area: 1/|J| where none, or a mesh"
 uniform float sunElevation;    //@ 55 [15, 90] unit=deg "above the horizon"
 uniform float sunAngle;        //@ 30 [-180, 180] unit=deg "round the axis; 0 is ahead"
@@ -58,7 +58,7 @@ uniform float targetShift;     //@ 0.0 [-4, 4] unit=m "eye and point to the righ
 uniform float focalLength;     //@ 22 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
-uniform int   cells;           //@ 192 [64, 256] log quality reference=256 "of the mesh, a side"
+uniform int   cells;           //@ 192 [64, 256] log quality reference=256 second=192 "of the mesh, a side"
 uniform int   shaftSamples;    //@ 16 [1, 256] log quality reference=256 "along one view ray"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves

@@ -61,7 +61,7 @@ uniform float targetShift;     //@ 0.0 [-2, 2] unit=m "of the point looked at, t
 uniform float focalLength;     //@ 28 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
-uniform int   acceleration; //@ 2 {none, boxes, hierarchy} quality reference=0 "to ornaments"
+uniform int   acceleration; //@ 2 {none, boxes, hierarchy} quality reference=0 second=hierarchy "to ornaments"
 uniform int   bounces;         //@ 6 [1, 8] quality reference=8 "rays along one path"
 uniform float mirrorBlur;  //@ 0.6 [0.1, 100] log unit=rad quality reference=100 "beyond: a blur"
 uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to each lamp"

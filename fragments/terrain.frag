@@ -65,7 +65,7 @@ uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display cur
 uniform int   reflections;     //@ 1 {off, screen-space, traced} quality reference=2 "of the land"
 uniform int   border;          //@ 0 {stretch, fade} "what a ray finds that leaves the picture"
 uniform int   reflectionSteps; //@ 35 [4, 1024] log quality reference=1024 "of a ray in the picture"
-uniform int   march;           //@ 0 {pyramid, steps} quality reference=1 "of rays to land"
+uniform int   march;           //@ 0 {pyramid, steps} quality reference=1 second=pyramid "of rays to land"
 uniform int   marchSteps;      //@ 160 [8, 512] log quality reference=512 "most for one ray to land"
 uniform int   bends;           //@ 3 [1, 8] quality reference=8 "faces that light in water meets"
 uniform int   shadowSamples;   //@ 12 [1, 64] log quality reference=64 "rays to the sun's disc"

@@ -74,7 +74,7 @@ uniform float focalLength;     //@ 24 [12, 120] log unit=mm "of a lens on 36 x 2
 uniform float exposure;        //@ 0.0 [-6, 10] unit=stop "before the display curve"
 //@ group Quality
 uniform int   rays;            //@ 6 [2, 24] quality reference=24 "rays along one path"
-uniform int   marchSteps;      //@ 320 [4, 1024] log quality reference=1024 "towards the surface"
+uniform int   marchSteps;      //@ 320 [4, 1024] log quality reference=1024 second=overstep=1 "towards the surface"
 uniform float overstep;        //@ 1.4 [1, 3] quality reference=1 "1: never beyond what is safe"
 uniform int   refinement;      //@ 3 [0, 8] quality reference=8 "Illinois steps at the end"
 uniform int   antialias;       //@ 1 [1, 32] log quality reference=32 "paths a pixel"

@@ -109,9 +109,27 @@ glm::ivec2 size_of(const ViewOptions& options, glm::ivec2 otherwise) {
     return options.size.empty() ? otherwise : parse_size(options.size);
 }
 
+namespace {
+
+void apply_quality(Preset& preset, const std::string& name) {
+    const auto found = std::ranges::find(preset.qualities, name, &QualitySet::name);
+    if (found == preset.qualities.end()) {
+        std::vector<std::string> names;
+        for (const QualitySet& set : preset.qualities) names.push_back(set.name);
+        throw UsageError(
+            fmt::format("--quality: {} has no [quality.{}] (it has {}){}", preset.file.string(),
+                        name, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                        did_you_mean(name, names)));
+    }
+    for (const Turned& turned : found->values) preset.values[turned.tweak] = turned.value;
+}
+
+}  // namespace
+
 void lay_over(Preset& preset, const ViewOptions& options) {
     preset.size = size_of(options, preset.size);
     preset.has_size |= !options.size.empty();
+    if (!options.quality.empty()) apply_quality(preset, options.quality);
     for (const std::string& tweak : options.tweaks) apply_tweak(preset, tweak);
 }
 

@@ -15,7 +15,8 @@ namespace glint {
 struct ViewOptions {
     std::filesystem::path file;
     std::string size;                 // "1280x720"; empty: the preset's
-    std::vector<std::string> tweaks;  // "name=value"
+    std::string quality;              // a name of [quality.NAME] in the preset; "": none
+    std::vector<std::string> tweaks;  // "name=value"; over the quality
     std::string device;               // as for make_egl_context
     bool specialise = true;           // tweaks written in as constants
     bool json = false;                // results as one object on stdout

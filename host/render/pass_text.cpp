@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <unordered_set>
@@ -263,10 +264,15 @@ std::string constant(const Tweak& tweak, const TweakValue& value) {
                       : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
 }
 
-// Every tweak, or one alone, as a constant.
-void specialise(const Preset& preset, std::optional<std::size_t> only, Edits& edits) {
+bool is_constant(const ProgramOptions& options, std::size_t tweak) {
+    return options.specialise ||
+           std::ranges::find(options.constants, tweak) != options.constants.end();
+}
+
+// Every tweak that the options want so, as a constant.
+void specialise(const Preset& preset, const ProgramOptions& options, Edits& edits) {
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
-        if (only && *only != i) continue;
+        if (!is_constant(options, i)) continue;
         const Tweak& tweak = preset.scene.tweaks[i];
         edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
                             constant(tweak, preset.values[i]));
@@ -286,8 +292,7 @@ std::unordered_set<std::string_view> zero_tweaks(const Preset& preset,
     std::unordered_set<std::string_view> names;
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
         const Tweak& tweak = preset.scene.tweaks[i];
-        const bool is_constant = options.specialise || options.constant == i;
-        if (is_constant && tweak.type == TweakType::float1 &&
+        if (is_constant(options, i) && tweak.type == TweakType::float1 &&
             static_cast<float>(preset.values[i][0]) == 0.0f)
             names.insert(tweak.name);
     }
@@ -358,7 +363,7 @@ std::optional<std::size_t> PassText::origin(std::size_t at) const {
 EditedText specialised_text(const Preset& preset) {
     const Reading reading = read_glsl(preset.scene.text, known_of_scene());
     Edits edits(reading);
-    specialise(preset, {}, edits);
+    specialise(preset, {.specialise = true}, edits);
     return edits.apply();
 }
 
@@ -369,10 +374,10 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const bool plain_main = image && scene.image_entry == "main";
     const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
     Edits edits(reading);
-    if (options.specialise || options.constant)
-        specialise(preset, options.constant, edits);
-    else if (options.named)
+    if (options.named)
         name_tweaks(scene, edits);
+    else
+        specialise(preset, options, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);

@@ -13,8 +13,8 @@
 namespace glint {
 
 struct ProgramOptions {
-    bool specialise = true;                 // write the tweaks in as constants
-    std::optional<std::size_t> constant{};  // without `specialise`: this one alone
+    bool specialise = true;                // write the tweaks in as constants
+    std::vector<std::size_t> constants{};  // without `specialise`: these alone
     // Without `specialise`: a tweak's declaration becomes the name that named_tweak() gives, for
     // whoever defines it as one thing or the other.
     bool named = false;

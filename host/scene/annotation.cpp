@@ -43,8 +43,8 @@ struct TweakParser {
     bool in_range(const TweakValue& value) const;
 };
 
-const std::vector<std::string> kTweakWords = {"log",     "unit",     "step",     "group",
-                                              "quality", "norandom", "reference"};
+const std::vector<std::string> kTweakWords = {"log",     "unit",     "step",      "group",
+                                              "quality", "norandom", "reference", "second"};
 
 void TweakParser::parse() {
     while (!words.done()) parse_item();
@@ -105,10 +105,11 @@ void TweakParser::parse_word(std::size_t at) {
         return;
     }
     words = after;
-    words.complain(
-        at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
-                        "step=, group=, reference=, [min, max], {{names}} and a \"description\"{}",
-                        in_quotes(word), did_you_mean(word, kTweakWords)));
+    words.complain(at,
+                   fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
+                               "step=, group=, reference=, second=, [min, max], {{names}} and a "
+                               "\"description\"{}",
+                               in_quotes(word), did_you_mean(word, kTweakWords)));
 }
 
 void TweakParser::parse_option(std::string_view key, std::size_t at) {
@@ -128,11 +129,13 @@ void TweakParser::parse_option(std::string_view key, std::size_t at) {
                            fmt::format("step is {}; write a number above 0", in_quotes(text)));
         tweak.step = step.value_or(0.0);
         return;
+    } else if (key == "second") {
+        tweak.second = words.text();
     } else if (key == "reference") {
         reference = Written{words.value(), value_at};
     } else {
         words.complain(at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
-                                       "step=, group= and reference={}",
+                                       "step=, group=, reference= and second={}",
                                        in_quotes(key), did_you_mean(key, kTweakWords)));
         words.text();
         return;

@@ -44,7 +44,8 @@ private:
     void read_date(const toml::node& node);
     void read_tweaks(const toml::node& node);
     void read_locked(const toml::node& node);
-    void read_tweak(const toml::key& key, const toml::node& node);
+    std::optional<Turned> read_tweak(const toml::key& key, const toml::node& node);
+    void read_qualities(const toml::node& node);
     std::optional<TweakValue> tweak_value(const Tweak& tweak, const toml::node& node);
     void read_channels(const toml::node& node);
     void read_channel(std::size_t index, const toml::table& table);
@@ -116,10 +117,11 @@ void Reader::read(std::string_view text) {
     }
     const toml::table& root = parsed.table();
     check_keys(root, {"scene", "title", "time", "size", "settle", "date", "locked", "tweaks",
-                      "channels", "events"});
+                      "quality", "channels", "events"});
     read_scene_key(root);
     read_picture(root);
     if (const toml::node* tweaks = root.get("tweaks")) read_tweaks(*tweaks);
+    if (const toml::node* quality = root.get("quality")) read_qualities(*quality);
     if (const toml::node* locked = root.get("locked")) read_locked(*locked);
     if (const toml::node* channels = root.get("channels")) read_channels(*channels);
     if (const toml::node* events = root.get("events")) read_events(*events);
@@ -245,25 +247,45 @@ void Reader::read_tweaks(const toml::node& node) {
     const toml::table* tweaks = node.as_table();
     if (!tweaks) return warning(node, "tweaks is a table; write [tweaks] on a line of its own");
     if (!has_scene_) return;
-    for (const auto& [key, value] : *tweaks) read_tweak(key, value);
+    for (const auto& [key, value] : *tweaks)
+        if (const auto read = read_tweak(key, value)) preset_.values[read->tweak] = read->value;
 }
 
-void Reader::read_tweak(const toml::key& key, const toml::node& node) {
+void Reader::read_qualities(const toml::node& node) {
+    const toml::table* qualities = node.as_table();
+    if (!qualities) return warning(node, "quality has tables; write [quality.NAME] on a line");
+    if (!has_scene_) return;
+    for (const auto& [name, values] : *qualities) {
+        const toml::table* table = values.as_table();
+        if (!table) {
+            warning(name.source(),
+                    "a quality is a table of tweaks; write [quality.NAME] on a line");
+            continue;
+        }
+        QualitySet& set = preset_.qualities.emplace_back();
+        set.name = name.str();
+        for (const auto& [key, value] : *table)
+            if (const auto read = read_tweak(key, value)) set.values.push_back(*read);
+    }
+}
+
+std::optional<Turned> Reader::read_tweak(const toml::key& key, const toml::node& node) {
     const auto& tweaks = preset_.scene.tweaks;
     const auto tweak = std::ranges::find(tweaks, key.str(), &Tweak::name);
     if (tweak == tweaks.end()) {
         Names names;
         for (const Tweak& known : tweaks) names.push_back(known.name);
-        return warning(key.source(),
-                       fmt::format("the scene has no tweak {}{}", in_quotes(key.str()),
-                                   did_you_mean(key.str(), names)));
+        warning(key.source(), fmt::format("the scene has no tweak {}{}", in_quotes(key.str()),
+                                          did_you_mean(key.str(), names)));
+        return std::nullopt;
     }
     const auto value = tweak_value(*tweak, node);
-    if (!value)
-        return warning(node,
-                       fmt::format("{} takes {}; it keeps its default {}{}", tweak->name,
-                                   expected_value(*tweak), format_value(*tweak, tweak->initial),
-                                   did_you_mean(node.value_or(""), tweak->names)));
+    if (!value) {
+        warning(node, fmt::format("{} takes {}; it keeps its default {}{}", tweak->name,
+                                  expected_value(*tweak), format_value(*tweak, tweak->initial),
+                                  did_you_mean(node.value_or(""), tweak->names)));
+        return std::nullopt;
+    }
     const TweakValue clamped = clamp_to_range(*tweak, *value);
     if (clamped != *value) {
         const bool one = component_count(tweak->type) == 1;
@@ -271,7 +293,7 @@ void Reader::read_tweak(const toml::key& key, const toml::node& node) {
                                   one ? format_number((*value)[0]) : format_value(*tweak, *value),
                                   expected_value(*tweak), format_value(*tweak, clamped)));
     }
-    preset_.values[static_cast<std::size_t>(tweak - tweaks.begin())] = clamped;
+    return Turned{static_cast<std::size_t>(tweak - tweaks.begin()), clamped};
 }
 
 // A name that the scene does not have is told and kept: the scene may have it again tomorrow.

@@ -17,6 +17,12 @@
 
 namespace glint {
 
+// Values of some tweaks under one name: `[quality.fast]`, chosen with --quality fast.
+struct QualitySet {
+    std::string name;
+    std::vector<Turned> values;
+};
+
 struct Preset {
     std::filesystem::path file;  // what was opened: a .toml, or the scene itself
     Scene scene;
@@ -30,6 +36,7 @@ struct Preset {
     // Names of tweaks that a random look leaves alone, as the file lists them; also of some that
     // the scene does not have today.
     std::vector<std::string> locked;
+    std::vector<QualitySet> qualities;
     std::array<Sampler, 4>
         channels;               // iChannel0..3 of pasted text; those the scene declares itself win
     std::vector<Event> events;  // in order of time

@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kBareKey = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+
 // Bytes [begin, end) of the text become others.
 struct Edit {
     std::size_t begin = 0, end = 0;
@@ -132,6 +134,7 @@ public:
         edit_root();
         edit_tweaks();
         edit_channels();
+        edit_qualities();
         edit_events();
         return std::move(edits_);
     }
@@ -142,6 +145,7 @@ private:
     void edit_root();
     void edit_tweaks();
     void edit_channels();
+    void edit_qualities();
     void edit_events();
 
     void replace(const toml::node& node, std::string text);
@@ -151,6 +155,7 @@ private:
     void set_root(std::string_view key, bool same, const std::string& value);
     void add_lines(std::string_view table, std::size_t otherwise_at, const Lines& lines);
     Lines channel(const Preset& preset, std::size_t index) const;
+    Lines quality(const Preset& preset, std::string_view name) const;
 
     const Preset& preset_;
     const Preset& old_;
@@ -272,6 +277,41 @@ void Editor::edit_channels() {
     if (same) return;
     if (braces) return replace(*node, all.empty() ? "{}" : toml_braces(all));
     add_lines("channels", layout_.end_of_table("tweaks"), added);
+}
+
+Editor::Lines Editor::quality(const Preset& preset, std::string_view name) const {
+    Lines lines;
+    const auto found = std::ranges::find(preset.qualities, name, &QualitySet::name);
+    if (found == preset.qualities.end()) return lines;
+    for (const Turned& turned : found->values) {
+        const Tweak& tweak = preset.scene.tweaks[turned.tweak];
+        lines.push_back({tweak.name, toml_value(tweak, turned.value)});
+    }
+    std::ranges::sort(lines, {}, &TomlLine::key);  // as they are read
+    return lines;
+}
+
+// One that has changed is written anew, at the end.
+void Editor::edit_qualities() {
+    const toml::node* node = layout_.get("quality");
+    const toml::table* table = node ? node->as_table() : nullptr;
+    for (const QualitySet& set : preset_.qualities) {
+        const Lines now = quality(preset_, set.name);
+        if (toml_braces(now) == toml_braces(quality(old_, set.name))) continue;
+        const auto written = table ? table->find(set.name) : toml::table::const_iterator();
+        if (table && written != table->end()) {
+            if (!is_header(written->first, written->second)) {
+                replace(written->second, toml_braces(now));
+                continue;
+            }
+            remove_lines(written->first, written->second);
+        }
+        const bool is_bare = set.name.find_first_not_of(kBareKey) == std::string::npos;
+        std::string text = fmt::format(
+            "\n[quality.{}]\n", is_bare && !set.name.empty() ? set.name : toml_string(set.name));
+        for (const TomlLine& line : now) text += fmt::format("{} = {}\n", line.key, line.value);
+        insert(layout_.text.size(), text);
+    }
 }
 
 std::vector<std::string> spelled(const std::vector<Event>& events) {

@@ -49,6 +49,7 @@ private:
     void resolve_readers();
     bool stands_in_tab(const Pass& pass) const;
     void find_entries();
+    void check_seconds();
     std::string no_function(const Pass& pass) const;
     bool misses_a_file() const;
     void check_image();
@@ -85,6 +86,7 @@ private:
     std::unordered_map<std::string, std::size_t> declared_;
     std::unordered_map<std::string, std::size_t> pass_of_;  // function to index of pass
     std::vector<Reader> readers_;
+    std::vector<std::pair<std::string, std::size_t>> seconds_;  // of tweaks: names, and bytes
     std::vector<std::size_t> entries_;  // by pass: where its function is named
 };
 
@@ -103,6 +105,7 @@ Scene Builder::build() {
     while (next_note_ < notes_.size()) use_note(notes_[next_note_++]);
     resolve_readers();
     find_entries();
+    check_seconds();
     scene_.has_sound = identifiers_.contains("mainSound");
     check_image();
     for (const Span span : blanked_)
@@ -283,7 +286,21 @@ void Builder::add_tweak(const Uniform& declaration, TweakType type, Span note) {
     tweak.declaration_end = declaration.span.end;
     std::vector<Complaint> complaints;
     tweak = parse_tweak(std::move(tweak), note_text(note), complaints);
-    if (report(complaints, note)) scene_.tweaks.push_back(std::move(tweak));
+    if (!report(complaints, note)) return;
+    if (!tweak.second.empty())
+        seconds_.push_back({tweak.name, note.begin + note_text(note).find("second=")});
+    scene_.tweaks.push_back(std::move(tweak));
+}
+
+// Other tweaks may stand behind the one that names them.
+void Builder::check_seconds() {
+    for (const auto& [name, at] : seconds_) {
+        const auto tweak = std::ranges::find(scene_.tweaks, name, &Tweak::name);
+        if (tweak == scene_.tweaks.end()) continue;
+        std::string wrong;
+        turned_values(scene_.tweaks, *tweak, tweak->second, wrong);
+        if (!wrong.empty()) error(at, "second=" + wrong);
+    }
 }
 
 void Builder::add_sampler(const Uniform& declaration, SamplerType type, Span note) {

@@ -45,6 +45,8 @@ struct Tweak {
     bool no_random = false;          // a random look leaves it alone
     // The value that counts as the truth. It may lie beyond the range: nobody moves a slider there.
     std::optional<TweakValue> reference;
+    // What else counts as the truth, "area" or "march=steps"; see turned_values. "": nothing does.
+    std::string second;
     std::string unit, group, description;
     Place place;
     // Byte range [begin, end) of `uniform … ;` in Scene::text, which specialisation replaces by a
@@ -73,6 +75,15 @@ std::optional<TweakValue> parse_value(const Tweak& tweak, std::string_view text)
 
 // The inverse of parse_value; parse_value(tweak, format_value(tweak, v)) gives v.
 std::string format_value(const Tweak& tweak, const TweakValue& value);
+
+// A list of "VALUE" or "NAME=VALUE" with commas, as `second=` takes it: a value of this tweak, or
+// of another. Where it is none, `wrong` says why.
+struct Turned {
+    std::size_t tweak = 0;  // of the list
+    TweakValue value{};
+};
+std::vector<Turned> turned_values(const std::vector<Tweak>& tweaks, const Tweak& own,
+                                  std::string_view list, std::string& wrong);
 
 enum class SamplerType { sampler2D, samplerCube, sampler3D };
 inline constexpr Names<SamplerType, 3> kSamplerTypeNames = {

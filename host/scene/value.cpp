@@ -187,4 +187,34 @@ std::string format_value(const Tweak& tweak, const TweakValue& value) {
     return text;
 }
 
+std::vector<Turned> turned_values(const std::vector<Tweak>& tweaks, const Tweak& own,
+                                  std::string_view list, std::string& wrong) {
+    std::vector<Turned> turned;
+    for (std::size_t at = 0; at <= list.size();) {
+        const std::size_t comma = std::min(list.find(',', at), list.size());
+        const std::string_view item = trimmed(list.substr(at, comma - at));
+        at = comma + 1;
+        const std::size_t equals = item.find('=');
+        const std::string name =
+            equals == item.npos ? own.name : std::string(trimmed(item.substr(0, equals)));
+        const std::string_view text = equals == item.npos ? item : trimmed(item.substr(equals + 1));
+        const auto tweak = std::ranges::find(tweaks, name, &Tweak::name);
+        if (tweak == tweaks.end()) {
+            std::vector<std::string> names;
+            for (const Tweak& known : tweaks) names.push_back(known.name);
+            wrong = fmt::format("{}: the scene has no tweak {}{}", list, in_quotes(name),
+                                did_you_mean(name, names));
+            return {};
+        }
+        const auto value = parse_value(*tweak, text);
+        if (!value) {
+            wrong = fmt::format("{}: {} takes {}{}", list, name, expected_value(*tweak),
+                                did_you_mean(std::string(text), tweak->names));
+            return {};
+        }
+        turned.push_back({static_cast<std::size_t>(tweak - tweaks.begin()), *value});
+    }
+    return turned;
+}
+
 }  // namespace glint

@@ -114,6 +114,7 @@ Json tweak_json(const Tweak& tweak, const TweakValue& value) {
                  {"max", optional(tweak.max)},
                  {"quality", tweak.quality},
                  {"reference", tweak.reference ? tweak_value(tweak, *tweak.reference) : Json()},
+                 {"second", tweak.second.empty() ? Json() : Json(tweak.second)},
                  {"group", tweak.group},
                  {"unit", tweak.unit},
                  {"description", tweak.description}};

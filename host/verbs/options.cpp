@@ -1,6 +1,7 @@
 #include "verbs/options.h"
 
 #include "base/diagnostic.h"
+#include "base/words.h"
 
 #include <algorithm>
 
@@ -30,6 +31,8 @@ namespace {
 
 void add_looks(CLI::App& verb, ViewOptions& view, const std::string& size) {
     verb.add_option("--size", view.size, size)->type_name("WxH");
+    verb.add_option("--quality", view.quality, "values of tweaks that the preset has under a name")
+        ->type_name("NAME");
     verb.add_option("--tweak", view.tweaks, "a value of the scene's, as often as needed")
         ->type_name(kTweak)
         ->allow_extra_args(false);
@@ -58,6 +61,21 @@ void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOp
     add_looks(verb, view, size);
 }
 
+namespace {
+
+void take_quality(PictureOptions& picture, const std::string& word) {
+    const auto number = parse_number(word);
+    if (!number) {
+        picture.view.quality = word;
+        return;
+    }
+    if (*number < 1 || *number > 100 || *number != static_cast<int>(*number))
+        throw CLI::ValidationError("--quality", "write a whole number from 1 to 100, or a name");
+    picture.format.quality = static_cast<int>(*number);
+}
+
+}  // namespace
+
 void add_picture(CLI::App& verb, PictureOptions& picture) {
     add_view(verb, picture.view);
     verb.add_option("--fps", picture.fps,
@@ -72,8 +90,12 @@ void add_picture(CLI::App& verb, PictureOptions& picture) {
     verb.add_option("--compression", picture.format.compression,
                     "of an .exr file: zips, or none, rle, zip, piz, pxr24, b44, b44a, dwaa, dwab; "
                     "of a .tif file: zip, or none, lzw, packbits");
-    verb.add_option("--quality", picture.format.quality, "of a .jpg file; 95 otherwise")
-        ->check(from(1, 100));
+    verb.remove_option(verb.get_option("--quality"));
+    verb.add_option_function<std::string>(
+            "--quality", [&picture](const std::string& word) { take_quality(picture, word); },
+            "a name: values of tweaks that the preset has under it; or from 1 to 100: of a .jpg "
+            "file, 95 otherwise")
+        ->type_name("NAME|N");
     verb.add_option("--from-state", picture.state.from,
                     "go on from this state of the simulation; with %06d: from the newest of use")
         ->type_name(kFile);

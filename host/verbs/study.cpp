@@ -27,8 +27,22 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->check(one_of({"error", "time"}));
     verb.add_option("--pass", study.pass, "compare this buffer instead of the picture")
         ->type_name(kPass);
-    verb.add_option("--frames", study.frames, "timed frames a row")->check(from(15, 100'000));
-    verb.add_option("-o,--output", study.output, "a folder for the report")->type_name(kFolder);
+    verb.add_option("--frames", study.frames, "timed frames a row, at least")
+        ->check(from(15, 100'000));
+    verb.add_option("--seconds", study.seconds,
+                    "of timing a tweak, after which no verdict is waited for")
+        ->check(from(0, 1'000'000));
+    verb.add_option("--over", study.over,
+                    "presets: errors over all of the scene's; or time=A:B:STEP: over these");
+    CLI::Option* ms = verb.add_option(
+        "--ms", study.ms_budget,
+        "find the best joint setting of all quality tweaks within these; or own: the preset's");
+    verb.add_option("--rmse", study.rmse_budget, "find the fastest with at most this error, or own")
+        ->excludes(ms);
+    verb.add_option("--name", study.name, "of what is found, in the preset of -o");
+    verb.add_option("-o,--output", study.output,
+                    "a folder for the report; a preset (.toml) for what --ms or --rmse finds")
+        ->type_name(kFolder);
     CLI::Option* csv = verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
     CLI::Option* json = verb.add_flag("--json", study.view.json, "one JSON object on stdout");
     verb.add_flag("--lines", study.lines, "a JSON object a line, whenever a picture is drawn")
@@ -36,6 +50,7 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->excludes(json);
     add_examples(verb,
                  {"glint study presets/christmas.toml -o report",
+                  "glint study presets/magic.toml --ms 8 --size 320x180 -o fast.toml",
                   "glint study presets/caustics.toml --vary shaftSamples=4,...,64 --size 320x180"});
 }
 

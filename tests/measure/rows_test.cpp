@@ -26,6 +26,12 @@ Study study() {
             .reference = "4096",
             .second = "8192",
             .reference_error = Difference{.rmse = 1e-5 / 3, .max = 0.1, .psnr = kInfinity},
+            .own_error = 1e-5 / 7,
+            .rival = RivalReference{.value = "march=steps",
+                                    .difference = {.rmse = 0.1 / 9},
+                                    .own_error = 0.1 / 11,
+                                    .disagrees = true},
+            .converges = false,
             .renderer = "llvmpipe",
             .machine = "two threads",
             .size = {64, 36},
@@ -47,7 +53,8 @@ Study study() {
                       .resumed = true,
                       .picture = "pictures/a.png",
                       .map = "pictures/a-map.png",
-                      .ms = {4.0 / 3, 1.1, 1.9},
+                      .ms = {4.0 / 3, 1.1, 1.9, 1.0 / 7, 5.0 / 3},
+                      .verdict = TimeVerdict::slower,
                       .pareto = true,
                       .near_reference = true},
                      {.value = "8", .failed = "diverged: 3 pixels are not finite"}},
@@ -65,6 +72,9 @@ TEST(StudyRows, ComeBackFromJsonAsTheyWere) {
     EXPECT_EQ(found.size, glm::ivec2(64, 36));
     ASSERT_EQ(found.rows.size(), 2u);
     EXPECT_EQ(found.rows[0].ms.max, 1.9);
+    EXPECT_EQ(found.rows[0].ms.high, 5.0 / 3);
+    EXPECT_EQ(found.rows[0].verdict, TimeVerdict::slower);
+    EXPECT_FALSE(found.rows[1].verdict);
     ASSERT_TRUE(found.rows[0].error);
     EXPECT_EQ(found.rows[0].error->relative_mse, 0.01 / 7);
     EXPECT_EQ(found.rows[1].failed, "diverged: 3 pixels are not finite");

@@ -191,6 +191,35 @@ TEST(StudyReference, IsJudgedByWhatIsNamedElseByAnotherSeed) {
     EXPECT_EQ(planned.only().second->text, "128") << "a seed that nothing reads changes nothing";
 }
 
+TEST(StudyReference, IsJudgedByAnotherTweakWhereThatIsNamed) {
+    const Planned planned(
+        "uniform int a; //@ 1 [1, 4] quality reference=64\n"
+        "uniform int b; //@ 1 {slow, fast} quality reference=0\n");
+    const StudyPlan plan = planned.plan({.second = {"b=fast"}});
+    EXPECT_EQ(plan.knobs[0].second->text, "64 with b=fast");
+    EXPECT_EQ(plan.knobs[0].second->setting.values[1][0], 1.0);
+    EXPECT_EQ(plan.knobs[0].second_work.kind, SecondWork::Kind::another);
+    EXPECT_EQ(plan.knobs[1].second->text, "fast") << "its own";
+    const StudyPlan both = planned.plan({.second = {"a=32", "b=fast"}});
+    EXPECT_EQ(both.knobs[0].second->text, "32");
+    EXPECT_EQ(both.knobs[0].second_work.ratio, 0.5);
+}
+
+TEST(StudyReference, OfAMethodHasTheRivalThatTheSceneNames) {
+    const Planned planned(
+        "uniform int a; //@ 1 {cheap, sums, photons} quality reference=2 second=sums,cells=64\n"
+        "uniform int cells; //@ 8 [1, 64] quality reference=64 second=48\n");
+    const StudyPlan plan = planned.plan();
+    ASSERT_TRUE(plan.knobs[0].rival);
+    EXPECT_EQ(plan.knobs[0].rival->value.text, "sums,cells=64");
+    EXPECT_EQ(plan.knobs[0].rival->value.setting.values[0][0], 1.0);
+    EXPECT_EQ(plan.knobs[0].rival->value.setting.values[1][0], 64.0);
+    EXPECT_EQ(plan.knobs[0].rival->second->setting.values[1][0], 128.0) << "its own claim";
+    EXPECT_FALSE(plan.knobs[1].rival) << "a number's own value measures its reference";
+    EXPECT_EQ(plan.knobs[1].second->text, "48");
+    EXPECT_EQ(plan.knobs[1].second_work.ratio, 0.75);
+}
+
 // Each method reads a quality of its own, and all of them the rays through a pixel.
 TEST(StudyReference, OfAMethodIsJudgedByQualityThatIsItsAlone) {
     Planned planned(

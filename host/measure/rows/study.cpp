@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,11 +28,21 @@ Clock clock_from(const std::string& words) {
     return Clock::wall;
 }
 
+std::optional<TimeVerdict> verdict_from(const Json& word) {
+    for (const TimeVerdict verdict :
+         {TimeVerdict::faster, TimeVerdict::slower, TimeVerdict::not_told_apart})
+        if (word == to_string(verdict)) return verdict;
+    return std::nullopt;
+}
+
 Json to_json(const StudyRow& row) {
     Json json = {{"value", row.value},
                  {"ms", row.ms.median},
                  {"ms_min", row.ms.min},
                  {"ms_max", row.ms.max},
+                 {"ms_low", row.ms.low},
+                 {"ms_high", row.ms.high},
+                 {"verdict", row.verdict ? Json(to_string(*row.verdict)) : Json()},
                  {"wall_ms", row.wall.median},
                  {"gpu_timer_ms", row.gpu.median},
                  {"processor_ms", row.processor.median},
@@ -44,6 +55,7 @@ Json to_json(const StudyRow& row) {
     json["is_reference"] = row.is_reference;
     json["is_preset"] = row.is_preset;
     json["resumed"] = row.resumed;
+    if (row.worst) json["worst"] = {{"view", row.worst->view}, {"rmse", row.worst->rmse}};
     if (!row.failed.empty()) json["failed"] = row.failed;
     if (!row.picture.empty()) json["picture"] = row.picture;
     if (!row.map.empty()) json["map"] = row.map;
@@ -66,11 +78,16 @@ StudyRow row_from(const Json& json) {
                  .picture = json.value("picture", ""),
                  .map = json.value("map", ""),
                  .ms = timing("ms"),
+                 .verdict = verdict_from(json.at("verdict")),
                  .pareto = json.at("pareto"),
                  .near_reference = json.at("near_reference")};
     row.ms.min = timing("ms_min").median;
     row.ms.max = timing("ms_max").median;
+    row.ms.low = timing("ms_low").median;
+    row.ms.high = timing("ms_high").median;
     if (json.at("rmse").is_number()) row.error = difference_from_json(json);
+    if (json.contains("worst"))
+        row.worst = {.view = json["worst"].at("view"), .rmse = json["worst"].at("rmse")};
     return row;
 }
 
@@ -84,6 +101,18 @@ const char* to_string(Clock clock) {
             return "timer queries, which agree with the wall";
         case Clock::processor:
             return "the processor, all threads: the machine was busy";
+    }
+    return "";
+}
+
+const char* to_string(TimeVerdict verdict) {
+    switch (verdict) {
+        case TimeVerdict::faster:
+            return "faster";
+        case TimeVerdict::slower:
+            return "slower";
+        case TimeVerdict::not_told_apart:
+            return "not told apart";
     }
     return "";
 }
@@ -106,6 +135,52 @@ Difference difference_from_json(const Json& json) {
             .not_finite = json.value("not_finite", std::size_t{0})};
 }
 
+namespace {
+
+Json rival_json(const RivalReference& rival) {
+    Json json = {
+        {"value", rival.value}, {"own_error", rival.own_error}, {"disagrees", rival.disagrees}};
+    json.update(to_json(rival.difference));
+    return json;
+}
+
+// "a=1 b=2" as an object.
+Json tweaks_json(const std::string& text) {
+    Json tweaks = Json::object();
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::size_t equals = text.find('=', at);
+        if (equals < end)
+            tweaks[text.substr(at, equals - at)] = text.substr(equals + 1, end - equals - 1);
+        at = end + 1;
+    }
+    return tweaks;
+}
+
+Json frontier_json(const Study& study) {
+    Json frontier = Json::array();
+    for (const StudyRow& row : study.rows) {
+        if (!row.pareto) continue;
+        frontier.push_back({{"tweaks", tweaks_json(row.value)},
+                            {"ms", row.ms.median},
+                            {"ms_low", row.ms.low},
+                            {"ms_high", row.ms.high},
+                            {"rmse", row.error ? Json(row.error->rmse) : Json()}});
+    }
+    return frontier;
+}
+
+Json best_json(const Study& study) {
+    if (!study.best) return {};
+    const StudyRow& row = study.rows[*study.best];
+    return {{"row", *study.best},
+            {"tweaks", tweaks_json(row.value)},
+            {"ms", row.ms.median},
+            {"error", row.error ? Json(row.error->rmse) : Json()}};
+}
+
+}  // namespace
+
 Json to_json(const Study& study) {
     Json rows = Json::array();
     for (const StudyRow& row : study.rows) rows.push_back(to_json(row));
@@ -115,6 +190,9 @@ Json to_json(const Study& study) {
         {"reference", study.reference},
         {"second_reference", study.second},
         {"reference_error", study.reference_error ? to_json(*study.reference_error) : Json()},
+        {"own_error", study.own_error},
+        {"rival", study.rival ? rival_json(*study.rival) : Json()},
+        {"converges", study.converges},
         {"renderer", study.renderer},
         {"machine", study.machine},
         {"clock", to_string(study.clock)},
@@ -126,6 +204,11 @@ Json to_json(const Study& study) {
         {"findings", study.findings},
         {"notes", study.notes},
         {"rows", rows}};
+    if (!study.views.empty()) json["views"] = study.views;
+    if (study.is_joint) {
+        json["best"] = best_json(study);
+        json["frontier"] = frontier_json(study);
+    }
     if (!study.reference_picture.empty()) json["reference_picture"] = study.reference_picture;
     return json;
 }
@@ -146,9 +229,20 @@ Study study_from_json(const Json& json) {
                 .findings = json.at("findings"),
                 .notes = json.at("notes"),
                 .reference_picture = json.value("reference_picture", "")};
+    study.own_error = number(json.at("own_error")).value_or(0.0);
+    study.converges = json.at("converges");
+    if (const Json& rival = json.at("rival"); rival.is_object()) {
+        study.rival = {.value = rival.at("value"),
+                       .difference = difference_from_json(rival),
+                       .own_error = number(rival.at("own_error")).value_or(0.0),
+                       .disagrees = rival.at("disagrees")};
+    }
     const Json& error = json.at("reference_error");
     if (error.is_object()) study.reference_error = difference_from_json(error);
     for (const Json& row : json.at("rows")) study.rows.push_back(row_from(row));
+    if (json.contains("views")) study.views = json["views"];
+    study.is_joint = json.contains("frontier");
+    if (study.is_joint && json.at("best").is_object()) study.best = json.at("best").at("row");
     return study;
 }
 

@@ -14,10 +14,17 @@ struct StudyOptions {
     std::vector<std::string> second{};     // "NAME=VALUE"; a reference to judge the reference by
     std::string pass = "image";            // what is compared; a buffer has no display curve
     bool time_only = false;                // cost over size: no reference, no errors
-    int frames = 15;                       // timed frames a row
-    std::filesystem::path output{};        // a folder for the report; empty: none
-    bool csv = false;                      // on stdout, instead of tables
-    bool lines = false;                    // of JSON on stdout, as pictures are drawn
+    int frames = 15;                       // timed frames a row, at least
+    double seconds = 30.0;                 // of timing a knob, after which no verdict is waited for
+    // Milliseconds of a frame, or an error, within which the best joint setting of all quality
+    // tweaks is sought: a number, or "own". "": none is.
+    std::string ms_budget{}, rmse_budget{};
+    std::string over{};         // "presets", or "time=A:B:STEP"; "": the view alone
+    std::string name = "best";  // of what is found, in a preset
+    std::filesystem::path
+        output{};  // a preset (.toml) for what is found; else a folder for the report; empty: none
+    bool csv = false;    // on stdout, instead of tables
+    bool lines = false;  // of JSON on stdout, as pictures are drawn
 };
 
 }  // namespace glint

@@ -54,15 +54,20 @@ std::string optional_number(const std::optional<double>& value) {
     return value ? fmt::format("{:.2f}", *value) : "–";
 }
 
+std::string worst_text(const StudyRow& row) {
+    if (!row.worst) return {};
+    return fmt::format(" worst {} in {}", three_digits(row.worst->rmse), escaped(row.worst->view));
+}
+
 std::string row_text(const StudyRow& row) {
     const Timing& ms = row.ms;
-    std::string text =
-        fmt::format("<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td>{:.3f}",
-                    !row.failed.empty() ? " class=failed"
-                    : row.pareto        ? " class=pareto"
-                                        : "",
-                    escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median,
-                    ms.min, ms.max, row.all_passes_ms);
+    std::string text = fmt::format(
+        "<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td class=text>{}<td>{:.3f}",
+        !row.failed.empty() ? " class=failed"
+        : row.pareto        ? " class=pareto"
+                            : "",
+        escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median, ms.low, ms.high,
+        row.verdict ? to_string(*row.verdict) : "", row.all_passes_ms);
     if (!row.failed.empty()) {
         return text + fmt::format("<td class=words colspan=6>{}\n", escaped(row.failed));
     }
@@ -72,12 +77,13 @@ std::string row_text(const StudyRow& row) {
                               three_digits(e.rmse), three_digits(e.max),
                               std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
                               percent(e.share_off), three_digits(e.relative_mse),
-                              row.near_reference ? "~" : "");
+                              (row.near_reference ? "~" : "") + worst_text(row));
 }
 
 std::string table(const Study& study) {
     std::string text = fmt::format(
-        "<div class=table><table><tr><th class=text>{}<th>ms<th>min – max<th>ms, all passes",
+        "<div class=table><table><tr><th class=text>{}<th>ms<th>95 of 100 within<th "
+        "class=text>time<th>ms, all passes",
         escaped(study.knob));
     if (!study.time_only) {
         text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>";
@@ -87,8 +93,10 @@ std::string table(const Study& study) {
     text += "</table></div>\n";
     if (study.time_only) return text;
     return text +
-           "<p class=facts><span class=pareto>Shaded</span>: no other value is both faster and "
-           "nearer. ~: within ten times of the reference's own error.</p>\n";
+           "<p class=facts><span class=pareto>Shaded</span>: no other value is told to be better "
+           "in "
+           "time or error, and worse in neither. ~: within ten times of the reference's own "
+           "error.</p>\n";
 }
 
 std::string figure(const std::string& file, const std::string& caption) {
@@ -116,16 +124,24 @@ std::string facts(const Study& study) {
     std::string text =
         fmt::format("<p class=facts>{}×{}, {}<br>{}<br>Clock: {}.", study.size.x, study.size.y,
                     escaped(study.renderer), escaped(study.machine), to_string(study.clock));
+    if (!study.views.empty()) {
+        text += fmt::format("<br>Over {} views: {}.", study.views.size(),
+                            escaped(fmt::format("{}", fmt::join(study.views, ", "))));
+    }
     if (!study.time_only) {
-        text += fmt::format("<br>Compared: {}. Reference: {}; its own error: {}.",
-                            study.pass == "image"
-                                ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
-                                : escaped(study.pass),
-                            escaped(study.reference),
-                            study.reference_error
-                                ? fmt::format("{} by {}", three_digits(study.reference_error->rmse),
-                                              escaped(study.second))
-                                : "not known");
+        text += fmt::format(
+            "<br>Compared: {}. Reference: {}; its own error: {}.",
+            study.pass == "image" ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
+                                  : escaped(study.pass),
+            escaped(study.reference),
+            study.reference_error
+                ? fmt::format("{} by {}", three_digits(study.own_error), escaped(study.second))
+                : "not known");
+        if (study.rival) {
+            text += fmt::format("<br>Second reference: {}; its own error: {}; they differ by {}.",
+                                escaped(study.rival->value), three_digits(study.rival->own_error),
+                                three_digits(study.rival->difference.rmse));
+        }
     }
     return text + "</p>\n";
 }
@@ -149,6 +165,11 @@ std::string section(const Study& study, std::size_t number) {
     if (study.cost_exponent) {
         text += fmt::format("<p>Cost: time ~ {}<sup>{:.2f}</sup> over the larger half</p>\n",
                             escaped(study.knob), *study.cost_exponent);
+    }
+    if (study.best) {
+        const StudyRow& best = study.rows[*study.best];
+        text += fmt::format("<p>The budget chooses <b>{}</b>: {:.3f} ms, RMSE {}.</p>\n",
+                            escaped(best.value), best.ms.median, three_digits(best.error->rmse));
     }
     for (const std::string& note : study.notes) {
         text += fmt::format("<p class=note>{}</p>\n", escaped(note));

@@ -41,6 +41,14 @@ bool is_number(const Tweak& tweak) {
            (tweak.type == TweakType::float1 || tweak.type == TweakType::int1);
 }
 
+int frames(const std::string& text) {
+    const auto number = parse_number(text);
+    if (!number || *number < 0.0 || *number > 1e6 || *number != std::floor(*number)) {
+        throw UsageError(fmt::format("settle={}: write a whole number from 0.", text));
+    }
+    return static_cast<int>(*number);
+}
+
 // Builds settings from what the preset has.
 class Planner {
 public:
@@ -89,9 +97,16 @@ private:
         return static_cast<std::size_t>(&tweak - preset_.scene.tweaks.data());
     }
     void choose_reference(const Tweak& tweak, Knob& knob) const;
-    std::optional<KnobValue> second_seed(const Knob& knob) const;
-    std::vector<bool> own_quality(const Tweak& tweak, const Knob& knob) const;
-    std::optional<KnobValue> more_work(const Tweak& tweak, const Knob& knob) const;
+    void settle_accumulating(KnobValue& truth, Knob& knob) const;
+    std::optional<KnobValue> second_seed(const KnobValue& truth) const;
+    KnobValue turned(KnobValue value, const std::vector<Turned>& list) const;
+    std::optional<KnobValue> named_second(const std::string& name, const KnobValue& truth) const;
+    void choose_second(const Tweak& tweak, Knob& knob) const;
+    void choose_rival(const Tweak& tweak, Knob& knob) const;
+    std::vector<bool> own_quality(const Tweak& tweak, const Knob& knob,
+                                  const KnobValue& truth) const;
+    std::optional<KnobValue> more_work(const Tweak& tweak, const Knob& knob,
+                                       const KnobValue& truth) const;
 
     const Preset& preset_;
     const SceneFacts& facts_;
@@ -130,15 +145,7 @@ void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
                             tweak.name, knob.reference.text));
         }
     }
-    // A method that accumulates, of a scene that otherwise does not, is the truth only after it
-    // has.
-    if (!is_number(tweak) && !facts_.accumulates(preset_.values) &&
-        facts_.accumulates(knob.reference.setting.values)) {
-        int& settle = knob.reference.setting.settle;
-        settle = std::max(settle, kSettleReference);
-        knob.notes.push_back(fmt::format("the reference, {}, accumulates {} more frames",
-                                         knob.reference.text, settle));
-    }
+    if (!is_number(tweak)) settle_accumulating(knob.reference, knob);
     if (!knob.reference.work) return;
     double least = knob.values.front().work.value_or(0.0), most = least;
     for (const KnobValue& v : knob.values) {
@@ -148,19 +155,29 @@ void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
     knob.more_is_better = *knob.reference.work - least >= most - *knob.reference.work;
 }
 
-std::optional<KnobValue> Planner::second_seed(const Knob& knob) const {
+// A method that accumulates, of a scene that otherwise does not, is the truth only after it has.
+void Planner::settle_accumulating(KnobValue& truth, Knob& knob) const {
+    if (facts_.accumulates(preset_.values) || !facts_.accumulates(truth.setting.values)) return;
+    int& settle = truth.setting.settle;
+    settle = std::max(settle, kSettleReference);
+    knob.notes.push_back(
+        fmt::format("the reference, {}, accumulates {} more frames", truth.text, settle));
+}
+
+std::optional<KnobValue> Planner::second_seed(const KnobValue& truth) const {
     const Tweak* seed = find_tweak(preset_.scene, "seed");
     if (!seed || !is_number(*seed) || !facts_.read[index(*seed)]) return std::nullopt;
-    KnobValue result = knob.reference;
+    KnobValue result = truth;
     result.setting.values[index(*seed)][0] += 1.0;
     result.text += ", another seed";
     return result;
 }
 
-// By tweak: quality that the reference's method reads and no other of the menu does. What they all
+// By tweak: quality that the truth's method reads and no other of the menu does. What they all
 // read, such as rays through a pixel, changes the picture and not how far the method is from it.
-std::vector<bool> Planner::own_quality(const Tweak& tweak, const Knob& knob) const {
-    const TweakValue& method = knob.reference.setting.values[index(tweak)];
+std::vector<bool> Planner::own_quality(const Tweak& tweak, const Knob& knob,
+                                       const KnobValue& truth) const {
+    const TweakValue& method = truth.setting.values[index(tweak)];
     std::vector<bool> own = facts_.read_with(index(tweak), method);
     for (std::size_t i = 0; i < own.size(); ++i) {
         const Tweak& other = preset_.scene.tweaks[i];
@@ -177,22 +194,28 @@ std::vector<bool> Planner::own_quality(const Tweak& tweak, const Knob& knob) con
 
 // Twice the work of a number; of a method, twice the frames, or twice its own quality, or, where it
 // has none, of all other quality tweaks.
-std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob) const {
+std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob,
+                                            const KnobValue& truth) const {
     if (is_number(tweak)) {
-        TweakValue twice = knob.reference.setting.values[index(tweak)];
+        const TweakValue& once = truth.setting.values[index(tweak)];
+        TweakValue twice = once;
         const bool whole = tweak.type == TweakType::int1;
         twice[0] = knob.more_is_better ? twice[0] * 2.0 : twice[0] / 2.0;
         if (whole) twice[0] = std::floor(twice[0]);
-        if (twice == knob.reference.setting.values[index(tweak)]) return std::nullopt;
-        return value(tweak, twice);
+        if (twice == once) return std::nullopt;
+        KnobValue result = truth;
+        result.setting.values[index(tweak)] = twice;
+        result.text = format_value(tweak, twice);
+        result.work = twice[0];
+        return result;
     }
-    KnobValue result = knob.reference;
+    KnobValue result = truth;
     if (facts_.accumulates(result.setting.values)) {
         result.setting.settle = 2 * result.setting.settle + 1;
         result.text += ", twice the frames";
         return result;
     }
-    std::vector<bool> doubled = own_quality(tweak, knob);
+    std::vector<bool> doubled = own_quality(tweak, knob, truth);
     const bool any_own = std::ranges::find(doubled, true) != doubled.end();
     bool any = false;
     for (const Tweak& other : preset_.scene.tweaks) {
@@ -205,17 +228,80 @@ std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob
     return any ? std::optional(result) : std::nullopt;
 }
 
+// The truth with some values turned.
+KnobValue Planner::turned(KnobValue value, const std::vector<Turned>& list) const {
+    for (const Turned& item : list) value.setting.values[item.tweak] = item.value;
+    return value;
+}
+
+// The truth with what --second says of other tweaks, and of settling; nothing where it says
+// nothing. Of a knob that it names it tells nothing else.
+std::optional<KnobValue> Planner::named_second(const std::string& name,
+                                               const KnobValue& truth) const {
+    KnobValue result = truth;
+    bool any = false;
+    for (const std::string& text : options_.second) {
+        const Assignment said = split(text, "--second");
+        if (said.name == name || names_a_format(said.name)) continue;
+        if (said.name == kSettle) {
+            result.setting.settle = frames(said.rest);
+        } else {
+            const Tweak& tweak = *find_tweak(preset_.scene, said.name);
+            result.setting.values[index(tweak)] = parse(tweak, said.rest, "--second");
+        }
+        result.text += fmt::format("{} {}={}", any ? "," : " with", said.name, said.rest);
+        any = true;
+    }
+    return any ? std::optional(result) : std::nullopt;
+}
+
+// By what is named, else by what the scene names, else by another seed, else by more work.
+void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
+    const auto by_value = [&](const TweakValue& v) {
+        knob.second = value(tweak, v);
+        if (!is_number(tweak) || v[0] <= 0.0 || knob.reference.work.value_or(0.0) <= 0.0) return;
+        const double ratio = v[0] / *knob.reference.work;
+        knob.second_work = {SecondWork::Kind::more, knob.more_is_better ? ratio : 1.0 / ratio};
+    };
+    if (const auto text = said(options_.second, tweak.name, "--second"))
+        return by_value(parse(tweak, *text, "--second"));
+    if ((knob.second = named_second(tweak.name, knob.reference))) return;
+    std::string wrong;
+    const auto named = turned_values(preset_.scene.tweaks, tweak, tweak.second, wrong);
+    const bool is_own = named.size() == 1 && named[0].tweak == index(tweak);
+    if (is_own && is_number(tweak)) return by_value(named[0].value);
+    knob.second_work = {SecondWork::Kind::seed, 1.0};
+    if ((knob.second = second_seed(knob.reference))) return;
+    knob.second_work = {SecondWork::Kind::more, 2.0};
+    knob.second = more_work(tweak, knob, knob.reference);
+}
+
+// What the scene names as another way to the truth.
+void Planner::choose_rival(const Tweak& tweak, Knob& knob) const {
+    std::string wrong;
+    const auto named = turned_values(preset_.scene.tweaks, tweak, tweak.second, wrong);
+    const bool is_own = named.size() == 1 && named[0].tweak == index(tweak);
+    if (named.empty() || (is_own && is_number(tweak))) return;
+    if (said(options_.reference, tweak.name, "--reference")) return;  // of the scene's own it is
+    Rival rival{.value = turned(knob.reference, named)};
+    rival.value.text = tweak.second;
+    settle_accumulating(rival.value, knob);
+    rival.work = {SecondWork::Kind::seed, 1.0};
+    rival.second = second_seed(rival.value);
+    if (!rival.second) {
+        rival.work = {SecondWork::Kind::more, 2.0};
+        rival.second = more_work(tweak, knob, rival.value);
+    }
+    knob.rival = std::move(rival);
+}
+
 Knob Planner::knob(const Tweak& tweak, const std::vector<TweakValue>& values) const {
     Knob result{.name = tweak.name};
     for (const TweakValue& v : values) result.values.push_back(value(tweak, v));
     choose_reference(tweak, result);
     if (options_.time_only) return result;
-    if (const auto text = said(options_.second, tweak.name, "--second")) {
-        result.second = value(tweak, parse(tweak, *text, "--second"));
-    } else {
-        result.second = second_seed(result);
-        if (!result.second) result.second = more_work(tweak, result);
-    }
+    choose_second(tweak, result);
+    choose_rival(tweak, result);
     return result;
 }
 
@@ -224,18 +310,20 @@ Knob Planner::settle_knob(const std::vector<int>& values) const {
     for (const int frames : values) result.values.push_back(settle(frames));
     const auto reference = said(options_.reference, kSettle, "--reference");
     const auto second = said(options_.second, kSettle, "--second");
-    const auto frames = [](const std::string& text) {
-        const auto number = parse_number(text);
-        if (!number || *number < 0.0 || *number > 1e6 || *number != std::floor(*number)) {
-            throw UsageError(fmt::format("settle={}: write a whole number from 0.", text));
-        }
-        return static_cast<int>(*number);
-    };
     const int truth = reference ? frames(*reference) : std::max(kSettleReference, values.back());
     result.reference = settle(truth);
     if (options_.time_only) return result;
-    result.second = second ? settle(frames(*second)) : second_seed(result);
-    if (!result.second) result.second = settle(2 * truth + 1);
+    const auto more = [&](int n) {
+        result.second = settle(n);
+        result.second_work = {SecondWork::Kind::more, (n + 1.0) / (truth + 1.0)};
+    };
+    if (second) {
+        more(frames(*second));
+    } else if (!(result.second = named_second(kSettle, result.reference))) {
+        result.second_work = {SecondWork::Kind::seed, 1.0};
+        result.second = second_seed(result.reference);
+        if (!result.second) more(2 * truth + 1);
+    }
     return result;
 }
 
@@ -392,8 +480,9 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
         Preset turned = preset;
         turned.values[tweak] = value;
         return read_by(
-            turned, compile_or_stop(turned, {.root = root_pass,
-                                             .program = {.specialise = false, .constant = tweak}}));
+            turned,
+            compile_or_stop(turned, {.root = root_pass,
+                                     .program = {.specialise = false, .constants = {tweak}}}));
     };
     const auto any_state = [](const CompiledScene& compiled) {
         const auto& passes = compiled.graph.passes;

@@ -36,6 +36,24 @@ struct KnobValue {
     bool is_between = false;
 };
 
+// What the error of a picture that counts as the truth follows from, beside a second one.
+struct SecondWork {
+    enum class Kind {
+        another,  // another way to the truth
+        seed,     // the same work with other random numbers
+        more,     // the same way with more work, which may share its samples
+    };
+    Kind kind = Kind::another;
+    double ratio = 2.0;  // more: how many times the work; less than 1 where it is less
+};
+
+// What counts as the truth as well, by another way, and what it is measured by itself.
+struct Rival {
+    KnobValue value{};
+    std::optional<KnobValue> second{};
+    SecondWork work{};
+};
+
 // What is turned while everything else stays as the preset has it.
 struct Knob {
     std::string name{};               // of a tweak, "settle", or "waves.format"
@@ -43,6 +61,8 @@ struct Knob {
     KnobValue reference{};            // counts as the truth; may lie beyond the values
     // To measure the reference by: more work, a second seed, another method.
     std::optional<KnobValue> second{};
+    SecondWork second_work{};
+    std::optional<Rival> rival{};
     // Whether a larger number is nearer to the reference.
     bool more_is_better = true;
     std::vector<std::string> notes{};  // what had to be assumed

@@ -1,22 +1,28 @@
 #include "measure/study/result.h"
 
 #include "base/words.h"
+#include "measure/study/rounds.h"
+#include "measure/study/statistics.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace glint {
 namespace {
 
-constexpr double kNearFactor = 10.0;     // of the reference's own error: rows that are marked
-constexpr double kFitFactor = 3.0;       // beyond, the order is off by at most 5 % of an error
-constexpr double kLeastRmse = 1e-7;      // below, a difference of two pictures is rounding
-constexpr double kTimerAgreement = 0.2;  // of the wall, by which a timer query may be off
-constexpr double kBusy = 1.25;           // by which rows may differ in how many processors worked
-constexpr double kShared = 2.0;          // ms; a shorter frame is mostly one processor's work
-constexpr double kGrowingOrder = -0.1;   // error that grows faster than work^0.1
+constexpr double kNearFactor = 10.0;    // of the reference's own error: rows that are marked
+constexpr double kFitFactor = 3.0;      // beyond, the order is off by at most 5 % of an error
+constexpr double kLeastRmse = 1e-7;     // below, a difference of two pictures is rounding
+constexpr double kRandomOrder = 0.75;   // below, an error is that of random samples
+constexpr double kLeastOrder = 0.3;     // below, where values go cannot be told
+constexpr double kNoOrder = 0.15;       // below, an error does not fall
+constexpr double kWideWork = 4.0;       // from the least to the most, to say so
+constexpr double kNoNearer = 0.5;       // of the rows' error, by which a reference is off
+constexpr double kSurely = 3.0;         // times what is expected
+constexpr double kGrowingOrder = -0.1;  // error that grows faster than work^0.1
 // Values that agree with each other so much better than with the reference do not converge to it:
 // a method of order 1 that doubles its work still has a distance to go as long as its last step.
 constexpr double kPlateau = 0.2;
@@ -28,57 +34,89 @@ bool has_error(const StudyRow& row) {
 // Rows that tell how the error falls.
 bool counts_for_order(const Study& study, const StudyRow& row) {
     if (!has_error(row) || !row.work || *row.work <= 0.0 || row.is_reference) return false;
-    const double floor = study.reference_error ? kFitFactor * study.reference_error->rmse : 0.0;
-    return row.error->rmse > std::max(floor, kLeastRmse);
+    return row.error->rmse > std::max(kFitFactor * study.own_error, kLeastRmse);
 }
 
-bool timers_agree(const Study& study) {
-    return std::ranges::all_of(study.rows, [](const StudyRow& row) {
-        return std::abs(row.gpu.median - row.wall.median) <= kTimerAgreement * row.wall.median;
-    });
+Timing timing_of(const std::vector<double>& times) {
+    if (times.empty()) return {};
+    const auto [least, most] = std::ranges::minmax(times);
+    return {.median = median_of(times), .min = least, .max = most};
 }
 
-// How many processors worked at once, as far as that differs from row to row: where it does, others
-// took them away, and the wall tells of them.
-bool machine_is_busy(const Study& study) {
-    double least = 1e9, most = 0.0;
-    for (const StudyRow& row : study.rows) {
-        if (row.wall.median < kShared) continue;
-        least = std::min(least, row.processor.median / row.wall.median);
-        most = std::max(most, row.processor.median / row.wall.median);
-    }
-    return most > kBusy * least;
-}
-
-// Timer queries lie on software renderers.
-void choose_clock(Study& study, bool on_software) {
-    study.clock = Clock::wall;
-    if (on_software && machine_is_busy(study)) study.clock = Clock::processor;
-    if (!on_software && timers_agree(study)) study.clock = Clock::gpu;
+// Each row by each clock, and by the best.
+void take_times(Study& study, bool on_software) {
+    std::vector<FrameTimes> timed;
+    for (const StudyRow& row : study.rows)
+        if (!row.times.wall.empty()) timed.push_back(row.times);
+    study.clock = best_clock(timed, on_software);
     for (StudyRow& row : study.rows) {
-        row.ms = study.clock == Clock::wall  ? row.wall
-                 : study.clock == Clock::gpu ? row.gpu
-                                             : row.processor;
+        row.wall = timing_of(row.times.wall);
+        row.gpu = timing_of(row.times.gpu);
+        row.processor = timing_of(row.times.processor);
+        const std::vector<double>& times = times_by(study.clock, row.times);
+        const Interval interval = median_interval(times);
+        row.ms = timing_of(times);
+        row.ms.low = interval.low;
+        row.ms.high = interval.high;
+    }
+}
+
+TimeVerdicts verdicts_of(const Study& study) {
+    std::vector<std::vector<double>> times;
+    for (const StudyRow& row : study.rows) times.push_back(times_by(study.clock, row.times));
+    return TimeVerdicts(times, study.look);
+}
+
+void tell_verdicts(Study& study, const TimeVerdicts& verdicts) {
+    const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
+    const auto than =
+        own == study.rows.end() ? 0 : static_cast<std::size_t>(own - study.rows.begin());
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        StudyRow& row = study.rows[i];
+        row.verdict.reset();
+        if (i != than && !row.times.wall.empty()) row.verdict = verdicts.of(i, than);
     }
 }
 
 void mark_near_reference(Study& study) {
-    if (!study.reference_error) return;
     for (StudyRow& row : study.rows) {
         row.near_reference = has_error(row) && !row.is_reference &&
-                             row.error->rmse < kNearFactor * study.reference_error->rmse;
+                             row.error->rmse < kNearFactor * study.reference_rmse();
     }
 }
 
-void mark_pareto(Study& study) {
-    for (StudyRow& row : study.rows) {
-        if (!has_error(row)) continue;
-        const double ms = row.ms.median;
-        row.pareto = std::ranges::none_of(study.rows, [&](const StudyRow& other) {
-            if (!has_error(other)) return false;
-            const double other_ms = other.ms.median;
-            const bool as_good = other_ms <= ms && other.error->rmse <= row.error->rmse;
-            return as_good && (other_ms < ms || other.error->rmse < row.error->rmse);
+// Whether the errors to the truth are told apart: each may be off by what the reference is.
+bool is_nearer(const Study& study, const StudyRow& row, const StudyRow& than) {
+    return row.error->rmse + study.reference_rmse() < than.error->rmse - study.reference_rmse();
+}
+
+// Rows that can be compared in both, the fastest first; none that the reference itself is too far
+// from the truth to tell from it.
+std::vector<std::size_t> comparable_rows(const Study& study) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        const StudyRow& row = study.rows[i];
+        if (!has_error(row) || row.times.wall.empty()) continue;
+        if (row.error->rmse >= study.reference_rmse()) rows.push_back(i);
+    }
+    std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return study.rows[i].ms.median; });
+    return rows;
+}
+
+// A row stands when each row with less error is told to be slower, and when it is told to be nearer
+// than each faster row that stands.
+void mark_pareto(Study& study, const TimeVerdicts& verdicts) {
+    for (StudyRow& row : study.rows) row.pareto = false;
+    if (!study.converges) return;
+    const std::vector<std::size_t> rows = comparable_rows(study);
+    for (const std::size_t i : rows) {
+        StudyRow& row = study.rows[i];
+        row.pareto = std::ranges::none_of(rows, [&](std::size_t k) {
+            const StudyRow& other = study.rows[k];
+            const bool less = other.error->rmse < row.error->rmse;
+            if (less) return verdicts.of(k, i) != TimeVerdict::slower;
+            return other.pareto && verdicts.of(k, i) == TimeVerdict::faster &&
+                   !is_nearer(study, row, other);
         });
     }
 }
@@ -96,6 +134,7 @@ void fit(Study& study, bool more_is_better) {
         }
     }
     const auto slope = log_slope(work, error);
+    study.order.reset();
     if (slope) study.order = more_is_better ? -*slope : *slope;
     // Small sizes cost what a frame costs at all, so the larger half tells how the cost grows.
     std::ranges::sort(cost);
@@ -107,34 +146,101 @@ void fit(Study& study, bool more_is_better) {
     study.cost_exponent = log_slope(size, ms);
 }
 
-// The two rows that should agree best: those nearest to the reference.
-void find_plateau(Study& study, bool more_is_better) {
+// Rows of work, the worst first, and how far each is from the one before.
+struct Steps {
     std::vector<const StudyRow*> rows;
+    std::vector<double> work;     // more is better
+    std::vector<double> to_next;  // RMSE; one less, and as many as are known
+};
+
+Steps steps_of(const Study& study, bool more_is_better) {
+    Steps steps;
     for (const StudyRow& row : study.rows) {
-        const bool compares = row.work && !row.is_reference && !row.is_between;
-        if (has_error(row) && compares) rows.push_back(&row);
+        const bool compares = row.work && *row.work > 0.0 && !row.is_reference && !row.is_between;
+        if (has_error(row) && compares) steps.rows.push_back(&row);
     }
-    if (rows.size() < 2) return;
-    const StudyRow& best = more_is_better ? *rows.back() : *rows.front();
-    const StudyRow& before = more_is_better ? *rows[rows.size() - 2] : *rows[1];
-    const StudyRow& later = more_is_better ? best : before;  // in the order of the list
-    if (!later.rmse_to_previous || best.error->rmse <= kLeastRmse || best.near_reference) return;
-    if (*later.rmse_to_previous >= kPlateau * best.error->rmse) return;
-    study.findings.push_back(
-        fmt::format("{} and {} agree with each other to {}, and with the reference only to {}: the "
-                    "reference is wrong, or another picture",
-                    before.value, best.value, three_digits(*later.rmse_to_previous),
-                    three_digits(best.error->rmse)));
+    if (!more_is_better) std::ranges::reverse(steps.rows);
+    for (std::size_t i = 0; i < steps.rows.size(); ++i) {
+        const StudyRow& row = *steps.rows[i];
+        steps.work.push_back(more_is_better ? *row.work : 1.0 / *row.work);
+        if (i == 0) continue;
+        const StudyRow& later = more_is_better ? row : *steps.rows[i - 1];  // in the list
+        if (later.rmse_to_previous) steps.to_next.push_back(*later.rmse_to_previous);
+    }
+    if (steps.to_next.size() + 1 != steps.rows.size()) steps.to_next.clear();
+    return steps;
 }
 
-void find_what_looks_wrong(Study& study, bool more_is_better) {
-    const auto compared = static_cast<std::size_t>(std::ranges::count_if(
-        study.rows, [&](const StudyRow& row) { return counts_for_order(study, row); }));
-    if (study.order && compared >= 3 && *study.order < kGrowingOrder) {
-        study.findings.push_back(
-            fmt::format("the error grows with the work, by order {:.2f}", *study.order));
+// How far the best row is from where the rows go, by how they near each other, whatever the
+// reference says; nothing where that cannot be told.
+std::optional<double> distance_to_limit(const Steps& steps) {
+    std::vector<double> work, to_next;
+    for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
+        if (steps.to_next[i] <= kLeastRmse) continue;
+        work.push_back(steps.work[i + 1]);
+        to_next.push_back(steps.to_next[i]);
     }
-    find_plateau(study, more_is_better);
+    const auto slope = log_slope(work, to_next);
+    if (work.size() < 3 || !slope || -*slope < kLeastOrder) return std::nullopt;
+    const double ratio = steps.work.back() / steps.work[steps.work.size() - 2];
+    const double last = std::max(steps.to_next.back(), kLeastRmse);
+    if (-*slope < kRandomOrder) return last / std::sqrt(ratio - 1.0);
+    return last / (std::pow(ratio, -*slope) - 1.0);
+}
+
+// The rows near each other, and not the reference.
+void find_wrong_reference(Study& study, const Steps& steps) {
+    if (steps.to_next.empty() || !study.converges) return;
+    const StudyRow &best = *steps.rows.back(), &before = *steps.rows[steps.rows.size() - 2];
+    const double error = best.error->rmse;
+    if (error <= kLeastRmse) return;
+    const auto rest = distance_to_limit(steps);
+    if (rest ? error <= kSurely * *rest + study.own_error
+             : best.near_reference || steps.to_next.back() >= kPlateau * error)
+        return;
+    study.findings.push_back(fmt::format(
+        "{} and {} agree with each other to {}, and with the reference only to {}: the "
+        "reference is wrong, or another picture",
+        before.value, best.value, three_digits(steps.to_next.back()), three_digits(error)));
+}
+
+// More work that brings no row nearer to the reference, and the reference no nearer to its second,
+// goes nowhere.
+void find_convergence(Study& study, const Steps& steps) {
+    std::vector<double> errors;
+    for (const StudyRow* row : steps.rows) errors.push_back(std::max(row->error->rmse, 1e-12));
+    study.converges = true;
+    const auto slope = log_slope(steps.work, errors);
+    const double typical = median_of(errors);
+    if (errors.size() < 3 || steps.work.back() < kWideWork * steps.work.front() || !slope ||
+        typical <= kLeastRmse || -*slope > kNoOrder)
+        return;
+    const double apart = study.reference_error ? study.reference_error->rmse : 0.0;
+    study.converges = apart < kNoNearer * typical && -*slope > kGrowingOrder;
+    if (study.converges) return;
+    study.findings.push_back(
+        -*slope <= kGrowingOrder
+            ? fmt::format("it does not converge: the error grows with the work, by order {:.2f}",
+                          -*slope)
+            : fmt::format("it does not converge: more work brings no row nearer, and the reference "
+                          "is {} from its second",
+                          three_digits(apart)));
+}
+
+// What the reference claims, and whether another way to the truth bears it out.
+void compare_references(Study& study, const Knob& knob) {
+    if (!study.rival) return;
+    RivalReference& rival = *study.rival;
+    const double claimed = study.own_error + rival.own_error;
+    rival.disagrees = rival.difference.rmse > std::max(claimed, kLeastRmse);
+    if (!rival.disagrees) return;
+    study.findings.push_back(fmt::format(
+        "the references {} and {} differ by {}, more than both claim ({} and {}): one is wrong",
+        knob.reference.text, rival.value, three_digits(rival.difference.rmse),
+        three_digits(study.own_error), three_digits(rival.own_error)));
+}
+
+void find_what_looks_wrong(Study& study) {
     for (const StudyRow& row : study.rows) {
         if (!row.failed.empty()) study.findings.push_back(row.value + ": " + row.failed);
     }
@@ -156,8 +262,8 @@ std::string psnr_text(double psnr) {
 }
 
 // One character that tells how to take a row.
-char mark(const StudyRow& row) {
-    if (!row.failed.empty()) return '!';
+char mark(const Study& study, const StudyRow& row) {
+    if (!row.failed.empty() || !study.converges) return '!';
     if (row.is_reference) return '=';
     return row.near_reference ? '~' : ' ';
 }
@@ -184,12 +290,45 @@ std::optional<double> log_slope(std::span<const double> x, std::span<const doubl
     return xy / xx;
 }
 
-void judge(Study& study, bool more_is_better, bool on_software) {
-    choose_clock(study, on_software);
-    mark_near_reference(study);
-    mark_pareto(study);
-    fit(study, more_is_better);
-    if (!study.time_only) find_what_looks_wrong(study, more_is_better);
+double own_error(double rmse, const SecondWork& second, const std::optional<double>& order) {
+    switch (second.kind) {
+        case SecondWork::Kind::another:
+            return rmse;
+        case SecondWork::Kind::seed:  // both are off by as much, in ways of their own
+            return rmse / std::numbers::sqrt2;
+        case SecondWork::Kind::more:
+            break;
+    }
+    const double p = order.value_or(1.0);
+    // A mean of random samples, part of which the mean of more has as well: of two independent
+    // parts of the larger sum, one is missing.
+    if (p < kRandomOrder) return rmse / std::sqrt(std::abs(1.0 - 1.0 / second.ratio));
+    // An error of order p that has the same shape with more work (Richardson).
+    return rmse / std::abs(1.0 - std::pow(second.ratio, -p));
+}
+
+void judge(Study& study, const Knob& knob, bool on_software) {
+    take_times(study, on_software);
+    study.findings.clear();
+    const double apart = study.reference_error ? study.reference_error->rmse : 0.0;
+    // What the order is depends on what can be told from the reference, and that on the order.
+    study.order.reset();
+    for (int round = 0; round < 2; ++round) {
+        study.own_error = own_error(apart, knob.second_work, study.order);
+        fit(study, knob.more_is_better);
+    }
+    study.own_error = own_error(apart, knob.second_work, study.order);
+    if (!study.time_only) {
+        const Steps steps = steps_of(study, knob.more_is_better);
+        find_convergence(study, steps);
+        compare_references(study, knob);
+        mark_near_reference(study);
+        find_wrong_reference(study, steps);
+        find_what_looks_wrong(study);
+    }
+    const TimeVerdicts verdicts = verdicts_of(study);
+    tell_verdicts(study, verdicts);
+    mark_pareto(study, verdicts);
 }
 
 std::string to_table(const Study& study) {
@@ -199,13 +338,19 @@ std::string to_table(const Study& study) {
         fmt::format("{}  {}  {}x{}  {}\nclock: {}\n", study.scene, study.knob, study.size.x,
                     study.size.y, study.renderer, to_string(study.clock));
     if (!study.time_only) {
-        text += fmt::format(
-            "reference {}; its own error {}\n", study.reference,
-            study.reference_error
-                ? fmt::format("{} by {}", three_digits(study.reference_error->rmse), study.second)
-                : "is not known: name another method with --second");
+        text +=
+            fmt::format("reference {}; its own error {}\n", study.reference,
+                        study.reference_error
+                            ? fmt::format("{} by {}", three_digits(study.own_error), study.second)
+                            : "is not known: name another method with --second");
+        if (study.rival) {
+            text += fmt::format("second reference {}; its own error {}; they differ by {}\n",
+                                study.rival->value, three_digits(study.rival->own_error),
+                                three_digits(study.rival->difference.rmse));
+        }
     }
-    text += fmt::format("    {:>{}} {:>10} {:>19}", study.knob, widest, "ms", "min to max");
+    text += fmt::format("    {:>{}} {:>10} {:>19} {:>14}", study.knob, widest, "ms",
+                        "95 of 100 within", "time");
     if (!study.time_only) {
         text += fmt::format(" {:>9} {:>9} {:>6} {:>8} {:>9}", "rmse", "max", "psnr", "> 1/255",
                             "rel. mse");
@@ -213,14 +358,17 @@ std::string to_table(const Study& study) {
     text += "\n";
     for (const StudyRow& row : study.rows) {
         const Timing& ms = row.ms;
-        text += fmt::format("{} {} {:>{}} {:>10.3f} {:>9.3f} {:>9.3f}", row.pareto ? '*' : ' ',
-                            mark(row), row.value, widest, ms.median, ms.min, ms.max);
+        text += fmt::format("{} {} {:>{}} {:>10.3f} {:>9.3f} {:>9.3f} {:>14}",
+                            row.pareto ? '*' : ' ', mark(study, row), row.value, widest, ms.median,
+                            ms.low, ms.high, row.verdict ? to_string(*row.verdict) : "");
         if (!row.failed.empty()) text += " " + row.failed;
         if (has_error(row)) {
             text += fmt::format(" {:>9.3g} {:>9.3g} {:>6} {:>6.2f} % {:>9.3g}", row.error->rmse,
                                 row.error->max, psnr_text(row.error->psnr),
                                 100.0 * row.error->share_off, row.error->relative_mse);
         }
+        if (row.worst)
+            text += fmt::format("  worst {} in {}", three_digits(row.worst->rmse), row.worst->view);
         text += "\n";
     }
     if (study.order) text += fmt::format("order {:.2f} (error ~ work^-order)\n", *study.order);
@@ -228,13 +376,19 @@ std::string to_table(const Study& study) {
         text += fmt::format("time ~ {}^{:.2f} over the larger half\n", study.knob,
                             *study.cost_exponent);
     }
+    if (study.best) {
+        const StudyRow& best = study.rows[*study.best];
+        text += fmt::format("best: {}  {:.3f} ms, RMSE {}\n", best.value, best.ms.median,
+                            three_digits(best.error->rmse));
+    }
     for (const std::string& finding : study.findings) text += "finding: " + finding + "\n";
     for (const std::string& note : study.notes) text += "note: " + note + "\n";
     return text;
 }
 
 std::string csv_header() {
-    return "scene,knob,value,ms,ms_min,ms_max,rmse,max,psnr,share_off,relative_mse,pareto,"
+    return "scene,knob,value,ms,ms_min,ms_max,ms_low,ms_high,verdict,rmse,max,psnr,share_off,"
+           "relative_mse,pareto,"
            "near_reference,failed,renderer,width,height\n";
 }
 
@@ -243,8 +397,9 @@ std::string to_csv(const Study& study) {
     std::string text;
     for (const StudyRow& row : study.rows) {
         const Timing& ms = row.ms;
-        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},", word(study.scene), study.knob,
-                            word(row.value), ms.median, ms.min, ms.max);
+        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", word(study.scene),
+                            study.knob, word(row.value), ms.median, ms.min, ms.max, ms.low, ms.high,
+                            row.verdict ? to_string(*row.verdict) : "");
         if (has_error(row)) {
             text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g}", row.error->rmse, row.error->max,
                                 psnr_text(row.error->psnr), row.error->share_off,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/rows/study.h"
+#include "measure/study/plan.h"
 
 #include <optional>
 #include <span>
@@ -9,9 +10,13 @@
 
 namespace glint {
 
-// Chooses the clock and fills in what is judged from all rows together. `more_is_better` as in
-// Knob; timer queries of a renderer `on_software` lie.
-void judge(Study& study, bool more_is_better, bool on_software);
+// Chooses the clock and fills in what is judged from all rows together, which are those of this
+// knob. Timer queries of a renderer `on_software` lie.
+void judge(Study& study, const Knob& knob, bool on_software);
+
+// How far a reference is from the truth, that differs by `rmse` from a second one; `order` is that
+// of the error over the work, where it is known.
+double own_error(double rmse, const SecondWork& second, const std::optional<double>& order);
 
 // Slope of log y over log x by least squares; nothing for fewer than two points. Both are positive
 // and of one length.

@@ -30,12 +30,15 @@ std::string digest(std::string_view text) {
     return hash.text();
 }
 
-Json to_json(const Timing& timing) {
-    return {timing.median, timing.min, timing.max};
+Json to_json(const FrameTimes& times) {
+    return {times.wall, times.gpu, times.processor};
 }
 
-Timing timing_from(const Json& json) {
-    return {json.at(0), json.at(1), json.at(2)};
+FrameTimes times_from(const Json& json) {
+    const FrameTimes times{json.at(0), json.at(1), json.at(2)};
+    if (times.gpu.size() != times.wall.size() || times.processor.size() != times.wall.size())
+        throw std::runtime_error("A frame lacks a clock");
+    return times;
 }
 
 Image bytes_image(glm::ivec2 size) {
@@ -89,10 +92,6 @@ std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {
     if (json.at("key") != key.text) return std::nullopt;
     StudyRow row{.value = json.at("value")};
     if (!json.at("work").is_null()) row.work = json.at("work");
-    row.wall = timing_from(json.at("wall"));
-    row.gpu = timing_from(json.at("gpu"));
-    row.processor = timing_from(json.at("processor"));
-    row.all_passes_ms = json.at("all_passes_ms");
     if (!json.at("error").is_null()) row.error = difference_from_json(json.at("error"));
     if (!json.at("to_previous").is_null()) row.rmse_to_previous = json.at("to_previous");
     row.failed = json.at("failed");
@@ -101,6 +100,17 @@ std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {
     row.map = json.at("map");
     row.resumed = true;
     return row;
+}
+
+std::optional<Rounds> rounds_in(const fs::path& name, const StudyKey& key) {
+    std::string why_not;
+    const Json json = Json::parse(read_bytes(name, why_not).value_or(""));
+    if (json.at("key") != key.text) return std::nullopt;
+    Rounds rounds{.rows = {}, .all_passes = json.at("all_passes"), .look = json.at("look")};
+    for (const Json& row : json.at("rows")) rounds.rows.push_back(times_from(row));
+    if (rounds.rows.size() != rounds.all_passes.size())
+        throw std::runtime_error("A row lacks a time");
+    return rounds;
 }
 
 std::vector<float> rgba_in(const fs::path& name, glm::ivec2 size) {
@@ -194,16 +204,29 @@ void StudyStore::keep(const StudyKey& key, const StudyRow& row) const {
     const Json json = {{"key", key.text},
                        {"value", row.value},
                        {"work", optional(row.work)},
-                       {"wall", to_json(row.wall)},
-                       {"gpu", to_json(row.gpu)},
-                       {"processor", to_json(row.processor)},
-                       {"all_passes_ms", row.all_passes_ms},
                        {"error", row.error ? glint::to_json(*row.error) : Json()},
                        {"to_previous", optional(row.rmse_to_previous)},
                        {"failed", row.failed},
                        {"is_reference", row.is_reference},
                        {"picture", row.picture},
                        {"map", row.map}};
+    const std::string text = json_text(json, 1) + "\n";
+    write_whole_file(cleared(file("data", key, ".json")), std::as_bytes(std::span(text)));
+}
+
+std::optional<Rounds> StudyStore::rounds(const StudyKey& key) const {
+    if (folder_.empty()) return std::nullopt;
+    const fs::path name = file("data", key, ".json");
+    return kept(name, [&] { return rounds_in(name, key); });
+}
+
+void StudyStore::keep(const StudyKey& key, const Rounds& rounds) const {
+    if (folder_.empty()) return;
+    Json json = {{"key", key.text},
+                 {"look", rounds.look},
+                 {"all_passes", rounds.all_passes},
+                 {"rows", Json::array()}};
+    for (const FrameTimes& row : rounds.rows) json["rows"].push_back(to_json(row));
     const std::string text = json_text(json, 1) + "\n";
     write_whole_file(cleared(file("data", key, ".json")), std::as_bytes(std::span(text)));
 }

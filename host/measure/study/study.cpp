@@ -4,17 +4,21 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
+#include "measure/study/joint.h"
 #include "measure/study/measure.h"
+#include "measure/study/over.h"
 #include "measure/study/page.h"
 #include "measure/study/result.h"
 #include "measure/study/store.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
+#include "scene/preset_writer.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <memory>
 
 namespace glint {
 namespace {
@@ -24,17 +28,21 @@ using Json = nlohmann::ordered_json;
 // Tells on stdout how far the studies of a file have come, for those who do not want to wait.
 class Lines {
 public:
-    Lines(bool wanted, const StudyPlan& plan, bool time_only) : wanted_(wanted) {
+    Lines(bool wanted, const StudyPlan& plan, bool time_only, std::size_t views) : wanted_(wanted) {
         for (const Knob& knob : plan.knobs) {
-            of_ += knob.values.size() + (time_only ? 0 : knob.second ? 2 : 1);
+            of_ += knob.values.size() + 1;
+            if (time_only) continue;
+            of_ += 1 + knob.second.has_value() + knob.rival.has_value() +
+                   (knob.rival && knob.rival->second);
         }
+        of_ *= views;
     }
 
-    // Another picture is drawn; the study as it stands now.
-    void tell(Study study, bool more_is_better, bool on_software) {
-        ++done_;
+    // The study as it stands now. `done`: another picture is drawn, or its times are all taken.
+    void tell(Study study, const Knob& knob, bool on_software, bool done) {
+        done_ += done;
         if (!wanted_) return;
-        judge(study, more_is_better, on_software);
+        judge(study, knob, on_software);
         const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
         say_result("{}\n", json_text(line, -1));
         flush_results();
@@ -42,7 +50,7 @@ public:
 
 private:
     bool wanted_;
-    std::size_t done_ = 0, of_ = 0;  // pictures
+    std::size_t done_ = 0, of_ = 0;  // pictures, and the times of each knob
 };
 
 // A scene that is studied: what every picture of it shares.
@@ -58,8 +66,8 @@ struct Scenery {
     Lines& lines;
 };
 
-void tell(const Scenery& scenery, const Knob& knob, const Study& study) {
-    scenery.lines.tell(study, knob.more_is_better, scenery.context.is_software());
+void tell(const Scenery& scenery, const Knob& knob, const Study& study, bool done = true) {
+    scenery.lines.tell(study, knob, scenery.context.is_software(), done);
 }
 
 bool is_encoded(const Scenery& scenery) {
@@ -87,7 +95,8 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
         result.file = scenery.store.shown_file(result.key);
         return result;
     }
-    result.picture = measure(scenery.preset, value.setting, scenery.context, scenery.how).picture;
+    MeasuredScene scene(scenery.preset, value.setting, scenery.context, scenery.how);
+    result.picture = scene.draw_picture();
     result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
     return result;
 }
@@ -100,63 +109,82 @@ Setting own_setting(const Preset& preset, const Knob& knob) {
     return own;
 }
 
-// One row: measured, compared and kept. `previous` is the picture of the row before.
+using Scenes = std::vector<std::unique_ptr<MeasuredScene>>;  // by row; null where it failed
+
+constexpr const char* kDoesNotCompile = "it does not compile";
+constexpr int kWarmUp = 3;  // frames: the driver compiles to machine code at the first draw
+
+// One row: drawn and compared. `previous` is the picture of the row before. The scene stands ready
+// to be timed.
 StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& value,
-                     const Reference* reference, const StudyKey& key,
-                     std::vector<float>& previous) {
+                     const Reference* reference, const StudyKey& key, std::vector<float>& previous,
+                     std::unique_ptr<MeasuredScene>& scene) {
     StudyRow row{.value = value.text, .work = value.work};
-    MeasureOptions how = scenery.how;
-    how.frames = scenery.options.frames;
-    Measured measured;
+    std::vector<float> picture;
     try {
-        measured = measure(scenery.preset, value.setting, scenery.context, how);
+        scene = std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context,
+                                                scenery.how);
+        picture = scene->draw_picture();
     } catch (const Stop&) {
-        row.failed = "it does not compile";
+        row.failed = kDoesNotCompile;
         return row;
     }
-    row.wall = measured.wall;
-    row.gpu = measured.gpu;
-    row.processor = measured.processor;
-    row.all_passes_ms = measured.all_passes_ms;
     if (reference) {
         const bool encoded = is_encoded(scenery);
         row.is_reference = value.setting == knob.reference.setting;
-        row.error = difference(measured.picture, reference->picture, encoded);
+        row.error = difference(picture, reference->picture, encoded);
         if (row.error->not_finite > 0) {
             row.failed = fmt::format("diverged: {} pixels are not finite", row.error->not_finite);
         }
         if (!previous.empty()) {
-            row.rmse_to_previous = difference(measured.picture, previous, encoded).rmse;
+            row.rmse_to_previous = difference(picture, previous, encoded).rmse;
         }
-        row.picture = scenery.store.keep_picture(key, measured.picture, scenery.size);
-        row.map = scenery.store.keep_map(key, measured.picture, reference->picture, scenery.size,
-                                         encoded);
+        row.picture = scenery.store.keep_picture(key, picture, scenery.size);
+        row.map = scenery.store.keep_map(key, picture, reference->picture, scenery.size, encoded);
     }
-    if (!value.is_between) previous = std::move(measured.picture);
+    if (!value.is_between) previous = std::move(picture);
     return row;
 }
 
-void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* reference,
-                  Study& study) {
-    // An error depends on the reference, a time on the machine and on how many frames were timed,
-    // and how far a row is from the one before on that one.
+// Makes ready to be timed what an earlier call has drawn.
+void open_scene(const Scenery& scenery, const KnobValue& value,
+                std::unique_ptr<MeasuredScene>& scene) {
+    if (scene) return;
+    scene = std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context,
+                                            scenery.how);
+    scene->draw_picture();
+}
+
+void warm_up(MeasuredScene& scene, StudyRow& row) {
+    for (int i = 0; i < kWarmUp; ++i) {
+        const FrameTime frame = scene.time_frame();
+        row.times = {.wall = {frame.wall}, .gpu = {frame.gpu}, .processor = {frame.processor}};
+    }
+}
+
+// Pictures and errors. What is drawn now has a first time, too, as long as there is no better.
+void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* reference, Study& study,
+               Scenes& scenes) {
+    // An error depends on the reference, and how far a row is from the one before on that one.
     std::string before;
     std::vector<float> previous;
     Progress progress(fmt::format("{} {}", scenery.name, knob.name),
                       static_cast<long>(knob.values.size()));
     for (const KnobValue& value : knob.values) {
         const std::string kind =
-            fmt::format("row of {} frames on {}{}\n{}", scenery.options.frames, machine_name(),
-                        before, reference ? reference->key.text : "");
+            fmt::format("row{}\n{}", before, reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
+        std::unique_ptr<MeasuredScene>& scene = scenes.emplace_back();
         if (auto kept = scenery.store.row(key, scenery.size)) {
             if (!value.is_between) {
                 previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
             }
             study.rows.push_back(std::move(*kept));
         } else {
-            study.rows.push_back(measure_row(scenery, knob, value, reference, key, previous));
+            study.rows.push_back(
+                measure_row(scenery, knob, value, reference, key, previous, scene));
             scenery.store.keep(key, study.rows.back());
+            if (scene) warm_up(*scene, study.rows.back());
         }
         study.rows.back().is_preset = value.setting == own_setting(scenery.preset, knob);
         study.rows.back().is_between = value.is_between;
@@ -164,6 +192,88 @@ void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* ref
         progress.update(static_cast<long>(study.rows.size()));
         tell(scenery, knob, study);
     }
+}
+
+StudyKey key_of_times(const Scenery& scenery, const Knob& knob) {
+    std::string text = fmt::format("{}times of {} rounds, {} s, on {}\n", scenery.key,
+                                   scenery.options.frames, scenery.options.seconds, machine_name());
+    for (const KnobValue& value : knob.values) {
+        text += key_of_setting(scenery.preset, value.setting);
+    }
+    return {.name = fmt::format("{}-{}-times", scenery.name, knob.name), .text = text};
+}
+
+void take(Study& study, const Rounds& rounds) {
+    study.look = rounds.look;
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        study.rows[i].times = rounds.rows[i];
+        study.rows[i].all_passes_ms = rounds.all_passes[i];
+    }
+}
+
+// A time depends on the machine, on how many rounds there were, and on what else was in them.
+void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& scenes) {
+    const StudyKey key = key_of_times(scenery, knob);
+    const auto kept = scenery.store.rounds(key);
+    if (kept && kept->rows.size() == study.rows.size()) {
+        take(study, *kept);
+        return tell(scenery, knob, study);
+    }
+    std::vector<std::size_t> rows;  // that can be drawn
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        if (study.rows[i].failed == kDoesNotCompile) continue;
+        if (!scenes[i]) {
+            open_scene(scenery, knob.values[i], scenes[i]);
+            warm_up(*scenes[i], study.rows[i]);
+        }
+        rows.push_back(i);
+    }
+    const RoundsOptions options{.least = scenery.options.frames,
+                                .seconds = scenery.options.seconds,
+                                .on_software = scenery.context.is_software()};
+    Rounds all{.rows = std::vector<FrameTimes>(study.rows.size()),
+               .all_passes = std::vector<double>(study.rows.size(), 0.0)};
+    const auto spread = [&](const Rounds& rounds) {
+        all.look = rounds.look;
+        for (std::size_t k = 0; k < rows.size(); ++k) all.rows[rows[k]] = rounds.rows[k];
+        take(study, all);
+    };
+    const Rounds rounds = time_rounds(
+        rows.size(), [&](std::size_t k) { return scenes[rows[k]]->time_frame(); }, options,
+        [&](const Rounds& sofar) {
+            spread(sofar);
+            tell(scenery, knob, study, false);
+        });
+    for (const std::size_t row : rows) all.all_passes[row] = scenes[row]->time_all_passes();
+    spread(rounds);
+    scenery.store.keep(key, all);
+    tell(scenery, knob, study);
+}
+
+// The reference, and what it is measured by; none where only times are wanted.
+std::optional<Reference> draw_references(const Scenery& scenery, const Knob& knob, Study& study) {
+    if (study.time_only) return std::nullopt;
+    const auto draw = [&](const KnobValue& value) { return draw_reference(scenery, knob, value); };
+    const auto apart = [&](const Reference& a, const Reference& b) {
+        return difference(a.picture, b.picture, is_encoded(scenery));
+    };
+    Reference reference = draw(knob.reference);
+    study.reference_picture = reference.file;
+    tell(scenery, knob, study);
+    if (knob.second) {
+        study.reference_error = apart(draw(*knob.second), reference);
+        tell(scenery, knob, study);
+    }
+    if (!knob.rival) return reference;
+    const Reference rival = draw(knob.rival->value);
+    study.rival = {.value = knob.rival->value.text, .difference = apart(rival, reference)};
+    tell(scenery, knob, study);
+    if (knob.rival->second) {
+        const double rmse = apart(draw(*knob.rival->second), rival).rmse;
+        study.rival->own_error = own_error(rmse, knob.rival->work, std::nullopt);
+        tell(scenery, knob, study);
+    }
+    return reference;
 }
 
 Study study_knob(const Scenery& scenery, const Knob& knob) {
@@ -176,21 +286,13 @@ Study study_knob(const Scenery& scenery, const Knob& knob) {
                 .size = scenery.size,
                 .pass = scenery.options.pass,
                 .time_only = scenery.options.time_only,
+                .is_joint = has_budget(scenery.options),
                 .notes = knob.notes};
-    std::optional<Reference> reference;
-    if (!study.time_only) {
-        reference = draw_reference(scenery, knob, knob.reference);
-        study.reference_picture = reference->file;
-        tell(scenery, knob, study);
-        if (knob.second) {
-            const Reference second = draw_reference(scenery, knob, *knob.second);
-            study.reference_error =
-                difference(second.picture, reference->picture, is_encoded(scenery));
-            tell(scenery, knob, study);
-        }
-    }
-    measure_rows(scenery, knob, reference ? &*reference : nullptr, study);
-    judge(study, knob.more_is_better, scenery.context.is_software());
+    const std::optional<Reference> reference = draw_references(scenery, knob, study);
+    Scenes scenes;
+    draw_rows(scenery, knob, reference ? &*reference : nullptr, study, scenes);
+    time_rows(scenery, knob, study, scenes);
+    judge(study, knob, scenery.context.is_software());
     return study;
 }
 
@@ -217,28 +319,47 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     const Preset preset = open_preset(view);
     const std::size_t pass = find_pass(preset.scene, options.pass);
     const SceneFacts facts = scene_facts(preset, pass);
-    const StudyPlan plan = plan_study(preset, facts, options);
-    Lines lines(options.lines, plan, options.time_only);
-    const Scenery scenery{
-        .options = options,
-        .preset = preset,
-        .context = context,
-        .store = store,
-        .how = {.pass = pass,
-                .output = output_of(preset.scene, pass, options.pass),
-                .specialise = view.specialise},
-        .size = size_of(preset, pass),
-        .name = file.stem().string(),
-        .key = key_of_preset(preset, context.renderer(), options.pass, view.specialise),
-        .lines = lines};
+    StudyPlan plan = plan_study(preset, facts, options);
+    const MeasureOptions how{.pass = pass,
+                             .output = output_of(preset.scene, pass, options.pass),
+                             .specialise = view.specialise};
+    if (has_budget(options)) plan.knobs = {joint_knob(preset, plan.knobs, options, context, how)};
+    const std::vector<View> views = views_over(preset, options);
+    Lines lines(options.lines, plan, options.time_only, std::max<std::size_t>(views.size(), 1));
+    const auto scenery = [&](const Preset& seen, const std::string& name) {
+        return Scenery{
+            .options = options,
+            .preset = seen,
+            .context = context,
+            .store = store,
+            .how = how,
+            .size = size_of(seen, pass),
+            .name = name,
+            .key = key_of_preset(seen, context.renderer(), options.pass, view.specialise),
+            .lines = lines};
+    };
     if (plan.knobs.empty()) {
         say_warning(fmt::format(
             "{} has no quality tweaks and accumulates nothing; name a tweak with --vary",
             file.string()));
     }
     for (const Knob& knob : plan.knobs) {
-        studies.push_back(study_knob(scenery, knob));
+        std::vector<Study> seen;
+        for (const View& one : views) {
+            seen.push_back(study_knob(scenery(one.preset, file.stem().string() + "-" + one.name),
+                                      knob_in(one, preset, knob)));
+        }
+        if (seen.empty()) {
+            studies.push_back(study_knob(scenery(preset, file.stem().string()), knob));
+        } else {
+            studies.push_back(over_all(views, seen));
+            judge(studies.back(), knob, context.is_software());
+        }
         Study& study = studies.back();
+        if (has_budget(options)) {
+            choose_best(study, options);
+            lines.tell(study, knob, context.is_software(), false);
+        }
         for (const std::string& left_out : plan.left_out) {
             study.notes.push_back("left out: " + left_out);
         }
@@ -267,12 +388,40 @@ void require_report_apart(const StudyOptions& options) {
     }
 }
 
+// What the budget has chosen becomes a quality of the preset in this file, which keeps what else it
+// has; where there is none, of the studied one.
+void write_best(const StudyOptions& options, const std::vector<Study>& studies) {
+    if (studies.empty() || !studies.front().best) return;
+    const Study& study = studies.front();
+    const bool exists = std::filesystem::exists(options.output);
+    ReadPreset read = read_preset(exists ? options.output : options.files.front());
+    report(read.diagnostics);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    Preset& preset = *read.preset;
+    QualitySet best{.name = options.name, .values = {}};
+    std::string list = study.rows[*study.best].value, wrong;
+    std::ranges::replace(list, ' ', ',');
+    best.values = turned_values(preset.scene.tweaks, {}, list, wrong);
+    if (!wrong.empty()) throw std::runtime_error(wrong);
+    std::erase_if(preset.qualities, [&](const QualitySet& q) { return q.name == best.name; });
+    preset.qualities.push_back(std::move(best));
+    std::string why_not;
+    const auto bytes = exists ? read_bytes(options.output, why_not) : std::string();
+    const PresetText text = write_preset(preset, options.output, bytes.value_or(""));
+    report(text.diagnostics);
+    if (!text.text) throw Stop(ExitCode::failure);
+    write_whole_file(options.output, std::as_bytes(std::span(*text.text)));
+}
+
 }  // namespace
 
 void run_study(const StudyOptions& options) {
-    if (!options.output.empty()) require_report_apart(options);
+    const bool to_preset = options.output.extension() == ".toml";
+    if (to_preset && (!has_budget(options) || options.files.size() != 1))
+        throw UsageError("-o with a preset takes one FILE, and --ms or --rmse.");
+    if (!options.output.empty() && !to_preset) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
-    const StudyStore store(options.output);
+    const StudyStore store(to_preset ? std::filesystem::path() : options.output);
     std::vector<Study> studies;
     ExitCode code = ExitCode::done;
     for (const std::filesystem::path& file : options.files) {
@@ -284,7 +433,8 @@ void run_study(const StudyOptions& options) {
     }
     std::string csv = csv_header();
     for (const Study& study : studies) csv += to_csv(study);
-    if (!options.output.empty()) {
+    if (to_preset) write_best(options, studies);
+    if (!options.output.empty() && !to_preset) {
         write_whole_file(options.output / "study.csv", std::as_bytes(std::span(csv)));
         const std::string json = json_text(to_json(studies, context->renderer())) + "\n";
         write_whole_file(options.output / "study.json", std::as_bytes(std::span(json)));

@@ -1,6 +1,7 @@
 #include "window/live/study.h"
 
 #include "base/temporary_file.h"
+#include "measure/rows/together.h"
 #include "media/image.h"
 #include "scene/preset_writer.h"
 
@@ -44,7 +45,10 @@ void LiveStudy::start(const Preset& preset, const std::string& knob) {
     std::vector<std::string> words = {"study", file.string(), "--lines", "--output",
                                       folder.string()};
     words.insert(words.end(), {"--size", fmt::format("{}x{}", small.size.x, small.size.y)});
-    if (!knob.empty()) words.insert(words.end(), {"--vary", knob});
+    if (knob == kAllTogether)
+        words.insert(words.end(), {"--ms", "own", "--seconds", "10"});
+    else if (!knob.empty())
+        words.insert(words.end(), {"--vary", knob});
     if (!options_.device.empty()) words.insert(words.end(), {"--device", options_.device});
     if (!options_.specialise) words.push_back("--no-specialise");
     work_.start(std::move(words));

@@ -47,17 +47,19 @@ void PlaygroundWindow::tell_findings(Facts& facts) const {
     if (!facts.scene) return;
     // The knob of a study is turned by its own panel.
     const bool any_study = settings_.shown_study < facts.studies.size();
-    const std::string knob = any_study ? facts.studies[settings_.shown_study].knob : "";
-    const auto differs = [&](const Subject& subject, const std::string& but_for) {
+    const Study none, &seen = any_study ? facts.studies[settings_.shown_study] : none;
+    const auto differs = [&](const Subject& subject, const Study& turned) {
         const std::vector<TweakValue> now = playground_.tweaks.values();
         bool other = subject.is_other_text || now.size() != subject.values.size();
         for (std::size_t i = 0; !other && i < now.size(); ++i) {
-            other = now[i] != subject.values[i] && facts.scene->tweaks[i].name != but_for;
+            const Tweak& tweak = facts.scene->tweaks[i];
+            const bool is_turned = turned.is_joint ? tweak.quality : tweak.name == turned.knob;
+            other = now[i] != subject.values[i] && !is_turned;
         }
         return other;
     };
-    facts.study_work.stale = any_study && differs(studied_, knob);
-    facts.check_work.stale = !facts.cases.empty() && differs(checked_, "");
+    facts.study_work.stale = any_study && differs(studied_, seen);
+    facts.check_work.stale = !facts.cases.empty() && differs(checked_, none);
 }
 
 glm::ivec2 PlaygroundWindow::viewed_size() const {

@@ -24,9 +24,9 @@ void members(const auto& all, Is<Diagnostic> auto& value) {
 }
 void members(const auto& all, Is<Tweak> auto& value) {
     auto& [name, type, initial, min, max, names, is_colour, log, step, quality, no_random,
-           reference, unit, group, description, place, begin, end] = value;
+           reference, second, unit, group, description, place, begin, end] = value;
     all(name, type, initial, min, max, names, is_colour, log, step, quality, no_random, reference,
-        unit, group, description, place, begin, end);
+        second, unit, group, description, place, begin, end);
 }
 void members(const auto& all, Is<Sampler> auto& value) {
     auto& [name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
@@ -43,10 +43,15 @@ void members(const auto& all, Is<Scene> auto& value) {
         value;
     all(files, text, origins, tweaks, samplers, passes, channel_types, image_entry, has_sound);
 }
+void members(const auto& all, Is<QualitySet> auto& value) {
+    auto& [name, values] = value;
+    all(name, values);
+}
 void members(const auto& all, Is<Preset> auto& value) {
-    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, channels,
-           events] = value;
-    all(file, scene, title, time, size, has_size, settle, date, values, locked, channels, events);
+    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, qualities,
+           channels, events] = value;
+    all(file, scene, title, time, size, has_size, settle, date, values, locked, qualities, channels,
+        events);
 }
 void members(const auto& all, Is<PassTrial> auto& value) {
     auto& [name, compile_ms, first_ms, second_ms, expected_ms] = value;
@@ -55,6 +60,14 @@ void members(const auto& all, Is<PassTrial> auto& value) {
 void members(const auto& all, Is<Verdict> auto& value) {
     auto& [state, passes, expected_ms, total_ms, diagnostics] = value;
     all(state, passes, expected_ms, total_ms, diagnostics);
+}
+void members(const auto& all, Is<ProgramOptions> auto& value) {
+    auto& [specialise, constants, average, tiles, clamp_to_bytes, lean, feed, marked] = value;
+    all(specialise, constants, average, tiles, clamp_to_bytes, lean, feed, marked);
+}
+void members(const auto& all, Is<CompileOptions> auto& value) {
+    auto& [root, program] = value;
+    all(root, program);
 }
 void members(const auto& all, Is<TrialOrder> auto& value) {
     auto& [number, preset, compile, size, picture_format, time, slow_ms, images, is_text] = value;

@@ -1,5 +1,6 @@
 // Error against run time: a knob is chosen, its values are measured beside the window, and a click
 // on a point applies it.
+#include "measure/rows/together.h"
 #include "window/ui/diagram.h"
 #include "window/ui/interface.h"
 #include "window/ui/number_text.h"
@@ -24,39 +25,72 @@ const Tweak* find_tweak(const Build& build, const std::string& name) {
     return found == build.facts.scene->tweaks.end() ? nullptr : &*found;
 }
 
-std::size_t index_of(const Build& build, const Tweak& tweak) {
-    return static_cast<std::size_t>(&tweak - build.facts.scene->tweaks.data());
+// What a row sets: the knob, or each tweak of a joint setting, "a=1 b=2".
+std::vector<Turned> turned_by(const Build& build, const Study& study, std::size_t row) {
+    std::string list = study.rows[row].value, wrong;
+    const Tweak* tweak = find_tweak(build, study.knob);
+    if (!build.facts.scene || (!tweak && !study.is_joint)) return {};
+    if (study.is_joint) std::ranges::replace(list, ' ', ',');
+    return turned_values(build.facts.scene->tweaks, tweak ? *tweak : Tweak(), list, wrong);
 }
 
 // The row at whose value the tweak stands, as far as the shader can tell.
 std::optional<std::size_t> current_row(const Build& build, const Study& study) {
-    const Tweak* tweak = find_tweak(build, study.knob);
-    if (!tweak || index_of(build, *tweak) >= build.tweaks.size()) return std::nullopt;
-    const TweakValue now = tidy(*tweak, build.tweaks.value(index_of(build, *tweak)));
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
-        const auto value = parse_value(*tweak, study.rows[i].value);
-        if (value && tidy(*tweak, *value) == now) return i;
+        const std::vector<Turned> turned = turned_by(build, study, i);
+        const bool stands = std::ranges::all_of(turned, [&](const Turned& one) {
+            if (one.tweak >= build.tweaks.size()) return false;
+            const Tweak& tweak = build.facts.scene->tweaks[one.tweak];
+            return tidy(tweak, one.value) == tidy(tweak, build.tweaks.value(one.tweak));
+        });
+        if (!turned.empty() && stands) return i;
     }
     return std::nullopt;
 }
 
-// Compares its picture, and sets the tweak to it as a person would; how long a scene settles is no
-// tweak.
+// Compares its picture, and sets the tweaks to it as a person would, in one step; how long a scene
+// settles is no tweak.
 void choose(Build& build, const Study& study, std::size_t row) {
     build.settings.shown_row = row;
-    const Tweak* tweak = find_tweak(build, study.knob);
-    const auto value = tweak ? parse_value(*tweak, study.rows[row].value) : std::nullopt;
-    if (!value || current_row(build, study) == row) return;
-    wish(build, {.what = TweakEdit::What::set, .index = index_of(build, *tweak), .value = *value});
+    const std::vector<Turned> turned = turned_by(build, study, row);
+    if (turned.empty() || current_row(build, study) == row) return;
+    const bool several = turned.size() > 1;
+    if (several) wish(build, {.what = TweakEdit::What::begin});
+    for (const Turned& one : turned)
+        wish(build, {.what = TweakEdit::What::set, .index = one.tweak, .value = one.value});
+    if (several) wish(build, {.what = TweakEdit::What::commit});
+}
+
+// All quality tweaks are dragged together, along the joint settings that nothing beats.
+void along_frontier(Build& build, const Study& study) {
+    std::vector<std::size_t> stars;
+    for (std::size_t i = 0; i < study.rows.size(); ++i)
+        if (study.rows[i].pareto) stars.push_back(i);
+    if (!study.is_joint || stars.size() < 2) return;
+    std::ranges::sort(stars, {}, [&](std::size_t i) { return study.rows[i].ms.median; });
+    const auto current = current_row(build, study);
+    const auto found = std::ranges::find(stars, current.value_or(study.rows.size()));
+    int at = found == stars.end() ? 0 : static_cast<int>(found - stars.begin());
+    const std::string text = found == stars.end()
+                                 ? "drag"
+                                 : fmt::format("{:.3g} ms, RMSE {}", study.rows[*found].ms.median,
+                                               power_text(study.rows[*found].error->rmse));
+    ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x, 1.0f));
+    if (ImGui::SliderInt("##along", &at, 0, static_cast<int>(stars.size()) - 1, text.c_str(),
+                         ImGuiSliderFlags_NoInput))
+        choose(build, study, stars[static_cast<std::size_t>(at)]);
+    tip(build.theme, "All quality tweaks at once, from the fastest to the nearest");
 }
 
 void knob_menu(Build& build, StudyState& state) {
     const Scene* scene = build.facts.scene;
-    if (!state.knob.empty() && !find_tweak(build, state.knob)) state.knob.clear();
+    if (state.knob != kAllTogether && !find_tweak(build, state.knob)) state.knob.clear();
     const float button = ImGui::CalcTextSize("Cancel").x + build.theme.px(24);
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - button, 1.0f));
     if (!ImGui::BeginCombo("##knob", state.knob.empty() ? kAllKnobs : state.knob.c_str())) return;
     if (ImGui::Selectable(kAllKnobs, state.knob.empty())) state.knob.clear();
+    if (ImGui::Selectable("All together", state.knob == kAllTogether)) state.knob = kAllTogether;
+    tip(build.theme, "The joint settings with the least error for their time");
     for (std::size_t i = 0; scene && i < scene->tweaks.size(); ++i) {
         const Tweak& tweak = scene->tweaks[i];
         if (!tweak.quality) continue;
@@ -116,10 +150,11 @@ void row_tip(Build& build, const Study& study, const StudyRow& row) {
                             0, {left ? 0.0f : 1.0f, 0.5f});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
     ImGui::BeginTooltip();
-    text_in(colours::kText, study.knob + " " + row.value, theme.bold);
+    text_in(colours::kText, study.is_joint ? row.value : study.knob + " " + row.value, theme.bold);
     if (!row.failed.empty()) text_in(colours::kError, row.failed);
-    text_in(colours::kText,
-            fmt::format("{:.4g} ms, from {:.4g} to {:.4g}", row.ms.median, row.ms.min, row.ms.max));
+    text_in(colours::kText, fmt::format("{:.4g} ms, 95 of 100 within {:.4g} to {:.4g}",
+                                        row.ms.median, row.ms.low, row.ms.high));
+    if (row.verdict) text_in(colours::kDim, to_string(*row.verdict));
     if (row.error) {
         text_in(colours::kText, fmt::format("RMSE {}, at most {}", power_text(row.error->rmse),
                                             power_text(row.error->max)));
@@ -127,9 +162,10 @@ void row_tip(Build& build, const Study& study, const StudyRow& row) {
                                             psnr_text(row), 100.0 * row.error->share_off));
     }
     if (row.is_reference) text_in(colours::kDim, "the reference");
-    if (row.pareto) text_in(colours::kDim, "no other value is both faster and nearer");
+    if (row.pareto) text_in(colours::kDim, "no other value is told to be better");
     if (row.near_reference) text_in(colours::kDim, "within ten times of the reference's own error");
-    if (find_tweak(build, study.knob)) text_in(colours::kAccent, "Click to apply");
+    if (study.is_joint || find_tweak(build, study.knob))
+        text_in(colours::kAccent, "Click to apply");
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }
@@ -209,6 +245,7 @@ void one_study(Build& build, StudyState& state, const Study& study) {
     const auto under = diagram(build.theme, study, look);
     if (under) state.hovering = under;
     if (under && ImGui::IsItemClicked()) choose(build, study, *under);
+    along_frontier(build, study);
     view_choice(build, study);
     row_table(build, state, study);
     study_facts(study);

@@ -1,0 +1,251 @@
+#include "measure/study/joint.h"
+
+#include "base/words.h"
+#include "measure/rows/difference.h"
+#include "measure/study/result.h"
+#include "measure/study/search.h"
+#include "measure/study/statistics.h"
+#include "offline/common.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace glint {
+namespace {
+
+constexpr int kTries = 160;           // joint settings that are tried quickly
+constexpr double kSearchShare = 4.0;  // of --seconds, for all of them
+constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's own
+constexpr std::size_t kWinners = 8;   // that are measured well
+constexpr std::size_t kKept = 6;      // programs
+
+double own_or_number(const std::string& text, double own, const char* option) {
+    if (text == "own") return own;
+    const auto number = parse_number(text);
+    if (!number || *number <= 0.0) {
+        throw UsageError(fmt::format(
+            "{} {}: write a number above 0, or own: what the preset takes.", option, text));
+    }
+    return *number;
+}
+
+// The tweak that a knob turns.
+std::size_t tweak_of(const Preset& preset, const Knob& knob) {
+    const auto found = std::ranges::find(preset.scene.tweaks, knob.name, &Tweak::name);
+    return static_cast<std::size_t>(found - preset.scene.tweaks.begin());
+}
+
+class JointSearch {
+public:
+    JointSearch(const Preset& preset, const std::vector<Knob>& knobs, const StudyOptions& options,
+                Context& context, const MeasureOptions& how)
+        : preset_(preset), options_(options), context_(context), how_(how) {
+        for (const Knob& knob : knobs) {
+            if (tweak_of(preset, knob) < preset.scene.tweaks.size()) knobs_.push_back(knob);
+        }
+        if (knobs_.empty()) throw UsageError("There is no quality tweak to choose by a budget.");
+        for (const Knob& knob : knobs_) {
+            tweaks_.push_back(tweak_of(preset, knob));
+            menus_.push_back(!knob.values.front().work);
+            dials_.push_back({knob.values.size(), menus_.back()});
+        }
+    }
+
+    Knob run() {
+        Knob knob{.name = "quality", .reference = truth(1.0), .second = truth(0.5)};
+        knob.second_work = {SecondWork::Kind::more, 0.5};
+        knob.reference.text = "all references";
+        knob.second->text = "half of all of them";
+        truth_ = MeasuredScene(preset_, knob.reference.setting, context_, how_).draw_picture();
+        start();
+        const Budget budget = this->budget();
+        const Stopwatch clock;
+        bool any = false;  // the preset's own is measured, however little time there is
+        const auto tried =
+            search(dials_, own(), budget, kTries, [&](const Stand& at) -> std::optional<Tried> {
+                const bool over = clock.ms() > 1e3 * kSearchShare * options_.seconds;
+                if (std::exchange(any, true) && over) return std::nullopt;
+                return measure(at);
+            });
+        std::vector<Tried> winners = best_of(tried, budget, kWinners);
+        if (std::ranges::find(winners, own(), &Tried::at) == winners.end())
+            winners.insert(winners.begin(), tried.front());
+        std::ranges::stable_sort(winners, {}, &Tried::ms);
+        for (const Tried& winner : winners) {
+            knob.values.push_back({.text = text(winner.at), .setting = setting(winner.at)});
+        }
+        knob.notes.push_back(fmt::format("{} joint settings of {} tweaks were tried, {} measured",
+                                         tried.size(), knobs_.size(), winners.size()));
+        return knob;
+    }
+
+private:
+    // All references, with so much of the work.
+    KnobValue truth(double work) const {
+        KnobValue value{.setting = {.values = preset_.values, .settle = preset_.settle}};
+        for (std::size_t i = 0; i < knobs_.size(); ++i) {
+            const Setting& reference = knobs_[i].reference.setting;
+            double& number = value.setting.values[tweaks_[i]][0];
+            number = reference.values[tweaks_[i]][0];
+            value.setting.settle = std::max(value.setting.settle, reference.settle);
+            if (work == 1.0 || menus_[i]) continue;
+            const Tweak& tweak = preset_.scene.tweaks[tweaks_[i]];
+            number *= knobs_[i].more_is_better ? work : 1.0 / work;
+            if (tweak.type == TweakType::int1) number = std::floor(number);
+            if (tweak.min) number = std::max(number, *tweak.min);
+        }
+        return value;
+    }
+
+    // Knobs whose least number is the most work stand the other way round.
+    std::size_t value_index(std::size_t knob, std::size_t at) const {
+        const bool turned = !menus_[knob] && !knobs_[knob].more_is_better;
+        return turned ? knobs_[knob].values.size() - 1 - at : at;
+    }
+
+    Setting setting(const Stand& at) const {
+        Setting result{.values = preset_.values, .settle = preset_.settle};
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const KnobValue& value = knobs_[i].values[value_index(i, at[i])];
+            result.values[tweaks_[i]] = value.setting.values[tweaks_[i]];
+        }
+        return result;
+    }
+
+    std::string text(const Stand& at) const {
+        std::string result;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            result += fmt::format("{}{}={}", i > 0 ? " " : "", knobs_[i].name,
+                                  knobs_[i].values[value_index(i, at[i])].text);
+        }
+        return result;
+    }
+
+    Stand own() const {
+        Stand at;
+        for (std::size_t i = 0; i < knobs_.size(); ++i) {
+            std::size_t index = 0;
+            for (std::size_t v = 0; v < knobs_[i].values.size(); ++v) {
+                const KnobValue& value = knobs_[i].values[value_index(i, v)];
+                if (value.setting.values[tweaks_[i]] == preset_.values[tweaks_[i]]) index = v;
+            }
+            at.push_back(index);
+        }
+        return at;
+    }
+
+    // A program has its menus as constants, so that each method costs what it costs, and numbers as
+    // uniforms, so that it serves all of them.
+    MeasuredScene& scene(const Setting& wanted) {
+        MeasureOptions how = how_;
+        how.specialise = false;
+        std::vector<double> menus;
+        for (std::size_t i = 0; i < knobs_.size(); ++i) {
+            if (!menus_[i]) continue;
+            how.constants.push_back(tweaks_[i]);
+            menus.push_back(wanted.values[tweaks_[i]][0]);
+        }
+        auto& kept = scenes_[menus];
+        if (!kept) {
+            kept = std::make_unique<MeasuredScene>(preset_, wanted, context_, how);
+            if (scenes_.size() > kKept)
+                scenes_.erase(scenes_.begin()->first == menus ? std::prev(scenes_.end())
+                                                              : scenes_.begin());
+        }
+        kept->set(wanted);
+        return *kept;
+    }
+
+    double time(const FrameTime& frame) const {
+        return context_.is_software() ? frame.processor : frame.wall;
+    }
+
+    // The preset's own setting, beside which all others are timed.
+    void start() {
+        MeasureOptions how = how_;
+        how.specialise = false;
+        for (std::size_t i = 0; i < knobs_.size(); ++i)
+            if (menus_[i]) how.constants.push_back(tweaks_[i]);
+        base_ = std::make_unique<MeasuredScene>(preset_, setting(own()), context_, how);
+        base_->draw_picture();
+        const Rounds rounds = time_rounds(1, [&](std::size_t) { return base_->time_frame(); },
+                                          {.seconds = 0.0, .on_software = context_.is_software()});
+        const Clock clock = best_clock(rounds.rows, context_.is_software());
+        base_ms_ = median_of(times_by(clock, rounds.rows.front()));
+    }
+
+    Tried measure(const Stand& at) {
+        MeasuredScene& tried = scene(setting(at));
+        const bool encoded = how_.pass == kImagePass;
+        const Difference off = difference(tried.draw_picture(), truth_, encoded);
+        std::vector<double> ratios;
+        for (int i = 0; i < kQuickFrames; ++i)
+            ratios.push_back(time(tried.time_frame()) / time(base_->time_frame()));
+        const bool failed = off.not_finite > 0;
+        return {.at = at, .ms = base_ms_ * median_of(ratios), .rmse = failed ? 1e9 : off.rmse};
+    }
+
+    Budget budget() {
+        if (!options_.ms_budget.empty())
+            return {.ms = own_or_number(options_.ms_budget, base_ms_, "--ms"), .rmse = {}};
+        return {.ms = {},
+                .rmse = own_or_number(options_.rmse_budget, measure(own()).rmse, "--rmse")};
+    }
+
+    const Preset& preset_;
+    const StudyOptions& options_;
+    Context& context_;
+    MeasureOptions how_;
+    std::vector<Knob> knobs_;
+    std::vector<std::size_t> tweaks_;  // by knob
+    std::vector<bool> menus_;          // by knob
+    std::vector<Dial> dials_;
+    std::vector<float> truth_;
+    std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
+    std::unique_ptr<MeasuredScene> base_;
+    double base_ms_ = 0.0;
+};
+
+}  // namespace
+
+bool has_budget(const StudyOptions& options) {
+    return !options.ms_budget.empty() || !options.rmse_budget.empty();
+}
+
+Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const StudyOptions& options,
+                Context& context, const MeasureOptions& how) {
+    return JointSearch(preset, knobs, options, context, how).run();
+}
+
+void choose_best(Study& study, const StudyOptions& options) {
+    study.is_joint = true;
+    const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
+    const bool by_time = !options.ms_budget.empty(), any = own != study.rows.end();
+    const bool is_own = options.ms_budget == "own";  // what is not told to take longer does not
+    const double own_ms = any ? own->ms.median : 0.0;
+    const double own_rmse = any && own->error ? own->error->rmse : 0.0;
+    const double budget = by_time ? own_or_number(options.ms_budget, own_ms, "--ms")
+                                  : own_or_number(options.rmse_budget, own_rmse, "--rmse");
+    const auto better = [&](const StudyRow& a, const StudyRow& b) {
+        return by_time ? a.error->rmse < b.error->rmse : a.ms.median < b.ms.median;
+    };
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        const StudyRow& row = study.rows[i];
+        if (!row.error || !row.failed.empty()) continue;
+        const bool is_within = !by_time ? row.error->rmse <= budget
+                               : is_own ? row.verdict != TimeVerdict::slower
+                                        : row.ms.median <= budget;
+        if (is_within && (!study.best || better(row, study.rows[*study.best]))) study.best = i;
+    }
+    if (!study.best) {
+        study.findings.push_back(fmt::format("nothing that was tried is within {} {}",
+                                             three_digits(budget), by_time ? "ms" : "of RMSE"));
+    }
+}
+
+}  // namespace glint

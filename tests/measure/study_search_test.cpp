@@ -1,0 +1,118 @@
+// The search over joint settings, on costs and errors that are known.
+#include "measure/study/search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace glint {
+namespace {
+
+// Tweaks whose times add up, and squares of whose errors do, each with a rate of its own.
+struct World {
+    std::vector<double> cost, error, order;
+
+    Tried at(const Stand& stand) const {
+        double ms = 1.0, squares = 0.0;
+        for (std::size_t i = 0; i < stand.size(); ++i) {
+            const double work = std::pow(2.0, static_cast<double>(stand[i]));
+            ms += cost[i] * work;
+            squares += std::pow(error[i] * std::pow(work, -order[i]), 2.0);
+        }
+        return {.at = stand, .ms = ms, .rmse = std::sqrt(squares)};
+    }
+};
+
+World world(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+    };
+    World result;
+    for (int i = 0; i < 4; ++i) {
+        result.cost.push_back(std::pow(10.0, between(-2.0, 0.0)));
+        result.error.push_back(std::pow(10.0, between(-2.0, 0.0)));
+        result.order.push_back(between(0.5, 2.0));
+    }
+    return result;
+}
+
+const std::vector<Dial> kDials(4, Dial{.count = 7});
+
+Tried best_within(const std::vector<Tried>& all, const Budget& budget) {
+    Tried best{.at = {}, .ms = 1e9, .rmse = 1e9};
+    for (const Tried& one : all) {
+        if (budget.ms && one.ms <= *budget.ms && one.rmse < best.rmse) best = one;
+        if (budget.rmse && one.rmse <= *budget.rmse && one.ms < best.ms) best = one;
+    }
+    return best;
+}
+
+std::vector<Tried> everything(const World& known) {
+    std::vector<Tried> all;
+    for (std::size_t i = 0; i < 7 * 7 * 7 * 7; ++i)
+        all.push_back(known.at({i % 7, i / 7 % 7, i / 49 % 7, i / 343}));
+    return all;
+}
+
+// Of 2401 settings 160 are measured; where they stand about the budget, nothing much better is
+// left.
+TEST(StudySearch, FindsWhatAllSettingsTogetherHave) {
+    int exact = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const World known = world(seed);
+        const auto measure = [&](const Stand& at) { return std::optional(known.at(at)); };
+        const Stand own = {3, 3, 3, 3};
+        for (const Budget& budget : {Budget{.ms = known.at(own).ms, .rmse = {}},
+                                     Budget{.ms = {}, .rmse = known.at(own).rmse}}) {
+            const auto tried = search(kDials, own, budget, 160, measure);
+            EXPECT_LE(tried.size(), 160u);
+            const Tried found = best_within(tried, budget);
+            const Tried truth = best_within(everything(known), budget);
+            exact += found.at == truth.at;
+            EXPECT_LE(budget.ms ? found.rmse / truth.rmse : found.ms / truth.ms, 1.1) << seed;
+        }
+    }
+    EXPECT_GE(exact, 60) << "of 80";
+}
+
+// Two methods: one is good for nothing until its steps are many, and then the better one.
+TEST(StudySearch, ComesToAnotherMethod) {
+    const auto measure = [](const Stand& at) {
+        const double steps = std::pow(2.0, static_cast<double>(at[1]));
+        const bool other = at[0] == 1;
+        return std::optional(Tried{.at = at,
+                                   .ms = 1.0 + (other ? 0.5 : 1.0) * steps,
+                                   .rmse = other ? 2.0 / (steps * steps) : 0.5 / steps});
+    };
+    const std::vector<Dial> dials = {{.count = 2, .is_menu = true}, {.count = 7}};
+    const auto tried = search(dials, {0, 2}, {.ms = 9.0, .rmse = {}}, 160, measure);
+    EXPECT_EQ(best_within(tried, {.ms = 9.0, .rmse = {}}).at, (Stand{1, 4}));
+}
+
+TEST(StudySearch, EndsWhereNoMoreMayBeMeasured) {
+    int left = 10;
+    const World known = world(1);
+    const auto tried = search(kDials, {3, 3, 3, 3}, {.ms = 5.0, .rmse = {}}, 160,
+                              [&](const Stand& at) -> std::optional<Tried> {
+                                  if (left-- == 0) return std::nullopt;
+                                  return known.at(at);
+                              });
+    EXPECT_EQ(tried.size(), 10u);
+}
+
+TEST(StudySearch, KeepsTheBestAboutTheBudget) {
+    const std::vector<Tried> tried = {{.at = {0}, .ms = 1.0, .rmse = 1.0},
+                                      {.at = {1}, .ms = 2.0, .rmse = 0.5},
+                                      {.at = {2}, .ms = 3.0, .rmse = 0.6},
+                                      {.at = {3}, .ms = 4.0, .rmse = 0.1},
+                                      {.at = {4}, .ms = 64.0, .rmse = 0.01}};
+    const auto best = best_of(tried, {.ms = 4.0, .rmse = {}}, 2);
+    ASSERT_EQ(best.size(), 2u);
+    EXPECT_EQ(best[0].at, Stand{1}) << "the fastest first; what is beaten is left out";
+    EXPECT_EQ(best[1].at, Stand{3});
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,122 @@
+// `glint study` with a budget, and over several views.
+#include "report.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+using StudyBudget = InAFolder;
+
+std::string findings(const Json& study) {
+    return study["findings"].dump();
+}
+
+// Two sums, one of which matters much and costs little, and the other way round.
+const std::string kTwoDials =
+    "uniform int cheap; //@ 4 [1, 16] log quality reference=64\n"
+    "uniform int dear;  //@ 4 [1, 16] log quality reference=64\n"
+    "uniform int method; //@ 0 {none, other} quality reference=0\n"
+    "float sum(int n, float x) {\n"
+    "    float s = 0.0;\n"
+    "    for (int i = 0; i < n; ++i) s += exp(-x * float(i) / float(n));\n"
+    "    return s / float(n);\n"
+    "}\n"
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "    vec2 uv = p / iResolution.xy;\n"
+    "    float waste = 0.0;\n"
+    "    for (int i = 0; i < 40 * dear; ++i) waste += exp(-uv.y * float(i));\n"
+    "    c = vec4(vec3(0.4 * sum(cheap, uv.x) + 0.02 * sum(dear, uv.y) + 1e-12 * waste), 1);\n"
+    "    if (method == 1) c.g += 0.2;\n"
+    "}\n";
+
+TEST_F(StudyBudget, ABudgetChoosesAndAPresetKeepsIt) {
+    write("s.frag", kTwoDials);
+    write("s.toml", "scene = \"s.frag\"\ntitle = \"mine\"\n");
+    const Outcome outcome = glint({"study", "s.toml", "--size", "64x36", "--seconds", "1", "--ms",
+                                   "own", "--json", "-o", "s.toml", "--name", "fast"});
+    const Json json = report_of(outcome);
+    EXPECT_EQ(json["knob"], "quality");
+    const Json& best = json["best"];
+    ASSERT_TRUE(best.is_object()) << json;
+    EXPECT_EQ(best["tweaks"]["method"], "none");
+    EXPECT_EQ(best["tweaks"]["cheap"], "16") << best << " costs next to nothing";
+    const auto own = std::ranges::find_if(
+        json["rows"], [](const Json& row) { return row["is_preset"].get<bool>(); });
+    ASSERT_NE(own, json["rows"].end());
+    EXPECT_LT(best["error"].get<double>(), 0.5 * (*own)["rmse"].get<double>());
+    EXPECT_NE(json["rows"][best["row"].get<std::size_t>()]["verdict"], "slower");
+    ASSERT_FALSE(json["frontier"].empty());
+    EXPECT_TRUE(json["frontier"][0]["ms_high"].is_number());
+    EXPECT_TRUE(json["frontier"][0]["tweaks"].contains("dear"));
+
+    const std::string preset = bytes("s.toml");
+    EXPECT_NE(preset.find("title = \"mine\""), std::string::npos) << preset;
+    EXPECT_NE(preset.find("[quality.fast]\ncheap = 16\n"), std::string::npos) << preset;
+    const Outcome used =
+        glint({"still", "s.toml", "-o", "a.png", "--size", "64x36", "--quality", "fast"});
+    EXPECT_EQ(used.code, 0) << used.err;
+    std::vector<std::string> named = {"still", "s.toml", "-o", "b.png", "--size", "64x36"};
+    for (const auto& [name, value] : best["tweaks"].items())
+        named.insert(named.end(), {"--tweak", name + "=" + value.get<std::string>()});
+    EXPECT_EQ(glint(named).code, 0);
+    EXPECT_EQ(bytes("a.png"), bytes("b.png"));
+    glint({"still", "s.toml", "-o", "c.png", "--size", "64x36"});
+    EXPECT_NE(bytes("a.png"), bytes("c.png"));
+    const Outcome wrong = glint({"still", "s.toml", "-o", "a.png", "--quality", "fats"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.err.find("did you mean 'fast'?"), std::string::npos) << wrong.err;
+    EXPECT_EQ(glint({"still", "s.toml", "-o", "a.jpg", "--size", "8x8", "--quality", "50"}).code,
+              0);
+}
+
+TEST_F(StudyBudget, ABudgetThatNothingMeetsIsTold) {
+    write("s.frag", kTwoDials);
+    const Json json = report_of(glint(
+        {"study", "s.frag", "--size", "16x9", "--seconds", "0", "--ms", "0.000001", "--json"}));
+    EXPECT_TRUE(json["best"].is_null());
+    EXPECT_NE(findings(json).find("nothing that was tried is within"), std::string::npos);
+    EXPECT_EQ(glint({"study", "s.frag", "--ms", "much"}).code, 2);
+    EXPECT_EQ(glint({"study", "s.frag", "--ms", "1", "--rmse", "1"}).code, 2);
+    EXPECT_EQ(glint({"study", "s.frag", "-o", "a.toml"}).code, 2);
+}
+
+// Steps that matter the more the brighter it is.
+TEST_F(StudyBudget, OverSeveralViewsTheWorstIsNamed) {
+    write("s.frag",
+          "uniform int n; //@ 1 [1, 4] quality reference=8\n"
+          "uniform float light; //@ 0.1 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(light * (0.5 + 0.1 / float(n)) + 0.01 * iTime);\n"
+          "}\n");
+    write("bright.toml", "scene = \"s.frag\"\n[tweaks]\nlight = 1.0\n");
+    write("dim.toml", "scene = \"s.frag\"\n[tweaks]\nlight = 0.2\n");
+    const std::vector<std::string> arguments = {"study",     "dim.toml", "--size", "8x8",
+                                                "--seconds", "0",        "--json"};
+    const auto with = [&](const std::string& over) {
+        std::vector<std::string> all = arguments;
+        all.insert(all.end(), {"--over", over});
+        return glint(all);
+    };
+    const Json json = report_of(with("presets"));
+    EXPECT_EQ(json["views"], Json({"bright", "dim"}));
+    const Json alone = report_of(glint(arguments));
+    for (std::size_t i = 0; i < json["rows"].size(); ++i) {
+        const Json& row = json["rows"][i];
+        EXPECT_EQ(row["worst"]["view"], "bright");
+        const double bright = row["worst"]["rmse"], dim = alone["rows"][i]["rmse"];
+        EXPECT_NEAR(row["rmse"].get<double>(), std::sqrt((bright * bright + dim * dim) / 2.0),
+                    1e-6);
+    }
+    const Json times = report_of(with("time=0:10:5"));
+    EXPECT_EQ(times["views"], Json({"time 0", "time 5", "time 10"}));
+    EXPECT_EQ(times["rows"][0]["worst"]["view"], "time 10") << "brighter in linear light";
+    EXPECT_EQ(with("time=5:0:1").code, 2);
+    EXPECT_EQ(with("other").code, 2);
+}
+
+}  // namespace
+}  // namespace glint::cli
