@@ -30,6 +30,8 @@ struct Preset {
     // Names of tweaks that a random look leaves alone, as the file lists them; also of some that
     // the scene does not have today.
     std::vector<std::string> locked;
+    // What is watched in the window and by `probe`: `EXPR@LINE`, as `--expr` names it.
+    std::vector<std::string> watch;
     std::array<Sampler, 4>
         channels;               // iChannel0..3 of pasted text; those the scene declares itself win
     std::vector<Event> events;  // in order of time

@@ -44,9 +44,10 @@ void members(const auto& all, Is<Scene> auto& value) {
     all(files, text, origins, tweaks, samplers, passes, channel_types, image_entry, has_sound);
 }
 void members(const auto& all, Is<Preset> auto& value) {
-    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, channels,
-           events] = value;
-    all(file, scene, title, time, size, has_size, settle, date, values, locked, channels, events);
+    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, watch,
+           channels, events] = value;
+    all(file, scene, title, time, size, has_size, settle, date, values, locked, watch, channels,
+        events);
 }
 void members(const auto& all, Is<PassTrial> auto& value) {
     auto& [name, compile_ms, first_ms, second_ms, expected_ms] = value;
