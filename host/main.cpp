@@ -52,6 +52,7 @@ constexpr VerbEntry kVerbs[] = {
     {"voice", nullptr, voice_verb},
     {"refine", nullptr, refine_verb},
     {"sketch", nullptr, sketch_verb},
+    {"probing", nullptr, probing_verb},
 #endif
 };
 

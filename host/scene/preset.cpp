@@ -44,6 +44,7 @@ private:
     void read_date(const toml::node& node);
     void read_tweaks(const toml::node& node);
     void read_locked(const toml::node& node);
+    void read_watch(const toml::node& node);
     std::optional<Turned> read_tweak(const toml::key& key, const toml::node& node);
     void read_qualities(const toml::node& node);
     std::optional<TweakValue> tweak_value(const Tweak& tweak, const toml::node& node);
@@ -116,13 +117,14 @@ void Reader::read(std::string_view text) {
         return;
     }
     const toml::table& root = parsed.table();
-    check_keys(root, {"scene", "title", "time", "size", "settle", "date", "locked", "tweaks",
-                      "quality", "channels", "events"});
+    check_keys(root, {"scene", "title", "time", "size", "settle", "date", "locked", "watch",
+                      "tweaks", "quality", "channels", "events"});
     read_scene_key(root);
     read_picture(root);
     if (const toml::node* tweaks = root.get("tweaks")) read_tweaks(*tweaks);
     if (const toml::node* quality = root.get("quality")) read_qualities(*quality);
     if (const toml::node* locked = root.get("locked")) read_locked(*locked);
+    if (const toml::node* watch = root.get("watch")) read_watch(*watch);
     if (const toml::node* channels = root.get("channels")) read_channels(*channels);
     if (const toml::node* events = root.get("events")) read_events(*events);
     // toml++ sorts keys by name; a person reads from top to bottom.
@@ -313,6 +315,20 @@ void Reader::read_locked(const toml::node& node) {
         if (has_scene_ && std::ranges::find(known, name->get()) == known.end())
             warning(entry, fmt::format("the scene has no tweak {}{}", in_quotes(name->get()),
                                        did_you_mean(name->get(), known)));
+    }
+}
+
+// What names no line of today's text is kept: probing tells.
+void Reader::read_watch(const toml::node& node) {
+    constexpr const char* kForm = "watch is a list of texts; write watch = [\"EXPR@LINE\"]";
+    const toml::array* list = node.as_array();
+    if (!list) return warning(node, kForm);
+    for (const toml::node& entry : *list) {
+        const auto* text = entry.as_string();
+        if (text && text->get().find('@') != std::string::npos)
+            preset_.watch.push_back(text->get());
+        else
+            warning(entry, kForm);
     }
 }
 

@@ -37,6 +37,8 @@ struct Preset {
     // the scene does not have today.
     std::vector<std::string> locked;
     std::vector<QualitySet> qualities;
+    // What is watched in the window and by `probe`: `EXPR@LINE`, as `--expr` names it.
+    std::vector<std::string> watch;
     std::array<Sampler, 4>
         channels;               // iChannel0..3 of pasted text; those the scene declares itself win
     std::vector<Event> events;  // in order of time

@@ -188,9 +188,13 @@ void Editor::edit_root() {
     set_root("settle", preset_.settle == old_.settle, fmt::format("{}", preset_.settle));
     const std::string date = toml_date(preset_.date);
     set_root("date", date == toml_date(old_.date), date);
-    std::vector<std::string> locked;
-    for (const std::string& each : preset_.locked) locked.push_back(toml_string(each));
-    set_root("locked", preset_.locked == old_.locked, fmt::format("[{}]", fmt::join(locked, ", ")));
+    const auto list = [](const std::vector<std::string>& names) {
+        std::vector<std::string> quoted;
+        for (const std::string& each : names) quoted.push_back(toml_string(each));
+        return fmt::format("[{}]", fmt::join(quoted, ", "));
+    };
+    set_root("locked", preset_.locked == old_.locked, list(preset_.locked));
+    set_root("watch", preset_.watch == old_.watch, list(preset_.watch));
 }
 
 void Editor::set_root(std::string_view key, bool same, const std::string& value) {

@@ -3,6 +3,9 @@
 #include "base/words.h"
 #include "scene/scene_text.h"
 
+#include <algorithm>
+#include <charconv>
+
 namespace glint {
 
 std::optional<ProbeNote> parse_probe_note(std::string_view annotation) {
@@ -35,6 +38,36 @@ std::vector<ProbeNote> find_probe_notes(const Scene& scene) {
         notes.push_back(std::move(*note));
     }
     return notes;
+}
+
+std::optional<Span> find_line(const Scene& scene, std::string_view name) {
+    const std::size_t colon = name.rfind(':');
+    const std::string_view digits = colon == name.npos ? name : name.substr(colon + 1);
+    const std::string_view file = colon == name.npos ? "" : name.substr(0, colon);
+    int number = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return {};
+    std::size_t begin = 0;
+    for (const Origin& origin : scene.origins) {
+        const std::size_t end = std::min(scene.text.find('\n', begin), scene.text.size() - 1) + 1;
+        const std::filesystem::path& path = scene.files[origin.file];
+        const bool is_file =
+            file.empty() ? origin.file == 0 : path == file || path.filename() == file;
+        if (is_file && origin.line == number) return Span{begin, end};
+        begin = end;
+    }
+    return {};
+}
+
+std::optional<ProbeNote> note_of_watch(const Scene& scene, std::string_view watch) {
+    const std::size_t at = watch.rfind('@');
+    if (at == watch.npos) return {};
+    const std::optional<Span> line = find_line(scene, watch.substr(at + 1));
+    if (!line) return {};
+    return ProbeNote{.expression = std::string(trimmed(watch.substr(0, at))),
+                     .begin = line->begin,
+                     .end = line->end,
+                     .place = scene.place_at(line->begin)};
 }
 
 }  // namespace glint

@@ -56,6 +56,7 @@ std::unique_ptr<Verb> open_verb();
 std::unique_ptr<Verb> probe_verb();
 std::unique_ptr<Verb> refine_verb();
 std::unique_ptr<Verb> sketch_verb();
+std::unique_ptr<Verb> probing_verb();
 std::unique_ptr<Verb> sequence_verb();
 std::unique_ptr<Verb> sound_verb();
 std::unique_ptr<Verb> still_verb();

@@ -1,7 +1,9 @@
-// `glint trial`, `refine`, `sketch` and `voice`: processes of the window; for no person to call.
+// `glint trial`, `refine`, `sketch`, `probing` and `voice`: processes of the window; for no person
+// to call.
 #include "verbs/options.h"
 #include "verbs/verb.h"
 #include "window/live/voice.h"
+#include "window/probe/process.h"
 #include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
@@ -28,6 +30,10 @@ std::unique_ptr<Verb> refine_verb() {
 
 std::unique_ptr<Verb> sketch_verb() {
     return process_verb<run_sketch>();
+}
+
+std::unique_ptr<Verb> probing_verb() {
+    return process_verb<run_probing>();
 }
 
 std::unique_ptr<Verb> voice_verb() {

@@ -120,6 +120,21 @@ TEST_F(ProbeFaults, CountThePixelsWhereAnAssertionDoesNotHold) {
     EXPECT_FALSE(find_probe_notes(player.preset.scene).back().is_assertion);
 }
 
+// The driver sees it at the next statement: what it says is told at the comment's own line.
+TEST_F(ProbeFaults, AnAssertionThatIsNoExpressionIsToldAtItsLineAndKeepsNobodyFromAskingTheOthers) {
+    Player player(image("//@ assert tt > 0.0\n"
+                        "//@ assert p.x < 1.0\n"
+                        "\n"
+                        "c = vec4(1.0);"),
+                  {.size = {2, 1}});
+    const auto list = broken(player);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].line, 2);
+    EXPECT_NE(sentence_of(list[0]).find("cannot be evaluated"), std::string::npos);
+    EXPECT_NE(sentence_of(list[0]).find("tt"), std::string::npos) << sentence_of(list[0]);
+    EXPECT_EQ(list[1].pixels, 1u);
+}
+
 TEST_F(ProbeFaults, CountTurnsReadsAndCallsOfAPixel) {
     Player player(
         "uniform sampler2D grain; //@ noise rgba 16\n"

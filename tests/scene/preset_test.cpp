@@ -122,6 +122,8 @@ TEST(Preset, WarnsAtThePlaceAndLoadsTheRest) {
         {"locked = 3", "2:10: warning: locked is a list of tweaks"},
         {"locked = [3]", "2:11: warning: the name of a tweak is a text"},
         {"locked = [\"choppines\"]", "2:11: warning: the scene has no tweak 'choppines'; did you"},
+        {"watch = 3", "2:9: warning: watch is a list of texts"},
+        {"watch = [\"nor\"]", "2:10: warning: watch is a list of texts"},
         {"size = 640", "2:8: warning: size is two whole numbers"},
         {"size = [640]", "2:8: warning: size is two whole numbers"},
         {"size = [640, 3.5]", "2:8: warning: size is two whole numbers"},

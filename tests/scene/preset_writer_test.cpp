@@ -72,6 +72,7 @@ protected:
         EXPECT_EQ(toml_date(a.date), toml_date(b.date));
         EXPECT_EQ(a.values, b.values);
         EXPECT_EQ(a.locked, b.locked);
+        EXPECT_EQ(a.watch, b.watch);
         for (std::size_t i = 0; i < a.values.size(); ++i)
             EXPECT_EQ(std::signbit(a.values[i][0]), std::signbit(b.values[i][0]));
         for (std::size_t i = 0; i < 4; ++i) {
@@ -229,6 +230,19 @@ TEST_F(PresetWriter, LocksAreAListThatIsWrittenWhereItStands) {
     preset.locked.clear();
     EXPECT_NE(save(preset, text).find("locked = [] # mine\n"), std::string::npos);
     EXPECT_EQ(save(preset).find("locked"), std::string::npos) << "none, and none was written";
+}
+
+TEST_F(PresetWriter, WhatIsWatchedIsAListOfItsOwn) {
+    const std::string text = "scene = \"../fragments/boat.frag\"\nwatch = [\"nor@12\"] # mine\n";
+    Preset preset = read(text);
+    EXPECT_EQ(preset.watch, (std::vector<std::string>{"nor@12"}));
+    EXPECT_EQ(save(preset, text), text);
+    preset.watch.push_back("dot(nor, rd)@shared.glsl:3");
+    EXPECT_NE(
+        save(preset, text).find("watch = [\"nor@12\", \"dot(nor, rd)@shared.glsl:3\"] # mine"),
+        std::string::npos);
+    preset.watch.clear();
+    EXPECT_EQ(save(preset).find("watch"), std::string::npos);
 }
 
 TEST_F(PresetWriter, LineEndsAndByteOrderMarksStay) {

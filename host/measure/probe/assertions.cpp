@@ -1,5 +1,6 @@
 #include "measure/probe/assertions.h"
 
+#include "measure/probe/watches.h"
 #include "scene/passes.h"
 #include "scene/probe_note.h"
 
@@ -43,13 +44,6 @@ void look(Probe& probe, Renderer& renderer, std::size_t index, const std::string
 
 }  // namespace
 
-ProbeWish watched(const Scene& scene) {
-    ProbeWish wish;
-    for (const ProbeNote& note : find_probe_notes(scene))
-        if (!note.is_assertion) wish.expressions.push_back(expression_of(note));
-    return wish;
-}
-
 bool has_assertions(const Scene& scene) {
     return std::ranges::any_of(find_probe_notes(scene), &ProbeNote::is_assertion);
 }
@@ -70,8 +64,22 @@ std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& r
                          .why = note.why});
     }
     std::vector<Probe> probes;
-    for (const GraphPass& pass : renderer.graph().passes)
-        probes.emplace_back(preset, pass.pass, options, wish);
+    for (const GraphPass& pass : renderer.graph().passes) {
+        try {
+            probes.emplace_back(preset, pass.pass, options, wish);
+        } catch (const ProbeRefused&) {
+            ProbeWish rest = wish;
+            rest.expressions = accepted(preset, pass.pass, options, wish,
+                                        [&](const ProbeExpression& one, const std::string& why) {
+                                            for (std::size_t i = 0; i < notes.size(); ++i)
+                                                if (notes[i].begin == one.line.begin)
+                                                    found[i].refused = why;
+                                        });
+            // Of none, all values would be told.
+            if (rest.expressions.empty()) rest.only = {Span{0, 0}};
+            probes.emplace_back(preset, pass.pass, options, rest);
+        }
+    }
     renderer.before_pass = [&](std::size_t index) {
         const std::string pass = pass_name(preset.scene, renderer.graph().passes[index].pass);
         look(probes[index], renderer, index, pass, notes, found);
@@ -79,11 +87,15 @@ std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& r
     renderer.reset();  // what nothing has changed would not be drawn, and not be looked at
     draw();
     renderer.before_pass = nullptr;
-    std::erase_if(found, [](const BrokenAssertion& one) { return one.pixels == 0; });
+    std::erase_if(
+        found, [](const BrokenAssertion& one) { return one.pixels == 0 && one.refused.empty(); });
     return found;
 }
 
 std::string sentence_of(const BrokenAssertion& broken) {
+    if (!broken.refused.empty())
+        return fmt::format("assert {} cannot be evaluated, and was not: {}", broken.expression,
+                           broken.refused);
     return fmt::format("assert {}{} does not hold in {} pixel{} of {}, first at {},{}",
                        broken.expression,
                        broken.why.empty() ? "" : fmt::format(" \"{}\"", broken.why), broken.pixels,

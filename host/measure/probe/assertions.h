@@ -15,15 +15,13 @@ struct BrokenAssertion {
     std::string expression{}, why{}, pass{};
     glm::ivec2 pixel{0};     // the first
     std::size_t pixels = 0;  // in all frames that were drawn
+    std::string refused{};   // why it cannot be evaluated, and was not; "" where it was
 };
 
 bool has_assertions(const Scene& scene);
 
-// The expressions of `//@ watch EXPR`.
-ProbeWish watched(const Scene& scene);
-
-// Of all passes that `draw` has the renderer draw, from its start, in the order of the text. Throws
-// ProbeRefused for an expression that is none.
+// Of all passes that `draw` has the renderer draw, from its start, in the order of the text. An
+// expression that is none is one of them, and keeps nobody from asking the others.
 std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& renderer,
                                                const ProgramOptions& options,
                                                const std::function<void()>& draw);

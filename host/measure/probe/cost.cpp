@@ -16,14 +16,10 @@ constexpr glm::ivec2 kGrid{16, 9};  // pixels at which lines are counted
 constexpr std::size_t kLines = 10;
 constexpr int kDraws = 3;  // whose median is taken
 
-using Counts = std::array<double, 3>;
+}  // namespace
 
-// Of all pixels of a map.
-struct Totals {
-    Counts mean{}, most{};
-};
-Totals totals_of(const std::vector<ProbeCell>& cells) {
-    Totals totals;
+ProbeCost totals_of(const std::vector<ProbeCell>& cells) {
+    ProbeCost totals;
     for (const ProbeCell& cell : cells) {
         for (std::size_t i = 0; i < 3; ++i) {
             const auto count = static_cast<double>(cell.kept[i]);
@@ -34,20 +30,23 @@ Totals totals_of(const std::vector<ProbeCell>& cells) {
     return totals;
 }
 
-std::vector<ProbeLineCost> lines_of(ProbeSession& session, Probe& probe, const Frame& frame) {
+double count_of(const ProbeCell& cell) {
+    return static_cast<double>(cell.kept[0]) + cell.kept[1] + cell.kept[2];
+}
+
+std::vector<ProbeLineCost> dearest_lines(Probe& probe, Renderer& renderer, const Frame& frame,
+                                         glm::ivec2 size) {
     std::vector<ProbeLineCost> lines;
     const std::size_t sites = probe.probed().sites.size();
     for (std::size_t i = 0; i < sites; ++i) {
         const ProbeValue row = probe.row(i);
         lines.push_back({row.file, row.line, row.function, row.name, row.kind});
     }
-    const glm::ivec2 size = session.shape().size;
     const double share = 1.0 / (kGrid.x * kGrid.y);
     for (int i = 0; i < kGrid.x * kGrid.y; ++i) {
         const glm::ivec2 at =
             glm::ivec2(i % kGrid.x, i / kGrid.x) * size / kGrid + size / kGrid / 2;
-        const std::vector<std::uint32_t> hits =
-            probe.hits_of_sites(session.renderer(), frame, {.pixel = at});
+        const std::vector<std::uint32_t> hits = probe.hits_of_sites(renderer, frame, {.pixel = at});
         for (std::size_t k = 0; k < sites; ++k) {
             lines[k].a_pixel += hits[k] * share;
             lines[k].most = std::max(lines[k].most, static_cast<double>(hits[k]));
@@ -59,19 +58,18 @@ std::vector<ProbeLineCost> lines_of(ProbeSession& session, Probe& probe, const F
     return lines;
 }
 
+namespace {
+
 // From black over red and yellow to white.
 void write_heat(const std::filesystem::path& file, const std::vector<ProbeCell>& cells,
                 glm::ivec2 size) {
     double most = 1.0;
-    const auto sum = [](const ProbeCell& cell) {
-        return static_cast<double>(cell.kept[0]) + cell.kept[1] + cell.kept[2];
-    };
-    for (const ProbeCell& cell : cells) most = std::max(most, sum(cell));
+    for (const ProbeCell& cell : cells) most = std::max(most, count_of(cell));
     Image image{.size = size, .channels = 3, .pixels = {}};
     for (const ProbeCell& cell : cells)
         for (const double from : {0.0, 1.0, 2.0})
             image.pixels.push_back(static_cast<std::byte>(
-                std::lround(255.0 * std::clamp(3.0 * sum(cell) / most - from, 0.0, 1.0))));
+                std::lround(255.0 * std::clamp(3.0 * count_of(cell) / most - from, 0.0, 1.0))));
     write_image(file, image);
 }
 
@@ -141,11 +139,9 @@ ProbeCost cost_of(ProbeSession& session, const ProbeOptions& options,
     std::vector<ProbeCell> cells;
     session.at_frame(options, [&](const Frame& frame) {
         cells = probe.map(session.renderer(), frame, 0, 0);
-        cost.lines = lines_of(session, probe, frame);
+        cost = totals_of(cells);
+        cost.lines = dearest_lines(probe, session.renderer(), frame, session.shape().size);
     });
-    const Totals totals = totals_of(cells);
-    cost.mean = totals.mean;
-    cost.most = totals.most;
     if (!heat.empty()) write_heat(heat, cells, session.shape().size);
     const bool is_picture = !fills_a_buffer(session.pass());
     if (is_picture && !session.renderer().graph().stateful)

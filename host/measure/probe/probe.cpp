@@ -64,9 +64,9 @@ double number_of(std::uint32_t bits, std::string_view type) {
     return static_cast<double>(std::bit_cast<float>(bits));
 }
 
-std::string said(const Diagnostics& diagnostics) {
+std::string said(const Diagnostics& diagnostics, bool with_place) {
     for (const Diagnostic& one : diagnostics)
-        if (one.severity == Severity::error) return to_string(one);
+        if (one.severity == Severity::error) return with_place ? to_string(one) : one.text;
     return "the driver gave no reason";
 }
 
@@ -133,7 +133,7 @@ void Probe::compile(const ProgramOptions& options, ProbeWish& wish) {
         CompiledPass compiled = compile_text(preset_, pass_, std::move(text));
         program_ = std::move(compiled.program);
         if (program_) break;
-        why = said(compiled.diagnostics);
+        why = said(compiled.diagnostics, wish.expressions.size() != 1);
         std::size_t found = 0;
         for (const ProbeSite& site : probed_.sites) {
             const Place place = preset_.scene.place_at(site.at);
@@ -146,6 +146,8 @@ void Probe::compile(const ProgramOptions& options, ProbeWish& wish) {
         }
         if (found == 0) break;
     }
+    if (!program_ && wish.expressions.size() == 1)  // which stands elsewhere than its line
+        throw ProbeRefused(fmt::format("{}: {}", in_quotes(wish.expressions.front().text), why));
     if (!program_)
         throw ProbeRefused(fmt::format("The driver takes no instrumented text of pass {}: {}",
                                        pass_name(preset_.scene, pass_), why));

@@ -8,6 +8,7 @@
 #include "measure/probe/faults.h"
 #include "measure/probe/series.h"
 #include "measure/probe/session.h"
+#include "measure/probe/watches.h"
 #include "offline/frames.h"
 
 #include <fmt/format.h>
@@ -101,9 +102,8 @@ void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& option
                  const ProbePlace& place, Probing& found) {
     const bool has_hits = !options.line.empty() || !options.expression.empty();
     std::vector<ProbeValue> rows, seen;
-    std::optional<Probe> watch;
-    if (ProbeWish wish = watched(session.preset().scene); !has_hits && !wish.expressions.empty())
-        watch.emplace(session.preset(), session.pass(), session.program_options(), wish);
+    std::optional<Watches> watch;
+    if (!has_hits) watch.emplace(session.preset(), session.pass(), session.program_options());
     session.at_frame(options, [&](const Frame& frame) {
         if (watch) seen = watch->values_at(session.renderer(), frame, place);
         rows = has_hits ? probe.hits_at(session.renderer(), frame, place, kMostHits)
@@ -112,6 +112,7 @@ void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& option
     keep_hit(rows, options);
     found = session.probing(place);
     found.values = std::move(seen);
+    if (watch) found.notes = watch->refused();
     found.values.insert(found.values.end(), rows.begin(), rows.end());
     if (probe.is_discarded())
         found.same = "discarded";
@@ -221,7 +222,7 @@ void run_probe(const ProbeOptions& options) {
             probe_picture(session, probe, options, place, found);
         else
             probe_pixel(session, probe, options, place, found);
-        found.notes = probe.notes();
+        for (std::string& note : probe.notes()) found.notes.push_back(std::move(note));
     } catch (const ProbeRefused& refused) {
         if (options.expression.empty()) throw;
         throw UsageError(fmt::format("--expr {}", refused.what()));

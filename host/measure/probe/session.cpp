@@ -1,11 +1,11 @@
 #include "measure/probe/session.h"
 
 #include "offline/input_files.h"
+#include "scene/probe_note.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
-#include <limits>
 
 namespace glint {
 namespace {
@@ -89,24 +89,11 @@ Probing ProbeSession::probing(const ProbePlace& place) const {
 }
 
 Span ProbeSession::line(const std::string& text) const {
-    const Scene& scene = preset_.scene;
-    const std::size_t colon = text.rfind(':');
-    const std::string digits = colon == text.npos ? text : text.substr(colon + 1);
-    int number = 0;
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (read.ec != std::errc() || read.ptr != digits.data() + digits.size())
+    if (const auto found = find_line(preset_.scene, text)) return *found;
+    const std::string digits = text.substr(text.rfind(':') + 1);
+    if (digits.empty() || digits.find_first_not_of("0123456789") != digits.npos)
         throw UsageError(
             fmt::format("--line {}: write a line, as in 412 or shared.glsl:12.", text));
-    const std::string file = colon == text.npos ? "" : text.substr(0, colon);
-    std::size_t begin = 0;
-    for (const Origin& origin : scene.origins) {
-        const std::size_t end = std::min(scene.text.find('\n', begin), scene.text.size() - 1) + 1;
-        const std::filesystem::path& path = scene.files[origin.file];
-        const bool is_file =
-            file.empty() ? origin.file == 0 : path == file || path.filename() == file;
-        if (is_file && origin.line == number) return {begin, end};
-        begin = end;
-    }
     throw UsageError(fmt::format("There is no line {} in the scene.", text));
 }
 

@@ -102,6 +102,24 @@ Json to_json(const ProbeCost& cost) {
     return json;
 }
 
+std::array<double, 3> counts_from(const Json& json) {
+    return {json.at("loops"), json.at("reads"), json.at("calls")};
+}
+
+// Without runs.
+ProbeCost cost_from(const Json& json) {
+    ProbeCost cost{.mean = counts_from(json), .most = counts_from(json.at("most"))};
+    for (const Json& line : json.at("lines"))
+        cost.lines.push_back({.file = line.at("file"),
+                              .line = line.at("line"),
+                              .function = line.at("function"),
+                              .name = line.at("name"),
+                              .kind = line.at("kind"),
+                              .a_pixel = line.at("a_pixel"),
+                              .most = line.at("most")});
+    return cost;
+}
+
 Json to_json(const ProbeFault& fault) {
     return {{"file", fault.file},
             {"line", fault.line},
@@ -144,6 +162,7 @@ Probing probing_from_json(const Json& json) {
                     .same = json.at("same"),
                     .notes = json.at("notes")};
     for (const Json& value : json.at("values")) probing.values.push_back(value_from(value));
+    if (json.contains("cost")) probing.cost = cost_from(json.at("cost"));
     return probing;
 }
 

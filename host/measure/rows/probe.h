@@ -87,7 +87,8 @@ struct Probing {
 
 // Numbers that are not finite are "nan", "inf" and "-inf".
 nlohmann::ordered_json to_json(const Probing& probing);
-// Values alone, which the window shows. Throws nlohmann::json::exception for what is none.
+// Values, notes and costs without runs, which the window shows. Throws nlohmann::json::exception
+// for what is none.
 Probing probing_from_json(const nlohmann::ordered_json& json);
 
 // `(0.25, 1, -3e-09)`, as tables show it.

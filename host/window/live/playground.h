@@ -212,6 +212,10 @@ public:
     // For that; `picture_count()` says whether it is still about what is shown.
     RefineOrder refine_order() const;
 
+    // The frame that was drawn last, for another process to look into a pass of it; what the pass
+    // reads goes into that memory. While something has been drawn.
+    RefineOrder probe_order(std::size_t pass, SharedMemory& memory);
+
     // The preset as it stands now: values, time, size, recorded events. While one is open.
     Preset current_preset() const;
     // The same for another process to draw what is seen here, mouse and keys included. A scene that
@@ -243,8 +247,8 @@ private:
     bool follow_sketch();
     bool may_sketch() const;
     void start_sketch();
-    RefineOrder sketch_order() const;
-    void give_buffers(RefineOrder& order);
+    RefineOrder order_of(Preset preset) const;
+    void give_buffers(RefineOrder& order, SharedMemory& shared, std::optional<std::size_t> reader);
     bool awaits_text() const {
         return reloader_.state() == ReloadState::trying_text || reloader_.has_unseen();
     }

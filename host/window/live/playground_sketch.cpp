@@ -65,15 +65,15 @@ bool Playground::follow_sketch() {
 }
 
 void Playground::start_sketch() {
-    RefineOrder order = sketch_order();
-    give_buffers(order);
+    RefineOrder order = order_of(programs_.tried());
+    give_buffers(order, sketcher_.memory(), {});
     sketcher_.start(order);
 }
 
-// The frame that was drawn last, by the new text.
-RefineOrder Playground::sketch_order() const {
+// The frame that was drawn last, by this text.
+RefineOrder Playground::order_of(Preset preset) const {
     const Frame frame = frame_again();
-    RefineOrder order{.preset = programs_.tried(),
+    RefineOrder order{.preset = std::move(preset),
                       .samples = 1,
                       .time = frame.time,
                       .time_delta = frame.time_delta,
@@ -85,13 +85,29 @@ RefineOrder Playground::sketch_order() const {
     return order;
 }
 
-void Playground::give_buffers(RefineOrder& order) {
+// The frame that was drawn last, with the buffers that a pass reads.
+RefineOrder Playground::probe_order(std::size_t pass, SharedMemory& memory) {
+    Preset preset = current_preset();
+    preset.time = preset_->time;
+    RefineOrder order = order_of(std::move(preset));
+    order.specialise = is_specialised();
+    give_buffers(order, memory, pass);
+    return order;
+}
+
+// All, or those that one pass reads.
+void Playground::give_buffers(RefineOrder& order, SharedMemory& shared,
+                              std::optional<std::size_t> reader) {
     const auto& passes = renderer_->graph().passes;
     std::size_t bytes = 0;
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const BufferShape& shape = renderer_->buffer(i).shape();
         const std::string* text = programs_.shelf().text_of(renderer_->scene().programs[i].id);
         if (!fills_a_buffer(passes[i].pass) || shape.cube) continue;
+        const auto reading = std::ranges::find(passes, reader.value_or(0), &GraphPass::pass);
+        if (reader && (reading == passes.end() ||
+                       std::ranges::find(reading->reads, passes[i].pass) == reading->reads.end()))
+            continue;
         order.given.push_back({.pass = passes[i].pass,
                                .feeds_state = passes[i].feeds_state,
                                .text_hash = text ? sketch_hash(*text) : 0,
@@ -101,7 +117,7 @@ void Playground::give_buffers(RefineOrder& order) {
                                .begin = bytes});
         bytes += bytes_of_output(shape.size) * static_cast<std::size_t>(shape.outputs);
     }
-    const std::span<std::byte> memory = sketcher_.memory(bytes);
+    const std::span<std::byte> memory = shared.room(bytes);
     if (memory.size() < bytes) order.given.clear();
     for (const GivenBuffer& given : order.given) {
         const std::size_t index = static_cast<std::size_t>(

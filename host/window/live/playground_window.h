@@ -2,8 +2,8 @@
 //
 // window.cpp draws and grants wishes, window_input.cpp hears keys and mouse, window_findings.cpp
 // runs studies and checks beside it, window_work.cpp sees to it that no work is lost,
-// window_start.cpp shows what stands for a scene until it draws, window_resolution.cpp chooses how
-// many pixels it draws.
+// window_probe.cpp asks for values of a pixel, window_start.cpp shows what stands for a scene until
+// it draws, window_resolution.cpp chooses how many pixels it draws.
 #pragma once
 
 #include "base/end_signals.h"
@@ -16,6 +16,7 @@
 #include "window/live/held_rate.h"
 #include "window/live/kept_pictures.h"
 #include "window/live/kept_resolutions.h"
+#include "window/live/live_probe.h"
 #include "window/live/picture_shelf.h"
 #include "window/live/playground.h"
 #include "window/live/recent.h"
@@ -131,6 +132,16 @@ private:
     bool show_failure();
     bool show_comparison();
 
+    // Values of a pixel
+    bool probes() const;
+    const std::vector<std::string>& watch() const;
+    std::optional<glm::dvec2> probed_place() const;  // a fraction of the picture
+    bool follow_probe();                             // true when there is something new
+    bool pin_probe(glm::dvec2 position);
+    void tell_probe(Facts& facts) const;
+    void grant_probe(const Wishes& wishes);
+    bool show_value(const BufferView& view);
+
     // The resolution that is held while something moves, and what refines it when nothing does
     glm::ivec2 full_size() const;  // pixels of the picture
     void choose_resolution();
@@ -192,6 +203,11 @@ private:
     Editor editor_;
     PictureShelf pictures_;
     Refiner refiner_;
+    LiveProbe probe_;
+    Span seen_lines_{};                              // of the text, in the source panel
+    std::optional<std::vector<std::string>> watch_;  // another than the file's
+    std::optional<glm::dvec2> last_probed_;
+    std::optional<glm::ivec2> probed_pixel_;
     KeptResolutions kept_resolutions_;
     HeldRate held_rate_;
     bool resolution_begun_ = false;  // of the file that was opened
@@ -224,7 +240,7 @@ private:
         std::vector<TweakValue> values;
         std::size_t events = 0;
         std::vector<std::string> channels;  // as TOML
-        std::vector<std::string> locked;
+        std::vector<std::string> locked, watch;
         double start_time = 0.0;  // s
         bool operator==(const Kept&) const = default;
     };

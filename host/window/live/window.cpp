@@ -87,6 +87,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       check_(home_folder("XDG_CACHE_HOME", ".cache") / "check", {.device = options.device}),
       sound_(options.device),
       refiner_(options.device),
+      probe_(options.device),
       kept_resolutions_(home_folder("XDG_STATE_HOME", ".local/state") / "resolution") {
     std::error_code error;
     if (options.file.empty() || fs::is_directory(options.file, error)) {
@@ -109,6 +110,7 @@ int PlaygroundWindow::run() {
         descriptors.push_back(end_signals_.descriptor());
         descriptors.push_back(editor_.descriptor());
         descriptors.push_back(refiner_.descriptor());
+        descriptors.push_back(probe_.descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
         dirty_ |= browser_.update();
@@ -116,6 +118,7 @@ int PlaygroundWindow::run() {
         dirty_ |= follow_findings();
         dirty_ |= follow_start();
         dirty_ |= follow_refining();
+        dirty_ |= follow_probe();
         if (const std::string problem = editor_.problem(); !problem.empty()) notice(problem);
         print_reports();
         keep_unsaved();
@@ -153,6 +156,7 @@ double PlaygroundWindow::wait_seconds() const {
     }
     if (start_picture_.is_reading()) return 0.005;
     if (shows_clock()) return std::max(0.0, clock_tick() - now);
+    if (probe_.is_waiting()) return 0.05;
     if (refining_is_due()) return kRestBeforeRefining;
     const bool pending = playground_.is_loading() || browser_.is_busy() ||
                          study_.process().is_ending() || check_.process().is_ending() ||
@@ -247,7 +251,7 @@ void PlaygroundWindow::show_picture() {
     glClear(GL_COLOR_BUFFER_BIT);
     if (show_start_picture() || !playground_.has_picture() || show_finding()) return;
     BufferView view = buffer_view();
-    if (show_sketch(view) || show_refined(view)) return;
+    if (show_value(view) || show_sketch(view) || show_refined(view)) return;
     const Output viewed = find_output(playground_, settings_.view.sampler);
     view.output = viewed.output;
     const Buffer* buffer = &playground_.renderer()->buffer(viewed.graph_index);
@@ -350,6 +354,7 @@ Facts PlaygroundWindow::facts() {
     facts.why_silent = sound_.why_silent();
     facts.notice = notice_;
     tell_findings(facts);
+    tell_probe(facts);
     const std::string title =
         file_.empty() ? "Glint"
                       : fmt::format("{}{} - Glint", facts.title, facts.unsaved ? " *" : "");
@@ -428,6 +433,7 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.fill) playground_.fill(*wishes.fill);
     browser_.draw_first(wishes.seen);
     grant_findings(wishes);
+    grant_probe(wishes);
     if (wishes.quit) leave({Leaving::For::quit, {}});
 }
 

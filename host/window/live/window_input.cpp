@@ -92,6 +92,7 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
         panels_.mouse_button(event.position, event.code, event.down);
     }
     if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
+        if (event.down && pin_probe(event.position)) return;
         const bool starts = event.down && !panels_.takes_mouse_at(event.position);
         panning_ = starts && !is_over_scene();
         if (starts && is_over_scene() && is_on_picture(event.position)) dragging_scene_ = true;
@@ -121,6 +122,13 @@ bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
 
 // Esc: what stands over the scene, or else the full screen.
 void PlaygroundWindow::close_one() {
+    ProbeView& probe = settings_.probe;
+    if (settings_.source && (probe.value || probe.cost || probe.pinned)) {
+        if (!probe.value && !probe.cost) probe.pinned.reset();
+        probe.value.reset();
+        probe.cost = false;
+        return;
+    }
     const bool any = (settings_.visible && (settings_.help || settings_.browser)) ||
                      settings_.shown != Shown::scene;
     if (!any) return window_.set_full_screen(false);
@@ -143,7 +151,8 @@ void PlaygroundWindow::flip(Action action) {
         {Action::mute, &PanelSettings::muted},          {Action::tweaks, &PanelSettings::tweaks},
         {Action::passes, &PanelSettings::passes},       {Action::browser, &PanelSettings::browser},
         {Action::transport, &PanelSettings::transport}, {Action::study, &PanelSettings::study},
-        {Action::check, &PanelSettings::check},         {Action::help, &PanelSettings::help},
+        {Action::check, &PanelSettings::check},         {Action::source, &PanelSettings::source},
+        {Action::help, &PanelSettings::help},
     };
     bool& setting = settings_.*std::ranges::find(kFlipped, action, &Flipped::first)->second;
     setting = !setting;
@@ -178,6 +187,7 @@ void PlaygroundWindow::act(Action action) {
         case Action::transport:
         case Action::study:
         case Action::check:
+        case Action::source:
         case Action::help:
             return flip(action);
         case Action::hide_panels:

@@ -63,7 +63,8 @@ bool PlaygroundWindow::is_unsaved() const {
     const Preset* written = playground_.as_written();
     if (values_known_ && written)
         return playground_.tweaks.values() != written->values || !unsaved_events().empty() ||
-               playground_.has_fills() || start_time_.value_or(written->time) != written->time ||
+               playground_.has_fills() || watch() != written->watch ||
+               start_time_.value_or(written->time) != written->time ||
                !same_locks(playground_.current_preset(), *written);
     // A file that cannot be shown leaves the scene before to work on.
     const bool is_before = !written && playground_.is_open();
@@ -138,6 +139,9 @@ void PlaygroundWindow::open(const fs::path& file) {
     left_values_ = playground_.tweaks.values();
     recorded_.clear();
     start_time_.reset();
+    watch_.reset();
+    settings_.probe = {};
+    probe_.stop();
     overwriting_.reset();
     unsaved_work_.forget();
     unsaved_work_.leave_found();
@@ -204,6 +208,7 @@ Preset PlaygroundWindow::preset_to_save() const {
     Preset preset = playground_.current_preset();
     const Preset* written = playground_.as_written();
     preset.time = start_time_.value_or(written ? written->time : 0.0);
+    preset.watch = watch();
     const std::optional<glm::ivec2> frame = frame_size();
     const bool is_free = !frame || settings_.free_aspect;
     const double scale = static_cast<double>(window_.content_scale());
@@ -234,6 +239,7 @@ bool PlaygroundWindow::save(const fs::path& file, Over over) {
     notice(fmt::format("{} saved", file.filename().string()));
     recorded_.clear();
     start_time_.reset();
+    watch_.reset();
     if (file == file_)
         playground_.note_saved(preset);
     else if (values_known_ && !playground_.shows_older_text())
@@ -302,6 +308,7 @@ void PlaygroundWindow::revert() {
     playground_.forget_fills();
     recorded_.clear();
     start_time_.reset();
+    watch_.reset();
     notice(fmt::format("Reverted to {}; {} takes it back", file_.filename().string(),
                        keys_of(Action::undo)));
 }
@@ -342,7 +349,11 @@ bool PlaygroundWindow::is_keeping_due() const {
 
 PlaygroundWindow::Kept PlaygroundWindow::work() const {
     const Preset now = preset_to_save();
-    return {now.values, unsaved_events().size(), channel_texts(*playground_.preset()), now.locked,
+    return {now.values,
+            unsaved_events().size(),
+            channel_texts(*playground_.preset()),
+            now.locked,
+            now.watch,
             now.time};
 }
 
@@ -383,11 +394,12 @@ ReadPreset PlaygroundWindow::read_offer() const {
 void PlaygroundWindow::find_unsaved() {
     while ((offer_ = unsaved_work_.find(place_))) {
         const ReadPreset read = read_offer();
-        if (read.preset && (read.preset->values != playground_.tweaks.values() ||
-                            !same(read.preset->events, playground_.preset()->events) ||
-                            !same_locks(*read.preset, *playground_.as_written()) ||
-                            read.preset->time != playground_.as_written()->time ||
-                            channel_texts(*read.preset) != channel_texts(*playground_.preset())))
+        if (read.preset &&
+            (read.preset->values != playground_.tweaks.values() ||
+             !same(read.preset->events, playground_.preset()->events) ||
+             !same_locks(*read.preset, *playground_.as_written()) ||
+             read.preset->watch != watch() || read.preset->time != playground_.as_written()->time ||
+             channel_texts(*read.preset) != channel_texts(*playground_.preset())))
             return;
         // Of tweaks that the text lacks today, and may have again tomorrow.
         if (read.preset && !read.diagnostics.empty()) {
@@ -409,6 +421,7 @@ void PlaygroundWindow::restore() {
         if (found[i] != mine[i]) playground_.fill(read.preset->channels[i]);
     playground_.tweaks.set_all(read.preset->values);
     playground_.tweaks.set_locks(read.preset->locked);
+    if (read.preset->watch != watch()) watch_ = read.preset->watch;
     if (read.preset->time != playground_.as_written()->time) start_time_ = read.preset->time;
     playground_.tweaks_changed();
     if (is_unsaved()) keep_now();  // before what was found goes

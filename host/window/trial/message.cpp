@@ -48,10 +48,10 @@ void members(const auto& all, Is<QualitySet> auto& value) {
     all(name, values);
 }
 void members(const auto& all, Is<Preset> auto& value) {
-    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, qualities,
+    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, qualities, watch,
            channels, events] = value;
-    all(file, scene, title, time, size, has_size, settle, date, values, locked, qualities, channels,
-        events);
+    all(file, scene, title, time, size, has_size, settle, date, values, locked, qualities, watch,
+        channels, events);
 }
 void members(const auto& all, Is<PassTrial> auto& value) {
     auto& [name, compile_ms, first_ms, second_ms, expected_ms] = value;
@@ -91,6 +91,17 @@ void members(const auto& all, Is<RefineOrder> auto& value) {
            given] = value;
     all(preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state,
         given);
+}
+void members(const auto& all, Is<ProbeOrder> auto& value) {
+    auto& [number, subject, instant, scene, pass, pixel, colour, lines, map, line, column, file,
+           name, kind] = value;
+    all(number, subject, instant, scene, pass, pixel, colour, lines, map, line, column, file, name,
+        kind);
+}
+void members(const auto& all, Is<ProbeAnswer> auto& value) {
+    auto& [number, found, watched, ran, problem, compile_ms, map, size, components, values,
+           reached] = value;
+    all(number, found, watched, ran, problem, compile_ms, map, size, components, values, reached);
 }
 
 void members(const auto& all, Is<SoundOrder> auto& value) {
@@ -191,6 +202,14 @@ std::string pack(const RefineOrder& order) {
     return packed(order);
 }
 
+std::string pack(const ProbeOrder& order) {
+    return packed(order);
+}
+
+std::string pack(const ProbeAnswer& answer) {
+    return packed(answer);
+}
+
 std::optional<std::string> take_message(std::string& arrived) {
     std::uint64_t length = 0;
     if (arrived.size() < sizeof length) return std::nullopt;
@@ -211,6 +230,14 @@ SoundOrder unpack_sound_order(std::string_view message) {
 
 RefineOrder unpack_refine_order(std::string_view message) {
     return unpacked<RefineOrder>(message);
+}
+
+ProbeOrder unpack_probe_order(std::string_view message) {
+    return unpacked<ProbeOrder>(message);
+}
+
+ProbeAnswer unpack_probe_answer(std::string_view message) {
+    return unpacked<ProbeAnswer>(message);
 }
 
 TrialAnswer unpack_answer(std::string_view message) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "media/feed.h"
+#include "window/trial/prober.h"
 #include "window/trial/refiner.h"
 #include "window/trial/trial.h"
 
@@ -53,6 +54,8 @@ std::string pack(std::uint64_t number, const Candidate& candidate, double slow_m
 std::string pack(const TrialAnswer& answer);
 std::string pack(const SoundOrder& order);
 std::string pack(const RefineOrder& order);
+std::string pack(const ProbeOrder& order);
+std::string pack(const ProbeAnswer& answer);
 
 // Takes the first whole message off what has arrived; nothing when it is not whole yet.
 std::optional<std::string> take_message(std::string& arrived);
@@ -62,5 +65,7 @@ TrialOrder unpack_order(std::string_view message);
 TrialAnswer unpack_answer(std::string_view message);
 SoundOrder unpack_sound_order(std::string_view message);
 RefineOrder unpack_refine_order(std::string_view message);
+ProbeOrder unpack_probe_order(std::string_view message);
+ProbeAnswer unpack_probe_answer(std::string_view message);
 
 }  // namespace glint

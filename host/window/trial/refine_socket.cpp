@@ -9,7 +9,6 @@
 #include <span>
 
 namespace glint {
-namespace {
 
 void send_all(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
@@ -19,17 +18,19 @@ void send_all(std::span<const std::byte> bytes) {
     }
 }
 
-}  // namespace
-
-RefineOrder receive_refine_order() {
-    std::string arrived;
+std::string receive_message() {
+    static std::string arrived;
     std::array<char, 64 * 1024> buffer;
     for (;;) {
-        if (const auto message = take_message(arrived)) return unpack_refine_order(*message);
+        if (auto message = take_message(arrived)) return std::move(*message);
         const ssize_t length = ::recv(STDIN_FILENO, buffer.data(), buffer.size(), 0);
         if (length <= 0) _exit(0);
         arrived.append(buffer.data(), static_cast<std::size_t>(length));
     }
+}
+
+RefineOrder receive_refine_order() {
+    return unpack_refine_order(receive_message());
 }
 
 Frame frame_of(const RefineOrder& order) {

@@ -1,13 +1,11 @@
 // The process that sketches: draws a text once, with what the window's buffers hold already.
 #include "gl/context.h"
 #include "offline/input_files.h"
+#include "window/trial/given_buffers.h"
 #include "window/trial/refine_socket.h"
+#include "window/trial/shared_memory.h"
 #include "window/trial/sketcher.h"
 #include "window/trial/socket_process.h"
-
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,16 +13,6 @@
 
 namespace glint {
 namespace {
-
-// What stands at our standard output.
-std::span<const std::byte> shared_memory() {
-    struct stat status {};
-    if (::fstat(STDOUT_FILENO, &status) != 0 || status.st_size == 0) return {};
-    const auto bytes = static_cast<std::size_t>(status.st_size);
-    void* at = ::mmap(nullptr, bytes, PROT_READ, MAP_SHARED, STDOUT_FILENO, 0);
-    if (at == MAP_FAILED) throw std::runtime_error("The window's buffers cannot be seen.");
-    return {static_cast<const std::byte*>(at), bytes};
-}
 
 // Those that the new text would fill with what they hold.
 std::vector<GivenBuffer> still_right(const RefineOrder& order) {
@@ -43,48 +31,6 @@ std::vector<GivenBuffer> still_right(const RefineOrder& order) {
         });
     }
     return list;
-}
-
-// Whoever reads such a buffer reads a picture from now on, and nobody draws it.
-struct GivenPicture {
-    std::size_t sampler = 0;
-    GivenBuffer given;
-    std::size_t output = 0;
-};
-std::vector<GivenPicture> as_pictures(RefineOrder& order) {
-    const std::vector<GivenBuffer> buffers = still_right(order);
-    std::vector<GivenPicture> pictures;
-    auto& own = order.preset.scene.samplers;
-    for (std::size_t i = 0; i < sampler_count(order.preset); ++i) {
-        Sampler& sampler = i < own.size() ? own[i] : order.preset.channels.at(i - own.size());
-        const auto given = std::ranges::find(buffers, sampler.pass, &GivenBuffer::pass);
-        if (sampler.source != Source::buffer || given == buffers.end()) continue;
-        sampler.source = Source::image;
-        pictures.push_back({i, *given, sampler.output});
-    }
-    return pictures;
-}
-
-bool is_read(const CompiledScene& scene, std::size_t sampler) {
-    return std::ranges::any_of(scene.programs, [&](const PassProgram& program) {
-        return std::ranges::find(program.samplers, sampler, &SamplerUniform::sampler) !=
-               program.samplers.end();
-    });
-}
-
-void hand_over(const std::vector<GivenPicture>& pictures, std::span<const std::byte> memory,
-               Renderer& renderer) {
-    for (const GivenPicture& picture : pictures) {
-        if (!is_read(renderer.scene(), picture.sampler)) continue;
-        const glm::ivec2 size = picture.given.size;
-        const std::size_t bytes =
-            static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4 * sizeof(float);
-        renderer.set_image(
-            picture.sampler,
-            {.size = size,
-             .floats = true,
-             .data = memory.subspan(picture.given.begin + picture.output * bytes, bytes)});
-    }
 }
 
 CompiledScene compiled(const Preset& preset) {
@@ -114,12 +60,13 @@ void run_sketch(const std::string& device) {
     const auto context = make_egl_context(device);
     warm_up(*context);
     RefineOrder order = receive_refine_order();
-    const std::vector<GivenPicture> pictures = as_pictures(order);
+    const std::vector<GivenPicture> pictures = as_pictures(order.preset, still_right(order));
     CompiledScene scene = compiled(order.preset);
     // What is simulated begins where it stands, which only the window knows.
     if (scene.graph.stateful) throw std::runtime_error("What is simulated was not given.");
     Renderer renderer(order.preset, std::move(scene), {.size = order.preset.size});
-    hand_over(pictures, shared_memory(), renderer);
+    const SeenMemory memory;
+    hand_over(pictures, memory.bytes(), renderer);
     load_inputs(order.preset, renderer);
     renderer.draw(frame_of(order));
     context->finish();

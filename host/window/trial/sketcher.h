@@ -7,10 +7,10 @@
 #pragma once
 
 #include "window/trial/refiner.h"
+#include "window/trial/shared_memory.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <span>
 #include <string>
 
 namespace glint {
@@ -24,15 +24,12 @@ class Sketcher {
 public:
     explicit Sketcher(const std::string& device,
                       const std::filesystem::path& program = "/proc/self/exe");
-    ~Sketcher();
-    Sketcher(const Sketcher&) = delete;
-    Sketcher& operator=(const Sketcher&) = delete;
 
     // Has a process at hand: its driver takes longer to start than a small text to be drawn.
     void prepare() { process_.prepare(); }
 
-    // Room for what the order gives; empty where there is none. Valid until it is asked for again.
-    std::span<std::byte> memory(std::size_t bytes);
+    // For what the order gives.
+    SharedMemory& memory() { return memory_; }
 
     // One picture, instead of what may still run. Does not wait.
     void start(const RefineOrder& order) { process_.start(order); }
@@ -49,10 +46,7 @@ public:
     bool is_drawing() const { return process_.of() > process_.done(); }
 
 private:
-    void release();
-
-    int file_;  // in memory
-    std::span<std::byte> memory_;
+    SharedMemory memory_;
     Refiner process_;
 };
 

@@ -207,6 +207,12 @@ void cross(const Pen& pen) {
     pen.line(-0.6f, 0.6f, 0.6f, -0.6f);
 }
 
+void brackets(const Pen& pen) {
+    pen.path({{-0.35f, -0.6f}, {-0.9f, 0.0f}, {-0.35f, 0.6f}});
+    pen.path({{0.35f, -0.6f}, {0.9f, 0.0f}, {0.35f, 0.6f}});
+    pen.line(0.15f, -0.8f, -0.15f, 0.8f);
+}
+
 void search(const Pen& pen) {
     pen.ring(-0.15f, -0.15f, 0.6f);
     pen.line(0.3f, 0.3f, 0.85f, 0.85f);
@@ -244,6 +250,7 @@ constexpr auto kDrawings = std::to_array<void (*)(const Pen&)>({
     grid,
     diagram,
     shield,
+    brackets,
     clock,
     screen,
     camera,

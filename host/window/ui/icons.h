@@ -26,6 +26,7 @@ enum class Icon {
     browser,
     study,
     check,
+    source,
     clock,
     screen,
     camera,

@@ -28,8 +28,8 @@ void close_popup_by_key() {
 }
 
 // Those that the keyboard goes through, in this order.
-constexpr const char* kPanels[] = {"bar",   "start", "Tweaks",      "Passes",   "Browser",
-                                   "Study", "Check", "diagnostics", "transport"};
+constexpr const char* kPanels[] = {"bar",   "start", "Tweaks", "Passes",      "Browser",
+                                   "Study", "Check", "Source", "diagnostics", "transport"};
 
 // As they stood in the frame before.
 std::vector<ImGuiWindow*> open_panels() {
@@ -103,6 +103,7 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, const Tra
         waiting_label(build);
         pixel_grid(build);
         shown_labels(build);
+        probe_mark(build);
         wipe_handle(build);
         top_bar(build, diagnostics_);
         if (!facts.scene && facts.file.empty())
@@ -125,14 +126,15 @@ void Interface::panels(Build& build) {
     const PanelSettings& settings = build.settings;
     if (!settings.transport) layout_.transport = {};
     if (settings.transport) transport_panel(build, transport_);
-    layout_.arrange(
-        theme_, ImGui::GetIO().DisplaySize,
-        {settings.tweaks, settings.passes, settings.browser, settings.study, settings.check});
+    layout_.arrange(theme_, ImGui::GetIO().DisplaySize,
+                    {settings.tweaks, settings.passes, settings.browser, settings.study,
+                     settings.check, settings.source});
     if (settings.tweaks) tweaks_panel(build, tweaks_);
     if (settings.passes) passes_panel(build);
     if (settings.browser) browser_panel(build);
     if (settings.study) study_panel(build, study_);
     if (settings.check) check_panel(build);
+    if (settings.source) source_panel(build, source_);
     diagnostics_panel(build, diagnostics_);
 }
 

@@ -90,6 +90,10 @@ struct StudyState {
     std::optional<std::size_t> hovered, hovering;
 };
 
+struct SourceState {
+    std::string watch;  // as far as it is typed
+};
+
 void top_bar(Build& build, DiagnosticsState& diagnostics);
 void tweaks_panel(Build& build, TweaksState& state);
 void transport_panel(Build& build, TransportState& state);
@@ -99,6 +103,8 @@ void shelves(Build& build, float card_width);  // of scenes and presets; points,
 void start_page(Build& build);                 // instead of the panels while nothing is open
 void study_panel(Build& build, StudyState& state);
 void check_panel(Build& build);
+void source_panel(Build& build, SourceState& state);
+void probe_mark(Build& build);  // on the picture: the pinned pixel
 void diagnostics_panel(Build& build, DiagnosticsState& state);
 void diagnostics_button(Build& build, DiagnosticsState& state);  // in the bar: how many
 void help_panel(Build& build);
@@ -156,6 +162,7 @@ private:
     SavingState saving_;
     NewSceneState new_scene_;
     StudyState study_;
+    SourceState source_;
     std::string notice_;
     float notice_age_ = 1e9f;  // s
     bool is_busy_ = false;     // Esc has something to end before it gives the keyboard back

@@ -6,6 +6,7 @@ namespace glint {
 namespace {
 
 constexpr float kMargin = 8.0f, kNarrowest = 200.0f;          // points
+constexpr float kNarrowestSource = 520.0f;                    // a line of text, and its values
 constexpr float kWidestColumn = 0.45f, kBothColumns = 0.72f;  // of the screen
 
 // Shares a height: who wants less than an even share leaves the rest to the others.
@@ -31,8 +32,10 @@ void Layout::arrange(const Theme& theme, ImVec2 screen, const std::array<bool, k
     for (std::size_t i = 0; i < kPanelCount; ++i) {
         const auto side = static_cast<std::size_t>(places.side[i]);
         if (!open[i]) continue;
-        const float wished = theme.px(std::max(places.width[side], kNarrowest));
-        widths[side] = std::min(wished, kWidestColumn * screen.x);
+        const bool is_text = i == static_cast<std::size_t>(PanelId::source);
+        const float least = is_text ? kNarrowestSource : kNarrowest;
+        const float wished = theme.px(std::max(places.width[side], least));
+        widths[side] = std::max(widths[side], std::min(wished, kWidestColumn * screen.x));
     }
     const float both = widths[0] + widths[1];
     if (both > kBothColumns * screen.x)

@@ -12,8 +12,8 @@
 namespace glint {
 
 enum class Side { left, right };
-enum class PanelId { tweaks, passes, browser, study, check };
-inline constexpr std::size_t kPanelCount = 5;
+enum class PanelId { tweaks, passes, browser, study, check, source };
+inline constexpr std::size_t kPanelCount = 6;
 
 // A rectangle in screen units, y down.
 struct Area {
@@ -28,7 +28,8 @@ struct Area {
 
 // What is remembered between runs.
 struct Places {
-    std::array<Side, kPanelCount> side{Side::right, Side::left, Side::left, Side::left, Side::left};
+    std::array<Side, kPanelCount> side{Side::right, Side::left, Side::left,
+                                       Side::left,  Side::left, Side::left};
     std::array<float, 2> width{330.0f, 350.0f};  // points, of the columns
     bool operator==(const Places&) const = default;
 };

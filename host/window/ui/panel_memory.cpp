@@ -10,8 +10,9 @@
 namespace glint {
 namespace {
 
-constexpr const char* kPanelNames[] = {"tweaks", "passes", "browser", "study", "check"};
-constexpr const char* kOpenNames[] = {"tweaks", "transport", "passes", "browser", "study", "check"};
+constexpr const char* kPanelNames[] = {"tweaks", "passes", "browser", "study", "check", "source"};
+constexpr const char* kOpenNames[] = {"tweaks", "transport", "passes", "browser",
+                                      "study",  "check",     "source"};
 static_assert(std::size(kPanelNames) == kPanelCount);
 static_assert(std::size(kOpenNames) == std::tuple_size<decltype(Memory::open)>());
 
@@ -84,11 +85,12 @@ void recall(Memory& memory, Places& places, PanelSettings& settings) {
     settings.browser = memory.open[3];
     settings.study = memory.open[4];
     settings.check = memory.open[5];
+    settings.source = memory.open[6];
 }
 
 void note(Memory& memory, const Places& places, const PanelSettings& settings) {
-    const std::array open{settings.tweaks,  settings.transport, settings.passes,
-                          settings.browser, settings.study,     settings.check};
+    const std::array open{settings.tweaks, settings.transport, settings.passes, settings.browser,
+                          settings.study,  settings.check,     settings.source};
     if (memory.places == places && memory.open == open) return;
     memory.places = places;
     memory.open = open;

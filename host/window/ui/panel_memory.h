@@ -10,8 +10,8 @@ namespace glint {
 
 struct Memory {
     Places places;
-    // tweaks, transport, passes, browser, study, check
-    std::array<bool, 6> open{true, true, false, false, false, false};
+    // tweaks, transport, passes, browser, study, check, source
+    std::array<bool, 7> open{true, true, false, false, false, false, false};
     bool read = false;  // the file had something to say
     bool recalled = false;
 };

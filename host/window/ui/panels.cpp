@@ -65,6 +65,8 @@ void add(Wishes& all, Wishes more) {
     if (more.answer) all.answer = more.answer;
     if (more.study) all.study = std::move(more.study);
     if (more.start_time) all.start_time = more.start_time;
+    if (more.watch) all.watch = std::move(more.watch);
+    all.lines = more.lines;
     all.seen = std::move(more.seen);
     all.time.insert(all.time.end(), more.time.begin(), more.time.end());
     all.save |= more.save;

@@ -9,12 +9,14 @@
 // screen makes pixels; times are seconds, costs milliseconds.
 #pragma once
 
+#include "glsl/raw_text.h"
 #include "measure/rows/case.h"
 #include "measure/rows/study.h"
 #include "scene/scene.h"
 #include "scene/transport.h"
 #include "scene/tweak_values.h"
 #include "window/ui/findings.h"
+#include "window/ui/probe_facts.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -142,6 +144,7 @@ struct Facts {
     WorkFact study_work, check_work;
     std::span<const Study> studies;
     std::span<const CaseResult> cases;  // worst first
+    ProbeFact probe;
     bool recording = false;
     bool has_sound = false;
     std::string why_silent;  // a cause; "" while the sound can be heard
@@ -182,14 +185,17 @@ struct Wishes {
     bool cancel_study = false;
     bool check = false, cancel_check = false;
     bool quit = false;
-    std::vector<std::filesystem::path> seen;  // of Facts::browser: those in view
+    std::optional<Span> lines;                      // of the scene's text: those in view
+    std::optional<std::vector<std::string>> watch;  // from now on
+    std::vector<std::filesystem::path> seen;        // of Facts::browser: those in view
 };
 
 // Edited by panels and window alike; kept while the program runs.
 struct PanelSettings {
     bool visible = true;  // Tab hides all
     bool tweaks = true, transport = true, passes = false, browser = false, help = false;
-    bool study = false, check = false;
+    bool study = false, check = false, source = false;
+    ProbeView probe;
     bool keys = false;       // the panels have the keyboard, and the scene has not
     int next_panel = 0;      // give it to the next one (1), or to the one before (-1); becomes 0
     bool search = false;     // give it to the search of tweaks; becomes false

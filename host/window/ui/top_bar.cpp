@@ -196,7 +196,7 @@ void top_bar(Build& build, DiagnosticsState& diagnostics) {
     ImGui::Begin("bar", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    const float toggles = 11 * (ImGui::GetFrameHeight() + theme.px(2)) + theme.px(60);
+    const float toggles = 12 * (ImGui::GetFrameHeight() + theme.px(2)) + theme.px(60);
     const float words = words_width(build.facts);
     const bool has_room = screen - 2 * margin - toggles - words > theme.px(140);
     const float taken = toggles + (has_room ? words : theme.px(50));
@@ -211,6 +211,7 @@ void top_bar(Build& build, DiagnosticsState& diagnostics) {
     toggle(build, "Transport", Icon::clock, Action::transport, settings.transport);
     toggle(build, "Study", Icon::study, Action::study, settings.study);
     toggle(build, "Check", Icon::check, Action::check, settings.check);
+    toggle(build, "Source", Icon::source, Action::source, settings.source);
     ImGui::SameLine(0, theme.px(8));
     actions(build);
     free_aspect(build);

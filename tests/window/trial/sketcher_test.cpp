@@ -48,7 +48,7 @@ protected:
 
     // The buffer holds this value, and was drawn with the text as it is now.
     void give(std::size_t pass, float value, std::vector<std::size_t> reads = {}) {
-        const std::span<std::byte> memory = sketcher_.memory(4 * 4 * sizeof(float));
+        const std::span<std::byte> memory = sketcher_.memory().room(4 * 4 * sizeof(float));
         ASSERT_EQ(memory.size(), 4 * 4 * sizeof(float));
         auto* const at = reinterpret_cast<float*>(memory.data()) + 4 * pass;
         std::fill_n(at, 4, value);
