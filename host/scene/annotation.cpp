@@ -26,7 +26,7 @@ struct TweakParser {
     Tweak tweak;
     Words words;
     std::optional<Written> initial, reference;
-    std::size_t range_at = 0, log_at = 0, step_at = 0, menu_at = 0;
+    std::size_t safe_at = 0, range_at = 0, log_at = 0, step_at = 0, menu_at = 0;
     bool described = false;
     std::unordered_set<std::string_view> options;  // those seen
 
@@ -43,8 +43,8 @@ struct TweakParser {
     bool in_range(const TweakValue& value) const;
 };
 
-const std::vector<std::string> kTweakWords = {"log",     "unit",     "step",     "group",
-                                              "quality", "norandom", "reference"};
+const std::vector<std::string> kTweakWords = {"log",     "unit",     "step",      "group",
+                                              "quality", "norandom", "reference", "safe"};
 
 void TweakParser::parse() {
     while (!words.done()) parse_item();
@@ -106,9 +106,10 @@ void TweakParser::parse_word(std::size_t at) {
     }
     words = after;
     words.complain(
-        at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
-                        "step=, group=, reference=, [min, max], {{names}} and a \"description\"{}",
-                        in_quotes(word), did_you_mean(word, kTweakWords)));
+        at, fmt::format(
+                "unknown word {}; known are log, quality, norandom, unit=, "
+                "step=, group=, reference=, safe=, [min, max], {{names}} and a \"description\"{}",
+                in_quotes(word), did_you_mean(word, kTweakWords)));
 }
 
 void TweakParser::parse_option(std::string_view key, std::size_t at) {
@@ -128,11 +129,19 @@ void TweakParser::parse_option(std::string_view key, std::size_t at) {
                            fmt::format("step is {}; write a number above 0", in_quotes(text)));
         tweak.step = step.value_or(0.0);
         return;
+    } else if (key == "safe") {
+        safe_at = value_at;
+        const bool is_list = words.accept('[');
+        tweak.safe = is_list ? parse_bounds(words.list(']', value_at)) : std::nullopt;
+        if (!is_list) words.text();
+        if (!tweak.safe)
+            words.complain(value_at, "safe is two numbers, the smaller first; write safe=[0, 0.8]");
+        return;
     } else if (key == "reference") {
         reference = Written{words.value(), value_at};
     } else {
         words.complain(at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
-                                       "step=, group= and reference={}",
+                                       "step=, group=, reference= and safe={}",
                                        in_quotes(key), did_you_mean(key, kTweakWords)));
         words.text();
         return;
@@ -203,6 +212,9 @@ void TweakParser::check() {
     if (tweak.min && tweak.type == TweakType::int1 &&
         (*tweak.min != std::floor(*tweak.min) || *tweak.max != std::floor(*tweak.max)))
         words.complain(range_at, "the range of an int is two whole numbers");
+    if (tweak.safe &&
+        (!tweak.min || (*tweak.safe)[0] < *tweak.min || (*tweak.safe)[1] > *tweak.max))
+        words.complain(safe_at, "safe is a part of the range; write it within [min, max]");
     if (tweak.log && !is_number_type())
         words.complain(log_at, "log is for numbers; take it out of this bool or menu");
     else if (tweak.log && (!tweak.min || *tweak.min <= 0.0))
