@@ -143,6 +143,7 @@ private:
     void over_declaration(const Declaration& declaration);
     void over_condition(const Statement& statement, TokenRange condition);
     void over_division(std::uint32_t at, TokenRange room);
+    void over_fetch(const Call& call);
     void over_index(std::uint32_t at);
     void over_call(const Call& call);
     void over_loop(std::uint32_t index);
@@ -434,6 +435,7 @@ void Instrumenter::over_call(const Call& call) {
     const std::string_view name = reading_.word(call.name);
     if (wish_.kind == ProbeKind::cost && is_one_of(name, kReads))
         return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint_n");
+    if (wish_.kind == ProbeKind::faults && name == "texelFetch") return over_fetch(call);
     const bool is_known = is_one_of(name, kDomains) || (name == "atan" && call.arity == 2);
     if (wish_.kind != ProbeKind::faults || !is_known) return;
     if (!edits_.takes_replacement(call.name) || !edits_.takes_after(call.brackets.begin)) return;
@@ -444,6 +446,17 @@ void Instrumenter::over_call(const Call& call) {
                       {call.name, call.name + 1},
                       fmt::format("glint_{}", name)});
     words_.push_back({call.brackets.begin, Words::Where::after, whole, fmt::format("{},", *site)});
+}
+
+// `texelFetch(buffer, at, 0)` of a sampler that has a name, and a level that is a number.
+void Instrumenter::over_fetch(const Call& call) {
+    const std::uint32_t first = call.brackets.begin + 1, last = call.brackets.end - 2;
+    if (call.arity != 3 || !token(first).is_word() || !token(first + 1).is(",")) return;
+    if (token(last).kind != TokenKind::number || !token(last - 1).is(",")) return;
+    const TokenRange whole = {call.name, call.brackets.end};
+    hand_through(SiteKind::index, close_spelling(reading_, whole), call.name, {first + 2, last - 1},
+                 "glint_t",
+                 fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, token(last).text));
 }
 
 // Behind the last statement of the line, as it stands in no other of that line; before what leaves

@@ -95,12 +95,16 @@ ProbeLeaves leaves_of(std::uint32_t tag, const Probed& probed);
 //
 //     values  glint_kept: the bits of the value; glint_told: hits, order among all, tag, 1
 //     cost    glint_kept: turns, reads, calls, 0; glint_told: hits of the wanted site, 0, 0, 1
-//     faults  glint_kept: up to two operands, 0, 0; glint_told: faults, site of the first + 1, 0, 1
+//     faults  glint_kept: up to two operands of the first, how far the watched site has kept off
+//             what is undefined (a float), an operand of the worst; glint_told: faults, site of the
+//             first + 1, of the first that is undefined + 1, 1
 //
 // `uniform ivec4 glint_ask`: the site and hit that the first cell wants, and what each further cell
 // adds to both; of more hits than there are, the last. `uniform ivec4 glint_place`: cells, each of
 // 2x2 fragments, that evaluate the quad at .xy, .z of them in a row; .z = 0: each fragment is its
-// own pixel. `glint_coord` stands for gl_FragCoord.
+// own pixel. `glint_coord` stands for gl_FragCoord. Of faults, `glint_place.w` is the number of
+// sites, of which each fragment watches another, and `glint_ask.y` whether what is undefined gets a
+// result all the same.
 std::string probe_declarations(ProbeKind kind);
 std::string probe_main(ProbeKind kind, std::size_t outputs);
 

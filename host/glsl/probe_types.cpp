@@ -190,38 +190,66 @@ std::string cost_functions() {
 }
 
 constexpr std::string_view kFaults =
-    R"(int glint_id = 0, glint_last = 0, glint_found = 0, glint_first = 0;
-uvec4 glint_bits = uvec4(0);
+    R"(int glint_id = 0, glint_last = 0, glint_found = 0, glint_first = 0, glint_worst = 0;
+bool glint_mends = false;
+uvec4 glint_bits = uvec4(0u, 0u, 0x7F7FFFFFu, 0u);
 void glint_f(int i, bool is_wrong, uint a, uint b) {
     if (is_wrong && glint_found == 0) { glint_first = i + 1; glint_bits.xy = uvec2(a, b); }
     glint_found += int(is_wrong);
 }
 void glint_f(int i, bool is_wrong, float a) { glint_f(i, is_wrong, floatBitsToUint(a), 0u); }
 void glint_f(int i, bool is_wrong, float a, float b) { glint_f(i, is_wrong, floatBitsToUint(a), floatBitsToUint(b)); }
+void glint_u(int i, bool is_undefined, uint a, float off) {
+    if (is_undefined && glint_worst == 0) { glint_worst = i + 1; glint_bits.w = a; }
+    if (i == glint_id && off < uintBitsToFloat(glint_bits.z)) glint_bits.z = floatBitsToUint(max(off, 0.0));
+}
+void glint_u(int i, bool is_undefined, float a, float off) { glint_u(i, is_undefined, floatBitsToUint(a), off); }
 void glint_a(int i, bool holds) { glint_f(i, !holds, 0u, 0u); }
-float glint_v(int i, float v) { glint_f(i, (floatBitsToUint(v) & 0x7F800000u) == 0x7F800000u, v); return v; }
+float glint_v(int i, float v) {
+    glint_f(i, (floatBitsToUint(v) & 0x7F800000u) == 0x7F800000u, v);
+    bool is_nan = (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u;
+    glint_u(i, is_nan, v, 3e38);
+    return glint_mends && is_nan ? 0.37 : v;
+}
 float glint_w(int i, float v, float now) { glint_v(i, now); return v; }
-float glint_d(int i, float b) { glint_f(i, b == 0.0, b); return b; }
-int glint_d(int i, int b) { glint_f(i, b == 0, uint(b), 0u); return b; }
-uint glint_d(int i, uint b) { glint_f(i, b == 0u, b, 0u); return b; }
-int glint_i(int i, int at, int count) { glint_f(i, at < 0 || at >= count, uint(at), uint(count)); return at; }
-uint glint_i(int i, uint at, int count) { glint_f(i, at >= uint(count), at, uint(count)); return at; }
+float glint_d(int i, float b) { glint_f(i, b == 0.0, b); glint_u(i, false, b, abs(b)); return b; }
+int glint_d(int i, int b) { glint_f(i, b == 0, uint(b), 0u); glint_u(i, b == 0, uint(b), abs(float(b))); return b; }
+uint glint_d(int i, uint b) { glint_f(i, b == 0u, b, 0u); glint_u(i, b == 0u, b, float(b)); return b; }
+int glint_i(int i, int at, int count) {
+    bool is_out = at < 0 || at >= count;
+    glint_f(i, is_out, uint(at), uint(count));
+    glint_u(i, is_out, uint(at), min(float(at) + 1.0, float(count) - float(at)));
+    return at;
+}
+uint glint_i(int i, uint at, int count) { glint_i(i, at > 2147483647u ? 2147483647 : int(at), count); return at; }
+ivec2 glint_t(int i, ivec2 at, ivec2 size) {
+    glint_u(i, at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y, uint(at.x), 3e38);
+    return glint_mends ? clamp(at, ivec2(0), size - 1) : at;
+}
+ivec3 glint_t(int i, ivec3 at, ivec3 size) { return at; }
 )";
 
+// `is_undefined`: what no driver owes a result. `off`: how far from that. `mended`: an operand that
+// has a result, another one than what is undefined may come to.
 struct Domain {
-    const char *name, *is_wrong;
+    const char *name, *is_wrong, *is_undefined, *off, *mended;
 };
-constexpr std::array<Domain, 8> kOne = {{{"sqrt", "a < 0.0"},
-                                         {"inversesqrt", "a <= 0.0"},
-                                         {"log", "a <= 0.0"},
-                                         {"log2", "a <= 0.0"},
-                                         {"acos", "abs(a) > 1.0"},
-                                         {"asin", "abs(a) > 1.0"},
-                                         {"acosh", "a < 1.0"},
-                                         {"atanh", "abs(a) >= 1.0"}}};
-constexpr std::array<Domain, 3> kTwo = {{{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)"},
-                                         {"mod", "b == 0.0"},
-                                         {"atan", "a == 0.0 && b == 0.0"}}};
+constexpr std::array<Domain, 8> kOne = {
+    {{"sqrt", "a < 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
+     {"inversesqrt", "a <= 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
+     {"log", "a <= 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
+     {"log2", "a <= 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
+     {"acos", "abs(a) > 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
+      "v - (v - 0.37) * step(1.0000001, abs(v))"},
+     {"asin", "abs(a) > 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
+      "v - (v - 0.37) * step(1.0000001, abs(v))"},
+     {"acosh", "a < 1.0", "a < 1.0", "a - 1.0", "1.0 + abs(v - 1.0)"},
+     {"atanh", "abs(a) >= 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
+      "v - (v - 0.37) * step(1.0, abs(v))"}}};
+constexpr std::array<Domain, 3> kTwo = {
+    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0", "a", "max(v, -7.0 * v), w"},
+     {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + 1.0"},
+     {"atan", "a == 0.0 && b == 0.0", "false", "3e38", "v, w"}}};
 
 // What is done for each component of a vector.
 std::string for_each(int length, const std::string& call) {
@@ -239,32 +267,40 @@ std::string faults_functions() {
         const std::string type = kTypes[static_cast<std::size_t>(n) - 1];
         if (n > 1) {
             for (const char* name : {"v", "d"})
-                text += fmt::format("{0} glint_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
-                                    for_each(n, fmt::format("glint_{}(i, v{{of}}); ", name)));
+                text +=
+                    fmt::format("{0} glint_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
+                                for_each(n, fmt::format("v{{of}} = glint_{}(i, v{{of}}); ", name)));
             text += fmt::format(
                 "{0} glint_w(int i, {0} v, {0} now) {{ glint_v(i, now); return v; }}\n", type);
         }
         for (const Domain& one : kOne)
             text += fmt::format(
                 "void glint_is_{0}(int i, {1} v) {{ {2}}}\n{1} glint_{0}(int i, {1} v) {{ "
-                "glint_is_{0}(i, v); return {0}(v); }}\n",
+                "glint_is_{0}(i, v); if (glint_mends) v = {3}; return {0}(v); }}\n",
                 one.name, type,
-                for_each(n, fmt::format("{{{{ float a = v{{of}}; glint_f(i, {}, a); }}}} ",
-                                        one.is_wrong)));
+                for_each(n, fmt::format("{{{{ float a = v{{of}}; glint_f(i, {}, a); "
+                                        "glint_u(i, {}, a, {}); }}}} ",
+                                        one.is_wrong, one.is_undefined, one.off)),
+                one.mended);
         for (const Domain& one : kTwo)
             for (const bool is_scalar : {false, true}) {
                 if (is_scalar && (n == 1 || one.name != std::string_view("mod"))) continue;
                 text += fmt::format(
-                    "{1} glint_{0}(int i, {1} v, {3} w) {{ {2}return {0}(v, w); }}\n", one.name,
-                    type,
-                    for_each(n, fmt::format(
-                                    "{{{{ float a = v{{of}}, b = w{}; glint_f(i, {}, a, b); }}}} ",
-                                    is_scalar ? "" : "{of}", one.is_wrong)),
-                    is_scalar ? "float" : type);
+                    "{1} glint_{0}(int i, {1} v, {3} w) {{ bool was = glint_worst != 0; "
+                    "{2}return glint_mends && !was && glint_worst == i + 1 ? {0}({4}) : {0}(v, w); "
+                    "}}\n",
+                    one.name, type,
+                    for_each(n, fmt::format("{{{{ float a = v{{of}}, b = w{}; glint_f(i, {}, a, "
+                                            "b); glint_u(i, {}, a, {}); }}}} ",
+                                            is_scalar ? "" : "{of}", one.is_wrong, one.is_undefined,
+                                            one.off)),
+                    is_scalar ? "float" : type, one.mended);
             }
         text += fmt::format(
-            "{0} glint_normalize(int i, {0} v) {{ glint_f(i, dot(v, v) == 0.0, "
-            "length(v)); return normalize(v); }}\n",
+            "{0} glint_normalize(int i, {0} v) {{ float a = length(v); glint_f(i, dot(v, v) == "
+            "0.0, "
+            "a); glint_u(i, a == 0.0, a, a); return normalize(glint_mends && a == 0.0 ? v + 1.0 : "
+            "v); }}\n",
             type);
     }
     for (std::size_t i = 4; i < kTypes.size(); ++i)
@@ -293,6 +329,7 @@ constexpr std::string_view kMain = R"(void main() {{
     }}
     glint_id = glint_ask.x + n * glint_ask.z;
     glint_last = glint_ask.y + n * glint_ask.w;
+    {}
     glint_draw();
     glint_kept = glint_bits;
     glint_told = uvec4({}, 1u);
@@ -311,12 +348,17 @@ std::string probe_declarations(ProbeKind kind) {
 std::string probe_main(ProbeKind kind, std::size_t outputs) {
     const char* told = kind == ProbeKind::values ? "glint_hits, glint_order, glint_tag"
                        : kind == ProbeKind::cost ? "glint_hits, 0, 0"
-                                                 : "glint_found, glint_first, 0";
+                                                 : "glint_found, glint_first, glint_worst";
+    // Every fragment watches another site.
+    const char* survey = kind == ProbeKind::faults
+                             ? "if (glint_place.w > 0) { glint_id = (glint_ask.x + cell.x + 37 * "
+                               "cell.y) % glint_place.w; glint_mends = glint_ask.y != 0; }"
+                             : "";
     return fmt::format(
                "layout(location = {}) out uvec4 glint_kept;\nlayout(location = {}) out uvec4 "
                "glint_told;\n",
                outputs, outputs + 1) +
-           fmt::format(fmt::runtime(kMain), told);
+           fmt::format(fmt::runtime(kMain), survey, told);
 }
 
 }  // namespace glint

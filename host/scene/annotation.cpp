@@ -26,7 +26,7 @@ struct TweakParser {
     Tweak tweak;
     Words words;
     std::optional<Written> initial, reference;
-    std::size_t range_at = 0, log_at = 0, step_at = 0, menu_at = 0;
+    std::size_t safe_at = 0, range_at = 0, log_at = 0, step_at = 0, menu_at = 0;
     bool described = false;
     std::unordered_set<std::string_view> options;  // those seen
 
@@ -43,8 +43,8 @@ struct TweakParser {
     bool in_range(const TweakValue& value) const;
 };
 
-const std::vector<std::string> kTweakWords = {"log",     "unit",     "step",      "group",
-                                              "quality", "norandom", "reference", "second"};
+const std::vector<std::string> kTweakWords = {"log",      "unit",      "step",   "group", "quality",
+                                              "norandom", "reference", "second", "safe"};
 
 void TweakParser::parse() {
     while (!words.done()) parse_item();
@@ -105,11 +105,10 @@ void TweakParser::parse_word(std::size_t at) {
         return;
     }
     words = after;
-    words.complain(at,
-                   fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
-                               "step=, group=, reference=, second=, [min, max], {{names}} and a "
-                               "\"description\"{}",
-                               in_quotes(word), did_you_mean(word, kTweakWords)));
+    words.complain(
+        at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, step=, group=, "
+                        "reference=, second=, safe=, [min, max], {{names}} and a \"description\"{}",
+                        in_quotes(word), did_you_mean(word, kTweakWords)));
 }
 
 void TweakParser::parse_option(std::string_view key, std::size_t at) {
@@ -131,11 +130,19 @@ void TweakParser::parse_option(std::string_view key, std::size_t at) {
         return;
     } else if (key == "second") {
         tweak.second = words.text();
+    } else if (key == "safe") {
+        safe_at = value_at;
+        const bool is_list = words.accept('[');
+        tweak.safe = is_list ? parse_bounds(words.list(']', value_at)) : std::nullopt;
+        if (!is_list) words.text();
+        if (!tweak.safe)
+            words.complain(value_at, "safe is two numbers, the smaller first; write safe=[0, 0.8]");
+        return;
     } else if (key == "reference") {
         reference = Written{words.value(), value_at};
     } else {
         words.complain(at, fmt::format("unknown word {}; known are log, quality, norandom, unit=, "
-                                       "step=, group=, reference= and second={}",
+                                       "step=, group=, reference=, second= and safe={}",
                                        in_quotes(key), did_you_mean(key, kTweakWords)));
         words.text();
         return;
@@ -206,6 +213,9 @@ void TweakParser::check() {
     if (tweak.min && tweak.type == TweakType::int1 &&
         (*tweak.min != std::floor(*tweak.min) || *tweak.max != std::floor(*tweak.max)))
         words.complain(range_at, "the range of an int is two whole numbers");
+    if (tweak.safe &&
+        (!tweak.min || (*tweak.safe)[0] < *tweak.min || (*tweak.safe)[1] > *tweak.max))
+        words.complain(safe_at, "safe is a part of the range; write it within [min, max]");
     if (tweak.log && !is_number_type())
         words.complain(log_at, "log is for numbers; take it out of this bool or menu");
     else if (tweak.log && (!tweak.min || *tweak.min <= 0.0))

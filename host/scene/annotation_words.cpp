@@ -112,6 +112,13 @@ std::vector<std::string_view> split(std::string_view list) {
     }
 }
 
+std::optional<std::array<double, 2>> parse_bounds(std::string_view list) {
+    const auto bounds = split(list);
+    const auto low = parse_number(bounds.front()), high = parse_number(bounds.back());
+    if (bounds.size() != 2 || !low || !high || *low > *high) return std::nullopt;
+    return std::array{*low, *high};
+}
+
 std::string_view unquoted(std::string_view text) {
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
         text = trimmed(text.substr(1, text.size() - 2));

@@ -3,7 +3,9 @@
 
 #include "scene/annotation.h"
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +50,9 @@ private:
 
 // The parts between commas, trimmed.
 std::vector<std::string_view> split(std::string_view list);
+
+// "[0, 1]" without its brackets: two finite numbers, the first no larger. Nothing otherwise.
+std::optional<std::array<double, 2>> parse_bounds(std::string_view list);
 
 // Without the quotes round it, if there are any.
 std::string_view unquoted(std::string_view text);

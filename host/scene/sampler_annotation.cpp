@@ -196,7 +196,8 @@ void SamplerParser::parse_noise_words() {
 std::vector<std::string> SamplerParser::known_options() const {
     std::vector<std::string> known = {"filter", "wrap"};
     const bool is_pass = result.sampler.source == Source::buffer && !result.reads_another;
-    if (is_pass) known.insert(known.end(), {"size", "scale", "step", "format"});
+    if (is_pass)
+        known.insert(known.end(), {"size", "scale", "step", "format", "bounded", "conserves"});
     const Source source = result.sampler.source;
     if (source == Source::image || source == Source::cube) known.push_back("vflip");
     if (source == Source::noise) known.push_back("plays");
@@ -207,7 +208,8 @@ void SamplerParser::parse_option(std::string_view key, std::size_t at) {
     const auto known = known_options();
     if (!options.insert(key).second) words.complain(at, fmt::format("a second {}=; keep one", key));
     const std::size_t value_at = words.at();
-    const std::string value = words.text();
+    const bool is_list = words.accept('[');
+    const std::string value(is_list ? std::string(words.list(']', value_at)) : words.text());
     const auto complain = [&](std::string_view what) {
         words.complain(value_at, fmt::format("{} is {}; write {}", key, in_quotes(value), what));
     };
@@ -254,6 +256,15 @@ void SamplerParser::parse_pass_option(std::string_view key, std::string_view val
         if (!step || step->seconds() < 1.0 / 65536 || step->seconds() > 3600.0)
             return complain("seconds from 1/65536 to 3600, such as 1/240");
         result.step = Option<Step>{*step, at};
+    } else if (key == "bounded") {
+        result.sampler.bounded = parse_bounds(value);
+        if (!result.sampler.bounded)
+            complain("two numbers, the smaller first, such as bounded=[-1, 1]");
+    } else if (key == "conserves") {
+        const auto share = parse_number(value);
+        if (!share || *share <= 0.0 || *share > 1.0)
+            return complain("the share that may be lost, such as 1e-6");
+        result.sampler.conserves = share;
     } else if (key == "format") {
         const auto format = parse_pixel_format(value);
         if (!format) return complain(expected_pixel_format(value));

@@ -37,6 +37,8 @@ struct Tweak {
     TweakType type = TweakType::float1;
     TweakValue initial{};            // the default
     std::optional<double> min, max;  // both or neither; every component lies between them
+    // Where the scene promises to be sound; `glint check` judges nothing beyond it.
+    std::optional<std::array<double, 2>> safe;
     std::vector<std::string> names;  // of a menu; empty otherwise
     bool is_colour = false;          // the default was written "#rrggbb" or "#rrggbbaa"
     bool log = false;                // the slider is logarithmic
@@ -128,6 +130,10 @@ struct Sampler {
     int noise_channels = 4;    // noise: 1 to 4
     glm::ivec3 noise_size{0};  // noise: pixels; z is 1 for sampler2D
     bool plays = false;        // noise: its iChannelTime runs with iTime, as a sound's does
+    // buffer: what its values keep to, which `glint check` looks after. The sum of the first
+    // component stays what it was, to this share of the sum of magnitudes.
+    std::optional<double> conserves;
+    std::optional<std::array<double, 2>> bounded;  // every component lies between these
     Place place;
 };
 

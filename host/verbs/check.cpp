@@ -14,9 +14,14 @@ void declare(CLI::App& verb, CheckOptions& check) {
     verb.add_option("--frames", check.effort.frames, "of the long run")->check(from(1, 10'000'000));
     verb.add_option("--random", check.effort.random, "sets of random tweaks")
         ->check(from(0, 1'000'000));
-    verb.add_option("--seconds", check.effort.seconds,
-                    "that one file's cases may take, 110 otherwise; 0: no limit")
-        ->check(from(0.0, 1e6));
+    CLI::Option* seconds =
+        verb.add_option("--seconds", check.effort.seconds,
+                        "that one file's cases may take, 110 otherwise; 0: no limit")
+            ->check(from(0.0, 1e6));
+    verb.add_option("--effort", check.effort.tries,
+                    "how far to search, 1 or more, whatever the clock says")
+        ->check(from(1, 10'000))
+        ->excludes(seconds);
     verb.add_option("--case", check.only, "only cases whose name begins so");
     verb.add_option("--hang", check.hang_seconds,
                     "s that one frame may take; less where --seconds are nearly over")

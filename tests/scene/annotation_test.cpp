@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -189,6 +190,15 @@ TEST(TweakAnnotation, ReportsEveryMistakeOfALine) {
     EXPECT_EQ(tweak(TweakType::float1, "x [1, 0] log step=0 whatever").complaints.size(), 5u);
 }
 
+TEST(TweakAnnotation, SaysWhereItIsSafe) {
+    const ReadTweak read = tweak(TweakType::float1, "0.5 [0, 1] safe=[0, 0.8]");
+    EXPECT_EQ(all(read.complaints), "");
+    EXPECT_EQ(read.tweak.safe, (std::array{0.0, 0.8}));
+    for (const char* wrong : {"0.5 [0, 1] safe=0.8", "0.5 [0, 1] safe=[0.8, 0]",
+                              "0.5 [0, 1] safe=[0, 2]", "0.5 safe=[0, 1]"})
+        EXPECT_EQ(tweak(TweakType::float1, wrong).complaints.size(), 1u) << wrong;
+}
+
 TEST(GroupAnnotation, HeadsWhatFollows) {
     EXPECT_EQ(parse_group(" group Water"), "Water");
     EXPECT_EQ(parse_group("group \"Deep water\" "), "Deep water");
@@ -238,6 +248,17 @@ TEST(SamplerAnnotation, ReadsTheOptionsOfAPass) {
     EXPECT_EQ(read.annotation.step->value, (Step{1, 240}));
     EXPECT_EQ(read.annotation.format->value, PixelFormat::rgba8);
     EXPECT_EQ(sampler(SamplerType::sampler2D, "pass a scale=1/4").annotation.scale->value, 0.25);
+}
+
+TEST(SamplerAnnotation, SaysWhatABufferKeepsTo) {
+    const ReadSampler read =
+        sampler(SamplerType::sampler2D, "pass mainWaves bounded=[-1, 2.5] conserves=1e-6");
+    EXPECT_EQ(all(read.complaints), "");
+    EXPECT_EQ(read.annotation.sampler.bounded, (std::array{-1.0, 2.5}));
+    EXPECT_EQ(read.annotation.sampler.conserves, 1e-6);
+    for (const char* wrong : {"pass mainWaves bounded=2", "pass mainWaves bounded=[2, 1]",
+                              "pass mainWaves conserves=0", "image wood.png conserves=1e-6"})
+        EXPECT_EQ(sampler(SamplerType::sampler2D, wrong).complaints.size(), 1u) << wrong;
 }
 
 TEST(SamplerAnnotation, ACubeIsReadFromOneFileOrFromSix) {

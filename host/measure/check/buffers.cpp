@@ -1,6 +1,7 @@
 // What the host may do to a scene: poison a texel, keep buffers at half the precision, feed tweaks
 // as uniforms.
 #include "measure/check/case.h"
+#include "measure/check/poison.h"
 #include "measure/rows/difference.h"
 
 #include <fmt/format.h>
@@ -25,40 +26,6 @@ struct Poison {
 constexpr Poison kPoisons[] = {{"NaN", std::numeric_limits<float>::quiet_NaN()},
                                {"Inf", std::numeric_limits<float>::infinity()},
                                {"1e30", 1e30f}};
-
-// Texels that matter first: the corner, where small states live; the one with the largest value,
-// which is in use; the middle; then any.
-std::vector<glm::ivec2> texels_to_poison(const CheckSubject& subject, std::size_t index,
-                                         int count) {
-    const glm::ivec2 size = subject.renderer().buffer(index).shape().size;
-    const std::vector<float> values = subject.renderer().read_buffer(index, 0);
-    const auto largest = std::ranges::max_element(
-        values, [](float a, float b) { return std::abs(a) < std::abs(b); });
-    const auto at = static_cast<int>(largest - values.begin()) / 4;
-    const int row = static_cast<int>(values.size()) / 4 / size.y;
-    std::vector<glm::ivec2> texels = {{0, 0}, {at % row % size.x, at / row}, size / 2};
-    std::mt19937 random(1);
-    while (texels.size() < static_cast<std::size_t>(count)) {
-        texels.emplace_back(random() % static_cast<unsigned>(size.x),
-                            random() % static_cast<unsigned>(size.y));
-    }
-    texels.resize(static_cast<std::size_t>(count));
-    return texels;
-}
-
-void poison(const Buffer& buffer, glm::ivec2 texel, float value) {
-    const std::array<float, 4> rgba = {value, value, value, value};
-    for (int output = 0; output < buffer.shape().outputs; ++output) {
-        const GLuint texture = buffer.texture(static_cast<std::size_t>(output));
-        if (buffer.shape().cube) {
-            glTextureSubImage3D(texture, 0, texel.x, texel.y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
-                                rgba.data());
-        } else {
-            glTextureSubImage2D(texture, 0, texel.x, texel.y, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
-        }
-        if (buffer.shape().mipmaps) glGenerateTextureMipmap(texture);
-    }
-}
 
 // Frames at 60 Hz, or at the pass's own step where that is longer.
 double frames_a_second(const CheckSubject& subject, std::size_t index) {
@@ -112,6 +79,38 @@ void run_other(const SubjectOptions& options, Check& check, CaseResult& result) 
 }
 
 }  // namespace
+
+std::vector<glm::ivec2> texels_to_poison(const CheckSubject& subject, std::size_t index,
+                                         int count) {
+    const glm::ivec2 size = subject.renderer().buffer(index).shape().size;
+    const std::vector<float> values = subject.renderer().read_buffer(index, 0);
+    const auto largest = std::ranges::max_element(
+        values, [](float a, float b) { return std::abs(a) < std::abs(b); });
+    const auto at = static_cast<int>(largest - values.begin()) / 4;
+    const int row = static_cast<int>(values.size()) / 4 / size.y;
+    std::vector<glm::ivec2> texels = {{0, 0}, {at % row % size.x, at / row}, size / 2};
+    std::mt19937 random(1);
+    while (texels.size() < static_cast<std::size_t>(count)) {
+        texels.emplace_back(random() % static_cast<unsigned>(size.x),
+                            random() % static_cast<unsigned>(size.y));
+    }
+    texels.resize(static_cast<std::size_t>(count));
+    return texels;
+}
+
+void poison(const Buffer& buffer, glm::ivec2 texel, float value) {
+    const std::array<float, 4> rgba = {value, value, value, value};
+    for (int output = 0; output < buffer.shape().outputs; ++output) {
+        const GLuint texture = buffer.texture(static_cast<std::size_t>(output));
+        if (buffer.shape().cube) {
+            glTextureSubImage3D(texture, 0, texel.x, texel.y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
+                                rgba.data());
+        } else {
+            glTextureSubImage2D(texture, 0, texel.x, texel.y, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
+        }
+        if (buffer.shape().mipmaps) glGenerateTextureMipmap(texture);
+    }
+}
 
 void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort) {
     if (effort.inject == 0) return;

@@ -2,6 +2,7 @@
 
 #include "base/temporary_file.h"
 #include "base/words.h"
+#include "measure/probe/faults.h"
 #include "scene/preset_writer.h"
 
 #include <fmt/format.h>
@@ -128,7 +129,36 @@ void write_picture(const CheckSubject& subject, const fs::path& file) {
     write_image(file, image);
 }
 
+// Where the first value was born that is not finite, of a frame that a still can show again.
+void find_birthplace(CheckSubject& subject, CaseResult& result) {
+    constexpr int kMostFrames = 240;
+    const StillPlace at = *subject.still;
+    const Playback playback{.end = at.time, .fps = at.fps};
+    const bool stateful = subject.stateful();
+    if (stateful && playback.last_frame() > kMostFrames) return;
+    try {
+        FaultWatch watch(subject.opened(), subject.renderer(),
+                         {.specialise = subject.specialised()});
+        if (stateful) subject.renderer().reset();
+        for (int k = stateful ? 0 : playback.last_frame();
+             k <= playback.last_frame() && !watch.is_seen(); ++k) {
+            const Frame frame = playback.frame(subject.preset, k);
+            watch.begin(frame);
+            subject.renderer().redraw();
+            subject.draw_blindly(frame);
+        }
+        if (!watch.first()) return;
+        result.where = place_of(*watch.first());
+        result.note += "; born at " + sentence_of(*watch.first());
+    } catch (const ProbeRefused&) {  // the case has failed all the same
+    }
+}
+
 }  // namespace
+
+CasePlace place_of(const ProbeFault& fault) {
+    return {fault.file, fault.line, fault.function, fault.expression, fault.what, fault.operands};
+}
 
 std::string command_for_case(const ViewOptions& view, const std::string& name) {
     const std::string size = view.size.empty() ? "" : " --size " + view.size;
@@ -145,6 +175,7 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     };
     add_size_cases(list);
     add_mouse_cases(list, subject);
+    add_key_case(list, subject);
     end_group();
     add_tweak_cases(list, subject);
     end_group();
@@ -156,8 +187,20 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     add_assertion_case(list, subject);
     end_group();
     add_step_cases(list, subject);
+    add_frame_rate_case(list, subject);
+    add_flash_case(list, subject);
     end_group();
     add_long_case(list, subject);
+    end_group();
+    add_search_case(list, subject);
+    end_group();
+    add_healing_cases(list, subject, effort);
+    add_endurance_cases(list, subject);
+    end_group();
+    add_conditioning_case(list, subject);
+    add_loop_case(list, subject);
+    end_group();
+    add_stiffness_cases(list, subject);
     end_group();
     add_random_cases(list, subject, effort);
     end_group();
@@ -184,6 +227,12 @@ CaseResult run_case(Check& check, const Case& wanted, const fs::path& folder) {
         write_picture(subject, picture);
         result.picture = picture.string();
         result.reproduce = command_for(subject, result, folder);
+        // One is enough of those that follow each other.
+        if (!seen.is_finite() && !result.where && subject.still && subject.is_short() &&
+            check.birthplaces > 0) {
+            --check.birthplaces;
+            find_birthplace(subject, result);
+        }
     } catch (const std::runtime_error& error) {  // the case has failed all the same
         result.note += fmt::format("; no picture: {}", error.what());
     }

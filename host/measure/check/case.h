@@ -4,6 +4,7 @@
 #include "measure/check/options.h"
 #include "measure/check/subject.h"
 #include "measure/rows/case.h"
+#include "measure/rows/probe.h"
 
 #include <algorithm>
 #include <functional>
@@ -31,8 +32,10 @@ struct State {
 struct Check {
     CheckSubject& subject;
     Effort effort;
-    double pace = 1.0;  // less than 1 for a scene whose frames take long
+    double pace = 1.0;    // less than 1 for a scene whose frames take long
+    int birthplaces = 3;  // how many failures may still be led back to the operation they came from
     std::optional<Motion> young{};
+    std::optional<float> usual_largest{};   // of what is fed back, over some hundred frames
     std::optional<State> early{}, later{};  // after 0.25 s and 1 s
 
     // How many frames to draw where a quick scene gets so many.
@@ -63,8 +66,19 @@ void add_step_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_poison_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
 void add_unset_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_assertion_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_endurance_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_healing_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
+void add_frame_rate_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_flash_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_stiffness_cases(std::vector<Case>& list, const CheckSubject& subject);
+void add_conditioning_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_loop_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_key_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_search_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
+
+CasePlace place_of(const ProbeFault& fault);
 
 // Calls for this one case of a file again.
 std::string command_for_case(const ViewOptions& view, const std::string& name);

@@ -111,6 +111,7 @@ void run_check(const CheckOptions& options) {
                          .scene_is_known = !scenes.insert(scene_file(name)).second,
                          .hang_seconds = options.hang_seconds};
         wanted.view.file = name;
+        if (options.effort.tries) wanted.effort.seconds = 0.0;
         std::unique_ptr<Progress> bar;
         std::size_t told = 0;
         files.push_back(check_file(wanted, [&](const CheckedFile& so_far, long total) {

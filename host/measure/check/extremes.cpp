@@ -1,10 +1,10 @@
 // Extremes that a person can bring a scene to: tweaks, sizes, the mouse.
 #include "measure/check/case.h"
+#include "measure/check/space.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace glint {
@@ -13,18 +13,6 @@ namespace {
 constexpr double kPlayed = 0.5;      // s of a simulation, with each set of tweaks
 constexpr double kPlayedSize = 0.1;  // s at each size
 constexpr double kPlayedLarge = 1.0 / 60;
-
-struct Range {
-    double min, max;
-};
-
-// Where the slider ends, or nothing: a number without a range stays at the preset's.
-std::optional<Range> range_of(const Tweak& tweak) {
-    if (!tweak.names.empty()) return Range{0.0, static_cast<double>(tweak.names.size() - 1)};
-    if (tweak.type == TweakType::bool1 || tweak.is_colour) return Range{0.0, 1.0};
-    if (tweak.min && tweak.max) return Range{*tweak.min, *tweak.max};
-    return std::nullopt;
-}
 
 TweakValue filled(const Tweak& tweak, double component) {
     TweakValue value{};
@@ -44,14 +32,6 @@ void set_all(CheckSubject& subject, bool to_max) {
     }
 }
 
-// A value as a person might leave the slider, evenly over its length.
-double random_component(const Tweak& tweak, const Range& range, std::mt19937& random) {
-    // Not std::uniform_real_distribution: its numbers differ between libraries.
-    const double share = static_cast<double>(random()) / 4294967295.0;
-    if (tweak.log && range.min > 0.0) return range.min * std::pow(range.max / range.min, share);
-    return std::lerp(range.min, range.max, share);
-}
-
 void set_random(CheckSubject& subject, unsigned seed) {
     std::mt19937 random(seed);
     const auto& tweaks = subject.scene().tweaks;
@@ -59,7 +39,11 @@ void set_random(CheckSubject& subject, unsigned seed) {
         const auto range = range_of(tweaks[i]);
         if (!range) continue;
         TweakValue value{};
-        for (double& component : value) component = random_component(tweaks[i], *range, random);
+        for (double& component : value) {
+            // Not std::uniform_real_distribution: its numbers differ between libraries.
+            const double share = static_cast<double>(random()) / 4294967295.0;
+            component = at_share(tweaks[i], *range, share);
+        }
         subject.preset.values[i] = clamp_to_range(tweaks[i], value);
     }
 }
@@ -91,6 +75,26 @@ void run_mouse(glm::dvec2 press, glm::dvec2 drag, Check& check) {
         {.time = frames(5), .down = false, .mouse = drag},
     };
     check.subject.play_frames(0, 8, 60.0);
+}
+
+// Rows and columns of odd and prime lengths, and between powers of two: what divides by a remainder
+// or finds a pixel just in the middle.
+void run_many_sizes(Check& check, CaseResult& result) {
+    constexpr int kLengths[] = {201, 255, 257, 333, 401, 511, 513, 641, 719, 999, 1021, 1279, 1919};
+    constexpr int kThin = 5;
+    std::vector<glm::ivec2> sizes = {{203, 207}, {257, 255}, {301, 401}};
+    for (const int length : kLengths) {
+        sizes.emplace_back(length, kThin);
+        sizes.emplace_back(kThin, length);
+    }
+    const auto count = static_cast<std::size_t>(check.paced(static_cast<int>(sizes.size()), 9));
+    sizes.resize(count);
+    for (const glm::ivec2 size : sizes) {
+        check.subject.resize(size);
+        result.note = fmt::format("{}x{}", size.x, size.y);
+        if (!check.subject.show(check.subject.preset.time, kPlayedLarge)) return;
+    }
+    result.note = fmt::format("{} sizes", count);
 }
 
 }  // namespace
@@ -142,6 +146,7 @@ void add_size_cases(std::vector<Case>& list) {
                  subject.show(subject.preset.time, large ? kPlayedLarge : kPlayedSize);
              }});
     }
+    list.push_back({"odd sizes", run_many_sizes});
 }
 
 void add_mouse_cases(std::vector<Case>& list, const CheckSubject& subject) {

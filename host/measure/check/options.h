@@ -8,13 +8,16 @@ namespace glint {
 // How hard a check tries.
 struct Effort {
     std::optional<int> frames{}, random{};  // kFrames and kRandom, as far as the seconds allow
-    int inject = 3;                         // texels that are poisoned at once; 0: no such cases
+    // How long the search goes on, in units of it, whatever the clock says.
+    std::optional<int> tries{};
+    int inject = 3;  // texels that are poisoned at once; 0: no such cases
     // What the cases of one file may take. Then the rest is left out, and says so; a frame that is
     // being drawn then is waited for 10 s. A group of cases may take 0.3 of what is left when it
     // begins. 0: no limit.
     double seconds = 110.0;
     static constexpr int kFrames = 2000, kRandom = 64;
 
+    // Whether more than this share of the seconds has passed.
     bool over(double ms, double share = 1.0) const {
         return seconds > 0.0 && ms > share * seconds * 1000.0;
     }

@@ -83,6 +83,7 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
     CheckSubject subject(wanted.view, preset, *context);
     tell(pipe, {{"compiling", false}});
     std::optional<CheckSubject> fed;  // with uniforms, for cases that change tweaks
+    std::optional<Check> with_uniforms;
     std::vector<Case> cases = all_cases(subject, wanted.effort);
     std::erase_if(cases, [&](const Case& c) { return !c.name.starts_with(wanted.only); });
     tell(pipe, {{"renderer", context->renderer()}, {"cases", cases.size()}});
@@ -107,8 +108,10 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
                 fed.emplace(wanted.view, preset, *context, SubjectOptions{.specialise = false});
             tell(pipe, {{"compiling", false}});
             fed->after_frame = subject.after_frame;
-            Check with_uniforms{.subject = *fed, .effort = wanted.effort, .pace = check.pace};
-            result = run_case(with_uniforms, next, wanted.folder);
+            if (!with_uniforms)
+                with_uniforms.emplace(
+                    Check{.subject = *fed, .effort = wanted.effort, .pace = check.pace});
+            result = run_case(*with_uniforms, next, wanted.folder);
         }
         tell(pipe, {{"result", to_json(result)}});
     }

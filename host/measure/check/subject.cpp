@@ -90,8 +90,9 @@ void CheckSubject::look(std::size_t graph_index) {
     const auto names = output_names(scene(), pass);
     for (std::size_t output = 0; output < names.size(); ++output) {
         std::vector<float> values = renderer_->read_buffer(graph_index, output);
-        if (pass == kImagePass) {  // whose alpha means nothing
-            for (std::size_t i = 0; i + 3 < values.size(); i += 4) values[i + 3] = values[i];
+        if (pass == kImagePass) {  // whose alpha means nothing, but for what is no number
+            for (std::size_t i = 0; i + 3 < values.size(); i += 4)
+                if (!std::isnan(values[i + 3])) values[i + 3] = values[i];
         }
         const BufferStatistics found = statistics(values);
         for (int c = 0; c < 4; ++c) {

@@ -86,11 +86,14 @@ public:
     // What is checked, and how; valid as long as this.
     Renderer& renderer() { return *renderer_; }
     const Renderer& renderer() const { return *renderer_; }
-    Context& context() { return context_; }
+    Context& context() const { return context_; }
     const Observed& observed() const { return observed_; }
     const Preset& opened() const { return opened_; }
     const ViewOptions& view() const { return view_; }
     bool specialised() const { return specialised_; }
+    // Whether an instrumented program of it is a matter of seconds: compilers take a minute for one
+    // of a long text.
+    bool is_short() const { return scene().text.size() < 20'000; }
     const Scene& scene() const { return preset.scene; }
 
     // Set while a still can show the frame that was drawn last.

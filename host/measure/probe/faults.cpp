@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace glint {
 namespace {
@@ -118,6 +119,100 @@ void FaultWatch::look(std::size_t index) {
         fault.is_seen = !is_finite(*found);
         first_ = std::move(fault);
         if (first_->is_seen) return;
+    }
+}
+
+FaultSurvey::FaultSurvey(const Preset& preset, Renderer& renderer, const ProgramOptions& options)
+    : preset_(preset), renderer_(renderer) {
+    for (const GraphPass& pass : renderer.graph().passes)
+        probes_.emplace_back(preset, pass.pass, options, ProbeWish{.kind = ProbeKind::faults});
+}
+
+FaultSurvey::~FaultSurvey() {
+    renderer_.before_pass = nullptr;
+}
+
+void FaultSurvey::begin(const Frame& frame) {
+    std::size_t sites = 0;
+    for (const Probe& probe : probes_) sites += probe.probed().sites.size();
+    distances_.assign(sites, std::numeric_limits<float>::infinity());
+    fault_.reset();
+    frame_ = &frame;
+    ++turn_;
+    renderer_.redraw();
+    renderer_.before_pass = [this](std::size_t index) { look(index); };
+}
+
+void FaultSurvey::end() {
+    renderer_.before_pass = nullptr;
+}
+
+void FaultSurvey::look(std::size_t index) {
+    Probe& probe = probes_[index];
+    const std::size_t sites = probe.probed().sites.size();
+    if (sites == 0 || renderer_.buffer(index).shape().cube) return;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < index; ++i) before += probes_[i].probed().sites.size();
+    const std::vector<ProbeCell> cells = probe.survey(renderer_, *frame_, turn_, false);
+    const auto width = static_cast<std::size_t>(renderer_.buffer(index).shape().size.x);
+    for (std::size_t at = 0; at < cells.size(); ++at) {
+        const float off = std::bit_cast<float>(cells[at].kept[2]);
+        const std::size_t site =
+            (static_cast<std::size_t>(turn_) + at % width + 37 * (at / width)) % sites;
+        if (off < 1e38f) distances_[before + site] = std::min(distances_[before + site], off);
+    }
+    if (!fault_) judge(probe, index, cells);
+}
+
+namespace {
+
+bool is_another(const ProbeCell& a, const ProbeCell& b) {
+    for (std::size_t c = 0; c < 4; ++c) {
+        const float x = a.colour[c], y = b.colour[c];
+        if (std::isnan(x) && std::isnan(y)) continue;
+        if (!(std::abs(x - y) <= std::max(1.0f, std::abs(y)) / 255.0f) && x != y) return true;
+    }
+    return false;
+}
+
+// What no program may do, whether or not it shows.
+bool is_never_right(const ProbeSite& site) {
+    return site.kind == SiteKind::division ||
+           (site.kind == SiteKind::index && !site.name.starts_with("texelFetch"));
+}
+
+}  // namespace
+
+void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<ProbeCell>& cells) {
+    const auto is_undefined = [](const ProbeCell& cell) { return cell.told[2] != 0; };
+    if (std::ranges::none_of(cells, is_undefined)) return;
+    const std::vector<ProbeCell> mended = probe.survey(renderer_, *frame_, turn_, true);
+    for (std::size_t at = 0; at < cells.size(); ++at) {
+        if (!is_undefined(cells[at])) continue;
+        const std::size_t number = cells[at].told[2] - 1;
+        const ProbeSite& site = probe.probed().sites[number];
+        if (!is_never_right(site) && !is_another(cells[at], mended[at])) continue;
+        const ProbeValue row = probe.row(number);
+        fault_ = ProbeFault{.file = row.file,
+                            .line = row.line,
+                            .column = row.column,
+                            .function = row.function,
+                            .expression = site.name};
+        ProbeCell worst = cells[at];
+        worst.kept[0] = worst.kept[3];
+        describe(site, worst, *fault_);
+        fault_->operands.resize(1);  // of the second nothing is known
+        if (site.kind == SiteKind::index) fault_->what = "out of range";
+        if (const auto comma = fault_->what.find(", "); comma != std::string::npos)
+            fault_->what.replace(comma, std::string::npos, ", ...)");
+        const int width = renderer_.buffer(index).shape().size.x;
+        fault_->pass = pass_name(preset_.scene, renderer_.graph().passes[index].pass);
+        fault_->pixel = {static_cast<int>(at) % width, static_cast<int>(at) / width};
+        fault_->frame = frame_->frame;
+        fault_->is_seen = !is_finite(cells[at]);
+        fault_->pixels = static_cast<std::size_t>(std::ranges::count_if(
+            cells, [&](const ProbeCell& cell) { return cell.told[2] == number + 1; }));
+        return;
     }
 }
 

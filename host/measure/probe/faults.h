@@ -37,4 +37,36 @@ private:
     bool is_marked_;
 };
 
+// How near each operation of a frame comes to where it is undefined, over all passes: what a search
+// goes by; and what is undefined and shows in a colour.
+class FaultSurvey {
+public:
+    // Throws ProbeRefused.
+    FaultSurvey(const Preset& preset, Renderer& renderer, const ProgramOptions& options);
+    ~FaultSurvey();
+    FaultSurvey(const FaultSurvey&) = delete;
+    FaultSurvey& operator=(const FaultSurvey&) = delete;
+
+    // Frames that are drawn in between are looked at; `frame` is the one.
+    void begin(const Frame& frame);
+    void end();
+    // Of that frame, by site: the smallest distance, or infinity.
+    const std::vector<float>& distances() const { return distances_; }
+    // What was undefined in it and counts: an index out of range, a division of whole numbers by 0,
+    // or what gives a pixel another colour than it has with a result.
+    const std::optional<ProbeFault>& fault() const { return fault_; }
+
+private:
+    void look(std::size_t index);
+    void judge(Probe& probe, std::size_t index, const std::vector<ProbeCell>& cells);
+
+    const Preset& preset_;
+    Renderer& renderer_;
+    std::vector<Probe> probes_;  // in the order of the graph
+    const Frame* frame_ = nullptr;
+    std::vector<float> distances_;
+    std::optional<ProbeFault> fault_;
+    int turn_ = 0;
+};
+
 }  // namespace glint

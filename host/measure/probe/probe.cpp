@@ -175,9 +175,9 @@ std::size_t Probe::index_in(const Renderer& renderer) const {
 }
 
 void Probe::draw(Renderer& renderer, const Frame& frame, const ProbeTarget& target, const Ask& ask,
-                 glm::ivec3 place, int face) {
+                 glm::ivec4 place, int face) {
     glProgramUniform4i(program_->id, ask_location_, ask.site, ask.hit, ask.site_step, ask.hit_step);
-    glProgramUniform4i(program_->id, place_location_, place.x, place.y, place.z, 0);
+    glProgramUniform4i(program_->id, place_location_, place.x, place.y, place.z, place.w);
     renderer.draw_variant(
         {.program = *program_, .framebuffer = target.id(), .size = target.size(), .face = face},
         frame);
@@ -195,7 +195,7 @@ std::vector<ProbeCell> Probe::ask(Renderer& renderer, const Frame& frame, const 
         Ask part = ask;
         part.site += from * ask.site_step;
         if (ask.hit_step != 0) part.hit += from * ask.hit_step;
-        draw(renderer, frame, target, part, {quad, row}, place.face);
+        draw(renderer, frame, target, part, {quad, row, 0}, place.face);
         const std::vector<ProbeCell> all = target.read();
         for (int i = 0; i < count; ++i) {
             const glm::ivec2 at = glm::ivec2(i % row, i / row) * 2 + place.pixel % 2;
@@ -325,7 +325,15 @@ std::vector<ProbeCell> Probe::map(Renderer& renderer, const Frame& frame, std::s
     const glm::ivec2 size = renderer.buffer(index_in(renderer)).shape().size;
     const ProbeTarget target(size, outputs_);
     draw(renderer, frame, target, {.site = static_cast<int>(site), .hit = hit == 0 ? kEvery : hit},
-         glm::ivec3(0), face);
+         glm::ivec4(0), face);
+    return target.read();
+}
+
+std::vector<ProbeCell> Probe::survey(Renderer& renderer, const Frame& frame, int first,
+                                     bool mends) {
+    const ProbeTarget target(renderer.buffer(index_in(renderer)).shape().size, outputs_);
+    draw(renderer, frame, target, {.site = first, .hit = mends ? 1 : 0},
+         {0, 0, 0, static_cast<int>(probed_.sites.size())}, 0);
     return target.read();
 }
 

@@ -75,6 +75,9 @@ public:
     // One site's value in every pixel, rows bottom up; hit 0: the last.
     std::vector<ProbeCell> map(Renderer& renderer, const Frame& frame, std::size_t site, int hit,
                                int face = 0);
+    // Of ProbeKind::faults: every pixel's, each watching another site, from `first` on; `mends`:
+    // what is undefined gets a result all the same. See probe_declarations.
+    std::vector<ProbeCell> survey(Renderer& renderer, const Frame& frame, int first, bool mends);
     // The colour that the last question at a pixel drew there.
     const std::array<float, 4>& colour() const { return colour_; }
     // Whether that pixel was discarded, which then tells nothing.
@@ -92,7 +95,7 @@ private:
     std::vector<ProbeCell> ask(Renderer& renderer, const Frame& frame, const ProbePlace& place,
                                const Ask& ask);
     void draw(Renderer& renderer, const Frame& frame, const ProbeTarget& target, const Ask& ask,
-              glm::ivec3 place, int face);
+              glm::ivec4 place, int face);
     void add_leaves(Renderer& renderer, const Frame& frame, const ProbePlace& place,
                     std::size_t site, const Ask& like, std::uint32_t tag,
                     std::vector<ProbeValue>& rows);

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace glint {
@@ -13,6 +15,37 @@ constexpr Names<CaseVerdict, 4> kCaseVerdicts = {{{CaseVerdict::fail, "fail"},
                                                   {CaseVerdict::report, "report"},
                                                   {CaseVerdict::pass, "pass"},
                                                   {CaseVerdict::skip, "skip"}}};
+
+// What is not finite has no number in JSON.
+nlohmann::ordered_json number(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+    return value;
+}
+
+double number_from(const nlohmann::ordered_json& json) {
+    if (json.is_number()) return json.get<double>();
+    const double infinity = std::numeric_limits<double>::infinity();
+    return json == "inf" ? infinity : json == "-inf" ? -infinity : std::nan("");
+}
+
+nlohmann::ordered_json to_json(const CasePlace& place) {
+    nlohmann::ordered_json operands = nlohmann::ordered_json::array();
+    for (const double operand : place.operands) operands.push_back(number(operand));
+    return {{"file", place.file},         {"line", place.line},
+            {"function", place.function}, {"expression", place.expression},
+            {"what", place.what},         {"operands", std::move(operands)}};
+}
+
+CasePlace place_from(const nlohmann::ordered_json& json) {
+    CasePlace place{.file = json.at("file"),
+                    .line = json.at("line"),
+                    .function = json.at("function"),
+                    .expression = json.at("expression"),
+                    .what = json.at("what")};
+    for (const auto& operand : json.at("operands")) place.operands.push_back(number_from(operand));
+    return place;
+}
 
 }  // namespace
 
@@ -36,6 +69,7 @@ nlohmann::ordered_json to_json(const CaseResult& result) {
                                    {"note", result.note}};
     if (!result.reproduce.empty()) json["reproduce"] = result.reproduce;
     if (!result.picture.empty()) json["picture"] = result.picture;
+    if (result.where) json["where"] = to_json(*result.where);
     return json;
 }
 
@@ -50,6 +84,7 @@ CaseResult case_from_json(const nlohmann::ordered_json& json) {
                       .picture = json.value("picture", "")};
     const auto verdict = kCaseVerdicts.find(json.at("verdict").get<std::string>());
     result.verdict = verdict.value_or(result.verdict);
+    if (json.contains("where")) result.where = place_from(json.at("where"));
     return result;
 }
 

@@ -5,22 +5,33 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace glint {
 
 enum class CaseVerdict { fail, report, pass, skip };  // worst first
 const char* to_string(CaseVerdict verdict);
 
+// The operation that a failure came from.
+struct CasePlace {
+    std::string file{};
+    int line = 0;
+    std::string function{}, expression{}, what{};
+    std::vector<double> operands{};
+};
+
 struct CaseResult {
     std::string name{};
     CaseVerdict verdict = CaseVerdict::pass;
     // Pixels of all buffers and of the picture, in the frame where the first were found.
     std::size_t nan = 0, infinite = 0;
-    float min = 0.0f, max = 0.0f;  // of all finite values in all frames
-    std::string note{};            // why, in words; ""
-    std::string reproduce{};       // the command that shows it again; failures only
-    std::string picture{};         // a file; failures only
+    float min = 0.0f, max = 0.0f;      // of all finite values in all frames
+    std::string note{};                // why, in words; ""
+    std::string reproduce{};           // the command that shows it again; failures only
+    std::string picture{};             // a file; failures only
+    std::optional<CasePlace> where{};  // of failures, where it is known
 
     std::size_t not_finite() const { return nan + infinite; }
     void fail(std::string why);

@@ -23,16 +23,16 @@ void members(const auto& all, Is<Diagnostic> auto& value) {
     all(severity, place, text, missing_file);
 }
 void members(const auto& all, Is<Tweak> auto& value) {
-    auto& [name, type, initial, min, max, names, is_colour, log, step, quality, no_random,
+    auto& [name, type, initial, min, max, safe, names, is_colour, log, step, quality, no_random,
            reference, second, unit, group, description, place, begin, end] = value;
-    all(name, type, initial, min, max, names, is_colour, log, step, quality, no_random, reference,
-        second, unit, group, description, place, begin, end);
+    all(name, type, initial, min, max, safe, names, is_colour, log, step, quality, no_random,
+        reference, second, unit, group, description, place, begin, end);
 }
 void members(const auto& all, Is<Sampler> auto& value) {
     auto& [name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
-           noise_size, plays, place] = value;
+           noise_size, plays, conserves, bounded, place] = value;
     all(name, tab, type, source, filter, wrap, vflip, pass, output, files, noise_channels,
-        noise_size, plays, place);
+        noise_size, plays, conserves, bounded, place);
 }
 void members(const auto& all, Is<Pass> auto& value) {
     auto& [name, entry, outputs, size, scale, format, cube, step, place] = value;

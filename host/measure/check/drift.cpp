@@ -1,0 +1,124 @@
+#include "measure/check/drift.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t kParts = 8;              // of a run
+constexpr std::size_t kLeastFrames = 400;      // below, a rounding looks like a growth
+constexpr double kLeastGrowth = 1.02;          // from the first part to the last, of squares
+constexpr double kLeastRatio = 1.01;           // from one increase to the next
+constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may differ
+
+std::array<double, kParts> means_of_parts(const std::vector<double>& values) {
+    std::array<double, kParts> means{};
+    const std::size_t length = values.size() / kParts;
+    for (std::size_t part = 0; part < kParts; ++part) {
+        for (std::size_t i = 0; i < length; ++i) means[part] += values[part * length + i];
+        means[part] /= static_cast<double>(length);
+    }
+    return means;
+}
+
+// The factor of a part to the next by which the values' increases grow, where that is always the
+// same: then they grow like exp(t), whatever is added to them. Sums and squares of time do not.
+std::optional<double> steady_factor(const std::vector<double>& values) {
+    const auto means = means_of_parts(values);
+    if (!(means.back() > kLeastGrowth * means.front())) return std::nullopt;
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::size_t i = 0; i + 2 < kParts; ++i) {
+        const double one = means[i + 1] - means[i], next = means[i + 2] - means[i + 1];
+        if (!(one > 0.0)) return std::nullopt;
+        least = std::min(least, next / one);
+        most = std::max(most, next / one);
+    }
+    if (least < kLeastRatio || most - least > kUneven * (most - 1.0) + kDust) return std::nullopt;
+    return (least + most) / 2.0;
+}
+
+}  // namespace
+
+void StateCurves::add(const CheckSubject& subject) {
+    std::size_t number = 0;
+    float largest = 0.0f;
+    const auto put = [&](const std::string& name, double square) {
+        if (number == curves_.size()) curves_.push_back({name, {}});
+        curves_[number++].means.push_back(square);
+    };
+    const auto& passes = subject.renderer().graph().passes;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (!subject.is_fed_back(i)) continue;
+        const auto names = output_names(subject.scene(), passes[i].pass);
+        for (std::size_t output = 0; output < names.size(); ++output) {
+            std::array<double, 4> squares{};
+            const std::vector<float> values = subject.renderer().read_buffer(i, output);
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                if (!std::isfinite(values[k])) continue;
+                largest = std::max(largest, std::abs(values[k]));
+                squares[k % 4] += static_cast<double>(values[k]) * static_cast<double>(values[k]);
+            }
+            const double texels = std::max(static_cast<double>(values.size()) / 4.0, 1.0);
+            double sum = 0.0;
+            for (std::size_t c = 0; c < 4; ++c) {
+                put(names[output] + "." + "xyzw"[c], squares[c] / texels);
+                sum += squares[c] / texels;
+            }
+            put(names[output], sum);
+        }
+    }
+    largest_.push_back(largest);
+}
+
+std::string StateCurves::growth() const {
+    if (frames() < kLeastFrames) return "";
+    for (const Curve& curve : curves_) {
+        const auto factor = steady_factor(curve.means);
+        if (!factor) continue;
+        // Of squares; of the values half of it.
+        const double frame = std::log(*factor) / 2.0 / static_cast<double>(frames() / kParts);
+        return fmt::format("{} grows steadily, by {:.2g} % a frame", curve.name, 100.0 * frame);
+    }
+    return "";
+}
+
+bool StateCurves::explodes(float usual) const {
+    constexpr float kFactor = 4.0f, kBeyondUsual = 8.0f, kLeast = 10.0f;
+    constexpr double kLonger = 1.5;  // of x^n the second factor takes 4^(1/n) times as long
+    if (largest() < std::max(kLeast, kBeyondUsual * usual)) return false;
+    for (std::size_t a = 0; a < largest_.size(); ++a) {
+        if (largest_[a] <= 0.0f) continue;
+        const auto reach = [&](std::size_t from, float wanted) {
+            while (from < largest_.size() && largest_[from] < wanted) ++from;
+            return from;
+        };
+        const std::size_t b = reach(a, kFactor * largest_[a]);
+        if (b >= largest_.size()) continue;
+        const std::size_t c = reach(b, kFactor * largest_[b]);
+        if (c >= largest_.size() || largest_[c] < std::max(kLeast, usual)) continue;
+        if (static_cast<double>(c - b) <= kLonger * static_cast<double>(b - a)) return true;
+    }
+    return false;
+}
+
+float StateCurves::largest() const {
+    return largest_from(0);
+}
+
+float StateCurves::largest_from(std::size_t frame) const {
+    return frame < frames()
+               ? *std::max_element(largest_.begin() + static_cast<long>(frame), largest_.end())
+               : 0.0f;
+}
+
+float StateCurves::largest_before(std::size_t frame) const {
+    return *std::max_element(largest_.begin(), largest_.begin() + static_cast<long>(frame));
+}
+
+}  // namespace glint

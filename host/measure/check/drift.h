@@ -1,0 +1,35 @@
+// What simulations keep, over many frames: curves of their magnitude, and whether these run away.
+#pragma once
+
+#include "measure/check/subject.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+class StateCurves {
+public:
+    // Of what is fed back, after a frame.
+    void add(const CheckSubject& subject);
+
+    // Steady growth by a factor a frame, however small: "sums grows by 0.01 % a frame".
+    std::string growth() const;
+    // Whether the largest value rose faster than any power of time, beyond `usual` by far.
+    bool explodes(float usual) const;
+    float largest() const;
+    float largest_from(std::size_t frame) const;
+    float largest_before(std::size_t frame) const;
+    std::size_t frames() const { return largest_.size(); }
+
+private:
+    struct Curve {
+        std::string name;           // of what: "waves.x", "waves"
+        std::vector<double> means;  // squares, by frame
+    };
+    std::vector<Curve> curves_;
+    std::vector<float> largest_;
+};
+
+}  // namespace glint

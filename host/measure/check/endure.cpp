@@ -1,0 +1,180 @@
+// Simulations over many frames: every end of every tweak, and what becomes of a poisoned texel once
+// it looks healed.
+#include "measure/check/case.h"
+#include "measure/check/drift.h"
+#include "measure/check/invariants.h"
+#include "measure/check/poison.h"
+#include "measure/check/space.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glint {
+namespace {
+
+constexpr int kFrames = 600, kLeastFrames = 30;  // at each end of a tweak
+constexpr int kBefore = 30, kAfter = 120;        // frames round a poisoning
+
+// Frames at 60 Hz, as many as a share of the seconds allows. False when one was not finite.
+bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants& invariants) {
+    const Stopwatch clock;
+    for (int k = 0; k < frames; ++k) {
+        if (!check.effort.tries && k >= kLeastFrames && check.effort.over(clock.ms(), 0.02)) break;
+        if (!check.subject.play_frames(k, k + 1, 60.0)) return false;
+        curves.add(check.subject);
+        invariants.add(check.subject, k);
+    }
+    return true;
+}
+
+// What the preset itself comes to.
+float usual_largest(Check& check) {
+    if (check.usual_largest) return *check.usual_largest;
+    const auto values = check.subject.preset.values;
+    check.subject.preset.values = check.subject.opened().values;
+    StateCurves curves;
+    Invariants invariants(check.subject);
+    play_curves(check, check.paced(kFrames, kLeastFrames), curves, invariants);
+    check.subject.renderer().reset();
+    check.subject.preset.values = values;
+    check.usual_largest = curves.largest();
+    return *check.usual_largest;
+}
+
+void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) {
+    TweakValue filled{};
+    filled.fill(value);
+    const float usual = usual_largest(check);
+    if (!check.subject.observed().is_finite()) return;
+    check.subject.preset.values[tweak] =
+        clamp_to_range(check.subject.scene().tweaks[tweak], filled);
+    StateCurves curves;
+    Invariants invariants(check.subject);
+    if (!play_curves(check, check.paced(kFrames, kLeastFrames), curves, invariants)) return;
+    result.note = fmt::format("{} frames, largest {:.3g}", curves.frames(), curves.largest());
+    const std::string growth = curves.growth();
+    if (curves.explodes(usual))
+        result.fail(fmt::format("the state explodes to {:.3g} (with the preset's values {:.3g})",
+                                curves.largest(), usual));
+    else if (!growth.empty())
+        result.fail(growth);
+    else if (!invariants.broken().empty())
+        result.fail(invariants.broken());
+}
+
+struct Seen {
+    float middle = 0.0f, end = 0.0f, all = 0.0f;  // largest of the buffer
+    std::vector<float> at_middle{}, at_late{}, at_end{};
+};
+
+float largest_of(const std::vector<float>& values) {
+    float largest = 0.0f;
+    for (const float v : values)
+        if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+    return largest;
+}
+
+// With its texels poisoned after some frames, or left alone.
+std::optional<Seen> play_on(Check& check, std::size_t index, int after, bool poisoned) {
+    CheckSubject& subject = check.subject;
+    subject.renderer().reset();
+    Seen seen;
+    std::vector<float> values;
+    for (int k = 0; k < kBefore + 2 + after; ++k) {
+        if (k == kBefore && poisoned) {
+            for (const glm::ivec2 texel : texels_to_poison(subject, index, check.effort.inject))
+                poison(subject.renderer().buffer(index), texel,
+                       std::numeric_limits<float>::quiet_NaN());
+        }
+        const Playback endless{.end = 1e6, .fps = 60.0};
+        subject.draw_blindly(endless.frame(subject.preset, k));
+        if (k < kBefore + 2) continue;
+        values = subject.renderer().read_buffer(index, 0);
+        if (largest_of(values) == 0.0f &&
+            !std::ranges::all_of(values, [](float v) { return std::isfinite(v); }))
+            return std::nullopt;
+        seen.all = std::max(seen.all, largest_of(values));
+        if (k == kBefore + 2 + after / 2) {
+            seen.middle = largest_of(values);
+            seen.at_middle = values;
+        }
+        if (k == kBefore + 2 + after * 3 / 4) seen.at_late = values;
+    }
+    seen.end = largest_of(values);
+    seen.at_end = values;
+    subject.still.reset();
+    return seen;
+}
+
+// How many values stand still that would move, far from where these are.
+std::size_t count_stuck(const Seen& poisoned, const Seen& clean) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < clean.at_end.size(); ++i) {
+        const bool stands = poisoned.at_middle[i] == poisoned.at_late[i] &&
+                            poisoned.at_late[i] == poisoned.at_end[i];
+        const bool would_move =
+            clean.at_middle[i] != clean.at_late[i] && clean.at_late[i] != clean.at_end[i];
+        const float off = std::abs(poisoned.at_end[i] - clean.at_end[i]);
+        count += stands && would_move && off > 0.05f * clean.all;
+    }
+    return count;
+}
+
+void run_after_poison(std::size_t index, Check& check, CaseResult& result) {
+    const int after = check.paced(kAfter, 24);
+    const auto clean = play_on(check, index, after, false);
+    const auto poisoned = play_on(check, index, after, true);
+    if (!clean || !poisoned) return;
+    const std::size_t stuck = count_stuck(*poisoned, *clean);
+    constexpr float kMost = 2.0f, kFading = 0.95f;
+    if (poisoned->end > kMost * clean->all + 1e-3f && poisoned->end > kFading * poisoned->middle) {
+        result.fail(
+            fmt::format("heals to a wrong state: {} frames after NaN the largest value is {:.3g} "
+                        "and not fading, without NaN never above {:.3g}",
+                        after, poisoned->end, clean->all));
+    } else if (stuck > 0) {
+        result.fail(
+            fmt::format("heals to a wrong state: {} values stand still for {} frames after NaN, "
+                        "and would move",
+                        stuck, after / 2));
+    } else {
+        result.note = fmt::format("{} frames on", after);
+    }
+}
+
+}  // namespace
+
+void add_endurance_cases(std::vector<Case>& list, const CheckSubject& subject) {
+    if (!subject.stateful()) return;
+    const auto& tweaks = subject.scene().tweaks;
+    for (std::size_t i = 0; i < tweaks.size(); ++i) {
+        const auto range = range_of(tweaks[i]);
+        if (!range || !tweaks[i].names.empty()) continue;
+        for (const double value : {range->min, range->max}) {
+            TweakValue filled{};
+            filled.fill(value);
+            list.push_back(
+                {fmt::format("{}={} for long", tweaks[i].name,
+                             format_value(tweaks[i], clamp_to_range(tweaks[i], filled))),
+                 [i, value](Check& check, CaseResult& result) { run_end(i, value, check, result); },
+                 Case::Tweaks::one});
+        }
+    }
+}
+
+void add_healing_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort) {
+    if (effort.inject == 0) return;
+    const auto& passes = subject.renderer().graph().passes;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const BufferShape& shape = subject.renderer().buffer(i).shape();
+        if (!subject.is_fed_back(i) || shape.cube || bytes_a_channel(shape.format) == 1) continue;
+        list.push_back(
+            {"healed " + pass_name(subject.scene(), passes[i].pass),
+             [i](Check& check, CaseResult& result) { run_after_poison(i, check, result); }});
+    }
+}
+
+}  // namespace glint

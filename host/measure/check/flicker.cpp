@@ -1,0 +1,175 @@
+// What the eye sees from frame to frame: flashes, and things that run faster on a faster screen.
+#include "measure/check/case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+// ---- Frame rates --------------------------------------------------------------------------------
+
+constexpr double kMet = 0.5;  // s, where the pictures of all rates are compared
+// A finer rate comes nearer to the truth: the last doubling changes at most this share of what the
+// one before did, or less than a clear mark on the picture, or little beside what a frame does.
+constexpr double kShare = 0.7, kClear = 0.5, kBesideFrame = 1.5;
+
+// Red, green and blue as a display shows them, each the mean of 3x3 pixels, so that a rounding at
+// an edge is small and a thing of two pixels is not.
+std::vector<float> blurred(const std::vector<float>& picture, glm::ivec2 size) {
+    std::vector<float> result;
+    result.reserve(picture.size());
+    const auto at = [&](int x, int y, std::size_t c) {
+        x = std::clamp(x, 0, size.x - 1);
+        y = std::clamp(y, 0, size.y - 1);
+        return std::clamp(picture[static_cast<std::size_t>(y * size.x + x) * 4 + c], 0.0f, 1.0f);
+    };
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                float sum = 0.0f;
+                for (int i = 0; i < 9; ++i) sum += at(x + i % 3 - 1, y + i / 3 - 1, c);
+                result.push_back(sum / 9.0f);
+            }
+    return result;
+}
+
+double largest_off(const std::vector<float>& a, const std::vector<float>& b) {
+    double off = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        off = std::max(off, static_cast<double>(std::abs(a[i] - b[i])));
+    return off;
+}
+
+struct Shown {
+    std::vector<float> last{}, before{};  // blurred
+};
+
+bool show_at_rate(CheckSubject& subject, double fps, Shown& shown) {
+    const int frames = static_cast<int>(std::lround(kMet * fps));
+    subject.renderer().reset();
+    if (!subject.play_frames(0, frames, fps)) return false;
+    shown.before = blurred(subject.picture(), subject.preset.size);
+    if (!subject.play_frames(frames, frames + 1, fps)) return false;
+    shown.last = blurred(subject.picture(), subject.preset.size);
+    return true;
+}
+
+void run_frame_rates(Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    constexpr double kFastest = 240.0;
+    std::array<Shown, 3> shown;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!show_at_rate(subject, kFastest / (4 >> i), shown[i])) return;
+    const double coarse = largest_off(shown[0].last, shown[1].last);
+    const double fine = largest_off(shown[1].last, shown[2].last);
+    const double frame = std::max(largest_off(shown[2].last, shown[2].before),
+                                  largest_off(shown[0].last, shown[0].before));
+    result.note = fmt::format("from 60 to 120 Hz {:.2f}, from 120 to 240 Hz {:.2f}, a frame {:.2f}",
+                              coarse, fine, frame);
+    if (fine > kClear && fine > kShare * coarse && fine > kBesideFrame * frame)
+        result.fail(
+            fmt::format("something follows the frame rate: after {} s pixels of 120 and 240 Hz "
+                        "differ by {:.2f}, those of 60 and 120 Hz by {:.2f}, and a frame from the "
+                        "next by {:.2f}; use iTime, iTimeDelta or step=",
+                        kMet, fine, coarse, frame));
+}
+
+// ---- Flashes ------------------------------------------------------------------------------------
+
+// A general flash after WCAG 2.3.1: the luminance of more than a quarter of the picture goes up and
+// down, or down and up, by a tenth of the brightest more than three times within a second, the
+// darker one below 0.8.
+constexpr double kChange = 0.1, kDark = 0.8, kArea = 0.25;
+constexpr int kMostFlashes = 3, kSecond = 60, kPlayed = 90;  // frames at 60 Hz
+constexpr glm::ivec2 kTiles(8, 6);
+
+double linear(float shown) {
+    const double v = std::clamp(static_cast<double>(shown), 0.0, 1.0);
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+std::vector<double> luminances(const std::vector<float>& picture, glm::ivec2 size) {
+    std::vector<double> sums(static_cast<std::size_t>(kTiles.x * kTiles.y)), counts(sums);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const auto tile =
+                static_cast<std::size_t>(y * kTiles.y / size.y * kTiles.x + x * kTiles.x / size.x);
+            const float* pixel = &picture[static_cast<std::size_t>(y * size.x + x) * 4];
+            sums[tile] +=
+                0.2126 * linear(pixel[0]) + 0.7152 * linear(pixel[1]) + 0.0722 * linear(pixel[2]);
+            counts[tile] += 1.0;
+        }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
+    return sums;
+}
+
+// The changes of a tile that count, as they come: in which frames its luminance turned.
+class Turns {
+public:
+    void add(double now, int frame) {
+        if (frame == 0) low_ = high_ = now;
+        low_ = std::min(low_, now);
+        high_ = std::max(high_, now);
+        const bool rises = now - low_ >= kChange && low_ < kDark;
+        const bool falls = high_ - now >= kChange && now < kDark;
+        if (rises && direction_ != 1) turn(1, now, frame);
+        if (falls && direction_ != -1) turn(-1, now, frame);
+        if (direction_ == 1) low_ = now < high_ ? low_ : now;
+        if (direction_ == -1) high_ = now > low_ ? high_ : now;
+    }
+    // The most within a second.
+    int flashes() const {
+        std::size_t most = 0;
+        for (std::size_t i = 0, first = 0; i < frames_.size(); ++i) {
+            while (frames_[i] - frames_[first] >= kSecond) ++first;
+            most = std::max(most, i - first + 1);
+        }
+        return static_cast<int>(most / 2);
+    }
+
+private:
+    void turn(int direction, double now, int frame) {
+        direction_ = direction;
+        low_ = high_ = now;
+        frames_.push_back(frame);
+    }
+    double low_ = 0.0, high_ = 0.0;
+    int direction_ = 0;
+    std::vector<int> frames_;
+};
+
+void run_flashes(Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    std::vector<Turns> tiles(static_cast<std::size_t>(kTiles.x * kTiles.y));
+    const int frames = check.paced(kPlayed, kSecond / 2);
+    const int first = subject.stateful() ? 0 : static_cast<int>(subject.preset.time * 60.0);
+    for (int k = 0; k < frames; ++k) {
+        if (!subject.play_frames(first + k, first + k + 1, 60.0)) return;
+        const auto now = luminances(subject.picture(), subject.preset.size);
+        for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].add(now[i], k);
+    }
+    const auto flashing = std::ranges::count_if(
+        tiles, [](const Turns& tile) { return tile.flashes() > kMostFlashes; });
+    const double area = static_cast<double>(flashing) / static_cast<double>(tiles.size());
+    result.note = fmt::format("{:.0f} % of the picture flashes", 100.0 * area);
+    if (area > kArea)
+        result.fail(fmt::format("{:.0f} % of the picture flashes more than {} times a second",
+                                100.0 * area, kMostFlashes));
+}
+
+}  // namespace
+
+void add_frame_rate_case(std::vector<Case>& list, const CheckSubject& subject) {
+    if (subject.stateful() || subject.reads(Builtin::frame))
+        list.push_back({"frame rates", run_frame_rates});
+}
+
+void add_flash_case(std::vector<Case>& list, const CheckSubject& subject) {
+    if (subject.moves()) list.push_back({"flashes", run_flashes});
+}
+
+}  // namespace glint

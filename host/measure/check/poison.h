@@ -1,0 +1,15 @@
+// Values that no simulation should ever hold, put into its buffers.
+#pragma once
+
+#include "measure/check/subject.h"
+
+#include <vector>
+
+namespace glint {
+
+// Texels that matter first: the corner, where small states live; the one with the largest value,
+// which is in use; the middle; then any.
+std::vector<glm::ivec2> texels_to_poison(const CheckSubject& subject, std::size_t index, int count);
+void poison(const Buffer& buffer, glm::ivec2 texel, float value);
+
+}  // namespace glint

@@ -1,0 +1,125 @@
+#include "measure/check/search.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr double kLeastStep = 1e-3;
+
+// The positive root of x^(d+1) = x + 1: 1.618… for one range, 1.3247… for two.
+double root_of(std::size_t dimensions) {
+    double x = 2.0;
+    for (int i = 0; i < 64; ++i)
+        x = std::pow(1.0 + x, 1.0 / (static_cast<double>(dimensions) + 1.0));
+    return x;
+}
+
+}  // namespace
+
+Point Search::end_point(std::size_t row) const {
+    const std::size_t rows = std::bit_ceil(usual_.size() + 1);
+    Point point(usual_.size());
+    for (std::size_t i = 0; i < point.size(); ++i) {
+        const bool is_high = (std::popcount((row % rows) & (i + 1)) % 2 == 0) == (row < rows);
+        point[i] = is_high ? 1.0 : 0.0;
+    }
+    return point;
+}
+
+Point Search::spread_point() {
+    const double root = root_of(usual_.size());
+    const auto number = static_cast<double>(++spread_);
+    Point point(usual_.size());
+    double share = 1.0;
+    for (double& component : point) {
+        share /= root;
+        component = std::fmod(0.5 + number * share, 1.0);
+    }
+    return point;
+}
+
+// From the best point of the next operation whose distance can be changed at all.
+std::optional<Point> Search::moved_point() {
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+        const std::size_t at = turn_++ % goals_.size();
+        Goal& goal = goals_[at];
+        if (!goal.varies || goal.nearest <= 0.0f || goal.step < kLeastStep) continue;
+        moving_ = at;
+        Point point = goal.best;
+        const auto count = std::min<std::size_t>(1 + random_() % 3, point.size());
+        for (std::size_t k = 0; k < count; ++k) {
+            double& component = point[random_() % point.size()];
+            component = std::clamp(component + goal.step * (2.0 * drawn() - 1.0), 0.0, 1.0);
+        }
+        return point;
+    }
+    return std::nullopt;
+}
+
+Point Search::next() {
+    const std::size_t number = asked_++;
+    moving_ = SIZE_MAX;
+    if (number == 0 || usual_.empty()) return usual_;
+    const std::size_t ends = 2 * std::bit_ceil(usual_.size() + 1);
+    if (number <= ends) return end_point(number - 1);
+    // Two moves for one that explores, once anything is known to vary.
+    if (number % 3 != 0)
+        if (auto moved = moved_point()) return *moved;
+    return spread_point();
+}
+
+void Search::tell(const Point& point, const Trial& trial) {
+    if (goals_.empty()) goals_.resize(trial.distances.size());
+    for (std::size_t i = 0; i < std::min(goals_.size(), trial.distances.size()); ++i) {
+        Goal& goal = goals_[i];
+        const float distance = trial.distances[i];
+        const bool moved = i == moving_;
+        if (!std::isfinite(distance)) {
+            if (moved) goal.step *= 0.9;
+            continue;
+        }
+        if (goal.best.empty()) {
+            goal.best = point;
+            goal.nearest = goal.first = distance;
+            continue;
+        }
+        goal.varies |= distance != goal.first;
+        if (distance < goal.nearest) {
+            goal.nearest = distance;
+            goal.best = point;
+            if (moved) goal.step = std::min(goal.step * 1.6, 0.5);
+        } else if (moved) {
+            goal.step *= 0.88;
+        }
+    }
+}
+
+Point smallest(Point failing, const Point& usual, const std::function<bool(const Point&)>& fails,
+               int most) {
+    constexpr int kHalvings = 7;
+    for (std::size_t i = 0; i < failing.size() && most > 0; ++i) {
+        if (failing[i] == usual[i]) continue;
+        Point point = failing;
+        point[i] = usual[i];
+        --most;
+        if (fails(point)) failing = std::move(point);
+    }
+    for (std::size_t i = 0; i < failing.size(); ++i) {
+        if (failing[i] == usual[i]) continue;
+        double sound = usual[i];
+        for (int k = 0; k < kHalvings && most > 0; ++k, --most) {
+            Point point = failing;
+            point[i] = (sound + failing[i]) / 2.0;
+            if (fails(point))
+                failing = std::move(point);
+            else
+                sound = point[i];
+        }
+    }
+    return failing;
+}
+
+}  // namespace glint

@@ -1,0 +1,62 @@
+// The search for the worst: points of a unit cube are tried, and the next ones chosen by how near
+// the last came to a fault.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace glint {
+
+using Point = std::vector<double>;  // a share of each range, 0 to 1
+
+struct Trial {
+    bool fails = false;
+    // How far each of some operations kept off a fault; always the same ones. May be empty.
+    std::vector<float> distances{};
+};
+using Try = std::function<Trial(const Point&)>;
+
+// Chooses points. The same answers lead to the same points, on any machine.
+//
+// First the usual one. Then ends of all ranges together, so that in twice the next power of two
+// trials any three ranges have met at each combination of their ends (the rows of a Hadamard matrix
+// and their opposites: an orthogonal array of strength 3; Hedayat, Sloane and Stufken, "Orthogonal
+// Arrays", 1999). From then on every other point is of the additive sequence R (Martin Roberts,
+// "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), which leaves no large hole, and
+// every other one moves from where one operation came nearest to a fault (an evolution strategy,
+// (1+1), of one to three ranges at a time, that adapts its steps; the distance is the "branch
+// distance" of search-based testing, McMinn 2004).
+class Search {
+public:
+    explicit Search(Point usual) : usual_(std::move(usual)) {}
+
+    Point next();
+    void tell(const Point& point, const Trial& trial);
+
+private:
+    struct Goal {
+        Point best{};
+        float nearest = 0.0f, first = 0.0f;
+        double step = 0.25;
+        bool varies = false;
+    };
+    double drawn() { return static_cast<double>(random_()) / 4294967296.0; }
+    Point end_point(std::size_t row) const;
+    Point spread_point();
+    std::optional<Point> moved_point();
+
+    Point usual_;
+    std::vector<Goal> goals_;
+    std::size_t asked_ = 0, spread_ = 0, turn_ = 0, moving_ = SIZE_MAX;
+    std::mt19937 random_{1};
+};
+
+// The point between a failing one and the usual that differs in the fewest ranges, and by the
+// least; at most `most` trials.
+Point smallest(Point failing, const Point& usual, const std::function<bool(const Point&)>& fails,
+               int most);
+
+}  // namespace glint

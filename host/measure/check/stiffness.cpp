@@ -1,0 +1,158 @@
+// How far a simulation's step is from where it explodes, and of which order it is: told, not
+// judged.
+#include "measure/check/case.h"
+#include "measure/check/space.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace glint {
+namespace {
+
+constexpr double kPlayed = 4.0;      // s, after which an unstable step has shown itself
+constexpr double kCompared = 0.5;    // s, after which states of halved steps are compared
+constexpr double kMostTimes = 64.0;  // the step in use
+constexpr long kParts = 64;          // of a step; how finely it is told
+constexpr float kBeyond = 16.0f, kLeast = 1.0f;  // the largest value, beside the step in use
+
+using StepKey = std::pair<long, long>;
+
+std::set<StepKey> steps_of(const CheckSubject& subject) {
+    std::set<StepKey> steps;
+    for (const GraphPass& pass : subject.renderer().graph().passes) {
+        if (pass.pass == kImagePass) continue;
+        const Step step = subject.scene().passes[pass.pass].step;
+        if (step) steps.insert({step.numerator, step.denominator});
+    }
+    return steps;
+}
+
+// A subject whose passes of one step have another, until the end of this.
+class Stepped {
+public:
+    Stepped(CheckSubject& subject, StepKey step) : subject_(subject), step_(step) {
+        auto& passes = subject.preset.scene.passes;
+        for (std::size_t i = 0; i < passes.size(); ++i)
+            if (passes[i].step == Step{step.first, step.second}) passes_.push_back(i);
+    }
+    ~Stepped() {
+        set(1, 1);
+        subject_.restore();
+    }
+    Stepped(const Stepped&) = delete;
+    Stepped& operator=(const Stepped&) = delete;
+
+    // The largest value that is kept, after some seconds; infinity where it was not finite.
+    float largest_with(long parts, const std::vector<TweakValue>& values) {
+        set(parts, kParts);
+        subject_.restore();
+        subject_.preset.values = values;
+        const auto frames = static_cast<int>(kPlayed * 60.0);
+        for (int k = 0; k < frames; ++k)
+            if (!subject_.play_frames(k, k + 1, 60.0)) return INFINITY;
+        return subject_.largest_state();
+    }
+
+    // What the passes hold when their step is a part of it.
+    std::vector<float> state_with_part(long of) {
+        set(1, of);
+        subject_.restore();
+        std::vector<float> all;
+        subject_.play_frames(0, static_cast<int>(kCompared * 60.0) + 1, 60.0);
+        const auto& drawn = subject_.renderer().graph().passes;
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            if (std::ranges::find(passes_, drawn[i].pass) == passes_.end()) continue;
+            const std::vector<float> values = subject_.renderer().read_buffer(i, 0);
+            all.insert(all.end(), values.begin(), values.end());
+        }
+        return all;
+    }
+
+private:
+    void set(long parts, long of) {
+        for (const std::size_t pass : passes_)
+            subject_.preset.scene.passes[pass].step = {step_.first * parts, step_.second * of};
+    }
+
+    CheckSubject& subject_;
+    StepKey step_;
+    std::vector<std::size_t> passes_;
+};
+
+std::vector<TweakValue> all_at(const CheckSubject& subject, bool to_max) {
+    std::vector<TweakValue> values = subject.opened().values;
+    const auto& tweaks = subject.scene().tweaks;
+    for (std::size_t i = 0; i < tweaks.size(); ++i) {
+        const auto range = range_of(tweaks[i]);
+        if (!range) continue;
+        values[i].fill(to_max ? range->max : range->min);
+        values[i] = clamp_to_range(tweaks[i], values[i]);
+    }
+    return values;
+}
+
+// How many times the step in use is stable, with each of these values; by doubling, then halving.
+double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
+    const float usual = stepped.largest_with(kParts, values);
+    if (!std::isfinite(usual)) return 0.0;
+    const auto is_stable = [&](long parts) {
+        return stepped.largest_with(parts, values) <= std::max(kLeast, kBeyond * usual);
+    };
+    long good = kParts;
+    while (good < kParts * static_cast<long>(kMostTimes) && is_stable(2 * good)) good *= 2;
+    if (good >= kParts * static_cast<long>(kMostTimes)) return kMostTimes;
+    long bad = 2 * good;
+    for (int k = 0; k < 4 && bad - good > 1; ++k) {
+        const long middle = (good + bad) / 2;
+        (is_stable(middle) ? good : bad) = middle;
+    }
+    return static_cast<double>(good) / static_cast<double>(kParts);
+}
+
+double distance(const std::vector<float>& a, const std::vector<float>& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        squares += static_cast<double>(a[i] - b[i]) * static_cast<double>(a[i] - b[i]);
+    return std::sqrt(squares);
+}
+
+// By how many powers of two halving the step brings the state nearer to where it converges.
+std::string order_of(Stepped& stepped) {
+    const auto whole = stepped.state_with_part(1), half = stepped.state_with_part(2),
+               quarter = stepped.state_with_part(4);
+    const double one = distance(whole, half), next = distance(half, quarter);
+    if (!(one > 0.0) || !(next > 0.0)) return "no order: halving it changes nothing";
+    return fmt::format("order {:.2f}", std::log2(one / next));
+}
+
+void run_stiffness(StepKey step, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    result.verdict = CaseVerdict::report;
+    Stepped stepped(subject, step);  // what fails at a longer step is no failure
+    double least = largest_stable(stepped, subject.opened().values);
+    if (!subject.scene().tweaks.empty())
+        for (const bool to_max : {false, true})
+            least = std::min(least, largest_stable(stepped, all_at(subject, to_max)));
+    result.note =
+        fmt::format("{} up to {:.3g} times the step in use, {:.3g} s, over the ranges' ends; {}",
+                    least >= kMostTimes ? "stable at least" : "stable", least,
+                    static_cast<double>(step.first) / static_cast<double>(step.second) * least,
+                    order_of(stepped));
+}
+
+}  // namespace
+
+void add_stiffness_cases(std::vector<Case>& list, const CheckSubject& subject) {
+    for (const StepKey& step : steps_of(subject))
+        list.push_back(
+            {fmt::format("step {}/{} s", step.first, step.second),
+             [step](Check& check, CaseResult& result) { run_stiffness(step, check, result); },
+             Case::Tweaks::all});
+}
+
+}  // namespace glint
