@@ -15,6 +15,7 @@ struct Difference {
     double psnr = 0.0;          // dB, of 8-bit values; infinite when they are equal
     double share_off = 0.0;     // of pixels with a channel off by more than 1/255, as 8-bit
     std::size_t not_finite = 0;
+    double flip = 0.0;  // the mean of flip_map(), as far as somebody has asked for it
 };
 
 // RGBA pictures of the same size. The 8-bit figures are of the values as they are, the others of

@@ -64,15 +64,15 @@ std::string row_text(const StudyRow& row) {
                     escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median,
                     ms.min, ms.max, row.all_passes_ms);
     if (!row.failed.empty()) {
-        return text + fmt::format("<td class=words colspan=6>{}\n", escaped(row.failed));
+        return text + fmt::format("<td class=words colspan=7>{}\n", escaped(row.failed));
     }
     if (!row.error) return text + "\n";
     const Difference& e = *row.error;
-    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n",
+    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n",
                               three_digits(e.rmse), three_digits(e.max),
                               std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
                               percent(e.share_off), three_digits(e.relative_mse),
-                              row.near_reference ? "~" : "");
+                              three_digits(e.flip), row.near_reference ? "~" : "");
 }
 
 std::string table(const Study& study) {
@@ -80,7 +80,7 @@ std::string table(const Study& study) {
         "<div class=table><table><tr><th class=text>{}<th>ms<th>min – max<th>ms, all passes",
         escaped(study.knob));
     if (!study.time_only) {
-        text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>";
+        text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>FLIP<th>";
     }
     text += "\n";
     for (const StudyRow& row : study.rows) text += row_text(row);
@@ -102,12 +102,14 @@ std::string pictures(const Study& study) {
     if (study.reference_picture.empty()) return {};
     std::string text =
         "<p class=facts>Maps show the largest difference of a channel: 1/10000 <span "
-        "class=scale></span> 1; not finite: magenta.</p>\n<div class=pictures>\n";
+        "class=scale></span> 1; not finite: magenta. FLIP: what a person sees of it, linear from "
+        "0 to 1 in the same colours.</p>\n<div class=pictures>\n";
     text += figure(study.reference_picture, fmt::format("reference, {}", study.reference));
     for (const StudyRow& row : study.rows) {
         if (row.is_reference) continue;
         text += figure(row.picture, fmt::format("{} {}", study.knob, row.value));
         text += figure(row.map, fmt::format("{} {}: difference", study.knob, row.value));
+        text += figure(row.flip_map, fmt::format("{} {}: FLIP", study.knob, row.value));
     }
     return text + "</div>\n";
 }

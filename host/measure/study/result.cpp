@@ -207,8 +207,8 @@ std::string to_table(const Study& study) {
     }
     text += fmt::format("    {:>{}} {:>10} {:>19}", study.knob, widest, "ms", "min to max");
     if (!study.time_only) {
-        text += fmt::format(" {:>9} {:>9} {:>6} {:>8} {:>9}", "rmse", "max", "psnr", "> 1/255",
-                            "rel. mse");
+        text += fmt::format(" {:>9} {:>9} {:>6} {:>8} {:>9} {:>9}", "rmse", "max", "psnr",
+                            "> 1/255", "rel. mse", "flip");
     }
     text += "\n";
     for (const StudyRow& row : study.rows) {
@@ -217,9 +217,10 @@ std::string to_table(const Study& study) {
                             mark(row), row.value, widest, ms.median, ms.min, ms.max);
         if (!row.failed.empty()) text += " " + row.failed;
         if (has_error(row)) {
-            text += fmt::format(" {:>9.3g} {:>9.3g} {:>6} {:>6.2f} % {:>9.3g}", row.error->rmse,
-                                row.error->max, psnr_text(row.error->psnr),
-                                100.0 * row.error->share_off, row.error->relative_mse);
+            text +=
+                fmt::format(" {:>9.3g} {:>9.3g} {:>6} {:>6.2f} % {:>9.3g} {:>9.3g}",
+                            row.error->rmse, row.error->max, psnr_text(row.error->psnr),
+                            100.0 * row.error->share_off, row.error->relative_mse, row.error->flip);
         }
         text += "\n";
     }
@@ -234,7 +235,7 @@ std::string to_table(const Study& study) {
 }
 
 std::string csv_header() {
-    return "scene,knob,value,ms,ms_min,ms_max,rmse,max,psnr,share_off,relative_mse,pareto,"
+    return "scene,knob,value,ms,ms_min,ms_max,rmse,max,psnr,share_off,relative_mse,flip,pareto,"
            "near_reference,failed,renderer,width,height\n";
 }
 
@@ -246,11 +247,11 @@ std::string to_csv(const Study& study) {
         text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},", word(study.scene), study.knob,
                             word(row.value), ms.median, ms.min, ms.max);
         if (has_error(row)) {
-            text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g}", row.error->rmse, row.error->max,
-                                psnr_text(row.error->psnr), row.error->share_off,
-                                row.error->relative_mse);
+            text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g},{:.6g}", row.error->rmse,
+                                row.error->max, psnr_text(row.error->psnr), row.error->share_off,
+                                row.error->relative_mse, row.error->flip);
         } else {
-            text += ",,,,";
+            text += ",,,,,";
         }
         text += fmt::format(",{},{},{},{},{},{}\n", row.pareto, row.near_reference,
                             word(row.failed), word(study.renderer), study.size.x, study.size.y);

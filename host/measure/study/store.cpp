@@ -47,12 +47,11 @@ void push_byte(Image& image, double value) {
     image.pixels.push_back(static_cast<std::byte>(std::lround(shown * 255.0)));
 }
 
-// Black, blue, violet, orange, white: a step for each decade from 1e-4 to 1.
-void push_heat(Image& image, double difference) {
+// Black, blue, violet, orange, white at 0, 1, 2, 3 and 4.
+void push_heat(Image& image, double value) {
     constexpr std::array<std::array<double, 3>, 5> kSteps = {
         {{0, 0, 0}, {0.1, 0.1, 0.6}, {0.7, 0.1, 0.5}, {1.0, 0.6, 0.1}, {1, 1, 1}}};
-    const double decades = difference > 0.0 ? std::log10(difference) + 4.0 : 0.0;
-    const double at = std::clamp(decades, 0.0, 3.999999);
+    const double at = std::clamp(value, 0.0, 3.999999);
     const auto step = static_cast<std::size_t>(at);
     for (std::size_t c = 0; c < 3; ++c) {
         push_byte(image,
@@ -184,7 +183,9 @@ std::optional<StudyRow> StudyStore::row(const StudyKey& key, glm::ivec2 size) co
     if (!row || row->picture.empty()) return row;
     row->picture = shown_file(key);
     row->map = map_file(key);
+    row->flip_map = flip_file(key);
     if (!picture(key, size) || !has_bytes(folder_ / row->map)) return std::nullopt;
+    if (!has_bytes(folder_ / row->flip_map)) return std::nullopt;
     return row;
 }
 
@@ -223,6 +224,10 @@ std::string StudyStore::map_file(const StudyKey& key) const {
     return file("pictures", key, "-map.png").lexically_relative(folder_).string();
 }
 
+std::string StudyStore::flip_file(const StudyKey& key) const {
+    return file("pictures", key, "-flip.png").lexically_relative(folder_).string();
+}
+
 std::string StudyStore::keep_picture(const StudyKey& key, std::span<const float> rgba,
                                      glm::ivec2 size) const {
     if (folder_.empty()) return {};
@@ -253,13 +258,22 @@ std::string StudyStore::keep_map(const StudyKey& key, std::span<const float> pic
             most = std::max(most, std::abs(x - r));
         }
         if (finite) {
-            push_heat(map, most);
+            push_heat(map, most > 0.0 ? std::log10(most) + 4.0 : 0.0);  // a step a decade
         } else {
             for (const double c : {1.0, 0.0, 1.0}) push_byte(map, c);
         }
     }
     write_image(cleared(folder_ / map_file(key)), map);
     return map_file(key);
+}
+
+std::string StudyStore::keep_flip_map(const StudyKey& key, std::span<const float> map,
+                                      glm::ivec2 size) const {
+    if (folder_.empty()) return {};
+    Image shown = bytes_image(size);
+    for (const float v : map) push_heat(shown, 4.0 * v);
+    write_image(cleared(folder_ / flip_file(key)), shown);
+    return flip_file(key);
 }
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
+#include "measure/rows/flip.h"
 #include "measure/study/measure.h"
 #include "measure/study/page.h"
 #include "measure/study/result.h"
@@ -125,12 +126,16 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         if (row.error->not_finite > 0) {
             row.failed = fmt::format("diverged: {} pixels are not finite", row.error->not_finite);
         }
+        const std::vector<float> seen =
+            flip_map(measured.picture, reference->picture, scenery.size, {.encoded = encoded});
+        row.error->flip = mean(seen);
         if (!previous.empty()) {
             row.rmse_to_previous = difference(measured.picture, previous, encoded).rmse;
         }
         row.picture = scenery.store.keep_picture(key, measured.picture, scenery.size);
         row.map = scenery.store.keep_map(key, measured.picture, reference->picture, scenery.size,
                                          encoded);
+        row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
     }
     if (!value.is_between) previous = std::move(measured.picture);
     return row;
@@ -186,6 +191,9 @@ Study study_knob(const Scenery& scenery, const Knob& knob) {
             const Reference second = draw_reference(scenery, knob, *knob.second);
             study.reference_error =
                 difference(second.picture, reference->picture, is_encoded(scenery));
+            study.reference_error->flip =
+                mean(flip_map(second.picture, reference->picture, scenery.size,
+                              {.encoded = is_encoded(scenery)}));
             tell(scenery, knob, study);
         }
     }
