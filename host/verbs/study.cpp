@@ -27,7 +27,11 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->check(one_of({"error", "time"}));
     verb.add_option("--pass", study.pass, "compare this buffer instead of the picture")
         ->type_name(kPass);
-    verb.add_option("--frames", study.frames, "timed frames a row")->check(from(15, 100'000));
+    verb.add_option("--frames", study.frames, "timed frames a row, at least")
+        ->check(from(15, 100'000));
+    verb.add_option("--seconds", study.seconds,
+                    "of timing a tweak, after which no verdict is waited for")
+        ->check(from(0, 1'000'000));
     verb.add_option("-o,--output", study.output, "a folder for the report")->type_name(kFolder);
     CLI::Option* csv = verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
     CLI::Option* json = verb.add_flag("--json", study.view.json, "one JSON object on stdout");

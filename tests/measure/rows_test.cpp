@@ -49,7 +49,8 @@ Study study() {
                       .picture = "pictures/a.png",
                       .map = "pictures/a-map.png",
                       .flip_map = "pictures/a-flip.png",
-                      .ms = {4.0 / 3, 1.1, 1.9},
+                      .ms = {4.0 / 3, 1.1, 1.9, 1.0 / 7, 5.0 / 3},
+                      .verdict = TimeVerdict::slower,
                       .pareto = true,
                       .near_reference = true},
                      {.value = "8", .failed = "diverged: 3 pixels are not finite"}},
@@ -67,6 +68,9 @@ TEST(StudyRows, ComeBackFromJsonAsTheyWere) {
     EXPECT_EQ(found.size, glm::ivec2(64, 36));
     ASSERT_EQ(found.rows.size(), 2u);
     EXPECT_EQ(found.rows[0].ms.max, 1.9);
+    EXPECT_EQ(found.rows[0].ms.high, 5.0 / 3);
+    EXPECT_EQ(found.rows[0].verdict, TimeVerdict::slower);
+    EXPECT_FALSE(found.rows[1].verdict);
     ASSERT_TRUE(found.rows[0].error);
     EXPECT_EQ(found.rows[0].error->relative_mse, 0.01 / 7);
     EXPECT_EQ(found.rows[0].error->flip, 0.1 / 7);

@@ -7,7 +7,7 @@ namespace {
 using glint::Clock;
 
 glint::StudyRow row(double wall, double processor) {
-    return {.wall = {.median = wall}, .processor = {.median = processor}};
+    return {.times = {.wall = {wall}, .gpu = {wall}, .processor = {processor}}};
 }
 
 Clock clock_of(const glint::StudyRow& a, const glint::StudyRow& b) {

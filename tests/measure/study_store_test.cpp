@@ -18,10 +18,6 @@ TEST(StudyStore, ARowComesBackWithAllThatWasMeasured) {
     const TestFolder folder;
     const StudyRow row{.value = "4",
                        .work = 4.0,
-                       .wall = {1.0 / 3, 0.1, 0.9},
-                       .gpu = {2.0 / 3, 0.2, 0.8},
-                       .processor = {5.0 / 3, 0.3, 0.7},
-                       .all_passes_ms = 1.0 / 7,
                        .error = Difference{.rmse = 0.1 / 3, .psnr = 20.0 / 3},
                        .rmse_to_previous = 0.1 / 7,
                        .is_reference = true};
@@ -30,13 +26,25 @@ TEST(StudyStore, ARowComesBackWithAllThatWasMeasured) {
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->resumed);
     EXPECT_EQ(found->work, row.work);
-    EXPECT_EQ(found->wall.median, row.wall.median);
-    EXPECT_EQ(found->gpu.min, row.gpu.min);
-    EXPECT_EQ(found->processor.max, row.processor.max);
-    EXPECT_EQ(found->all_passes_ms, row.all_passes_ms);
     EXPECT_EQ(found->error->rmse, row.error->rmse);
     EXPECT_EQ(found->rmse_to_previous, row.rmse_to_previous);
     EXPECT_TRUE(found->is_reference);
+}
+
+TEST(StudyStore, TimesComeBackRoundByRound) {
+    const TestFolder folder;
+    const FrameTimes row{.wall = {1.0 / 3, 0.5}, .gpu = {0.25, 0.125}, .processor = {2.0 / 3, 1}};
+    const StudyStore store(folder.path());
+    store.keep(kKey, Rounds{.rows = {row, {}}, .all_passes = {1.0 / 7, 0.0}, .look = 2});
+    const auto found = store.rounds(kKey);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->look, 2);
+    EXPECT_EQ(found->all_passes[0], 1.0 / 7);
+    ASSERT_EQ(found->rows.size(), 2u);
+    EXPECT_EQ(found->rows[0].wall, row.wall);
+    EXPECT_EQ(found->rows[0].gpu, row.gpu);
+    EXPECT_EQ(found->rows[0].processor, row.processor);
+    EXPECT_FALSE(store.rounds(kOther));
 }
 
 TEST(StudyStore, ARowOfAnotherKeyIsNotTakenForIt) {

@@ -27,11 +27,21 @@ Clock clock_from(const std::string& words) {
     return Clock::wall;
 }
 
+std::optional<TimeVerdict> verdict_from(const Json& word) {
+    for (const TimeVerdict verdict :
+         {TimeVerdict::faster, TimeVerdict::slower, TimeVerdict::not_told_apart})
+        if (word == to_string(verdict)) return verdict;
+    return std::nullopt;
+}
+
 Json to_json(const StudyRow& row) {
     Json json = {{"value", row.value},
                  {"ms", row.ms.median},
                  {"ms_min", row.ms.min},
                  {"ms_max", row.ms.max},
+                 {"ms_low", row.ms.low},
+                 {"ms_high", row.ms.high},
+                 {"verdict", row.verdict ? Json(to_string(*row.verdict)) : Json()},
                  {"wall_ms", row.wall.median},
                  {"gpu_timer_ms", row.gpu.median},
                  {"processor_ms", row.processor.median},
@@ -68,10 +78,13 @@ StudyRow row_from(const Json& json) {
                  .map = json.value("map", ""),
                  .flip_map = json.value("flip_map", ""),
                  .ms = timing("ms"),
+                 .verdict = verdict_from(json.at("verdict")),
                  .pareto = json.at("pareto"),
                  .near_reference = json.at("near_reference")};
     row.ms.min = timing("ms_min").median;
     row.ms.max = timing("ms_max").median;
+    row.ms.low = timing("ms_low").median;
+    row.ms.high = timing("ms_high").median;
     if (json.at("rmse").is_number()) row.error = difference_from_json(json);
     return row;
 }
@@ -86,6 +99,18 @@ const char* to_string(Clock clock) {
             return "timer queries, which agree with the wall";
         case Clock::processor:
             return "the processor, all threads: the machine was busy";
+    }
+    return "";
+}
+
+const char* to_string(TimeVerdict verdict) {
+    switch (verdict) {
+        case TimeVerdict::faster:
+            return "faster";
+        case TimeVerdict::slower:
+            return "slower";
+        case TimeVerdict::not_told_apart:
+            return "not told apart";
     }
     return "";
 }

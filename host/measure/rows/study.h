@@ -16,7 +16,17 @@ namespace glint {
 // Milliseconds of a frame; with settle, of all its frames.
 struct Timing {
     double median = 0.0, min = 0.0, max = 0.0;
+    double low = 0.0, high = 0.0;  // between which the median lies in 95 of 100 cases
 };
+
+// Each timed frame by each clock, ms; the i-th of all rows of a study were drawn in one round.
+struct FrameTimes {
+    std::vector<double> wall{}, gpu{}, processor{};
+};
+
+// A time beside another: what the measurement tells, and not what the medians are.
+enum class TimeVerdict { faster, slower, not_told_apart };
+const char* to_string(TimeVerdict verdict);  // "not told apart"
 
 // Which of its clocks a study is told by.
 enum class Clock {
@@ -30,6 +40,7 @@ struct StudyRow {
     std::string value{};                // of the knob, as a person types it
     std::optional<double> work{};       // the number; none for menus and switches. Not in JSON
     Timing wall{}, gpu{}, processor{};  // JSON has the medians alone
+    FrameTimes times{};                 // Not in JSON
     // Of a frame in which every pass is drawn, by the clock on the wall; steady frames leave those
     // out in which nothing has changed.
     double all_passes_ms = 0.0;
@@ -46,8 +57,10 @@ struct StudyRow {
     std::string picture{}, map{};  // files, seen from the report; "": none
     std::string flip_map{};        // as map, of what people see
     // Judged from all rows together.
-    Timing ms{};                  // by the clock of the study
-    bool pareto = false;          // no other row is both faster and nearer
+    Timing ms{};  // by the clock of the study
+    std::optional<TimeVerdict>
+        verdict{};                // beside the preset's own value; else beside the first row
+    bool pareto = false;          // no other row is told to be better in one, and worse in none
     bool near_reference = false;  // within ten times of the reference's own error
 };
 
@@ -61,6 +74,7 @@ struct Study {
     bool time_only = false;
     Clock clock = Clock::wall;
     std::vector<StudyRow> rows{};   // in the order of values
+    int look = 0;                   // as in TimeVerdicts. Not in JSON
     std::optional<double> order{};  // of the error: error ~ work^-order
     std::optional<double>
         cost_exponent{};                  // ms ~ value^exponent, over the larger half of the values

@@ -1,6 +1,7 @@
 #include "measure/study/measure.h"
 
 #include "base/process_time.h"
+#include "measure/study/statistics.h"
 #include "offline/common.h"
 #include "offline/input_files.h"
 
@@ -14,7 +15,6 @@
 namespace glint {
 namespace {
 
-constexpr int kWarmUp = 3;     // frames: the driver compiles to machine code at the first draw
 constexpr int kAllPasses = 3;  // frames in which every pass is drawn
 
 // GPU time between begin and end, in ms; waits for the result.
@@ -37,112 +37,73 @@ private:
     GLuint id_ = 0;
 };
 
-Timing timing_of(std::vector<double> ms, double frames) {
-    if (ms.empty()) return {};
-    std::ranges::sort(ms);
-    const double median = (ms[(ms.size() - 1) / 2] + ms[ms.size() / 2]) / 2.0;
-    return {.median = median * frames, .min = ms.front() * frames, .max = ms.back() * frames};
-}
-
-// A scene with its setting, as a still would draw it.
-class Subject {
-public:
-    Subject(const Preset& preset, const Setting& setting, Context& context,
-            const MeasureOptions& options)
-        : preset_(with(preset, setting)),
-          context_(context),
-          options_(options),
-          renderer_(preset_,
-                    compile_or_stop(preset_, {.root = options.pass,
-                                              .program = {.specialise = options.specialise}}),
-                    {.size = preset_.size, .picture_format = PixelFormat::rgba32f}) {
-        load_inputs(preset_, renderer_);
-    }
-
-    std::vector<float> draw_picture() {
-        int ignored = 0;
-        renderer_.draw(play(preset_, renderer_, {.end = preset_.time}, preset_.settle, ignored));
-        context_.finish();
-        return renderer_.read_floats(options_.output);
-    }
-
-    // Frames that go on at 60 Hz, or, for one that settles, with time held.
-    void time_frames(Measured& result) {
-        std::vector<double> wall, gpu, processor;
-        TimerQuery query;
-        for (int i = 0; i < kWarmUp + options_.frames; ++i) {
-            const Frame frame = next_frame();
-            renderer_.redraw();
-            const double processor_before = own_processor_ms();
-            const Stopwatch clock;
-            query.begin();
-            renderer_.draw(frame);
-            query.end();
-            context_.finish();
-            const double ms = clock.ms();
-            if (i < kWarmUp) continue;
-            wall.push_back(ms);
-            gpu.push_back(query.ms());
-            processor.push_back(own_processor_ms() - processor_before);
-        }
-        const double frames = preset_.settle + 1.0;
-        result.wall = timing_of(std::move(wall), frames);
-        result.gpu = timing_of(std::move(gpu), frames);
-        result.processor = timing_of(std::move(processor), frames);
-    }
-
-    double time_all_passes() {
-        std::vector<double> ms;
-        for (int i = 0; i < kAllPasses; ++i) {
-            renderer_.reset();
-            context_.finish();
-            // A simulation would otherwise be caught up from its start.
-            Frame frame = next_frame();
-            frame.longest_catch_up = 1.0 / 60;
-            const Stopwatch clock;
-            renderer_.draw(frame);
-            context_.finish();
-            ms.push_back(clock.ms());
-        }
-        return timing_of(std::move(ms), 1.0).median;
-    }
-
-private:
-    static Preset with(const Preset& preset, const Setting& setting) {
-        Preset result = preset;
-        result.values = setting.values;
-        result.settle = setting.settle;
-        if (setting.format)
-            result.scene.passes[setting.format->pass].format = setting.format->format;
-        return result;
-    }
-
-    Frame next_frame() {
-        ++drawn_;
-        if (preset_.settle > 0) {
-            return settled_frame(preset_, {.end = preset_.time}, preset_.settle + drawn_);
-        }
-        const Playback later{.end = preset_.time + drawn_ / 60.0};
-        return later.frame(preset_, later.last_frame());
-    }
-
-    Preset preset_;
-    Context& context_;
-    MeasureOptions options_;
-    Renderer renderer_;
-    int drawn_ = 0;
-};
-
 }  // namespace
 
-Measured measure(const Preset& preset, const Setting& setting, Context& context,
-                 const MeasureOptions& options) {
-    Subject subject(preset, setting, context, options);
-    Measured result{.picture = subject.draw_picture()};
-    if (options.frames == 0) return result;
-    subject.time_frames(result);
-    result.all_passes_ms = subject.time_all_passes();
+MeasuredScene::MeasuredScene(const Preset& preset, const Setting& setting, Context& context,
+                             const MeasureOptions& options)
+    : preset_(with(preset, setting)),
+      context_(context),
+      options_(options),
+      renderer_(preset_,
+                compile_or_stop(
+                    preset_, {.root = options.pass, .program = {.specialise = options.specialise}}),
+                {.size = preset_.size, .picture_format = PixelFormat::rgba32f}) {
+    load_inputs(preset_, renderer_);
+}
+
+Preset MeasuredScene::with(const Preset& preset, const Setting& setting) {
+    Preset result = preset;
+    result.values = setting.values;
+    result.settle = setting.settle;
+    if (setting.format) result.scene.passes[setting.format->pass].format = setting.format->format;
     return result;
+}
+
+Frame MeasuredScene::next_frame() {
+    ++drawn_;
+    if (preset_.settle > 0) {
+        return settled_frame(preset_, {.end = preset_.time}, preset_.settle + drawn_);
+    }
+    const Playback later{.end = preset_.time + drawn_ / 60.0};
+    return later.frame(preset_, later.last_frame());
+}
+
+std::vector<float> MeasuredScene::draw_picture() {
+    int ignored = 0;
+    renderer_.draw(play(preset_, renderer_, {.end = preset_.time}, preset_.settle, ignored));
+    context_.finish();
+    return renderer_.read_floats(options_.output);
+}
+
+FrameTime MeasuredScene::time_frame() {
+    TimerQuery query;
+    const Frame frame = next_frame();
+    renderer_.redraw();
+    const double processor_before = own_processor_ms();
+    const Stopwatch clock;
+    query.begin();
+    renderer_.draw(frame);
+    query.end();
+    context_.finish();
+    const double wall = clock.ms(), processor = own_processor_ms() - processor_before;
+    const double frames = preset_.settle + 1.0;
+    return {.wall = wall * frames, .gpu = query.ms() * frames, .processor = processor * frames};
+}
+
+double MeasuredScene::time_all_passes() {
+    std::vector<double> ms;
+    for (int i = 0; i < kAllPasses; ++i) {
+        renderer_.reset();
+        context_.finish();
+        // A simulation would otherwise be caught up from its start.
+        Frame frame = next_frame();
+        frame.longest_catch_up = 1.0 / 60;
+        const Stopwatch clock;
+        renderer_.draw(frame);
+        context_.finish();
+        ms.push_back(clock.ms());
+    }
+    return median_of(ms);
 }
 
 std::string machine_name() {

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "gl/context.h"
-#include "measure/rows/study.h"
 #include "measure/study/plan.h"
+#include "measure/study/rounds.h"
+#include "render/renderer.h"
 #include "scene/passes.h"
 
 #include <string>
@@ -11,23 +12,39 @@
 
 namespace glint {
 
-struct Measured {
-    std::vector<float> picture;         // RGBA of what is compared, rows bottom up
-    Timing wall{}, gpu{}, processor{};  // by each clock; 0 where only the picture was wanted
-    double all_passes_ms = 0.0;         // of a frame that draws every pass; on the wall
-};
-
 struct MeasureOptions {
     std::size_t pass = kImagePass;  // what is compared
     std::size_t output = 0;         // which of its outputs
     bool specialise = true;         // tweaks written in as constants
-    int frames = 0;                 // timed ones, after three that are not; 0: the picture alone
 };
 
-// Compiles the scene with this setting, plays it to the preset's time and draws. With settle, the
-// time is that of all its frames together. `context` is current. Throws what a still throws.
-Measured measure(const Preset& preset, const Setting& setting, Context& context,
-                 const MeasureOptions& options);
+// A scene with a setting, as a still would draw it. `context` is current, and outlives it.
+class MeasuredScene {
+public:
+    // Throws what a still throws.
+    MeasuredScene(const Preset& preset, const Setting& setting, Context& context,
+                  const MeasureOptions& options);
+
+    // Plays it to the preset's time and draws: RGBA of what is compared, rows bottom up.
+    std::vector<float> draw_picture();
+
+    // One frame more, 1/60 s later; of a scene that settles, with time held, and as long as all its
+    // frames together take.
+    FrameTime time_frame();
+
+    // Milliseconds of a frame that draws every pass; on the wall. Simulations begin anew.
+    double time_all_passes();
+
+private:
+    static Preset with(const Preset& preset, const Setting& setting);
+    Frame next_frame();
+
+    Preset preset_;
+    Context& context_;
+    MeasureOptions options_;
+    Renderer renderer_;
+    int drawn_ = 0;
+};
 
 // "Xeon …, 2 threads": the processor, and how many of its threads there are.
 std::string machine_name();

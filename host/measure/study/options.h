@@ -14,7 +14,8 @@ struct StudyOptions {
     std::vector<std::string> second{};     // "NAME=VALUE"; a reference to judge the reference by
     std::string pass = "image";            // what is compared; a buffer has no display curve
     bool time_only = false;                // cost over size: no reference, no errors
-    int frames = 15;                       // timed frames a row
+    int frames = 15;                       // timed frames a row, at least
+    double seconds = 30.0;                 // of timing a knob, after which no verdict is waited for
     std::filesystem::path output{};        // a folder for the report; empty: none
     bool csv = false;                      // on stdout, instead of tables
     bool lines = false;                    // of JSON on stdout, as pictures are drawn

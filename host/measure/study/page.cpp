@@ -1,6 +1,6 @@
 #include "measure/study/page.h"
 
-#include "base/names.h"
+#include "base/markup.h"
 #include "base/temporary_file.h"
 #include "measure/study/plot.h"
 #include "measure/study/result.h"
@@ -35,17 +35,6 @@ svg { max-width: 100%; height: auto; }
 </style>
 )";
 
-std::string escaped(std::string_view text) {
-    constexpr Names<char, 4> kEntities = {
-        {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
-    std::string result;
-    for (const char c : text) {
-        const std::string_view entity = kEntities.of(c);
-        result += entity.empty() ? std::string_view(&c, 1) : entity;
-    }
-    return result;
-}
-
 std::string percent(double share) {
     return fmt::format("{:.2f} %", 100.0 * share);
 }
@@ -56,15 +45,15 @@ std::string optional_number(const std::optional<double>& value) {
 
 std::string row_text(const StudyRow& row) {
     const Timing& ms = row.ms;
-    std::string text =
-        fmt::format("<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td>{:.3f}",
-                    !row.failed.empty() ? " class=failed"
-                    : row.pareto        ? " class=pareto"
-                                        : "",
-                    escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median,
-                    ms.min, ms.max, row.all_passes_ms);
+    std::string text = fmt::format(
+        "<tr{}><td class=text>{}{}<td>{:.3f}<td>{:.3f} – {:.3f}<td class=text>{}<td>{:.3f}",
+        !row.failed.empty() ? " class=failed"
+        : row.pareto        ? " class=pareto"
+                            : "",
+        markup_escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median, ms.low,
+        ms.high, row.verdict ? to_string(*row.verdict) : "", row.all_passes_ms);
     if (!row.failed.empty()) {
-        return text + fmt::format("<td class=words colspan=7>{}\n", escaped(row.failed));
+        return text + fmt::format("<td class=words colspan=7>{}\n", markup_escaped(row.failed));
     }
     if (!row.error) return text + "\n";
     const Difference& e = *row.error;
@@ -77,8 +66,9 @@ std::string row_text(const StudyRow& row) {
 
 std::string table(const Study& study) {
     std::string text = fmt::format(
-        "<div class=table><table><tr><th class=text>{}<th>ms<th>min – max<th>ms, all passes",
-        escaped(study.knob));
+        "<div class=table><table><tr><th class=text>{}<th>ms<th>95 of 100 within<th "
+        "class=text>time<th>ms, all passes",
+        markup_escaped(study.knob));
     if (!study.time_only) {
         text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>FLIP<th>";
     }
@@ -87,15 +77,17 @@ std::string table(const Study& study) {
     text += "</table></div>\n";
     if (study.time_only) return text;
     return text +
-           "<p class=facts><span class=pareto>Shaded</span>: no other value is both faster and "
-           "nearer. ~: within ten times of the reference's own error.</p>\n";
+           "<p class=facts><span class=pareto>Shaded</span>: no other value is told to be better "
+           "in "
+           "time or error, and worse in neither. ~: within ten times of the reference's own "
+           "error.</p>\n";
 }
 
 std::string figure(const std::string& file, const std::string& caption) {
     if (file.empty()) return {};
     return fmt::format(
         "<figure><img src=\"{}\" alt=\"{}\" loading=lazy><figcaption>{}</figcaption></figure>\n",
-        escaped(file), escaped(caption), escaped(caption));
+        markup_escaped(file), markup_escaped(caption), markup_escaped(caption));
 }
 
 std::string pictures(const Study& study) {
@@ -115,29 +107,29 @@ std::string pictures(const Study& study) {
 }
 
 std::string facts(const Study& study) {
-    std::string text =
-        fmt::format("<p class=facts>{}×{}, {}<br>{}<br>Clock: {}.", study.size.x, study.size.y,
-                    escaped(study.renderer), escaped(study.machine), to_string(study.clock));
+    std::string text = fmt::format("<p class=facts>{}×{}, {}<br>{}<br>Clock: {}.", study.size.x,
+                                   study.size.y, markup_escaped(study.renderer),
+                                   markup_escaped(study.machine), to_string(study.clock));
     if (!study.time_only) {
         text += fmt::format("<br>Compared: {}. Reference: {}; its own error: {}.",
                             study.pass == "image"
                                 ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
-                                : escaped(study.pass),
-                            escaped(study.reference),
+                                : markup_escaped(study.pass),
+                            markup_escaped(study.reference),
                             study.reference_error
                                 ? fmt::format("{} by {}", three_digits(study.reference_error->rmse),
-                                              escaped(study.second))
+                                              markup_escaped(study.second))
                                 : "not known");
     }
     return text + "</p>\n";
 }
 
 std::string section(const Study& study, std::size_t number) {
-    std::string text =
-        fmt::format("<h2 id=s{}>{}: {}</h2>\n", number, escaped(study.scene), escaped(study.knob));
+    std::string text = fmt::format("<h2 id=s{}>{}: {}</h2>\n", number, markup_escaped(study.scene),
+                                   markup_escaped(study.knob));
     text += facts(study);
     for (const std::string& finding : study.findings) {
-        text += fmt::format("<p class=finding>{}</p>\n", escaped(finding));
+        text += fmt::format("<p class=finding>{}</p>\n", markup_escaped(finding));
     }
     const std::string plot = svg_plot(study);
     text += plot.empty() ? "<p class=note>No diagram: gnuplot is not installed, or there are fewer "
@@ -150,10 +142,10 @@ std::string section(const Study& study, std::size_t number) {
     }
     if (study.cost_exponent) {
         text += fmt::format("<p>Cost: time ~ {}<sup>{:.2f}</sup> over the larger half</p>\n",
-                            escaped(study.knob), *study.cost_exponent);
+                            markup_escaped(study.knob), *study.cost_exponent);
     }
     for (const std::string& note : study.notes) {
-        text += fmt::format("<p class=note>{}</p>\n", escaped(note));
+        text += fmt::format("<p class=note>{}</p>\n", markup_escaped(note));
     }
     return text + pictures(study);
 }
@@ -168,9 +160,9 @@ std::string index(std::span<const Study> studies) {
         text += fmt::format(
             "<tr><td class=text>{}<td class=text><a href=\"#s{}\">{}</a><td>{}<td>{}<td>{}"
             "<td class=\"words finding\">{}\n",
-            escaped(study.scene), i, escaped(study.knob), study.rows.size(),
+            markup_escaped(study.scene), i, markup_escaped(study.knob), study.rows.size(),
             optional_number(study.order), optional_number(study.cost_exponent),
-            study.findings.empty() ? "" : escaped(study.findings.front()));
+            study.findings.empty() ? "" : markup_escaped(study.findings.front()));
     }
     return text + "</table></div>\n";
 }

@@ -38,11 +38,11 @@ std::string data_block(const Study& study, const char* name, bool only_pareto) {
     for (const StudyRow* row : rows) {
         const Timing& ms = row->ms;
         if (study.time_only) {
-            text += fmt::format("{} {} {} {} \"{}\"\n", *row->work, ms.median, ms.min, ms.max,
+            text += fmt::format("{} {} {} {} \"{}\"\n", *row->work, ms.median, ms.low, ms.high,
                                 row->value);
         } else {
-            text += fmt::format("{} {} {} {} \"{}\"\n", ms.median, row->error->rmse, ms.min, ms.max,
-                                row->value);
+            text += fmt::format("{} {} {} {} \"{}\"\n", ms.median, row->error->rmse, ms.low,
+                                ms.high, row->value);
         }
     }
     return text + "END\n";
@@ -63,8 +63,8 @@ Span span_of(const Study& study, bool of_time) {
     for (const StudyRow& row : study.rows) {
         if (!can_be_shown(study, row)) continue;
         if (of_time) {
-            include(row.ms.min);
-            include(row.ms.max);
+            include(row.ms.low);
+            include(row.ms.high);
         } else {
             include(study.time_only ? *row.work : row.error->rmse);
         }

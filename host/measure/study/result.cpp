@@ -1,6 +1,8 @@
 #include "measure/study/result.h"
 
 #include "base/words.h"
+#include "measure/study/rounds.h"
+#include "measure/study/statistics.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +12,10 @@
 namespace glint {
 namespace {
 
-constexpr double kNearFactor = 10.0;     // of the reference's own error: rows that are marked
-constexpr double kFitFactor = 3.0;       // beyond, the order is off by at most 5 % of an error
-constexpr double kLeastRmse = 1e-7;      // below, a difference of two pictures is rounding
-constexpr double kTimerAgreement = 0.2;  // of the wall, by which a timer query may be off
-constexpr double kBusy = 1.25;           // by which rows may differ in how many processors worked
-constexpr double kShared = 2.0;          // ms; a shorter frame is mostly one processor's work
-constexpr double kGrowingOrder = -0.1;   // error that grows faster than work^0.1
+constexpr double kNearFactor = 10.0;    // of the reference's own error: rows that are marked
+constexpr double kFitFactor = 3.0;      // beyond, the order is off by at most 5 % of an error
+constexpr double kLeastRmse = 1e-7;     // below, a difference of two pictures is rounding
+constexpr double kGrowingOrder = -0.1;  // error that grows faster than work^0.1
 // Values that agree with each other so much better than with the reference do not converge to it:
 // a method of order 1 that doubles its work still has a distance to go as long as its last step.
 constexpr double kPlateau = 0.2;
@@ -32,33 +31,44 @@ bool counts_for_order(const Study& study, const StudyRow& row) {
     return row.error->rmse > std::max(floor, kLeastRmse);
 }
 
-bool timers_agree(const Study& study) {
-    return std::ranges::all_of(study.rows, [](const StudyRow& row) {
-        return std::abs(row.gpu.median - row.wall.median) <= kTimerAgreement * row.wall.median;
-    });
+Timing timing_of(const std::vector<double>& times) {
+    if (times.empty()) return {};
+    const auto [least, most] = std::ranges::minmax(times);
+    return {.median = median_of(times), .min = least, .max = most};
 }
 
-// How many processors worked at once, as far as that differs from row to row: where it does, others
-// took them away, and the wall tells of them.
-bool machine_is_busy(const Study& study) {
-    double least = 1e9, most = 0.0;
-    for (const StudyRow& row : study.rows) {
-        if (row.wall.median < kShared) continue;
-        least = std::min(least, row.processor.median / row.wall.median);
-        most = std::max(most, row.processor.median / row.wall.median);
-    }
-    return most > kBusy * least;
-}
-
-// Timer queries lie on software renderers.
-void choose_clock(Study& study, bool on_software) {
-    study.clock = Clock::wall;
-    if (on_software && machine_is_busy(study)) study.clock = Clock::processor;
-    if (!on_software && timers_agree(study)) study.clock = Clock::gpu;
+// Each row by each clock, and by the best.
+void take_times(Study& study, bool on_software) {
+    std::vector<FrameTimes> timed;
+    for (const StudyRow& row : study.rows)
+        if (!row.times.wall.empty()) timed.push_back(row.times);
+    study.clock = best_clock(timed, on_software);
     for (StudyRow& row : study.rows) {
-        row.ms = study.clock == Clock::wall  ? row.wall
-                 : study.clock == Clock::gpu ? row.gpu
-                                             : row.processor;
+        row.wall = timing_of(row.times.wall);
+        row.gpu = timing_of(row.times.gpu);
+        row.processor = timing_of(row.times.processor);
+        const std::vector<double>& times = times_by(study.clock, row.times);
+        const Interval interval = median_interval(times);
+        row.ms = timing_of(times);
+        row.ms.low = interval.low;
+        row.ms.high = interval.high;
+    }
+}
+
+TimeVerdicts verdicts_of(const Study& study) {
+    std::vector<std::vector<double>> times;
+    for (const StudyRow& row : study.rows) times.push_back(times_by(study.clock, row.times));
+    return TimeVerdicts(times, study.look);
+}
+
+void tell_verdicts(Study& study, const TimeVerdicts& verdicts) {
+    const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
+    const auto than =
+        own == study.rows.end() ? 0 : static_cast<std::size_t>(own - study.rows.begin());
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        StudyRow& row = study.rows[i];
+        row.verdict.reset();
+        if (i != than && !row.times.wall.empty()) row.verdict = verdicts.of(i, than);
     }
 }
 
@@ -70,15 +80,35 @@ void mark_near_reference(Study& study) {
     }
 }
 
-void mark_pareto(Study& study) {
-    for (StudyRow& row : study.rows) {
-        if (!has_error(row)) continue;
-        const double ms = row.ms.median;
-        row.pareto = std::ranges::none_of(study.rows, [&](const StudyRow& other) {
-            if (!has_error(other)) return false;
-            const double other_ms = other.ms.median;
-            const bool as_good = other_ms <= ms && other.error->rmse <= row.error->rmse;
-            return as_good && (other_ms < ms || other.error->rmse < row.error->rmse);
+// Whether the errors to the truth are told apart: each may be off by what the reference is.
+bool is_nearer(const Study& study, const StudyRow& row, const StudyRow& than) {
+    return row.error->rmse + study.reference_rmse() < than.error->rmse - study.reference_rmse();
+}
+
+// Rows that can be compared in both, the fastest first.
+std::vector<std::size_t> comparable_rows(const Study& study) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        const StudyRow& row = study.rows[i];
+        if (has_error(row) && !row.times.wall.empty()) rows.push_back(i);
+    }
+    std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return study.rows[i].ms.median; });
+    return rows;
+}
+
+// A row stands when each row with less error is told to be slower, and when it is told to be nearer
+// than each faster row that stands.
+void mark_pareto(Study& study, const TimeVerdicts& verdicts) {
+    for (StudyRow& row : study.rows) row.pareto = false;
+    const std::vector<std::size_t> rows = comparable_rows(study);
+    for (const std::size_t i : rows) {
+        StudyRow& row = study.rows[i];
+        row.pareto = std::ranges::none_of(rows, [&](std::size_t k) {
+            const StudyRow& other = study.rows[k];
+            const bool less = other.error->rmse < row.error->rmse;
+            if (less) return verdicts.of(k, i) != TimeVerdict::slower;
+            return other.pareto && verdicts.of(k, i) == TimeVerdict::faster &&
+                   !is_nearer(study, row, other);
         });
     }
 }
@@ -185,9 +215,11 @@ std::optional<double> log_slope(std::span<const double> x, std::span<const doubl
 }
 
 void judge(Study& study, bool more_is_better, bool on_software) {
-    choose_clock(study, on_software);
+    take_times(study, on_software);
+    const TimeVerdicts verdicts = verdicts_of(study);
+    tell_verdicts(study, verdicts);
     mark_near_reference(study);
-    mark_pareto(study);
+    mark_pareto(study, verdicts);
     fit(study, more_is_better);
     if (!study.time_only) find_what_looks_wrong(study, more_is_better);
 }
@@ -205,7 +237,8 @@ std::string to_table(const Study& study) {
                 ? fmt::format("{} by {}", three_digits(study.reference_error->rmse), study.second)
                 : "is not known: name another method with --second");
     }
-    text += fmt::format("    {:>{}} {:>10} {:>19}", study.knob, widest, "ms", "min to max");
+    text += fmt::format("    {:>{}} {:>10} {:>19} {:>14}", study.knob, widest, "ms",
+                        "95 of 100 within", "time");
     if (!study.time_only) {
         text += fmt::format(" {:>9} {:>9} {:>6} {:>8} {:>9} {:>9}", "rmse", "max", "psnr",
                             "> 1/255", "rel. mse", "flip");
@@ -213,8 +246,9 @@ std::string to_table(const Study& study) {
     text += "\n";
     for (const StudyRow& row : study.rows) {
         const Timing& ms = row.ms;
-        text += fmt::format("{} {} {:>{}} {:>10.3f} {:>9.3f} {:>9.3f}", row.pareto ? '*' : ' ',
-                            mark(row), row.value, widest, ms.median, ms.min, ms.max);
+        text += fmt::format("{} {} {:>{}} {:>10.3f} {:>9.3f} {:>9.3f} {:>14}",
+                            row.pareto ? '*' : ' ', mark(row), row.value, widest, ms.median, ms.low,
+                            ms.high, row.verdict ? to_string(*row.verdict) : "");
         if (!row.failed.empty()) text += " " + row.failed;
         if (has_error(row)) {
             text +=
@@ -235,7 +269,8 @@ std::string to_table(const Study& study) {
 }
 
 std::string csv_header() {
-    return "scene,knob,value,ms,ms_min,ms_max,rmse,max,psnr,share_off,relative_mse,flip,pareto,"
+    return "scene,knob,value,ms,ms_min,ms_max,ms_low,ms_high,verdict,rmse,max,psnr,share_off,"
+           "relative_mse,flip,pareto,"
            "near_reference,failed,renderer,width,height\n";
 }
 
@@ -244,8 +279,9 @@ std::string to_csv(const Study& study) {
     std::string text;
     for (const StudyRow& row : study.rows) {
         const Timing& ms = row.ms;
-        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},", word(study.scene), study.knob,
-                            word(row.value), ms.median, ms.min, ms.max);
+        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", word(study.scene),
+                            study.knob, word(row.value), ms.median, ms.min, ms.max, ms.low, ms.high,
+                            row.verdict ? to_string(*row.verdict) : "");
         if (has_error(row)) {
             text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g},{:.6g}", row.error->rmse,
                                 row.error->max, psnr_text(row.error->psnr), row.error->share_off,

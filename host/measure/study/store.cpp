@@ -6,6 +6,7 @@
 #include "base/temporary_file.h"
 #include "base/words.h"
 #include "glsl/raw_text.h"
+#include "measure/rows/heat.h"
 #include "scene/passes.h"
 
 #include <fmt/format.h>
@@ -30,12 +31,15 @@ std::string digest(std::string_view text) {
     return hash.text();
 }
 
-Json to_json(const Timing& timing) {
-    return {timing.median, timing.min, timing.max};
+Json to_json(const FrameTimes& times) {
+    return {times.wall, times.gpu, times.processor};
 }
 
-Timing timing_from(const Json& json) {
-    return {json.at(0), json.at(1), json.at(2)};
+FrameTimes times_from(const Json& json) {
+    const FrameTimes times{json.at(0), json.at(1), json.at(2)};
+    if (times.gpu.size() != times.wall.size() || times.processor.size() != times.wall.size())
+        throw std::runtime_error("A frame lacks a clock");
+    return times;
 }
 
 Image bytes_image(glm::ivec2 size) {
@@ -45,18 +49,6 @@ Image bytes_image(glm::ivec2 size) {
 void push_byte(Image& image, double value) {
     const double shown = value > 0.0 ? std::min(value, 1.0) : 0.0;  // not-a-number is black
     image.pixels.push_back(static_cast<std::byte>(std::lround(shown * 255.0)));
-}
-
-// Black, blue, violet, orange, white at 0, 1, 2, 3 and 4.
-void push_heat(Image& image, double value) {
-    constexpr std::array<std::array<double, 3>, 5> kSteps = {
-        {{0, 0, 0}, {0.1, 0.1, 0.6}, {0.7, 0.1, 0.5}, {1.0, 0.6, 0.1}, {1, 1, 1}}};
-    const double at = std::clamp(value, 0.0, 3.999999);
-    const auto step = static_cast<std::size_t>(at);
-    for (std::size_t c = 0; c < 3; ++c) {
-        push_byte(image,
-                  std::lerp(kSteps[step][c], kSteps[step + 1][c], at - static_cast<double>(step)));
-    }
 }
 
 // What is read from a file. Nothing where it is not there, and nothing with a word where it is not
@@ -88,10 +80,6 @@ std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {
     if (json.at("key") != key.text) return std::nullopt;
     StudyRow row{.value = json.at("value")};
     if (!json.at("work").is_null()) row.work = json.at("work");
-    row.wall = timing_from(json.at("wall"));
-    row.gpu = timing_from(json.at("gpu"));
-    row.processor = timing_from(json.at("processor"));
-    row.all_passes_ms = json.at("all_passes_ms");
     if (!json.at("error").is_null()) row.error = difference_from_json(json.at("error"));
     if (!json.at("to_previous").is_null()) row.rmse_to_previous = json.at("to_previous");
     row.failed = json.at("failed");
@@ -100,6 +88,17 @@ std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {
     row.map = json.at("map");
     row.resumed = true;
     return row;
+}
+
+std::optional<Rounds> rounds_in(const fs::path& name, const StudyKey& key) {
+    std::string why_not;
+    const Json json = Json::parse(read_bytes(name, why_not).value_or(""));
+    if (json.at("key") != key.text) return std::nullopt;
+    Rounds rounds{.rows = {}, .all_passes = json.at("all_passes"), .look = json.at("look")};
+    for (const Json& row : json.at("rows")) rounds.rows.push_back(times_from(row));
+    if (rounds.rows.size() != rounds.all_passes.size())
+        throw std::runtime_error("A row lacks a time");
+    return rounds;
 }
 
 std::vector<float> rgba_in(const fs::path& name, glm::ivec2 size) {
@@ -195,16 +194,29 @@ void StudyStore::keep(const StudyKey& key, const StudyRow& row) const {
     const Json json = {{"key", key.text},
                        {"value", row.value},
                        {"work", optional(row.work)},
-                       {"wall", to_json(row.wall)},
-                       {"gpu", to_json(row.gpu)},
-                       {"processor", to_json(row.processor)},
-                       {"all_passes_ms", row.all_passes_ms},
                        {"error", row.error ? glint::to_json(*row.error) : Json()},
                        {"to_previous", optional(row.rmse_to_previous)},
                        {"failed", row.failed},
                        {"is_reference", row.is_reference},
                        {"picture", row.picture},
                        {"map", row.map}};
+    const std::string text = json_text(json, 1) + "\n";
+    write_whole_file(cleared(file("data", key, ".json")), std::as_bytes(std::span(text)));
+}
+
+std::optional<Rounds> StudyStore::rounds(const StudyKey& key) const {
+    if (folder_.empty()) return std::nullopt;
+    const fs::path name = file("data", key, ".json");
+    return kept(name, [&] { return rounds_in(name, key); });
+}
+
+void StudyStore::keep(const StudyKey& key, const Rounds& rounds) const {
+    if (folder_.empty()) return;
+    Json json = {{"key", key.text},
+                 {"look", rounds.look},
+                 {"all_passes", rounds.all_passes},
+                 {"rows", Json::array()}};
+    for (const FrameTimes& row : rounds.rows) json["rows"].push_back(to_json(row));
     const std::string text = json_text(json, 1) + "\n";
     write_whole_file(cleared(file("data", key, ".json")), std::as_bytes(std::span(text)));
 }
@@ -248,21 +260,7 @@ std::string StudyStore::keep_map(const StudyKey& key, std::span<const float> pic
                                  bool encoded) const {
     if (folder_.empty()) return {};
     Image map = bytes_image(size);
-    for (std::size_t i = 0; i + 3 < picture.size(); i += 4) {
-        double most = 0.0;
-        bool finite = true;
-        for (std::size_t c = i; c < i + 3; ++c) {
-            finite &= std::isfinite(picture[c]) && std::isfinite(reference[c]);
-            const double x = encoded ? decode_srgb(picture[c]) : picture[c];
-            const double r = encoded ? decode_srgb(reference[c]) : reference[c];
-            most = std::max(most, std::abs(x - r));
-        }
-        if (finite) {
-            push_heat(map, most > 0.0 ? std::log10(most) + 4.0 : 0.0);  // a step a decade
-        } else {
-            for (const double c : {1.0, 0.0, 1.0}) push_byte(map, c);
-        }
-    }
+    map.pixels = difference_heat(picture, reference, encoded);
     write_image(cleared(folder_ / map_file(key)), map);
     return map_file(key);
 }
@@ -271,7 +269,7 @@ std::string StudyStore::keep_flip_map(const StudyKey& key, std::span<const float
                                       glm::ivec2 size) const {
     if (folder_.empty()) return {};
     Image shown = bytes_image(size);
-    for (const float v : map) push_heat(shown, 4.0 * v);
+    shown.pixels = heat(map);
     write_image(cleared(folder_ / flip_file(key)), shown);
     return flip_file(key);
 }

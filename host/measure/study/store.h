@@ -3,6 +3,7 @@
 
 #include "measure/rows/study.h"
 #include "measure/study/plan.h"
+#include "measure/study/rounds.h"
 
 #include <filesystem>
 #include <optional>
@@ -33,6 +34,10 @@ public:
     // too. What is damaged is told on stderr, and is to be made anew.
     std::optional<StudyRow> row(const StudyKey& key, glm::ivec2 size) const;
     void keep(const StudyKey& key, const StudyRow& row) const;
+
+    // The times of all rows of a knob, in rounds.
+    std::optional<Rounds> rounds(const StudyKey& key) const;
+    void keep(const StudyKey& key, const Rounds& rounds) const;
 
     // RGBA, exact but for alpha. Beside it lies a PNG to look at, whole as well, whose name, seen
     // from the folder, is that of shown_file().

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <memory>
 
 namespace glint {
 namespace {
@@ -27,13 +28,13 @@ class Lines {
 public:
     Lines(bool wanted, const StudyPlan& plan, bool time_only) : wanted_(wanted) {
         for (const Knob& knob : plan.knobs) {
-            of_ += knob.values.size() + (time_only ? 0 : knob.second ? 2 : 1);
+            of_ += knob.values.size() + (time_only ? 0 : knob.second ? 2 : 1) + 1;
         }
     }
 
-    // Another picture is drawn; the study as it stands now.
-    void tell(Study study, bool more_is_better, bool on_software) {
-        ++done_;
+    // The study as it stands now. `done`: another picture is drawn, or its times are all taken.
+    void tell(Study study, bool more_is_better, bool on_software, bool done) {
+        done_ += done;
         if (!wanted_) return;
         judge(study, more_is_better, on_software);
         const Json line = {{"done", done_}, {"of", of_}, {"study", to_json(study)}};
@@ -43,7 +44,7 @@ public:
 
 private:
     bool wanted_;
-    std::size_t done_ = 0, of_ = 0;  // pictures
+    std::size_t done_ = 0, of_ = 0;  // pictures, and the times of each knob
 };
 
 // A scene that is studied: what every picture of it shares.
@@ -59,8 +60,8 @@ struct Scenery {
     Lines& lines;
 };
 
-void tell(const Scenery& scenery, const Knob& knob, const Study& study) {
-    scenery.lines.tell(study, knob.more_is_better, scenery.context.is_software());
+void tell(const Scenery& scenery, const Knob& knob, const Study& study, bool done = true) {
+    scenery.lines.tell(study, knob.more_is_better, scenery.context.is_software(), done);
 }
 
 bool is_encoded(const Scenery& scenery) {
@@ -88,7 +89,8 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
         result.file = scenery.store.shown_file(result.key);
         return result;
     }
-    result.picture = measure(scenery.preset, value.setting, scenery.context, scenery.how).picture;
+    MeasuredScene scene(scenery.preset, value.setting, scenery.context, scenery.how);
+    result.picture = scene.draw_picture();
     result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
     return result;
 }
@@ -101,67 +103,86 @@ Setting own_setting(const Preset& preset, const Knob& knob) {
     return own;
 }
 
-// One row: measured, compared and kept. `previous` is the picture of the row before.
+using Scenes = std::vector<std::unique_ptr<MeasuredScene>>;  // by row; null where it failed
+
+constexpr const char* kDoesNotCompile = "it does not compile";
+constexpr int kWarmUp = 3;  // frames: the driver compiles to machine code at the first draw
+
+// One row: drawn and compared. `previous` is the picture of the row before. The scene stands ready
+// to be timed.
 StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& value,
-                     const Reference* reference, const StudyKey& key,
-                     std::vector<float>& previous) {
+                     const Reference* reference, const StudyKey& key, std::vector<float>& previous,
+                     std::unique_ptr<MeasuredScene>& scene) {
     StudyRow row{.value = value.text, .work = value.work};
-    MeasureOptions how = scenery.how;
-    how.frames = scenery.options.frames;
-    Measured measured;
+    std::vector<float> picture;
     try {
-        measured = measure(scenery.preset, value.setting, scenery.context, how);
+        scene = std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context,
+                                                scenery.how);
+        picture = scene->draw_picture();
     } catch (const Stop&) {
-        row.failed = "it does not compile";
+        row.failed = kDoesNotCompile;
         return row;
     }
-    row.wall = measured.wall;
-    row.gpu = measured.gpu;
-    row.processor = measured.processor;
-    row.all_passes_ms = measured.all_passes_ms;
     if (reference) {
         const bool encoded = is_encoded(scenery);
         row.is_reference = value.setting == knob.reference.setting;
-        row.error = difference(measured.picture, reference->picture, encoded);
+        row.error = difference(picture, reference->picture, encoded);
         if (row.error->not_finite > 0) {
             row.failed = fmt::format("diverged: {} pixels are not finite", row.error->not_finite);
         }
         const std::vector<float> seen =
-            flip_map(measured.picture, reference->picture, scenery.size, {.encoded = encoded});
+            flip_map(picture, reference->picture, scenery.size, {.encoded = encoded});
         row.error->flip = mean(seen);
         if (!previous.empty()) {
-            row.rmse_to_previous = difference(measured.picture, previous, encoded).rmse;
+            row.rmse_to_previous = difference(picture, previous, encoded).rmse;
         }
-        row.picture = scenery.store.keep_picture(key, measured.picture, scenery.size);
-        row.map = scenery.store.keep_map(key, measured.picture, reference->picture, scenery.size,
-                                         encoded);
+        row.picture = scenery.store.keep_picture(key, picture, scenery.size);
+        row.map = scenery.store.keep_map(key, picture, reference->picture, scenery.size, encoded);
         row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
     }
-    if (!value.is_between) previous = std::move(measured.picture);
+    if (!value.is_between) previous = std::move(picture);
     return row;
 }
 
-void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* reference,
-                  Study& study) {
-    // An error depends on the reference, a time on the machine and on how many frames were timed,
-    // and how far a row is from the one before on that one.
+// Makes ready to be timed what an earlier call has drawn.
+void open_scene(const Scenery& scenery, const KnobValue& value,
+                std::unique_ptr<MeasuredScene>& scene) {
+    if (scene) return;
+    scene = std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context,
+                                            scenery.how);
+    scene->draw_picture();
+}
+
+void warm_up(MeasuredScene& scene, StudyRow& row) {
+    for (int i = 0; i < kWarmUp; ++i) {
+        const FrameTime frame = scene.time_frame();
+        row.times = {.wall = {frame.wall}, .gpu = {frame.gpu}, .processor = {frame.processor}};
+    }
+}
+
+// Pictures and errors. What is drawn now has a first time, too, as long as there is no better.
+void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* reference, Study& study,
+               Scenes& scenes) {
+    // An error depends on the reference, and how far a row is from the one before on that one.
     std::string before;
     std::vector<float> previous;
     Progress progress(fmt::format("{} {}", scenery.name, knob.name),
                       static_cast<long>(knob.values.size()));
     for (const KnobValue& value : knob.values) {
         const std::string kind =
-            fmt::format("row of {} frames on {}{}\n{}", scenery.options.frames, machine_name(),
-                        before, reference ? reference->key.text : "");
+            fmt::format("row{}\n{}", before, reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
+        std::unique_ptr<MeasuredScene>& scene = scenes.emplace_back();
         if (auto kept = scenery.store.row(key, scenery.size)) {
             if (!value.is_between) {
                 previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
             }
             study.rows.push_back(std::move(*kept));
         } else {
-            study.rows.push_back(measure_row(scenery, knob, value, reference, key, previous));
+            study.rows.push_back(
+                measure_row(scenery, knob, value, reference, key, previous, scene));
             scenery.store.keep(key, study.rows.back());
+            if (scene) warm_up(*scene, study.rows.back());
         }
         study.rows.back().is_preset = value.setting == own_setting(scenery.preset, knob);
         study.rows.back().is_between = value.is_between;
@@ -169,6 +190,62 @@ void measure_rows(const Scenery& scenery, const Knob& knob, const Reference* ref
         progress.update(static_cast<long>(study.rows.size()));
         tell(scenery, knob, study);
     }
+}
+
+StudyKey key_of_times(const Scenery& scenery, const Knob& knob) {
+    std::string text = fmt::format("{}times of {} rounds, {} s, on {}\n", scenery.key,
+                                   scenery.options.frames, scenery.options.seconds, machine_name());
+    for (const KnobValue& value : knob.values) {
+        text += key_of_setting(scenery.preset, value.setting);
+    }
+    return {.name = fmt::format("{}-{}-times", scenery.name, knob.name), .text = text};
+}
+
+void take(Study& study, const Rounds& rounds) {
+    study.look = rounds.look;
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        study.rows[i].times = rounds.rows[i];
+        study.rows[i].all_passes_ms = rounds.all_passes[i];
+    }
+}
+
+// A time depends on the machine, on how many rounds there were, and on what else was in them.
+void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& scenes) {
+    const StudyKey key = key_of_times(scenery, knob);
+    const auto kept = scenery.store.rounds(key);
+    if (kept && kept->rows.size() == study.rows.size()) {
+        take(study, *kept);
+        return tell(scenery, knob, study);
+    }
+    std::vector<std::size_t> rows;  // that can be drawn
+    for (std::size_t i = 0; i < study.rows.size(); ++i) {
+        if (study.rows[i].failed == kDoesNotCompile) continue;
+        if (!scenes[i]) {
+            open_scene(scenery, knob.values[i], scenes[i]);
+            warm_up(*scenes[i], study.rows[i]);
+        }
+        rows.push_back(i);
+    }
+    const RoundsOptions options{.least = scenery.options.frames,
+                                .seconds = scenery.options.seconds,
+                                .on_software = scenery.context.is_software()};
+    Rounds all{.rows = std::vector<FrameTimes>(study.rows.size()),
+               .all_passes = std::vector<double>(study.rows.size(), 0.0)};
+    const auto spread = [&](const Rounds& rounds) {
+        all.look = rounds.look;
+        for (std::size_t k = 0; k < rows.size(); ++k) all.rows[rows[k]] = rounds.rows[k];
+        take(study, all);
+    };
+    const Rounds rounds = time_rounds(
+        rows.size(), [&](std::size_t k) { return scenes[rows[k]]->time_frame(); }, options,
+        [&](const Rounds& sofar) {
+            spread(sofar);
+            tell(scenery, knob, study, false);
+        });
+    for (const std::size_t row : rows) all.all_passes[row] = scenes[row]->time_all_passes();
+    spread(rounds);
+    scenery.store.keep(key, all);
+    tell(scenery, knob, study);
 }
 
 Study study_knob(const Scenery& scenery, const Knob& knob) {
@@ -197,7 +274,9 @@ Study study_knob(const Scenery& scenery, const Knob& knob) {
             tell(scenery, knob, study);
         }
     }
-    measure_rows(scenery, knob, reference ? &*reference : nullptr, study);
+    Scenes scenes;
+    draw_rows(scenery, knob, reference ? &*reference : nullptr, study, scenes);
+    time_rows(scenery, knob, study, scenes);
     judge(study, knob.more_is_better, scenery.context.is_software());
     return study;
 }
