@@ -23,6 +23,10 @@ struct Difference {
 Difference difference(std::span<const float> picture, std::span<const float> reference,
                       bool encoded = true);
 
+// Which pixel has the channel that differs most, in light as above; 0 of equal pictures.
+std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,
+                        bool encoded = true);
+
 // The light that an sRGB value stands for; odd about 0, and without an upper end.
 double decode_srgb(double value);
 

@@ -43,10 +43,15 @@ void members(const auto& all, Is<Scene> auto& value) {
         value;
     all(files, text, origins, tweaks, samplers, passes, channel_types, image_entry, has_sound);
 }
+void members(const auto& all, Is<Expect> auto& value) {
+    auto& [picture, rmse, flip, ms_ratio, ms_of] = value;
+    all(picture, rmse, flip, ms_ratio, ms_of);
+}
 void members(const auto& all, Is<Preset> auto& value) {
-    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, channels,
-           events] = value;
-    all(file, scene, title, time, size, has_size, settle, date, values, locked, channels, events);
+    auto& [file, scene, title, time, size, has_size, settle, date, values, locked, channels, events,
+           expect] = value;
+    all(file, scene, title, time, size, has_size, settle, date, values, locked, channels, events,
+        expect);
 }
 void members(const auto& all, Is<PassTrial> auto& value) {
     auto& [name, compile_ms, first_ms, second_ms, expected_ms] = value;
