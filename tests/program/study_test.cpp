@@ -270,9 +270,9 @@ TEST_F(Study, AKnobThatIsOnlyNamedHasItsOwnValuesAndThePresets) {
 }
 
 TEST_F(Study, SeveralScenesAreOneReportThatOpensOffline) {
-    const Outcome outcome =
-        glint({"study", known_scene("quadrature").string(),
-               known_scene("planted_diverged").string(), "--size", "64x36", "-o", "report"});
+    const Outcome outcome = glint({"study", known_scene("quadrature").string(),
+                                   known_scene("planted_diverged").string(), "--each", "--size",
+                                   "64x36", "-o", "report"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const std::string page = bytes("report/index.html");
     EXPECT_NE(page.find("quadrature.frag"), std::string::npos);

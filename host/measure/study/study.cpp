@@ -5,6 +5,7 @@
 #include "base/temporary_file.h"
 #include "base/terminal.h"
 #include "measure/rows/flip.h"
+#include "measure/study/looks.h"
 #include "measure/study/measure.h"
 #include "measure/study/page.h"
 #include "measure/study/result.h"
@@ -357,6 +358,7 @@ void require_report_apart(const StudyOptions& options) {
 }  // namespace
 
 void run_study(const StudyOptions& options) {
+    if (compares_looks(options)) return run_looks(options);
     if (!options.output.empty()) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
     const StudyStore store(options.output);
