@@ -4,7 +4,7 @@
 #include "base/words.h"
 #include "glsl/raw_text.h"
 #include "scene/annotation.h"
-#include "scene/toml.h"
+#include "scene/expect_toml.h"
 #include "scene/toml_keys.h"
 
 #include <fmt/format.h>
@@ -118,7 +118,7 @@ void Reader::read(std::string_view text) {
     }
     const toml::table& root = parsed.table();
     check_keys(root, {"scene", "title", "time", "size", "settle", "date", "locked", "watch",
-                      "tweaks", "quality", "channels", "events"});
+                      "tweaks", "quality", "channels", "events", "expect"});
     read_scene_key(root);
     read_picture(root);
     if (const toml::node* tweaks = root.get("tweaks")) read_tweaks(*tweaks);
@@ -127,6 +127,11 @@ void Reader::read(std::string_view text) {
     if (const toml::node* watch = root.get("watch")) read_watch(*watch);
     if (const toml::node* channels = root.get("channels")) read_channels(*channels);
     if (const toml::node* events = root.get("events")) read_events(*events);
+    if (const toml::node* expect = root.get("expect"))
+        preset_.expect = read_expect(*expect, preset_.file.parent_path(),
+                                     [this](const toml::source_region& source, std::string wrong) {
+                                         warning(source, std::move(wrong));
+                                     });
     // toml++ sorts keys by name; a person reads from top to bottom.
     std::ranges::stable_sort(warnings_, [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
@@ -137,9 +142,8 @@ void Reader::read(std::string_view text) {
 
 void Reader::check_keys(const toml::table& table, const Names& known) {
     for (const auto& [key, node] : table) {
-        if (std::ranges::find(known, key.str()) != known.end()) continue;
-        warning(key.source(), fmt::format("unknown key {}; known are {}{}", in_quotes(key.str()),
-                                          fmt::join(known, ", "), did_you_mean(key.str(), known)));
+        const std::string wrong = unknown_key(key.str(), known);
+        if (!wrong.empty()) warning(key.source(), wrong);
     }
 }
 

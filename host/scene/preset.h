@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "scene/expect.h"
 #include "scene/frame.h"
 #include "scene/scene.h"
 
@@ -42,6 +43,7 @@ struct Preset {
     std::array<Sampler, 4>
         channels;               // iChannel0..3 of pasted text; those the scene declares itself win
     std::vector<Event> events;  // in order of time
+    Expect expect;              // of the file's own look, whatever has been turned since
 };
 
 struct ReadPreset {

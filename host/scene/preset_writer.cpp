@@ -136,6 +136,7 @@ public:
         edit_channels();
         edit_qualities();
         edit_events();
+        edit_expect();
         return std::move(edits_);
     }
 
@@ -147,6 +148,7 @@ private:
     void edit_channels();
     void edit_qualities();
     void edit_events();
+    void edit_expect();
 
     void replace(const toml::node& node, std::string text);
     void insert(std::size_t at, std::string text) { edits_.push_back({at, at, std::move(text)}); }
@@ -361,6 +363,42 @@ void Editor::remove_events(const toml::array& events) {
         else
             edits_.push_back({begin, end, ""});
     }
+}
+
+// Each key with its value, "" for what is not expected.
+std::vector<TomlLine> expect_lines(const Expect& expect, const fs::path& folder) {
+    const auto file = [&](const fs::path& name) {
+        return name.empty() ? std::string() : toml_string(relative_path(name, folder));
+    };
+    const auto bound = [](const std::optional<double>& most) {
+        return most ? toml_number(*most) : std::string();
+    };
+    std::vector<TomlLine> lines;
+    lines.push_back({"picture", file(expect.picture)});
+    lines.push_back({"rmse", bound(expect.rmse)});
+    lines.push_back({"flip", bound(expect.flip)});
+    std::string ratio;
+    if (expect.ms_ratio)
+        ratio = toml_braces({{"of", file(expect.ms_of)}, {"most", bound(expect.ms_ratio)}});
+    lines.push_back({"ms_ratio", ratio});
+    return lines;
+}
+
+// Only files' names change, where the preset moves to another folder; or all of it is new.
+void Editor::edit_expect() {
+    const toml::node* node = layout_.get("expect");
+    const toml::table* table = node ? node->as_table() : nullptr;
+    const Lines now = expect_lines(preset_.expect, folder_);
+    const Lines was = expect_lines(old_.expect, folder_);
+    Lines added;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (now[i].value == was[i].value || now[i].value.empty()) continue;
+        if (const toml::node* written = table ? table->get(now[i].key) : nullptr)
+            replace(*written, now[i].value);
+        else
+            added.push_back(now[i]);
+    }
+    add_lines("expect", layout_.end_of_table("tweaks"), added);
 }
 
 std::string edited(std::string_view text, std::vector<Edit> edits) {

@@ -1,5 +1,9 @@
 #include "scene/toml_keys.h"
 
+#include "base/diagnostic.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace glint {
@@ -40,6 +44,12 @@ std::optional<std::size_t> find_deep_key(std::string_view toml) {
         at = c == '"' || c == '\'' ? end_of_quotes(toml, at) : at + 1;
     }
     return std::nullopt;
+}
+
+std::string unknown_key(std::string_view key, std::span<const std::string> known) {
+    if (std::ranges::find(known, key) != known.end()) return {};
+    return fmt::format("unknown key {}; known are {}{}", in_quotes(key), fmt::join(known, ", "),
+                       did_you_mean(key, known));
 }
 
 }  // namespace glint

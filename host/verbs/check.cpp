@@ -28,11 +28,13 @@ void declare(CLI::App& verb, CheckOptions& check) {
         ->check(from(1.0, 1e5));
     verb.add_option("-o,--output", check.output, "a folder for the pictures of failures")
         ->type_name(kFolder);
+    verb.add_option("--junit", check.junit, "a file for the cases as JUnit XML")->type_name(kFile);
     CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");
     verb.add_flag("--lines", check.lines, "a JSON object a line, whenever a case ends")
         ->excludes(json);
     add_examples(verb, {"glint check fragments/water.frag",
-                        "glint check fragments/*.frag presets/*.toml --seconds 20 -o failures"});
+                        "glint check fragments/*.frag presets/*.toml --seconds 20 -o failures",
+                        "glint check presets/boat.toml --junit check.xml"});
 }
 
 }  // namespace

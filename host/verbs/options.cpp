@@ -54,10 +54,8 @@ void add_view(CLI::App& verb, ViewOptions& view, bool takes_json) {
 }
 
 void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOptions& view,
-               const std::string& size) {
-    verb.add_option("files", files, "presets (.toml), scenes (.frag), or Shadertoys (.json)")
-        ->type_name(kFile)
-        ->required();
+               const std::string& size, const std::string& which) {
+    verb.add_option("files", files, which)->type_name(kFile)->required();
     add_looks(verb, view, size);
 }
 

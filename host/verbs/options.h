@@ -50,9 +50,11 @@ void add_examples(CLI::App& verb, std::initializer_list<std::string_view> lines)
 // verb has no such result, --json.
 void add_view(CLI::App& verb, ViewOptions& view, bool takes_json = true);
 
-// Several files instead of one, and `size` as the text of --size says it; --tweak and --device.
+// Several files instead of one, `size` as the text of --size says it and `which` as that of the
+// files; --tweak and --device.
 void add_views(CLI::App& verb, std::vector<std::filesystem::path>& files, ViewOptions& view,
-               const std::string& size);
+               const std::string& size,
+               const std::string& which = "presets (.toml), scenes (.frag), or Shadertoys (.json)");
 
 // add_view, how light is gathered over a frame, how a file keeps it, and from which state it goes
 // on.

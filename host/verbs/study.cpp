@@ -8,7 +8,11 @@ namespace glint {
 namespace {
 
 void declare(CLI::App& verb, StudyOptions& study) {
-    add_views(verb, study.files, study.view, "pixels; 640x360 otherwise");
+    add_views(
+        verb, study.files, study.view, "pixels; 640x360 otherwise",
+        "presets (.toml), scenes (.frag), or Shadertoys (.json), whose tweaks are studied; two "
+        "of them, or pictures (.png, .exr, .jpg, .tif, .hdr), are compared");
+    verb.add_flag("--each", study.each, "study the tweaks of two files, too, instead of comparing");
     add_off_switch(verb, "--no-specialise", study.view.specialise,
                    "feed tweaks as uniforms instead of writing them in as constants");
     verb.add_option("--vary", study.vary,
@@ -51,7 +55,8 @@ void declare(CLI::App& verb, StudyOptions& study) {
     add_examples(verb,
                  {"glint study presets/christmas.toml -o report",
                   "glint study presets/magic.toml --ms 8 --size 320x180 -o fast.toml",
-                  "glint study presets/caustics.toml --vary shaftSamples=4,...,64 --size 320x180"});
+                  "glint study presets/caustics.toml --vary shaftSamples=4,...,64 --size 320x180",
+                  "glint study presets/boat.toml presets/boat-sunset.toml -o looks"});
 }
 
 }  // namespace

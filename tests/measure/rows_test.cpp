@@ -47,12 +47,14 @@ Study study() {
                                           .max = 0.3,
                                           .relative_mse = 0.01 / 7,
                                           .psnr = 28.1 / 3,
-                                          .share_off = 1.0 / 7},
+                                          .share_off = 1.0 / 7,
+                                          .flip = 0.1 / 7},
                       .is_preset = true,
                       .is_reference = true,
                       .resumed = true,
                       .picture = "pictures/a.png",
                       .map = "pictures/a-map.png",
+                      .flip_map = "pictures/a-flip.png",
                       .ms = {4.0 / 3, 1.1, 1.9, 1.0 / 7, 5.0 / 3},
                       .verdict = TimeVerdict::slower,
                       .pareto = true,
@@ -77,6 +79,7 @@ TEST(StudyRows, ComeBackFromJsonAsTheyWere) {
     EXPECT_FALSE(found.rows[1].verdict);
     ASSERT_TRUE(found.rows[0].error);
     EXPECT_EQ(found.rows[0].error->relative_mse, 0.01 / 7);
+    EXPECT_EQ(found.rows[0].error->flip, 0.1 / 7);
     EXPECT_EQ(found.rows[1].failed, "diverged: 3 pixels are not finite");
 }
 

@@ -70,13 +70,17 @@ TEST(StudyStore, ARowIsAsWholeAsItsPictures) {
     StudyRow row{.value = "4"};
     row.picture = store.keep_picture(kKey, kPicture, kSize);
     row.map = store.keep_map(kKey, kPicture, kPicture, kSize, true);
+    row.flip_map = store.keep_flip_map(kKey, std::vector<float>(kPicture.size() / 4), kSize);
     store.keep(kKey, row);
     ASSERT_TRUE(store.row(kKey, kSize));
     EXPECT_EQ(store.row(kKey, kSize)->picture, row.picture);
     EXPECT_EQ(store.picture(kKey, kSize), kPicture) << "exact";
     EXPECT_FALSE(store.row(kKey, {1, 1})) << "of another size";
-    fs::remove(folder.path() / row.map);
-    EXPECT_FALSE(store.row(kKey, kSize)) << "without its map";
+    for (const std::string& map : {row.map, row.flip_map}) {
+        fs::rename(folder.path() / map, folder.path() / "away");
+        EXPECT_FALSE(store.row(kKey, kSize)) << "without " << map;
+        fs::rename(folder.path() / "away", folder.path() / map);
+    }
 }
 
 TEST(StudyStore, WithoutAFolderNothingIsKept) {

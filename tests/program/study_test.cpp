@@ -87,7 +87,7 @@ TEST_F(Study, HasTheDocumentedKeys) {
     EXPECT_FALSE(json["machine"].get<std::string>().empty());
     EXPECT_FALSE(json["clock"].get<std::string>().empty());
     ASSERT_EQ(json["rows"].size(), 7u);
-    double before = 1.0;
+    double before = 1.0, flip_before = 1.0;
     bool any_pareto = false;
     for (const Json& row : json["rows"]) {
         EXPECT_GT(row["ms_min"].get<double>(), 0.0);
@@ -95,6 +95,9 @@ TEST_F(Study, HasTheDocumentedKeys) {
         EXPECT_LE(row["ms"], row["ms_max"]);
         EXPECT_LT(row["rmse"].get<double>(), before);
         EXPECT_LE(row["rmse"], row["max"]);
+        EXPECT_GT(row["flip"].get<double>(), 0.0);
+        EXPECT_LT(row["flip"].get<double>(), flip_before);
+        flip_before = row["flip"];
         EXPECT_GE(row["relative_mse"].get<double>(), 0.0);
         EXPECT_TRUE(row.contains("psnr") && row.contains("share_off"));
         before = row["rmse"];
@@ -366,9 +369,9 @@ TEST_F(Study, AKnobThatIsOnlyNamedHasItsOwnValuesAndThePresets) {
 }
 
 TEST_F(Study, SeveralScenesAreOneReportThatOpensOffline) {
-    const Outcome outcome =
-        glint({"study", known_scene("quadrature").string(),
-               known_scene("planted_diverged").string(), "--size", "64x36", "-o", "report"});
+    const Outcome outcome = glint({"study", known_scene("quadrature").string(),
+                                   known_scene("planted_diverged").string(), "--each", "--size",
+                                   "64x36", "-o", "report"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const std::string page = bytes("report/index.html");
     EXPECT_NE(page.find("quadrature.frag"), std::string::npos);
@@ -386,7 +389,7 @@ TEST_F(Study, SeveralScenesAreOneReportThatOpensOffline) {
         EXPECT_TRUE(fs::exists(folder() / "report" / page.substr(at + 5, end - at - 5)));
         ++shown;
     }
-    EXPECT_EQ(shown, 15u + 9u) << "a reference, and pictures and maps of 7 and of 4 others";
+    EXPECT_EQ(shown, 22u + 13u) << "a reference, and pictures and two maps of 7 and of 4 others";
     const std::string csv = bytes("report/study.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 7 + 5);
     EXPECT_EQ(Json::parse(bytes("report/study.json"))["studies"].size(), 2u);
@@ -449,7 +452,7 @@ TEST_F(Study, WhatIsDamagedIsMadeAnewAndTheRestStays) {
     for (const char* kind : {"data", "pictures"})
         for (const auto& entry : fs::directory_iterator(folder() / "report" / kind))
             files.push_back(entry.path());
-    ASSERT_GE(files.size(), 10u);  // two of each reference, four of each row
+    ASSERT_GE(files.size(), 10u);  // two of each reference, five of each row
 
     const std::function<void(const fs::path&)> damages[] = {
         [](const fs::path& file) { fs::resize_file(file, 0); },
@@ -481,7 +484,7 @@ TEST_F(Study, WhatIsDamagedIsMadeAnewAndTheRestStays) {
                                     [](const fs::path& file) {
                                         return fs::last_write_time(file) != fs::file_time_type();
                                     }),
-              4);
+              5);
     EXPECT_EQ(glint(arguments).err, "");
 }
 

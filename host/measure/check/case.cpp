@@ -25,16 +25,6 @@ std::string shell_word(const std::string& word) {
     return plain ? word : quoted(word, '\'', "'\\''");
 }
 
-// "random tweaks 7" of "christmas.toml" as "christmas-random-tweaks-7".
-std::string file_stem(const Preset& preset, const std::string& name) {
-    std::string stem = preset.file.stem().string() + "-";
-    for (const char c : name) {
-        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.';
-        if (plain || stem.back() != '-') stem += plain ? c : '-';
-    }
-    return stem.substr(0, 120);
-}
-
 std::string tweak_words(const ViewOptions& view) {
     std::string words;
     for (const std::string& tweak : view.tweaks) words += " --tweak " + shell_word(tweak);
@@ -79,7 +69,7 @@ std::string command_for(const CheckSubject& subject, const CaseResult& result,
                         const fs::path& folder) {
     const glm::ivec2 size = subject.preset.size;
     if (!subject.still) return command_for_case(subject.view(), result.name);
-    const std::string stem = file_stem(subject.opened(), result.name);
+    const std::string stem = case_stem(subject.opened(), result.name);
     const bool own_events = !same_events(subject.preset.events, subject.opened().events);
     const fs::path file =
         own_events ? file_with_events(subject, folder, stem) : subject.opened().file;
@@ -160,6 +150,15 @@ CasePlace place_of(const ProbeFault& fault) {
     return {fault.file, fault.line, fault.function, fault.expression, fault.what, fault.operands};
 }
 
+std::string case_stem(const Preset& preset, const std::string& name) {
+    std::string stem = preset.file.stem().string() + "-";
+    for (const char c : name) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.';
+        if (plain || stem.back() != '-') stem += plain ? c : '-';
+    }
+    return stem.substr(0, 120);
+}
+
 std::string command_for_case(const ViewOptions& view, const std::string& name) {
     const std::string size = view.size.empty() ? "" : " --size " + view.size;
     return fmt::format("glint check {}{}{}{} --case {}", shell_word(view.file.string()), size,
@@ -173,6 +172,9 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
         for (; begin < list.size(); ++begin) list[begin].group = group;
         ++group;
     };
+    add_expected_picture_case(list, subject);
+    add_expected_time_case(list, subject);
+    end_group();
     add_size_cases(list);
     add_mouse_cases(list, subject);
     add_key_case(list, subject);
@@ -207,7 +209,7 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     return list;
 }
 
-CaseResult run_case(Check& check, const Case& wanted, const fs::path& folder) {
+CaseResult run_case(Check& check, const Case& wanted) {
     CheckSubject& subject = check.subject;
     subject.restore();
     CaseResult result{.name = wanted.name};
@@ -222,11 +224,12 @@ CaseResult run_case(Check& check, const Case& wanted, const fs::path& folder) {
     }
     if (result.verdict != CaseVerdict::fail) return result;
     result.reproduce = command_for_case(subject.view(), result.name);
+    if (!wanted.shows) return result;
     try {
-        const fs::path picture = folder / (file_stem(subject.opened(), result.name) + ".png");
+        const fs::path picture = check.folder / (case_stem(subject.opened(), result.name) + ".png");
         write_picture(subject, picture);
         result.picture = picture.string();
-        result.reproduce = command_for(subject, result, folder);
+        result.reproduce = command_for(subject, result, check.folder);
         // One is enough of those that follow each other.
         if (!seen.is_finite() && !result.where && subject.still && subject.is_short() &&
             check.birthplaces > 0) {

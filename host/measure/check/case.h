@@ -32,7 +32,8 @@ struct State {
 struct Check {
     CheckSubject& subject;
     Effort effort;
-    double pace = 1.0;    // less than 1 for a scene whose frames take long
+    double pace = 1.0;               // less than 1 for a scene whose frames take long
+    std::filesystem::path folder{};  // for pictures of failures; made when there is one
     int birthplaces = 3;  // how many failures may still be led back to the operation they came from
     std::optional<Motion> young{};
     std::optional<float> usual_largest{};   // of what is fed back, over some hundred frames
@@ -50,6 +51,7 @@ struct Case {
     std::function<void(Check&, CaseResult&)> run;
     // What it changes of the tweaks, for which the subject has to be fed with uniforms.
     enum class Tweaks { none, one, all, random } tweaks = Tweaks::none;
+    bool shows = true;      // a picture of what it drew tells something
     std::size_t group = 0;  // cases of a group share the seconds that it may take
 };
 
@@ -57,6 +59,8 @@ struct Case {
 std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort);
 
 // The parts of that list, one function a group.
+void add_expected_picture_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_expected_time_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_age_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_random_cases(std::vector<Case>& list, const CheckSubject& subject, const Effort& effort);
@@ -80,11 +84,14 @@ void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
 
 CasePlace place_of(const ProbeFault& fault);
 
+// "random tweaks 7" of "christmas.toml" as "christmas-random-tweaks-7": its pictures' names.
+std::string case_stem(const Preset& preset, const std::string& name);
+
 // Calls for this one case of a file again.
 std::string command_for_case(const ViewOptions& view, const std::string& name);
 
 // Runs one case on a subject that is as it was opened, and leaves its traces: the numbers, and for
-// a failure a picture in `folder` and the command that shows it again.
-CaseResult run_case(Check& check, const Case& wanted, const std::filesystem::path& folder);
+// a failure a picture in the folder and the command that shows it again.
+CaseResult run_case(Check& check, const Case& wanted);
 
 }  // namespace glint

@@ -3,7 +3,8 @@
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
-#include "measure/check/process.h"
+#include "measure/check/junit.h"
+#include "offline/named_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -98,9 +99,21 @@ void require_cases(const std::vector<CheckedFile>& files, const std::string& onl
     }
 }
 
+// Before any work: a report that cannot be written, or stands in a scene's place.
+void require_report(const CheckOptions& options) {
+    if (options.junit.empty()) return;
+    for (const std::filesystem::path& name : options.files) {
+        const ReadPreset read = read_preset(name);
+        if (read.preset)
+            require_apart({{"--junit", options.junit.string()}}, files_read_for(*read.preset));
+    }
+    require_writable(options.junit);
+}
+
 }  // namespace
 
 void run_check(const CheckOptions& options) {
+    require_report(options);
     std::vector<CheckedFile> files;
     std::set<std::filesystem::path> scenes;
     for (const std::filesystem::path& name : options.files) {
@@ -124,6 +137,10 @@ void run_check(const CheckOptions& options) {
         std::ranges::stable_sort(files.back().cases, is_worse);
         const bool table = !options.view.json && !options.lines;
         if (table && files.back().code == ExitCode::done) print_table(files.back());
+    }
+    if (!options.junit.empty()) {
+        const std::string xml = junit_xml(files);
+        write_whole_file(options.junit, std::as_bytes(std::span(xml)));
     }
     if (!options.only.empty()) require_cases(files, options.only);
     if (options.view.json) say_result("{}\n", json_text(to_json(files)));

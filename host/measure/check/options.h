@@ -28,6 +28,7 @@ struct CheckOptions {
     ViewOptions view;  // but for its file; its size is the one that cases are drawn at
     Effort effort;
     std::filesystem::path output = "glint-check";  // a folder, for pictures of failures
+    std::filesystem::path junit{};                 // a file; empty: none
     std::string only;                              // cases whose name begins so; empty: all
     double hang_seconds = 60.0;                    // how long one frame may take
     bool lines = false;                            // of JSON on stdout, as cases end

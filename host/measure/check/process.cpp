@@ -88,8 +88,10 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
     std::erase_if(cases, [&](const Case& c) { return !c.name.starts_with(wanted.only); });
     tell(pipe, {{"renderer", context->renderer()}, {"cases", cases.size()}});
     subject.after_frame = Heartbeat(pipe);
-    Check check{
-        .subject = subject, .effort = wanted.effort, .pace = pace_of(subject, wanted.effort)};
+    Check check{.subject = subject,
+                .effort = wanted.effort,
+                .pace = pace_of(subject, wanted.effort),
+                .folder = wanted.folder};
     Budget budget(wanted.effort);
     const Stopwatch clock;
     for (std::size_t i = first; i < cases.size(); ++i) {
@@ -101,7 +103,7 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
         } else if (budget.is_over(next, clock.ms())) {
             result.note = fmt::format("left out: --seconds {} were over", all_seconds);
         } else if (next.tweaks == Case::Tweaks::none) {
-            result = run_case(check, next, wanted.folder);
+            result = run_case(check, next);
         } else {
             tell(pipe, {{"compiling", true}});
             if (!fed)
@@ -109,9 +111,11 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
             tell(pipe, {{"compiling", false}});
             fed->after_frame = subject.after_frame;
             if (!with_uniforms)
-                with_uniforms.emplace(
-                    Check{.subject = *fed, .effort = wanted.effort, .pace = check.pace});
-            result = run_case(*with_uniforms, next, wanted.folder);
+                with_uniforms.emplace(Check{.subject = *fed,
+                                            .effort = wanted.effort,
+                                            .pace = check.pace,
+                                            .folder = wanted.folder});
+            result = run_case(*with_uniforms, next);
         }
         tell(pipe, {{"result", to_json(result)}});
     }

@@ -59,4 +59,19 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
     return result;
 }
 
+std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,
+                        bool encoded) {
+    std::size_t worst = 0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < std::min(picture.size(), reference.size()); ++i) {
+        if (i % 4 == 3) continue;
+        const double x = encoded ? decode_srgb(picture[i]) : picture[i];
+        const double r = encoded ? decode_srgb(reference[i]) : reference[i];
+        if (std::abs(x - r) <= most) continue;
+        most = std::abs(x - r);
+        worst = i / 4;
+    }
+    return worst;
+}
+
 }  // namespace glint

@@ -15,12 +15,17 @@ struct Difference {
     double psnr = 0.0;          // dB, of 8-bit values; infinite when they are equal
     double share_off = 0.0;     // of pixels with a channel off by more than 1/255, as 8-bit
     std::size_t not_finite = 0;
+    double flip = 0.0;  // the mean of flip_map(), as far as somebody has asked for it
 };
 
 // RGBA pictures of the same size. The 8-bit figures are of the values as they are, the others of
 // the values in light: decoded from sRGB, or as they are when they are no colours for a display.
 Difference difference(std::span<const float> picture, std::span<const float> reference,
                       bool encoded = true);
+
+// Which pixel has the channel that differs most, in light as above; 0 of equal pictures.
+std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,
+                        bool encoded = true);
 
 // The light that an sRGB value stands for; odd about 0, and without an upper end.
 double decode_srgb(double value);

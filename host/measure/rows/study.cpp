@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Figures of a row's difference, which stand among its own.
-constexpr const char* kErrorKeys[] = {"rmse", "max", "psnr", "share_off", "relative_mse"};
+constexpr const char* kErrorKeys[] = {"rmse", "max", "psnr", "share_off", "relative_mse", "flip"};
 
 Json or_null(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json();
@@ -59,6 +59,7 @@ Json to_json(const StudyRow& row) {
     if (!row.failed.empty()) json["failed"] = row.failed;
     if (!row.picture.empty()) json["picture"] = row.picture;
     if (!row.map.empty()) json["map"] = row.map;
+    if (!row.flip_map.empty()) json["flip_map"] = row.flip_map;
     return json;
 }
 
@@ -77,6 +78,7 @@ StudyRow row_from(const Json& json) {
                  .resumed = json.at("resumed"),
                  .picture = json.value("picture", ""),
                  .map = json.value("map", ""),
+                 .flip_map = json.value("flip_map", ""),
                  .ms = timing("ms"),
                  .verdict = verdict_from(json.at("verdict")),
                  .pareto = json.at("pareto"),
@@ -123,7 +125,8 @@ Json to_json(const Difference& d) {
             {"psnr", or_null(d.psnr)},
             {"share_off", d.share_off},
             {"relative_mse", d.relative_mse},
-            {"not_finite", d.not_finite}};
+            {"not_finite", d.not_finite},
+            {"flip", d.flip}};
 }
 
 Difference difference_from_json(const Json& json) {
@@ -132,7 +135,8 @@ Difference difference_from_json(const Json& json) {
             .relative_mse = number(json.at("relative_mse")).value_or(0.0),
             .psnr = number(json.at("psnr")).value_or(std::numeric_limits<double>::infinity()),
             .share_off = number(json.at("share_off")).value_or(0.0),
-            .not_finite = json.value("not_finite", std::size_t{0})};
+            .not_finite = json.value("not_finite", std::size_t{0}),
+            .flip = number(json.at("flip")).value_or(0.0)};
 }
 
 namespace {

@@ -62,6 +62,7 @@ struct StudyRow {
     bool is_reference = false;     // its setting is the reference's
     bool resumed = false;          // an earlier call measured it
     std::string picture{}, map{};  // files, seen from the report; "": none
+    std::string flip_map{};        // as map, of what people see
     // Judged from all rows together.
     Timing ms{};  // by the clock of the study
     std::optional<TimeVerdict>

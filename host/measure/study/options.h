@@ -12,6 +12,7 @@ struct StudyOptions {
     std::vector<std::string> vary{};
     std::vector<std::string> reference{};  // "NAME=VALUE"; the tweak's own reference otherwise
     std::vector<std::string> second{};     // "NAME=VALUE"; a reference to judge the reference by
+    bool each = false;                     // two files, too, are studied and not compared
     std::string pass = "image";            // what is compared; a buffer has no display curve
     bool time_only = false;                // cost over size: no reference, no errors
     int frames = 15;                       // timed frames a row, at least

@@ -97,6 +97,7 @@ Difference mean_of(const std::vector<const Difference*>& all) {
         mean.max = std::max(mean.max, one->max);
         mean.relative_mse += one->relative_mse / count;
         mean.share_off += one->share_off / count;
+        mean.flip += one->flip / count;
         mean.not_finite += one->not_finite;
     }
     mean.rmse = std::sqrt(squares);

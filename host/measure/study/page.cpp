@@ -1,6 +1,6 @@
 #include "measure/study/page.h"
 
-#include "base/names.h"
+#include "base/markup.h"
 #include "base/temporary_file.h"
 #include "measure/study/plot.h"
 #include "measure/study/result.h"
@@ -35,17 +35,6 @@ svg { max-width: 100%; height: auto; }
 </style>
 )";
 
-std::string escaped(std::string_view text) {
-    constexpr Names<char, 4> kEntities = {
-        {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}}};
-    std::string result;
-    for (const char c : text) {
-        const std::string_view entity = kEntities.of(c);
-        result += entity.empty() ? std::string_view(&c, 1) : entity;
-    }
-    return result;
-}
-
 std::string percent(double share) {
     return fmt::format("{:.2f} %", 100.0 * share);
 }
@@ -56,7 +45,8 @@ std::string optional_number(const std::optional<double>& value) {
 
 std::string worst_text(const StudyRow& row) {
     if (!row.worst) return {};
-    return fmt::format(" worst {} in {}", three_digits(row.worst->rmse), escaped(row.worst->view));
+    return fmt::format(" worst {} in {}", three_digits(row.worst->rmse),
+                       markup_escaped(row.worst->view));
 }
 
 std::string row_text(const StudyRow& row) {
@@ -66,17 +56,18 @@ std::string row_text(const StudyRow& row) {
         !row.failed.empty() ? " class=failed"
         : row.pareto        ? " class=pareto"
                             : "",
-        escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median, ms.low, ms.high,
-        row.verdict ? to_string(*row.verdict) : "", row.all_passes_ms);
+        markup_escaped(row.value), row.is_reference ? " (the reference)" : "", ms.median, ms.low,
+        ms.high, row.verdict ? to_string(*row.verdict) : "", row.all_passes_ms);
     if (!row.failed.empty()) {
-        return text + fmt::format("<td class=words colspan=6>{}\n", escaped(row.failed));
+        return text + fmt::format("<td class=words colspan=7>{}\n", markup_escaped(row.failed));
     }
     if (!row.error) return text + "\n";
     const Difference& e = *row.error;
-    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n",
+    return text + fmt::format("<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td class=text>{}\n",
                               three_digits(e.rmse), three_digits(e.max),
                               std::isinf(e.psnr) ? "∞" : fmt::format("{:.1f}", e.psnr),
                               percent(e.share_off), three_digits(e.relative_mse),
+                              three_digits(e.flip),
                               (row.near_reference ? "~" : "") + worst_text(row));
 }
 
@@ -84,9 +75,9 @@ std::string table(const Study& study) {
     std::string text = fmt::format(
         "<div class=table><table><tr><th class=text>{}<th>ms<th>95 of 100 within<th "
         "class=text>time<th>ms, all passes",
-        escaped(study.knob));
+        markup_escaped(study.knob));
     if (!study.time_only) {
-        text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>";
+        text += "<th>RMSE<th>max<th>PSNR, dB<th>off by &gt; 1/255<th>relative MSE<th>FLIP<th>";
     }
     text += "\n";
     for (const StudyRow& row : study.rows) text += row_text(row);
@@ -103,43 +94,46 @@ std::string figure(const std::string& file, const std::string& caption) {
     if (file.empty()) return {};
     return fmt::format(
         "<figure><img src=\"{}\" alt=\"{}\" loading=lazy><figcaption>{}</figcaption></figure>\n",
-        escaped(file), escaped(caption), escaped(caption));
+        markup_escaped(file), markup_escaped(caption), markup_escaped(caption));
 }
 
 std::string pictures(const Study& study) {
     if (study.reference_picture.empty()) return {};
     std::string text =
         "<p class=facts>Maps show the largest difference of a channel: 1/10000 <span "
-        "class=scale></span> 1; not finite: magenta.</p>\n<div class=pictures>\n";
+        "class=scale></span> 1; not finite: magenta. FLIP: what a person sees of it, linear from "
+        "0 to 1 in the same colours.</p>\n<div class=pictures>\n";
     text += figure(study.reference_picture, fmt::format("reference, {}", study.reference));
     for (const StudyRow& row : study.rows) {
         if (row.is_reference) continue;
         text += figure(row.picture, fmt::format("{} {}", study.knob, row.value));
         text += figure(row.map, fmt::format("{} {}: difference", study.knob, row.value));
+        text += figure(row.flip_map, fmt::format("{} {}: FLIP", study.knob, row.value));
     }
     return text + "</div>\n";
 }
 
 std::string facts(const Study& study) {
-    std::string text =
-        fmt::format("<p class=facts>{}×{}, {}<br>{}<br>Clock: {}.", study.size.x, study.size.y,
-                    escaped(study.renderer), escaped(study.machine), to_string(study.clock));
+    std::string text = fmt::format("<p class=facts>{}×{}, {}<br>{}<br>Clock: {}.", study.size.x,
+                                   study.size.y, markup_escaped(study.renderer),
+                                   markup_escaped(study.machine), to_string(study.clock));
     if (!study.views.empty()) {
         text += fmt::format("<br>Over {} views: {}.", study.views.size(),
-                            escaped(fmt::format("{}", fmt::join(study.views, ", "))));
+                            markup_escaped(fmt::format("{}", fmt::join(study.views, ", "))));
     }
     if (!study.time_only) {
         text += fmt::format(
             "<br>Compared: {}. Reference: {}; its own error: {}.",
             study.pass == "image" ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
-                                  : escaped(study.pass),
-            escaped(study.reference),
-            study.reference_error
-                ? fmt::format("{} by {}", three_digits(study.own_error), escaped(study.second))
-                : "not known");
+                                  : markup_escaped(study.pass),
+            markup_escaped(study.reference),
+            study.reference_error ? fmt::format("{} by {}", three_digits(study.own_error),
+                                                markup_escaped(study.second))
+                                  : "not known");
         if (study.rival) {
             text += fmt::format("<br>Second reference: {}; its own error: {}; they differ by {}.",
-                                escaped(study.rival->value), three_digits(study.rival->own_error),
+                                markup_escaped(study.rival->value),
+                                three_digits(study.rival->own_error),
                                 three_digits(study.rival->difference.rmse));
         }
     }
@@ -147,11 +141,11 @@ std::string facts(const Study& study) {
 }
 
 std::string section(const Study& study, std::size_t number) {
-    std::string text =
-        fmt::format("<h2 id=s{}>{}: {}</h2>\n", number, escaped(study.scene), escaped(study.knob));
+    std::string text = fmt::format("<h2 id=s{}>{}: {}</h2>\n", number, markup_escaped(study.scene),
+                                   markup_escaped(study.knob));
     text += facts(study);
     for (const std::string& finding : study.findings) {
-        text += fmt::format("<p class=finding>{}</p>\n", escaped(finding));
+        text += fmt::format("<p class=finding>{}</p>\n", markup_escaped(finding));
     }
     const std::string plot = svg_plot(study);
     text += plot.empty() ? "<p class=note>No diagram: gnuplot is not installed, or there are fewer "
@@ -164,15 +158,16 @@ std::string section(const Study& study, std::size_t number) {
     }
     if (study.cost_exponent) {
         text += fmt::format("<p>Cost: time ~ {}<sup>{:.2f}</sup> over the larger half</p>\n",
-                            escaped(study.knob), *study.cost_exponent);
+                            markup_escaped(study.knob), *study.cost_exponent);
     }
     if (study.best) {
         const StudyRow& best = study.rows[*study.best];
-        text += fmt::format("<p>The budget chooses <b>{}</b>: {:.3f} ms, RMSE {}.</p>\n",
-                            escaped(best.value), best.ms.median, three_digits(best.error->rmse));
+        text +=
+            fmt::format("<p>The budget chooses <b>{}</b>: {:.3f} ms, RMSE {}.</p>\n",
+                        markup_escaped(best.value), best.ms.median, three_digits(best.error->rmse));
     }
     for (const std::string& note : study.notes) {
-        text += fmt::format("<p class=note>{}</p>\n", escaped(note));
+        text += fmt::format("<p class=note>{}</p>\n", markup_escaped(note));
     }
     return text + pictures(study);
 }
@@ -187,9 +182,9 @@ std::string index(std::span<const Study> studies) {
         text += fmt::format(
             "<tr><td class=text>{}<td class=text><a href=\"#s{}\">{}</a><td>{}<td>{}<td>{}"
             "<td class=\"words finding\">{}\n",
-            escaped(study.scene), i, escaped(study.knob), study.rows.size(),
+            markup_escaped(study.scene), i, markup_escaped(study.knob), study.rows.size(),
             optional_number(study.order), optional_number(study.cost_exponent),
-            study.findings.empty() ? "" : escaped(study.findings.front()));
+            study.findings.empty() ? "" : markup_escaped(study.findings.front()));
     }
     return text + "</table></div>\n";
 }

@@ -352,8 +352,8 @@ std::string to_table(const Study& study) {
     text += fmt::format("    {:>{}} {:>10} {:>19} {:>14}", study.knob, widest, "ms",
                         "95 of 100 within", "time");
     if (!study.time_only) {
-        text += fmt::format(" {:>9} {:>9} {:>6} {:>8} {:>9}", "rmse", "max", "psnr", "> 1/255",
-                            "rel. mse");
+        text += fmt::format(" {:>9} {:>9} {:>6} {:>8} {:>9} {:>9}", "rmse", "max", "psnr",
+                            "> 1/255", "rel. mse", "flip");
     }
     text += "\n";
     for (const StudyRow& row : study.rows) {
@@ -363,9 +363,10 @@ std::string to_table(const Study& study) {
                             ms.low, ms.high, row.verdict ? to_string(*row.verdict) : "");
         if (!row.failed.empty()) text += " " + row.failed;
         if (has_error(row)) {
-            text += fmt::format(" {:>9.3g} {:>9.3g} {:>6} {:>6.2f} % {:>9.3g}", row.error->rmse,
-                                row.error->max, psnr_text(row.error->psnr),
-                                100.0 * row.error->share_off, row.error->relative_mse);
+            text +=
+                fmt::format(" {:>9.3g} {:>9.3g} {:>6} {:>6.2f} % {:>9.3g} {:>9.3g}",
+                            row.error->rmse, row.error->max, psnr_text(row.error->psnr),
+                            100.0 * row.error->share_off, row.error->relative_mse, row.error->flip);
         }
         if (row.worst)
             text += fmt::format("  worst {} in {}", three_digits(row.worst->rmse), row.worst->view);
@@ -388,7 +389,7 @@ std::string to_table(const Study& study) {
 
 std::string csv_header() {
     return "scene,knob,value,ms,ms_min,ms_max,ms_low,ms_high,verdict,rmse,max,psnr,share_off,"
-           "relative_mse,pareto,"
+           "relative_mse,flip,pareto,"
            "near_reference,failed,renderer,width,height\n";
 }
 
@@ -401,11 +402,11 @@ std::string to_csv(const Study& study) {
                             study.knob, word(row.value), ms.median, ms.min, ms.max, ms.low, ms.high,
                             row.verdict ? to_string(*row.verdict) : "");
         if (has_error(row)) {
-            text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g}", row.error->rmse, row.error->max,
-                                psnr_text(row.error->psnr), row.error->share_off,
-                                row.error->relative_mse);
+            text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g},{:.6g}", row.error->rmse,
+                                row.error->max, psnr_text(row.error->psnr), row.error->share_off,
+                                row.error->relative_mse, row.error->flip);
         } else {
-            text += ",,,,";
+            text += ",,,,,";
         }
         text += fmt::format(",{},{},{},{},{},{}\n", row.pareto, row.near_reference,
                             word(row.failed), word(study.renderer), study.size.x, study.size.y);

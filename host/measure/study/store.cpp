@@ -6,6 +6,7 @@
 #include "base/temporary_file.h"
 #include "base/words.h"
 #include "glsl/raw_text.h"
+#include "measure/rows/heat.h"
 #include "scene/passes.h"
 
 #include <fmt/format.h>
@@ -48,19 +49,6 @@ Image bytes_image(glm::ivec2 size) {
 void push_byte(Image& image, double value) {
     const double shown = value > 0.0 ? std::min(value, 1.0) : 0.0;  // not-a-number is black
     image.pixels.push_back(static_cast<std::byte>(std::lround(shown * 255.0)));
-}
-
-// Black, blue, violet, orange, white: a step for each decade from 1e-4 to 1.
-void push_heat(Image& image, double difference) {
-    constexpr std::array<std::array<double, 3>, 5> kSteps = {
-        {{0, 0, 0}, {0.1, 0.1, 0.6}, {0.7, 0.1, 0.5}, {1.0, 0.6, 0.1}, {1, 1, 1}}};
-    const double decades = difference > 0.0 ? std::log10(difference) + 4.0 : 0.0;
-    const double at = std::clamp(decades, 0.0, 3.999999);
-    const auto step = static_cast<std::size_t>(at);
-    for (std::size_t c = 0; c < 3; ++c) {
-        push_byte(image,
-                  std::lerp(kSteps[step][c], kSteps[step + 1][c], at - static_cast<double>(step)));
-    }
 }
 
 // What is read from a file. Nothing where it is not there, and nothing with a word where it is not
@@ -194,7 +182,9 @@ std::optional<StudyRow> StudyStore::row(const StudyKey& key, glm::ivec2 size) co
     if (!row || row->picture.empty()) return row;
     row->picture = shown_file(key);
     row->map = map_file(key);
+    row->flip_map = flip_file(key);
     if (!picture(key, size) || !has_bytes(folder_ / row->map)) return std::nullopt;
+    if (!has_bytes(folder_ / row->flip_map)) return std::nullopt;
     return row;
 }
 
@@ -246,6 +236,10 @@ std::string StudyStore::map_file(const StudyKey& key) const {
     return file("pictures", key, "-map.png").lexically_relative(folder_).string();
 }
 
+std::string StudyStore::flip_file(const StudyKey& key) const {
+    return file("pictures", key, "-flip.png").lexically_relative(folder_).string();
+}
+
 std::string StudyStore::keep_picture(const StudyKey& key, std::span<const float> rgba,
                                      glm::ivec2 size) const {
     if (folder_.empty()) return {};
@@ -266,23 +260,18 @@ std::string StudyStore::keep_map(const StudyKey& key, std::span<const float> pic
                                  bool encoded) const {
     if (folder_.empty()) return {};
     Image map = bytes_image(size);
-    for (std::size_t i = 0; i + 3 < picture.size(); i += 4) {
-        double most = 0.0;
-        bool finite = true;
-        for (std::size_t c = i; c < i + 3; ++c) {
-            finite &= std::isfinite(picture[c]) && std::isfinite(reference[c]);
-            const double x = encoded ? decode_srgb(picture[c]) : picture[c];
-            const double r = encoded ? decode_srgb(reference[c]) : reference[c];
-            most = std::max(most, std::abs(x - r));
-        }
-        if (finite) {
-            push_heat(map, most);
-        } else {
-            for (const double c : {1.0, 0.0, 1.0}) push_byte(map, c);
-        }
-    }
+    map.pixels = difference_heat(picture, reference, encoded);
     write_image(cleared(folder_ / map_file(key)), map);
     return map_file(key);
+}
+
+std::string StudyStore::keep_flip_map(const StudyKey& key, std::span<const float> map,
+                                      glm::ivec2 size) const {
+    if (folder_.empty()) return {};
+    Image shown = bytes_image(size);
+    shown.pixels = heat(map);
+    write_image(cleared(folder_ / flip_file(key)), shown);
+    return flip_file(key);
 }
 
 }  // namespace glint

@@ -51,10 +51,15 @@ public:
     std::string keep_map(const StudyKey& key, std::span<const float> picture,
                          std::span<const float> reference, glm::ivec2 size, bool encoded) const;
 
+    // The same colours for what a person sees of it: flip_map(), from 0 (black) to 1 (white).
+    std::string keep_flip_map(const StudyKey& key, std::span<const float> map,
+                              glm::ivec2 size) const;
+
     const std::filesystem::path& folder() const { return folder_; }
 
 private:
     std::string map_file(const StudyKey& key) const;
+    std::string flip_file(const StudyKey& key) const;
     std::filesystem::path file(const char* kind, const StudyKey& key, const char* end) const;
 
     std::filesystem::path folder_;

@@ -4,7 +4,9 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
+#include "measure/rows/flip.h"
 #include "measure/study/joint.h"
+#include "measure/study/looks.h"
 #include "measure/study/measure.h"
 #include "measure/study/over.h"
 #include "measure/study/page.h"
@@ -136,11 +138,15 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         if (row.error->not_finite > 0) {
             row.failed = fmt::format("diverged: {} pixels are not finite", row.error->not_finite);
         }
+        const std::vector<float> seen =
+            flip_map(picture, reference->picture, scenery.size, {.encoded = encoded});
+        row.error->flip = mean(seen);
         if (!previous.empty()) {
             row.rmse_to_previous = difference(picture, previous, encoded).rmse;
         }
         row.picture = scenery.store.keep_picture(key, picture, scenery.size);
         row.map = scenery.store.keep_map(key, picture, reference->picture, scenery.size, encoded);
+        row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
     }
     if (!value.is_between) previous = std::move(picture);
     return row;
@@ -255,7 +261,10 @@ std::optional<Reference> draw_references(const Scenery& scenery, const Knob& kno
     if (study.time_only) return std::nullopt;
     const auto draw = [&](const KnobValue& value) { return draw_reference(scenery, knob, value); };
     const auto apart = [&](const Reference& a, const Reference& b) {
-        return difference(a.picture, b.picture, is_encoded(scenery));
+        Difference between = difference(a.picture, b.picture, is_encoded(scenery));
+        between.flip =
+            mean(flip_map(a.picture, b.picture, scenery.size, {.encoded = is_encoded(scenery)}));
+        return between;
     };
     Reference reference = draw(knob.reference);
     study.reference_picture = reference.file;
@@ -416,6 +425,7 @@ void write_best(const StudyOptions& options, const std::vector<Study>& studies) 
 }  // namespace
 
 void run_study(const StudyOptions& options) {
+    if (compares_looks(options)) return run_looks(options);
     const bool to_preset = options.output.extension() == ".toml";
     if (to_preset && (!has_budget(options) || options.files.size() != 1))
         throw UsageError("-o with a preset takes one FILE, and --ms or --rmse.");

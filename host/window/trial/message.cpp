@@ -47,11 +47,15 @@ void members(const auto& all, Is<QualitySet> auto& value) {
     auto& [name, values] = value;
     all(name, values);
 }
+void members(const auto& all, Is<Expect> auto& value) {
+    auto& [picture, rmse, flip, ms_ratio, ms_of] = value;
+    all(picture, rmse, flip, ms_ratio, ms_of);
+}
 void members(const auto& all, Is<Preset> auto& value) {
     auto& [file, scene, title, time, size, has_size, settle, date, values, locked, qualities, watch,
-           channels, events] = value;
+           channels, events, expect] = value;
     all(file, scene, title, time, size, has_size, settle, date, values, locked, qualities, watch,
-        channels, events);
+        channels, events, expect);
 }
 void members(const auto& all, Is<PassTrial> auto& value) {
     auto& [name, compile_ms, first_ms, second_ms, expected_ms] = value;

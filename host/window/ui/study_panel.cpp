@@ -160,6 +160,7 @@ void row_tip(Build& build, const Study& study, const StudyRow& row) {
                                             power_text(row.error->max)));
         text_in(colours::kText, fmt::format("PSNR {} dB, {:.2f} % off by more than 1/255",
                                             psnr_text(row), 100.0 * row.error->share_off));
+        text_in(colours::kText, fmt::format("FLIP {}", power_text(row.error->flip)));
     }
     if (row.is_reference) text_in(colours::kDim, "the reference");
     if (row.pareto) text_in(colours::kDim, "no other value is told to be better");

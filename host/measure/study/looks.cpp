@@ -1,0 +1,165 @@
+#include "measure/study/looks.h"
+
+#include "base/json_text.h"
+#include "base/say.h"
+#include "measure/rows/flip.h"
+#include "measure/study/comparison.h"
+#include "offline/common.h"
+#include "offline/named_files.h"
+#include "offline/picture_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One of the two: a picture, or a preset to draw.
+struct Look {
+    fs::path file;
+    std::optional<ComparedPicture> picture{};
+    std::optional<Preset> preset{};
+};
+
+ComparedPicture open_picture(const fs::path& file) {
+    std::error_code unknown;
+    if (!fs::exists(file, unknown))
+        report({{Severity::error, Place{file.string()},
+                 fmt::format("cannot read {}: there is no such file", in_quotes(file.string())),
+                 true}});
+    return read_compared_picture(file);
+}
+
+// All but pictures are drawn at the size of those, or at what --size says.
+void open_look(Look& look, const StudyOptions& options, glm::ivec2 size) {
+    ViewOptions view = options.view;
+    view.file = look.file;
+    view.size = fmt::format("{}x{}", size.x, size.y);
+    look.preset = open_preset(view);
+}
+
+glm::ivec2 common_size(const std::array<Look, 2>& looks, const StudyOptions& options) {
+    std::optional<glm::ivec2> size;
+    if (!options.view.size.empty()) size = size_of(options.view, {});
+    for (const Look& look : looks) {
+        if (!look.picture) continue;
+        if (size && *size != look.picture->size)
+            throw UsageError(fmt::format(
+                "{} is {}x{}, not {}x{}: pictures are compared as they "
+                "are.",
+                look.file.string(), look.picture->size.x, look.picture->size.y, size->x, size->y));
+        size = look.picture->size;
+    }
+    return size.value_or(glm::ivec2(640, 360));
+}
+
+void require_report_apart(const std::array<Look, 2>& looks, const fs::path& folder) {
+    std::vector<NamedFile> outputs, inputs;
+    for (const char* name :
+         {"a.png", "b.png", "difference.png", "flip.png", "looks.json", "index.html"})
+        outputs.push_back({"-o", (folder / name).string()});
+    for (const Look& look : looks) {
+        if (look.picture) inputs.push_back({"a look", look.file.string()});
+        if (!look.preset) continue;
+        const std::vector<NamedFile> read = files_read_for(*look.preset);
+        inputs.insert(inputs.end(), read.begin(), read.end());
+    }
+    require_apart(outputs, inputs);
+}
+
+// What is drawn beside a picture of 8 bits is what a file of these would keep.
+void round_as_the_other(const std::array<Look, 2>& looks, Comparison& found) {
+    const auto has_bytes = [&](std::size_t i) {
+        return looks[i].picture && looks[i].picture->bytes;
+    };
+    for (const std::size_t i : {0u, 1u})
+        if (!has_bytes(i) && has_bytes(1 - i))
+            round_to_bytes(found.pictures[i], found.pictures[1 - i]);
+}
+
+void compare_pictures(Comparison& found) {
+    const auto& [a, b] = found.pictures;
+    found.error = difference(a, b);
+    found.seen = flip_map(a, b, found.size);
+    found.error.flip = mean(found.seen);
+    const std::size_t worst = worst_pixel(a, b);
+    const auto width = static_cast<std::size_t>(found.size.x);
+    found.worst = {static_cast<int>(worst % width),
+                   found.size.y - 1 - static_cast<int>(worst / width)};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const float* rgb = &found.pictures[i][worst * 4];
+        found.at_worst[i] = {rgb[0], rgb[1], rgb[2]};
+    }
+}
+
+// Draws what is to be drawn; and times it where both are.
+void draw(const std::array<Look, 2>& looks, const StudyOptions& options, Comparison& found) {
+    const bool any = looks[0].preset || looks[1].preset;
+    const auto context = any ? make_egl_context(options.view.device) : nullptr;
+    if (any) {
+        found.renderer = context->renderer();
+        found.machine = machine_name();
+    }
+    std::array<std::optional<MeasuredScene>, 2> scenes;  // gone before the context
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Look& look = looks[i];
+        if (look.picture) {
+            found.pictures[i] = look.picture->rgba;
+            continue;
+        }
+        scenes[i].emplace(*look.preset,
+                          Setting{.values = look.preset->values, .settle = look.preset->settle},
+                          *context, MeasureOptions{.specialise = options.view.specialise});
+        found.pictures[i] = scenes[i]->draw_picture();
+    }
+    if (scenes[0] && scenes[1])
+        found.times = time_pair(*scenes[0], *scenes[1],
+                                {.least = options.frames,
+                                 .seconds = options.seconds,
+                                 .on_software = context->is_software()});
+}
+
+}  // namespace
+
+bool compares_looks(const StudyOptions& options) {
+    const bool two = options.files.size() == 2;
+    if (std::ranges::any_of(options.files, is_picture_file)) {
+        if (!two || options.each)
+            throw UsageError(
+                "A picture has no tweaks to study; compare it with one other look: "
+                "glint study A B.");
+        return true;
+    }
+    const bool names_knobs =
+        !options.vary.empty() || !options.reference.empty() || !options.second.empty() ||
+        options.time_only || options.pass != "image" || options.each ||
+        !options.ms_budget.empty() || !options.rmse_budget.empty() || !options.over.empty();
+    return two && !names_knobs;
+}
+
+void run_looks(const StudyOptions& options) {
+    if (options.csv || options.lines)
+        throw UsageError("--csv and --lines tell of rows; of two looks --json tells.");
+    std::array<Look, 2> looks = {Look{options.files[0]}, Look{options.files[1]}};
+    for (Look& look : looks)
+        if (is_picture_file(look.file)) look.picture = open_picture(look.file);
+    Comparison found{.files = {looks[0].file.string(), looks[1].file.string()},
+                     .size = common_size(looks, options)};
+    for (Look& look : looks)
+        if (!look.picture) open_look(look, options, found.size);
+    if (!options.output.empty()) require_report_apart(looks, options.output);
+    draw(looks, options, found);
+    round_as_the_other(looks, found);
+    compare_pictures(found);
+    if (!options.output.empty()) write_comparison(options.output, found);
+    if (options.view.json)
+        say_result("{}\n", json_text(to_json(found)));
+    else
+        say_result("{}", to_table(found));
+}
+
+}  // namespace glint

@@ -1,0 +1,115 @@
+// `glint study A B`: two looks beside each other.
+#include "report.h"
+
+#include <cmath>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+class Looks : public InAFolder {
+protected:
+    Looks() {
+        write("a.frag",
+              "uniform float level; //@ 0.5 [0, 1]\n"
+              "void mainImage(out vec4 c, in vec2 p) {\n"
+              "    c = vec4(level, p / iResolution.xy, 1);\n"
+              "    if (ivec2(p) == ivec2(5, 3)) c.r = 1.0;\n"
+              "}\n");
+        write("b.toml", "scene = \"a.frag\"\n[tweaks]\nlevel = 0.6\n");
+    }
+
+    Json compare(const std::string& a, const std::string& b, std::vector<std::string> more = {}) {
+        std::vector<std::string> arguments = {"study", a, b, "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = glint(std::move(arguments));
+        EXPECT_EQ(outcome.err, "");
+        return report_of(outcome);
+    }
+};
+
+double to_light(double v) {
+    return std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+// Red of 0.5 and 0.6 in all pixels but one: the root of a third of the square of the difference.
+TEST_F(Looks, TellHowFarTheyDifferAndWhichIsFaster) {
+    const Json json = compare("a.frag", "b.toml", {"--size", "64x36"});
+    const double off = to_light(0.6) - to_light(0.5);
+    EXPECT_NEAR(json["rmse"].get<double>(), off / std::sqrt(3.0), 1e-4);
+    EXPECT_NEAR(json["max"].get<double>(), off, 1e-5);
+    EXPECT_GT(json["flip"].get<double>(), 0.01);
+    EXPECT_EQ(json["size"], Json({64, 36}));
+    EXPECT_NEAR(json["worst"]["a"][0].get<double>(), 0.5, 1e-6);
+    EXPECT_NEAR(json["worst"]["b"][0].get<double>(), 0.6, 1e-6);
+    EXPECT_GT(json["a"]["ms_low"].get<double>(), 0.0);
+    EXPECT_LE(json["a"]["ms_low"], json["a"]["ms"]);
+    EXPECT_LE(json["ms_ratio_low"], json["ms_ratio"]);
+    EXPECT_LE(json["ms_ratio"], json["ms_ratio_high"]);
+    EXPECT_FALSE(json["verdict"].get<std::string>().empty());
+    EXPECT_EQ(json["b"]["file"], "b.toml");
+}
+
+TEST_F(Looks, TheWorstPixelIsCountedFromTheTop) {
+    still({"a.frag", "-o", "a.png", "--size", "20x10", "--tweak", "level=1"});
+    const Json json = compare("a.png", "a.frag");
+    EXPECT_EQ(json["size"], Json({20, 10})) << "the picture's own";
+    EXPECT_FALSE(json.contains("verdict")) << "a picture takes no time";
+    still({"a.frag", "-o", "b.png", "--size", "20x10", "--tweak", "level=0.5"});
+    still({"b.toml", "-o", "c.png", "--size", "20x10", "--tweak", "level=1"});
+    write("spot.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(ivec2(p) == ivec2(5, 3) ? 1.0 : 0.5, p / iResolution.xy, 1);\n"
+          "}\n");
+    write("plain.frag",
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5, p / iResolution.xy, 1); }\n");
+    EXPECT_EQ(compare("spot.frag", "plain.frag", {"--size", "20x10"})["worst"]["pixel"],
+              Json({5, 6}))
+        << "the fourth row from below";
+}
+
+TEST_F(Looks, APictureOfALookIsThatLook) {
+    for (const char* file : {"b.png", "b.exr"}) {
+        still({"b.toml", "-o", file, "--size", "33x21"});
+        const Json json = compare(file, "b.toml");
+        EXPECT_EQ(json["max"], 0.0) << file;
+        EXPECT_EQ(json["flip"], 0.0) << file;
+    }
+    EXPECT_NE(glint({"study", "b.png", "b.exr"}).out.find("The pictures are the same."),
+              std::string::npos);
+}
+
+TEST_F(Looks, ThePageWipesBetweenThemWithoutANetwork) {
+    const Outcome outcome = glint({"study", "a.frag", "b.toml", "--size", "64x36", "-o", "looks"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("FLIP"), std::string::npos) << outcome.out;
+    const std::string page = bytes("looks/index.html");
+    for (const char* name : {"a.png", "b.png", "difference.png", "flip.png"}) {
+        EXPECT_TRUE(fs::exists(folder() / "looks" / name)) << name;
+        EXPECT_NE(page.find("src=\"" + std::string(name)), std::string::npos) << name;
+    }
+    EXPECT_NE(page.find("type=range"), std::string::npos);
+    for (const char* tag : {"src=\"http", "href=\"http", "url(http", "<script", "@import"})
+        EXPECT_EQ(page.find(tag), std::string::npos) << tag;
+    EXPECT_EQ(Json::parse(bytes("looks/looks.json"))["b"]["file"], "b.toml");
+}
+
+TEST_F(Looks, WhatCannotBeComparedIsSaid) {
+    still({"a.frag", "-o", "a.png", "--size", "20x10"});
+    still({"a.frag", "-o", "b.png", "--size", "10x20"});
+    write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
+    const Outcome sizes = glint({"study", "a.png", "b.png"});
+    EXPECT_EQ(sizes.code, 2);
+    EXPECT_NE(sizes.err.find("b.png is 10x20, not 20x10"), std::string::npos) << sizes.err;
+    EXPECT_EQ(glint({"study", "a.png", "a.frag", "--size", "64x36"}).code, 2);
+    EXPECT_EQ(glint({"study", "a.png"}).code, 2);
+    EXPECT_EQ(glint({"study", "a.png", "gone.png"}).code, 4);
+    EXPECT_EQ(glint({"study", "a.frag", "gone.frag"}).code, 4);
+    EXPECT_EQ(glint({"study", "a.frag", "wrong.frag"}).code, 3);
+    EXPECT_EQ(glint({"study", "a.frag", "b.toml", "--csv"}).code, 2);
+    EXPECT_EQ(glint({"study", "a.png", "b.toml", "-o", "."}).code, 2) << "a.png would go";
+}
+
+}  // namespace
+}  // namespace glint::cli
