@@ -98,7 +98,7 @@ TEST_F(PlantedFaults, OfEachWayAreFoundAndTheirTwinsPass) {
                                                         {"poison/stuck", "healed"},
                                                         {"loop_budget/nested", "loop budget"},
                                                         {"strobe/of_time", "flashes"},
-                                                        {"frame_rate/circle", "frame rates"}};
+                                                        {"frame_rate/step", "frame rates"}};
     for (const auto& [name, only] : ways) look_at(planted(name), {"--case", only});
 }
 
