@@ -6,6 +6,7 @@
 #include "scene/annotation.h"
 #include "scene/expect_toml.h"
 #include "scene/toml_keys.h"
+#include "scene/toml_value.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,6 @@ private:
     void read_watch(const toml::node& node);
     std::optional<Turned> read_tweak(const toml::key& key, const toml::node& node);
     void read_qualities(const toml::node& node);
-    std::optional<TweakValue> tweak_value(const Tweak& tweak, const toml::node& node);
     void read_channels(const toml::node& node);
     void read_channel(std::size_t index, const toml::table& table);
     void read_channel_source(Sampler& sampler, std::string_view key, const toml::node& node);
@@ -75,18 +75,6 @@ private:
     const Scene* known_scene_;
     bool has_scene_ = false;
 };
-
-// A number, whole or not. toml++ itself gives no double for a whole number beyond 2^53.
-std::optional<double> any_number(const toml::node& node) {
-    if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
-    if (const auto* real = node.as_floating_point()) return real->get();
-    return std::nullopt;
-}
-
-std::optional<double> finite_number(const toml::node& node) {
-    const auto value = any_number(node);
-    return value && std::isfinite(*value) ? value : std::nullopt;
-}
 
 Diagnostic Reader::syntax_error(const toml::parse_error& error) const {
     std::string text = fmt::format("no valid TOML: {}", error.description());
@@ -334,32 +322,6 @@ void Reader::read_watch(const toml::node& node) {
         else
             warning(entry, kForm);
     }
-}
-
-// The value as TOML writes it; nothing when it is not of the tweak's type.
-std::optional<TweakValue> Reader::tweak_value(const Tweak& tweak, const toml::node& node) {
-    if (const auto* text = node.as_string()) return parse_value(tweak, text->get());
-    const auto components = static_cast<std::size_t>(component_count(tweak.type));
-    TweakValue value{};
-    if (const toml::array* array = node.as_array()) {
-        if (components == 1 || array->size() != components) return std::nullopt;
-        for (std::size_t i = 0; i < components; ++i) {
-            const auto component = any_number((*array)[i]);
-            if (!component || std::isnan(*component)) return std::nullopt;
-            value[i] = *component;
-        }
-        return value;
-    }
-    if (components != 1) return std::nullopt;
-    if (tweak.type == TweakType::bool1) {
-        const auto* on = node.as_boolean();
-        return on ? std::optional(TweakValue{on->get() ? 1.0 : 0.0}) : std::nullopt;
-    }
-    const auto one = any_number(node);
-    if (!one || std::isnan(*one)) return std::nullopt;
-    if (tweak.type == TweakType::int1 && std::isfinite(*one) && *one != std::floor(*one))
-        return std::nullopt;
-    return TweakValue{*one};
 }
 
 void Reader::read_channels(const toml::node& node) {

@@ -1,11 +1,10 @@
 #include "measure/rows/case.h"
 
 #include "base/names.h"
+#include "measure/rows/number_json.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace glint {
@@ -16,22 +15,9 @@ constexpr Names<CaseVerdict, 4> kCaseVerdicts = {{{CaseVerdict::fail, "fail"},
                                                   {CaseVerdict::pass, "pass"},
                                                   {CaseVerdict::skip, "skip"}}};
 
-// What is not finite has no number in JSON.
-nlohmann::ordered_json number(double value) {
-    if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
-    return value;
-}
-
-double number_from(const nlohmann::ordered_json& json) {
-    if (json.is_number()) return json.get<double>();
-    const double infinity = std::numeric_limits<double>::infinity();
-    return json == "inf" ? infinity : json == "-inf" ? -infinity : std::nan("");
-}
-
 nlohmann::ordered_json to_json(const CasePlace& place) {
     nlohmann::ordered_json operands = nlohmann::ordered_json::array();
-    for (const double operand : place.operands) operands.push_back(number(operand));
+    for (const double operand : place.operands) operands.push_back(number_json(operand));
     return {{"file", place.file},         {"line", place.line},
             {"function", place.function}, {"expression", place.expression},
             {"what", place.what},         {"operands", std::move(operands)}};

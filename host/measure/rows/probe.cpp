@@ -1,35 +1,19 @@
 #include "measure/rows/probe.h"
 
+#include "measure/rows/number_json.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <limits>
 
 namespace glint {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A float as the shortest number that is the same one.
-Json number(double value) {
-    if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
-    const auto single = static_cast<float>(value);
-    return static_cast<double>(single) == value ? std::stod(fmt::format("{}", single)) : value;
-}
-
-double number_from(const Json& json) {
-    if (json.is_number()) return static_cast<double>(json.get<float>());
-    const std::string word = json.get<std::string>();
-    if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
-    const double infinite = std::numeric_limits<double>::infinity();
-    return word == "inf" ? infinite : -infinite;
-}
-
 Json numbers(const std::vector<double>& values) {
     Json list = Json::array();
-    for (const double value : values) list.push_back(number(value));
+    for (const double value : values) list.push_back(number_json(value));
     return list;
 }
 

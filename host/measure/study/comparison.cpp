@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kHead = R"(<!doctype html>
+constexpr const char* kLooksHead = R"(<!doctype html>
 <html lang="en">
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -69,7 +69,7 @@ std::string time_text(const Comparison& c) {
 
 std::string page(const Comparison& c) {
     const auto name = [&](std::size_t i) { return markup_escaped(c.files[i]); };
-    std::string text = kHead;
+    std::string text = kLooksHead;
     text += fmt::format("<h1>{} and {}</h1>\n", name(0), name(1));
     text += fmt::format("<p>{}</p>\n<p>{}</p>\n", markup_escaped(error_text(c)),
                         markup_escaped(time_text(c)));

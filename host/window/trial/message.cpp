@@ -66,8 +66,9 @@ void members(const auto& all, Is<Verdict> auto& value) {
     all(state, passes, expected_ms, total_ms, diagnostics);
 }
 void members(const auto& all, Is<ProgramOptions> auto& value) {
-    auto& [specialise, constants, average, tiles, clamp_to_bytes, lean, feed, marked] = value;
-    all(specialise, constants, average, tiles, clamp_to_bytes, lean, feed, marked);
+    auto& [specialise, constants, named, average, tiles, clamp_to_bytes, lean, feed, marked] =
+        value;
+    all(specialise, constants, named, average, tiles, clamp_to_bytes, lean, feed, marked);
 }
 void members(const auto& all, Is<CompileOptions> auto& value) {
     auto& [root, program] = value;
