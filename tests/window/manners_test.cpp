@@ -55,11 +55,11 @@ TEST_F(Manners, AHeldFrameRateLowersTheResolutionAndLettingGoRestoresIt) {
         "    for (int i = 0; i < 300; ++i) x = sin(x + p.x);\n"
         "    c = vec4(iResolution.x < 1280.0, 0.2, 0.4 + 1e-6 * x, 1);\n}\n");
     EXPECT_TRUE(shows({0, 51, 102}, {3, 300}));
-    screen_->click({434, 23});  // the picture's menu
+    screen_->click({459, 23});  // the picture's menu
     std::this_thread::sleep_for(1s);
-    screen_->click({446, 120});
+    screen_->click({471, 120});
     EXPECT_TRUE(shows({255, 51, 102}, {3, 300}));
-    screen_->click({446, 120});
+    screen_->click({471, 120});
     EXPECT_TRUE(shows({0, 51, 102}, {3, 300}));
 }
 

@@ -18,6 +18,7 @@ constexpr double kPlayed = 4.0;      // s, after which an unstable step has show
 constexpr double kCompared = 0.5;    // s, after which states of halved steps are compared
 constexpr double kMostTimes = 64.0;  // the step in use
 constexpr long kParts = 64;          // of a step; how finely it is told
+constexpr double kLeastOrder = 0.25;
 constexpr float kBeyond = 16.0f, kLeast = 1.0f;  // the largest value, beside the step in use
 
 using StepKey = std::pair<long, long>;
@@ -127,7 +128,10 @@ std::string order_of(Stepped& stepped) {
                quarter = stepped.state_with_part(4);
     const double one = distance(whole, half), next = distance(half, quarter);
     if (!(one > 0.0) || !(next > 0.0)) return "no order: halving it changes nothing";
-    return fmt::format("order {:.2f}", std::log2(one / next));
+    const double order = std::log2(one / next);
+    // One that does not converge has none: what is added a step is no share of iTimeDelta.
+    if (!(order > kLeastOrder)) return "no order: halving it brings the state no nearer to any";
+    return fmt::format("order {:.2f}", order);
 }
 
 void run_stiffness(StepKey step, Check& check, CaseResult& result) {

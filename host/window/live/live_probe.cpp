@@ -139,16 +139,31 @@ bool LiveProbe::follow(Playground& playground, const ProbeQuestion& question) {
         return is_new;
     }
     if (!question.value && !question.cost) forget_map();
-    if (prober_.is_asking()) return is_new;
+    if (!is_same(seen_, question.lines)) since_scroll_.restart();
+    seen_ = question.lines;
+    // Who scrolls past some lines does not wait for what is compiled for them.
+    const bool scrolls = since_scroll_.ms() < kStands;
+    const Span lines = scrolls ? asked_.lines : widened(subject_->text, question.lines);
+    if (prober_.is_asking()) {
+        const bool has_lines = asked_.lines.begin < asked_.lines.end;
+        if (!has_lines || is_same(lines, asked_.lines) || prober_.waited_ms() < kSayBusy)
+            return is_new;
+        prober_.stop();
+        is_known_ = false;
+        mapped_ = {};
+    }
     const bool is_other_instant = instant_ != playground.picture_count();
     const bool wants_map =
         (question.value || question.cost) &&
         (is_other_instant || mapped_.value != question.value || mapped_.cost != question.cost);
     ProbeQuestion now = question;
-    now.lines = widened(subject_->text, question.lines);
+    now.lines = lines;
     const bool is_other =
         !is_known_ || asked_.pixel != now.pixel || !is_same(asked_.lines, now.lines);
-    if (!is_other && !wants_map && !is_other_instant) return is_new;
+    if (!is_other && !wants_map && !is_other_instant) {
+        is_waiting_ = scrolls;
+        return is_new;
+    }
     is_waiting_ = !is_other && !wants_map && since_answer_.ms() < kApart;
     if (!is_waiting_) ask(playground, now, wants_map);
     return is_new;

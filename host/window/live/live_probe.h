@@ -60,7 +60,8 @@ private:
 
     Prober prober_;
     std::optional<Subject> subject_, next_;  // what was asked about; what is to be, once it rests
-    Stopwatch since_next_, since_answer_;
+    Stopwatch since_next_, since_answer_, since_scroll_;
+    Span seen_{};  // lines in view
     std::uint64_t number_ = 0, subject_number_ = 0;
     std::size_t instant_ = 0;  // pictures drawn when it was asked
     ProbeQuestion asked_{}, mapped_{};

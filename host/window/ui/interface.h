@@ -91,7 +91,9 @@ struct StudyState {
 };
 
 struct SourceState {
-    std::string watch;  // as far as it is typed
+    std::string watch;        // as far as it is typed
+    std::string entry;        // whose head was brought into view
+    std::optional<int> to{};  // a line of the text that is to be, from 0
 };
 
 void top_bar(Build& build, DiagnosticsState& diagnostics);

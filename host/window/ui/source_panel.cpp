@@ -151,11 +151,28 @@ void text_line(Build& build, const Line& line, float digits) {
     ImGui::Dummy({width, height});
 }
 
+// The pass's own function first.
+void follow_entry(const Build& build, SourceState& state) {
+    const std::string& chosen = build.settings.probe.pass;
+    const auto pass =
+        std::ranges::find(build.facts.passes, chosen.empty() ? "image" : chosen, &PassFact::name);
+    if (pass == build.facts.passes.end() || state.entry == pass->entry) return;
+    const std::string& text = build.facts.scene->text;
+    const std::size_t at = text.find("void " + pass->entry + "(");
+    if (at == text.npos) return;
+    state.entry = pass->entry;
+    state.to = static_cast<int>(
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
 // The lines that are in view, and which these are.
-void source(Build& build) {
+void source(Build& build, SourceState& state) {
     const Scene& scene = *build.facts.scene;
+    follow_entry(build, state);
     ImGui::PushFont(build.theme.mono);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, build.theme.px(3)});
+    const float height = ImGui::GetTextLineHeightWithSpacing();
+    const std::optional<int> to = state.to;
     const float digits = ImGui::CalcTextSize("00000").x;
     std::vector<std::size_t> begins = {0};
     for (std::size_t at = scene.text.find('\n'); at != scene.text.npos;
@@ -185,6 +202,11 @@ void source(Build& build) {
             first = std::min(first.value_or(begins[index]), begins[index]);
             last = std::max(last.value_or(end), end);
         }
+    }
+    // Once the text has its height, which the frame before did not know.
+    if (to && ImGui::GetScrollMaxY() > 0.0f) {
+        ImGui::SetScrollY(std::max(static_cast<float>(*to - 2) * height, 0.0f));
+        state.to.reset();
     }
     if (first && last) build.wishes.lines = Span{*first, *last};
     ImGui::PopStyleVar();
@@ -264,9 +286,20 @@ void watch_list(Build& build, SourceState& state) {
     std::array<char, 256> typed{};
     state.watch.copy(typed.data(), typed.size() - 1);
     const bool entered =
-        ImGui::InputTextWithHint("##watch", "watch: dot(nor, rd)@412", typed.data(), typed.size(),
-                                 ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGui::InputTextWithHint("##watch", "watch dot(nor, rd)@412, or go to line 412",
+                                 typed.data(), typed.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     state.watch = typed.data();
+    const bool is_line = !state.watch.empty() &&
+                         state.watch.find_first_not_of("0123456789") == std::string::npos &&
+                         state.watch.size() < 8;
+    if (entered && is_line) {
+        const auto& origins = build.facts.scene->origins;
+        const auto line = std::ranges::find_if(origins, [&](const Origin& origin) {
+            return origin.file == 0 && origin.line == std::stoi(state.watch);
+        });
+        if (line != origins.end()) state.to = static_cast<int>(line - origins.begin());
+        return state.watch.clear();
+    }
     if (!entered || state.watch.find('@') == std::string::npos) return;
     add_watch(build, state.watch);
     state.watch.clear();
@@ -374,7 +407,7 @@ void source_panel(Build& build, SourceState& state) {
     value_picture(build);
     dearest_lines(build);
     begin_body();
-    if (build.facts.scene) source(build);
+    if (build.facts.scene) source(build, state);
     end_panel(build, PanelId::source);
 }
 
