@@ -74,11 +74,11 @@ bool is_on_isoline(const ValueMap& map, std::size_t i, float step) {
     return false;
 }
 
-// Rows of a map run bottom up, those of an image top down.
+// Rows of both run bottom up.
 template <class Colour>
 Image image_of(const ValueMap& map, const Colour& colour) {
     Image image{.size = map.size, .channels = 4, .pixels = {}};
-    for (int y = map.size.y - 1; y >= 0; --y) {
+    for (int y = 0; y < map.size.y; ++y) {
         for (int x = 0; x < map.size.x; ++x) {
             const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.size.x) +
                            static_cast<std::size_t>(x);

@@ -24,7 +24,7 @@ ValueFacts facts_of(const ValueMap& map);
 std::vector<glm::vec4> row_of(const ValueMap& map, int y);
 
 // From the smallest value to the largest; around 0, blue below and orange above; or with lines at
-// even steps. NaN and Inf are magenta, what was not reached is a dark grid. Rows top down.
+// even steps. NaN and Inf are magenta, what was not reached is a dark grid.
 Image picture_of(const ValueMap& map, const ValueFacts& facts, ValueLook look);
 // Counts, from black over red and yellow to white.
 Image heat_of(const ValueMap& map, const ValueFacts& facts);
