@@ -90,9 +90,9 @@ uniform sampler2D keys;        //@ keyboard
 uniform sampler2D air;         //@ pass mainAir size=64x128
 uniform sampler2D sky; //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D boat;        //@ pass mainBoat size=5x1 step=1/240 filter=nearest
-uniform sampler2D wake;        //@ pass mainWake size=48x192 step=1/240 filter=nearest
-uniform sampler2D wakeRise;    //@ pass mainWake size=48x192 step=1/240 filter=nearest
-uniform sampler2D wakeFoam;    //@ pass mainWake size=48x192 step=1/240 filter=nearest
+uniform sampler2D wake;        //@ pass mainWake size=48x192 step=1/240 filter=nearest bounded=[-0.41, 0.41]
+uniform sampler2D wakeRise;    //@ pass mainWake size=48x192 step=1/240 filter=nearest bounded=[-8, 8]
+uniform sampler2D wakeFoam;    //@ pass mainWake size=48x192 step=1/240 filter=nearest bounded=[0, 1]
 uniform sampler2D wavelets;    //@ pass mainWavelets size=23x1 filter=nearest
 uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest

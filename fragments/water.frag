@@ -87,7 +87,7 @@ uniform sampler2D bedEast;     //@ pass mainBed size=64x384
 uniform sampler2D bedNorth;    //@ pass mainBed size=64x384
 uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D pushes;      //@ pass mainPushes size=2x1 step=1/240
-uniform sampler2D pond;        //@ pass mainPond size=64x384 step=1/240
+uniform sampler2D pond;        //@ pass mainPond size=64x384 step=1/240 bounded=[-1, 1]
 uniform sampler2D pondEast;    //@ pass mainPond size=64x384 step=1/240
 uniform sampler2D pondNorth;   //@ pass mainPond size=64x384 step=1/240
 uniform sampler2D relief;      //@ pass mainRelief size=256x384

@@ -60,6 +60,11 @@ std::size_t only_site(const Probe& probe, const ProbeOptions& options) {
     return static_cast<std::size_t>(sites.rend() - last) - 1;
 }
 
+// Of one line, or one expression, every call is told.
+bool tells_hits(const ProbeOptions& options) {
+    return !options.line.empty() || !options.expression.empty();
+}
+
 void print_row(const ProbeValue& row, bool has_hits) {
     const std::string how = has_hits        ? fmt::format("  [{} of {}]", row.hit, row.hits)
                             : row.hits == 1 ? std::string()
@@ -83,7 +88,7 @@ void print(const Probing& probing, const ProbeOptions& options) {
                std::filesystem::path(probing.scene).filename().string(), probing.pass,
                probing.pixel.x, probing.pixel.y, probing.size.x, probing.size.y, probing.frame,
                probing.time);
-    for (const ProbeValue& row : probing.values) print_row(row, !options.line.empty());
+    for (const ProbeValue& row : probing.values) print_row(row, tells_hits(options));
     for (const ProbeSeries& series : probing.series) say_result("{}", shown(series));
     if (probing.cost) say_result("{}", shown(*probing.cost));
     if (options.faults)
@@ -100,7 +105,7 @@ void keep_hit(std::vector<ProbeValue>& rows, const ProbeOptions& options) {
 
 void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& options,
                  const ProbePlace& place, Probing& found) {
-    const bool has_hits = !options.line.empty() || !options.expression.empty();
+    const bool has_hits = tells_hits(options);
     std::vector<ProbeValue> rows, seen;
     std::optional<Watches> watch;
     if (!has_hits) watch.emplace(session.preset(), session.pass(), session.program_options());
