@@ -64,8 +64,8 @@ bool is_sound(const std::string& source) {
 // The six files of `sky_{}.jpg` as they are there: sky_px.jpg and so on, in quotes, each behind a
 // space. Empty when they are not all there.
 std::string face_names(const fs::path& file, const std::string& source) {
-    using Names = std::array<const char*, 6>;  // +X -X +Y -Y +Z -Z
-    constexpr std::array<Names, 4> kSpellings = {
+    using FaceNames = std::array<const char*, 6>;  // +X -X +Y -Y +Z -Z
+    constexpr std::array<FaceNames, 4> kSpellings = {
         {{"e", "w", "u", "d", "n", "s"},
          {"east", "west", "up", "down", "north", "south"},
          {"px", "nx", "py", "ny", "pz", "nz"},
@@ -73,7 +73,7 @@ std::string face_names(const fs::path& file, const std::string& source) {
     const std::string pattern = without_scheme(source);
     const std::size_t at = pattern.find("{}");
     if (at == std::string::npos) return {};
-    for (const Names& names : kSpellings) {
+    for (const FaceNames& names : kSpellings) {
         std::string list;
         const bool all = std::ranges::all_of(names, [&](const char* name) {
             const std::string face = std::string(pattern).replace(at, 2, name);
