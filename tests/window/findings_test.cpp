@@ -24,7 +24,7 @@ constexpr Colour kAccent{105, 178, 236}, kError{255, 128, 118}, kMagenta{255, 0,
 // The left margin tells the tweak's value; the picture converges with it.
 std::string converging(int turns) {
     return fmt::format(
-        "uniform int steps; //@ 8 [1, 64] log quality reference={1}\n"
+        "uniform int steps; //@ 8 [4, 64] log quality reference={1}\n"
         "void mainImage(out vec4 c, in vec2 p) {{\n"
         "    float x = p.x / iResolution.x, sum = 0.0;\n"
         "    for (int i = 0; i < steps * {0}; ++i) sum += sin(x * float(i) / float(steps));\n"
@@ -103,7 +103,7 @@ TEST_F(Findings, AStudyRunsToItsEndAndAClickOnAPointAppliesItsValue) {
     EXPECT_TRUE(eventually([&] {
         const int fastest = value_at(false);
         return fastest > 0 && fastest < 16;
-    })) << "1 is the fastest, or where times are uneven one of the next";
+    })) << "4 is the fastest, or where times are uneven the next";
     screen_->move({700, 400});
     screen_->tap("Control_L+z");
     EXPECT_TRUE(eventually([&] { return value() == 64; })) << value();
