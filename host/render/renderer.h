@@ -132,6 +132,9 @@ public:
     };
     void draw_variant(const Variant& variant, const Frame& frame);
 
+    // Where graph().passes has this pass of the scene; their number where it does not.
+    std::size_t graph_index(std::size_t pass) const;
+
     // One output of any pass as RGBA floats, rows bottom up. Waits for the GPU.
     std::vector<float> read_buffer(std::size_t graph_index, std::size_t output) const;
 
@@ -198,7 +201,6 @@ private:
     Value channel_value(const BuiltinUniform& uniform, std::size_t pass, double time) const;
     glm::ivec3 channel_size(std::size_t pass, int channel) const;
     float channel_time(std::size_t pass, int channel, double time) const;
-    std::size_t graph_index(std::size_t pass) const;
     BufferShape wanted_shape(std::size_t index) const;
 
     const Preset& preset_;

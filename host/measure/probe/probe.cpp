@@ -169,9 +169,7 @@ std::vector<std::string> Probe::notes() const {
 }
 
 std::size_t Probe::index_in(const Renderer& renderer) const {
-    const auto& passes = renderer.graph().passes;
-    return static_cast<std::size_t>(std::ranges::find(passes, pass_, &GraphPass::pass) -
-                                    passes.begin());
+    return renderer.graph_index(pass_);
 }
 
 void Probe::draw(Renderer& renderer, const Frame& frame, const ProbeTarget& target, const Ask& ask,

@@ -35,12 +35,6 @@ ProbeSession::ProbeSession(const ProbeOptions& options)
     load_inputs(preset_, *renderer_);
 }
 
-std::size_t ProbeSession::index() const {
-    const auto& passes = renderer_->graph().passes;
-    return static_cast<std::size_t>(std::ranges::find(passes, pass_, &GraphPass::pass) -
-                                    passes.begin());
-}
-
 ProbePlace ProbeSession::place(const ProbeOptions& options) const {
     const glm::ivec2 size = shape().size;
     if (options.at.empty()) return {.pixel = size / 2, .face = options.face};

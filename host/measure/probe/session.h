@@ -23,7 +23,7 @@ public:
     Context& context() { return *context_; }
     ProgramOptions program_options() const { return {.specialise = specialised_}; }
     // Of the pass.
-    std::size_t index() const;
+    std::size_t index() const { return renderer_->graph_index(pass_); }
     const BufferShape& shape() const { return renderer_->buffer(index()).shape(); }
     // What a person asked for, or the middle. Throws UsageError.
     ProbePlace place(const ProbeOptions& options) const;

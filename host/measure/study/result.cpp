@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kNearFactor = 10.0;    // of the reference's own error: rows that are marked
 constexpr double kFitFactor = 3.0;      // beyond, the order is off by at most 5 % of an error
-constexpr double kLeastRmse = 1e-7;     // below, a difference of two pictures is rounding
 constexpr double kRandomOrder = 0.75;   // below, an error is that of random samples
 constexpr double kLeastOrder = 0.3;     // below, where values go cannot be told
 constexpr double kNoOrder = 0.15;       // below, an error does not fall

@@ -1,5 +1,7 @@
 #include "measure/study/search.h"
 
+#include "measure/study/result.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,14 +10,13 @@
 namespace glint {
 namespace {
 
-constexpr double kRounding = 1e-7;  // below, a difference of two pictures is rounding
-constexpr std::size_t kPairs = 2;   // that are tried at each place
+constexpr std::size_t kPairs = 2;  // that are tried at each place
 
 // In factors, beyond or below.
 double distance(const Tried& tried, const Budget& budget) {
     if (budget.ms) return std::abs(std::log(tried.ms / *budget.ms));
-    return std::abs(
-        std::log(std::max(tried.rmse, kRounding) / std::max(budget.rmse.value_or(0.0), kRounding)));
+    return std::abs(std::log(std::max(tried.rmse, kLeastRmse) /
+                             std::max(budget.rmse.value_or(0.0), kLeastRmse)));
 }
 
 bool is_within(const Tried& tried, const Budget& budget) {

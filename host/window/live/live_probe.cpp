@@ -20,11 +20,6 @@ bool is_same(Span a, Span b) {
     return a.begin == b.begin && a.end == b.end;
 }
 
-std::size_t graph_index_of(std::size_t pass, const std::vector<GraphPass>& passes) {
-    return static_cast<std::size_t>(std::ranges::find(passes, pass, &GraphPass::pass) -
-                                    passes.begin());
-}
-
 }  // namespace
 
 void LiveProbe::stop() {
@@ -179,9 +174,8 @@ void LiveProbe::ask(Playground& playground, const ProbeQuestion& question, bool 
                      .lines = question.lines};
     order.scene.preset.watch = question.watch;
     if (question.pass == kImagePass && question.pixel) {
-        const auto& passes = playground.renderer()->graph().passes;
-        order.colour = playground.renderer()->read_pixel(graph_index_of(question.pass, passes), 0,
-                                                         *question.pixel);
+        const Renderer& renderer = *playground.renderer();
+        order.colour = renderer.read_pixel(renderer.graph_index(question.pass), 0, *question.pixel);
     }
     if (wants_map && question.value) {
         order.map = ProbeMap::value;

@@ -120,8 +120,7 @@ void Playground::give_buffers(RefineOrder& order, SharedMemory& shared,
     const std::span<std::byte> memory = shared.room(bytes);
     if (memory.size() < bytes) order.given.clear();
     for (const GivenBuffer& given : order.given) {
-        const std::size_t index = static_cast<std::size_t>(
-            std::ranges::find(passes, given.pass, &GraphPass::pass) - passes.begin());
+        const std::size_t index = renderer_->graph_index(given.pass);
         const std::size_t size = bytes_of_output(given.size);
         for (std::size_t output = 0; output < static_cast<std::size_t>(given.outputs); ++output)
             glGetTextureImage(renderer_->buffer(index).texture(output), 0, GL_RGBA, GL_FLOAT,

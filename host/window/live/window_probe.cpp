@@ -4,8 +4,6 @@
 
 #include <glm/common.hpp>
 
-#include <algorithm>
-
 namespace glint {
 namespace {
 
@@ -54,9 +52,8 @@ bool PlaygroundWindow::follow_probe() {
                            .watch = watch()};
     last_probed_ = probed_place();
     if (last_probed_) {
-        const auto index = static_cast<std::size_t>(
-            std::ranges::find(passes, question.pass, &GraphPass::pass) - passes.begin());
-        const glm::ivec2 size = playground_.renderer()->buffer(index).shape().size;
+        const Renderer& renderer = *playground_.renderer();
+        const glm::ivec2 size = renderer.buffer(renderer.graph_index(question.pass)).shape().size;
         question.pixel =
             glm::clamp(glm::ivec2(*last_probed_ * glm::dvec2(size)), glm::ivec2(0), size - 1);
     }
