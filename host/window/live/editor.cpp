@@ -111,8 +111,7 @@ std::string Editor::open(const Place& place) {
     if (name == "nvim") {
         const std::string address = neovim_address(command);
         if (jump_in_neovim(address, place)) return "";
-        if (!address.empty())
-            return fmt::format("No Neovim answers at {}; set $EDITOR.", address);
+        if (!address.empty()) return fmt::format("No Neovim answers at {}; set $EDITOR.", address);
     }
     if (!is_found(command.front()))
         return fmt::format("No editor is found: there is no {}; set $EDITOR.", command.front());
