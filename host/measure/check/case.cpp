@@ -231,8 +231,7 @@ CaseResult run_case(Check& check, const Case& wanted) {
         result.picture = picture.string();
         result.reproduce = command_for(subject, result, check.folder);
         // One is enough of those that follow each other.
-        if (!seen.is_finite() && !result.where && subject.still && subject.is_short() &&
-            check.birthplaces > 0) {
+        if (!seen.is_finite() && !result.where && subject.still && check.birthplaces > 0) {
             --check.birthplaces;
             find_birthplace(subject, result);
         }

@@ -20,7 +20,6 @@ constexpr int kEvaluations = 256;  // of one effort
 class Hunter {
 public:
     explicit Hunter(CheckSubject& subject) : subject_(subject), space_(subject) {
-        if (!subject.is_short()) return;
         try {
             survey_ =
                 std::make_unique<FaultSurvey>(subject.opened(), subject.renderer(),
