@@ -188,6 +188,30 @@ Diagnostics with_candidates_joined(Diagnostics list) {
     return joined;
 }
 
+// Mesa gives what it does not understand no type, and then complains of each expression round it,
+// all of which stand behind that complaint and begin no later in its line.
+bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
+    static const std::regex words(
+        "^operands to |^type mismatch$|^cannot construct |^condition of |condition must be scalar|"
+        "[(, ]error[,)]|of type error$|with wrong type error,");
+    const Place &at = one.place, &before = cause.place;
+    const bool encloses = at.file == before.file && at.line == before.line && at.column > 0 &&
+                          at.column <= before.column;
+    return one.severity == Severity::error && encloses &&
+           std::regex_search(one.text.substr(0, one.text.find('\n')), words);
+}
+
+Diagnostics without_consequences(const Diagnostics& list) {
+    Diagnostics left;
+    for (const Diagnostic& one : list) {
+        const auto causes = [&](const Diagnostic& cause) {
+            return cause.severity == Severity::error && is_consequence(one, cause);
+        };
+        if (std::ranges::none_of(left, causes)) left.push_back(one);
+    }
+    return left;
+}
+
 }  // namespace
 
 Diagnostic link_diagnostic(const Scene& scene, std::string text) {
@@ -229,7 +253,7 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
             list.push_back(link_diagnostic(scene, m[1]));
         }
     }
-    return with_candidates_joined(std::move(list));
+    return without_consequences(with_candidates_joined(std::move(list)));
 }
 
 }  // namespace glint

@@ -277,6 +277,36 @@ TEST_F(Complaints, OfATextThatDoesNotCompileLeaveTheContextWell) {
     EXPECT_EQ(colour_of("0.5"), glm::vec3(0.5));
 }
 
+// A name that is not known leaves all that takes it without a type; it alone is to be mended.
+TEST_F(Complaints, DoNotRepeatThemselvesForEachExpressionAroundAMistake) {
+    struct {
+        const char* statement;
+        std::vector<std::string> words;  // of the complaints, in order
+    } const cases[] = {
+        {"p = 2.0 * sin(unknown * p - 1.0);", {"`unknown' undeclared"}},
+        {"p = vec3(1.0, unknown, 2.0) * 2.0;", {"`unknown' undeclared"}},
+        {"p = mix(p, clamp(unknown, 0.0, 1.0), 0.5);", {"`unknown' undeclared"}},
+        {"if (unknown > 1.0) p = other ? p : -p;", {"`unknown' undeclared", "`other' undeclared"}},
+        {"for (int i = 0; i < unknown; ++i) p += 1.0;", {"`unknown' undeclared"}},
+        {"p = unknown(p).xyz + 1.0;", {"no function with name 'unknown'"}},
+        {"p = p.xyq + 1.0;", {"invalid swizzle"}},
+        {"unknown = 3.0;", {"`unknown' undeclared"}},
+        {"int n = 1; p = unknown + 1.0; n = 2.0;",
+         {"`unknown' undeclared", "value of type float cannot be assigned"}},
+        {"p = -true + vec3(unknown);", {"operands to arithmetic", "`unknown' undeclared"}},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.statement);
+        const Diagnostics list =
+            complaints(fmt::format("void mainImage(out vec4 c, in vec2 u) {{\n    vec3 p = "
+                                   "vec3(u, 1);\n    {}\n    c = vec4(p, 1);\n}}\n",
+                                   c.statement));
+        ASSERT_EQ(list.size(), c.words.size()) << to_text(list);
+        for (std::size_t i = 0; i < list.size(); ++i)
+            EXPECT_TRUE(list[i].text.starts_with(c.words[i])) << to_text(list);
+    }
+}
+
 // What the driver read: a prologue of ten lines, and four of a scene, each of sixty characters.
 PassText fourteen_lines() {
     PassText text;
