@@ -286,7 +286,8 @@ void print_joined(const SequenceOptions& options, const Preset& preset, std::int
         say_result("{}\n", json_text(json));
         return;
     }
-    say_line(options, fmt::format("{}  {} frames  {:.1f} s", output, frames, ms / 1000.0));
+    say_line(options, fmt::format("{}  {} frame{}  {:.1f} s", output, frames,
+                                  frames == 1 ? "" : "s", ms / 1000.0));
 }
 
 // The frames whose pictures are not there, not whole, or made from something else, no matter by
