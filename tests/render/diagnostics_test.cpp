@@ -307,6 +307,28 @@ TEST_F(Complaints, DoNotRepeatThemselvesForEachExpressionAroundAMistake) {
     }
 }
 
+TEST_F(Complaints, OfANameThatIsMistypedHaveTheNearest) {
+    const std::string text =
+        "#define PIXEL 3.0\nuniform float density; //@ 1 \"d\"\n"
+        "float turbulence(vec2 p) { return p.x; }\n";
+    const std::pair<const char*, const char*> cases[] = {
+        {"densty", "`densty' undeclared; did you mean 'density'?"},
+        {"itime", "`itime' undeclared; did you mean 'iTime'?"},
+        {"PIXL", "`PIXL' undeclared; did you mean 'PIXEL'?"},
+        {"turbulense(u)", "no function with name 'turbulense'; did you mean 'turbulence'?"},
+        {"foo", "`foo' undeclared"},
+        {"unlikeAnything", "`unlikeAnything' undeclared"},
+    };
+    for (const auto& [expression, words] : cases) {
+        const Diagnostics list = complaints(fmt::format(
+            "{}void mainImage(out vec4 c, in vec2 u) {{ for (;;) break; c = vec4({} * density * "
+            "PIXEL * turbulence(u)); }}\n",
+            text, expression));
+        ASSERT_EQ(list.size(), 1u) << to_text(list);
+        EXPECT_EQ(list[0].text, words);
+    }
+}
+
 // What the driver read: a prologue of ten lines, and four of a scene, each of sixty characters.
 PassText fourteen_lines() {
     PassText text;
@@ -336,10 +358,14 @@ TEST(DriverLog, OfEachDriverIsRead) {
         {"Mesa 22.3",
          "0:11(13): error: `undeclared' undeclared\n"
          "0:12(7): warning: `x' used uninitialized\n"
+         "0:13(9): warning: comparison of something\n"
          "0:14(2): preprocessor error: #if with undefined name\n",
          {"wave.frag:1:13: error: `undeclared' undeclared",
-          "lib.glsl:1:7: warning: `x' used uninitialized",
+          "lib.glsl:2:9: warning: comparison of something",
           "wave.frag:3:2: error: #if with undefined name"}},
+        {"Mesa, of a text that compiles",
+         "0:12(7): warning: `x' used uninitialized\n",
+         {"lib.glsl:1:7: warning: `x' used uninitialized"}},
         {"Mesa, at linking",
          "error: unresolved reference to function `helper'\n",
          {"wave.frag: error: unresolved reference to function `helper'"}},
