@@ -39,7 +39,7 @@ constexpr VerbEntry kVerbs[] = {
     {"sequence", "frames to pictures, a film, or another program", sequence_verb},
     {"sound", "mainSound to a wav, flac or ogg file", sound_verb},
     {"import", "a shader of Shadertoy to a scene file", import_verb},
-    {"export", "a scene to the tabs of a Shadertoy, or to a web page", export_verb},
+    {"export", "a scene to a web page or to the tabs of a Shadertoy", export_verb},
     {"info", "passes, tweaks, and what was left out", info_verb},
     {"bench", "milliseconds a frame and a pass", bench_verb},
     {"check", "numerical stability at every extreme", check_verb},
