@@ -1,6 +1,7 @@
 #include "render/driver_log.h"
 
 #include "base/words.h"
+#include "glsl/finding.h"
 #include "glsl/parser.h"
 #include "glsl/preprocess.h"
 
@@ -146,6 +147,7 @@ std::string ReadText::meant_by(std::string_view mistyped) const {
     for (const Token& token : read_.tokens)
         if (token.is_word()) add(token.text);
     for (const Macro& macro : read_.macros) add(macro.name);
+    std::ranges::for_each(built_in_functions(), add);
     return did_you_mean(mistyped, std::vector<std::string>(names.begin(), names.end()));
 }
 

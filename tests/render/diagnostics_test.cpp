@@ -316,6 +316,7 @@ TEST_F(Complaints, OfANameThatIsMistypedHaveTheNearest) {
         {"itime", "`itime' undeclared; did you mean 'iTime'?"},
         {"PIXL", "`PIXL' undeclared; did you mean 'PIXEL'?"},
         {"turbulense(u)", "no function with name 'turbulense'; did you mean 'turbulence'?"},
+        {"nrmalize(u).x", "no function with name 'nrmalize'; did you mean 'normalize'?"},
         {"foo", "`foo' undeclared"},
         {"unlikeAnything", "`unlikeAnything' undeclared"},
     };
