@@ -24,6 +24,8 @@ protected:
 TEST_F(Usage, IsRefusedWithASentenceThatNamesTheOption) {
     const std::pair<Words, std::string_view> cases[] = {
         {{"still"}, "error: "},
+        {{"render", "scene.frag"}, "There is no verb 'render'; `glint --help` lists those"},
+        {{"scene.frag", "-o", "out.png"}, "`glint still scene.frag -o picture.png` writes a pict"},
         {{"still", "scene.frag"}, "--output"},
         {{"still", "-o", "out.png"}, "file"},
         {{"still", "scene.frag", "-o", "out.png", "--bogus"}, "--bogus"},
@@ -119,8 +121,13 @@ TEST_F(Usage, AValueBeyondItsRangeIsClampedWithAWarning) {
 }
 
 TEST_F(Usage, HelpAndVersionAreResults) {
-    for (const Words& arguments : std::vector<Words>{
-             {"--help"}, {"still", "--help"}, {"info", "-h"}, {"bench", "--help"}, {"--version"}}) {
+    for (const Words& arguments : std::vector<Words>{{"--help"},
+                                                     {"still", "--help"},
+                                                     {"info", "-h"},
+                                                     {"bench", "--help"},
+                                                     {"--version"},
+                                                     {"help"},
+                                                     {"help", "still"}}) {
         SCOPED_TRACE(arguments[0]);
         const Outcome outcome = glint(arguments);
         EXPECT_EQ(outcome.code, 0);
