@@ -805,14 +805,15 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     float line = exp2(180.0 * (dot(away, sun) - 1.0)) * 30.0;
     return light + gloss * (seen + sunLight() * (share * line * step(0.0, lit)));
 }
-// Share of a pixel that foam covers, for an amount of it. Wind draws it out: the noise is stretched
-// along the wind, by matrices of whole numbers, so that it still fits the world's square.
+// Share of a pixel that foam covers, for an amount of it: lace, which a gale draws out. The noise is
+// stretched along the wind by matrices of whole numbers, so that it still fits the world's square.
 float foamCover(vec2 p, float amount, float w) {
     vec2 unit = (p + gPlace) / kWorld;
     float a = radians(windAngle), lod = log2(max(w * 102.4, 1e-3));
+    float gale = smoothstep(0.3, 0.8, steepness);
     vec2 along = vec2(sin(a), -cos(a)), across = vec2(along.y, -along.x);
-    vec2 wide1 = floor(104.0 * across + 0.5), long1 = floor(30.0 * along + 0.5);
-    vec2 wide2 = floor(43.0 * across + 0.5), long2 = floor(17.0 * along + 0.5);
+    vec2 wide1 = floor(104.0 * across + 0.5), long1 = floor(mix(96.0, 30.0, gale) * along + 0.5);
+    vec2 wide2 = floor(43.0 * across + 0.5), long2 = floor(mix(38.0, 17.0, gale) * along + 0.5);
     float fine = textureLod(motif, vec2(dot(wide1, unit), dot(long1, unit)), lod).g;
     float large = textureLod(motif, vec2(dot(wide2, unit), dot(long2, unit)), lod - 1.3).g;
     float lace = 0.65 * fine + 0.6 * large - 0.12, soft = 0.14 + 0.05 * clamp(lod, 0.0, 6.0);
