@@ -46,6 +46,10 @@ protected:
         screen_->tap("Control_L+q");
         EXPECT_EQ(glint_->wait().code, 0);
     }
+    void hang() {
+        write(scene(), kHang);
+        environment_ = kOnOneCore;
+    }
     bool shows_green() const { return shows({0, 255, 0}, {3, 300}); }
     bool shows_red() const { return shows({255, 0, 0}, {3, 300}); }
     bool is_black(glm::ivec2 at) const { return screen_->pixel(at) == Colour{0, 0, 0}; }
@@ -55,14 +59,14 @@ TEST_F(FirstPicture, WhatWasSeenHereLastStandsUntilTheSceneDraws) {
     open(flat({200, 30, 20}));
     ASSERT_TRUE(shows({200, 30, 20}));
     leave();
-    write(scene(), kHang);
+    hang();
     start({scene().string()});
     EXPECT_TRUE(shows({200, 30, 20}));
     EXPECT_EQ(glint_->count("scene.frag: "), 1) << "it is still tried, after the one before";
 }
 
 TEST_F(FirstPicture, WithoutOneTheGroundIsNotBlackAndStaysSoWhereNothingCanBeShown) {
-    write(scene(), kHang);
+    hang();
     start({scene().string()});
     ASSERT_TRUE(eventually([&] { return !is_black({300, 300}); }));
     while (glint_->count("not shown") == 0 && glint_->runs()) {
@@ -75,7 +79,7 @@ TEST_F(FirstPicture, WithoutOneTheGroundIsNotBlackAndStaysSoWhereNothingCanBeSho
 
 // The panels answer while the other process is at work.
 TEST_F(FirstPicture, PanelsObeyWhileItIsCompiled) {
-    write(scene(), kHang);
+    hang();
     start({scene().string()});
     const Colour kPanel = {24, 26, 29};
     const auto bar = [&] {

@@ -146,6 +146,13 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
 
 }  // namespace
 
+bool is_another_look(const CheckSubject& subject, CaseResult& result) {
+    if (subject.view().tweaks.empty()) return false;
+    result.verdict = CaseVerdict::skip;
+    result.note = "left out: --tweak makes it another look";
+    return true;
+}
+
 CasePlace place_of(const ProbeFault& fault) {
     return {fault.file, fault.line, fault.function, fault.expression, fault.what, fault.operands};
 }

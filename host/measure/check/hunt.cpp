@@ -11,10 +11,10 @@
 namespace glint {
 namespace {
 
-constexpr int kFrames = 8;         // of a simulation, at each point
-constexpr int kSmallest = 160;     // trials for the smallest reproducer
-constexpr double kShare = 0.12;    // of the seconds, that a search may take
-constexpr int kEvaluations = 256;  // of one effort
+constexpr int kHuntedFrames = 8;     // of a simulation, at each point
+constexpr int kSmallest = 160;       // trials for the smallest reproducer
+constexpr double kHuntShare = 0.12;  // of the seconds, that a search may take
+constexpr int kEvaluations = 256;    // of one effort
 
 // A subject that is brought to points, its operations watched where they can be.
 class Hunter {
@@ -35,7 +35,7 @@ public:
         subject_.restore();
         fault_.reset();
         const double time = space_.apply(point, subject_);
-        const Playback playback{.end = subject_.stateful() ? (kFrames - 1) / 60.0 : time};
+        const Playback playback{.end = subject_.stateful() ? (kHuntedFrames - 1) / 60.0 : time};
         const int last = playback.last_frame();
         bool finite = true;
         for (int k = subject_.stateful() ? 0 : last; k <= last && finite; ++k) {
@@ -92,7 +92,7 @@ void run_search(Check& check, CaseResult& result) {
         hunter.space().usual().empty() ? 1 : kEvaluations * check.effort.tries.value_or(1);
     int done = 0;
     for (; done < wanted; ++done) {
-        if (!check.effort.tries && check.effort.over(clock.ms(), kShare)) break;
+        if (!check.effort.tries && check.effort.over(clock.ms(), kHuntShare)) break;
         const Point point = search.next();
         const Trial trial = hunter(point);
         if (trial.fails) return report(hunter, check, point, result);
