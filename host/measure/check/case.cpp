@@ -129,6 +129,7 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
     try {
         FaultWatch watch(subject.opened(), subject.renderer(),
                          {.specialise = subject.specialised()});
+        watch.after_program = subject.after_frame;  // compiling is no hang
         if (stateful) subject.renderer().reset();
         for (int k = stateful ? 0 : playback.last_frame();
              k <= playback.last_frame() && !watch.is_seen(); ++k) {
@@ -239,7 +240,7 @@ CaseResult run_case(Check& check, const Case& wanted) {
         result.reproduce = command_for(subject, result, check.folder);
         // One is enough of those that follow each other.
         if (!seen.is_finite() && !result.where && subject.still && check.birthplaces > 0) {
-            --check.birthplaces;
+            check.birthplaces -= subject.is_short() ? 1 : check.birthplaces;
             find_birthplace(subject, result);
         }
     } catch (const std::runtime_error& error) {  // the case has failed all the same

@@ -19,13 +19,16 @@ constexpr int kEvaluations = 256;    // of one effort
 // A subject that is brought to points, its operations watched where they can be.
 class Hunter {
 public:
-    explicit Hunter(CheckSubject& subject) : subject_(subject), space_(subject) {
+    explicit Hunter(Check& check) : subject_(check.subject), space_(check.subject) {
+        CheckSubject& subject = subject_;
+        if (!subject.is_short() && check.effort.over(kLongText, kShare)) return;
         try {
             survey_ =
                 std::make_unique<FaultSurvey>(subject.opened(), subject.renderer(),
                                               ProgramOptions{.specialise = subject.specialised()});
         } catch (const ProbeRefused&) {  // then it is looked for without a guide
         }
+        if (subject.after_frame) subject.after_frame();  // compiling is no hang
     }
 
     const Space& space() const { return space_; }
@@ -86,7 +89,7 @@ void report(Hunter& hunter, Check& check, const Point& found, CaseResult& result
 
 void run_search(Check& check, CaseResult& result) {
     const Stopwatch clock;
-    Hunter hunter(check.subject);
+    Hunter hunter(check);
     Search search(hunter.space().usual());
     const int wanted =
         hunter.space().usual().empty() ? 1 : kEvaluations * check.effort.tries.value_or(1);

@@ -202,6 +202,7 @@ void FaultWatch::look_in_parts(std::size_t index, int face) {
     for (const Span part : parts_[index]) {
         Probe probe = probe_of(index, {part});
         const ProbeCell cell = probe.map(renderer_, *frame_, 0, 0, face)[at];
+        if (after_program) after_program();
         if (!has_fault(cell)) continue;
         const std::size_t place = probe.probed().sites[site_of(cell)].at;
         faulty.push_back({place, place + 1});

@@ -3,6 +3,7 @@
 
 #include "measure/probe/probe.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,9 @@ public:
     bool is_seen() const { return first_ && first_->is_seen; }
     // Of what is seen in a pixel, or else of all.
     const std::optional<ProbeFault>& first() const { return first_; }
+
+    // Called after each program that a draw has taken.
+    std::function<void()> after_program;
 
 private:
     void look(std::size_t index);
