@@ -188,8 +188,8 @@ void require_open(const std::vector<std::string>& arguments, std::span<const std
                             file, file));
 }
 
-// `glint FILE` is `glint open FILE`, `glint` alone `glint open`, and `glint help still` `glint
-// still --help`. Throws UsageError where a verb was meant.
+// `glint FILE` is `glint open FILE`, `glint` alone `glint open`, `glint help still` `glint still
+// --help`, and `glint version` `glint --version`. Throws UsageError where a verb was meant.
 void add_default_verb(std::vector<std::string>& arguments) {
     if (arguments.empty()) return arguments.push_back("open");
     if (arguments[0].starts_with('-')) return;
@@ -200,6 +200,10 @@ void add_default_verb(std::vector<std::string>& arguments) {
     if (arguments[0] == "help" && !std::filesystem::exists("help", unknown)) {
         arguments.erase(arguments.begin());
         return arguments.push_back("--help");
+    }
+    if (arguments[0] == "version" && !std::filesystem::exists("version", unknown)) {
+        arguments[0] = "--version";
+        return;
     }
     require_open(arguments, verbs);
     if (std::ranges::find(verbs, "open") == verbs.end()) {

@@ -126,6 +126,7 @@ TEST_F(Usage, HelpAndVersionAreResults) {
                                                      {"info", "-h"},
                                                      {"bench", "--help"},
                                                      {"--version"},
+                                                     {"version"},
                                                      {"help"},
                                                      {"help", "still"}}) {
         SCOPED_TRACE(arguments[0]);
