@@ -15,13 +15,14 @@ constexpr int kHuntedFrames = 8;     // of a simulation, at each point
 constexpr int kSmallest = 160;       // trials for the smallest reproducer
 constexpr double kHuntShare = 0.12;  // of the seconds, that a search may take
 constexpr int kEvaluations = 256;    // of one effort
+constexpr double kLongText = 5e3;    // ms that instrumented programs of a long text may take
 
 // A subject that is brought to points, its operations watched where they can be.
 class Hunter {
 public:
     explicit Hunter(Check& check) : subject_(check.subject), space_(check.subject) {
         CheckSubject& subject = subject_;
-        if (!subject.is_short() && check.effort.over(kLongText, kShare)) return;
+        if (!subject.is_short() && check.effort.over(kLongText, kHuntShare)) return;
         try {
             survey_ =
                 std::make_unique<FaultSurvey>(subject.opened(), subject.renderer(),
