@@ -20,12 +20,12 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
+using Deadline = std::chrono::steady_clock::time_point;
 using nlohmann::json;
 
 class Neovim {
 public:
-    Neovim(const std::string& address, Clock::time_point deadline) : deadline_(deadline) {
+    Neovim(const std::string& address, Deadline deadline) : deadline_(deadline) {
         sockaddr_un name{.sun_family = AF_UNIX, .sun_path = {}};
         if (address.size() >= sizeof name.sun_path) return;
         address.copy(name.sun_path, address.size());
@@ -63,8 +63,9 @@ public:
 private:
     // No wait goes beyond the deadline. False where that has passed.
     bool limit() const {
-        const auto left =
-            std::chrono::duration_cast<std::chrono::microseconds>(deadline_ - Clock::now()).count();
+        const auto left = std::chrono::duration_cast<std::chrono::microseconds>(
+                              deadline_ - std::chrono::steady_clock::now())
+                              .count();
         if (left <= 0) return false;
         const timeval wait{.tv_sec = left / 1'000'000, .tv_usec = left % 1'000'000};
         ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof wait);
@@ -72,7 +73,7 @@ private:
         return true;
     }
 
-    Clock::time_point deadline_;
+    Deadline deadline_;
     int socket_ = -1;
     bool connected_ = false;
     int requests_ = 0;
@@ -134,7 +135,7 @@ bool jump_in_neovim(const std::string& address, const Place& place) {
     std::error_code error;
     const fs::path whole = fs::canonical(place.file, error);
     const std::string file = error ? fs::absolute(place.file).string() : whole.string();
-    const Clock::time_point deadline = Clock::now() + std::chrono::milliseconds(300);
+    const Deadline deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(300);
     for (const std::string& named :
          address.empty() ? std::vector{variable("NVIM"), variable("NVIM_LISTEN_ADDRESS")}
                          : std::vector{address}) {
