@@ -401,6 +401,7 @@ void run_sequence(const SequenceOptions& options) {
     Renderer renderer(preset, compile_or_stop(preset, compile_options(options, kind)),
                       render_options(options, kind, preset.size));
     load_inputs(preset, renderer);
+    renderer.compile_ahead();
     if (target == Target::film) output.begin_film(sound_of(options, preset, frames));
 
     const Playback playback{.end = last / options.fps, .fps = options.fps};

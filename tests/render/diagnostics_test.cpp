@@ -26,6 +26,23 @@ const Diagnostic* first_error(const Diagnostics& list) {
     return nullptr;
 }
 
+// Passes behind the picture are read by the driver without what they do not call.
+TEST_F(Complaints, AreToldOfFunctionsThatNoPassCalls) {
+    const std::string passes =
+        "uniform sampler2D grain; //@ pass mainGrain\n"
+        "void mainGrain(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(grain, ivec2(p), 0); }\n";
+    const std::string function = "float idle() { return undeclared; }\n";
+    for (const std::string& text :
+         {passes + function, passes + "#ifdef PASS_grain\n" + function + "#endif\n"}) {
+        const Diagnostics list = complaints(text);
+        const Diagnostic* error = first_error(list);
+        ASSERT_TRUE(error) << text;
+        EXPECT_EQ(error->place.column, 23) << to_text(list);
+    }
+    EXPECT_TRUE(complaints(passes).empty());
+}
+
 TEST_F(Complaints, StandAtTheUsersLineAndColumn) {
     const std::string body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
     struct {

@@ -51,6 +51,7 @@ MeasuredScene::MeasuredScene(const Preset& preset, const Setting& setting, Conte
                                                       .constants = options.constants}}),
                 {.size = preset_.size, .picture_format = PixelFormat::rgba32f}) {
     load_inputs(preset_, renderer_);
+    renderer_.compile_ahead();
 }
 
 Preset MeasuredScene::with(const Preset& preset, const Setting& setting) {
