@@ -139,6 +139,13 @@ bool is_chosen(const Candidate& candidate, std::string_view device) {
     return candidate.name.find(device) != std::string::npos;
 }
 
+std::string names_of(const std::vector<Candidate>& candidates) {
+    std::string names;
+    for (const Candidate& candidate : candidates)
+        names += (names.empty() ? " " : ", ") + candidate.name;
+    return names;
+}
+
 // libepoxy ends the process when there is no libEGL at all, so ask first.
 void require_libegl() {
     void* library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
@@ -172,6 +179,11 @@ std::unique_ptr<Context> make_egl_context(std::string_view device) {
             tried += fmt::format("\n  {}: {}", candidate.name, error.what());
         }
     }
+    if (!order.empty() && std::ranges::none_of(order, [&](const Candidate& candidate) {
+            return is_chosen(candidate, device);
+        }))
+        throw NoContext(fmt::format("There is no device '{}' for --device; there are:{}", device,
+                                    names_of(order)));
     throw NoContext(
         fmt::format("No OpenGL 4.5 context{}; install a GL driver (Debian: "
                     "libgl1-mesa-dri).{}",

@@ -1,5 +1,6 @@
 #include "measure/study/measure.h"
 
+#include "base/median.h"
 #include "base/process_time.h"
 #include "measure/study/statistics.h"
 #include "offline/common.h"
