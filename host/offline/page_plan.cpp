@@ -156,8 +156,12 @@ Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
     if (soft != text.text) json["soft"] = lines_.runs_of(soft);
     add_shape(json, scene, index);
     Json samplers = Json::object(), channels = Json::array({nullptr, nullptr, nullptr, nullptr});
-    for (const SamplerUniform& uniform : program.samplers)
-        samplers[sampler_at(preset_, uniform.sampler).name] = input_of(scene, uniform.sampler);
+    for (const SamplerUniform& uniform : program.samplers) {
+        const std::string& name = sampler_at(preset_, uniform.sampler).name;
+        samplers[name] = input_of(scene, uniform.sampler);
+        if (name.starts_with("iChannel"))  // the other name of it
+            samplers[fmt::format("iCh{}.sampler", name.back())] = samplers[name];
+    }
     for (const std::size_t sampler : channels_told_of(preset_, program)) {
         if (sampler_at(preset_, sampler).source == Source::none) continue;
         const char digit = sampler_at(preset_, sampler).name.back();  // of iChannel0

@@ -108,7 +108,7 @@ function tick60(now) {
     else if (player.live.some(pass => !pass.drawn)) again();
     if (clock.playing && !plan.fixed && !player.keepsSize && holder.took(now)) fit();
     if (now - since > 500) {
-        $("rate").textContent = clock.playing ? `${Math.round(frames * 1000 / (now - since))} Hz ${canvas.width}×${canvas.height}` : `${canvas.width}×${canvas.height}`;
+        $("rate").textContent = `${clock.playing ? Math.round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
         if (document.activeElement !== $("time")) $("time").value = clock.time.toFixed(2);
         frames = 0;
         since = now;
@@ -117,15 +117,17 @@ function tick60(now) {
 
 // --- the picture's size
 
-function fit() {
+// What carries the picture's pixels on keeps its size, unless another one is chosen: then it is played anew.
+function fit(isChosen) {
     const [w, h] = plan.size, box = $("stage").getBoundingClientRect(), scale = Math.min(box.width / w, box.height / h);
     canvas.style.width = `${Math.floor(w * scale)}px`;
     canvas.style.height = `${Math.floor(h * scale)}px`;
     const pixels = scale * (devicePixelRatio || 1) * holder.share;
     const size = plan.fixed ? plan.size : [w, h].map(s => Math.max(1, Math.round(s * pixels)));
-    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize) return;
+    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize && isChosen !== true) return;
     [canvas.width, canvas.height] = size;
     if (isReady) player.resize(size);
+    if (isChosen === true && player.keepsSize) seek(clock.time);
 }
 new ResizeObserver(fit).observe($("stage"));
 
@@ -161,7 +163,7 @@ const press = {
 };
 for (const name in press) on($(name), "click", () => isReady && press[name]());
 on($("time"), "change", () => isReady && seek(Math.max(+$("time").value || 0, 0)));
-on($("share"), "change", () => { holder.hold($("share").value); fit(); });
+on($("share"), "change", () => { holder.hold($("share").value); fit(true); });
 const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, setValue);
 
 // --- mouse, touch, keys
@@ -209,7 +211,7 @@ start().catch(fail);
 requestAnimationFrame(tick60);
 // For tests, and for pages around this one.
 window.glint = {
-    plan, clock, seek, press,
+    plan, clock, seek,
     get player() { return player; },
     get values() { return values; },
     get sound() { return sound; },

@@ -31,7 +31,7 @@ export function makePlayer(gl, plan, planned, fell) {
     const inputs = plan.inputs.map(input => ({...input, version: 0})), passes = planned.map(pass => ({...pass})), root = passes.at(-1);
     const empty = {};
     let drawSteps, isNew;
-    for (const kind of ["2D", "3D", "CUBE_MAP"]) empty[kind] = makeTexture(gl, kind, "RGBA8", [1, 1, 1]);
+    for (const kind of Object.values(KIND)) empty[kind] = makeTexture(gl, kind, "RGBA8", [1, 1, 1]);
     gl.disable(gl.DITHER);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
 
@@ -81,7 +81,7 @@ export function makePlayer(gl, plan, planned, fell) {
             if (SEND[type]) uniforms.push({location, name, send: `uniform${SEND[type]}v`});
             else {
                 gl.uniform1iv(location, Array(size).fill(unit));
-                samplers.push({input: inputs[pass.samplers?.[name.replace(/^iCh(\d)\.sampler$/, "iChannel$1")]], kind: KIND[type]});
+                samplers.push({input: inputs[pass.samplers?.[name]], kind: KIND[type]});
             }
         }
     }
