@@ -58,6 +58,10 @@ std::string Context::renderer() const {
     return renderer_name();
 }
 
+std::string Context::driver() const {
+    return renderer() + ", " + reinterpret_cast<const char*>(glGetString(GL_VERSION));
+}
+
 void Context::finish() {
     glFinish();
     check();

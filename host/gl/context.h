@@ -31,6 +31,8 @@ public:
 
     // The driver's name of the GPU, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
     std::string renderer() const;
+    // With the version of the driver: what draws the same pixels.
+    std::string driver() const;
 
     // Draws on the processor: timer queries lie there, and loops end after 65,535 iterations a
     // pixel.

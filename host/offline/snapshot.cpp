@@ -317,7 +317,7 @@ void require_memory_for_state(const Renderer& renderer) {
     std::size_t bytes = 0;
     const std::vector<GraphPass>& passes = renderer.graph().passes;
     for (std::size_t i = 0; i < passes.size(); ++i) {
-        if (passes[i].feeds_state) bytes += renderer.buffer(i).byte_count();
+        if (passes[i].carries) bytes += renderer.buffer(i).byte_count();
     }
     const std::vector<WantedMemory> wanted = {
         {"the state on its way to or from its file", 3 * bytes}};

@@ -20,7 +20,7 @@ void mark_state(std::vector<GraphPass>& graph, const std::vector<Pass>& passes) 
             return reader.pass <= kept.pass && contains(reader.reads, kept.pass);
         });
     };
-    for (GraphPass& pass : graph) pass.feeds_state = is_kept(pass);
+    for (GraphPass& pass : graph) pass.feeds_state = pass.carries = is_kept(pass);
     // Each round reaches one edge further; there are at most as many edges in a row as passes.
     for (std::size_t round = 0; round < graph.size(); ++round) {
         for (const GraphPass& reader : graph) {
@@ -109,7 +109,7 @@ bool keeps_picture_size(const Scene& scene, const PassGraph& graph) {
     return std::any_of(graph.passes.begin(), graph.passes.end(), [&](const GraphPass& pass) {
         if (!fills_a_buffer(pass.pass)) return false;
         const Pass& declared = scene.passes[pass.pass];
-        return (pass.feeds_state || pass.previous) && !declared.cube && !declared.size;
+        return pass.carries && !declared.cube && !declared.size;
     });
 }
 

@@ -27,8 +27,9 @@ struct PassReads {
 struct GraphPass {
     std::size_t pass = 0;
     std::vector<std::size_t> reads;
-    bool feedback = false;     // reads its own previous frame, so its buffer is double
-    bool previous = false;     // some buffer that it reads was drawn in the previous frame
+    bool feedback = false;  // reads its own previous frame, so its buffer is double
+    bool previous = false;  // some buffer that it reads was drawn in the previous frame
+    bool carries = false;  // its content is read in a later frame, or the next step goes on from it
     bool feeds_state = false;  // a later frame depends on it: a simulation must draw it every time
     Runs runs = Runs::on_change;
 };

@@ -29,6 +29,7 @@ constexpr double kStripSeconds = 0.1;
 
 Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options)
     : preset_(preset),
+      built_values_(preset.values),
       values_(preset.values),
       scene_(std::move(scene)),
       options_(options),
@@ -183,9 +184,10 @@ glm::ivec2 Renderer::drawn_size(std::size_t index) const {
 void Renderer::reset() {
     // The picture, which nobody reads, stays on the screen until it is drawn anew.
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        if (fills_a_buffer(scene_.programs[i].pass)) buffers_[i]->clear();
+        const bool is_cleared = fills_a_buffer(scene_.programs[i].pass) && !drawn_[i].content;
+        if (is_cleared) buffers_[i]->clear();
     }
-    for (Drawn& drawn : drawn_) drawn.ever = false;
+    offer_maps();
     std::fill(steps_done_.begin(), steps_done_.end(), 0);
     force_root_ = true;
 }
@@ -193,7 +195,7 @@ void Renderer::reset() {
 std::vector<PassState> Renderer::state() const {
     std::vector<PassState> list;
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        if (!scene_.graph.passes[i].feeds_state) continue;
+        if (!scene_.graph.passes[i].carries) continue;
         list.push_back({.pass = pass_name(preset_.scene, scene_.programs[i].pass),
                         .shape = buffers_[i]->shape(),
                         .steps_done = steps_done_[i],
@@ -205,7 +207,7 @@ std::vector<PassState> Renderer::state() const {
 void Renderer::set_state(std::span<const PassState> state) {
     std::vector<const PassState*> kept(buffers_.size(), nullptr);
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        if (!scene_.graph.passes[i].feeds_state) continue;
+        if (!scene_.graph.passes[i].carries) continue;
         const std::string name = pass_name(preset_.scene, scene_.programs[i].pass);
         const auto saved = std::ranges::find(state, name, &PassState::pass);
         if (saved == state.end()) throw std::runtime_error("It lacks the buffer " + name + ".");
@@ -221,7 +223,7 @@ void Renderer::set_state(std::span<const PassState> state) {
         buffers_[i]->set_bytes(kept[i]->bytes);
         steps_done_[i] = kept[i]->steps_done;
     }
-    for (Drawn& drawn : drawn_) drawn.ever = false;
+    offer_maps();
 }
 
 void Renderer::set_picture_format(PixelFormat format) {
@@ -338,6 +340,7 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     const bool new_buffers = update_versions(index);
     if (!new_uniforms && !new_buffers && !force && drawn_[index].ever) return;
     drawn_[index].ever = true;
+    if (!force && holds(index)) return;
     drawing_ = &inputs.frame;
     if (before_pass) before_pass(index);
     drawing_ = nullptr;
@@ -364,6 +367,7 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     if (!averaged) buffer.finish_draw();
     draw_call_seconds += std::chrono::duration<double>(Clock::now() - start).count();
     if (root) root_drawn_ = true;
+    note_content(index);
     if (after_pass) after_pass(index);
 }
 
@@ -513,6 +517,7 @@ void Renderer::forget_drawn(std::size_t index) {
     const PassProgram& program = scene_.programs[index];
     Drawn& drawn = drawn_[index];
     drawn.ever = drawn.is_fed = false;
+    drawn.content.reset();
     drawn.builtins.assign(program.builtins.size(), {});
     drawn.tweaks.assign(program.tweaks.size(), {});
     drawn.versions.assign(program.samplers.size(), {});
@@ -529,31 +534,6 @@ void Renderer::draw_variant(const Variant& variant, const Frame& frame) {
     glViewport(0, 0, variant.size.x, variant.size.y);
     const PlainDraw plain;
     draw_triangle();
-}
-
-void Renderer::adopt(Renderer& previous) {
-    options_.size = previous.options_.size;
-    channels_.adopt(previous.channels_);
-    parked_ = std::move(previous.parked_);
-    for (std::size_t i = 0; i < previous.buffers_.size(); ++i) {
-        const std::string name =
-            pass_name(previous.preset_.scene, previous.scene_.programs[i].pass);
-        parked_[name] = {std::move(previous.buffers_[i]), previous.steps_done_[i]};
-    }
-    for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        forget_drawn(i);  // the other one may have fed the same programs
-        const BufferShape shape = wanted_shape(i);
-        const auto kept = parked_.find(pass_name(preset_.scene, scene_.programs[i].pass));
-        if (kept != parked_.end() && kept->second.buffer->shape() == shape) {
-            buffers_[i] = std::move(kept->second.buffer);
-        } else if (!buffers_[i] || buffers_[i]->shape() != shape || kept != parked_.end()) {
-            buffers_[i] = std::make_unique<Buffer>(shape);
-            if (kept != parked_.end()) buffers_[i]->copy_from(*kept->second.buffer);
-        }
-        if (kept == parked_.end()) continue;
-        steps_done_[i] = kept->second.steps_done;
-        parked_.erase(kept);
-    }
 }
 
 }  // namespace glint

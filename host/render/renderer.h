@@ -117,6 +117,17 @@ public:
     CompiledScene take_scene() { return std::move(scene_); }
     const CompiledScene& scene() const { return scene_; }
 
+    // A map is a buffer of a size of its own that follows from the text and the tweaks alone. It is
+    // drawn once, and stands in another renderer of a text that says the same of it, too; what
+    // constants have drawn is good for fed programs, not the other way round. In the order of the
+    // graph.
+    std::vector<std::size_t> maps() const;
+    // What they hold, one after the other, for a later run; nothing unless each has been drawn with
+    // the values of the preset, as constants.
+    std::optional<std::vector<std::byte>> map_bytes() const;
+    // Takes that back before the first draw of the same texts; false where it has another length.
+    bool set_map_bytes(std::span<const std::byte> bytes);
+
     // Draws a few pixels for nobody with a program for the same preset, reading what it would read:
     // drivers finish compiling inside the first draw.
     void warm_up(const PassProgram& program);
@@ -176,6 +187,13 @@ private:
         std::array<GLint, 1> ints{};
         bool operator==(const Value&) const = default;
     };
+    // What stands in the buffer of a map.
+    struct Content {
+        std::vector<TweakValue> values;  // it was drawn with these, or some that make it no other
+        bool is_exact = true;            // by constants
+        // Drawn here; by somebody else, and not asked for yet; found to hold here, too.
+        enum class From { here, offered, held } from = From::here;
+    };
     // What a pass was last drawn with. Programs keep their uniforms, so equal values are not sent.
     struct Drawn {
         bool ever = false;
@@ -184,6 +202,7 @@ private:
         std::vector<std::optional<Value>> builtins;
         std::vector<std::optional<TweakValue>> tweaks;
         std::vector<std::optional<std::size_t>> versions;
+        std::optional<Content> content;
         int strip_rows = 32;  // that take about kStripSeconds; the first are a guess
     };
 
@@ -195,6 +214,15 @@ private:
     void run_averaged(const Frame& frame);
     void set_instant(const Frame& frame);
     bool is_kept(std::size_t index) const;
+    bool is_map(std::size_t index) const;
+    bool is_fed() const;
+    bool is_fed(std::size_t index) const;
+    bool has_values_of(std::size_t index, const std::vector<TweakValue>& values) const;
+    bool holds(std::size_t index);
+    void note_content(std::size_t index);
+    void offer_maps();
+    std::optional<Content> content_for(const Renderer& next, std::size_t index) const;
+    bool says_the_same(std::size_t index, const Renderer& previous, std::size_t there) const;
     bool update_uniforms(std::size_t index, const Inputs& inputs);
     void send_all(const PassProgram& program, std::size_t index, const Inputs& inputs);
     bool update_versions(std::size_t index);
@@ -212,7 +240,7 @@ private:
     BufferShape wanted_shape(std::size_t index) const;
 
     const Preset& preset_;
-    std::vector<TweakValue> values_;
+    std::vector<TweakValue> built_values_, values_;  // those of the constants; now
     CompiledScene scene_;
     RenderOptions options_;
     mutable Channels channels_;

@@ -1,5 +1,5 @@
 // From the start of the process to the first picture, to the first true frame, and from a key to
-// the changed panel meanwhile: prints, and judges nothing.
+// the changed panel meanwhile: measures, and judges nothing.
 //
 //     start_latency [REPETITIONS [SCENE...]]
 //
@@ -28,18 +28,6 @@ constexpr double kLongest = 120.0;  // s
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// The value below which such a share of them lies.
-std::string quantile(std::vector<double> values, double share) {
-    if (values.empty()) return "-";
-    std::sort(values.begin(), values.end());
-    const auto last = static_cast<double>(values.size() - 1);
-    return fmt::format("{:.0f}", values[static_cast<std::size_t>(last * share + 0.5)]);
-}
-
-std::string both(const std::vector<double>& values) {
-    return fmt::format("{} ({})", quantile(values, 0.5), quantile(values, 0.95));
 }
 
 // Rows of the empty screen, of the bare window and of the ground have one colour each.
@@ -112,9 +100,13 @@ void measure(const std::string& scene, int repetitions) {
     for (int i = 0; i < repetitions; ++i) starts.run(false, false, &warm);
     for (int i = 0; i < repetitions; ++i) starts.run(true, false, &cold);
     for (int i = 0; i < std::max(repetitions / 5, 1); ++i) starts.run(true, true, &cold);
-    std::cout << fmt::format("| {} | {} | {} | {} | {} | {} |\n", scene, both(warm.picture),
-                             both(warm.frame), both(cold.picture), both(cold.frame),
-                             both(cold.panel))
+    std::cout << fmt::format(
+                     "{{\"scene\": \"{}\", \"warm_picture\": [{:.1f}], \"warm_frame\": [{:.1f}], "
+                     "\"cold_picture\": [{:.1f}], \"cold_frame\": [{:.1f}], \"cold_panel\": "
+                     "[{:.1f}]}}\n",
+                     scene, fmt::join(warm.picture, ", "), fmt::join(warm.frame, ", "),
+                     fmt::join(cold.picture, ", "), fmt::join(cold.frame, ", "),
+                     fmt::join(cold.panel, ", "))
               << std::flush;
 }
 
@@ -131,8 +123,6 @@ int main(int argc, char** argv) {
     if (scenes.empty())
         scenes = {"analytic", "boat", "caustics", "christmas", "deep_ocean",
                   "magic",    "sea",  "terrain",  "water"};
-    std::cout << "| scene | warm: picture | warm: frame | cold: picture | cold: frame | "
-                 "cold: key to panel |\n| --- | --- | --- | --- | --- | --- |\n";
     for (const std::string& scene : scenes) glint::window::measure(scene, repetitions);
     return 0;
 }

@@ -72,6 +72,8 @@ TEST(PassGraph, WhatFeedsTheStateFeedsItThroughOthersToo) {
     EXPECT_TRUE(at(graph, 0).feeds_state);
     EXPECT_TRUE(at(graph, 1).feeds_state);
     EXPECT_TRUE(at(graph, 2).feeds_state);
+    EXPECT_FALSE(at(graph, 1).carries) << "it is drawn anew before anybody reads it";
+    EXPECT_TRUE(at(graph, 2).carries);
     EXPECT_FALSE(at(graph, 3).feeds_state);
     EXPECT_FALSE(at(graph, kImagePass).feeds_state);
 }
