@@ -118,6 +118,7 @@ const float kMastAt = 0.46, kMastTop = 4.15;            // m, z and y
 const float kTack = 0.95, kHead = 3.95, kChord = 1.95;  // m, the sail: y, y, length along the boom
 const int   kWater = -1, kNone = 0, kPlanks = 1, kWell = 2, kDeck = 3, kRail = 4, kThwart = 5;
 const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
+// Slopes of the eight long waves at steepness 1; with their harmonics they sum to 0.95 at most.
 const float kSteep[8] = float[8](0.072, 0.090, 0.102, 0.102, 0.102, 0.096, 0.090, 0.076);
 
 struct Hit { float t; int part; vec3 nor, q; };   // q: in the boat's frame
@@ -276,7 +277,8 @@ float worldPhase(vec2 k, vec2 p) {   // in cycles; whole numbers of waves fit th
         + fract(floor(k.y * kWorld / (2.0 * kPi) + 0.5) * (p.y / kWorld));
 }
 float crest() { return 0.25 * choppiness; }   // second harmonic; over 1/4 a wave has two crests
-// Steepest descent of cos x + B cos 2x, B = crest() <= 1/4.
+// Steepest descent of cos x + B cos 2x, B = crest() <= 1/4: of sin x (1 + b cos x) with b = 4 B, it
+// is where cos x = c solves 2 b c^2 + c = b.
 float steepestShape() {
     float b = 4.0 * crest(), c = 2.0 * b / (sqrt(1.0 + 8.0 * b * b) + 1.0);
     return sqrt(1.0 - c * c) * (1.0 + b * c);
@@ -398,8 +400,10 @@ float moversHeight(Movers m, float t) {
 }
 // Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. The four longest waves
 // have a known slope here and a bounded curvature; the next four are as steep or as high as they
-// can be: no step is longer than that allows. But none is shorter than `least`, which may cut
-// crests that are lower than a millimetre. The last few are Illinois steps.
+// can be. With a gap f that closes at the speed c and bends by at most b, nothing is met before
+// 2 f / (c + sqrt(c^2 + 2 b f)); all waves are rarely at their worst at once, and a fifth more is
+// stepped. None is shorter than `least`, which may cut crests that are lower than a millimetre. The
+// last few go where a line through both ends is 0; the end that stays halves its gap (Illinois).
 float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
     seaEvaluations = 0;
     float reach = pixel * max(ro.y, 0.0) / max(-rd.y, 1e-4);
@@ -509,7 +513,9 @@ vec3 lensBend(vec2 p) {
     }
     return second;
 }
-// Where light that reaches a point `down` metres deep came in, and how much the waves gather it.
+// Where light that reaches a point `down` metres deep came in, and how much the waves gather it. It
+// lands at p = entry + down * aside(slope there); J, the derivative of that by the entry, says on
+// how many square metres of sand one of water shines: 1/|J| is how bright it is.
 float lightGathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
     vec2 calm = light.xz / -light.y;
     entry = p - down * calm;
@@ -799,14 +805,15 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     float line = exp2(180.0 * (dot(away, sun) - 1.0)) * 30.0;
     return light + gloss * (seen + sunLight() * (share * line * step(0.0, lit)));
 }
-// Share of a pixel that foam covers, for an amount of it. Wind draws it out: the noise is stretched
-// along the wind, by matrices of whole numbers, so that it still fits the world's square.
+// Share of a pixel that foam covers, for an amount of it: lace, which a gale draws out. The noise is
+// stretched along the wind by matrices of whole numbers, so that it still fits the world's square.
 float foamCover(vec2 p, float amount, float w) {
     vec2 unit = (p + gPlace) / kWorld;
     float a = radians(windAngle), lod = log2(max(w * 102.4, 1e-3));
+    float gale = smoothstep(0.3, 0.8, steepness);
     vec2 along = vec2(sin(a), -cos(a)), across = vec2(along.y, -along.x);
-    vec2 wide1 = floor(104.0 * across + 0.5), long1 = floor(30.0 * along + 0.5);
-    vec2 wide2 = floor(43.0 * across + 0.5), long2 = floor(17.0 * along + 0.5);
+    vec2 wide1 = floor(104.0 * across + 0.5), long1 = floor(mix(96.0, 30.0, gale) * along + 0.5);
+    vec2 wide2 = floor(43.0 * across + 0.5), long2 = floor(mix(38.0, 17.0, gale) * along + 0.5);
     float fine = textureLod(motif, vec2(dot(wide1, unit), dot(long1, unit)), lod).g;
     float large = textureLod(motif, vec2(dot(wide2, unit), dot(long2, unit)), lod - 1.3).g;
     float lace = 0.65 * fine + 0.6 * large - 0.12, soft = 0.14 + 0.05 * clamp(lod, 0.0, 6.0);
@@ -843,8 +850,8 @@ bool meetsBoat(vec3 ro, vec3 rd, float tMax) {   // perhaps: her box
 // Light on a pixel of sea comes on two ways: mirrored, from sky or boat, and refracted, from the
 // sand or the hull under water, dimmed by exp(-sigma path) (Beer). Fresnel shares it out between
 // them. The sun meets the boat on up to four of their legs. What could not be met anyway is
-// skipped, and all rays of a kind go through one loop, so that the march stands in the program
-// once.
+// skipped, and all rays of a kind go through one loop: a driver writes a function out wherever it
+// is called, so a march that is called in three places is compiled, and carried along, three times.
 
 vec3 viewRay(Eye e, vec2 pixel) {
     vec2 uv = (pixel - 0.5 * iResolution.xy) / iResolution.y;
@@ -1225,8 +1232,10 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
 }
 
 // The wave equation on a torus of 192 cells that goes along with her: heights, their speed half a
-// step before, foam. A texel is four cells in a row, west to east: what steps 240 times a second
-// fetches half as much for a cell so. Cells that leave on one side come in on the other, at rest.
+// step before, foam. Each cell stays where it is in the world, so the wake stays behind; what moves
+// is the window of 24 m round her. A cell that it leaves on one side is the one that it gains on
+// the other: near the rim all is damped, so it comes in at rest. A texel is four cells in a row,
+// west to east: what steps 240 times a second fetches half as much for a cell so.
 vec4 fourCells(sampler2D of, ivec2 c) {
     return previousFrame(texelFetch(of, (c + ivec2(48, 192)) % ivec2(48, 192), 0));
 }

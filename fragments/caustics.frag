@@ -5,24 +5,27 @@
 // from the classic shortcut to photons that are gathered without bound.
 //
 // Method   A map holds, for each texel of the floor, the light that falls into it relative to flat
-// water. Nothing can be drawn forward here, so forward methods are turned round: a pass keeps where
-// the light of each surface cell lands, four levels of boxes over the cells find those that reach
-// four by four texels, then one, and the exact overlap of triangle and texel shares a triangle's
-// light (area), or a photon counts where it lands (photons: one a cell and frame, at a new place in
-// it, so the mean over frames is exact in expectation). Neither can lose light. Calm water needs
-// one inverse search and 1/|J| instead. The same at two levels between gives the light on objects
-// and in the water. Sources  Stam, Random caustics, SIGGRAPH (1996): periodic tiles. Guardado and
-// Sanchez-Crespo, GPU Gems ch. 2 (2004): the shortcuts. Born and Wolf, Principles of Optics, 1.5:
-// Fresnel. Daimon and Masumura, Appl. Opt. 46 (2007): water's indices. Roberts (2018): R2 sequence.
-// Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Henyey and Greenstein, ApJ 93 (1941). Units    1
-// unit = 1 m, y up, linear sRGB colour until the display curve; the floor is y = 0. Passes   sand,
-// waves: on change of a tweak. surface, landing to tiles, caustics, slices: every frame. clock:
-// photons. frame...: the loop of `periodic`, on change of a tweak. Bounds   A tile visits at most
-// 96 x 96 of the largest boxes, a texel all of a tile's quads: 44,000 at the ends of all ranges,
-// under the 65,535 turns of llvmpipe. Defaults From `glint study presets/caustics.toml`, RMSE to
-// 257 frames of photons: area 0.0016, one frame of photons 0.016 in nearly the same time; snell
-// 0.064, periodic 0.075 and vertical 0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8,
-// for a twentieth more. Licence  MIT
+//          water. Nothing can be drawn forward here, so forward methods are turned round: a pass
+//          keeps where the light of each surface cell lands, four levels of boxes over the cells
+//          find those that reach four by four texels, then one, and the exact overlap of triangle
+//          and texel shares a triangle's light (area), or a photon counts where it lands (photons:
+//          one a cell and frame, at a new place in it, so the mean over frames is exact in
+//          expectation). Neither can lose light. Calm water needs one inverse search and 1/|J|
+//          instead. The same at two levels between gives the light on objects and in the water.
+// Sources  Stam, Random caustics, SIGGRAPH (1996): periodic tiles. Guardado and Sanchez-Crespo, GPU
+//          Gems ch. 2 (2004): the shortcuts. Born and Wolf, Principles of Optics, 1.5: Fresnel.
+//          Daimon and Masumura, Appl. Opt. 46 (2007): water's indices. Roberts (2018): R2 sequence.
+//          Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Henyey and Greenstein, ApJ 93 (1941).
+// Units    1 unit = 1 m, y up, linear sRGB colour until the display curve; the floor is y = 0.
+// Passes   sand, waves: on change of a tweak. surface, landing to tiles, caustics, slices: every
+//          frame. clock: photons. frame...: the loop of `periodic`, on change of a tweak.
+// Bounds   A tile visits at most 96 x 96 of the largest boxes, a texel all of a tile's quads:
+//          44,000 at the ends of all ranges, under the 65,535 turns of llvmpipe.
+// Defaults From `glint study presets/caustics.toml`, RMSE to 257 frames of photons: area 0.0016,
+//          one frame of photons 0.016 in nearly the same time; snell 0.064, periodic 0.075 and
+//          vertical 0.13 in a third of it. 16 shaftSamples are nearer than 1 to 8, for a twentieth
+//          more.
+// Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
 //@ group Water
@@ -279,7 +282,8 @@ float inverseLight(vec2 u, float fall) {
         + outerProduct(aside, water.slope);
     return fluxThrough(water.slope) / max(abs(determinant(j)), 1e-3);
 }
-// Whether no light crosses before the floor: depth times curvature times (1 - 1/n) is small.
+// Whether no light crosses before the floor: depth times curvature times (1 - 1/n) is small. That
+// is 0.25 of them; with a root mean square below 0.12 J stays far from 0 everywhere.
 bool isCalm() {
     float curvature = 1.7 * 2.0 * kPi / waveLength * waveSlope;   // 1/m, root mean square
     return folds == 1 || (folds == 0 && 0.25 * depth * curvature < 0.12 * sunAbove().y);
@@ -372,6 +376,9 @@ vec4 quadsThatMeet(sampler2D boxes1, sampler2D boxes2, sampler2D boxes3, vec4 bo
     return vec4(met, max(last - met + 1.0, 0.0));
 }
 
+// The area of a triangle within a square is a sum over its edges, in order: each adds the area of
+// the square to its right, between its ends' heights, going up, and takes it away going down. What
+// no edge separates cancels, and the triangle is left (its sign tells which way round it goes).
 // Integral over the height of the unit square of the part of its width right of an edge; signed.
 float rightOf(vec2 a, vec2 b) {
     vec2 y = clamp(vec2(a.y, b.y), 0.0, 1.0);

@@ -83,7 +83,7 @@ const float kFar = 1e9;                    // m, a miss
 const float kIorGlass = 1.52;              // crown glass, visible light
 const float kIorVarnish = 1.62;            // hard lacquer
 const float kLeastThroughput = 0.012;      // a path that carries less is over
-const float kLeastLight = 0.02;            // who sees less of a lamp sees nothing, in any order
+const float kLeastLight = 0.02;            // who sees less of a lamp sees nothing: walks may stop
 const vec3  kRoom = vec3(9.0, 10.0, 9.0);  // m, half width, height, half depth
 const float kTrunkHeight = 3.6, kTrunkHalf = 0.30, kCoreHalf = 0.46;   // m, core: under a cone
 const float kConeHeight = 2.85, kConeRadius = 1.12, kConeApex = 3.6;   // m, for many ornaments
@@ -312,6 +312,9 @@ void hitOrnaments(vec3 ro, vec3 rd, inout Hit h) {
     }
 }
 
+// A product of shares depends, in its last bit, on their order. So leaves come as the plain loop
+// takes them, along the curve (the first child first, whatever the ray), and who lies in a box that
+// is missed would have multiplied by exactly 1: with and without the hierarchy, the same bits.
 float besideOrnaments(vec3 ro, vec3 rd, float rim, float tMax, float free) {
     vec3 lo, hi, inv = safeInverse(rd);
     if (inPlainLoop()) {

@@ -249,7 +249,8 @@ int seabedEvaluations = 0;   // of a ray's height over the floor, for measuremen
 
 // Where a ray from above meets the floor, or -1. pixel: angle of a pixel, rad. Cells whose highest
 // point lies below the ray are crossed in one step; elsewhere no step is longer than the cell's
-// steepest slope allows, but none is shorter than `least`. The last few are Illinois steps.
+// steepest slope allows, but none is shorter than `least`. The last few go to where a line through
+// both ends is 0, and halve the gap at the end that stayed (after Illinois).
 float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     seabedEvaluations = 0;
     float level = length(rd.xz), t = 0.0, least = 12.0 / float(marchSteps);   // m
@@ -1191,7 +1192,10 @@ vec4 netWave(int i) {
     return vec4(n, 1.0, max(floor(slow * hz * loopSeconds + 0.5), 1.0));
 }
 // The waves: slopes and their square; where light from a point of the tile lands, in texels from
-// it (two numbers of 12 bits in one), and the inverse covariance of its Gaussian there.
+// it (two numbers of 12 bits in one), and the inverse covariance of its Gaussian there. J, the
+// derivative of where light lands, takes the step to a neighbour, 1 texel, to how far apart both
+// land: so a round Gaussian of deviation 0.6 texels at the surface, which overlaps its neighbours'
+// evenly, has the covariance 0.36 J J^T on the floor, and no gaps open however light spreads.
 void mainSurface(out vec4 slopes, out vec4 landing, in vec2 pixel) {
     vec2 u = pixel / float(kNetTexels), slope = vec2(0.0);
     vec3 curve = vec3(0.0);   // xx, xz, zz

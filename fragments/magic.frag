@@ -328,8 +328,11 @@ Hit intersect(vec3 ro, vec3 rd, int map) {
 // ---- Light --------------------------------------------------------------------------------------
 // A lamp of radius R at distance d is seen under a cone of slope R / d. What one thing hides of the
 // cone has a closed form; what several hide is taken to be independent: their free shares multiply.
-// Many thin cones make that exact, since each sees one thing or none. Light itself is
-// radiance = power * cosine / d^2 (1/m^2), for a surface of albedo 1.
+// That is right where one thing stands alone, or outlines cross at random. Biased: two things in
+// line hide the same part, and the product hides more (too dark); two side by side hide parts that
+// add up, and the product hides less (too light). Many thin cones make it exact, since each sees
+// one thing or none. Light itself is radiance = power * cosine / d^2 (1/m^2), for a surface of
+// albedo 1.
 
 vec3 lampLight(int k) {
     return lampPower * (k == 0 ? 36.0 * linearColour(redColour)
@@ -373,7 +376,9 @@ float lampSeen(vec3 ro, vec3 rd, float rim, float tMax, ivec3 masks) {
     return free;
 }
 
-// Gain of the light that glass balls send to p over a lamp of power 1.
+// Gain of the light that glass balls send to p over a lamp of power 1. The table is made for
+// parallel light. A lamp at distance S comes to the same by z -> z / (1 + z/S), which keeps lines
+// straight and sends the lamp to infinity: so r (1/z + 1/S) stands for r / z.
 float throughBalls(vec3 p, vec3 nor, vec3 lampAt, int mask) {
     float sum = 0.0;
     for (int m = mask; m != 0; m &= m - 1) {
@@ -432,8 +437,12 @@ vec3 lampsLight(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
     return sum;
 }
 
-// What glows along a ray before tMax: haze round the lamps, and their faces. The ray's footprint is
-// width0 + width * t; nothing shines narrower than that. jitter: where between its points, 0 to 1.
+// What glows along a ray before tMax: haze round the lamps, and their faces. A lamp's light has the
+// strength 1 / d^2 at a distance d, which grows without bound where the ray passes close to it. But
+// with h the ray's least distance and t = h tan x along it, dt / d^2 = dx / h: even in x, the angle
+// under which the lamp sees the ray. So points are spread evenly over that angle, and few do. The
+// ray's footprint is width0 + width * t; nothing shines narrower than that. jitter: where between
+// its points, 0 to 1.
 vec3 lampGlow(vec3 ro, vec3 rd, float tMax, float width0, float width, float jitter) {
     vec3 sum = vec3(0.0);
     if (!shafts) jitter = 0.5;
@@ -822,6 +831,7 @@ void mainDirections(out vec4 colour, in vec2 pixel) {
         vec3 f = c.xyz - at;
         float far = max(length(f), 1e-6), size = (id < kCubes ? abs(c.w) : boundOf(id)) + wide;
         float sine = min(size / far, 1.0), along = dot(f, middle) / far;   // of its half angle
+        // Nearer to the cell's middle than both half angles together: cos a cos b - sin a sin b.
         if (along > cos(own) * sqrt(1.0 - sine * sine) - sin(own) * sine) {
             if (id < kCubes) masks.x |= 1 << id;
             else masks.y |= 1 << (id - kCubes);

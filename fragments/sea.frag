@@ -24,10 +24,9 @@
 //          turns with every reference on.
 // Defaults From `glint study presets/sea.toml`: seaSteps 64 draw what 512 do; at 1.5 degrees 128
 //          leave no more than 0.1 % of the rays out of steps in any sea. A cone of shadow is 4e-4
-//          (RMSE) from 64 sampled rays in a third of the frame. Where all rays are traced a frame
-//          takes some 10 % less than where the picture is asked first (llvmpipe, which traces eight
-//          pixels where one is in doubt); the looking glass shows what the picture does not hold,
-//          so the presets that have one trace.
+//          (RMSE) from 64 sampled rays in a third of the frame. Tracing all rays costs some 10 %
+//          less than asking the picture first (llvmpipe traces eight pixels where one is in doubt);
+//          the looking glass shows what the picture does not hold: presets that have one trace.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -252,15 +251,18 @@ float moversHeight(Movers m, float t) {
     vec4 c = cos(m.start + m.rate * t);
     return dot(m.a, c + crest() * (2.0 * c * c - 1.0));
 }
-// Steepest descent of cos x + B cos 2x, B = crest() <= 1/4.
+// Steepest descent of cos x + B cos 2x, B = crest() <= 1/4: of sin x (1 + b cos x) with b = 4 B, it
+// is where cos x = c solves 2 b c^2 + c = b.
 float steepestShape() {
     float b = 4.0 * crest(), c = 2.0 * b / (sqrt(1.0 + 8.0 * b * b) + 1.0);
     return sqrt(1.0 - c * c) * (1.0 + b * c);
 }
 // Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. The four longest waves
 // have a known slope here and a bounded curvature; the next four are as steep or as high as they
-// can be: no step is longer than that allows. But none is shorter than `least`, which may cut
-// crests that are lower than a millimetre. The last few are Illinois steps.
+// can be. With a gap f that closes at the speed c and bends by at most b, nothing is met before
+// 2 f / (c + sqrt(c^2 + 2 b f)); all waves are rarely at their worst at once, and a fifth more is
+// stepped. None is shorter than `least`, which may cut crests that are lower than a millimetre. The
+// last few go where a line through both ends is 0; the end that stays halves its gap (Illinois).
 float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
     seaEvaluations = 0;
     float reach = pixel * max(ro.y, 0.0) / max(-rd.y, 1e-4);
@@ -668,8 +670,7 @@ vec3 airLight(vec3 rd, float width, bool disc) {
     float cosine = dot(rd, sun), away2 = max(2.0 - 2.0 * cosine, 0.0);
     if (clouds > 0.0 && rd.y > 0.0) {
         float cover = cloudCover(rd, width);
-        // Thin edges pass the sun's light on, the more the nearer to it; thick middles shade
-        // themselves.
+        // Thin edges pass sunlight on, the more the nearer to it; thick middles shade themselves.
         float silver = 0.07 + 0.30 / (1.0 + 14.0 * away2);
         vec3 lit = sunBeam() * silver * 1.1 + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.2;
         sum = mix(sum, mix(sum, lit, 0.8), cover * (1.0 - 0.25 * cover));
@@ -704,8 +705,7 @@ float roomAround(vec3 p, vec3 nor) {
     return 0.35 + 0.65 * smoothstep(0.0, 0.8, f / 0.13);
 }
 
-// Light from a point of a thing against d, without what a gloss mirrors: that is up and upWeight.
-// stuff: paint.
+// Light from a point of a thing against d; upWeight: of what its gloss mirrors. stuff: paint.
 vec3 thingLight(int id, vec3 p, vec3 nor, vec3 d, vec4 stuff, float share, float open,
                 out vec3 upWeight) {
     float facingSun = dot(nor, sunDirection()), facingEye = clamp(-dot(nor, d), 0.0, 1.0);
@@ -831,8 +831,8 @@ bool plotCourse(Eye e, vec3 ro, vec3 rd, out Course c) {
 }
 
 // Steps along the line until the depth of one step's ends spans what a pixel shows. rough: the ends
-// of the last step. doubtful: the ray was close before a thing, and there the thing ends, or the
-// line.
+// of the last step. doubtful: the ray was close before a thing, and there that ends, or the line.
+// What faces as the ray's start does (cosine 0.999), or along the ray (0.7), is never met.
 bool marchCourse(Course c, vec3 rd, inout vec2 rough, inout bool doubtful) {
     float s = rough.y, before = rough.x, edge = kFar;
     int left = reflections == 1 ? 34 : 2048;
@@ -894,8 +894,8 @@ vec3 closeIn(Course c, vec3 rd, bool hit, vec2 rough, out float end, out bool as
     return q;
 }
 
-// Walks the depth buffer along a ray. found: the pixel that it meets; the value: how sure, for soft
-// edges; 0 is a miss. doubtful: the picture does not tell for certain.
+// Walks the depth buffer along a ray. found: the pixel that it meets; the value: how sure, 0 for a
+// miss. doubtful: the picture does not tell for certain.
 float walkScreen(Eye e, vec3 ro, vec3 rd, float chance, bool wanted, out vec2 found,
                  out bool doubtful) {
     found = vec2(0.0);
@@ -1187,7 +1187,10 @@ vec3 mirroredLight(Eye e, Surface u, vec3 away, float angle, float cone, vec2 ch
     vec2 found = vec2(0.0), leaning;
     if (reflections == 1 || reflections == 2)
         m.sure = walkScreen(e, from, away, chance.x, onSea || onGlass, found, exact);
-    while (exact) {   // no `if`: what a loop does not run is skipped, where no pixel is in doubt
+    // No `if`: a driver that draws eight pixels in step runs both sides of one for all of them, and
+    // throws away what was not wanted. A loop ends when none of them is left in it: where no pixel
+    // is in doubt, nothing is traced.
+    while (exact) {
         m = metExactly(u, from, away, angle, cone, chance.y);
         break;
     }

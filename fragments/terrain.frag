@@ -6,28 +6,32 @@
 // that does not tell for certain, or everywhere, for comparison.
 //
 // Method   Land is a height at 513 x 513 nodes, drawn once, bilinear between them; a pyramid of
-// greatest heights lets a ray jump over what it cannot touch, and the patch that it meets is solved
-// as a quadratic, so no step can be too long and no edge leaks. Shadows and the open part of the
-// sky are drawn once too. Waves are gradient noise whose third axis is time and closes after 64
-// cells. Their slopes and the products of these are averaged by mipmaps: what a pixel cannot show
-// widens the cone in which clouds are mirrored, and what its parts cannot, the sun's lobe in each:
-// glitter that is 0.1 to 0.37 of its mean off. Light in the water is followed through all of its
-// faces, with absorption and scattering in closed form. Sources  Perlin, SIGGRAPH (2002): noise.
-// Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Tevs, Ihrke, Seidel, I3D (2008): maximum mipmaps.
-// McGuire and Mara, JCGT 3(4) (2014): rays in the picture. Olano and Baker, I3D (2010): mean
-// products of slopes. Ross, Dion, Potvin, JOSA A 22 (2005), and Bruneton, Neyret, Holzschuch, CGF
-// 29 (2010): glitter. Nishita et al., SIGGRAPH (1993): sky. Born and Wolf, Principles of Optics,
-// 1.5: Fresnel. Vogel (1979): phyllotaxis. Potmesil and Chakravarty, SIGGRAPH (1981): circles of
-// confusion. Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
+//          greatest heights lets a ray jump over what it cannot touch, and the patch that it meets
+//          is solved as a quadratic, so no step can be too long and no edge leaks. Shadows and the
+//          open part of the sky are drawn once too. Waves are gradient noise whose third axis is
+//          time and closes after 64 cells. Their slopes and the products of these are averaged by
+//          mipmaps: what a pixel cannot show widens the cone in which clouds are mirrored, and what
+//          its parts cannot, the sun's lobe in each: glitter that is 0.1 to 0.37 of its mean off.
+//          Light in the water is followed through all of its faces, with absorption and scattering
+//          in closed form.
+// Sources  Perlin, SIGGRAPH (2002): noise. Jarzynski and Olano, JCGT 9(3) (2020): pcg3d. Tevs,
+//          Ihrke, Seidel, I3D (2008): maximum mipmaps. McGuire and Mara, JCGT 3(4) (2014): rays in
+//          the picture. Olano and Baker, I3D (2010): mean products of slopes. Ross, Dion, Potvin,
+//          JOSA A 22 (2005), and Bruneton, Neyret, Holzschuch, CGF 29 (2010): glitter. Nishita et
+//          al., SIGGRAPH (1993): sky. Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel
+//          (1979): phyllotaxis. Potmesil and Chakravarty, SIGGRAPH (1981): circles of confusion.
+// Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
 // Passes   tile, cloudTile, bare, land, peaks, sky, ambient, lightMap: on change of a tweak. Every
-// frame: waves, gathered, colours + normalDepth; picture where `tiltShift` blurs it. Bounds
-// Biased: waves tilt the water and do not move it; light that leaves the water meets the sky, and
-// land where reflections are traced, but never water again. The loops of a pixel stay below 30,000
-// turns with every reference on. Defaults From `glint study presets/terrain.toml`: reflections in
-// the picture are 0.011 (RMSE) from traced ones, none 0.034; each costs a twentieth to a tenth more
-// than the one before. 35 reflectionSteps keep a ray at 32 reads. The pyramid is 0.005 from the
-// many-step march in less than half of its frame; 160 marchSteps leave no more than 0.1 % of the
-// rays out of steps over any land. Licence  MIT
+//          frame: waves, gathered, colours + normalDepth; picture where `tiltShift` blurs it.
+// Bounds   Biased: waves tilt the water and do not move it; light that leaves the water meets the
+//          sky, and land where reflections are traced, but never water again. The loops of a pixel
+//          stay below 30,000 turns with every reference on.
+// Defaults From `glint study presets/terrain.toml`: reflections in the picture are 0.011 (RMSE)
+//          from traced ones, none 0.034; each costs a twentieth to a tenth more than the one
+//          before. 35 reflectionSteps keep a ray at 32 reads. The pyramid is 0.005 from the
+//          many-step march in less than half of its frame; 160 marchSteps leave no more than 0.1 %
+//          of the rays out of steps over any land.
+// Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
 //@ group Land
@@ -293,6 +297,8 @@ float hitLand(vec3 ro, vec3 rd, float t0, float t1) {
             --level;
             if (rd.y < 0.0) s = clamp((top - p.y) / rd.y, s, leave);
         } else {
+            // Ray less land along it is f0 + f1 s + f2 s^2. Its first root ahead is written so
+            // that nothing cancels: it closes in at the speed -f1, bent by f2.
             vec2 u = g - vec2(c), b = h.yz - h.x;
             float twist = h.x - h.y - h.z + h.w;
             float f0 = y - h.x - dot(b, u) - twist * u.x * u.y;
@@ -619,7 +625,8 @@ vec3 wallLight(vec3 p, vec3 nor, float w) {
 struct Pair { vec3 airO, airD, air, wetO, wetD, wet; };
 // What both find. width: angle that the ray in the air averages; angle: of a pixel; far: m to here.
 // Each turn ends the ray in the air, in the sky or, if exact, on land. The ray in the water ends on
-// the bed; or at a face, behind which it goes on in the air, while what is mirrored there stays.
+// the bed; or at a face, and there it hands on: with Fresnel's share F, 1 - F of what it carries
+// becomes the next turn's ray in the air, and F stays in the water, mirrored.
 vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool disc) {
     vec3 sum = vec3(0.0), loss = waterLoss(), entered;
     bool open = true;

@@ -7,13 +7,13 @@
 // Method   The surface is a height: eight plane waves with exact phases, plus the wave equation in
 //          a buffer (240 steps a second, by what crosses between cells, so that walls and columns
 //          reflect and no water is lost; shallows are slower). `traced` follows the real rays: a
-//          march that cannot step over the surface, then Illinois steps; exact Fresnel shares;
-//          refraction first, reflection later from a one-place queue; ray differentials carry the
-//          footprint through every bend, so that tiles seen through the water are filtered.
-//          `planar` is the classic way: one picture mirrored in the plane of the water, one
-//          refracted by it, each shifted as the slope asks. The shift comes from the distance to
-//          what is seen, so it is 0 where a thing meets the water. Sunlight on the floor: its point
-//          of entry by two fixed-point steps, then 1/|J|.
+//          march that at `overstep` 1 cannot pass the surface, then Illinois steps; exact Fresnel
+//          shares; refraction first, reflection later from a one-place queue; ray differentials
+//          carry the footprint through every bend, so that tiles seen through the water are
+//          filtered. `planar` is the classic way: one picture mirrored in the plane of the water,
+//          one refracted by it, each shifted as the slope asks. The shift comes from the distance
+//          to what is seen, so it is 0 where a thing meets the water. Sunlight on the floor: its
+//          point of entry by two fixed-point steps, then 1/|J|.
 // Sources  Courant, Friedrichs, Lewy, Math. Ann. 100 (1928): stability. Igehy, SIGGRAPH (1999), eq.
 //          9-18: ray differentials. Dowell and Jarratt, BIT 11 (1971): Illinois. Born and Wolf,
 //          Principles of Optics, 1.5: Fresnel. Bruneton, Neyret, Holzschuch, CGF 29(2) (2010):
@@ -207,7 +207,8 @@ vec3 sunColour() {
 // which turns a ray, and the second derivatives, which say how much a bundle of rays spreads or
 // gathers. A ray finds the surface by steps that cannot pass it: with gap g above the water, the
 // ray closing in at the speed c of its own fall plus the steepest rise of the waves, nothing is
-// nearer than g / c.
+// nearer than g / c. That is a march with `overstep` 1; at its default a step is up to 1.4 times as
+// long, since waves are seldom at their steepest, and may cut a crest by 0.1 mm.
 
 // What all rays of a pixel share, fetched once: the eight plane waves of this frame and the sum of
 // their heights, the greatest height and slope of the rings, the lanterns, light of the whole sky.
@@ -547,7 +548,9 @@ vec3 sunUnderWater(vec3 sun, out mat2 byslope) {
     return vec3(-eta * sun.x, -cosT, -eta * sun.z);
 }
 
-// Where light that reaches a point `down` metres deep came in, and how much the waves gather it.
+// Where light that reaches a point `down` metres deep came in, and how much the waves gather it. It
+// lands at p = entry + down * aside(slope there); J, the derivative of that by the entry, says on
+// how many square metres of floor one of water shines: 1/|J| is how bright it is.
 float gathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
     vec2 calm = light.xz / -light.y;
     entry = p - down * calm;
@@ -739,7 +742,7 @@ bool refractRay(inout Ray r, vec3 nor, vec3 nx, vec3 ny, float eta) {
     float cosI = -dot(r.d, nor), k = (1.0 - eta) * (1.0 + eta) + square(eta * cosI);
     if (k <= 0.0) return false;
     float cosT = sqrt(k), m = eta * cosI - cosT;
-    float dm = eta - eta * eta * cosI / max(cosT, 0.05);
+    float dm = eta - eta * eta * cosI / max(cosT, 0.05);   // of m, by cosI
     r.dx = clamp(eta * r.dx + m * nx - dm * (dot(r.dx, nor) + dot(r.d, nx)) * nor, -2.0, 2.0);
     r.dy = clamp(eta * r.dy + m * ny - dm * (dot(r.dy, nor) + dot(r.d, ny)) * nor, -2.0, 2.0);
     r.d = normalize(eta * r.d + m * nor);

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <system_error>
 
@@ -39,7 +40,7 @@ constexpr VerbEntry kVerbs[] = {
     {"sequence", "frames to pictures, a film, or another program", sequence_verb},
     {"sound", "mainSound to a wav, flac or ogg file", sound_verb},
     {"import", "a shader of Shadertoy to a scene file", import_verb},
-    {"export", "a scene to the tabs of a Shadertoy", export_verb},
+    {"export", "a scene to a web page or to the tabs of a Shadertoy", export_verb},
     {"info", "passes, tweaks, and what was left out", info_verb},
     {"bench", "milliseconds a frame and a pass", bench_verb},
     {"check", "numerical stability at every extreme", check_verb},
@@ -166,8 +167,29 @@ std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
     return verbs;
 }
 
-// `glint FILE` is `glint open FILE`, `glint` alone `glint open`. Throws UsageError where a verb was
-// meant.
+// Throws UsageError where another verb than `open` was meant.
+void require_open(const std::vector<std::string>& arguments, std::span<const std::string> verbs) {
+    const std::string& file = arguments[0];
+    std::error_code unknown;
+    const bool is_there = std::filesystem::exists(file, unknown);
+    const bool is_word = file.find_first_of("./") == file.npos;
+    const bool has_operand = arguments.size() > 1 && !arguments[1].starts_with('-');
+    if (const std::string verb = nearest(file, verbs); !verb.empty() && !is_there)
+        throw UsageError(
+            fmt::format("There is no verb and no file '{}'; did you mean '{}'?", file, verb));
+    if (!is_there && is_word && has_operand)
+        throw UsageError(
+            fmt::format("There is no verb '{}'; `glint --help` lists those there are.", file));
+    for (const std::string_view output : {"-o", "--output"})
+        if (std::ranges::find(arguments, output) != arguments.end())
+            throw UsageError(
+                fmt::format("`glint {}` opens a window; `glint still {} -o picture.png` writes a "
+                            "picture, and `glint sequence` a film.",
+                            file, file));
+}
+
+// `glint FILE` is `glint open FILE`, `glint` alone `glint open`, `glint help still` `glint still
+// --help`, and `glint version` `glint --version`. Throws UsageError where a verb was meant.
 void add_default_verb(std::vector<std::string>& arguments) {
     if (arguments.empty()) return arguments.push_back("open");
     if (arguments[0].starts_with('-')) return;
@@ -175,11 +197,15 @@ void add_default_verb(std::vector<std::string>& arguments) {
     for (const VerbEntry& entry : kVerbs) verbs.emplace_back(entry.name);
     if (std::ranges::find(verbs, arguments[0]) != verbs.end()) return;
     std::error_code unknown;
-    const std::string verb = nearest(arguments[0], verbs);
-    if (!verb.empty() && !std::filesystem::exists(arguments[0], unknown)) {
-        throw UsageError(fmt::format("There is no verb and no file '{}'; did you mean '{}'?",
-                                     arguments[0], verb));
+    if (arguments[0] == "help" && !std::filesystem::exists("help", unknown)) {
+        arguments.erase(arguments.begin());
+        return arguments.push_back("--help");
     }
+    if (arguments[0] == "version" && !std::filesystem::exists("version", unknown)) {
+        arguments[0] = "--version";
+        return;
+    }
+    require_open(arguments, verbs);
     if (std::ranges::find(verbs, "open") == verbs.end()) {
         throw UsageError(
             fmt::format("This glint was built without its window; draw a picture by "

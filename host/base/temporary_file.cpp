@@ -81,6 +81,9 @@ TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(t
     if (descriptor_ < 0) {
         const int refusal = errno;
         temporary_.clear();
+        if (refusal == ENOENT)
+            throw cannot_write(named_, fmt::format("{}; make the folder {} first",
+                                                   cause_of(refusal), folder.string()));
         throw cannot_write(named_, cause_of(refusal));
     }
     if (replaces) (void)::fchmod(descriptor_, old.st_mode & 07777);  // some file systems have none

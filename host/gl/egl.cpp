@@ -1,5 +1,6 @@
 // OpenGL 4.5 without a screen, through EGL.
 #include "gl/context.h"
+#include "gl/egl_context.h"
 
 #include <dlfcn.h>
 #include <epoxy/egl.h>
@@ -40,24 +41,6 @@ private:
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-// A context that tells of a reset, where the driver can; a plain one elsewhere.
-EGLContext create_context(EGLDisplay display, EGLConfig config) {
-    std::vector<EGLint> attributes = {
-        EGL_CONTEXT_MAJOR_VERSION,       4,
-        EGL_CONTEXT_MINOR_VERSION,       5,
-        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
-    std::vector<EGLint> robust = attributes;
-    robust.insert(robust.end(),
-                  {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE,
-                   EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
-    for (auto* list : {&robust, &attributes}) {
-        list->push_back(EGL_NONE);
-        const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, list->data());
-        if (context != EGL_NO_CONTEXT) return context;
-    }
-    throw NoContext("the driver has no OpenGL 4.5 core context");
-}
-
 void EglContext::create() {
     EGLint major = 0, minor = 0;
     if (!eglInitialize(display_, &major, &minor)) throw NoContext("the display does not start");
@@ -70,6 +53,7 @@ void EglContext::create() {
         config = EGL_NO_CONFIG_KHR;
     }
     context_ = create_context(display_, config);
+    if (context_ == EGL_NO_CONTEXT) throw NoContext("the driver has no OpenGL 4.5 core context");
     if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
         throw NoContext("the driver cannot draw without a surface");
     }
@@ -139,6 +123,13 @@ bool is_chosen(const Candidate& candidate, std::string_view device) {
     return candidate.name.find(device) != std::string::npos;
 }
 
+std::string names_of(const std::vector<Candidate>& candidates) {
+    std::string names;
+    for (const Candidate& candidate : candidates)
+        names += (names.empty() ? " " : ", ") + candidate.name;
+    return names;
+}
+
 // libepoxy ends the process when there is no libEGL at all, so ask first.
 void require_libegl() {
     void* library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
@@ -147,6 +138,23 @@ void require_libegl() {
 }
 
 }  // namespace
+
+EGLContext create_context(EGLDisplay display, EGLConfig config, EGLContext shared) {
+    std::vector<EGLint> attributes = {
+        EGL_CONTEXT_MAJOR_VERSION,       4,
+        EGL_CONTEXT_MINOR_VERSION,       5,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    std::vector<EGLint> robust = attributes;
+    robust.insert(robust.end(),
+                  {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE,
+                   EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    for (auto* list : {&robust, &attributes}) {
+        list->push_back(EGL_NONE);
+        const EGLContext context = eglCreateContext(display, config, shared, list->data());
+        if (context != EGL_NO_CONTEXT) return context;
+    }
+    return EGL_NO_CONTEXT;
+}
 
 std::unique_ptr<Context> make_egl_context(std::string_view device) {
     require_libegl();
@@ -172,6 +180,11 @@ std::unique_ptr<Context> make_egl_context(std::string_view device) {
             tried += fmt::format("\n  {}: {}", candidate.name, error.what());
         }
     }
+    if (!order.empty() && std::ranges::none_of(order, [&](const Candidate& candidate) {
+            return is_chosen(candidate, device);
+        }))
+        throw NoContext(fmt::format("There is no device '{}' for --device; there are:{}", device,
+                                    names_of(order)));
     throw NoContext(
         fmt::format("No OpenGL 4.5 context{}; install a GL driver (Debian: "
                     "libgl1-mesa-dri).{}",

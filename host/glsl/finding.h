@@ -5,12 +5,16 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 namespace glint {
+
+// The functions of GLSL ES 3.00, chapter 8.
+std::span<const std::string_view> built_in_functions();
 
 // What only WebGL 2 minds.
 inline constexpr std::string_view kWebGl = "webgl";

@@ -97,9 +97,9 @@ private:
     LoopBound of_part(TokenRange range, bool ends) const {
         if (range.size() == 1 && (word(range.begin) == "false" || word(range.begin) == "0"))
             return ends ? LoopBound() : LoopBound{LoopBound::Kind::number, 1.0};
-        constexpr std::array<std::string_view, 9> kOperators = {
+        constexpr std::array<std::string_view, 9> kSplitting = {
             "<", ">", "<=", ">=", "!=", "==", "&&", "||", "?"};
-        const std::uint32_t at = find_word(range, kOperators);
+        const std::uint32_t at = find_word(range, kSplitting);
         if (at == range.end) return {};
         constexpr std::array<std::array<std::string_view, 3>, 6> kTurned = {{{"<", ">", ">="},
                                                                              {">", "<", "<="},
@@ -108,7 +108,7 @@ private:
                                                                              {"!=", "!=", "=="},
                                                                              {"==", "==", "!="}}};
         const auto op = std::ranges::find(kTurned, word(at), [](const auto& o) { return o[0]; });
-        if (op == kTurned.end() || find_word({at + 1, range.end}, kOperators) != range.end)
+        if (op == kTurned.end() || find_word({at + 1, range.end}, kSplitting) != range.end)
             return {};
         const TokenRange left = {range.begin, at}, right = {at + 1, range.end};
         const std::string_view goes_on = ends ? (*op)[2] : (*op)[0];

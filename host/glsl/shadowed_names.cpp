@@ -188,6 +188,10 @@ private:
 
 }  // namespace
 
+std::span<const std::string_view> built_in_functions() {
+    return kBuiltIn;
+}
+
 std::vector<Finding> find_shadowed_names(const Reading& reading, const std::vector<bool>& wanted) {
     return ShadowFinder(reading, wanted).find();
 }

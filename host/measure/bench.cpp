@@ -43,6 +43,7 @@ public:
           renderer_(preset, compile_or_stop(preset, {.program = {.specialise = specialise}}),
                     {.size = preset.size}) {
         load_inputs(preset, renderer_);
+        renderer_.compile_ahead();
         int ignored = 0;
         play(preset, renderer_, playback(), 0, ignored);
         // The driver compiles to machine code at the first draw.

@@ -2,6 +2,7 @@
 
 #include "base/json_text.h"
 #include "base/launch.h"
+#include "base/median.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/temporary_folder.h"
@@ -103,16 +104,11 @@ Json measure(const Preset& preset, const BenchOptions& options, const std::strin
     return json;
 }
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
-
 // One key of one pass in all rounds.
 double median_of(const std::vector<Json>& rounds, std::size_t pass, const char* key) {
     std::vector<double> values;
     for (const Json& round : rounds) values.push_back(round["passes"][pass][key].get<double>());
-    return median(values);
+    return glint::median_of(values);
 }
 
 Json passes_json(const Preset& preset, bool specialise, const std::vector<Json>& cold,

@@ -27,6 +27,23 @@ enum class ExitCode {
     context_lost = 7,
 };
 
+// What each stands for, in one line; docs/exporting.md has the same table.
+struct ExitMeaning {
+    int code;
+    const char* meaning;
+};
+inline constexpr ExitMeaning kExitMeanings[] = {
+    {0, "done"},
+    {1, "other failure"},
+    {2, "usage"},
+    {3, "the shader does not compile"},
+    {4, "a file is missing or unreadable"},
+    {5, "no GL context"},
+    {6, "a check failed, or pictures are missing"},
+    {7, "the GPU hung or was lost"},
+    {130, "Ctrl+C, as in the shell"},
+};
+
 // The command line asks for something that makes no sense: exit code 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;

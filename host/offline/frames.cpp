@@ -50,10 +50,10 @@ Frames frames_of(const std::string& text, const std::string& shard, double fps) 
         if (range.size() == 2) range.push_back(1);
         if (range.size() != 3 || range[0] < 0 || range[1] < range[0] || range[1] > kLastFrame ||
             range[2] < 1) {
-            throw UsageError(
-                fmt::format("--frames {}: write FIRST:LAST or FIRST:LAST:STEP, as in 0:299; frames "
-                            "end at {}.",
-                            text, kLastFrame));
+            throw UsageError(fmt::format(
+                "--frames {}: write FIRST:LAST or FIRST:LAST:STEP, as in 0:299, the last "
+                "one not before the first; frames end at {}.",
+                text, kLastFrame));
         }
     }
     const Share share = share_of(shard);

@@ -6,10 +6,13 @@
 #include "gl/context.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
+#include "offline/page_controls.h"
 #include "offline/page_plan.h"
 #include "offline/page_text.h"
 
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace glint {
 namespace {
@@ -19,16 +22,41 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
         text.replace(at, what.size(), by);
 }
 
-std::string in_html(std::string text) {
-    replace_all(text, "&", "&amp;");
-    replace_all(text, "<", "&lt;");
-    return text;
+// Takes a module out of the script: it stands from its mark to the next one.
+void leave_out(std::string& page, const std::string& module) {
+    const std::size_t begin = page.find("//! " + module + "\n");
+    page.erase(begin, page.find("//! ", begin + 1) - begin);
 }
 
-// Takes a module out of the script, which stands between /*NAME*/ and /*end*/.
-void leave_out(std::string& page, std::string_view module) {
-    const std::size_t begin = page.find(fmt::format("/*{}*/", module));
-    page.erase(begin, page.find("/*end*/", begin) - begin);
+// The modules that only some scenes need.
+void leave_out_unneeded(std::string& page, const nlohmann::ordered_json& plan) {
+    const auto reads = [&](const char* source) {
+        return std::ranges::any_of(plan["inputs"],
+                                   [&](const auto& input) { return input["source"] == source; });
+    };
+    const auto has = [&](const char* key) {
+        const auto any = [&](const auto& passes) {
+            return std::ranges::any_of(passes,
+                                       [&](const auto& pass) { return pass.contains(key); });
+        };
+        return any(plan["passes"]) || (plan.contains("sound") && any(plan["sound"]));
+    };
+    if (!plan.contains("sound")) leave_out(page, "sound");
+    if (!reads("sound")) leave_out(page, "analyser");
+    if (!reads("noise")) leave_out(page, "noise");
+    if (!has("step")) leave_out(page, "steps");
+    if (!has("channels")) leave_out(page, "channels");
+    for (std::size_t at = 0; (at = page.find("//! ", at)) != page.npos;)
+        page.erase(at, page.find('\n', at) + 1 - at);
+}
+
+// What the style sheet asks of the page's body.
+std::string body_classes(const Preset& preset, bool has_controls) {
+    std::string classes;
+    if (!has_controls) classes += " bare";
+    if (!preset.scene.has_sound) classes += " quiet";
+    if (preset.scene.tweaks.empty()) classes += " plain narrow";
+    return classes;
 }
 
 }  // namespace
@@ -48,13 +76,13 @@ void write_page(const ExportOptions& options) {
         sound = compile_or_stop(preset, {.root = kSoundPass, .program = compile.program});
     nlohmann::ordered_json plan = page_plan(preset, scene, sound ? &*sound : nullptr);
     if (!options.view.size.empty()) plan["fixed"] = true;
-    if (!options.controls) plan["bare"] = true;
+    std::string page(page_text());
+    leave_out_unneeded(page, plan);
     std::string json = json_text(plan, -1);
     replace_all(json, "</", "<\\/");  // which would end the script
-    std::string page(page_text());
-    if (!sound) leave_out(page, "sound");
-    if (json.find("\"source\":\"sound\"") == json.npos) leave_out(page, "analyser");
     replace_all(page, "<!--TITLE-->", in_html(plan["title"].get<std::string>()));
+    replace_all(page, "<!--CLASSES-->", body_classes(preset, options.controls));
+    replace_all(page, "<!--CONTROLS-->", page_controls(preset));
     page.replace(page.find("/*PLAN*/"), 8, json);
     write_whole_file(options.output, std::as_bytes(std::span(page)));
     say_result("{}\n", options.output.string());

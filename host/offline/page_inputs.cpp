@@ -3,8 +3,11 @@
 #include "media/sound.h"
 #include "offline/input_files.h"
 
+#include <epoxy/gl.h>
+#include <fmt/format.h>
 #include <zlib.h>
 
+#include <array>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -56,28 +59,76 @@ void add_alpha(InputContent& pixels) {
     pixels.bytes.assign(bytes.begin(), bytes.end());
 }
 
+// The texture that is made: its format, and what bytes for it WebGL calls what they are.
+Json texture_json(glm::ivec3 size, int faces, int channels, bool floats) {
+    constexpr std::array kFormats = {"r", "rg", "rgb", "rgba"};
+    constexpr std::array kLayouts = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    const auto at = static_cast<std::size_t>(channels - 1);
+    return {{"format", fmt::format("{}{}", kFormats.at(at), floats ? "32f" : "8")},
+            {"layout", kLayouts.at(at)},
+            {"size", {size.x, size.y, size.z}},
+            {"faces", faces}};
+}
+
+// The sizes of a cubemap have no third one, but it has faces.
+Json texture_json(SamplerType type, glm::ivec2 size, int slices, int channels, bool floats) {
+    const bool is_cube = type == SamplerType::samplerCube;
+    return texture_json({size, is_cube ? 1 : slices}, is_cube ? slices : 1, channels, floats);
+}
+
 Json sound_json(const Sampler& sampler) {
     const Sound sound = read_sound(sampler.files.front());
-    return {{"seconds", sound.seconds()},
-            {"data", inlined(std::as_bytes(std::span(sound.samples)))}};
+    Json json = texture_json({512, 2, 1}, 1, 1, false);
+    json["seconds"] = sound.seconds();
+    json["data"] = inlined(std::as_bytes(std::span(sound.samples)));
+    return json;
 }
 
 Json pixels_json(const Sampler& sampler, const TextureLimits& limits) {
     InputContent pixels = decode_input(sampler, limits);
     add_alpha(pixels);
-    return {{"size", {pixels.size.x, pixels.size.y, pixels.slices}},
-            {"channels", pixels.channels},
-            {"floats", pixels.floats},
-            {"data", inlined(pixels.bytes)}};
+    Json json =
+        texture_json(sampler.type, pixels.size, pixels.slices, pixels.channels, pixels.floats);
+    if (pixels.floats) json["floats"] = true;
+    json["data"] = inlined(pixels.bytes);
+    return json;
 }
 
 Json noise_json(const Sampler& sampler) {
-    const glm::ivec3 size = sampler.noise_size;
-    const int slices =
-        sampler.type == SamplerType::samplerCube ? static_cast<int>(kCubeFaces) : size.z;
-    return {{"size", {size.x, size.y, slices}},
-            {"channels", sampler.noise_channels},
-            {"plays", sampler.plays}};
+    const bool is_cube = sampler.type == SamplerType::samplerCube;
+    Json json = texture_json(sampler.type, glm::ivec2(sampler.noise_size),
+                             is_cube ? static_cast<int>(kCubeFaces) : sampler.noise_size.z,
+                             sampler.noise_channels, false);
+    json["channels"] = sampler.noise_channels;
+    json["plays"] = sampler.plays;
+    return json;
+}
+
+// A texture's kind, as WebGL names it behind TEXTURE_.
+const char* kind_of(SamplerType type) {
+    switch (type) {
+        case SamplerType::sampler2D:
+            return "2D";
+        case SamplerType::sampler3D:
+            return "3D";
+        case SamplerType::samplerCube:
+            return "CUBE_MAP";
+    }
+    return "";
+}
+
+// What WebGL's samplers are told, as pairs of its numbers.
+Json modes_json(const Sampler& sampler) {
+    const int wrap = sampler.wrap == Wrap::clamp    ? GL_CLAMP_TO_EDGE
+                     : sampler.wrap == Wrap::repeat ? GL_REPEAT
+                                                    : GL_MIRRORED_REPEAT;
+    const int large = sampler.filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
+    const int small = sampler.filter == Filter::mipmap ? GL_LINEAR_MIPMAP_LINEAR : large;
+    return {{GL_TEXTURE_WRAP_S, wrap},
+            {GL_TEXTURE_WRAP_T, wrap},
+            {GL_TEXTURE_WRAP_R, wrap},
+            {GL_TEXTURE_MAG_FILTER, large},
+            {GL_TEXTURE_MIN_FILTER, small}};
 }
 
 }  // namespace
@@ -85,9 +136,9 @@ Json noise_json(const Sampler& sampler) {
 Json page_input(const Sampler& sampler, const TextureLimits& limits) {
     const auto made = [&](const char* source, const Json& content) {
         Json input = {{"source", source},
-                      {"type", glsl_name(sampler.type)},
+                      {"kind", kind_of(sampler.type)},
                       {"filter", kFilterNames.of(sampler.filter)},
-                      {"wrap", kWrapNames.of(sampler.wrap)}};
+                      {"modes", modes_json(sampler)}};
         input.update(content);
         return input;
     };
@@ -105,7 +156,7 @@ Json page_input(const Sampler& sampler, const TextureLimits& limits) {
         case Source::noise:
             return made("noise", noise_json(sampler));
         case Source::keyboard:
-            return made("keyboard", Json::object());
+            return made("keyboard", texture_json({256, 3, 1}, 1, 1, false));
     }
     return made("none", Json::object());
 }

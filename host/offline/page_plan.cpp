@@ -1,14 +1,19 @@
 #include "offline/page_plan.h"
 
+#include "glsl/division.h"
+#include "glsl/loops.h"
 #include "offline/common.h"
 #include "offline/page_inputs.h"
 #include "render/buffer.h"
+#include "scene/scene_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace glint {
 namespace {
@@ -63,6 +68,7 @@ private:
     Json pass_json(const CompiledScene& scene, std::size_t index);
     void add_shape(Json& json, const CompiledScene& scene, std::size_t index) const;
     std::size_t input_of(const CompiledScene& scene, std::size_t sampler);
+    std::string for_software(const std::string& text) const;
 
     const Preset& preset_;
     TextureLimits limits_;
@@ -124,23 +130,45 @@ void Planner::add_shape(Json& json, const CompiledScene& scene, std::size_t inde
     }
 }
 
+// The text with its loops tested at their ends (glsl/loops.h). Definitions like those that the page
+// will write tell meanwhile what the names of the tweaks stand for.
+std::string Planner::for_software(const std::string& text) const {
+    std::string names;
+    for (std::size_t i = 0; i < preset_.scene.tweaks.size(); ++i) {
+        const Tweak& tweak = preset_.scene.tweaks[i];
+        names += fmt::format("#define {} uniform {} {};\n", named_tweak(i), glsl_name(tweak.type),
+                             tweak.name);
+    }
+    const std::size_t begin = text.find('\n') + 1;  // behind #version
+    std::string changed = text;
+    changed = test_loops_at_end(changed.insert(begin, names));
+    return changed.erase(begin, names.size());
+}
+
 Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
     const PassProgram& program = scene.programs[index];
     const PassText text = pass_text(preset_, program.pass, {.specialise = false, .named = true});
     const auto user = text.text.begin() + static_cast<std::ptrdiff_t>(text.user_begin);
+    const std::string soft = for_software(text.text);
     Json json = {{"name", pass_name(preset_.scene, program.pass)},
                  {"text", lines_.runs_of(text.text)},
                  {"first", std::count(text.text.begin(), user, '\n')}};
+    if (soft != text.text) json["soft"] = lines_.runs_of(soft);
     add_shape(json, scene, index);
-    Json samplers = Json::object(), channels = Json::object();
-    for (const SamplerUniform& uniform : program.samplers)
-        samplers[sampler_at(preset_, uniform.sampler).name] = input_of(scene, uniform.sampler);
+    Json samplers = Json::object(), channels = Json::array({nullptr, nullptr, nullptr, nullptr});
+    for (const SamplerUniform& uniform : program.samplers) {
+        const std::string& name = sampler_at(preset_, uniform.sampler).name;
+        samplers[name] = input_of(scene, uniform.sampler);
+        if (name.starts_with("iChannel"))  // the other name of it
+            samplers[fmt::format("iCh{}.sampler", name.back())] = samplers[name];
+    }
     for (const std::size_t sampler : channels_told_of(preset_, program)) {
         if (sampler_at(preset_, sampler).source == Source::none) continue;
-        channels[sampler_at(preset_, sampler).name.substr(8)] = input_of(scene, sampler);
+        const char digit = sampler_at(preset_, sampler).name.back();  // of iChannel0
+        channels[static_cast<std::size_t>(digit - '0')] = input_of(scene, sampler);
     }
     if (!samplers.empty()) json["samplers"] = samplers;
-    if (!channels.empty()) json["channels"] = channels;
+    if (!channels_told_of(preset_, program).empty()) json["channels"] = channels;
     return json;
 }
 
@@ -148,6 +176,29 @@ Json Planner::passes(const CompiledScene& scene) {
     Json list = Json::array();
     for (std::size_t i = 0; i < scene.programs.size(); ++i) list.push_back(pass_json(scene, i));
     return list;
+}
+
+// Names of the floats by which the text divides as they are.
+std::unordered_set<std::string> divisors(const Scene& scene) {
+    const Reading reading = read_glsl(scene.text, known_of_scene());
+    const auto mended = [&](const std::unordered_set<std::string_view>& zeros) {
+        Edits edits(reading);
+        mend_division_by_zero(reading, zeros, edits);
+        return edits.apply().text;
+    };
+    std::unordered_set<std::string> names;
+    const std::string text = mended({});
+    for (const Tweak& tweak : scene.tweaks)
+        if (tweak.type == TweakType::float1 && mended({tweak.name}) != text)
+            names.insert(tweak.name);
+    return names;
+}
+
+// Days from 1970 on.
+int day_of(const Date& date) {
+    const std::chrono::sys_days first =
+        std::chrono::year(date.year) / static_cast<unsigned>(date.month) / 1;
+    return static_cast<int>(first.time_since_epoch().count()) + date.day - 1;
 }
 
 // As many numbers as the tweak has.
@@ -158,21 +209,28 @@ Json numbers(const Tweak& tweak, const TweakValue& value) {
 Json tweak_json(const Tweak& tweak, const TweakValue& value) {
     Json json = {
         {"name", tweak.name}, {"type", glsl_name(tweak.type)}, {"value", numbers(tweak, value)}};
-    if (tweak.min && tweak.max) json["range"] = {*tweak.min, *tweak.max};
-    if (!tweak.names.empty()) json["names"] = tweak.names;
+    std::vector<std::string> names = tweak.names;
+    if (tweak.type == TweakType::bool1) names = {"off", "on"};
+    if (!names.empty()) {
+        json["names"] = names;
+        json["range"] = {0, names.size() - 1};
+    } else if (tweak.min && tweak.max) {
+        json["range"] = {*tweak.min, *tweak.max};
+    }
     if (tweak.is_colour) json["colour"] = true;
     if (tweak.log) json["log"] = true;
     if (tweak.step > 0.0) json["step"] = tweak.step;
-    if (!tweak.unit.empty()) json["unit"] = tweak.unit;
-    if (!tweak.group.empty()) json["group"] = tweak.group;
-    if (!tweak.description.empty()) json["what"] = tweak.description;
     return json;
 }
 
 Json tweaks_json(const Preset& preset) {
     Json list = Json::array();
-    for (std::size_t i = 0; i < preset.values.size(); ++i)
-        list.push_back(tweak_json(preset.scene.tweaks[i], preset.values[i]));
+    const auto dividing = divisors(preset.scene);
+    for (std::size_t i = 0; i < preset.values.size(); ++i) {
+        const Tweak& tweak = preset.scene.tweaks[i];
+        list.push_back(tweak_json(tweak, preset.values[i]));
+        if (dividing.contains(tweak.name)) list.back()["divides"] = true;
+    }
     return list;
 }
 
@@ -204,17 +262,15 @@ Json origins_json(const Scene& scene) {
 Json Planner::plan(const CompiledScene& scene, const CompiledScene* sound) {
     Json files = Json::array();
     for (const auto& file : preset_.scene.files) files.push_back(file.filename().string());
-    Json json = {
-        {"title", preset_.title.empty() ? preset_.file.stem().string() : preset_.title},
-        {"size", {preset_.size.x, preset_.size.y}},
-        {"time", preset_.time},
-        {"settle", preset_.settle},
-        {"date", {preset_.date.year, preset_.date.month, preset_.date.day, preset_.date.seconds}},
-        {"stateful", scene.graph.stateful},
-        {"keepsSize", keeps_picture_size(preset_.scene, scene.graph)},
-        {"tweaks", tweaks_json(preset_)},
-        {"events", events_json(preset_)},
-        {"passes", passes(scene)}};
+    Json json = {{"title", preset_.title.empty() ? preset_.file.stem().string() : preset_.title},
+                 {"size", {preset_.size.x, preset_.size.y}},
+                 {"time", preset_.time},
+                 {"settle", preset_.settle},
+                 {"day", day_of(preset_.date)},
+                 {"seconds", preset_.date.seconds},
+                 {"tweaks", tweaks_json(preset_)},
+                 {"events", events_json(preset_)},
+                 {"passes", passes(scene)}};
     if (sound) json["sound"] = passes(*sound);
     report(diagnostics_);
     json["inputs"] = std::move(inputs_);

@@ -9,15 +9,17 @@
 namespace glint {
 
 // The plan of a scene that was compiled without constants:
-//   title, time, settle, size, date, files          of the preset
+//   title, time, settle, size, files                of the preset; day (from 1970 on) and seconds
+//                                                   of its date
 //   lines, origins                                  of all texts: each line once; [line of the
 //                                                   scene's text, file, line of the file] where
 //                                                   the files go over into each other
 //   tweaks, events
-//   inputs[{type, source, filter, wrap, …}]         what samplers read
+//   inputs[{source, kind, filter, modes, …}]        what samplers read, and how: in WebGL's numbers
 //   passes[{name, text, first, format, size, …}]    in drawing order, the picture last; `text` is
-//                                                   pairs of first line and count, `first` the
-//                                                   line where the scene's own text begins
+//                                                   pairs of first line and count, `soft` another
+//                                                   one for drivers that draw in software, `first`
+//                                                   the line where the scene's own text begins
 //   sound                                           passes of mainSound, or none
 // Files that are read become bytes, deflated, in base64. Throws Stop where one cannot be read.
 nlohmann::ordered_json page_plan(const Preset& preset, const CompiledScene& scene,

@@ -244,6 +244,11 @@ void say_line(const SequenceOptions& options, const std::string& line) {
         say_result("{}\n", line);
 }
 
+// "1 frame", "3 frames".
+std::string counted(std::int64_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 void print_result(const SequenceOptions& options, const Run& run, double ms) {
     const double rate = static_cast<double>(run.written) / (ms / 1000.0);
     const glm::ivec2 size = run.preset.size;
@@ -263,12 +268,12 @@ void print_result(const SequenceOptions& options, const Run& run, double ms) {
         return;
     }
     if (options.output.empty()) {
-        say_result("{}  {} states  {} frames simulated  {:.1f} s\n", options.state.save, run.saved,
-                   run.simulated, ms / 1000.0);
+        say_result("{}  {}  {} simulated  {:.1f} s\n", options.state.save,
+                   counted(run.saved, "state"), counted(run.simulated, "frame"), ms / 1000.0);
         return;
     }
-    say_line(options, fmt::format("{}  {} frames{}  {}x{}  {:.1f} s  {:.1f} frames/s",
-                                  options.output, run.written,
+    say_line(options, fmt::format("{}  {}{}  {}x{}  {:.1f} s  {:.1f} frames/s", options.output,
+                                  counted(run.written, "frame"),
                                   run.skipped ? fmt::format(", {} were there", run.skipped) : "",
                                   size.x, size.y, ms / 1000.0, rate));
 }
@@ -286,7 +291,8 @@ void print_joined(const SequenceOptions& options, const Preset& preset, std::int
         say_result("{}\n", json_text(json));
         return;
     }
-    say_line(options, fmt::format("{}  {} frames  {:.1f} s", output, frames, ms / 1000.0));
+    say_line(options,
+             fmt::format("{}  {}  {:.1f} s", output, counted(frames, "frame"), ms / 1000.0));
 }
 
 // The frames whose pictures are not there, not whole, or made from something else, no matter by
@@ -395,6 +401,7 @@ void run_sequence(const SequenceOptions& options) {
     Renderer renderer(preset, compile_or_stop(preset, compile_options(options, kind)),
                       render_options(options, kind, preset.size));
     load_inputs(preset, renderer);
+    renderer.compile_ahead();
     if (target == Target::film) output.begin_film(sound_of(options, preset, frames));
 
     const Playback playback{.end = last / options.fps, .fps = options.fps};

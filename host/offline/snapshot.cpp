@@ -18,6 +18,7 @@
 #include <cstring>
 #include <new>
 #include <span>
+#include <sstream>
 
 namespace glint {
 namespace {
@@ -207,15 +208,40 @@ std::string image_digest(const Preset& preset) {
     return hash.text();
 }
 
+// The tweaks in a text of tweak_texts; a word without "=" goes on with a vector.
+std::vector<std::string> tweaks_in(const std::string& text) {
+    std::vector<std::string> tweaks;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (word.find('=') != word.npos || tweaks.empty())
+            tweaks.push_back(word);
+        else
+            tweaks.back() += " " + word;
+    }
+    return tweaks;
+}
+
+// Of a text's tweaks those that the other one has not.
+std::string tweaks_apart(const std::string& text, const std::string& other) {
+    const std::vector<std::string> others = tweaks_in(other);
+    std::vector<std::string> apart = tweaks_in(text);
+    std::erase_if(apart, [&](const std::string& tweak) {
+        return std::ranges::find(others, tweak) != others.end();
+    });
+    return fmt::format("{}", fmt::join(apart, " "));
+}
+
 void require_same_provenance(const Provenance& saved, const Provenance& here) {
     for (const auto& [name, text] : here) {
         const auto found = std::ranges::find(saved, name, &Provenance::value_type::first);
         const std::string other = found == saved.end() ? "nothing" : found->second;
         if (other == text) continue;
+        const bool lists = name == "tweaks" && found != saved.end();
         throw StateRefused(ExitCode::usage,
                            fmt::format("It was saved with {} {}, and this run has {}: give what it "
                                        "was saved with, or save it anew.",
-                                       name, other, text));
+                                       name, lists ? tweaks_apart(other, text) : other,
+                                       lists ? tweaks_apart(text, other) : text));
     }
 }
 
@@ -256,7 +282,8 @@ void write_snapshot(const fs::path& file, const Snapshot& snapshot) {
 
 Snapshot read_snapshot(const fs::path& file) {
     const auto cannot_read_it = [](const std::string& cause) {
-        return StateRefused(ExitCode::missing_file, fmt::format("Cannot read it: {}.", cause));
+        return StateRefused(ExitCode::missing_file, fmt::format("Cannot read it: {}{}", cause,
+                                                                cause.ends_with('?') ? "" : "."));
     };
     try {
         // Its buffers stand in memory as in the file.

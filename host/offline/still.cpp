@@ -340,6 +340,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     render.tile = tiling.tile;
     Renderer renderer(preset, std::move(compiled), render);
     load_inputs(preset, renderer);
+    renderer.compile_ahead();
     ms.load += clock.restart();
 
     Still still{.options = options,

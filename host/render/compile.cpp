@@ -1,5 +1,8 @@
 #include "render/compile.h"
 
+#include "base/process_time.h"
+#include "scene/scene_text.h"
+
 #include <algorithm>
 
 namespace glint {
@@ -33,11 +36,26 @@ PassReads reads_of(const Preset& preset, const PassProgram& program) {
     return reads;
 }
 
+// All of a text is judged with the root. The other passes need not be read by the driver whole
+// once more each, unless functions of theirs are hidden from the root, or there is a word to say.
+CompiledPass compile_behind_root(const Preset& preset, std::size_t pass, ProgramOptions options,
+                                 ProgramShelf* shelf) {
+    const bool may_hide = preset.scene.text.find(kPassPrefix) != std::string::npos;
+    if (!options.lean && !may_hide) {
+        options.lean = true;
+        CompiledPass lean = compile_pass(preset, pass, options, shelf);
+        if (lean.program && lean.diagnostics.empty()) return lean;
+        options.lean = false;
+    }
+    return compile_pass(preset, pass, options, shelf);
+}
+
 }  // namespace
 
 CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
                             const std::function<void(std::size_t pass)>& before_pass,
                             const GiveUp& give_up, ProgramShelf* shelf) {
+    const double began_ms = own_processor_ms();
     CompileResult result;
     std::vector<PassProgram> programs;
     std::vector<PassReads> reads;
@@ -46,7 +64,9 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
         if (before_pass) before_pass(wanted[next]);
         std::optional<CompileWatch> watch;
         if (give_up) watch.emplace(give_up, preset, wanted[next]);
-        CompiledPass compiled = compile_pass(preset, wanted[next], options.program, shelf);
+        CompiledPass compiled =
+            next == 0 ? compile_pass(preset, wanted[next], options.program, shelf)
+                      : compile_behind_root(preset, wanted[next], options.program, shelf);
         watch.reset();
         append_once(result.diagnostics, compiled.diagnostics);
         if (!compiled.program) return result;
@@ -69,6 +89,7 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
                      [&](const PassProgram& program) { return program.pass == options.root; }) -
         scene.programs.begin());
     scene.give_up = give_up;
+    scene.compile_ms = own_processor_ms() - began_ms;
     scene.graph = build_graph(preset.scene.passes, std::move(reads));
     return result;
 }

@@ -19,6 +19,7 @@ struct CompileOptions {
 struct CompiledScene {
     std::vector<PassProgram> programs;
     PassGraph graph;
+    double compile_ms = 0.0;  // of processors: reading and linking; the rest is in the first draw
     std::size_t root = 0;  // where the wanted pass stands; later ones are those that it reads back
     GiveUp give_up;        // ends what is still compiling at the first draw; empty: nothing does
 };

@@ -61,10 +61,19 @@ std::optional<double> wanted_by(const char* variable) {
     return number > 0.0 && number < 1e6 ? std::optional(number) : std::nullopt;
 }
 
-// What a handler of signals can know.
-std::atomic<pid_t> trapped_thread = 0;
-std::atomic<int> crash_signal = 0;
-alignas(16) std::array<std::byte, 64 * 1024> handler_stack;  // a compiler overflows its own
+// What a handler of signals can know of a thread.
+struct Trapped {
+    std::atomic<pid_t> thread = 0;
+    std::atomic<int> signal = 0;
+    alignas(16) std::array<std::byte, 64 * 1024> stack;  // a compiler overflows its own
+};
+std::array<Trapped, kMostTraps> trapped;
+
+// The handlers are those of the process: the first trap sets them, the last one puts back what was.
+constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
+std::array<struct sigaction, kSignals.size()> handlers_before;
+std::mutex traps_mutex;
+int traps = 0;
 
 void default_action(int signal) {
     ::signal(signal, SIG_DFL);
@@ -73,37 +82,49 @@ void default_action(int signal) {
 
 // The other thread says what there is to say, and ends the process; or it is stuck as well.
 void hear_crash(int signal) {
-    if (::gettid() != trapped_thread) return default_action(signal);
-    crash_signal = signal;
-    ::sleep(5);
+    for (Trapped& one : trapped) {
+        if (one.thread != ::gettid()) continue;
+        one.signal = signal;
+        ::sleep(5);
+    }
     default_action(signal);
+}
+
+void set_handlers() {
+    struct sigaction action {};
+    action.sa_handler = hear_crash;
+    action.sa_flags = SA_ONSTACK;
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+        ::sigaction(kSignals[i], &action, &handlers_before[i]);
 }
 
 }  // namespace
 
 CrashTrap::CrashTrap() {
-    crash_signal = 0;
-    trapped_thread = ::gettid();
+    const std::lock_guard lock(traps_mutex);
+    if (traps++ == 0) set_handlers();
+    for (place_ = 0; place_ < kMostTraps && trapped[place_].thread != 0;) ++place_;
+    if (place_ == kMostTraps) return;
+    trapped[place_].signal = 0;
+    trapped[place_].thread = ::gettid();
     stack_t stack{};
-    stack.ss_sp = handler_stack.data();
-    stack.ss_size = handler_stack.size();
+    stack.ss_sp = trapped[place_].stack.data();
+    stack.ss_size = trapped[place_].stack.size();
     ::sigaltstack(&stack, &stack_before_);
-    struct sigaction action {};
-    action.sa_handler = hear_crash;
-    action.sa_flags = SA_ONSTACK;
-    for (std::size_t i = 0; i < kSignals.size(); ++i)
-        ::sigaction(kSignals[i], &action, &before_[i]);
 }
 
 CrashTrap::~CrashTrap() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i)
-        ::sigaction(kSignals[i], &before_[i], nullptr);
+    const std::lock_guard lock(traps_mutex);
+    if (--traps == 0)
+        for (std::size_t i = 0; i < kSignals.size(); ++i)
+            ::sigaction(kSignals[i], &handlers_before[i], nullptr);
+    if (place_ == kMostTraps) return;
     ::sigaltstack(&stack_before_, nullptr);
-    trapped_thread = 0;
+    trapped[place_].thread = 0;
 }
 
-int CrashTrap::crashed() {
-    return crash_signal;
+int CrashTrap::crashed() const {
+    return place_ == kMostTraps ? 0 : trapped[place_].signal.load();
 }
 
 CompileLimits compile_limits() {
@@ -120,13 +141,13 @@ CompileWatch::CompileWatch(const GiveUp& give_up, const Preset& preset, std::siz
     const clockid_t clock = compiling_clock();
     const double start = seconds_on(clock);
     const std::size_t resident = resident_bytes();
-    thread_ = std::jthread([=, &give_up, &preset](const std::stop_token& stop) {
+    thread_ = std::jthread([=, this, &give_up, &preset](const std::stop_token& stop) {
         const CompileLimits limits = compile_limits();
-        std::mutex mutex;
-        std::unique_lock lock(mutex);
+        std::mutex own;
+        std::unique_lock lock(own);
         std::condition_variable_any none;
         while (!none.wait_for(lock, stop, kBetweenLooks, [&] { return stop.stop_requested(); })) {
-            if (const int signal = CrashTrap::crashed())
+            if (const int signal = trap_.crashed())
                 give_up(preset, pass, fmt::format("crashed ({})", ::strsignal(signal)));
             if (seconds_on(clock) - start > limits.seconds)
                 give_up(preset, pass,

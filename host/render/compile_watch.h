@@ -3,7 +3,6 @@
 // likes. Others, nested too deep, make it crash.
 #pragma once
 
-#include <array>
 #include <csignal>
 #include <cstddef>
 #include <functional>
@@ -29,8 +28,9 @@ struct CompileLimits {
 // GLINT_COMPILE_GIB in the environment are for machines that need others.
 CompileLimits compile_limits();
 
-// While it lasts, a crash of the thread that made it waits to be told of by another one. One at a
-// time.
+// While it lasts, a crash of the thread that made it waits to be told of by another one. Of so many
+// threads at a time; those of more crash untold.
+inline constexpr unsigned kMostTraps = 4;
 class CrashTrap {
 public:
     CrashTrap();
@@ -39,11 +39,10 @@ public:
     CrashTrap& operator=(const CrashTrap&) = delete;
 
     // The signal; 0: none.
-    static int crashed();
+    int crashed() const;
 
 private:
-    static constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
-    std::array<struct sigaction, kSignals.size()> before_{};
+    unsigned place_ = kMostTraps;  // among the threads that are trapped
     stack_t stack_before_{};
 };
 

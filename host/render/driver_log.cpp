@@ -1,6 +1,8 @@
 #include "render/driver_log.h"
 
 #include "base/words.h"
+#include "glsl/finding.h"
+#include "glsl/parser.h"
 #include "glsl/preprocess.h"
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include <limits>
 #include <optional>
 #include <regex>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +38,9 @@ public:
     // behind its preprocessor.
     Diagnostic complaint(Severity severity, int line, int column, bool is_expanded,
                          std::string words) const;
+
+    // "; did you mean 'density'?" of a name that is not declared, or "".
+    std::string meant_by(std::string_view mistyped) const;
 
 private:
     void find_lines();
@@ -129,6 +135,22 @@ Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_
     return {severity, where, std::move(words)};
 }
 
+std::string ReadText::meant_by(std::string_view mistyped) const {
+    const std::size_t most_letters_apart = (mistyped.size() + 2) / 3;
+    std::set<std::string, std::less<>> names;
+    const auto add = [&](std::string_view name) {
+        const std::size_t longer = std::max(name.size(), mistyped.size());
+        const bool is_near = longer - std::min(name.size(), mistyped.size()) <= most_letters_apart;
+        if (is_near && name != mistyped && !is_keyword(name) && !name.starts_with("glint_"))
+            names.emplace(name);
+    };
+    for (const Token& token : read_.tokens)
+        if (token.is_word()) add(token.text);
+    for (const Macro& macro : read_.macros) add(macro.name);
+    std::ranges::for_each(built_in_functions(), add);
+    return did_you_mean(mistyped, std::vector<std::string>(names.begin(), names.end()));
+}
+
 // A number of a log, however many digits it has.
 int parse_count(const std::string& digits) {
     int count = 0;
@@ -188,6 +210,42 @@ Diagnostics with_candidates_joined(Diagnostics list) {
     return joined;
 }
 
+// The name that a complaint does not know, or "".
+std::string unknown_name(const std::string& complaint) {
+    static const std::regex mesa(R"(^(?:`(\w+)' undeclared|no function with name '(\w+)')$)");
+    constexpr std::size_t kLongest = 200;
+    std::smatch m;
+    if (complaint.size() > kLongest || !std::regex_match(complaint, m, mesa)) return {};
+    return m[1].matched ? m[1] : m[2];
+}
+
+// Mesa gives what it does not understand no type, and then complains of each expression round it,
+// all of which stand behind that complaint and begin no later in its line.
+bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
+    static const std::regex words(
+        "^operands to |^type mismatch$|^cannot construct |^condition of |condition must be scalar|"
+        "[(, ]error[,)]|of type error$|with wrong type error,");
+    const Place &at = one.place, &before = cause.place;
+    const bool encloses = at.file == before.file && at.line == before.line && at.column > 0 &&
+                          at.column <= before.column;
+    return one.severity == Severity::error && encloses &&
+           std::regex_search(one.text.substr(0, one.text.find('\n')), words);
+}
+
+// Of a text with an error Mesa also warns that what should hold its value has none.
+Diagnostics without_consequences(const Diagnostics& list) {
+    Diagnostics left;
+    const bool fails = has_errors(list);
+    for (const Diagnostic& one : list) {
+        if (fails && one.text.ends_with("' used uninitialized")) continue;
+        const auto causes = [&](const Diagnostic& cause) {
+            return cause.severity == Severity::error && is_consequence(one, cause);
+        };
+        if (std::ranges::none_of(left, causes)) left.push_back(one);
+    }
+    return left;
+}
+
 }  // namespace
 
 Diagnostic link_diagnostic(const Scene& scene, std::string text) {
@@ -213,6 +271,8 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
     const auto add = [&](bool is_error, const std::string& line, int column, bool is_expanded,
                          std::string words) {
         if (!read) read.emplace(scene, text);
+        if (const std::string name = unknown_name(words); !name.empty())
+            words += read->meant_by(name);
         list.push_back(read->complaint(is_error ? Severity::error : Severity::warning,
                                        std::min(parse_count(line), kLastLine), column, is_expanded,
                                        std::move(words)));
@@ -229,7 +289,7 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
             list.push_back(link_diagnostic(scene, m[1]));
         }
     }
-    return with_candidates_joined(std::move(list));
+    return without_consequences(with_candidates_joined(std::move(list)));
 }
 
 }  // namespace glint

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "gl/context.h"
+#include "render/plain_draw.h"
 #include "render/room.h"
 
 #include <glm/common.hpp>
@@ -23,24 +24,6 @@ long steps_elapsed(double time, Step step) {
 }
 
 constexpr double kStripSeconds = 0.1;
-
-// llvmpipe makes two machine codes of a pass that writes its pixels plainly, one of them for tiles
-// that the triangle covers whole, and takes twice as long; of one with a logical operation it makes
-// the other one alone. "Copy" writes the same pixels, and means nothing where they are floats.
-class PlainDraw {
-public:
-    PlainDraw() {
-        if (is_wanted_) glEnable(GL_COLOR_LOGIC_OP);  // GL_COPY
-    }
-    ~PlainDraw() {
-        if (is_wanted_) glDisable(GL_COLOR_LOGIC_OP);
-    }
-    PlainDraw(const PlainDraw&) = delete;
-    PlainDraw& operator=(const PlainDraw&) = delete;
-
-private:
-    const bool is_wanted_ = draws_in_software() && glIsEnabled(GL_BLEND) == GL_FALSE;
-};
 
 }  // namespace
 
@@ -70,8 +53,7 @@ Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOption
         average_ = std::make_unique<Average>(sum.shape.size);
         require_room(average_->sum(), sum.name);
     }
-    glDisable(GL_DITHER);
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // always on in GLSL ES
+    start_context();
 }
 
 // GL keeps a deleted program for as long as it is current, and it vanishes under whoever wants to
@@ -539,29 +521,6 @@ void Renderer::forget_drawn(std::size_t index) {
     drawn.builtins.assign(program.builtins.size(), {});
     drawn.tweaks.assign(program.tweaks.size(), {});
     drawn.versions.assign(program.samplers.size(), {});
-}
-
-void Renderer::warm_up(const PassProgram& program) {
-    const auto& passes = scene_.graph.passes;
-    const auto is_here = [&](std::size_t pass) {
-        return std::ranges::find(passes, pass, &GraphPass::pass) != passes.end();
-    };
-    const bool reads_others = std::ranges::any_of(program.samplers, [&](const auto& uniform) {
-        const Sampler& sampler = sampler_at(preset_, uniform.sampler);
-        return sampler.source == Source::buffer && !is_here(sampler.pass);
-    });
-    if (reads_others || !is_here(program.pass)) return;
-    BufferShape shape = buffers_[graph_index(program.pass)]->shape();
-    shape.size = glm::min(shape.size, glm::ivec2(4));
-    shape.feedback = shape.mipmaps = false;
-    Buffer nobodys(shape);
-    glBindVertexArray(vertex_array_.id());
-    glUseProgram(program.id);
-    bind_samplers(program);
-    glBindFramebuffer(GL_FRAMEBUFFER, nobodys.target());
-    glViewport(0, 0, shape.size.x, shape.size.y);
-    const PlainDraw plain;
-    draw_triangle();
 }
 
 void Renderer::draw_variant(const Variant& variant, const Frame& frame) {

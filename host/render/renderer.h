@@ -132,6 +132,12 @@ public:
     // drivers finish compiling inside the first draw.
     void warm_up(const PassProgram& program);
 
+    // Where the driver compiles on the processor inside the first draw, and has not kept what it
+    // compiled before: has it compile now, on several processors. Nothing elsewhere. Draws no
+    // pixel; to be called once the inputs are there. Passes that linked in less than this are not
+    // worth a thread, or the driver had them.
+    void compile_ahead(double worth_ms = 60.0);
+
     // Draws another program for one of the passes into a framebuffer of one's own, of this size in
     // pixels, with all that the pass itself would read: called by before_pass, what it is about to
     // read, and else what stands in the buffers, with this frame. `face` is that of a cube.
@@ -200,6 +206,8 @@ private:
         int strip_rows = 32;  // that take about kStripSeconds; the first are a guess
     };
 
+    static void start_context();
+    void compile_by_drawing(std::size_t index);
     void run(const Frame& frame, bool state_only);
     void run_steps(const Frame& frame, Step step);
     void run_pass(std::size_t index, const Inputs& inputs, bool force = false);

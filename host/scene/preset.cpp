@@ -23,6 +23,11 @@ namespace fs = std::filesystem;
 constexpr int kLargestSize = 1'000'000;  // pixels; the largest picture that any file keeps
 constexpr int kMostSettle = 1'000'000;
 
+// At the top of a preset.
+const std::vector<std::string> kKeys = {"scene",    "title",  "time",  "size",   "settle",
+                                        "date",     "locked", "watch", "tweaks", "quality",
+                                        "channels", "events", "expect"};
+
 class Reader {
 public:
     // Without a scene, the one that the preset names is read.
@@ -57,6 +62,7 @@ private:
     std::optional<Event> read_event(const toml::table& table);
     bool read_event_input(Event& event, const toml::table& table);
     void check_keys(const toml::table& table, const Names& known);
+    void check_root_keys(const toml::table& root);
 
     Place place(const toml::source_region& source) const {
         return {preset_.file.string(), static_cast<int>(source.begin.line),
@@ -105,9 +111,8 @@ void Reader::read(std::string_view text) {
         return;
     }
     const toml::table& root = parsed.table();
-    check_keys(root, {"scene", "title", "time", "size", "settle", "date", "locked", "watch",
-                      "tweaks", "quality", "channels", "events", "expect"});
     read_scene_key(root);
+    check_root_keys(root);
     read_picture(root);
     if (const toml::node* tweaks = root.get("tweaks")) read_tweaks(*tweaks);
     if (const toml::node* quality = root.get("quality")) read_qualities(*quality);
@@ -132,6 +137,20 @@ void Reader::check_keys(const toml::table& table, const Names& known) {
     for (const auto& [key, node] : table) {
         const std::string wrong = unknown_key(key.str(), known);
         if (!wrong.empty()) warning(key.source(), wrong);
+    }
+}
+
+// A tweak at the top is a line that has lost its heading.
+void Reader::check_root_keys(const toml::table& root) {
+    for (const auto& [key, node] : root) {
+        const std::string wrong = unknown_key(key.str(), kKeys);
+        if (wrong.empty()) continue;
+        const bool is_tweak = std::ranges::find(preset_.scene.tweaks, key.str(), &Tweak::name) !=
+                              preset_.scene.tweaks.end();
+        warning(key.source(), is_tweak ? fmt::format("{} is a tweak of the scene: write it below "
+                                                     "a line [tweaks]",
+                                                     in_quotes(key.str()))
+                                       : wrong);
     }
 }
 
@@ -269,8 +288,11 @@ std::optional<Turned> Reader::read_tweak(const toml::key& key, const toml::node&
     if (tweak == tweaks.end()) {
         Names names;
         for (const Tweak& known : tweaks) names.push_back(known.name);
-        warning(key.source(), fmt::format("the scene has no tweak {}{}", in_quotes(key.str()),
-                                          did_you_mean(key.str(), names)));
+        warning(key.source(),
+                fmt::format("the scene has no tweak {}{}", in_quotes(key.str()),
+                            std::ranges::find(kKeys, key.str()) != kKeys.end()
+                                ? ": this is a key of the preset, write it above all [headings]"
+                                : did_you_mean(key.str(), names)));
         return std::nullopt;
     }
     const auto value = tweak_value(*tweak, node);

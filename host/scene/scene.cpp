@@ -158,14 +158,22 @@ bool Builder::is_allowance(Span note) {
     return names.has_value();
 }
 
+std::string_view first_word(std::string_view text) {
+    text = trimmed(text);
+    return text.substr(0, text.find_first_of(" \t("));
+}
+
 // A note without a uniform: a heading, or a mistake.
 void Builder::use_note(Span note) {
-    if (auto heading = parse_group(note_text(note)))
+    static const std::string kWords[] = {"group", "allow", "assert", "watch"};
+    const std::string text = note_text(note);
+    if (auto heading = parse_group(text))
         group_ = std::move(*heading);
-    else if (!parse_probe_note(note_text(note)))
+    else if (!parse_probe_note(text))
         warning(note.begin - 3,
-                "no uniform on this line: nothing comes of this annotation; put it behind a "
-                "uniform, or write //@ group NAME");
+                fmt::format("no uniform on this line, so this annotation does nothing; put it "
+                            "behind a uniform, or write //@ group NAME{}",
+                            did_you_mean(first_word(text), kWords)));
 }
 
 // The note behind a declaration, on its last line (or within it). Notes before it are used up. Of

@@ -340,8 +340,8 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
         (shader.tabs.size() == 1 && shader.tabs[0].name == "common")) {
         diagnostics.push_back({Severity::error,
                                {folder.string()},
-                               "there is no image.glsl in this folder (and bufferA.glsl …, "
-                               "common.glsl, sound.glsl)",
+                               "there is no image.glsl in this folder; a Shadertoy's tabs are "
+                               "image.glsl, common.glsl, bufferA.glsl …, sound.glsl",
                                true});
     }
     if (has_errors(diagnostics)) return std::nullopt;

@@ -11,7 +11,8 @@ void declare(CLI::App& verb, CheckOptions& check) {
     add_views(verb, check.files, check.view, "pixels of most cases; 96x54 otherwise");
     verb.add_option("--inject", check.effort.inject, "texels of a buffer poisoned at once; 0: none")
         ->check(from(0, 10'000));
-    verb.add_option("--frames", check.effort.frames, "of the long run")->check(from(1, 10'000'000));
+    verb.add_option("--frames", check.effort.frames, "of the long run; 2000 otherwise")
+        ->check(from(1, 10'000'000));
     verb.add_option("--random", check.effort.random, "sets of random tweaks")
         ->check(from(0, 1'000'000));
     CLI::Option* seconds =
@@ -26,7 +27,8 @@ void declare(CLI::App& verb, CheckOptions& check) {
     verb.add_option("--hang", check.hang_seconds,
                     "s that one frame may take; less where --seconds are nearly over")
         ->check(from(1.0, 1e5));
-    verb.add_option("-o,--output", check.output, "a folder for the pictures of failures")
+    verb.add_option("-o,--output", check.output,
+                    "a folder for the pictures of failures; glint-check otherwise")
         ->type_name(kFolder);
     verb.add_option("--junit", check.junit, "a file for the cases as JUnit XML")->type_name(kFile);
     CLI::Option* json = verb.add_flag("--json", check.view.json, "one JSON object on stdout");

@@ -221,15 +221,15 @@ Json costliest_copies(const Preset& preset, const std::vector<std::size_t>& pass
 }
 
 void print_copies(const Json& worst) {
-    say_result("\ncopies that drivers make of a function, one a call\n");
+    say_result("\ncopies: drivers compile a function once for each of its calls\n");
     if (worst["function"].is_null())
         return say_result("  {}\n", worst.contains("why_not") ? worst["why_not"].get<std::string>()
                                                               : "none is called twice");
     say_result(
-        "  the costliest: {}, {} of {} words each, in {} of {} words; one call site would save "
-        "{}\n",
-        worst["function"].get<std::string>(), worst["copies"].get<std::size_t>(),
-        worst["words"].get<std::size_t>(), worst["pass"].get<std::string>(),
+        "  the costliest: {} in {}, {} copies of {} SPIR-V words; of all {} words one call site "
+        "would save {}\n",
+        worst["function"].get<std::string>(), worst["pass"].get<std::string>(),
+        worst["copies"].get<std::size_t>(), worst["words"].get<std::size_t>(),
         worst["program_words"].get<std::size_t>(), worst["saved_by_one_call"].get<std::size_t>());
 }
 
@@ -281,6 +281,14 @@ void print_findings(const Json& json) {
             say_result("  and {} more [{}]; --json lists all\n", number - kMostOfAKind, name);
     for (const Json& one : json["not_looked_into"])
         say_result("  {}\n", placed(one, one["why"].get<std::string>()));
+    if (json["findings"].empty() && json["not_looked_into"].empty()) say_result("  none\n");
+}
+
+// "[0, 1] m", or the names of a menu.
+std::string values_of(const Tweak& tweak) {
+    if (!tweak.names.empty()) return fmt::format("{{{}}}", fmt::join(tweak.names, ", "));
+    if (!tweak.min) return tweak.unit;
+    return fmt::format("[{}, {}] {}", *tweak.min, *tweak.max, tweak.unit);
 }
 
 std::string joined(const Json& list) {
@@ -298,20 +306,20 @@ void print_tables(const Inspection& seen, const Json& json) {
                    pass["format"].get<std::string>(), pass["runs"].get<std::string>(),
                    pass["feedback"] ? ", feedback" : "", joined(pass["reads"]));
     }
+    if (seen.preset.scene.has_sound) say_result("  {:<16} mainSound\n", "sound");
     say_result("\ntweaks\n");
     for (std::size_t i = 0; i < seen.preset.scene.tweaks.size(); ++i) {
         const Tweak& tweak = seen.preset.scene.tweaks[i];
-        say_result(
-            "  {:<20} {:<6} {:<14} {:<18} {}\n", tweak.name, glsl_name(tweak.type),
-            format_value(tweak, seen.preset.values[i]),
-            tweak.min ? fmt::format("[{}, {}] {}", *tweak.min, *tweak.max, tweak.unit) : tweak.unit,
-            tweak.description);
+        say_result("  {:<20} {:<6} {:<14} {:<18} {}\n", tweak.name, glsl_name(tweak.type),
+                   format_value(tweak, seen.preset.values[i]), values_of(tweak), tweak.description);
     }
+    if (seen.preset.scene.tweaks.empty()) say_result("  none\n");
     say_result("\nleft out\n");
     for (const Json& item : json["left_out"]) {
         say_result("  {:<32} {}\n", item["what"].get<std::string>(),
                    item["why"].get<std::string>());
     }
+    if (json["left_out"].empty()) say_result("  nothing\n");
     print_copies(json["copies"]);
     print_findings(json);
 }

@@ -1,5 +1,6 @@
 // `glint manual`: the pages of `man`, glint.1 and one a verb, into a folder. The build asks for
 // them. Hidden, for no person needs them twice.
+#include "offline/common.h"
 #include "verbs/commit.h"
 #include "verbs/tree.h"
 #include "verbs/verb.h"
@@ -83,6 +84,13 @@ std::string examples(const CLI::App& of) {
     return text + ".EE\n";
 }
 
+std::string exit_status() {
+    std::string text = ".SH EXIT STATUS\n";
+    for (const ExitMeaning& exit : kExitMeanings)
+        text += entry(bold(std::to_string(exit.code)), exit.meaning);
+    return text;
+}
+
 std::string head(const std::string& name, const std::string& what, const std::string& line) {
     std::string title = name;
     for (char& c : title) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -97,7 +105,7 @@ std::string page_name(const CLI::App& verb) {
 
 std::string verb_page(CLI::App& verb) {
     return head(page_name(verb), verb.get_description(), synopsis(verb)) + options(verb) +
-           examples(verb) + ".SH SEE ALSO\n.BR glint (1)\n";
+           exit_status() + examples(verb) + ".SH SEE ALSO\n.BR glint (1)\n";
 }
 
 // "glint: what it is. A sentence more."
@@ -115,7 +123,7 @@ std::string root_page(CLI::App& root) {
         text += entry(bold(page_name(*verb)) + "(1)", verb->get_description());
         others += fmt::format(".BR {} (1){}\n", page_name(*verb), verb == verbs.back() ? "" : ",");
     }
-    return text + options(root) + examples(root) + others;
+    return text + options(root) + exit_status() + examples(root) + others;
 }
 
 void write_page(const std::filesystem::path& folder, const std::string& name,

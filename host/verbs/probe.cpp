@@ -22,7 +22,7 @@ void declare(CLI::App& verb, ProbeOptions& probe) {
     verb.add_option("--line", probe.line,
                     "this line's values in the order in which they came; of an included file, "
                     "FILE:LINE");
-    verb.add_option("--hit", probe.hit, "the how manieth of them alone, from 1")
+    verb.add_option("--hit", probe.hit, "of these values the N-th alone, from 1")
         ->check(from(1, 1 << 30));
     verb.add_option("--expr", probe.expression,
                     "any expression that is valid behind a line, as in 'dot(nor, rd)@412'");

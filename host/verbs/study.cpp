@@ -38,12 +38,13 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->check(from(0, 1'000'000));
     verb.add_option("--over", study.over,
                     "presets: errors over all of the scene's; or time=A:B:STEP: over these");
-    CLI::Option* ms = verb.add_option(
-        "--ms", study.ms_budget,
-        "find the best joint setting of all quality tweaks within these; or own: the preset's");
+    CLI::Option* ms = verb.add_option("--ms", study.ms_budget,
+                                      "find the best joint setting of all quality tweaks within so "
+                                      "many milliseconds a frame; or own: what the preset takes");
     verb.add_option("--rmse", study.rmse_budget, "find the fastest with at most this error, or own")
         ->excludes(ms);
-    verb.add_option("--name", study.name, "of what is found, in the preset of -o");
+    verb.add_option("--name", study.name,
+                    "what the setting that is found is called in the preset of -o; best otherwise");
     verb.add_option("-o,--output", study.output,
                     "a folder for the report; a preset (.toml) for what --ms or --rmse finds")
         ->type_name(kFolder);

@@ -93,6 +93,21 @@ TEST_F(Optics, TheBoatsWavesKeepTheDispersionOfTheirDepth) {
     }
 }
 
+// What the air leaves of a sun overhead: molecules (5.8, 13.5 and 33.1 1/Mm at the sea's level,
+// half as many every 5.5 km up), ozone (0.65, 1.88 and 0.085 1/Mm at 25 km, none 15 km from there;
+// Hillaire 2020, table 1), and the haze, which is taken out here.
+TEST_F(Optics, TheAirOverheadIsOfMoleculesAndOzone) {
+    const double molecules[] = {5.8e-6, 13.5e-6, 33.1e-6}, ozone[] = {0.65e-6, 1.88e-6, 0.085e-6};
+    for (const char* scene : {"terrain", "sea"}) {
+        const glm::vec4 depth =
+            value_of(scene, "", "-log(airTransmittance(0.0, 1.0, 400)) - 1.32e3 * kMie * haze");
+        for (int c = 0; c < 3; ++c) {
+            const double right = molecules[c] * 8e3 + ozone[c] * 15e3;
+            EXPECT_NEAR(depth[c] / right, 1.0, 5e-3) << scene << " " << c << ": a sum of 400";
+        }
+    }
+}
+
 // Twice as far from a small lamp, a fourth of its light. (Close to it: what the other lamps of the
 // hall add is a few percent.)
 TEST_F(Optics, LampsFadeWithTheSquareOfTheDistance) {

@@ -88,6 +88,21 @@ std::vector<float> faces_of(const std::string& text, const std::string& preset, 
     return faces;
 }
 
+// Rings run at `waveSpeed` c over deep water, and slower on the stairs: c^2 tanh(g d / c^2) over a
+// depth d. Each of them is 22 cm high; the first stands 5 cm out of the water.
+TEST_F(Water, RingsAreSlowerOnTheStairs) {
+    std::vector<ProbeCase> cases;
+    for (int i = 0; i < 5; ++i)
+        cases.push_back({.a = {4.0f - 0.42f * (static_cast<float>(i) + 0.5f), 1.6f, 0, 0}});
+    const std::string fast = with_defaults(water_text(), {{"waveSpeed", "3"}, {"depth", "2"}});
+    const auto squared = probe(fast, "squaredSpeed(a.xy)", cases);
+    for (int i = 0; i < 5; ++i) {
+        const double down = i == 4 ? 2.0 : std::max(0.22 * i - 0.05, 0.0);
+        EXPECT_NEAR(squared[static_cast<std::size_t>(i)].x, 9.0 * std::tanh(9.81 * down / 9.0),
+                    1e-4);
+    }
+}
+
 // The real pass in the real scene, with columns, ball, steps and rain, against the kernel above.
 TEST_F(Water, TheSimulationIsTheWaveEquationOfTheKernel) {
     const std::string preset = "[tweaks]\nrain = 30\ndamping = 0.6\nwaveSpeed = 2.5\n";

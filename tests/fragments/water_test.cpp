@@ -169,6 +169,28 @@ TEST_F(Water, WavesHoldForAYear) {
         EXPECT_EQ(young, drawn_at(3.0 + 65536.0 * std::round(days * 86400.0 / 65536.0))) << days;
 }
 
+// Waves that are long beside the depth run slower: (2 pi f)^2 = g k tanh(k d), in steps of 1/65536
+// Hz.
+TEST_F(Water, LongWavesFeelTheFloor) {
+    Player player(water_text(), {.preset = "[tweaks]\nripples = false\ndepth = 0.8\n"
+                                           "longestWave = 6\n",
+                                 .pass = "wavelets"});
+    const auto drawn_at = [&](double time) {
+        Frame frame;
+        frame.time = time;
+        player.draw(frame);
+        return player.floats();
+    };
+    const std::vector<float> before = drawn_at(0.0), after = drawn_at(1.0);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::size_t group = i / 4 * 4, c = i % 4, phase = (group + 3) * 4 + c;
+        const double k = std::hypot(before[group * 4 + c], before[(group + 1) * 4 + c]);
+        const double hz = std::sqrt(9.81 * k * std::tanh(k * 0.8)) / (2 * kPi);
+        const double turned = (before[phase] - after[phase]) / (2 * kPi);
+        EXPECT_NEAR(std::remainder(turned - hz, 1.0), 0.0, 2.0 / 65536.0) << "wave " << i;
+    }
+}
+
 // ---- The march ----------------------------------------------------------------------------------
 
 // The first crossing in double: 16384 steps, then 60 bisections.

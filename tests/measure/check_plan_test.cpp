@@ -23,37 +23,37 @@ Case of_group(std::size_t group, Case::Tweaks tweaks = Case::Tweaks::none) {
     return {.name = "", .run = {}, .tweaks = tweaks, .group = group};
 }
 
-TEST(CheckBudget, AGroupGetsThreeTenthsOfWhatIsLeftWhenItBegins) {
-    Budget budget({.seconds = 100.0});
-    EXPECT_FALSE(budget.is_over(of_group(0), 0.0));
-    EXPECT_FALSE(budget.is_over(of_group(0), 30e3));
-    EXPECT_TRUE(budget.is_over(of_group(0), 30e3 + 1));
-    EXPECT_FALSE(budget.is_over(of_group(1), 40e3)) << "the next one has its own";
-    EXPECT_FALSE(budget.is_over(of_group(1), 58e3));
-    EXPECT_TRUE(budget.is_over(of_group(1), 58e3 + 1));
+TEST(CheckSeconds, AGroupGetsThreeTenthsOfWhatIsLeftWhenItBegins) {
+    SharedSeconds seconds({.seconds = 100.0});
+    EXPECT_FALSE(seconds.is_over(of_group(0), 0.0));
+    EXPECT_FALSE(seconds.is_over(of_group(0), 30e3));
+    EXPECT_TRUE(seconds.is_over(of_group(0), 30e3 + 1));
+    EXPECT_FALSE(seconds.is_over(of_group(1), 40e3)) << "the next one has its own";
+    EXPECT_FALSE(seconds.is_over(of_group(1), 58e3));
+    EXPECT_TRUE(seconds.is_over(of_group(1), 58e3 + 1));
 }
 
-TEST(CheckBudget, NobodyBeginsWhenAllSecondsAreOver) {
-    Budget budget({.seconds = 100.0});
-    EXPECT_FALSE(budget.is_over(of_group(3), 100e3));
-    EXPECT_TRUE(budget.is_over(of_group(3), 100e3 + 1));
-    EXPECT_TRUE(budget.is_over(of_group(4), 200e3));
+TEST(CheckSeconds, NobodyBeginsWhenAllSecondsAreOver) {
+    SharedSeconds seconds({.seconds = 100.0});
+    EXPECT_FALSE(seconds.is_over(of_group(3), 100e3));
+    EXPECT_TRUE(seconds.is_over(of_group(3), 100e3 + 1));
+    EXPECT_TRUE(seconds.is_over(of_group(4), 200e3));
 }
 
-TEST(CheckBudget, RandomTweaksThatWereAskedForHaveAllThatIsLeft) {
+TEST(CheckSeconds, RandomTweaksThatWereAskedForHaveAllThatIsLeft) {
     const Case random = of_group(5, Case::Tweaks::random);
-    Budget usual({.seconds = 100.0});
+    SharedSeconds usual({.seconds = 100.0});
     EXPECT_FALSE(usual.is_over(random, 0.0));
     EXPECT_TRUE(usual.is_over(random, 31e3));
-    Budget asked({.random = 500, .seconds = 100.0});
+    SharedSeconds asked({.random = 500, .seconds = 100.0});
     EXPECT_FALSE(asked.is_over(random, 0.0));
     EXPECT_FALSE(asked.is_over(random, 99e3));
     EXPECT_TRUE(asked.is_over(random, 101e3));
 }
 
-TEST(CheckBudget, HasNoEndWithoutALimit) {
-    Budget budget({.seconds = 0.0});
-    EXPECT_FALSE(budget.is_over(of_group(0), 1e12));
+TEST(CheckSeconds, HasNoEndWithoutALimit) {
+    SharedSeconds seconds({.seconds = 0.0});
+    EXPECT_FALSE(seconds.is_over(of_group(0), 1e12));
 }
 
 class CheckPlan : public GlTest {

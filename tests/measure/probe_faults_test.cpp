@@ -54,6 +54,55 @@ TEST_F(ProbeFaults, AreNotSeenWhereNothingIsWrong) {
     EXPECT_FALSE(first_fault(player));
 }
 
+// More operations than are watched at once.
+std::string long_text(const std::string& body) {
+    std::string text = "float many(float x) {\n";
+    for (int i = 1; i <= 70; ++i) text += fmt::format("    x += 1.0 / (x + {}.0);\n", i);
+    return text + "    return x;\n}\n" + image(body);
+}
+
+TEST_F(ProbeFaults, OfALongTextAreFoundToo) {
+    struct {
+        const char *body, *expression, *what;
+    } cases[] = {
+        {"float d = p.x - 2.0, m = many(p.x); c = vec4(m * sqrt(d));", "sqrt(d)", "sqrt(-1.5)"},
+        {"float m = many(p.x) * 1e37, e = m * 99.0; c = vec4(e);", "e", "Inf is born"},
+    };
+    for (const auto& [body, expression, what] : cases) {
+        Player player(long_text(body), {.size = {1, 1}});
+        const auto fault = first_fault(player);
+        ASSERT_TRUE(fault) << body;
+        EXPECT_EQ(fault->expression, expression);
+        EXPECT_EQ(fault->what, what);
+        EXPECT_EQ(fault->line, 75);
+        EXPECT_TRUE(fault->is_seen) << body;
+    }
+}
+
+TEST_F(ProbeFaults, OfALongTextThatAreHiddenAreThoseWithoutAResult) {
+    Player player(long_text("float d = p.x - 2.0; c = vec4(max(many(p.x) * sqrt(d), 0.25));"),
+                  {.size = {1, 1}});
+    const auto fault = first_fault(player);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->what, "sqrt(-1.5)");
+    Player sound(long_text("c = vec4(many(p.x) * sqrt(p.x) * step(1.0 / (p.x - 0.5), 2.0));"),
+                 {.size = {1, 1}});
+    EXPECT_FALSE(first_fault(sound));
+}
+
+TEST_F(ProbeFaults, OfALongTextAreWhatASurveyGoesBy) {
+    Player player(long_text("c = vec4(many(p.x) * max(sqrt(p.x - 2.0), 0.25));"), {.size = {2, 1}});
+    FaultSurvey survey(player.preset, player.renderer(), {});
+    const Frame frame = player.frame(0);
+    survey.begin(frame);
+    player.draw(frame);
+    survey.end();
+    ASSERT_EQ(survey.distances().size(), 1u) << "one operation may have no result";
+    EXPECT_FLOAT_EQ(survey.distances()[0], 0.0f);
+    ASSERT_TRUE(survey.fault());
+    EXPECT_EQ(survey.fault()->expression, "sqrt(p.x - 2.0)");
+}
+
 TEST_F(ProbeFaults, FindAnIndexOutOfRange) {
     Player player(image("float a[3]; a[0] = a[1] = a[2] = 1.0; int i = int(p.x) + 2; c = "
                         "vec4(a[i]);"),

@@ -38,7 +38,7 @@ protected:
 TEST_F(BrokenOutput, TellsWhyThePlaceCannotBeWritten) {
     fs::create_directory(folder() / "folder.png");
     const std::pair<std::string, std::string_view> cases[] = {
-        {"gone/out.png", "No such file or directory"},
+        {"gone/out.png", "No such file or directory; make the folder gone first."},
         {"gone/out.tif", "No such file or directory"},
         {"scene.frag/out.png", "Not a directory"},
         {"folder.png", "Is a directory"},

@@ -26,6 +26,7 @@ constexpr std::string_view kEveryKind =
     "uniform samplerCube sky; //@ pass mainSky size=8\n"
     "uniform sampler2D steps; //@ pass mainSteps size=9x9 step=1/240\n"
     "uniform sampler2D keys; //@ keyboard\n"
+    "uniform vec2 held; //@ (0.1, 0.2)\n"
     "uniform float rate; //@ 0.5 [0, 1]\n"
     "uint hash(uvec3 v) {\n"
     "    v = v * 1664525u + 1013904223u;\n"

@@ -120,8 +120,8 @@ TEST_F(Still, AFileAloneIsDrawnToItsNameInTheCurrentFolder) {
 
 TEST_F(Still, OddTextDrawsWhatPlainTextDraws) {
     write("plain.frag", kGradient);
-    still({"plain.frag", "-o", "plain.exr"});
-    const Image plain = picture("plain.exr");
+    still({"plain.frag", "-o", "plain.png"});
+    const Image plain = picture("plain.png");
     const std::string body(kGradient);
     const std::string no_end = body.substr(0, body.size() - 1);
     const std::pair<std::string_view, std::string> cases[] = {
@@ -162,8 +162,8 @@ TEST_F(Still, OddTextDrawsWhatPlainTextDraws) {
     for (const auto& [what, text] : cases) {
         SCOPED_TRACE(what);
         write("odd.frag", text);
-        still({"odd.frag", "-o", "odd.exr"});
-        EXPECT_EQ(picture("odd.exr").pixels, plain.pixels);
+        still({"odd.frag", "-o", "odd.png"});
+        EXPECT_EQ(picture("odd.png").pixels, plain.pixels);
     }
 }
 
@@ -174,27 +174,27 @@ TEST_F(Still, FindsFilesWhateverTheirNamesAndWhereverItRuns) {
           "#include \"lib.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = a(p); }\n");
     write(place + "/look.toml", "scene = \"schöner Baum.frag\"\nsize = [64, 36]\n");
     write("plain.frag", kGradient);
-    still({"plain.frag", "-o", "plain.exr"});
-    const Image plain = picture("plain.exr");
+    still({"plain.frag", "-o", "plain.png"});
+    const Image plain = picture("plain.png");
 
-    still({place + "/schöner Baum.frag", "-o", place + "/größe 1.exr"});
-    EXPECT_EQ(picture(place + "/größe 1.exr").pixels, plain.pixels);
-    still({(folder() / place / "look.toml").string(), "-o", "absolute.exr"});
-    EXPECT_EQ(picture("absolute.exr").pixels, plain.pixels);
+    still({place + "/schöner Baum.frag", "-o", place + "/größe 1.png"});
+    EXPECT_EQ(picture(place + "/größe 1.png").pixels, plain.pixels);
+    still({(folder() / place / "look.toml").string(), "-o", "absolute.png"});
+    EXPECT_EQ(picture("absolute.png").pixels, plain.pixels);
 
     fs::create_symlink(place + "/look.toml", folder() / "linked.toml");
     fs::create_directory_symlink(place, folder() / "linked");
-    still({"linked/look.toml", "-o", "through-a-folder.exr"});
-    EXPECT_EQ(picture("through-a-folder.exr").pixels, plain.pixels);
+    still({"linked/look.toml", "-o", "through-a-folder.png"});
+    EXPECT_EQ(picture("through-a-folder.png").pixels, plain.pixels);
 
     fs::create_symlink("plain.frag", folder() / "link.frag");
-    still({"link.frag", "-o", "link.exr"});
-    EXPECT_EQ(picture("link.exr").pixels, plain.pixels);
+    still({"link.frag", "-o", "link.png"});
+    EXPECT_EQ(picture("link.png").pixels, plain.pixels);
 
-    Command inside = command({"still", "look.toml", "-o", "../../inside.exr"});
+    Command inside = command({"still", "look.toml", "-o", "../../inside.png"});
     inside.folder = folder() / place;
     EXPECT_EQ(run(inside).code, 0);
-    EXPECT_EQ(picture("inside.exr").pixels, plain.pixels);
+    EXPECT_EQ(picture("inside.png").pixels, plain.pixels);
 }
 
 TEST_F(Still, AStatelessSceneDrawsOneFrameWhateverItsTime) {

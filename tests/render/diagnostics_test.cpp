@@ -26,6 +26,23 @@ const Diagnostic* first_error(const Diagnostics& list) {
     return nullptr;
 }
 
+// Passes behind the picture are read by the driver without what they do not call.
+TEST_F(Complaints, AreToldOfFunctionsThatNoPassCalls) {
+    const std::string passes =
+        "uniform sampler2D grain; //@ pass mainGrain\n"
+        "void mainGrain(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(grain, ivec2(p), 0); }\n";
+    const std::string function = "float idle() { return undeclared; }\n";
+    for (const std::string& text :
+         {passes + function, passes + "#ifdef PASS_grain\n" + function + "#endif\n"}) {
+        const Diagnostics list = complaints(text);
+        const Diagnostic* error = first_error(list);
+        ASSERT_TRUE(error) << text;
+        EXPECT_EQ(error->place.column, 23) << to_text(list);
+    }
+    EXPECT_TRUE(complaints(passes).empty());
+}
+
 TEST_F(Complaints, StandAtTheUsersLineAndColumn) {
     const std::string body = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
     struct {
@@ -277,6 +294,59 @@ TEST_F(Complaints, OfATextThatDoesNotCompileLeaveTheContextWell) {
     EXPECT_EQ(colour_of("0.5"), glm::vec3(0.5));
 }
 
+// A name that is not known leaves all that takes it without a type; it alone is to be mended.
+TEST_F(Complaints, DoNotRepeatThemselvesForEachExpressionAroundAMistake) {
+    struct {
+        const char* statement;
+        std::vector<std::string> words;  // of the complaints, in order
+    } const cases[] = {
+        {"p = 2.0 * sin(unknown * p - 1.0);", {"`unknown' undeclared"}},
+        {"p = vec3(1.0, unknown, 2.0) * 2.0;", {"`unknown' undeclared"}},
+        {"p = mix(p, clamp(unknown, 0.0, 1.0), 0.5);", {"`unknown' undeclared"}},
+        {"if (unknown > 1.0) p = other ? p : -p;", {"`unknown' undeclared", "`other' undeclared"}},
+        {"for (int i = 0; i < unknown; ++i) p += 1.0;", {"`unknown' undeclared"}},
+        {"p = unknown(p).xyz + 1.0;", {"no function with name 'unknown'"}},
+        {"p = p.xyq + 1.0;", {"invalid swizzle"}},
+        {"unknown = 3.0;", {"`unknown' undeclared"}},
+        {"int n = 1; p = unknown + 1.0; n = 2.0;",
+         {"`unknown' undeclared", "value of type float cannot be assigned"}},
+        {"p = -true + vec3(unknown);", {"operands to arithmetic", "`unknown' undeclared"}},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.statement);
+        const Diagnostics list =
+            complaints(fmt::format("void mainImage(out vec4 c, in vec2 u) {{\n    vec3 p = "
+                                   "vec3(u, 1);\n    {}\n    c = vec4(p, 1);\n}}\n",
+                                   c.statement));
+        ASSERT_EQ(list.size(), c.words.size()) << to_text(list);
+        for (std::size_t i = 0; i < list.size(); ++i)
+            EXPECT_TRUE(list[i].text.starts_with(c.words[i])) << to_text(list);
+    }
+}
+
+TEST_F(Complaints, OfANameThatIsMistypedHaveTheNearest) {
+    const std::string text =
+        "#define PIXEL 3.0\nuniform float density; //@ 1 \"d\"\n"
+        "float turbulence(vec2 p) { return p.x; }\n";
+    const std::pair<const char*, const char*> cases[] = {
+        {"densty", "`densty' undeclared; did you mean 'density'?"},
+        {"itime", "`itime' undeclared; did you mean 'iTime'?"},
+        {"PIXL", "`PIXL' undeclared; did you mean 'PIXEL'?"},
+        {"turbulense(u)", "no function with name 'turbulense'; did you mean 'turbulence'?"},
+        {"nrmalize(u).x", "no function with name 'nrmalize'; did you mean 'normalize'?"},
+        {"foo", "`foo' undeclared"},
+        {"unlikeAnything", "`unlikeAnything' undeclared"},
+    };
+    for (const auto& [expression, words] : cases) {
+        const Diagnostics list = complaints(fmt::format(
+            "{}void mainImage(out vec4 c, in vec2 u) {{ for (;;) break; c = vec4({} * density * "
+            "PIXEL * turbulence(u)); }}\n",
+            text, expression));
+        ASSERT_EQ(list.size(), 1u) << to_text(list);
+        EXPECT_EQ(list[0].text, words);
+    }
+}
+
 // What the driver read: a prologue of ten lines, and four of a scene, each of sixty characters.
 PassText fourteen_lines() {
     PassText text;
@@ -306,10 +376,14 @@ TEST(DriverLog, OfEachDriverIsRead) {
         {"Mesa 22.3",
          "0:11(13): error: `undeclared' undeclared\n"
          "0:12(7): warning: `x' used uninitialized\n"
+         "0:13(9): warning: comparison of something\n"
          "0:14(2): preprocessor error: #if with undefined name\n",
          {"wave.frag:1:13: error: `undeclared' undeclared",
-          "lib.glsl:1:7: warning: `x' used uninitialized",
+          "lib.glsl:2:9: warning: comparison of something",
           "wave.frag:3:2: error: #if with undefined name"}},
+        {"Mesa, of a text that compiles",
+         "0:12(7): warning: `x' used uninitialized\n",
+         {"lib.glsl:1:7: warning: `x' used uninitialized"}},
         {"Mesa, at linking",
          "error: unresolved reference to function `helper'\n",
          {"wave.frag: error: unresolved reference to function `helper'"}},

@@ -17,6 +17,33 @@ std::vector<std::string> drawn_passes(const Player& player) {
 
 using Names = std::vector<std::string>;
 
+// Contexts beside ours compile what is drawn here afterwards, and leave no other trace.
+TEST_F(LeftOut, WhatIsCompiledAheadLooksTheSame) {
+    const std::string text =
+        "uniform sampler2D grain;  //@ pass mainGrain size=8x8 filter=mipmap wrap=repeat\n"
+        "uniform sampler2D trail;  //@ pass mainTrail\n"
+        "uniform sampler2D clock;  //@ pass mainClock size=1x1 step=1/240\n"
+        "uniform sampler2D bytes;  //@ noise rgba 64\n"
+        "void mainGrain(out vec4 c, vec2 p) { c = vec4(fract(p.x * 0.37 + p.y * 0.61)); }\n"
+        "void mainTrail(out vec4 c, vec2 p) {\n"
+        "    c = 0.9 * texelFetch(trail, ivec2(p), 0) + texture(bytes, p / 64.0) * iTime; }\n"
+        "void mainClock(out vec4 c, vec2 p) { c = texelFetch(clock, ivec2(0), 0) + 1.0; }\n"
+        "void mainImage(out vec4 c, vec2 p) {\n"
+        "    c = textureLod(grain, p / 5.0, 1.5) + texelFetch(trail, ivec2(p), 0)\n"
+        "        + 0.01 * texelFetch(clock, ivec2(0), 0); }\n";
+    for (const int samples : {1, 3}) {
+        std::vector<std::vector<float>> pictures;
+        for (const bool ahead : {false, true}) {
+            Player player(text, {.samples = samples});
+            if (ahead) player.renderer().compile_ahead(0.0);
+            player.draw_frames(0, 5);
+            pictures.push_back(player.floats());
+        }
+        EXPECT_EQ(pictures[0], pictures[1]) << samples;
+        EXPECT_GT(pictures[0][0], 0.0f);
+    }
+}
+
 TEST_F(LeftOut, APassThatNothingReadsIsNotCompiled) {
     const std::string passes =
         "uniform sampler2D a; //@ pass mainA\n"

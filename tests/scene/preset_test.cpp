@@ -114,6 +114,8 @@ TEST(Preset, WarnsAtThePlaceAndLoadsTheRest) {
     } cases[] = {
         {"sise = 3", "2:1: warning: unknown key 'sise'; known are scene, title"},
         {"sise = 3", "did you mean 'size'?"},
+        {"choppiness = 1", "2:1: warning: 'choppiness' is a tweak of the scene: write it below"},
+        {"[tweaks]\nsize = [64, 36]", "3:1: warning: the scene has no tweak 'size': this is a key"},
         {"title = 3", "2:9: warning: title is a text"},
         {"time = \"x\"", "2:8: warning: time is a finite number"},
         {"time = -1", "2:8: warning: time is a finite number"},

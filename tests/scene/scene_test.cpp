@@ -259,7 +259,7 @@ TEST(Scene, SaysWhatIsWrongAndWhere) {
         {"uniform int iTick;", "uniform uint iTick"},
         {"uniform vec4 iChannel2;", "uniform sampler2D iChannel2"},
         {"float x; //@ 0.5", "1:10: warning: no uniform on this line"},
-        {"//@ groop Water", "1:1: warning: no uniform on this line"},
+        {"//@ groop Water", "NAME; did you mean 'group'?"},
         {"uniform float a[3]; //@ 1", "1:15: error: an annotation is for one plain uniform"},
         {"uniform float[3] a; //@ 1", "1:18: error: an annotation is for one plain uniform"},
         {"uniform Light { vec3 l; }; //@ 1", "1:1: error: an annotation is for one plain uniform"},

@@ -195,4 +195,4 @@ PIXELS = """(async () => {{
 }})()"""
 
 # A page has drawn its first picture, or has said why not.
-READY = ("document.documentElement.classList.contains('drawn') || document.getElementById('says').className === 'error'")
+READY = ("document.body?.classList.contains('drawn') || document.getElementById('says').className === 'error'")

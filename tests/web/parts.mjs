@@ -2,16 +2,17 @@
 import test from "node:test";
 import assert from "node:assert/strict";
 const page = "../../host/offline/page/";
-const {Clock, dateAfter, lastFrame, playedFrame, stepsDue, tick} = await import(page + "clock.js");
-const {InputState, Tape} = await import(page + "input.js");
+const {Clock, dateAfter, lastFrame, playedFrame, stepsDue, timed} = await import(page + "clock.js");
+const {makeInput, makeTape} = await import(page + "input.js");
 const {explain, placeOf} = await import(page + "errors.js");
 const {clamp, format, parse, readLook, writeLook} = await import(page + "look.js");
 const {declaration, textOf} = await import(page + "texts.js");
-const {noiseBytes} = await import(page + "fillers.js");
-const {Analyser, spectrum} = await import(page + "analyser.js");
+const {noiseBytes} = await import(page + "noise.js");
+const {channelsTold} = await import(page + "channels.js");
+const {makeAnalyser, spectrum} = await import(page + "analyser.js");
 const {fractionOf, valueAt} = await import(page + "controls.js");
-const {Holder} = await import(page + "holder.js");
-const {Player} = await import(page + "player.js");
+const {makeHolder} = await import(page + "holder.js");
+const {formatOf, makePlayer} = await import(page + "player.js");
 
 test("the last frame forgives times a rounding off a whole one", () => {
     assert.equal(lastFrame(7 / 60), 7);
@@ -20,22 +21,24 @@ test("the last frame forgives times a rounding off a whole one", () => {
 });
 
 test("ticks wrap at 2^32", () => {
+    const tick = time => timed(time, 1, 0).iTick;
     assert.equal(tick(1), 65536);
     assert.equal(tick(65536 - 1 / 65536), 2 ** 32 - 1);
     assert.equal(tick(65536), 0);
 });
 
 test("midnight and the end of a year are crossed", () => {
-    assert.deepEqual(dateAfter([2000, 12, 31, 86399], 2), [2001, 0, 1, 1]);
-    assert.deepEqual(dateAfter([2024, 2, 28, 0], 86400), [2024, 1, 29, 0]);
+    const day = (...date) => Date.UTC(...date) / 864e5;
+    assert.deepEqual(dateAfter({day: day(2000, 11, 31), seconds: 86399}, 2), [2001, 0, 1, 1]);
+    assert.deepEqual(dateAfter({day: day(2024, 1, 28), seconds: 0}, 86400), [2024, 1, 29, 0]);
 });
 
 test("frames of a playback end at its end, and settle there", () => {
-    const plan = {date: [2000, 1, 1, 0]};
-    assert.equal(playedFrame(plan, 0, 0.51).time, 0);
-    assert.equal(playedFrame(plan, 31, 0.51).time, 0.51);
-    assert.ok(playedFrame(plan, 31, 0.51).delta < 1 / 60);
-    assert.deepEqual([playedFrame(plan, 33, 0.51).time, playedFrame(plan, 33, 0.51).frame], [0.51, 33]);
+    const plan = {day: 0, seconds: 0};
+    assert.equal(playedFrame(plan, 0, 0.51).iTime, 0);
+    assert.equal(playedFrame(plan, 31, 0.51).iTime, 0.51);
+    assert.ok(playedFrame(plan, 31, 0.51).iTimeDelta < 1 / 60);
+    assert.deepEqual([playedFrame(plan, 33, 0.51).iTime, playedFrame(plan, 33, 0.51).iFrame], [0.51, 33]);
 });
 
 test("a paused clock stands, and goes on without a jump", () => {
@@ -51,18 +54,18 @@ test("a paused clock stands, and goes on without a jump", () => {
 });
 
 test("the mouse has the site's signs", () => {
-    const state = new InputState();
-    assert.deepEqual(state.next([100, 50]).mouse, [0, 0, 0, 0]);
+    const state = makeInput();
+    assert.deepEqual(state.next([100, 50]).iMouse, [0, 0, 0, 0]);
     state.apply({mouse: [0.29, 0.5], down: true});
-    assert.deepEqual(state.next([100, 50]).mouse, [29, 25, 29, 25]);
+    assert.deepEqual(state.next([100, 50]).iMouse, [29, 25, 29, 25]);
     state.apply({mouse: [0.5, 0.6], down: true});
-    assert.deepEqual(state.next([100, 50]).mouse, [50, 30, 29, -25]);
+    assert.deepEqual(state.next([100, 50]).iMouse, [50, 30, 29, -25]);
     state.apply({mouse: [0.9, 0.9], down: false});
-    assert.deepEqual(state.next([100, 50]).mouse, [50, 30, -29, -25]);
+    assert.deepEqual(state.next([100, 50]).iMouse, [50, 30, -29, -25]);
 });
 
 test("a key is held, pressed in one frame, and toggled; repeats do not count", () => {
-    const state = new InputState(), rows = () => { const {keys} = state.next([1, 1]); return [keys[65], keys[321], keys[577]]; };
+    const state = makeInput(), rows = () => { const {keys} = state.next([1, 1]); return [keys[65], keys[321], keys[577]]; };
     state.apply({key: 65, down: true});
     assert.deepEqual(rows(), [255, 255, 255]);
     state.apply({key: 65, down: true});
@@ -72,15 +75,15 @@ test("a key is held, pressed in one frame, and toggled; repeats do not count", (
 });
 
 test("a frame that is drawn alone sees only what was done since the one before as new", () => {
-    const tape = new Tape([{t: 0.2, key: 65, down: true}, {t: 0.2, mouse: [0.5, 0.5], down: true}, {t: 0.5, key: 66, down: true}]);
-    const frame = playedFrame({date: [2000, 1, 1, 0]}, 30, 0.5);
-    const {keys, mouse} = tape.reader().input(frame.time, [10, 10], frame.from);
+    const tape = makeTape([{t: 0.2, key: 65, down: true}, {t: 0.2, mouse: [0.5, 0.5], down: true}, {t: 0.5, key: 66, down: true}]);
+    const frame = playedFrame({day: 0, seconds: 0}, 30, 0.5);
+    const {keys, iMouse} = tape.reader().input(frame.iTime, [10, 10], frame.from);
     assert.deepEqual([keys[65], keys[256 + 65], keys[256 + 66]], [255, 0, 255]);
-    assert.deepEqual(mouse, [5, 5, 5, -5]);
+    assert.deepEqual(iMouse, [5, 5, 5, -5]);
 });
 
 test("an event counts as new in one step, also where it comes while others are due", () => {
-    const tape = new Tape([{t: 1, key: 32, down: true}]), reader = tape.reader();
+    const tape = makeTape([{t: 1, key: 32, down: true}]), reader = tape.reader();
     const pressed = (to, from) => reader.input(to, [1, 1], from).keys[256 + 32];
     assert.equal(pressed(0.5), 0);
     tape.add({t: 0.6, key: 33, down: true});
@@ -94,7 +97,8 @@ const plan = {
     time: 2, files: ["a.frag", "b.glsl"], origins: [[1, 0, 1], [3, 1, 1], [5, 0, 4]],
     tweaks: [
         {name: "level", type: "float", value: [0.5], range: [0, 1]}, {name: "tint", type: "vec3", value: [0, 0.2, 1], colour: true},
-        {name: "kind", type: "int", value: [1], names: ["off", "on", "bright"]}, {name: "lit", type: "bool", value: [1]},
+        {name: "kind", type: "int", value: [1], names: ["off", "on", "bright"], range: [0, 2]},
+        {name: "lit", type: "bool", value: [1], names: ["off", "on"], range: [0, 1]},
         {name: "size", type: "float", value: [10], range: [0.1, 1000], log: true}],
     lines: ["#version 300 es", "void f();", "glint_tweak0", "x", "y"],
 };
@@ -125,25 +129,41 @@ test("the address keeps what differs from the preset", () => {
 
 test("tweaks are uniforms or constants, and lines are counted", () => {
     assert.equal(declaration(plan.tweaks[0]), "uniform float level;");
-    assert.equal(declaration(plan.tweaks[0], [1]), "const float level = 1.0;");
-    assert.equal(declaration(plan.tweaks[1], [0, 0.2, 1]), "const vec3 tint = vec3(0.0, 0.200000003, 1.0);");
-    assert.equal(declaration(plan.tweaks[3], [0]), "const bool lit = false;");
+    assert.equal(declaration(plan.tweaks[0], [1]), "const float level = float(1.00000000e+0);");
+    assert.equal(declaration(plan.tweaks[1], [0, 0.2, 1]), "const vec3 tint = vec3(0.00000000e+0,2.00000003e-1,1.00000000e+0);");
+    assert.equal(declaration(plan.tweaks[3], [0]), "const bool lit = bool(0.00000000e+0);");
+    assert.equal(declaration(plan.tweaks[2], [2 ** 24 + 1]), "const int kind = int(16777217);");
+    assert.equal(textOf(plan, {text: [0, 1], soft: [3, 2], first: 0}, null, true).text.split("\n").at(-2), "y");
     const {text, added} = textOf(plan, {text: [0, 3, 4, 1], first: 2}, null);
     assert.deepEqual(text.split("\n").filter(line => !line.startsWith("#define")), ["#version 300 es", "void f();", "glint_tweak0", "y", ""]);
     assert.equal(added, 2 + 5);
 });
 
+test("what is divided by is no constant of 0", () => {
+    const tweak = {name: "scale", type: "float", divides: true};
+    assert.equal(declaration(tweak, [0]), "uniform float scale;");
+    assert.match(declaration(tweak, [2]), /^const/);
+    assert.match(declaration({...tweak, divides: false}, [0]), /^const/);
+});
+
+test("a pass that asks is told the sizes and times of its channels", () => {
+    const told = channelsTold([{size: [4, 2, 1], seconds: 2}, undefined, {size: [9, 9, 9], plays: true}, undefined], 5, input => input?.size ?? [0, 0, 0]);
+    assert.deepEqual(told["iChannelTime[0]"], [1, 0, 5, 0]);
+    assert.deepEqual(told["iChannelResolution[0]"].slice(0, 6), [4, 2, 1, 0, 0, 0]);
+    assert.deepEqual([told["iCh2.size"], told["iCh2.loaded"], told["iCh3.loaded"]], [[9, 9, 9], 1, 0]);
+});
+
 test("noise has the host's bytes", () => {  // pcg3d of (0, 0, 0), (1, 0, 0), (0, 1, 0)
-    assert.deepEqual([...noiseBytes([2, 2, 1], 4)].slice(0, 12), [155, 168, 63, 33, 161, 84, 123, 127, 26, 78, 116, 139]);
-    assert.deepEqual([...noiseBytes([2, 1, 1], 1)], [155, 161]);
+    assert.deepEqual([...noiseBytes({size: [2, 2, 1], faces: 1, channels: 4})].slice(0, 12), [155, 168, 63, 33, 161, 84, 123, 127, 26, 78, 116, 139]);
+    assert.deepEqual([...noiseBytes({size: [2, 1, 1], faces: 1, channels: 1})], [155, 161]);
 });
 
 test("the spectrum of a tone stands in its bin", () => {
     const bins = spectrum(Array.from({length: 2048}, (_, i) => Math.cos(2 * Math.PI * 100 * i / 2048)));
     assert.ok(Math.abs(bins[100] - 0.5) < 1e-9 && bins[99] < 1e-9);
-    const silent = new Analyser(new Int16Array(44100));
-    assert.equal(silent.rowsAt(0.1), silent.rowsAt(0.1001));
-    assert.deepEqual([silent.rowsAt(0.3)[5], silent.rowsAt(0.3)[600]], [0, 128]);
+    const rowsAt = makeAnalyser(new Int16Array(44100));
+    assert.equal(rowsAt(0.1), rowsAt(0.1001));
+    assert.deepEqual([rowsAt(0.3)[5], rowsAt(0.3)[600]], [0, 128]);
 });
 
 test("a logarithmic slider goes by factors", () => {
@@ -154,7 +174,7 @@ test("a logarithmic slider goes by factors", () => {
 });
 
 test("the resolution falls where frames are slow, and is left alone where it is chosen", () => {
-    const holder = new Holder();
+    const holder = makeHolder();
     for (let i = 0; i < 20; ++i) holder.took(i * 100);
     assert.ok(holder.share < 0.8);
     holder.hold("0.5");
@@ -169,43 +189,53 @@ function countingGl() {
     const known = {useProgram: p => program = p, drawArrays: () => draws.push(program), isContextLost: () => false};
     return {draws, gl: new Proxy(known, {get: (_, name) => known[name] ?? (/^[A-Z0-9_]+$/.test(name) ? name : () => ({}))})};
 }
-const linked = (player, reads) => new Map(player.passes.map((pass, i) =>
-    [pass, {id: pass.name, uniforms: [{send: "uniform1fv", value: f => pass.still ? [0] : [f.time]}],
-            samplers: reads[i].map(k => ({input: player.inputs[k], kind: "2D"}))}]));
-const size = [4, 4], format16 = "rgba16f", buffer = pass => ({source: "buffer", pass, output: 0, filter: "nearest", wrap: "clamp", type: "sampler2D"});
+const linked = (player, reads) => player.passes.map((pass, i) => (
+    {id: pass.name, uniforms: pass.still ? [] : [{send: "uniform1fv", name: "iTime"}],
+     samplers: reads[i].map(k => ({input: player.inputs[k], kind: "2D"}))}));
+const size = [4, 4], format16 = "rgba16f", buffer = pass => ({source: "buffer", pass, output: 0, filter: "nearest", kind: "2D", modes: []});
 
 test("what has not changed is not drawn again, and only what is carried on is advanced", () => {
     const {gl, draws} = countingGl();
     const passes = [{name: "fixed", still: true, size, format: format16}, {name: "trail", size, format: format16, double: true}, {name: "image"}];
-    const player = new Player(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes);
+    const player = makePlayer(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes);
     player.use(linked(player, [[], [1], [0, 1]]));
     assert.deepEqual([player.isStateful, player.passes.map(p => p.state)], [true, [false, true, false]]);
-    const frame = time => ({time, keys: new Uint8Array(768)});
+    const frame = iTime => ({iTime, keys: new Uint8Array(768)});
     player.draw(frame(0), true);
     player.draw(frame(1));
     assert.equal(player.draw(frame(1)), true);  // its own last frame is new to the trail
     assert.deepEqual(draws, ["trail", "fixed", "trail", "image", "trail", "image"]);
 });
 
+test("another size begins the buffers of a share of the picture anew, and leaves the others", () => {
+    const {gl, draws} = countingGl();
+    const passes = [{name: "own", still: true, size, format: format16}, {name: "half", still: true, scale: 0.5, format: format16}, {name: "image", still: true}];
+    const player = makePlayer(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes), frame = {iTime: 0, keys: new Uint8Array(768)};
+    player.size = [8, 8];
+    player.use(linked(player, [[], [], [0, 1]]));
+    player.draw(frame);
+    assert.deepEqual(player.passes.map(pass => pass.pixels), [[4, 4], [4, 4], [8, 8]]);
+    player.resize([5, 3]);
+    player.draw(frame);
+    assert.deepEqual(player.passes.map(pass => pass.pixels), [[4, 4], [3, 2], [5, 3]]);
+    assert.deepEqual(draws, ["own", "half", "image", "half", "image"]);
+});
+
 test("passes of one step length run together, once for each step that is due", () => {
     const {gl, draws} = countingGl();
     const step = [1, 4], passes = [{name: "a", size, step, format: format16}, {name: "b", size, step, format: format16}, {name: "image"}];
-    const player = new Player(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes);
+    const player = makePlayer(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes);
     player.use(linked(player, [[1], [0], [0, 1]]));
-    player.draw({time: 0.5, keys: new Uint8Array(768)});
+    player.draw({iTime: 0.5, keys: new Uint8Array(768)});
     assert.deepEqual(draws, ["a", "b", "a", "b", "image"]);
     draws.length = 0;
-    player.draw({time: 100.5, longest: 0.5, keys: new Uint8Array(768)});
+    player.draw({iTime: 100.5, longest: 0.5, keys: new Uint8Array(768)});
     assert.equal(draws.length, 5);
 });
 
-test("without float buffers halves are taken, and that is said", () => {
-    const said = [], {gl} = countingGl();
-    const player = new Player(gl, {tweaks: [], inputs: []}, [{name: "image"}], text => said.push(text));
-    player.can = {draw: true, filter: null};
-    assert.equal(player.formatOf("rgba32f", true, true, "sky"), "rgba16f");
-    assert.equal(player.formatOf("rgba32f", false, true, "sky"), "rgba32f");
-    player.can = {draw: null, half: null, filter: true};
-    assert.equal(player.formatOf("r32f", false, true, "sky"), "rgba8");
-    assert.equal(said.length, 2);
+test("without float buffers halves are taken", () => {
+    assert.equal(formatOf({draw: true}, "rgba32f", true, true), "rgba16f");
+    assert.equal(formatOf({draw: true}, "rgba32f", false, true), "rgba32f");
+    assert.equal(formatOf({filter: true, half: true}, "r32f", false, true), "r16f");
+    assert.equal(formatOf({filter: true}, "r32f", false, true), "rgba8");
 });

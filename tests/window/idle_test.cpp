@@ -45,6 +45,15 @@ TEST_F(Idle, PausedAndUntouchedItUsesAtMostAHundredthOfACore) {
     EXPECT_TRUE(uses_at_most(1.0, "paused"));
 }
 
+// Nothing is held at standby then; a process that nobody hears would wake the window for ever.
+TEST_F(Idle, PausedWithoutConstantsItUsesNoMore) {
+    open(kMoving, {"--no-specialise"});
+    screen_->tap("Control_L+space");
+    wait_for_rest();
+    EXPECT_TRUE(uses_at_most(1.0, "paused, tweaks as uniforms"));
+    EXPECT_EQ(glint_->children().size(), 1u) << "one process tries what is saved";
+}
+
 TEST_F(Idle, ASceneThatDependsOnNothingUsesAtMostAHundredthOfACoreWhileItPlays) {
     open(flat({10, 20, 30}));
     screen_->tap("Tab");
@@ -80,6 +89,7 @@ TEST_F(Idle, AnErrorOnTheScreenCostsNothing) {
 // The process that takes the place of the one that hung says that it is ready, and nobody has
 // asked.
 TEST_F(Idle, AHangThatWasRefusedCostsNothing) {
+    environment_ = kOnOneCore;
     open(kMoving);
     screen_->tap("Control_L+space");
     wait_for_rest();

@@ -43,7 +43,8 @@ double cpu_seconds_of(const std::string& process) {
     ::setenv("HOME", home.c_str(), 1);
     const char* path = std::getenv("PATH");
     ::setenv("PATH", ((folder / "bin").string() + ":" + (path ? path : "")).c_str(), 1);
-    ::setenv("MESA_SHADER_CACHE_DIR", home.c_str(), 1);  // Mesa does not ask $HOME
+    // Mesa does not ask $HOME. Shared: every window has the same panels to compile.
+    ::setenv("MESA_SHADER_CACHE_DIR", GLINT_SHADER_CACHE, 1);
     for (const char* name : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME",
                              "WAYLAND_DISPLAY", "EDITOR", "VISUAL"}) {
         ::unsetenv(name);
@@ -205,7 +206,7 @@ void Window::TearDown() {
 }
 
 void Window::start(const std::vector<std::string>& arguments) {
-    glint_ = std::make_unique<Glint>(screen_->name(), folder_->path(), arguments);
+    glint_ = std::make_unique<Glint>(screen_->name(), folder_->path(), arguments, environment_);
     ASSERT_TRUE(eventually([&] { return screen_->window() != 0 || !glint_->runs(); }));
 }
 

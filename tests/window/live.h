@@ -92,6 +92,10 @@ protected:
     std::unique_ptr<Folder> folder_;
     std::unique_ptr<Glint> glint_;
     glm::ivec2 screen_size_{1280, 720};
+    Environment environment_;  // added to that of glint
 };
+
+// For what hangs: a software driver would hang on every core, for as long.
+inline const Environment kOnOneCore = {{"LP_NUM_THREADS", "1"}};
 
 }  // namespace glint::window

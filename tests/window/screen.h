@@ -64,9 +64,14 @@ public:
     void set_content_scale(int scale);
 
 private:
+    void share();  // makes pixels_, of the whole screen
+
+    glm::ivec2 size_;
     pid_t process_ = 0;
     _XDisplay* display_ = nullptr;
     std::string name_;
+    unsigned long segment_ = 0;        // X's name of the memory that it shares with us
+    std::uint32_t* pixels_ = nullptr;  // what the server writes there when it is asked
 };
 
 }  // namespace glint::window

@@ -7,11 +7,11 @@
 namespace glint {
 namespace {
 
-constexpr double kPlayed = 2.0;  // s of a simulation
+constexpr double kAssertedPlayed = 2.0;  // s of a simulation
 
 void check_assertions(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    const auto draw = [&] { subject.show(subject.opened().time, kPlayed); };
+    const auto draw = [&] { subject.show(subject.opened().time, kAssertedPlayed); };
     const std::vector<BrokenAssertion> broken = broken_assertions(
         subject.preset, subject.renderer(), {.specialise = subject.specialised()}, draw);
     if (broken.empty()) return;

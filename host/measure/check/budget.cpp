@@ -4,7 +4,7 @@
 
 namespace glint {
 
-bool Budget::is_over(const Case& next, double ms) {
+bool SharedSeconds::is_over(const Case& next, double ms) {
     constexpr double kGroupShare = 0.3;  // of the seconds that are left when it begins
     if (effort_.seconds == 0.0) return false;
     const double all_ms = effort_.seconds * 1000.0;

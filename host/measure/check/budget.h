@@ -9,9 +9,9 @@
 namespace glint {
 
 // Who may still begin: no group of cases takes the seconds that later ones need.
-class Budget {
+class SharedSeconds {
 public:
-    explicit Budget(const Effort& effort) : effort_(effort) {}
+    explicit SharedSeconds(const Effort& effort) : effort_(effort) {}
 
     // Whether no time is left for this case, `ms` milliseconds after the first one began. To be
     // asked once for each case, in order.

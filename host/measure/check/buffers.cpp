@@ -16,7 +16,7 @@ namespace glint {
 namespace {
 
 constexpr int kFramesBefore = 30, kFramesToHeal = 2;
-constexpr double kPlayed = 2.0;  // s of a simulation, drawn in another way
+constexpr double kBuffersPlayed = 2.0;  // s of a simulation, drawn in another way
 constexpr float kLargestHalf = 65504.0f;
 
 struct Poison {
@@ -67,10 +67,11 @@ void run_other(const SubjectOptions& options, Check& check, CaseResult& result) 
     other.after_frame = subject.after_frame;
     // One of the two may have a state and play for a while only: both are seen at that time.
     const bool any_state = subject.stateful() || other.stateful();
-    const double time = any_state ? std::min(subject.preset.time, kPlayed) : subject.preset.time;
-    if (!subject.show(time, kPlayed)) return;
+    const double time =
+        any_state ? std::min(subject.preset.time, kBuffersPlayed) : subject.preset.time;
+    if (!subject.show(time, kBuffersPlayed)) return;
     const std::vector<float> usual = subject.picture();
-    const bool finite = other.show(time, kPlayed);
+    const bool finite = other.show(time, kBuffersPlayed);
     const Difference found = difference(other.picture(), usual);
     result.note = fmt::format("{:.1f} dB, {:.2f} % of pixels off by more than 1/255{}", found.psnr,
                               100.0 * found.share_off,

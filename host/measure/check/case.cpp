@@ -129,6 +129,7 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
     try {
         FaultWatch watch(subject.opened(), subject.renderer(),
                          {.specialise = subject.specialised()});
+        watch.after_program = subject.after_frame;  // compiling is no hang
         if (stateful) subject.renderer().reset();
         for (int k = stateful ? 0 : playback.last_frame();
              k <= playback.last_frame() && !watch.is_seen(); ++k) {
@@ -145,6 +146,13 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
 }
 
 }  // namespace
+
+bool is_another_look(const CheckSubject& subject, CaseResult& result) {
+    if (subject.view().tweaks.empty()) return false;
+    result.verdict = CaseVerdict::skip;
+    result.note = "left out: --tweak makes it another look";
+    return true;
+}
 
 CasePlace place_of(const ProbeFault& fault) {
     return {fault.file, fault.line, fault.function, fault.expression, fault.what, fault.operands};
@@ -231,9 +239,8 @@ CaseResult run_case(Check& check, const Case& wanted) {
         result.picture = picture.string();
         result.reproduce = command_for(subject, result, check.folder);
         // One is enough of those that follow each other.
-        if (!seen.is_finite() && !result.where && subject.still && subject.is_short() &&
-            check.birthplaces > 0) {
-            --check.birthplaces;
+        if (!seen.is_finite() && !result.where && subject.still && check.birthplaces > 0) {
+            check.birthplaces -= subject.is_short() ? 1 : check.birthplaces;
             find_birthplace(subject, result);
         }
     } catch (const std::runtime_error& error) {  // the case has failed all the same

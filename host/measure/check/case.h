@@ -82,6 +82,9 @@ void add_search_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
 
+// Whether --tweak makes it another look than its file's; then the case is left out, and says so.
+bool is_another_look(const CheckSubject& subject, CaseResult& result);
+
 CasePlace place_of(const ProbeFault& fault);
 
 // "random tweaks 7" of "christmas.toml" as "christmas-random-tweaks-7": its pictures' names.

@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr double kPlayed = 0.5;  // s of a simulation
+constexpr double kNudgedPlayed = 0.5;  // s of a simulation
 // Beyond this share of pixels it is no edge: what is computed has lost its digits.
 constexpr double kMostPixels = 0.05;
 
@@ -46,7 +46,7 @@ class Mover {
 public:
     explicit Mover(CheckSubject& subject)
         : subject_(subject),
-          time_(subject.stateful() ? std::min(subject.opened().time, kPlayed)
+          time_(subject.stateful() ? std::min(subject.opened().time, kNudgedPlayed)
                                    : subject.opened().time) {
         draw(0.0);
         usual_ = subject.picture();

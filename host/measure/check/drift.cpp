@@ -12,7 +12,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t kParts = 8;              // of a run
-constexpr std::size_t kLeastFrames = 400;      // below, a rounding looks like a growth
+constexpr std::size_t kLeastOfGrowth = 400;    // below, a rounding looks like a growth
 constexpr double kLeastGrowth = 1.02;          // from the first part to the last, of squares
 constexpr double kLeastRatio = 1.01;           // from one increase to the next
 constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may differ
@@ -77,7 +77,7 @@ void StateCurves::add(const CheckSubject& subject) {
 }
 
 std::string StateCurves::growth() const {
-    if (frames() < kLeastFrames) return "";
+    if (frames() < kLeastOfGrowth) return "";
     for (const Curve& curve : curves_) {
         const auto factor = steady_factor(curve.means);
         if (!factor) continue;

@@ -15,14 +15,14 @@
 namespace glint {
 namespace {
 
-constexpr int kFrames = 600, kLeastFrames = 30;  // at each end of a tweak
-constexpr int kBefore = 30, kAfter = 120;        // frames round a poisoning
+constexpr int kEndured = 600, kLeastEndured = 30;  // at each end of a tweak
+constexpr int kBefore = 30, kAfter = 120;          // frames round a poisoning
 
 // Frames at 60 Hz, as many as a share of the seconds allows. False when one was not finite.
 bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants& invariants) {
     const Stopwatch clock;
     for (int k = 0; k < frames; ++k) {
-        if (!check.effort.tries && k >= kLeastFrames && check.effort.over(clock.ms(), 0.02)) break;
+        if (!check.effort.tries && k >= kLeastEndured && check.effort.over(clock.ms(), 0.02)) break;
         if (!check.subject.play_frames(k, k + 1, 60.0)) return false;
         curves.add(check.subject);
         invariants.add(check.subject, k);
@@ -37,7 +37,7 @@ float usual_largest(Check& check) {
     check.subject.preset.values = check.subject.opened().values;
     StateCurves curves;
     Invariants invariants(check.subject);
-    play_curves(check, check.paced(kFrames, kLeastFrames), curves, invariants);
+    play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants);
     check.subject.renderer().reset();
     check.subject.preset.values = values;
     check.usual_largest = curves.largest();
@@ -53,7 +53,7 @@ void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) 
         clamp_to_range(check.subject.scene().tweaks[tweak], filled);
     StateCurves curves;
     Invariants invariants(check.subject);
-    if (!play_curves(check, check.paced(kFrames, kLeastFrames), curves, invariants)) return;
+    if (!play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants)) return;
     result.note = fmt::format("{} frames, largest {:.3g}", curves.frames(), curves.largest());
     const std::string growth = curves.growth();
     if (curves.explodes(usual))

@@ -76,11 +76,7 @@ void write_pictures(const Check& check, const std::string& name, const ComparedP
 void check_picture(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     const Expect& expect = subject.opened().expect;
-    if (!subject.view().tweaks.empty()) {
-        result.verdict = CaseVerdict::skip;
-        result.note = "left out: --tweak makes it another look";
-        return;
-    }
+    if (is_another_look(subject, result)) return;
     ComparedPicture expected;
     try {
         expected = read_compared_picture(expect.picture);

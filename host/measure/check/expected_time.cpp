@@ -34,11 +34,7 @@ void check_time(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     const Expect& expect = subject.opened().expect;
     const ViewOptions& view = subject.view();
-    if (!view.tweaks.empty()) {
-        result.verdict = CaseVerdict::skip;
-        result.note = "left out: --tweak makes it another look";
-        return;
-    }
+    if (is_another_look(subject, result)) return;
     TimedPair times;
     try {
         const Preset other = opened_for_timing(view, expect.ms_of);

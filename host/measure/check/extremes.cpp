@@ -10,8 +10,8 @@
 namespace glint {
 namespace {
 
-constexpr double kPlayed = 0.5;      // s of a simulation, with each set of tweaks
-constexpr double kPlayedSize = 0.1;  // s at each size
+constexpr double kExtremesPlayed = 0.5;  // s of a simulation, with each set of tweaks
+constexpr double kPlayedSize = 0.1;      // s at each size
 constexpr double kPlayedLarge = 1.0 / 60;
 
 TweakValue filled(const Tweak& tweak, double component) {
@@ -21,7 +21,7 @@ TweakValue filled(const Tweak& tweak, double component) {
 }
 
 void show_tweaks(Check& check) {
-    check.subject.show(check.subject.preset.time, kPlayed * std::max(check.pace, 0.2));
+    check.subject.show(check.subject.preset.time, kExtremesPlayed * std::max(check.pace, 0.2));
 }
 
 void set_all(CheckSubject& subject, bool to_max) {

@@ -84,7 +84,7 @@ void run_frame_rates(Check& check, CaseResult& result) {
 // down, or down and up, by a tenth of the brightest more than three times within a second, the
 // darker one below 0.8.
 constexpr double kChange = 0.1, kDark = 0.8, kArea = 0.25;
-constexpr int kMostFlashes = 3, kSecond = 60, kPlayed = 90;  // frames at 60 Hz
+constexpr int kMostFlashes = 3, kSecond = 60, kFlickerFrames = 90;  // frames at 60 Hz
 constexpr glm::ivec2 kTiles(8, 6);
 
 double linear(float shown) {
@@ -145,7 +145,7 @@ private:
 void run_flashes(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     std::vector<Turns> tiles(static_cast<std::size_t>(kTiles.x * kTiles.y));
-    const int frames = check.paced(kPlayed, kSecond / 2);
+    const int frames = check.paced(kFlickerFrames, kSecond / 2);
     const int first = subject.stateful() ? 0 : static_cast<int>(subject.preset.time * 60.0);
     for (int k = 0; k < frames; ++k) {
         if (!subject.play_frames(first + k, first + k + 1, 60.0)) return;

@@ -11,22 +11,25 @@
 namespace glint {
 namespace {
 
-constexpr int kFrames = 8;         // of a simulation, at each point
-constexpr int kSmallest = 160;     // trials for the smallest reproducer
-constexpr double kShare = 0.12;    // of the seconds, that a search may take
-constexpr int kEvaluations = 256;  // of one effort
+constexpr int kHuntedFrames = 8;     // of a simulation, at each point
+constexpr int kSmallest = 160;       // trials for the smallest reproducer
+constexpr double kHuntShare = 0.12;  // of the seconds, that a search may take
+constexpr int kEvaluations = 256;    // of one effort
+constexpr double kLongText = 5e3;    // ms that instrumented programs of a long text may take
 
 // A subject that is brought to points, its operations watched where they can be.
 class Hunter {
 public:
-    explicit Hunter(CheckSubject& subject) : subject_(subject), space_(subject) {
-        if (!subject.is_short()) return;
+    explicit Hunter(Check& check) : subject_(check.subject), space_(check.subject) {
+        CheckSubject& subject = subject_;
+        if (!subject.is_short() && check.effort.over(kLongText, kHuntShare)) return;
         try {
             survey_ =
                 std::make_unique<FaultSurvey>(subject.opened(), subject.renderer(),
                                               ProgramOptions{.specialise = subject.specialised()});
         } catch (const ProbeRefused&) {  // then it is looked for without a guide
         }
+        if (subject.after_frame) subject.after_frame();  // compiling is no hang
     }
 
     const Space& space() const { return space_; }
@@ -36,7 +39,7 @@ public:
         subject_.restore();
         fault_.reset();
         const double time = space_.apply(point, subject_);
-        const Playback playback{.end = subject_.stateful() ? (kFrames - 1) / 60.0 : time};
+        const Playback playback{.end = subject_.stateful() ? (kHuntedFrames - 1) / 60.0 : time};
         const int last = playback.last_frame();
         bool finite = true;
         for (int k = subject_.stateful() ? 0 : last; k <= last && finite; ++k) {
@@ -87,13 +90,13 @@ void report(Hunter& hunter, Check& check, const Point& found, CaseResult& result
 
 void run_search(Check& check, CaseResult& result) {
     const Stopwatch clock;
-    Hunter hunter(check.subject);
+    Hunter hunter(check);
     Search search(hunter.space().usual());
     const int wanted =
         hunter.space().usual().empty() ? 1 : kEvaluations * check.effort.tries.value_or(1);
     int done = 0;
     for (; done < wanted; ++done) {
-        if (!check.effort.tries && check.effort.over(clock.ms(), kShare)) break;
+        if (!check.effort.tries && check.effort.over(clock.ms(), kHuntShare)) break;
         const Point point = search.next();
         const Trial trial = hunter(point);
         if (trial.fails) return report(hunter, check, point, result);

@@ -92,7 +92,7 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
                 .effort = wanted.effort,
                 .pace = pace_of(subject, wanted.effort),
                 .folder = wanted.folder};
-    Budget budget(wanted.effort);
+    SharedSeconds seconds(wanted.effort);
     const Stopwatch clock;
     for (std::size_t i = first; i < cases.size(); ++i) {
         const Case& next = cases[i];
@@ -100,7 +100,7 @@ void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, i
         CaseResult result{.name = next.name, .verdict = CaseVerdict::skip};
         if (wanted.scene_is_known && next.tweaks >= Case::Tweaks::all) {
             result.note = "the same as with the preset before";
-        } else if (budget.is_over(next, clock.ms())) {
+        } else if (seconds.is_over(next, clock.ms())) {
             result.note = fmt::format("left out: --seconds {} were over", all_seconds);
         } else if (next.tweaks == Case::Tweaks::none) {
             result = run_case(check, next);

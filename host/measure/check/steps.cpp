@@ -14,9 +14,9 @@
 namespace glint {
 namespace {
 
-constexpr double kEarly = 0.25, kLater = 1.0;  // s, where states are compared
-constexpr double kLidCatchUp = 0.25;           // s, as in the window
-constexpr int kFrames = 64, kLeastFrames = 8;  // at each frame time
+constexpr double kEarly = 0.25, kLater = 1.0;          // s, where states are compared
+constexpr double kLidCatchUp = 0.25;                   // s, as in the window
+constexpr int kSteppedFrames = 64, kLeastStepped = 8;  // at each frame time
 // A step's own state may differ by rounding alone; pictures by what a rate may change, such as the
 // noise of an average. Noise is gone from the means of tiles, a place is not.
 constexpr float kMostStateOff = 1e-3f;  // of the largest value
@@ -159,7 +159,7 @@ void run_steps(const FrameTime& step, Check& check, CaseResult& result) {
     const double met = step.fps > 500.0 ? kEarly : kLater;
     const int last = lid ? 1 : static_cast<int>(std::lround(met * step.fps));
     const Playback endless{.end = 1e6, .fps = step.fps};
-    for (int k = 0; k <= std::max(last, check.paced(kFrames, kLeastFrames)); ++k) {
+    for (int k = 0; k <= std::max(last, check.paced(kSteppedFrames, kLeastStepped)); ++k) {
         Frame frame = endless.frame(subject.preset, k);
         if (lid) frame.longest_catch_up = kLidCatchUp;
         subject.still.reset();
@@ -191,7 +191,7 @@ void run_mixed_steps(Check& check, CaseResult& result) {
     }
     compare_states(state_of(subject), *check.later, kLater, subject.preset.size, result);
     if (result.verdict == CaseVerdict::fail) return;
-    for (int k = 0; k < check.paced(kFrames, kLeastFrames); ++k) {
+    for (int k = 0; k < check.paced(kSteppedFrames, kLeastStepped); ++k) {
         const double delta = kAny[random() % std::size(kAny)];
         time += delta;
         Frame frame = subject.frame_at(time, delta, index + k);

@@ -14,10 +14,10 @@
 namespace glint {
 namespace {
 
-constexpr double kPlayed = 4.0;      // s, after which an unstable step has shown itself
-constexpr double kCompared = 0.5;    // s, after which states of halved steps are compared
-constexpr double kMostTimes = 64.0;  // the step in use
-constexpr long kParts = 64;          // of a step; how finely it is told
+constexpr double kStiffPlayed = 4.0;  // s, after which an unstable step has shown itself
+constexpr double kCompared = 0.5;     // s, after which states of halved steps are compared
+constexpr double kMostTimes = 64.0;   // the step in use
+constexpr long kParts = 64;           // of a step; how finely it is told
 constexpr double kLeastOrder = 0.25;
 constexpr float kBeyond = 16.0f, kLeast = 1.0f;  // the largest value, beside the step in use
 
@@ -53,7 +53,7 @@ public:
         set(parts, kParts);
         subject_.restore();
         subject_.preset.values = values;
-        const auto frames = static_cast<int>(kPlayed * 60.0);
+        const auto frames = static_cast<int>(kStiffPlayed * 60.0);
         for (int k = 0; k < frames; ++k)
             if (!subject_.play_frames(k, k + 1, 60.0)) return INFINITY;
         return subject_.largest_state();

@@ -45,6 +45,7 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
     renderer_.emplace(preset, std::move(compiled),
                       RenderOptions{.size = preset.size, .picture_format = PixelFormat::rgba32f});
     load_inputs(preset, *renderer_);
+    renderer_->compile_ahead();
     looked_at_.resize(renderer_->graph().passes.size());
 }
 

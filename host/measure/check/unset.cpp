@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr double kPlayed = 0.5;  // s of a simulation
+constexpr double kUnsetPlayed = 0.5;  // s of a simulation
 
 // Of all passes that are drawn, each once, in the order of the text.
 std::vector<Unset> unset_values(const CheckSubject& subject) {
@@ -34,12 +34,12 @@ class Comparison {
 public:
     explicit Comparison(CheckSubject& subject)
         : subject_(subject),
-          time_(subject.stateful() ? std::min(subject.preset.time, kPlayed) : subject.preset.time) {
-    }
+          time_(subject.stateful() ? std::min(subject.preset.time, kUnsetPlayed)
+                                   : subject.preset.time) {}
 
     // False where the scene is not finite by itself.
     bool draw_usual() {
-        const bool finite = subject_.show(time_, kPlayed);
+        const bool finite = subject_.show(time_, kUnsetPlayed);
         usual_ = subject_.picture();
         return finite;
     }
@@ -48,7 +48,7 @@ public:
         CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
                             {.specialise = subject_.specialised(), .marked = range});
         marked.after_frame = subject_.after_frame;
-        if (!marked.show(time_, kPlayed)) return true;
+        if (!marked.show(time_, kUnsetPlayed)) return true;
         const Difference found = difference(marked.picture(), usual_);
         return found.not_finite > 0 || found.share_off > 0.0;
     }

@@ -1,5 +1,6 @@
 #include "measure/probe/cost.h"
 
+#include "base/median.h"
 #include "media/image.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -92,8 +94,7 @@ double median_ms(ProbeSession& session, const Frame& frame) {
         if (i > 0) ms.push_back(in_pass);  // the first may compile
     }
     renderer.before_pass = renderer.after_pass = nullptr;
-    std::ranges::sort(ms);
-    return ms[ms.size() / 2];
+    return median_of(std::move(ms));
 }
 
 std::optional<double> correlation(const std::vector<ProbeCost::Run>& runs, std::size_t of) {

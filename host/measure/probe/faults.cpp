@@ -19,6 +19,48 @@ bool is_finite(const ProbeCell& cell) {
     return std::ranges::all_of(cell.colour, [](float v) { return std::isfinite(v); });
 }
 
+// So many operations can be watched at once, whatever the text: compilers take minutes and
+// gigabytes where all those of a long one are.
+constexpr std::size_t kMostAtOnce = 48;
+
+std::vector<ProbeSite> sites_of(const Preset& preset, std::size_t pass,
+                                const ProgramOptions& options) {
+    ProbeWish wish{.kind = ProbeKind::faults};
+    std::vector<ProbeSite> sites = pass_text(preset, pass, options, &wish).probed.sites;
+    std::ranges::sort(sites, {}, &ProbeSite::at);
+    return sites;
+}
+
+// The bytes whose operations are watched together; none, where there are none.
+std::vector<Span> parts_of(const Preset& preset, const std::vector<ProbeSite>& sites) {
+    std::vector<Span> parts;
+    for (const ProbeSite& site : sites) {
+        if (!parts.empty() && site.at < parts.back().end) continue;
+        if (!parts.empty()) parts.back().end = site.at;
+        const auto first = static_cast<std::size_t>(&site - sites.data());
+        const std::size_t last = first + kMostAtOnce - 1;
+        parts.push_back(
+            {site.at, last < sites.size() ? sites[last].at + 1 : preset.scene.text.size()});
+    }
+    return parts;
+}
+
+// What may have no result at all, where all operations are too many at once; else all. Few of a
+// long text do, and where something is not finite, one of them is mostly why.
+std::vector<Span> likely(const std::vector<ProbeSite>& sites) {
+    if (sites.size() <= kMostAtOnce) return {};
+    std::vector<Span> only{{0, 0}};  // empty would be all
+    for (const ProbeSite& site : sites)
+        if (site.kind == SiteKind::domain && !site.name.starts_with("normalize"))
+            only.push_back({site.at, site.at + 1});
+    return only;
+}
+
+// The first fault of the fragment, if any, is of an operation that had no result.
+bool is_undefined_first(const ProbeCell& cell) {
+    return cell.told[0] > 0 && cell.told[1] == cell.told[2];
+}
+
 std::size_t site_of(const ProbeCell& cell) {
     return cell.told[1] - 1;
 }
@@ -67,11 +109,17 @@ void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
 
 }  // namespace
 
-FaultWatch::FaultWatch(const Preset& preset, Renderer& renderer, const ProgramOptions& options,
-                       const ProbeWish& wish)
-    : preset_(preset), renderer_(renderer), is_marked_(options.marked.has_value()) {
-    for (const GraphPass& pass : renderer.graph().passes)
-        probes_.emplace_back(preset, pass.pass, options, wish);
+FaultWatch::FaultWatch(const Preset& preset, Renderer& renderer, const ProgramOptions& options)
+    : preset_(preset),
+      renderer_(renderer),
+      options_(options),
+      is_marked_(options.marked.has_value()) {
+    for (const GraphPass& pass : renderer.graph().passes) {
+        const std::vector<ProbeSite> sites = sites_of(preset, pass.pass, options);
+        parts_.push_back(parts_of(preset, sites));
+        probes_.emplace_back(preset, pass.pass, options,
+                             ProbeWish{.kind = ProbeKind::faults, .only = likely(sites)});
+    }
     renderer.before_pass = [this](std::size_t index) { look(index); };
 }
 
@@ -79,7 +127,14 @@ FaultWatch::~FaultWatch() {
     renderer_.before_pass = nullptr;
 }
 
-ProbeFault FaultWatch::fault_of(const Probe& probe, const ProbeCell& cell) const {
+Probe FaultWatch::probe_of(std::size_t index, std::vector<Span> only) const {
+    return Probe(preset_, renderer_.graph().passes[index].pass, options_,
+                 {.kind = ProbeKind::faults, .only = std::move(only)});
+}
+
+ProbeFault FaultWatch::fault_of(std::size_t index, const Probe& probe,
+                                const std::vector<ProbeCell>& cells, std::size_t found) const {
+    const ProbeCell& cell = cells[found];
     const ProbeSite& site = probe.probed().sites[site_of(cell)];
     const ProbeValue row = probe.row(site_of(cell));
     ProbeFault fault{.file = row.file,
@@ -88,44 +143,82 @@ ProbeFault FaultWatch::fault_of(const Probe& probe, const ProbeCell& cell) const
                      .function = row.function,
                      .expression = site.name};
     describe(site, cell, fault);
+    const int width = renderer_.buffer(index).shape().size.x, at = static_cast<int>(found);
+    fault.pass = pass_name(preset_.scene, renderer_.graph().passes[index].pass);
+    fault.pixel = {at % width, at / width};
+    fault.frame = frame_->frame;
+    fault.pixels =
+        static_cast<std::size_t>(std::ranges::count_if(cells, [&](const ProbeCell& other) {
+            return has_fault(other) && other.told[1] == cell.told[1];
+        }));
+    fault.is_seen = !is_finite(cell);
     return fault;
 }
 
+bool FaultWatch::has_fault(const ProbeCell& cell) const {
+    return cell.told[0] > 0 && (!is_marked_ || cell.kept[0] == kMark);
+}
+
 void FaultWatch::look(std::size_t index) {
-    if (is_seen() || !frame_) return;
-    Probe& probe = probes_[index];
-    const BufferShape& shape = renderer_.buffer(index).shape();
-    if (probe.probed().sites.empty()) return;
-    for (int face = 0; face < (shape.cube ? 6 : 1); ++face) {
-        const std::vector<ProbeCell> cells = probe.map(renderer_, *frame_, 0, 0, face);
-        const ProbeCell* found = nullptr;
-        const auto has_fault = [&](const ProbeCell& cell) {
-            return cell.told[0] > 0 && (!is_marked_ || cell.kept[0] == kMark);
-        };
-        for (const ProbeCell& cell : cells) {
-            if (!has_fault(cell)) continue;
-            if (!found || (is_finite(*found) && !is_finite(cell))) found = &cell;
-        }
-        if (!found || (first_ && is_finite(*found))) continue;
-        ProbeFault fault = fault_of(probe, *found);
-        const auto at = static_cast<int>(found - cells.data());
-        fault.pass = pass_name(preset_.scene, renderer_.graph().passes[index].pass);
-        fault.pixel = {at % shape.size.x, at / shape.size.x};
-        fault.frame = frame_->frame;
-        fault.pixels =
-            static_cast<std::size_t>(std::ranges::count_if(cells, [&](const ProbeCell& cell) {
-                return has_fault(cell) && cell.told[1] == found->told[1];
-            }));
-        fault.is_seen = !is_finite(*found);
-        first_ = std::move(fault);
-        if (first_->is_seen) return;
+    if (is_seen() || !frame_ || parts_[index].empty()) return;
+    const int faces = renderer_.buffer(index).shape().cube ? 6 : 1;
+    for (int face = 0; face < faces && !is_seen(); ++face) {
+        if (parts_[index].size() == 1)
+            look_at_once(index, face);
+        else
+            look_in_parts(index, face);
     }
+}
+
+void FaultWatch::look_at_once(std::size_t index, int face) {
+    Probe& probe = probes_[index];
+    if (probe.probed().sites.empty()) return;
+    const std::vector<ProbeCell> cells = probe.map(renderer_, *frame_, 0, 0, face);
+    const auto faulty = [&](const ProbeCell& cell) { return has_fault(cell); };
+    auto found = std::ranges::find_if(
+        cells, [&](const ProbeCell& cell) { return has_fault(cell) && !is_finite(cell); });
+    if (found == cells.end() && !first_) found = std::ranges::find_if(cells, faulty);
+    if (found == cells.end()) return;
+    first_ = fault_of(index, probe, cells, static_cast<std::size_t>(found - cells.begin()));
+}
+
+// Of many operations: what has no result, whether or not it shows. Where something shows that they
+// do not explain, each part tells whether one of its operations was at fault in that pixel, and a
+// last program, of these alone, which came first.
+void FaultWatch::look_in_parts(std::size_t index, int face) {
+    const std::vector<ProbeCell> cells = probes_[index].map(renderer_, *frame_, 0, 0, face);
+    const auto undefined = [&](const ProbeCell& cell) {
+        return has_fault(cell) && is_undefined_first(cell);
+    };
+    auto bad = std::ranges::find_if_not(cells, is_finite);
+    if (bad == cells.end() && !first_) bad = std::ranges::find_if(cells, undefined);
+    if (bad == cells.end()) return;
+    const auto at = static_cast<std::size_t>(bad - cells.begin());
+    if (undefined(*bad)) {
+        first_ = fault_of(index, probes_[index], cells, at);
+        return;
+    }
+    std::vector<Span> faulty;
+    for (const Span part : parts_[index]) {
+        Probe probe = probe_of(index, {part});
+        const ProbeCell cell = probe.map(renderer_, *frame_, 0, 0, face)[at];
+        if (after_program) after_program();
+        if (!has_fault(cell)) continue;
+        const std::size_t place = probe.probed().sites[site_of(cell)].at;
+        faulty.push_back({place, place + 1});
+    }
+    if (faulty.empty()) return;
+    Probe probe = probe_of(index, std::move(faulty));
+    const std::vector<ProbeCell> again = probe.map(renderer_, *frame_, 0, 0, face);
+    if (has_fault(again[at])) first_ = fault_of(index, probe, again, at);
 }
 
 FaultSurvey::FaultSurvey(const Preset& preset, Renderer& renderer, const ProgramOptions& options)
     : preset_(preset), renderer_(renderer) {
     for (const GraphPass& pass : renderer.graph().passes)
-        probes_.emplace_back(preset, pass.pass, options, ProbeWish{.kind = ProbeKind::faults});
+        probes_.emplace_back(preset, pass.pass, options,
+                             ProbeWish{.kind = ProbeKind::faults,
+                                       .only = likely(sites_of(preset, pass.pass, options))});
 }
 
 FaultSurvey::~FaultSurvey() {

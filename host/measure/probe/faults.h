@@ -3,17 +3,19 @@
 
 #include "measure/probe/probe.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace glint {
 
-// Watches all passes of a renderer for the first fault, frame by frame, while it lives.
+// Watches all passes of a renderer for the first fault, frame by frame, while it lives. Of a pass
+// with many operations only what has no result counts, and what made a pixel not finite; which that
+// is may take some more programs, so that draws may throw ProbeRefused, too.
 class FaultWatch {
 public:
-    // `wish` is of ProbeKind::faults. Throws ProbeRefused.
-    FaultWatch(const Preset& preset, Renderer& renderer, const ProgramOptions& options,
-               const ProbeWish& wish = {.kind = ProbeKind::faults});
+    // Throws ProbeRefused.
+    FaultWatch(const Preset& preset, Renderer& renderer, const ProgramOptions& options);
     ~FaultWatch();
     FaultWatch(const FaultWatch&) = delete;
     FaultWatch& operator=(const FaultWatch&) = delete;
@@ -25,20 +27,33 @@ public:
     // Of what is seen in a pixel, or else of all.
     const std::optional<ProbeFault>& first() const { return first_; }
 
+    // Called after each program that a draw has taken.
+    std::function<void()> after_program;
+
 private:
     void look(std::size_t index);
-    ProbeFault fault_of(const Probe& probe, const ProbeCell& cell) const;
+    void look_at_once(std::size_t index, int face);
+    void look_in_parts(std::size_t index, int face);
+    bool has_fault(const ProbeCell& cell) const;
+    Probe probe_of(std::size_t index, std::vector<Span> only) const;
+    ProbeFault fault_of(std::size_t index, const Probe& probe, const std::vector<ProbeCell>& cells,
+                        std::size_t found) const;
 
     const Preset& preset_;
     Renderer& renderer_;
-    std::vector<Probe> probes_;  // in the order of the graph
+    const ProgramOptions options_;
+    // By pass, in the order of the graph: what is watched together, and the program that watches
+    // all, or, where there are several parts, what may have no result.
+    std::vector<std::vector<Span>> parts_;
+    std::vector<Probe> probes_;
     const Frame* frame_ = nullptr;
     std::optional<ProbeFault> first_;
     bool is_marked_;
 };
 
 // How near each operation of a frame comes to where it is undefined, over all passes: what a search
-// goes by; and what is undefined and shows in a colour.
+// goes by; and what is undefined and shows in a colour. Of a pass with many operations, those that
+// may have no result.
 class FaultSurvey {
 public:
     // Throws ProbeRefused.

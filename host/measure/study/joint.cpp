@@ -1,5 +1,6 @@
 #include "measure/study/joint.h"
 
+#include "base/median.h"
 #include "base/words.h"
 #include "measure/rows/difference.h"
 #include "measure/study/result.h"

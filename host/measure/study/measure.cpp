@@ -1,5 +1,6 @@
 #include "measure/study/measure.h"
 
+#include "base/median.h"
 #include "base/process_time.h"
 #include "measure/study/statistics.h"
 #include "offline/common.h"
@@ -50,6 +51,7 @@ MeasuredScene::MeasuredScene(const Preset& preset, const Setting& setting, Conte
                                                       .constants = options.constants}}),
                 {.size = preset_.size, .picture_format = PixelFormat::rgba32f}) {
     load_inputs(preset_, renderer_);
+    renderer_.compile_ahead();
 }
 
 Preset MeasuredScene::with(const Preset& preset, const Setting& setting) {

@@ -1,5 +1,7 @@
 #include "measure/study/pair.h"
 
+#include "base/median.h"
+
 #include <algorithm>
 #include <array>
 

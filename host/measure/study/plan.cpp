@@ -101,6 +101,11 @@ private:
     std::optional<KnobValue> second_seed(const KnobValue& truth) const;
     KnobValue turned(KnobValue value, const std::vector<Turned>& list) const;
     std::optional<KnobValue> named_second(const std::string& name, const KnobValue& truth) const;
+    struct Named {
+        std::vector<Turned> values;
+        bool is_own_number = false;  // one value of the tweak's own, which is a number
+    };
+    Named named_by_scene(const Tweak& tweak) const;
     void choose_second(const Tweak& tweak, Knob& knob) const;
     void choose_rival(const Tweak& tweak, Knob& knob) const;
     std::vector<bool> own_quality(const Tweak& tweak, const Knob& knob,
@@ -255,6 +260,15 @@ std::optional<KnobValue> Planner::named_second(const std::string& name,
     return any ? std::optional(result) : std::nullopt;
 }
 
+// What `second=` says of this tweak.
+Planner::Named Planner::named_by_scene(const Tweak& tweak) const {
+    std::string wrong;  // was told when the scene was read
+    Named named{.values = turned_values(preset_.scene.tweaks, tweak, tweak.second, wrong)};
+    named.is_own_number =
+        is_number(tweak) && named.values.size() == 1 && named.values[0].tweak == index(tweak);
+    return named;
+}
+
 // By what is named, else by what the scene names, else by another seed, else by more work.
 void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
     const auto by_value = [&](const TweakValue& v) {
@@ -266,10 +280,8 @@ void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
     if (const auto text = said(options_.second, tweak.name, "--second"))
         return by_value(parse(tweak, *text, "--second"));
     if ((knob.second = named_second(tweak.name, knob.reference))) return;
-    std::string wrong;
-    const auto named = turned_values(preset_.scene.tweaks, tweak, tweak.second, wrong);
-    const bool is_own = named.size() == 1 && named[0].tweak == index(tweak);
-    if (is_own && is_number(tweak)) return by_value(named[0].value);
+    if (const Named named = named_by_scene(tweak); named.is_own_number)
+        return by_value(named.values[0].value);
     knob.second_work = {SecondWork::Kind::seed, 1.0};
     if ((knob.second = second_seed(knob.reference))) return;
     knob.second_work = {SecondWork::Kind::more, 2.0};
@@ -278,12 +290,10 @@ void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
 
 // What the scene names as another way to the truth.
 void Planner::choose_rival(const Tweak& tweak, Knob& knob) const {
-    std::string wrong;
-    const auto named = turned_values(preset_.scene.tweaks, tweak, tweak.second, wrong);
-    const bool is_own = named.size() == 1 && named[0].tweak == index(tweak);
-    if (named.empty() || (is_own && is_number(tweak))) return;
+    const Named named = named_by_scene(tweak);
+    if (named.values.empty() || named.is_own_number) return;
     if (said(options_.reference, tweak.name, "--reference")) return;  // of the scene's own it is
-    Rival rival{.value = turned(knob.reference, named)};
+    Rival rival{.value = turned(knob.reference, named.values)};
     rival.value.text = tweak.second;
     settle_accumulating(rival.value, knob);
     rival.work = {SecondWork::Kind::seed, 1.0};

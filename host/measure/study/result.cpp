@@ -1,5 +1,6 @@
 #include "measure/study/result.h"
 
+#include "base/median.h"
 #include "base/words.h"
 #include "measure/study/rounds.h"
 #include "measure/study/statistics.h"
@@ -36,7 +37,7 @@ bool counts_for_order(const Study& study, const StudyRow& row) {
     return row.error->rmse > std::max(kFitFactor * study.own_error, kLeastRmse);
 }
 
-Timing timing_of(const std::vector<double>& times) {
+Timing median_and_ends(const std::vector<double>& times) {
     if (times.empty()) return {};
     const auto [least, most] = std::ranges::minmax(times);
     return {.median = median_of(times), .min = least, .max = most};
@@ -49,12 +50,12 @@ void take_times(Study& study, bool on_software) {
         if (!row.times.wall.empty()) timed.push_back(row.times);
     study.clock = best_clock(timed, on_software);
     for (StudyRow& row : study.rows) {
-        row.wall = timing_of(row.times.wall);
-        row.gpu = timing_of(row.times.gpu);
-        row.processor = timing_of(row.times.processor);
+        row.wall = median_and_ends(row.times.wall);
+        row.gpu = median_and_ends(row.times.gpu);
+        row.processor = median_and_ends(row.times.processor);
         const std::vector<double>& times = times_by(study.clock, row.times);
         const Interval interval = median_interval(times);
-        row.ms = timing_of(times);
+        row.ms = median_and_ends(times);
         row.ms.low = interval.low;
         row.ms.high = interval.high;
     }

@@ -1,5 +1,6 @@
 #include "measure/study/rounds.h"
 
+#include "base/median.h"
 #include "measure/study/statistics.h"
 
 #include <algorithm>

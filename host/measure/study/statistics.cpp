@@ -1,5 +1,7 @@
 #include "measure/study/statistics.h"
 
+#include "base/median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -62,14 +64,6 @@ Pair compare(std::span<const std::vector<double>> times, std::size_t a, std::siz
 }
 
 }  // namespace
-
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    if (values.size() % 2 == 1) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2.0;
-}
 
 Interval median_interval(std::span<const double> values) {
     if (values.empty()) return {};

@@ -8,8 +8,6 @@
 
 namespace glint {
 
-double median_of(std::vector<double> values);  // 0 of none
-
 // Where the median lies in 95 of 100 cases, by a seeded bootstrap. Neighbouring values are drawn
 // together: they were measured under the same load.
 struct Interval {

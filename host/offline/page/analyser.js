@@ -1,4 +1,5 @@
-// A sound as shaders see it. In a page alone that reads one.
+// A sound as shaders see it: 512 bytes of spectrum, 512 of the wave, as an AnalyserNode smooths at 60 Hz. In a page
+// alone that reads one.
 
 const SIZE = 2048, BINS = 512, BLOCK = 735, REMEMBERED = 64;  // samples of 44.1 kHz; blocks of 1/60 s
 
@@ -17,40 +18,31 @@ export function spectrum(values) {
                 re[j] = re[i] - x; im[j] = im[i] - y; re[i] += x; im[i] += y;
             }
         }
-    return Float64Array.from({length: BINS}, (_, i) => Math.hypot(re[i], im[i]) / SIZE);
+    return re.slice(0, BINS).map((x, i) => Math.hypot(x, im[i]) / SIZE);
 }
 
-const byte = v => Math.min(Math.max(Math.floor(v), 0), 255);
-
-// A sound as shaders see it: 512 bytes of spectrum, 512 of the wave, as an AnalyserNode smooths at 60 Hz.
-export class Analyser {
-    constructor(samples) { this.samples = samples; this.known = new Map(); this.block = -1; }
-    mono(i) {
-        if (i < 0) return 0;
-        const at = i * 2 % this.samples.length;
-        return (this.samples[at] + this.samples[at + 1]) / 65536;
-    }
-    magnitudes(block) {
-        if (!this.known.has(block)) {
+// Gives the rows of a time: the same array as before while nothing is new.
+export function makeAnalyser(samples) {
+    const known = new Map();
+    let rows, seen;
+    const mono = i => i < 0 ? 0 : (samples[i * 2 % samples.length] + samples[i * 2 % samples.length + 1]) / 65536;
+    function magnitudes(block) {
+        if (!known.has(block)) {
             const window = i => 0.42 - 0.5 * Math.cos(2 * Math.PI * i / SIZE) + 0.08 * Math.cos(4 * Math.PI * i / SIZE);
-            const heard = Array.from({length: SIZE}, (_, i) => window(i) * this.mono(block * BLOCK - SIZE + i));
-            this.known.set(block, spectrum(heard));
-            this.known.delete(block - REMEMBERED);
+            known.set(block, spectrum(Array.from({length: SIZE}, (_, i) => window(i) * mono(block * BLOCK - SIZE + i))));
+            known.delete(block - REMEMBERED);
         }
-        return this.known.get(block);
+        return known.get(block);
     }
-    // The same array as before while nothing is new.
-    rowsAt(time) {
+    return time => {
         const block = Math.floor(Math.max(time, 0) * 60 + 1e-6);
-        if (block === this.block) return this.rows;
-        const smooth = new Float64Array(BINS), rows = new Uint8Array(2 * BINS);
+        if (block === seen) return rows;
+        seen = block;
+        const smooth = new Float64Array(BINS);
         for (let k = Math.max(block - REMEMBERED + 1, 0); k <= block; ++k)
-            this.magnitudes(k).forEach((m, i) => smooth[i] = 0.8 * smooth[i] + 0.2 * m);
-        for (let i = 0; i < BINS; ++i) {
-            rows[i] = byte(255 / 70 * (20 * Math.log10(smooth[i]) + 100));
-            rows[BINS + i] = byte(128 * (1 + this.mono(block * BLOCK - SIZE + i)));
-        }
-        this.block = block;
-        return this.rows = rows;
-    }
+            magnitudes(k).forEach((m, i) => smooth[i] = 0.8 * smooth[i] + 0.2 * m);
+        const wave = smooth.map((_, i) => 128 * (1 + mono(block * BLOCK - SIZE + i)));
+        // Where these are stored, a number goes to the next byte below, and 0 and 255 are the ends.
+        return rows = Uint8ClampedArray.from([...smooth.map(m => 255 / 70 * (20 * Math.log10(m) + 100)), ...wave], Math.floor);
+    };
 }

@@ -1,14 +1,7 @@
-// Tweaks as the browser's own controls, by group.
-import {clamp, format, parse} from "./look.js";
+// The browser's own controls, as the host wrote them, move the tweaks and show them.
+import {clamp, format, hexOf, parse} from "./look.js";
 
-const make = (name, more = {}, ...children) => {
-    const element = Object.assign(document.createElement(name), more);
-    element.append(...children);
-    return element;
-};
-
-// waterTint: "water tint".
-const words = name => name.replace(/([a-z0-9])([A-Z])/g, "$1 $2").toLowerCase();
+export const on = (target, events, act) => events.split(" ").forEach(event => target.addEventListener(event, act));
 
 // Where a slider stands, from 0 to 1, and back.
 export const fractionOf = ({range: [min, max], log}, v) => log ? Math.log(v / min) / Math.log(max / min) : (v - min) / (max - min);
@@ -17,54 +10,35 @@ export function valueAt(tweak, fraction) {
     return clamp(tweak, [step ? min + Math.round((v - min) / step) * step : +v.toPrecision(4)])[0];
 }
 
-// The control of one tweak: its elements, and how it shows a value. `set` hears of a new one.
-function control(tweak, set) {
-    const on = (element, event, value) => (element.addEventListener(event, () => { const v = value(); if (v) set(v); }), element);
-    if (tweak.type === "bool") {
-        const box = on(make("input", {type: "checkbox"}), "input", () => [+box.checked]);
-        return [[box], ([v]) => box.checked = v];
-    }
-    if (tweak.names) {
-        const menu = on(make("select", {}, ...tweak.names.map(name => make("option", {}, name))), "input", () => [menu.selectedIndex]);
-        return [[menu], ([v]) => menu.selectedIndex = v];
-    }
-    const field = on(make("input", {className: "field", spellcheck: false}), "change", () => parse(tweak, field.value) ?? (show(last), null));
-    let last;
-    const show = value => { last = value; field.value = format(tweak, value); more?.(value); };
-    let more;
-    if (tweak.colour) {
-        const well = on(make("input", {type: "color"}), "input", () => [...parse({...tweak, value: [0, 0, 0]}, well.value), ...last.slice(3)]);
-        more = value => well.value = format({colour: true}, clamp({range: [0, 1]}, value.slice(0, 3)).map(v => Math.round(v * 255) / 255));
-        return [[well, field], show];
-    }
-    if (tweak.value.length === 1 && tweak.range) {
-        const slider = on(make("input", {type: "range", min: 0, max: 1, step: "any"}), "input", () => [valueAt(tweak, +slider.value)]);
-        more = ([v]) => slider.value = fractionOf(tweak, v);
-        return [[slider, field], show];
-    }
-    return [[field], show];
-}
+// By the kind of a control: the value at which it stands, and how it comes to stand there.
+const READ = {
+    checkbox: e => [+e.checked],
+    "select-one": e => [e.selectedIndex],
+    range: (e, tweak) => [valueAt(tweak, +e.value)],
+    color: (e, tweak, last) => [...parse({value: [0, 0, 0]}, e.value), ...last.slice(3)],
+    text: (e, tweak, last) => parse(tweak, e.value) ?? last,
+};
+const SHOW = {
+    checkbox: (e, tweak, [v]) => e.checked = v,
+    "select-one": (e, tweak, [v]) => e.selectedIndex = v,
+    range: (e, tweak, [v]) => e.value = fractionOf(tweak, v),
+    color: (e, tweak, value) => e.value = hexOf(value.slice(0, 3)),
+    text: (e, tweak, value) => e.value = format(tweak, value),
+};
 
-// Fills the panel; returns what shows the values.
-export function makeControls(panel, plan, set) {
-    const shows = [];
-    let group, body = panel;
-    plan.tweaks.forEach((tweak, i) => {
-        if (tweak.group !== group) {
-            group = tweak.group;
-            body = make("details", {open: true}, make("summary", {}, group ?? ""));
-            panel.append(body);
-        }
-        const [elements, show] = control(tweak, value => set(i, value));
-        const reset = make("button", {className: "reset", title: "as in the preset", onclick: () => set(i, tweak.value)}, "↺");
-        const name = make("span", {title: `${tweak.name}: ${tweak.what ?? ""}`}, words(tweak.name), make("i", {}, tweak.unit ?? ""));
-        elements.forEach(element => element.ariaLabel = tweak.name);
-        const row = make("div", {className: "row"}, name, reset, ...elements);
-        body.append(row);
-        shows.push(value => {
-            show(value);
-            row.classList.toggle("moved", format(tweak, value) !== format(tweak, tweak.value));
-        });
+// `rows` stand in the order of the tweaks, `set` hears of a new value. Returns what shows the values.
+export function bindControls(rows, tweaks, set) {
+    let values;
+    const controls = i => rows[i].querySelectorAll("input,select");
+    tweaks.forEach((tweak, i) => {
+        for (const e of controls(i)) on(e, e.type === "text" ? "change" : "input", () => set(i, READ[e.type](e, tweak, values[i])));
+        on(rows[i].querySelector("button"), "click", () => set(i, tweak.value));
     });
-    return values => shows.forEach((show, i) => show(values[i]));
+    return shown => {
+        values = shown;
+        tweaks.forEach((tweak, i) => {
+            for (const e of controls(i)) SHOW[e.type](e, tweak, values[i]);
+            rows[i].classList.toggle("moved", format(tweak, values[i]) !== format(tweak, tweak.value));
+        });
+    };
 }

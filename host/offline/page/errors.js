@@ -2,7 +2,7 @@
 
 // A line of the scene's text, from 1, as "file:line".
 export function placeOf(plan, line) {
-    const [start, file, first] = plan.origins.findLast(origin => origin[0] <= line) ?? [1, 0, 1];
+    const [start, file, first] = plan.origins.findLast(origin => origin[0] <= line);
     return `${plan.files[file]}:${first + line - start}`;
 }
 
@@ -10,8 +10,7 @@ export function placeOf(plan, line) {
 export function explain(plan, pass, log, added) {
     const lines = log.replace(/\0/g, "").split("\n").filter(Boolean).map(line => {
         const [, kind, number, text] = line.match(/^(ERROR|WARNING): \d+:(\d+): (.*)/) ?? [];
-        if (!number || number <= added) return `${plan.files[0]}: ${line}`;
-        return `${placeOf(plan, number - added)}: ${kind.toLowerCase()}: ${text}`;
+        return number > added ? `${placeOf(plan, number - added)}: ${kind.toLowerCase()}: ${text}` : `${plan.files[0]}: ${line}`;
     });
     return `Pass ${pass.name} does not compile here.\n${lines.join("\n") || "The driver does not say why."}`;
 }

@@ -1,28 +1,28 @@
 // The page: a plan, a canvas, its controls.
 import {Clock, frameAt, lastFrame, playedFrame} from "./clock.js";
-import {Tape} from "./input.js";
-import {Player} from "./player.js";
-import {Sound} from "./sound.js";
-import {Holder} from "./holder.js";
-import {makeControls} from "./controls.js";
+import {makeTape} from "./input.js";
+import {makePlayer} from "./player.js";
+import {makeSound} from "./sound.js";
+import {makeHolder} from "./holder.js";
+import {bindControls, on} from "./controls.js";
 import {readLook, writeLook} from "./look.js";
 
 const $ = id => document.getElementById(id), canvas = $("picture");
 const plan = JSON.parse($("plan").textContent), first = readLook(plan, location.hash);
 const gl = canvas.getContext("webgl2", {alpha: false, antialias: false, depth: false, powerPreference: "high-performance"});
-const tape = new Tape(plan.events), clock = new Clock(first.time), holder = new Holder;
+const tape = makeTape(plan.events), clock = new Clock(first.time), holder = makeHolder(), body = document.body.classList;
 const keyboard = plan.inputs.some(input => input.source === "keyboard");
 let player, reader, sound, values = first.values, index = 0, isReady = false, seeking = 0, wanted, hasUniforms, rest, frames = 0, since = 0;
 
-const say = (text, kind = "") => { $("says").textContent = text; $("says").className = kind; };
+const say = (text, kind = "note") => { $("says").textContent = text; $("says").className = kind; };
 const notes = new Set();
-const note = text => { notes.add(text); say([...notes].join("\n"), "note"); };
+const note = text => { notes.add(text); say([...notes].join("\n")); };
 
 // --- looks
 
 async function start() {
     if (!gl) throw new Error("This browser has no WebGL 2.");
-    player = new Player(gl, plan, plan.passes, note);
+    player = makePlayer(gl, plan, plan.passes, note);
     player.values = values;
     hasUniforms = false;
     const linked = await player.link(values);
@@ -38,8 +38,9 @@ async function start() {
 // The constants of this look become those of the programs, once no tweak moves any more; while one does, uniforms.
 async function relink(constants) {
     const mine = wanted = Symbol();
+    hasUniforms ||= !constants;
     const linked = await player.link(constants).catch(fail);
-    if (mine !== wanted || !linked) return;
+    if (mine !== wanted || !linked || constants && constants !== values) return;
     player.use(linked);
     hasUniforms = !constants;
 }
@@ -65,21 +66,21 @@ async function seek(time) {
     player.reset();
     reader = tape.reader();
     index = player.isStateful ? 0 : end;
-    const input = frame => Object.assign(frame, reader.input(frame.time, player.size, frame.from), {tape});
+    const input = frame => Object.assign(frame, reader.input(frame.iTime, player.size, frame.from), {tape});
     for (let count = 1; index < end;) {
         const began = performance.now();
         for (let i = 0; i < count && index < end; ++i) player.draw(input(playedFrame(plan, index++, time)), true);
         await player.wait();
         count = Math.max(1, Math.round(count * Math.min(2, 60 / (performance.now() - began + 1))));
-        if (end > 200) say(`${Math.round(100 * index / end)} %`, "note");
+        if (end > 200) say(`${Math.round(100 * index / end)} %`);
         await new Promise(requestAnimationFrame);
         if (mine !== seeking) return;
     }
     player.draw(input(playedFrame(plan, end, time)));
     seeking = 0;
     ++index;
-    say([...notes].join("\n"), "note");
-    document.documentElement.classList.add("drawn");
+    say([...notes].join("\n"));
+    body.add("drawn");
     sounds();
 }
 
@@ -91,16 +92,23 @@ function draw(delta) {
     return player.draw(frame);
 }
 
+// The frame that stands there, once more.
+function again() {
+    player.root.drawn = false;
+    --index;
+    draw(0);
+}
+
 let moved = false;
 function tick60(now) {
     requestAnimationFrame(tick60);
     if (!isReady || seeking || document.hidden) { clock.last = null; return; }
     const delta = clock.advance(now);
     if (clock.playing || moved) { if (draw(delta)) ++frames; moved = false; }
-    else if (player.live.some(pass => !pass.drawn)) { --index; draw(0); }
+    else if (player.live.some(pass => !pass.drawn)) again();
     if (clock.playing && !plan.fixed && !player.keepsSize && holder.took(now)) fit();
     if (now - since > 500) {
-        $("rate").textContent = clock.playing ? `${Math.round(frames * 1000 / (now - since))} Hz ${canvas.width}×${canvas.height}` : `${canvas.width}×${canvas.height}`;
+        $("rate").textContent = `${clock.playing ? Math.round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
         if (document.activeElement !== $("time")) $("time").value = clock.time.toFixed(2);
         frames = 0;
         since = now;
@@ -109,120 +117,103 @@ function tick60(now) {
 
 // --- the picture's size
 
-function fit() {
+// What carries the picture's pixels on keeps its size, unless another one is chosen: then it is played anew.
+function fit(isChosen) {
     const [w, h] = plan.size, box = $("stage").getBoundingClientRect(), scale = Math.min(box.width / w, box.height / h);
     canvas.style.width = `${Math.floor(w * scale)}px`;
     canvas.style.height = `${Math.floor(h * scale)}px`;
     const pixels = scale * (devicePixelRatio || 1) * holder.share;
     const size = plan.fixed ? plan.size : [w, h].map(s => Math.max(1, Math.round(s * pixels)));
-    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize) return;
+    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize && isChosen !== true) return;
     [canvas.width, canvas.height] = size;
     if (isReady) player.resize(size);
+    if (isChosen === true && player.keepsSize) seek(clock.time);
 }
 new ResizeObserver(fit).observe($("stage"));
 
 // --- buttons
 
+const plays = on => body.toggle("paused", !(clock.playing = on));
 function play(on) {
-    clock.playing = on;
+    plays(on);
     clock.last = null;
-    document.body.classList.toggle("paused", !on);
     keepLook();
     sounds();
 }
 function sounds() {
     if (!sound) return;
-    if (clock.playing && document.body.classList.contains("loud") && !document.hidden) sound.play(clock.time); else sound.stop();
+    if (clock.playing && body.contains("loud") && !document.hidden) sound.play(clock.time); else sound.stop();
 }
 const press = {
     play: () => play(!clock.playing),
     again: () => seek(0),
     step: () => { play(false); clock.time += 1 / 60; draw(1 / 60); $("time").value = clock.time.toFixed(2); },
     save: () => {
-        player.root.drawn = false;
-        --index;
-        draw(0);
-        canvas.toBlob(blob => {
-            const link = Object.assign(document.createElement("a"), {href: URL.createObjectURL(blob), download: `${plan.title} ${clock.time.toFixed(2)}.png`});
-            link.click();
-            URL.revokeObjectURL(link.href);
-        });
+        again();
+        canvas.toBlob(blob => Object.assign(document.createElement("a"), {href: URL.createObjectURL(blob), download: `${plan.title} ${clock.time.toFixed(2)}.png`}).click());
     },
     full: () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen(),
-    tweaks: () => document.body.classList.toggle("narrow"),
+    tweaks: () => body.toggle("narrow"),
     reset: () => plan.tweaks.forEach((tweak, i) => setValue(i, tweak.value)),
     sound: async () => {
-        const isLoud = document.body.classList.toggle("loud");
-        if (isLoud && !sound) { const made = new Sound(plan); await made.load(values).catch(fail); sound = made; }
+        const isLoud = body.toggle("loud");
+        if (isLoud && !sound) { const made = makeSound(plan); await made.load(values).catch(fail); sound = made; }
         sounds();
     },
 };
-for (const [name, act] of Object.entries(press)) $(name).addEventListener("click", () => isReady && act());
-$("time").addEventListener("change", () => isReady && seek(Math.max(+$("time").value || 0, 0)));
-$("share").addEventListener("change", () => { holder.hold($("share").value); fit(); });
-const show = makeControls($("tweaklist"), plan, setValue);
+for (const name in press) on($(name), "click", () => isReady && press[name]());
+on($("time"), "change", () => isReady && seek(Math.max(+$("time").value || 0, 0)));
+on($("share"), "change", () => { holder.hold($("share").value); fit(true); });
+const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, setValue);
 
 // --- mouse, touch, keys
 
 const did = event => { tape.add({...event, t: clock.time + 1e-9}); moved = true; };
-const point = event => {
-    const box = canvas.getBoundingClientRect();
-    return [(event.clientX - box.left) / box.width, 1 - (event.clientY - box.top) / box.height];
-};
 let pointer = null;
-canvas.addEventListener("pointerdown", event => {
-    if (pointer !== null || event.button) return;
-    pointer = event.pointerId;
-    canvas.setPointerCapture(pointer);
-    did({mouse: point(event), down: true});
+on(canvas, "pointerdown pointermove pointerup pointercancel", event => {
+    const {type, pointerId, clientX, clientY} = event, begins = type === "pointerdown", ends = /up|cancel/.test(type);
+    if (begins ? pointer !== null || event.button : pointer !== pointerId) return;
+    pointer = ends ? null : pointerId;
+    if (begins) canvas.setPointerCapture(pointerId);
+    const {left, top, width, height} = canvas.getBoundingClientRect();
+    did({mouse: [(clientX - left) / width, 1 - (clientY - top) / height], down: !ends});
 });
-canvas.addEventListener("pointermove", event => event.pointerId === pointer && did({mouse: point(event), down: true}));
-for (const end of ["pointerup", "pointercancel"])
-    canvas.addEventListener(end, event => {
-        if (event.pointerId !== pointer) return;
-        pointer = null;
-        did({mouse: point(event), down: false});
-    });
-const key = down => event => {
-    if (event.repeat || event.target.closest?.("input,select,button,summary") && down) return;
-    if (!keyboard) { if (down && event.key === " ") { event.preventDefault(); press.play(); } return; }
-    if (event.ctrlKey || event.metaKey || event.keyCode > 255) return;
-    if (down && (event.keyCode >= 32 && event.keyCode <= 40)) event.preventDefault();
-    did({key: event.keyCode, down});
-};
-addEventListener("keydown", key(true));
-addEventListener("keyup", key(false));
+on(window, "keydown keyup", event => {
+    const {type, keyCode, target} = event, down = type === "keydown";
+    if (event.repeat || event.ctrlKey || event.metaKey || keyCode > 255 || down && target.closest?.("input,select,button,summary")) return;
+    if (down && keyCode >= 32 && keyCode <= (keyboard ? 40 : 32)) event.preventDefault();
+    if (keyboard) did({key: keyCode, down});
+    else if (down && keyCode === 32) press.play();
+});
 
 // --- what happens to the page
 
-document.addEventListener("visibilitychange", sounds);
-addEventListener("hashchange", () => {
+on(document, "visibilitychange", sounds);
+on(window, "hashchange", () => {
     const look = readLook(plan, location.hash);
     look.values.forEach((value, i) => `${value}` !== `${values[i]}` && setValue(i, value));
-    clock.playing = !look.paused;
-    document.body.classList.toggle("paused", look.paused);
+    plays(!look.paused);
     if (/[#&]t=/.test(location.hash) && isReady) seek(look.time);
 });
-canvas.addEventListener("webglcontextlost", event => { event.preventDefault(); isReady = false; ++seeking; say("The graphics driver was lost. Waiting for it.", "note"); });
-canvas.addEventListener("webglcontextrestored", () => { seeking = 0; start().catch(fail); });
+on(canvas, "webglcontextlost", event => {
+    event.preventDefault();
+    isReady = false;
+    ++seeking;
+    say("The graphics driver was lost. Waiting for it.");
+});
+on(canvas, "webglcontextrestored", () => { seeking = 0; start().catch(fail); });
 
 function fail(error) { say(error.message, "error"); console.error(error.message); }
 
 show(values);
-document.body.classList.toggle("bare", !!plan.bare);
-document.body.classList.toggle("quiet", !plan.sound);
-document.body.classList.toggle("plain", !plan.tweaks.length);
-document.body.classList.toggle("narrow", !plan.tweaks.length);
-clock.playing = !first.paused;
-document.body.classList.toggle("paused", first.paused);
+plays(!first.paused);
 start().catch(fail);
 requestAnimationFrame(tick60);
 // For tests, and for pages around this one.
 window.glint = {
-    plan, clock, seek, press,
+    plan, clock, seek,
     get player() { return player; },
     get values() { return values; },
     get sound() { return sound; },
-    // The frame that is due, where time stands.
-    async again() { --index; draw(0); },
+    again,
 };

@@ -1,6 +1,7 @@
 #include "window/live/editor.h"
 
 #include "base/launch.h"
+#include "window/live/neovim.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -44,6 +45,12 @@ std::string chosen_editor() {
         if (value && *value) return value;
     }
     return kDesktopsChoice;
+}
+
+// What follows --server; "" where that is not said.
+std::string neovim_address(const std::vector<std::string>& command) {
+    const auto option = std::ranges::find(command, "--server");
+    return option == command.end() || option + 1 == command.end() ? "" : *(option + 1);
 }
 
 // As a shell looks for it.
@@ -101,6 +108,11 @@ Editor::~Editor() {
 std::string Editor::open(const Place& place) {
     std::vector<std::string> command = editor_command(chosen_editor(), place);
     const std::string name = program_name(command);
+    if (name == "nvim") {
+        const std::string address = neovim_address(command);
+        if (jump_in_neovim(address, place)) return "";
+        if (!address.empty()) return fmt::format("No Neovim answers at {}; set $EDITOR.", address);
+    }
     if (!is_found(command.front()))
         return fmt::format("No editor is found: there is no {}; set $EDITOR.", command.front());
     if (needs_terminal(command)) {

@@ -21,8 +21,9 @@ public:
     Editor& operator=(const Editor&) = delete;
 
     // Starts $VISUAL, $EDITOR or the desktop's choice at the place, and does not wait for it: it
-    // outlives the program. An editor for terminals gets a terminal of its own. Returns what went
-    // wrong as a sentence, or "".
+    // outlives the program. An editor for terminals gets a terminal of its own, but for Neovim
+    // where one runs that has the file (window/live/neovim.h). Returns what went wrong as a
+    // sentence, or "".
     std::string open(const Place& place);
 
     // Readable when problem() has something to tell.

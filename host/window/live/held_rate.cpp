@@ -1,5 +1,7 @@
 #include "window/live/held_rate.h"
 
+#include "base/median.h"
+
 #include <algorithm>
 
 namespace glint {
@@ -14,12 +16,6 @@ constexpr double kAim = 0.9, kRoom = 0.75;
 // A step down that brings less than this was not worth it: the cost is not in the pixels.
 constexpr double kWorth = 0.85;
 constexpr int kPatience = 20, kMostPatience = 640, kSoon = 60;  // frames
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 }  // namespace
 
@@ -53,7 +49,7 @@ double HeldRate::predicted(double ms, std::size_t at) const {
 }
 
 double HeldRate::full_ms() const {
-    return heard_.empty() ? expected_full_ms_ : predicted(median(heard_), 0);
+    return heard_.empty() ? expected_full_ms_ : predicted(median_of(heard_), 0);
 }
 
 bool HeldRate::go(std::size_t to) {
@@ -79,7 +75,7 @@ bool HeldRate::hear(double frame_ms) {
     heard_.push_back(frame_ms);
     if (heard_.size() > kHeard) heard_.erase(heard_.begin());
     if (heard_.size() < kLeast) return false;
-    const double ms = median(heard_);
+    const double ms = median_of(heard_);
     if (ms > wanted_ms_ && before_ms_ > 0.0 && ms > kWorth * before_ms_) {
         before_ms_ = 0.0;
         lowest_ = before_at_;

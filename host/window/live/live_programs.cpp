@@ -18,10 +18,12 @@ bool is_compiled(const Verdict& verdict) {
 }  // namespace
 
 LivePrograms::LivePrograms(const std::string& device, bool specialise)
-    : specialise_(specialise), trial_({.device = device}), standby_(device) {}
+    : trial_({.device = device}) {
+    if (specialise) standby_.emplace(device);
+}
 
 ProgramOptions LivePrograms::options(Programs programs) const {
-    if (programs != Programs::constants && specialise_) return standby_.program_options();
+    if (programs != Programs::constants && standby_) return standby_->program_options();
     return {.specialise = programs == Programs::constants, .lean = true};
 }
 
@@ -30,9 +32,9 @@ void LivePrograms::start_trial(Preset preset, Programs programs, bool is_text, g
     tried_ = std::move(preset);
     tried_is_text_ = is_text;
     tried_is_linking_ = false;
-    tried_by_standby_ = programs != Programs::constants && specialise_;
+    tried_by_standby_ = programs != Programs::constants && standby_;
     loader_.stop();
-    Trial& trial = tried_by_standby_ ? standby_.trial() : trial_;
+    Trial& trial = tried_by_standby_ ? standby_->trial() : trial_;
     trial.start({.preset = *tried_,
                  .compile = {.program = options(programs)},
                  .size = size,
@@ -45,11 +47,11 @@ void LivePrograms::start_trial(Preset preset, Programs programs, bool is_text, g
 const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
     static const Verdict running{.state = TrialState::running, .passes = {}, .diagnostics = {}};
     trial_.poll();
-    const Verdict& verdict = (tried_by_standby_ ? standby_.trial() : trial_).poll();
+    const Verdict& verdict = (tried_by_standby_ ? standby_->trial() : trial_).poll();
     const bool has_passed = verdict.state == TrialState::passed;
     if (!is_awaited || tried_by_standby_ || (!has_passed && !is_compiled(verdict))) return verdict;
     if (!std::exchange(tried_is_linking_, true)) {
-        const auto programs = specialise_ ? Programs::constants : Programs::uniforms_for_good;
+        const auto programs = standby_ ? Programs::constants : Programs::uniforms_for_good;
         loader_.start(*tried_, options(programs), verdict.passes);
     }
     if (has_passed) {
@@ -64,39 +66,42 @@ const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
 
 void LivePrograms::prepare(const Preset& shown, glm::ivec2 size, double time) {
     prepared_text_ = text_;
-    standby_.prepare(shown, size, time);
+    standby_->prepare(shown, size, time);
 }
 
 void LivePrograms::follow_standby(Renderer& drawn) {
-    if (!specialise_) return;
+    if (!standby_) return;
     const bool was_ready = is_prepared();
-    standby_.follow(shelf_, drawn);
+    standby_->follow(shelf_, drawn);
     if (!was_ready) tidy(drawn);
 }
 
 std::optional<CompiledScene> LivePrograms::take_fed(const Preset& shown) {
-    std::optional<CompiledScene> scene = standby_.take();
+    std::optional<CompiledScene> scene;
+    if (standby_) scene = standby_->take();
     // Small texts are compiled here, and all where there is no other process.
     constexpr double kSmall = 60.0;  // ms
-    if (scene || (!standby_.is_refused() && longest_compile_ms_ >= kSmall)) return scene;
+    const bool is_made_there = standby_ && !standby_->is_refused();
+    if (scene || (is_made_there && longest_compile_ms_ >= kSmall)) return scene;
     return compile_scene(shown, {.program = {.specialise = false, .lean = true}}).scene;
 }
 
 void LivePrograms::note_drawn(Programs programs, bool is_text, Renderer* before, bool was_fed) {
     if (!is_text) {
-        if (before && was_fed && is_prepared()) standby_.give_back(before->take_scene());
+        if (before && was_fed && is_prepared()) standby_->give_back(before->take_scene());
         return;
     }
     ++text_;
-    if (programs == Programs::constants) return standby_.stop();
-    standby_.forget_scene();
+    if (!standby_) return;
+    if (programs == Programs::constants) return standby_->stop();
+    standby_->forget_scene();
     prepared_text_ = text_;
 }
 
 void LivePrograms::tidy(const Renderer& drawn) {
     if (!is_prepared()) return;
     std::vector<GLuint> ids = ids_of(drawn.scene());
-    std::ranges::copy(standby_.ids(), std::back_inserter(ids));
+    std::ranges::copy(standby_->ids(), std::back_inserter(ids));
     shelf_.keep_only(ids);
 }
 

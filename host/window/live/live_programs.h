@@ -49,14 +49,14 @@ public:
 
     // Makes fed programs ready for a text that is shown, in the background, once a text; asked for
     // when there is nothing else to do.
-    bool wants_preparing() const { return specialise_ && prepared_text_ != text_; }
+    bool wants_preparing() const { return standby_ && prepared_text_ != text_; }
     void prepare(const Preset& shown, glm::ivec2 size, double time);
     // Hears that process, and goes on. To be called again and again.
     void follow_standby(Renderer& drawn);
 
     // Whether fed programs at hand draw this text as well, by other numbers.
-    bool draw(const Preset& text) const { return standby_.draws(text, shelf_); }
-    bool has_fed() const { return standby_.has_scene(); }
+    bool draw(const Preset& text) const { return standby_ && standby_->draws(text, shelf_); }
+    bool has_fed() const { return standby_ && standby_->has_scene(); }
     // Programs whose tweaks are uniforms, for the text on the screen. Nothing where none are at
     // hand and the text takes too long to compile here.
     std::optional<CompiledScene> take_fed(const Preset& shown);
@@ -68,25 +68,27 @@ public:
     void tidy(const Renderer& drawn);
 
     // Fed programs are at hand: a slider or a number can move without a compiler.
-    bool is_prepared() const { return standby_.is_ready(); }
+    bool is_prepared() const { return standby_ && standby_->is_ready(); }
     // Nothing is compiled or linked but what is tried by fed programs.
     bool is_at_rest() const {
-        return !trial_.is_running() && !standby_.is_preparing() && !standby_.is_loading();
+        return !trial_.is_running() &&
+               !(standby_ && (standby_->is_preparing() || standby_->is_loading()));
     }
     // Programs are being linked here; of what is tried, or at standby.
     bool is_linking_tried() const { return loader_.is_loading(); }
-    bool is_linking_standby() const { return standby_.is_loading(); }
+    bool is_linking_standby() const { return standby_ && standby_->is_loading(); }
     // What the trial does, in words such as "compiling image".
-    std::string work() const { return tried_by_standby_ ? standby_.work() : trial_.work(); }
+    std::string work() const { return tried_by_standby_ ? standby_->work() : trial_.work(); }
     // For ::poll(): readable when there is something to follow.
-    std::vector<int> descriptors() const { return {trial_.descriptor(), standby_.descriptor()}; }
+    std::vector<int> descriptors() const {
+        return {trial_.descriptor(), standby_ ? standby_->descriptor() : -1};
+    }
 
 private:
-    bool specialise_;
     ProgramShelf shelf_;
     Trial trial_;
-    Standby standby_;
-    ProgramLoader loader_;  // of what was tried
+    std::optional<Standby> standby_;  // where constants are wanted
+    ProgramLoader loader_;            // of what was tried
     std::optional<Preset> tried_;
     bool tried_is_text_ = false, tried_is_linking_ = false, tried_by_standby_ = false;
     std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted

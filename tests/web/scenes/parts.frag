@@ -11,6 +11,7 @@ uniform int count;             //@ 3 [1, 64] log "stripes of the third"
 uniform int kind;              //@ 1 {none, plain, bright} "of the fourth"
 uniform bool isOn;             //@ on "whether the fifth is lit"
 uniform vec2 shift;            //@ 0.25,0.75 [0, 1] "of the sixth"
+uniform float none;            //@ 0 [0, 1] "by which the sixth is divided"
 
 uniform sampler2D keys;        //@ keyboard
 uniform sampler2D grain;       //@ noise rgba 16 filter=nearest wrap=repeat
@@ -47,7 +48,7 @@ vec3 cell(int index, vec2 p) {
     if (index == 2) return vec3(fract(p.x * float(count)));
     if (index == 3) return vec3(float(kind) * 0.5);
     if (index == 4) return vec3(isOn);
-    if (index == 5) return vec3(shift, 0.0);
+    if (index == 5) return vec3(shift, (p.x + 0.1) / none > 1e30);
     if (index == 6) return texture(grain, p).rgb;
     if (index == 7) return vec3(textureLod(cloud, vec3(p, 0.3), 1.0).r);
     if (index == 8) return texture(trail, p).rgb;

@@ -2,12 +2,15 @@
 #include "window/live/editor.h"
 
 #include "../../base/test_folder.h"
+#include "base/launch.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -85,6 +88,67 @@ TEST_F(Editors, OutliveTheTerminal) {
     stat >> process >> name >> state >> parent >> group >> session;
     EXPECT_EQ(session, process);
     EXPECT_NE(session, 0);
+}
+
+// A Neovim of the test's own, if there is one to be had: with `it's a.frag` before the person, or
+// with a file of no interest.
+class OpenNeovim : public Editors {
+protected:
+    void SetUp() override {
+        ::setenv("PATH", path.c_str(), 1);
+        if (std::system("nvim --version >/dev/null 2>&1") != 0)
+            GTEST_SKIP() << "nvim is not installed";
+        ::setenv("XDG_RUNTIME_DIR", folder.c_str(), 1);
+        ::setenv("EDITOR", "nvim", 1);
+        ::unsetenv("NVIM");
+        ::unsetenv("NVIM_LISTEN_ADDRESS");
+        std::ofstream(file) << "one\ntwo\nthree\n";
+    }
+    void TearDown() override {
+        if (process > 0) ::kill(process, SIGKILL), wait_for(process);
+        ::unsetenv("XDG_RUNTIME_DIR");
+    }
+    void show(const fs::path& shown) {
+        process = launch({.words = {"nvim", "--headless", "--clean", "-n", "--listen",
+                                    socket.string(), shown.string()}})
+                      .process;
+        for (int i = 0; i < 500 && !fs::exists(socket); ++i) ::usleep(10'000);
+    }
+    std::string where() {
+        const Launched asked =
+            launch({.words = {"nvim", "--server", socket.string(), "--remote-expr",
+                              "expand('%:t') . ' ' . line('.') . ' ' . col('.')"},
+                    .messages = kPipe});  // of 0.7, for what it prints
+        const std::string text = read_to_end(asked.pipe);
+        wait_for(asked.process);
+        return text;
+    }
+    const fs::path file = folder / "it's a.frag", socket = folder / "nvim.test";
+    pid_t process = 0;
+};
+
+TEST_F(OpenNeovim, GoesToThePlaceInTheFileThatItHas) {
+    show(file);
+    EXPECT_EQ(editor.open({file.string(), 3, 2}), "");
+    EXPECT_EQ(where(), "it's a.frag 3 2");
+}
+
+TEST_F(OpenNeovim, ThatIsNamedTakesTheFileUp) {
+    show(folder / "other");
+    ::setenv("EDITOR", ("nvim --server " + socket.string()).c_str(), 1);
+    EXPECT_EQ(editor.open({file.string(), 2, 1}), "");
+    EXPECT_EQ(where(), "it's a.frag 2 1");
+    ::setenv("EDITOR", ("nvim --server " + (folder / "none").string()).c_str(), 1);
+    EXPECT_NE(editor.open({file.string(), 2, 1}).find("No Neovim answers at"), std::string::npos);
+}
+
+TEST_F(OpenNeovim, WithOtherFilesIsLeftAlone) {
+    show(folder / "other");
+    ::setenv("PATH", folder.c_str(), 1);  // without a terminal
+    provide("nvim", "exit 0");
+    EXPECT_NE(editor.open({file.string(), 2, 1}).find("No terminal"), std::string::npos);
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(where(), "other 1 1");
 }
 
 }  // namespace

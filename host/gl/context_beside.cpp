@@ -1,0 +1,38 @@
+#include "gl/context_beside.h"
+
+#include "gl/egl_context.h"
+
+#include <epoxy/egl.h>
+
+namespace glint {
+
+ContextBeside::ContextBeside() {
+    const EGLContext current = eglGetCurrentContext();
+    if (current == EGL_NO_CONTEXT) return;
+    display_ = eglGetCurrentDisplay();
+    EGLint id = 0, count = 0;
+    EGLConfig config = EGL_NO_CONFIG_KHR;
+    if (eglQueryContext(display_, current, EGL_CONFIG_ID, &id) && id != 0) {
+        const EGLint wanted[] = {EGL_CONFIG_ID, id, EGL_NONE};
+        eglChooseConfig(display_, wanted, &config, 1, &count);
+    }
+    context_ = create_context(display_, config, current);
+}
+
+ContextBeside::~ContextBeside() {
+    if (context_) eglDestroyContext(display_, context_);
+}
+
+ContextBeside::Current::~Current() {
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglReleaseThread();
+}
+
+std::unique_ptr<ContextBeside::Current> ContextBeside::make_current() {
+    if (!eglBindAPI(EGL_OPENGL_API) ||
+        !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+        return nullptr;
+    return std::make_unique<Current>(display_);
+}
+
+}  // namespace glint

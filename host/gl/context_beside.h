@@ -1,0 +1,31 @@
+// A second context, for a thread of its own.
+#pragma once
+
+#include <memory>
+
+namespace glint {
+
+// Shares textures, programs and samplers with the context that is current on the thread that makes
+// it; that one made by make_egl_context. To be made and destroyed there, and current elsewhere.
+class ContextBeside {
+public:
+    ContextBeside();
+    ~ContextBeside();
+    ContextBeside(const ContextBeside&) = delete;
+    ContextBeside& operator=(const ContextBeside&) = delete;
+
+    bool is_there() const { return context_ != nullptr; }
+
+    // Makes it the calling thread's context until the result goes; null where that fails.
+    struct Current {
+        ~Current();
+        void* display;
+    };
+    std::unique_ptr<Current> make_current();
+
+private:
+    void* display_ = nullptr;  // EGLDisplay and EGLContext
+    void* context_ = nullptr;
+};
+
+}  // namespace glint

@@ -1,0 +1,16 @@
+// What a pass is told of its four channels: sizes and times. In a page alone that asks.
+
+const timeOf = (input, time) => input?.seconds ? time % input.seconds : input?.plays ? time : 0;
+
+export function channelsTold(inputs, time, sizeOf) {
+    const told = {
+        "iChannelTime[0]": inputs.map(input => timeOf(input, time)),
+        "iChannelResolution[0]": inputs.flatMap(sizeOf),
+    };
+    inputs.forEach((input, i) => {
+        told[`iCh${i}.size`] = sizeOf(input);
+        told[`iCh${i}.time`] = timeOf(input, time);
+        told[`iCh${i}.loaded`] = +(sizeOf(input)[0] > 0);
+    });
+    return told;
+}

@@ -1,0 +1,80 @@
+#include "offline/page_controls.h"
+
+#include <fmt/format.h>
+
+namespace glint {
+namespace {
+
+// "waterTint": "water tint".
+std::string in_words(std::string_view name) {
+    std::string words;
+    bool was_small = false;
+    for (const char c : name) {
+        const bool is_large = c >= 'A' && c <= 'Z';
+        if (is_large && was_small) words += ' ';
+        words += is_large ? static_cast<char>(c - 'A' + 'a') : c;
+        was_small = !is_large && c != '_';
+    }
+    return words;
+}
+
+std::string menu(const Tweak& tweak) {
+    std::string options;
+    for (const std::string& name : tweak.names) options += fmt::format("<option>{}", in_html(name));
+    return fmt::format("<select aria-label=\"{}\">{}</select>", tweak.name, options);
+}
+
+std::string input(const Tweak& tweak, std::string_view what) {
+    return fmt::format("<input aria-label=\"{}\" {}>", tweak.name, what);
+}
+
+std::string controls_of(const Tweak& tweak) {
+    if (tweak.type == TweakType::bool1) return input(tweak, "type=checkbox");
+    if (!tweak.names.empty()) return menu(tweak);
+    const std::string field = input(tweak, "class=field spellcheck=false");
+    if (tweak.is_colour) return input(tweak, "type=color") + field;
+    if (component_count(tweak.type) > 1 || !tweak.min) return field;
+    return input(tweak, "type=range min=0 max=1 step=any") + field;
+}
+
+std::string row(const Tweak& tweak) {
+    return fmt::format(
+        "<div class=row><span title=\"{}: {}\">{}<i>{}</i></span>"
+        "<button class=reset title=\"as in the preset\">\u21ba</button>{}</div>\n",
+        tweak.name, in_html(tweak.description), in_words(tweak.name), in_html(tweak.unit),
+        controls_of(tweak));
+}
+
+}  // namespace
+
+std::string in_html(std::string_view text) {
+    std::string html;
+    for (const char c : text) {
+        if (c == '&')
+            html += "&amp;";
+        else if (c == '<')
+            html += "&lt;";
+        else if (c == '"')
+            html += "&quot;";
+        else
+            html += c;
+    }
+    return html;
+}
+
+std::string page_controls(const Preset& preset) {
+    std::string html, group;
+    bool is_open = false;
+    for (const Tweak& tweak : preset.scene.tweaks) {
+        if (!is_open || tweak.group != group) {
+            if (is_open) html += "</details>";
+            html += fmt::format("<details open><summary>{}</summary>\n", in_html(tweak.group));
+            is_open = true;
+        }
+        group = tweak.group;
+        html += row(tweak);
+    }
+    return is_open ? html + "</details>" : html;
+}
+
+}  // namespace glint

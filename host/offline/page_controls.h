@@ -1,0 +1,16 @@
+// The controls of a web page: the browser's own, written as HTML, which its script moves and reads.
+#pragma once
+
+#include "scene/preset.h"
+
+#include <string>
+
+namespace glint {
+
+// What may stand in a text or between double quotes.
+std::string in_html(std::string_view text);
+
+// A row of every tweak in order, by group.
+std::string page_controls(const Preset& preset);
+
+}  // namespace glint
