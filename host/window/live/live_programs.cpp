@@ -6,6 +6,17 @@
 
 namespace glint {
 
+namespace {
+
+// The other process has linked every pass and drawn one: what it linked lies where the driver keeps
+// programs, and is taken up from there while it draws the others.
+bool is_compiled(const Verdict& verdict) {
+    return verdict.state == TrialState::running && !verdict.passes.empty() &&
+           verdict.passes.front().first_ms > 0.0;
+}
+
+}  // namespace
+
 LivePrograms::LivePrograms(const std::string& device, bool specialise)
     : trial_({.device = device}) {
     if (specialise) standby_.emplace(device);
@@ -20,7 +31,7 @@ void LivePrograms::start_trial(Preset preset, Programs programs, bool is_text, g
                                double time) {
     tried_ = std::move(preset);
     tried_is_text_ = is_text;
-    tried_is_linked_ = false;
+    tried_is_linking_ = false;
     tried_by_standby_ = programs != Programs::constants && standby_;
     loader_.stop();
     Trial& trial = tried_by_standby_ ? standby_->trial() : trial_;
@@ -37,13 +48,16 @@ const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
     static const Verdict running{.state = TrialState::running, .passes = {}, .diagnostics = {}};
     trial_.poll();
     const Verdict& verdict = (tried_by_standby_ ? standby_->trial() : trial_).poll();
-    if (!is_awaited || verdict.state != TrialState::passed || tried_by_standby_) return verdict;
-    if (!std::exchange(tried_is_linked_, true)) {
+    const bool has_passed = verdict.state == TrialState::passed;
+    if (!is_awaited || tried_by_standby_ || (!has_passed && !is_compiled(verdict))) return verdict;
+    if (!std::exchange(tried_is_linking_, true)) {
+        const auto programs = standby_ ? Programs::constants : Programs::uniforms_for_good;
+        loader_.start(*tried_, options(programs), verdict.passes);
+    }
+    if (has_passed) {
         double compile_ms = 0.0;
         for (const PassTrial& pass : verdict.passes) compile_ms += pass.first_ms;
         longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms);
-        const auto programs = standby_ ? Programs::constants : Programs::uniforms_for_good;
-        loader_.start(*tried_, options(programs), verdict.passes);
     }
     if (!loader_.is_loading()) return verdict;
     loader_.step(shelf_, tried_is_text_ ? nullptr : drawn);

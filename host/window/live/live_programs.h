@@ -33,8 +33,9 @@ public:
     // Starts trying a preset, with the values that it would be drawn with, at this size in pixels
     // and this time in seconds. What was tried before gives way.
     void start_trial(Preset preset, Programs programs, bool is_text, glm::ivec2 size, double time);
-    // What is known of that trial; does not wait. Where it has passed and somebody awaits it, it
-    // is told as running until its programs are linked here, a few milliseconds a call. `drawn`
+    // What is known of that trial; does not wait. Its programs are linked here once they are
+    // compiled there, a few milliseconds a call; until then one that has passed and is awaited is
+    // told as running. `drawn`
     // has the text that is on the screen; null before the first. Valid until the next call.
     const Verdict& follow_trial(bool is_awaited, Renderer* drawn);
     // What was tried last.
@@ -89,7 +90,7 @@ private:
     std::optional<Standby> standby_;  // where constants are wanted
     ProgramLoader loader_;            // of what was tried
     std::optional<Preset> tried_;
-    bool tried_is_text_ = false, tried_is_linked_ = false, tried_by_standby_ = false;
+    bool tried_is_text_ = false, tried_is_linking_ = false, tried_by_standby_ = false;
     std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
     double longest_compile_ms_ = 0.0;
 };

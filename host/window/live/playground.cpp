@@ -53,7 +53,8 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
       inputs_(texture_limits()),
-      start_states_(options.start_states) {}
+      start_states_(options.start_states),
+      kept_maps_(options.maps) {}
 
 Playground::~Playground() = default;
 
@@ -197,7 +198,11 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
         fills_[i] = laid_over_[i] ? preset_->channels[i] : Sampler();
     since_tweak_.restart();
     touched_ = true;
+    quick_frames_ = 0;
+    kept_maps_.forget();
     if (!written) {
+        if (is_constant)
+            kept_maps_.give(*preset_, *renderer_, programs_.shelf(), context_.driver());
         expected_ms_ = programs_.expected_ms();
         find_start_state();
         has_picture_ = false;
@@ -245,6 +250,7 @@ void Playground::prepare_uniforms() {
     programs_.follow_standby(*renderer_);
     const bool is_quiet =
         reloader_.state() == ReloadState::idle && !reloader_.has_unseen() && !awaits_inputs();
+    if (is_quiet) keep_maps();
     if (is_quiet && programs_.wants_preparing())
         programs_.prepare(current_preset(), full_size_, transport_.time());
 }

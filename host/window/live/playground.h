@@ -15,6 +15,7 @@
 #include "scene/transport.h"
 #include "scene/tweak_values.h"
 #include "window/live/input_loader.h"
+#include "window/live/kept_maps.h"
 #include "window/live/kept_states.h"
 #include "window/live/live_programs.h"
 #include "window/live/reloader.h"
@@ -37,6 +38,8 @@ struct PlaygroundOptions {
     double hopeless_ms = 10000.0;  // a frame that would take longer is refused
     // Where simulations that have been played up to their start are kept; empty: nowhere.
     std::filesystem::path start_states{};
+    // Where maps are kept that took long to draw; empty: nowhere.
+    std::filesystem::path maps{};
 };
 
 // To be used on one thread. What a person typed wrong is told by diagnostics() and leaves on the
@@ -239,6 +242,7 @@ private:
     std::optional<std::size_t> index_of(const Sampler& sampler) const;
     void lay_fills_over(Preset& candidate);
     void heard(bool is_read);
+    void forget_slowness();
     void start_trial(const Preset& candidate, Programs programs, bool is_text);
     TweakValues tweaks_with(const Preset& text) const;
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
@@ -271,6 +275,7 @@ private:
     bool stands_for_start() const;
     void take_start_state();
     void keep_start_state();
+    void keep_maps();
     void keep_live_state();
     void notice_dropped_steps();
     void forget_states();
@@ -293,6 +298,7 @@ private:
     Reloader reloader_;
     InputLoader inputs_;
     StartStates start_states_;
+    KeptMaps kept_maps_;
     // Read, and on the way to the driver.
     struct Arriving {
         InputLoader::Loaded loaded;
@@ -329,7 +335,9 @@ private:
     bool replays_start_ = false;  // a file was opened, and has not been played up to its start
     std::vector<TweakValue> start_values_;
     double frame_ms_ = 0.0, expected_ms_ = 0.0;
-    std::size_t pictures_ = 0;  // drawn so far
+    std::size_t pictures_ = 0;                 // drawn so far
+    static constexpr double kSlowMs = 1000.0;  // as of TrialOptions
+    int quick_frames_ = 0;                     // in a row, of this text
     bool measuring_ = false;
     std::vector<PassTime> pass_times_;
 };

@@ -67,9 +67,10 @@ void Playground::measure_passes(bool on) {
 
 Frame Playground::next_frame(double wall_seconds) {
     const double before = instant_.time;
-    // What is recorded is replayed by exports, which drop no simulated time: a frame that is too
-    // slow holds time up then. Below the limit, for the part of a step that was left over.
-    if (recorder.recording()) {
+    // A simulation drops no time, so that its states are those of a still, and what is recorded is
+    // replayed by exports, which drop none: a frame that is too slow holds time up. Below the
+    // limit, for the part of a step that was left over.
+    if (recorder.recording() || simulates()) {
         wall_seconds = std::min(wall_seconds, 0.8 * kLongestCatchUp / transport_.rate());
     }
     instant_ = transport_.advance(wall_seconds);
@@ -143,9 +144,18 @@ bool Playground::draw(double wall_seconds) {
     drawn_input_ = frame.input;
     drawn_date_ = frame.date;
     if (drawn) frame_ms_ = clock.ms();
+    if (drawn) forget_slowness();
     reloader_.drawn(clock.ms());
     keep_live_state();
     return drawn;
+}
+
+// The trial warned of a frame of the full size; several in a row, at the size that is held, tell
+// better.
+void Playground::forget_slowness() {
+    constexpr int kTold = 3;  // the first has maps to draw, and a program to warm up
+    quick_frames_ = frame_ms_ < kSlowMs ? quick_frames_ + 1 : 0;
+    if (quick_frames_ == kTold) reloader_.forget_slowness();
 }
 
 // The inputs of the frame that was drawn last.

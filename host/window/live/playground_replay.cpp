@@ -104,14 +104,19 @@ void Playground::notice_dropped_steps() {
 }
 
 // Buffers of a size of their own stand as they are, whatever the picture's, unless the mouse, whose
-// place is told in the picture's pixels, has moved them.
+// place is told in the picture's pixels, has moved them. So does what reads nothing: each pixel of
+// it is the same at every size.
 bool Playground::states_depend_on_size() const {
     if (!renderer_) return true;
     const auto& passes = preset_->scene.passes;
-    const bool has_own_size =
-        std::ranges::all_of(renderer_->graph().passes, [&](const GraphPass& pass) {
-            return !pass.feeds_state || (pass.pass < passes.size() && passes[pass.pass].size);
-        });
+    const auto& graph = renderer_->graph().passes;
+    bool has_own_size = true;
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        const PassProgram& program = renderer_->scene().programs[i];
+        const bool reads_nothing = program.builtins.empty() && program.samplers.empty();
+        const bool is_sized = graph[i].pass < passes.size() && passes[graph[i].pass].size;
+        has_own_size &= !graph[i].feeds_state || is_sized || (reads_nothing && !graph[i].carries);
+    }
     return !has_own_size || (!preset_->events.empty() && renderer_->reads_mouse());
 }
 

@@ -9,6 +9,9 @@ namespace {
 // Fewer are played as soon as a file is read.
 constexpr int kWorthKeeping = 30;  // frames
 
+// A first frame that took no longer is as soon drawn as read.
+constexpr double kLongFrame = 150.0;  // ms
+
 }  // namespace
 
 void Playground::find_start_state() {
@@ -46,6 +49,13 @@ void Playground::keep_start_state() {
                         .renderer = context_.renderer(),
                         .provenance = {},
                         .passes = renderer_->state()});
+}
+
+void Playground::keep_maps() {
+    if (!kept_maps_.wants() || !has_picture_) return;
+    if (!reports().empty() && reports().back().first_frame_ms > kLongFrame)
+        kept_maps_.keep(*renderer_);
+    kept_maps_.forget();
 }
 
 }  // namespace glint

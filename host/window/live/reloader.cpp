@@ -116,6 +116,9 @@ bool Reloader::follow() {
     ReloadReport& report = tried_->report;
     report.trial_ms = verdict.total_ms;
     diagnostics_.insert(diagnostics_.end(), verdict.diagnostics.begin(), verdict.diagnostics.end());
+    // The trial's last word.
+    const bool is_slow = verdict.expected_ms > options_.slow_ms && !verdict.diagnostics.empty();
+    slowness_ = is_slow ? verdict.diagnostics.back().text : "";
     if (is_hopeless) {
         tell({.place = {.file = file_.string()},
               .text = fmt::format("a frame would take about {:.0f} s; make it cheaper, or lower "
@@ -195,6 +198,12 @@ void Reloader::forget_missing_file(const Place& place) {
     std::erase_if(diagnostics_, [&](const Diagnostic& d) {
         return d.missing_file && d.place.file == place.file && d.place.line == place.line;
     });
+}
+
+void Reloader::forget_slowness() {
+    if (slowness_.empty()) return;
+    std::erase_if(diagnostics_, [&](const Diagnostic& d) { return d.text == slowness_; });
+    slowness_.clear();
 }
 
 bool Reloader::is_read_from(const std::filesystem::path& file) const {

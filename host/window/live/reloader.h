@@ -82,6 +82,7 @@ struct ReloadSteps {
 struct ReloaderOptions {
     bool constants = true;         // once the tweaks rest
     double hopeless_ms = 10000.0;  // a frame that would take longer is refused
+    double slow_ms = 1000.0;       // the trial warns of one that would
 };
 
 class Reloader {
@@ -120,6 +121,8 @@ public:
     void tell(const Diagnostic& diagnostic) { diagnostics_.push_back(diagnostic); }
     // A file is there that the text names at this place: what was told of its absence is over.
     void forget_missing_file(const Place& place);
+    // Frames are not as slow as was warned of.
+    void forget_slowness();
 
     // What is shown stands in another file from now on, which has just been given this: it is read
     // from there as after a save.
@@ -175,6 +178,7 @@ private:
     std::optional<ReloadReport> unseen_;  // to be told with the first frame
     bool refused_ = false;                // the newest text that was judged
     Diagnostics diagnostics_;
+    std::string slowness_;  // the warning of a slow frame among them
     std::deque<ReloadReport> reports_;
     std::size_t report_count_ = 0;
 };

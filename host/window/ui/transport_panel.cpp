@@ -306,6 +306,7 @@ void scrub_bar(Build& build, TransportState& state, float width) {
 
 std::string speed_text(const Build& build) {
     const Instant& instant = build.facts.instant;
+    if (build.facts.frame_ms == 0.0) return "no frame yet";
     return fmt::format("frame {}   {:.0f} fps   {:.1f} ms", instant.frame, instant.frame_rate,
                        build.facts.frame_ms);
 }

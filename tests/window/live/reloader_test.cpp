@@ -273,6 +273,20 @@ TEST_F(Reloading, AHopelesslySlowSceneIsRefusedThoughItPassed) {
     EXPECT_EQ(screen, "first");
 }
 
+TEST_F(Reloading, AWarningOfSlownessGoesOnceFramesAreQuickAndOthersStay) {
+    open_and_draw("first");
+    save("slow");
+    EXPECT_TRUE(answer(TrialState::passed, 1'300.0, "about 1.3 s a frame"));
+    reloader.tell({.place = {}, .text = "another"});
+    EXPECT_EQ(words(reloader.diagnostics()), "about 1.3 s a frame;another;");
+    reloader.forget_slowness();
+    EXPECT_EQ(words(reloader.diagnostics()), "another;");
+    save("quick");
+    EXPECT_TRUE(answer(TrialState::passed, 20.0, "a warning of the compiler"));
+    reloader.forget_slowness();
+    EXPECT_EQ(words(reloader.diagnostics()), "a warning of the compiler;");
+}
+
 TEST_F(Reloading, WithoutASecondProcessItGoesOnWithAWarning) {
     open_and_draw("first");
     save("second");
