@@ -91,8 +91,8 @@ public:
     const Preset& opened() const { return opened_; }
     const ViewOptions& view() const { return view_; }
     bool specialised() const { return specialised_; }
-    // Whether a program of it that is instrumented throughout is a matter of seconds: compilers take
-    // a minute for one of a long text.
+    // Whether a program of it that is instrumented throughout is a matter of seconds: compilers
+    // take a minute for one of a long text.
     bool is_short() const { return scene().text.size() < 20'000; }
     const Scene& scene() const { return preset.scene; }
 
