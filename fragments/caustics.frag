@@ -955,7 +955,8 @@ void mainCaustics(out vec4 colour, in vec2 pixel) {
     if (method == kVertical) {         // straight up, and the normal there
         vec2 slope = waterAt(u + levelBend() * depth / kTile, true, 0).slope;
         float cosine = dot(sun, normalize(vec3(-slope.x, 1.0, -slope.y)));
-        colour.rgb = vec3(pow(clamp(cosine / sun.y, 0.0, 4.0), contrast));
+        float light = pow(clamp(cosine / sun.y, 0.0, 4.0), contrast);
+        colour.rgb = vec3(min(light, 6e4));   // of a low sun it may be 4^256
     } else if (method == kSnell) {     // back along flat water's ray, and out by Snell's law
         vec2 slope = waterAt(u, true, 0).slope;
         vec3 level = normalize(vec3(-slope.x, 1.0, -slope.y));

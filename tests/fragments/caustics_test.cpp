@@ -458,6 +458,14 @@ TEST_F(Caustics, TheSunFromBelowHasNoneOfTheBuffersTexels) {
     EXPECT_LE(worst, 0.01f) << "of straight lines between slopes 3.5 cm apart; squares were 0.039";
 }
 
+// 4^256 is no float. The search of `glint check` has found this corner of three tweaks.
+TEST_F(Caustics, TheStyleOfVerticalLightIsFiniteUnderALowSun) {
+    const std::string tweaks =
+        Look{.elevation = 10.0, .azimuth = 0.0}.tweaks("method = \"vertical\"\ncontrast = 256.0\n");
+    EXPECT_TRUE(std::ranges::all_of(channel(buffer("caustics", tweaks), 0),
+                                    [](double v) { return std::isfinite(v); }));
+}
+
 // Where shafts are sampled, from pixel to pixel: every square of 4^k pixels has one of 4^k parts,
 // so that neighbours' errors cancel; and no shift of the picture by a few pixels looks like it,
 // which is what makes a net. (R2's lattice is at 0.79 of itself after four pixels, chance at 0.)
