@@ -85,6 +85,8 @@ TEST_F(Survival, WhenTheTrialIsKilledAnotherOneTakesItsPlace) {
     for (int i = 0; i < 5; ++i) {
         for (const pid_t child : glint_->children()) ::kill(child, SIGKILL);
         expect_alive({100 + i, 2, 3});
+        // A sketch may be on the screen before the trial is done, which would be killed at work.
+        ASSERT_TRUE(glint_->says(": shown;", i + 2)) << glint_->errors();
     }
     EXPECT_EQ(glint_->count("error:"), 0) << glint_->errors();
 }
