@@ -47,8 +47,8 @@ std::vector<Span> parts_of(const Preset& preset, const std::vector<ProbeSite>& s
 
 // What may have no result at all, where all operations are too many at once; else all. Few of a
 // long text do, and where something is not finite, one of them is mostly why.
-std::vector<Span> likely(const std::vector<ProbeSite>& sites) {
-    if (sites.size() <= kMostAtOnce) return {};
+std::vector<Span> likely(const Preset& preset, const std::vector<ProbeSite>& sites) {
+    if (parts_of(preset, sites).size() <= 1) return {};
     std::vector<Span> only{{0, 0}};  // empty would be all
     for (const ProbeSite& site : sites)
         if (site.kind == SiteKind::domain && !site.name.starts_with("normalize"))
@@ -118,7 +118,7 @@ FaultWatch::FaultWatch(const Preset& preset, Renderer& renderer, const ProgramOp
         const std::vector<ProbeSite> sites = sites_of(preset, pass.pass, options);
         parts_.push_back(parts_of(preset, sites));
         probes_.emplace_back(preset, pass.pass, options,
-                             ProbeWish{.kind = ProbeKind::faults, .only = likely(sites)});
+                             ProbeWish{.kind = ProbeKind::faults, .only = likely(preset, sites)});
     }
     renderer.before_pass = [this](std::size_t index) { look(index); };
 }
@@ -216,9 +216,10 @@ void FaultWatch::look_in_parts(std::size_t index, int face) {
 FaultSurvey::FaultSurvey(const Preset& preset, Renderer& renderer, const ProgramOptions& options)
     : preset_(preset), renderer_(renderer) {
     for (const GraphPass& pass : renderer.graph().passes)
-        probes_.emplace_back(preset, pass.pass, options,
-                             ProbeWish{.kind = ProbeKind::faults,
-                                       .only = likely(sites_of(preset, pass.pass, options))});
+        probes_.emplace_back(
+            preset, pass.pass, options,
+            ProbeWish{.kind = ProbeKind::faults,
+                      .only = likely(preset, sites_of(preset, pass.pass, options))});
 }
 
 FaultSurvey::~FaultSurvey() {
