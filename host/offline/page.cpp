@@ -42,7 +42,7 @@ void leave_out_unneeded(std::string& page, const nlohmann::ordered_json& plan) {
         return any(plan["passes"]) || (plan.contains("sound") && any(plan["sound"]));
     };
     if (!plan.contains("sound")) leave_out(page, "sound");
-    if (!reads("sound")) leave_out(page, "analyser");
+    if (!reads("sound")) leave_out(page, "rows");
     if (!reads("noise")) leave_out(page, "noise");
     if (!has("step")) leave_out(page, "steps");
     if (!has("channels")) leave_out(page, "channels");

@@ -67,6 +67,8 @@ public:
 private:
     Json pass_json(const CompiledScene& scene, std::size_t index);
     void add_shape(Json& json, const CompiledScene& scene, std::size_t index) const;
+    Json buffer_json(const CompiledScene& scene, std::size_t index) const;
+    void add_unfilled(Json& samplers, const PassProgram& program);
     std::size_t input_of(const CompiledScene& scene, std::size_t sampler);
     std::string for_software(const std::string& text) const;
 
@@ -110,23 +112,38 @@ std::size_t Planner::input_of(const CompiledScene& scene, std::size_t sampler) {
     return known->second;
 }
 
-void Planner::add_shape(Json& json, const CompiledScene& scene, std::size_t index) const {
+// The texture that a pass fills, as those need it who read it.
+Json Planner::buffer_json(const CompiledScene& scene, std::size_t index) const {
     const GraphPass& graph = scene.graph.passes[index];
-    if (!fills_a_buffer(graph.pass)) return;
     const Pass& pass = preset_.scene.passes[graph.pass];
-    add_size(json, pass);
-    json["format"] = name_of(pass.format);
-    json["outputs"] = pass.outputs.size();
-    if (pass.cube) json["cube"] = true;
-    if (graph.feedback) json["double"] = true;
-    if (pass.step) json["step"] = {pass.step.numerator, pass.step.denominator};
+    PageTextureUse use{.drawn = true};
     for (const PassProgram& reader : scene.programs) {
         for (const SamplerUniform& uniform : reader.samplers) {
             const Sampler& sampler = sampler_at(preset_, uniform.sampler);
-            if (sampler.source == Source::buffer && sampler.pass == graph.pass &&
-                sampler.filter == Filter::mipmap)
-                json["mipmaps"] = true;
+            if (sampler.source != Source::buffer || sampler.pass != graph.pass) continue;
+            if (sampler.filter != Filter::nearest) use.filtered = true;
+            if (sampler.filter == Filter::mipmap) use.mipmaps = true;
         }
+    }
+    Json json = page_texture(pass.cube ? SamplerType::samplerCube : SamplerType::sampler2D,
+                             std::string(name_of(pass.format)), use);
+    json["outputs"] = pass.outputs.size();
+    json["sides"] = graph.feedback ? 2 : 1;
+    return json;
+}
+
+void Planner::add_shape(Json& json, const CompiledScene& scene, std::size_t index) const {
+    const std::size_t pass = scene.graph.passes[index].pass;
+    if (pass == kSoundPass) {  // its samples are read back
+        json.update(page_texture(SamplerType::sampler2D, "rgba32f", {.drawn = true}));
+        json.update({{"outputs", 1}, {"sides", 1}, {"size", {kSoundBlockWidth, kSoundBlockRows}}});
+    } else if (fills_a_buffer(pass)) {
+        add_size(json, preset_.scene.passes[pass]);
+        json.update(buffer_json(scene, index));
+        const Step& step = preset_.scene.passes[pass].step;
+        if (step) json["step"] = {step.numerator, step.denominator};
+    } else {
+        json["faces"] = 1;
     }
 }
 
@@ -145,6 +162,15 @@ std::string Planner::for_software(const std::string& text) const {
     return changed.erase(begin, names.size());
 }
 
+// What nothing fills. GLSL's other kinds of samplers have no texture here.
+void Planner::add_unfilled(Json& samplers, const PassProgram& program) {
+    for (const UnfilledSampler& unfilled : program.unfilled) {
+        if (!unfilled.type) continue;
+        samplers[unfilled.name] = inputs_.size();
+        inputs_.push_back(page_unfilled(*unfilled.type));
+    }
+}
+
 Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
     const PassProgram& program = scene.programs[index];
     const PassText text = pass_text(preset_, program.pass, {.specialise = false, .named = true});
@@ -159,8 +185,11 @@ Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
     for (const SamplerUniform& uniform : program.samplers) {
         const std::string& name = sampler_at(preset_, uniform.sampler).name;
         samplers[name] = input_of(scene, uniform.sampler);
-        if (name.starts_with("iChannel"))  // the other name of it
-            samplers[fmt::format("iCh{}.sampler", name.back())] = samplers[name];
+    }
+    add_unfilled(samplers, program);
+    for (char digit = '0'; digit < '4'; ++digit) {  // their other names
+        const std::string name = fmt::format("iChannel{}", digit);
+        if (samplers.contains(name)) samplers[fmt::format("iCh{}.sampler", digit)] = samplers[name];
     }
     for (const std::size_t sampler : channels_told_of(preset_, program)) {
         if (sampler_at(preset_, sampler).source == Source::none) continue;

@@ -15,8 +15,8 @@ namespace glint {
 //                                                   scene's text, file, line of the file] where
 //                                                   the files go over into each other
 //   tweaks, events
-//   inputs[{source, kind, filter, modes, …}]        what samplers read, and how: in WebGL's numbers
-//   passes[{name, text, first, format, size, …}]    in drawing order, the picture last; `text` is
+//   inputs[{source, target, modes, …}]              what samplers read, and how: in WebGL's numbers
+//   passes[{name, text, first, formats, size, …}]   in drawing order, the picture last; `text` is
 //                                                   pairs of first line and count, `soft` another
 //                                                   one for drivers that draw in software, `first`
 //                                                   the line where the scene's own text begins

@@ -1,13 +1,14 @@
 // The browser's own controls, as the host wrote them, move the tweaks and show them.
-import {clamp, format, hexOf, parse} from "./look.js";
+import {log as ln, round} from "./arithmetic.js";
+import {fitted, format, hexOf, parse} from "./look.js";
 
 export const on = (target, events, act) => events.split(" ").forEach(event => target.addEventListener(event, act));
 
 // Where a slider stands, from 0 to 1, and back.
-export const fractionOf = ({range: [min, max], log}, v) => log ? Math.log(v / min) / Math.log(max / min) : (v - min) / (max - min);
+export const fractionOf = ({range: [min, max], log}, v) => log ? ln(v / min) / ln(max / min) : (v - min) / (max - min);
 export function valueAt(tweak, fraction) {
     const {range: [min, max], log, step} = tweak, v = log ? min * (max / min) ** fraction : min + (max - min) * fraction;
-    return clamp(tweak, [step ? min + Math.round((v - min) / step) * step : +v.toPrecision(4)])[0];
+    return fitted(tweak, [step ? min + round((v - min) / step) * step : +v.toPrecision(4)])[0];
 }
 
 // By the kind of a control: the value at which it stands, and how it comes to stand there.

@@ -1,4 +1,5 @@
 // The picture's resolution, held by itself: fewer pixels where frames take long, more where there is time.
+import {max} from "./arithmetic.js";
 
 const SLOW = 1000 / 22, QUICK = 1000 / 40, LEAST = 0.2;
 
@@ -24,7 +25,7 @@ export function makeHolder() {
             times = [];
             if (median > SLOW) {
                 most = before;  // more was too much
-                holder.share = Math.max(LEAST, before * Math.max(0.5, Math.sqrt(33 / median)));
+                holder.share = max(LEAST, before * max(0.5, Math.sqrt(33 / median)));
             } else if (median < QUICK && before * 1.2 < most) holder.share *= 1.2;
             return holder.share !== before;
         },

@@ -1,6 +1,7 @@
 // Mouse and keys by the site's rules.
+import {floor, min} from "./arithmetic.js";
 
-const pixel = (fraction, pixels) => Math.floor(fraction * pixels + 1e-6);
+const pixel = (fraction, pixels) => floor(fraction * pixels + 1e-6);
 
 // Follows events, and gives the input of each frame. Rows of keys: held, pressed in this frame, toggled.
 export function makeInput() {
@@ -47,7 +48,7 @@ export function makeTape(begun) {
             const until = time => { while (events[at]?.t <= time) state.apply(events[at++]); };
             return {
                 input(to, size, from = -Infinity) {
-                    until(Math.min(from, to));
+                    until(min(from, to));
                     if (events[at - 1]?.t <= from) state.next(size);
                     until(to);
                     return state.next(size);

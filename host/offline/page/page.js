@@ -1,5 +1,6 @@
 // The page: a plan, a canvas, its controls.
-import {Clock, frameAt, lastFrame, playedFrame} from "./clock.js";
+import {floor, max, min, round} from "./arithmetic.js";
+import {makeClock, frameAt, lastFrame, playedFrame} from "./clock.js";
 import {makeTape} from "./input.js";
 import {makePlayer} from "./player.js";
 import {makeSound} from "./sound.js";
@@ -10,7 +11,7 @@ import {readLook, writeLook} from "./look.js";
 const $ = id => document.getElementById(id), canvas = $("picture");
 const plan = JSON.parse($("plan").textContent), first = readLook(plan, location.hash);
 const gl = canvas.getContext("webgl2", {alpha: false, antialias: false, depth: false, powerPreference: "high-performance"});
-const tape = makeTape(plan.events), clock = new Clock(first.time), holder = makeHolder(), body = document.body.classList;
+const tape = makeTape(plan.events), clock = makeClock(first.time), holder = makeHolder(), body = document.body.classList;
 const keyboard = plan.inputs.some(input => input.source === "keyboard");
 let player, reader, sound, values = first.values, index = 0, isReady = false, seeking = 0, wanted, hasUniforms, rest, frames = 0, since = 0;
 
@@ -71,8 +72,8 @@ async function seek(time) {
         const began = performance.now();
         for (let i = 0; i < count && index < end; ++i) player.draw(input(playedFrame(plan, index++, time)), true);
         await player.wait();
-        count = Math.max(1, Math.round(count * Math.min(2, 60 / (performance.now() - began + 1))));
-        if (end > 200) say(`${Math.round(100 * index / end)} %`);
+        count = max(1, round(count * min(2, 60 / (performance.now() - began + 1))));
+        if (end > 200) say(`${round(100 * index / end)} %`);
         await new Promise(requestAnimationFrame);
         if (mine !== seeking) return;
     }
@@ -108,7 +109,7 @@ function tick60(now) {
     else if (player.live.some(pass => !pass.drawn)) again();
     if (clock.playing && !plan.fixed && !player.keepsSize && holder.took(now)) fit();
     if (now - since > 500) {
-        $("rate").textContent = `${clock.playing ? Math.round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
+        $("rate").textContent = `${clock.playing ? round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
         if (document.activeElement !== $("time")) $("time").value = clock.time.toFixed(2);
         frames = 0;
         since = now;
@@ -119,11 +120,11 @@ function tick60(now) {
 
 // What carries the picture's pixels on keeps its size, unless another one is chosen: then it is played anew.
 function fit(isChosen) {
-    const [w, h] = plan.size, box = $("stage").getBoundingClientRect(), scale = Math.min(box.width / w, box.height / h);
-    canvas.style.width = `${Math.floor(w * scale)}px`;
-    canvas.style.height = `${Math.floor(h * scale)}px`;
+    const [w, h] = plan.size, box = $("stage").getBoundingClientRect(), scale = min(box.width / w, box.height / h);
+    canvas.style.width = `${floor(w * scale)}px`;
+    canvas.style.height = `${floor(h * scale)}px`;
     const pixels = scale * (devicePixelRatio || 1) * holder.share;
-    const size = plan.fixed ? plan.size : [w, h].map(s => Math.max(1, Math.round(s * pixels)));
+    const size = plan.fixed ? plan.size : [w, h].map(s => max(1, round(s * pixels)));
     if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize && isChosen !== true) return;
     [canvas.width, canvas.height] = size;
     if (isReady) player.resize(size);
@@ -162,7 +163,7 @@ const press = {
     },
 };
 for (const name in press) on($(name), "click", () => isReady && press[name]());
-on($("time"), "change", () => isReady && seek(Math.max(+$("time").value || 0, 0)));
+on($("time"), "change", () => isReady && seek(max(+$("time").value || 0, 0)));
 on($("share"), "change", () => { holder.hold($("share").value); fit(true); });
 const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, setValue);
 
