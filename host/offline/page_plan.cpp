@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <map>
 #include <unordered_map>
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 // The passes' texts are the scene's with a few words changed: what they share stands there once.
 class Lines {
 public:
-    // Pairs of first line and count.
+    // Pairs of the first line and the one behind the last.
     Json runs_of(const std::string& text);
     Json list() && { return std::move(list_); }
 
@@ -33,15 +34,15 @@ private:
 };
 
 Json Lines::runs_of(const std::string& text) {
-    std::vector<std::size_t> runs;
+    std::vector<std::array<std::size_t, 2>> runs;
     for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
         end = std::min(text.find('\n', begin), text.size());
         const std::string line = text.substr(begin, end - begin);
         // A line that follows in the list as it does here goes on with the run, also where an
         // earlier one is the same.
-        const std::size_t next = runs.empty() ? 0 : runs[runs.size() - 2] + runs.back();
+        const std::size_t next = runs.empty() ? 0 : runs.back()[1];
         if (!runs.empty() && next < list_.size() && list_[next] == line) {
-            ++runs.back();
+            ++runs.back()[1];
             continue;
         }
         const auto [known, is_new] = known_.try_emplace(line, list_.size());
@@ -50,9 +51,9 @@ Json Lines::runs_of(const std::string& text) {
         if (is_new || is_short) list_.push_back(line);
         const std::size_t at = is_new || is_short ? list_.size() - 1 : known->second;
         if (!runs.empty() && at == next)
-            ++runs.back();
+            ++runs.back()[1];
         else
-            runs.insert(runs.end(), {at, 1});
+            runs.push_back({at, at + 1});
     }
     return runs;
 }
@@ -248,7 +249,6 @@ Json tweak_json(const Tweak& tweak, const TweakValue& value) {
     }
     if (tweak.is_colour) json["colour"] = true;
     if (tweak.log) json["log"] = true;
-    if (tweak.step > 0.0) json["step"] = tweak.step;
     return json;
 }
 
@@ -288,6 +288,12 @@ Json origins_json(const Scene& scene) {
     return list;
 }
 
+// A triangle that covers all.
+constexpr const char* kVertex =
+    "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID % 2 * 4 - 1, gl_VertexID / 2 * "
+    "4 "
+    "- 1, 0, 1); }";
+
 Json Planner::plan(const CompiledScene& scene, const CompiledScene* sound) {
     Json files = Json::array();
     for (const auto& file : preset_.scene.files) files.push_back(file.filename().string());
@@ -299,8 +305,11 @@ Json Planner::plan(const CompiledScene& scene, const CompiledScene* sound) {
                  {"seconds", preset_.date.seconds},
                  {"tweaks", tweaks_json(preset_)},
                  {"events", events_json(preset_)},
+                 {"vertex", kVertex},
                  {"passes", passes(scene)}};
     if (sound) json["sound"] = passes(*sound);
+    json["keyboard"] = std::ranges::any_of(
+        inputs_, [](const Json& input) { return input["source"] == "keyboard"; });
     report(diagnostics_);
     json["inputs"] = std::move(inputs_);
     json["files"] = std::move(files);

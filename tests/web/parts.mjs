@@ -11,7 +11,7 @@ const {declaration, textOf} = await import(page + "texts.js");
 const {noiseBytes} = await import(page + "noise.js");
 const {channelsTold} = await import(page + "channels.js");
 const {rowsOf} = await import(page + "rows.js");
-const {fractionOf, valueAt} = await import(page + "controls.js");
+const {slideOf, valueAt} = await import(page + "controls.js");
 const {makeHolder} = await import(page + "holder.js");
 const {makePlayer} = await import(page + "player.js");
 
@@ -134,9 +134,9 @@ test("tweaks are uniforms or constants, and lines are counted", () => {
     assert.equal(declaration(plan.tweaks[1], [0, 0.2, 1]), "const vec3 tint = vec3(0.00000000e+0,2.00000003e-1,1.00000000e+0);");
     assert.equal(declaration(plan.tweaks[3], [0]), "const bool lit = bool(0.00000000e+0);");
     assert.equal(declaration(plan.tweaks[2], [2 ** 24 + 1]), "const int kind = int(16777217);");
-    assert.equal(textOf(plan, {text: [0, 1], soft: [3, 2], first: 0}, null, true).text.split("\n").at(-2), "y");
-    const {text, added} = textOf(plan, {text: [0, 3, 4, 1], first: 2}, null);
-    assert.deepEqual(text.split("\n").filter(line => !line.startsWith("#define")), ["#version 300 es", "void f();", "glint_tweak0", "y", ""]);
+    assert.equal(textOf(plan, {text: [[0, 1]], soft: [[3, 5]], first: 0}, null, true).text.split("\n").at(-1), "y");
+    const {text, added} = textOf(plan, {text: [[0, 3], [4, 5]], first: 2}, null);
+    assert.deepEqual(text.split("\n").filter(line => !line.startsWith("#define")), ["#version 300 es", "void f();", "glint_tweak0", "y"]);
     assert.equal(added, 2 + 5);
 });
 
@@ -167,9 +167,9 @@ test("a sound has the rows of its block, and of its last round where it has sett
 
 test("a logarithmic slider goes by factors", () => {
     const size = plan.tweaks[4];
-    assert.ok(Math.abs(fractionOf(size, 10) - 0.5) < 1e-12);
-    assert.equal(valueAt(size, 0.75), 100);
-    assert.equal(valueAt({...size, log: false, step: 5, range: [0, 20]}, 0.6), 10);
+    assert.ok(Math.abs(slideOf(size, 10) - (Math.log(0.1) + Math.log(1000)) / 2) < 1e-12);
+    assert.deepEqual(valueAt(size, `${Math.log(100)}`), [100]);
+    assert.deepEqual(valueAt({...size, log: false}, "15"), [15]);
 });
 
 test("the resolution falls where frames are slow, and is left alone where it is chosen", () => {

@@ -1,18 +1,18 @@
 // What a pass fills: its textures, two sides of them where it reads itself back, and the way to draw into them.
-import {floor, list, max} from "./arithmetic.js";
+import {list, max} from "./arithmetic.js";
 
 // Of a shape that the host wrote: what WebGL calls the kind of texture.
-export function makeTexture(gl, {target, mipmaps}, format, [w, h, depth = 1]) {
-    const texture = gl.createTexture(), shape = [target, mipmaps ? 1 + floor(Math.log2(max(w, h, depth))) : 1, gl[format], w, h];
+export const makeTexture = (gl, {target, mipmaps}, format, [w, h, depth = 1]) => {
+    const texture = gl.createTexture(), shape = [target, mipmaps ? 32 - Math.clz32(max(w, h, depth)) : 1, gl[format], w, h];
     gl.bindTexture(target, texture);
     if (target === gl.TEXTURE_3D) gl.texStorage3D(...shape, depth);
     else gl.texStorage2D(...shape);
     return texture;
-}
+};
 
 let versions = 0;  // of all buffers: no two pictures have the same
 
-export function makeBuffer(gl, shape, format, size) {
+export const makeBuffer = (gl, shape, format, size) => {
     const {target, image, faces, outputs, mipmaps} = shape;
     // Readers see the first side, the last one is drawn into.
     const sides = list(shape.sides, () => {
@@ -46,4 +46,4 @@ export function makeBuffer(gl, shape, format, size) {
             }
         },
     };
-}
+};

@@ -7,11 +7,11 @@ export const FPS = 60;
 export const lastFrame = end => clamp(ceil(end * FPS - 1e-6), 0, 2e9);
 
 // iDate: year, month from 0, day, seconds since midnight. `day` is counted from 1970 on.
-export function dateAfter({day, seconds}, elapsed) {
+export const dateAfter = ({day, seconds}, elapsed) => {
     const sum = seconds + elapsed, date = new Date((day + floor(sum / 86400)) * 864e5);
     const latest = 86400 - 1 / 128;  // the float below midnight
     return [date.getUTCFullYear(), date.getUTCMonth(), date.getUTCDate(), min(sum % 86400, latest)];
-}
+};
 
 // The uniforms that tell the time. iTick counts 1/65536 s, modulo 2^32.
 export const timed = (time, delta, frame) => ({
@@ -22,10 +22,10 @@ export const timed = (time, delta, frame) => ({
 export const frameAt = (plan, time, delta, frame) => ({...timed(time, delta, frame), iSampleRate: 44100, iDate: dateAfter(plan, time)});
 
 // Frame k of a playback that ends at `end`; beyond its last one time stands still. What was done after `from` is new.
-export function playedFrame(plan, k, end) {
+export const playedFrame = (plan, k, end) => {
     const last = lastFrame(end), at = i => i < last ? i / FPS : end, from = k ? at(k - 1) : -Infinity;
     return {...frameAt(plan, at(k), k && k <= last ? at(k) - from : 1 / FPS, k), from};
-}
+};
 
 // Time that runs while it plays, by the clock of the browser; after a hitch it goes on where it stood.
 export const makeClock = time => ({

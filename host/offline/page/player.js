@@ -9,18 +9,17 @@ import {makeSteps} from "./steps.js";
 import {rowsOf} from "./rows.js";
 import {makeBuffer, makeTexture} from "./buffer.js";
 
-const VERTEX = `#version 300 es
-void main() { gl_Position = vec4(gl_VertexID % 2 * 4 - 1, gl_VertexID / 2 * 4 - 1, 0, 1); }`;
-
 // How a uniform is sent, by the number of its type. All others are samplers.
 const SEND = {0x1406: "1f", 0x8B50: "2f", 0x8B51: "3f", 0x8B52: "4f", 0x1404: "1i", 0x8B56: "1i", 0x1405: "1ui"};
+
+const UNMASKED_RENDERER = 0x9246;
 
 export const pause = ms => new Promise(done => setTimeout(done, ms));
 
 // `fell` hears what this browser cannot do as it should.
-export function makePlayer(gl, plan, planned, fell) {
+export const makePlayer = (gl, plan, planned, fell) => {
     const has = name => gl.getExtension(name), isPatient = has("KHR_parallel_shader_compile");
-    const isSoftware = /llvmpipe|softpipe|SwiftShader/i.test(gl.getParameter(has("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+    const isSoftware = /pipe|SwiftShader/i.test(gl.getParameter(has("WEBGL_debug_renderer_info") ? UNMASKED_RENDERER : gl.RENDERER));
     const passes = planned.map(pass => ({...pass})), root = passes.at(-1);
     const inputs = plan.inputs.map(input => {
         const sampler = gl.createSampler();
@@ -35,14 +34,14 @@ export function makePlayer(gl, plan, planned, fell) {
     const sizeOf = input => input?.from ? [...pixelsOf(input), 1] : input?.size ?? [0, 0, 0];
 
     // The host's first choice, or the first for which the browser has all that it needs.
-    function formatOf(what, formats) {
+    const formatOf = (what, formats) => {
         const [taken] = formats.find(([, ...needs]) => needs.every(has));
-        if (taken !== formats[0][0]) fell?.(`${what}: ${taken} instead of ${formats[0][0]}, of which this browser does not do all`);
+        if (taken !== formats[0][0]) fell?.(`${what}: ${taken} instead of ${formats[0]}, which this browser has not all`);
         return taken.toUpperCase();
-    }
+    };
 
     // Links the programs of a look, by their passes; `values` are constants, or null.
-    async function link(values) {
+    const link = async values => {
         const linked = new Map(), need = pass => linked.has(pass) || linked.set(pass, start(pass, values));
         need(root);
         for (const [pass, program] of linked) {
@@ -54,25 +53,25 @@ export function makePlayer(gl, plan, planned, fell) {
             }
         }
         return linked;
-    }
+    };
 
-    function start(pass, values) {
+    const start = (pass, values) => {
         const {text, added} = textOf(plan, pass, values, isSoftware), id = gl.createProgram();
-        const [, shader] = [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, text]].map(([kind, source]) => {
-            const shader = gl.createShader(kind);
+        let shader;
+        for (const [kind, source] of [[gl.VERTEX_SHADER, plan.vertex], [gl.FRAGMENT_SHADER, text]]) {
+            shader = gl.createShader(kind);
             gl.shaderSource(shader, source);
             gl.compileShader(shader);
             gl.attachShader(id, shader);
-            return shader;
-        });
+        }
         gl.linkProgram(id);
         return {id, shader, added, uniforms: [], samplers: []};
-    }
+    };
 
     // Asks the linked program what it really reads.
-    function inspect(pass, {id, shader, added, uniforms, samplers}) {
+    const inspect = (pass, {id, shader, added, uniforms, samplers}) => {
         if (!gl.getProgramParameter(id, gl.LINK_STATUS) && !gl.isContextLost())
-            throw new Error(explain(plan, pass, gl.getShaderInfoLog(shader) || gl.getProgramInfoLog(id) || "", added));
+            throw new Error(explain(plan, pass, gl.getShaderInfoLog(shader) || gl.getProgramInfoLog(id), added));
         gl.useProgram(id);
         for (let i = 0; i < gl.getProgramParameter(id, gl.ACTIVE_UNIFORMS); ++i) {
             const {name, type, size} = gl.getActiveUniform(id, i), location = gl.getUniformLocation(id, name);
@@ -82,10 +81,10 @@ export function makePlayer(gl, plan, planned, fell) {
                 samplers.push({input: inputs[pass.samplers?.[name]]});
             }
         }
-    }
+    };
 
     // Makes the texture of what is no buffer.
-    async function fill(input) {
+    const fill = async input => {
         const {source, target, formats, type, size, mipmaps, data} = input;
         const bytes = data && await new Response((await fetch(data)).body.pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
         input.textures = [makeTexture(gl, input, formatOf("a picture", formats), size)];
@@ -94,17 +93,17 @@ export function makePlayer(gl, plan, planned, fell) {
         if (source === "noise") upload(input, noiseBytes(input));
         if (source === "pixels") upload(input, new (type === gl.FLOAT ? Float32Array : Uint8Array)(bytes));
         if (mipmaps) gl.generateMipmap(target);
-    }
+    };
 
-    function upload({target, image, textures, size: [w, h, depth], faces, layout, type}, texels) {
+    const upload = ({target, image, textures, size: [w, h, depth], faces, layout, type}, texels) => {
         gl.bindTexture(target, textures[0]);
         if (target === gl.TEXTURE_3D) gl.texSubImage3D(target, 0, 0, 0, 0, w, h, depth, layout, type, texels);
         else for (let face = 0; face < faces; ++face)
             gl.texSubImage2D(image + face, 0, 0, 0, w, h, layout, type, texels.subarray(texels.length / faces * face));
-    }
+    };
 
     // From the next frame on these are drawn.
-    function use(linked) {
+    const use = linked => {
         for (const pass of passes) {
             gl.deleteProgram(pass.program?.id);
             Object.assign(pass, {program: linked.get(pass), drawn: false, state: false});
@@ -118,25 +117,25 @@ export function makePlayer(gl, plan, planned, fell) {
         };
         live.forEach((reader, i) => reader.step ? keep(reader) : reads(reader).forEach(pass => live.indexOf(pass) < i || keep(pass)));
         shape();
-    }
+    };
 
     // A buffer of another size begins anew: what carries anything on has the size that it began with.
-    function shape() {
+    const shape = () => {
         for (const pass of player.live) {
             const pixels = pixelsOf(pass);
             if (`${pixels}` !== `${pass.pixels}`) free(pass);
             pass.pixels = pixels;
             if (pass.formats) pass.buffer ??= makeBuffer(gl, pass, formatOf(pass.name, pass.formats), pixels);
         }
-    }
-    function free(pass) {
+    };
+    const free = pass => {
         pass.buffer?.free();
         pass.buffer = null;
         pass.drawn = false;
-    }
+    };
 
     // What is new in what no pass draws.
-    function instant(frame) {
+    const instant = frame => {
         for (const input of inputs) {
             const rows = input.rowsAt?.(frame), text = `${rows}`;
             if (input.rows === text) continue;
@@ -144,9 +143,9 @@ export function makePlayer(gl, plan, planned, fell) {
             ++input.version;
             if (rows) upload(input, rows);
         }
-    }
+    };
 
-    function drawPass(pass, frame, force) {
+    const drawPass = (pass, frame, force) => {
         const {program, buffer, pixels, channels} = pass, told = {
             __proto__: null, ...frame, iResolution: [...pixels, 1], u_resolution: pixels,
             ...channels && channelsTold(channels.map(i => inputs[i]), frame.iTime, sizeOf),
@@ -155,17 +154,18 @@ export function makePlayer(gl, plan, planned, fell) {
         gl.useProgram(program.id);
         let isDue = force || !pass.drawn, face;
         for (const uniform of program.uniforms) {
-            const {name, location} = uniform, value = [told[name] ?? []].flat(), text = `${value}`;
+            const {name, location, send, sent} = uniform, value = [told[name] ?? []].flat();
             if (name === "glint_face") face = location;
-            if (uniform.sent === text || !text) continue;
-            uniform.sent = text;
-            gl[uniform.send](location, value);
+            uniform.sent = `${value}`;
+            if (sent === uniform.sent || !value.length) continue;
+            gl[send](location, value);
             isDue = true;
         }
         for (const sampler of program.samplers) {
-            const {input} = sampler, read = sampler.read = input?.from?.buffer ?? input;
-            if (sampler.version !== read?.version) isDue = true;
-            sampler.version = read?.version;
+            const {input, version} = sampler;
+            sampler.read = input?.from?.buffer ?? input;
+            sampler.version = sampler.read?.version;
+            isDue ||= version !== sampler.version;
         }
         if (!isDue) return;
         pass.drawn = true;
@@ -184,7 +184,7 @@ export function makePlayer(gl, plan, planned, fell) {
         }
         gl.activeTexture(gl.TEXTURE0);
         buffer?.finish();
-    }
+    };
 
     const player = {
         gl, root, passes, inputs, link, use, live: [], values: [], size: [1, 1],
@@ -216,10 +216,8 @@ export function makePlayer(gl, plan, planned, fell) {
         // Until the GPU is done.
         async wait() {
             const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-            gl.flush();
-            while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await pause();
-            gl.deleteSync(fence);
+            while (gl.clientWaitSync(fence, gl.SYNC_FLUSH_COMMANDS_BIT, 0) === gl.TIMEOUT_EXPIRED) await pause();
         },
     };
     return player;
-}
+};

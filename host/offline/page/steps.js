@@ -6,7 +6,7 @@ import {timed} from "./clock.js";
 export const stepsDue = (time, [n, d]) => floor(time * d / n + 1e-6);
 
 // Gives what runs all passes of one step length together, each step all of them, where the first of them stands.
-export function makeSteps(player, instant, drawPass) {
+export const makeSteps = (player, instant, drawPass) => {
     const clocks = {};
     return (step, frame) => {
         const [n, d] = step, {tape, longest = Infinity} = frame, clock = clocks[step] ??= {done: 0, reader: tape?.reader()};
@@ -20,4 +20,4 @@ export function makeSteps(player, instant, drawPass) {
         }
         instant(frame);
     };
-}
+};
