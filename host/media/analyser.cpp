@@ -34,10 +34,22 @@ std::byte spectrum_byte(float magnitude) {
 
 Analyser::Analyser(Sound sound) : sound_(std::move(sound)), known_(kRemembered) {}
 
-// Silence before the start; at the end it begins anew.
-float Analyser::mono(long index) const {
-    if (index < 0) return 0.0f;
-    const auto at = static_cast<std::size_t>(index % sound_.count()) * 2;
+long Analyser::round() const {
+    return std::max(static_cast<long>(std::ceil(seconds() * kBlockRate - 1e-6)), 1L);
+}
+
+// A spectrum remembers so many blocks, and the first of these the samples before it.
+long Analyser::settled() const {
+    return kRemembered + kSpectrumSize / kBlockSamples + 1;
+}
+
+// A sample of the spectrum of a block, from the oldest one on: silence before the start, the end of
+// the sound before each other round.
+float Analyser::heard(long block, long sample) const {
+    const long index = block % round() * kBlockSamples - kSpectrumSize + sample;
+    if (index < 0 && block < round()) return 0.0f;
+    const long count = sound_.count();
+    const auto at = static_cast<std::size_t>((index % count + count) % count) * 2;
     return static_cast<float>(sound_.samples[at] + sound_.samples[at + 1]) / 65536.0f;
 }
 
@@ -52,15 +64,22 @@ const Analyser::Magnitudes& Analyser::magnitudes(long block) {
     }();
     std::array<float, kSpectrumSize> values;
     for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = kWindow[i] * mono(block * kBlockSamples - kSpectrumSize + static_cast<long>(i));
+        values[i] = kWindow[i] * heard(block, static_cast<long>(i));
     spectrum(values, known.magnitudes);
     known.block = block;
     return known.magnitudes;
 }
 
 std::span<const std::byte> Analyser::rows_at(double time) {
+    time = std::max(time, 0.0);
     // The tolerance forgives times such as 7/60 s, which lie a rounding below a whole block.
-    const auto block = static_cast<long>(std::floor(std::max(time, 0.0) * kBlockRate + 1e-6));
+    const auto block =
+        static_cast<long>(std::floor(std::fmod(time, seconds()) * kBlockRate + 1e-6));
+    const auto rounds = static_cast<long>(std::floor(time / seconds()));
+    return rows_of(rounds * round() + std::min(block, round() - 1));
+}
+
+std::span<const std::byte> Analyser::rows_of(long block) {
     Magnitudes smooth{};
     for (long k = std::max(block - kRemembered + 1, 0L); k <= block; ++k) {
         const Magnitudes& now = magnitudes(k);
@@ -70,8 +89,7 @@ std::span<const std::byte> Analyser::rows_at(double time) {
     for (std::size_t i = 0; i < kSpectrumBins; ++i) {
         rows_[i] = spectrum_byte(smooth[i]);
         // The first 512 of the samples that the spectrum is of, as on the site.
-        const long sample = block * kBlockSamples - kSpectrumSize + static_cast<long>(i);
-        rows_[kSpectrumBins + i] = to_byte(128.0f * (1.0f + mono(sample)));
+        rows_[kSpectrumBins + i] = to_byte(128.0f * (1.0f + heard(block, static_cast<long>(i))));
     }
     return rows_;
 }

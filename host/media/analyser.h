@@ -17,7 +17,7 @@ namespace glint {
 // those of 60 Hz, whichever are drawn, so that a picture at a time has one texture only.
 class Analyser {
 public:
-    // It plays from time 0 on, again and again.
+    // It plays from time 0 on, again and again; each round begins with a block.
     explicit Analyser(Sound sound);
 
     double seconds() const { return sound_.seconds(); }
@@ -26,10 +26,16 @@ public:
     // the next call.
     std::span<const std::byte> rows_at(double time);
 
+    // The same by the number of the block, of 1/60 s, all rounds counted on. After settled() blocks
+    // those of a round are the same as those of the next one.
+    std::span<const std::byte> rows_of(long block);
+    long round() const;  // blocks
+    long settled() const;
+
 private:
     using Magnitudes = std::array<float, kSpectrumBins>;
 
-    float mono(long index) const;
+    float heard(long block, long sample) const;
     const Magnitudes& magnitudes(long block);
 
     Sound sound_;

@@ -10,6 +10,7 @@
 #include "offline/page_plan.h"
 #include "offline/page_text.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ void leave_out_unneeded(std::string& page, const nlohmann::ordered_json& plan) {
         return any(plan["passes"]) || (plan.contains("sound") && any(plan["sound"]));
     };
     if (!plan.contains("sound")) leave_out(page, "sound");
-    if (!reads("sound")) leave_out(page, "analyser");
+    if (!reads("sound")) leave_out(page, "rows");
     if (!reads("noise")) leave_out(page, "noise");
     if (!has("step")) leave_out(page, "steps");
     if (!has("channels")) leave_out(page, "channels");
@@ -50,9 +51,19 @@ void leave_out_unneeded(std::string& page, const nlohmann::ordered_json& plan) {
         page.erase(at, page.find('\n', at) + 1 - at);
 }
 
+// Whose fingers do not scroll the page.
+bool reads_mouse(const CompiledScene& scene) {
+    return std::ranges::any_of(scene.programs, [](const PassProgram& program) {
+        return std::ranges::any_of(program.builtins, [](const BuiltinUniform& uniform) {
+            return uniform.builtin == Builtin::mouse || uniform.builtin == Builtin::mouse_2d;
+        });
+    });
+}
+
 // What the style sheet asks of the page's body.
-std::string body_classes(const Preset& preset, bool has_controls) {
+std::string body_classes(const Preset& preset, bool has_controls, bool reads_mouse) {
     std::string classes;
+    if (reads_mouse) classes += " mouse";
     if (!has_controls) classes += " bare";
     if (!preset.scene.has_sound) classes += " quiet";
     if (preset.scene.tweaks.empty()) classes += " plain narrow";
@@ -81,7 +92,8 @@ void write_page(const ExportOptions& options) {
     std::string json = json_text(plan, -1);
     replace_all(json, "</", "<\\/");  // which would end the script
     replace_all(page, "<!--TITLE-->", in_html(plan["title"].get<std::string>()));
-    replace_all(page, "<!--CLASSES-->", body_classes(preset, options.controls));
+    replace_all(page, "<!--CLASSES-->", body_classes(preset, options.controls, reads_mouse(scene)));
+    replace_all(page, "<!--SHAPE-->", fmt::format("--w:{};--h:{}", preset.size.x, preset.size.y));
     replace_all(page, "<!--CONTROLS-->", page_controls(preset));
     page.replace(page.find("/*PLAN*/"), 8, json);
     write_whole_file(options.output, std::as_bytes(std::span(page)));

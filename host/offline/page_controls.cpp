@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace glint {
 namespace {
 
@@ -28,13 +30,22 @@ std::string input(const Tweak& tweak, std::string_view what) {
     return fmt::format("<input aria-label=\"{}\" {}>", tweak.name, what);
 }
 
+// Its ends are those of the tweak, or their logarithms.
+std::string slider(const Tweak& tweak) {
+    const auto place = [&](double value) { return tweak.log ? std::log(value) : value; };
+    const std::string step =
+        tweak.step > 0.0 && !tweak.log ? fmt::format("{}", tweak.step) : std::string("any");
+    return input(tweak, fmt::format("type=range min={} max={} step={}", place(*tweak.min),
+                                    place(*tweak.max), step));
+}
+
 std::string controls_of(const Tweak& tweak) {
     if (tweak.type == TweakType::bool1) return input(tweak, "type=checkbox");
     if (!tweak.names.empty()) return menu(tweak);
     const std::string field = input(tweak, "class=field spellcheck=false");
     if (tweak.is_colour) return input(tweak, "type=color") + field;
     if (component_count(tweak.type) > 1 || !tweak.min) return field;
-    return input(tweak, "type=range min=0 max=1 step=any") + field;
+    return slider(tweak) + field;
 }
 
 std::string row(const Tweak& tweak) {

@@ -1,6 +1,6 @@
 #include "offline/page_inputs.h"
 
-#include "media/sound.h"
+#include "media/analyser.h"
 #include "offline/input_files.h"
 
 #include <epoxy/gl.h>
@@ -10,7 +10,7 @@
 #include <array>
 #include <cstring>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -59,62 +59,89 @@ void add_alpha(InputContent& pixels) {
     pixels.bytes.assign(bytes.begin(), bytes.end());
 }
 
-// The texture that is made: its format, and what bytes for it WebGL calls what they are.
-Json texture_json(glm::ivec3 size, int faces, int channels, bool floats) {
+// The texture that is made: its formats, and what WebGL calls the texels that it is given. The
+// sizes of a cubemap have no third one.
+Json texels_json(const Sampler& sampler, glm::ivec3 size, int channels, bool floats = false) {
     constexpr std::array kFormats = {"r", "rg", "rgb", "rgba"};
     constexpr std::array kLayouts = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     const auto at = static_cast<std::size_t>(channels - 1);
-    return {{"format", fmt::format("{}{}", kFormats.at(at), floats ? "32f" : "8")},
-            {"layout", kLayouts.at(at)},
-            {"size", {size.x, size.y, size.z}},
-            {"faces", faces}};
+    if (sampler.type == SamplerType::samplerCube) size.z = 1;
+    Json json =
+        page_texture(sampler.type, fmt::format("{}{}", kFormats.at(at), floats ? "32f" : "8"),
+                     {.filtered = sampler.filter != Filter::nearest,
+                      .mipmaps = sampler.filter == Filter::mipmap});
+    json["layout"] = kLayouts.at(at);
+    json["type"] = floats ? GL_FLOAT : GL_UNSIGNED_BYTE;
+    json["size"] = {size.x, size.y, size.z};
+    return json;
 }
 
-// The sizes of a cubemap have no third one, but it has faces.
-Json texture_json(SamplerType type, glm::ivec2 size, int slices, int channels, bool floats) {
-    const bool is_cube = type == SamplerType::samplerCube;
-    return texture_json({size, is_cube ? 1 : slices}, is_cube ? slices : 1, channels, floats);
-}
-
+// The rows of every block that differs from those before it.
 Json sound_json(const Sampler& sampler) {
-    const Sound sound = read_sound(sampler.files.front());
-    Json json = texture_json({512, 2, 1}, 1, 1, false);
-    json["seconds"] = sound.seconds();
-    json["data"] = inlined(std::as_bytes(std::span(sound.samples)));
+    Analyser analyser(read_sound(sampler.files.front()));
+    std::vector<std::byte> rows;
+    for (long block = 0; block < analyser.settled() + analyser.round(); ++block) {
+        const auto now = analyser.rows_of(block);
+        rows.insert(rows.end(), now.begin(), now.end());
+    }
+    Json json = texels_json(sampler, {kSpectrumBins, 2, 1}, 1);
+    json["seconds"] = analyser.seconds();
+    json["settled"] = analyser.settled();
+    json["data"] = inlined(rows);
     return json;
 }
 
 Json pixels_json(const Sampler& sampler, const TextureLimits& limits) {
     InputContent pixels = decode_input(sampler, limits);
     add_alpha(pixels);
-    Json json =
-        texture_json(sampler.type, pixels.size, pixels.slices, pixels.channels, pixels.floats);
-    if (pixels.floats) json["floats"] = true;
+    Json json = texels_json(sampler, {pixels.size, pixels.slices}, pixels.channels, pixels.floats);
     json["data"] = inlined(pixels.bytes);
     return json;
 }
 
 Json noise_json(const Sampler& sampler) {
-    const bool is_cube = sampler.type == SamplerType::samplerCube;
-    Json json = texture_json(sampler.type, glm::ivec2(sampler.noise_size),
-                             is_cube ? static_cast<int>(kCubeFaces) : sampler.noise_size.z,
-                             sampler.noise_channels, false);
+    Json json = texels_json(sampler, sampler.noise_size, sampler.noise_channels);
     json["channels"] = sampler.noise_channels;
     json["plays"] = sampler.plays;
     return json;
 }
 
-// A texture's kind, as WebGL names it behind TEXTURE_.
-const char* kind_of(SamplerType type) {
+// WebGL's numbers of a kind of texture, and of the first image that one has.
+std::pair<int, int> target_of(SamplerType type) {
     switch (type) {
         case SamplerType::sampler2D:
-            return "2D";
+            return {GL_TEXTURE_2D, GL_TEXTURE_2D};
         case SamplerType::sampler3D:
-            return "3D";
+            return {GL_TEXTURE_3D, GL_TEXTURE_3D};
         case SamplerType::samplerCube:
-            return "CUBE_MAP";
+            return {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_POSITIVE_X};
     }
-    return "";
+    return {};
+}
+
+// The format and what may stand in for it, best first; behind each what a browser must have for it.
+Json formats_json(const std::string& format, const PageTextureUse& use) {
+    constexpr const char* kDrawsFloats = "EXT_color_buffer_float";
+    constexpr const char* kDrawsHalves = "EXT_color_buffer_half_float";
+    constexpr const char* kFiltersFloats = "OES_texture_float_linear";
+    const std::size_t bits = format.find_first_of("123456789");
+    const std::string channels = format.substr(0, bits);
+    Json formats = Json::array();
+    const auto add = [&](const std::string& name, const std::vector<const char*>& extensions) {
+        formats.push_back(Json::array({name}));
+        for (const char* extension : extensions) formats.back().push_back(extension);
+    };
+    if (format.ends_with("32f")) {
+        add(format, {});
+        if (use.drawn || use.mipmaps) formats.back().push_back(kDrawsFloats);
+        if (use.filtered) formats.back().push_back(kFiltersFloats);
+    }
+    const bool draws_halves = use.drawn && format.ends_with("f");
+    if (draws_halves) add(channels + "16f", {kDrawsFloats});
+    if (draws_halves) add(channels + "16f", {kDrawsHalves});
+    // What is never missing.
+    add(use.drawn || !format.ends_with('f') ? channels + "8" : channels + "16f", {});
+    return formats;
 }
 
 // What WebGL's samplers are told, as pairs of its numbers.
@@ -133,11 +160,27 @@ Json modes_json(const Sampler& sampler) {
 
 }  // namespace
 
+Json page_texture(SamplerType type, const std::string& format, const PageTextureUse& use) {
+    const auto [target, image] = target_of(type);
+    Json json = {{"target", target},
+                 {"image", image},
+                 {"faces", type == SamplerType::samplerCube ? kCubeFaces : 1},
+                 {"formats", formats_json(format, use)}};
+    if (use.mipmaps) json["mipmaps"] = true;
+    return json;
+}
+
+Json page_unfilled(SamplerType type) {
+    Sampler sampler;
+    sampler.type = type;
+    return page_input(sampler, {});
+}
+
 Json page_input(const Sampler& sampler, const TextureLimits& limits) {
     const auto made = [&](const char* source, const Json& content) {
         Json input = {{"source", source},
-                      {"kind", kind_of(sampler.type)},
-                      {"filter", kFilterNames.of(sampler.filter)},
+                      {"target", target_of(sampler.type).first},
+                      {"output", sampler.output},
                       {"modes", modes_json(sampler)}};
         input.update(content);
         return input;
@@ -146,7 +189,7 @@ Json page_input(const Sampler& sampler, const TextureLimits& limits) {
         case Source::none:
             break;
         case Source::buffer:
-            return made("buffer", {{"output", sampler.output}});
+            return made("buffer", Json::object());
         case Source::image:
         case Source::cube:
         case Source::volume:
@@ -156,9 +199,9 @@ Json page_input(const Sampler& sampler, const TextureLimits& limits) {
         case Source::noise:
             return made("noise", noise_json(sampler));
         case Source::keyboard:
-            return made("keyboard", texture_json({256, 3, 1}, 1, 1, false));
+            return made("keyboard", texels_json(sampler, {256, 3, 1}, 1));
     }
-    return made("none", Json::object());
+    return made("none", texels_json(sampler, glm::ivec3(1), 4));
 }
 
 }  // namespace glint

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <map>
 #include <unordered_map>
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 // The passes' texts are the scene's with a few words changed: what they share stands there once.
 class Lines {
 public:
-    // Pairs of first line and count.
+    // Pairs of the first line and the one behind the last.
     Json runs_of(const std::string& text);
     Json list() && { return std::move(list_); }
 
@@ -33,15 +34,15 @@ private:
 };
 
 Json Lines::runs_of(const std::string& text) {
-    std::vector<std::size_t> runs;
+    std::vector<std::array<std::size_t, 2>> runs;
     for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
         end = std::min(text.find('\n', begin), text.size());
         const std::string line = text.substr(begin, end - begin);
         // A line that follows in the list as it does here goes on with the run, also where an
         // earlier one is the same.
-        const std::size_t next = runs.empty() ? 0 : runs[runs.size() - 2] + runs.back();
+        const std::size_t next = runs.empty() ? 0 : runs.back()[1];
         if (!runs.empty() && next < list_.size() && list_[next] == line) {
-            ++runs.back();
+            ++runs.back()[1];
             continue;
         }
         const auto [known, is_new] = known_.try_emplace(line, list_.size());
@@ -50,9 +51,9 @@ Json Lines::runs_of(const std::string& text) {
         if (is_new || is_short) list_.push_back(line);
         const std::size_t at = is_new || is_short ? list_.size() - 1 : known->second;
         if (!runs.empty() && at == next)
-            ++runs.back();
+            ++runs.back()[1];
         else
-            runs.insert(runs.end(), {at, 1});
+            runs.push_back({at, at + 1});
     }
     return runs;
 }
@@ -67,6 +68,8 @@ public:
 private:
     Json pass_json(const CompiledScene& scene, std::size_t index);
     void add_shape(Json& json, const CompiledScene& scene, std::size_t index) const;
+    Json buffer_json(const CompiledScene& scene, std::size_t index) const;
+    void add_unfilled(Json& samplers, const PassProgram& program);
     std::size_t input_of(const CompiledScene& scene, std::size_t sampler);
     std::string for_software(const std::string& text) const;
 
@@ -110,23 +113,38 @@ std::size_t Planner::input_of(const CompiledScene& scene, std::size_t sampler) {
     return known->second;
 }
 
-void Planner::add_shape(Json& json, const CompiledScene& scene, std::size_t index) const {
+// The texture that a pass fills, as those need it who read it.
+Json Planner::buffer_json(const CompiledScene& scene, std::size_t index) const {
     const GraphPass& graph = scene.graph.passes[index];
-    if (!fills_a_buffer(graph.pass)) return;
     const Pass& pass = preset_.scene.passes[graph.pass];
-    add_size(json, pass);
-    json["format"] = name_of(pass.format);
-    json["outputs"] = pass.outputs.size();
-    if (pass.cube) json["cube"] = true;
-    if (graph.feedback) json["double"] = true;
-    if (pass.step) json["step"] = {pass.step.numerator, pass.step.denominator};
+    PageTextureUse use{.drawn = true};
     for (const PassProgram& reader : scene.programs) {
         for (const SamplerUniform& uniform : reader.samplers) {
             const Sampler& sampler = sampler_at(preset_, uniform.sampler);
-            if (sampler.source == Source::buffer && sampler.pass == graph.pass &&
-                sampler.filter == Filter::mipmap)
-                json["mipmaps"] = true;
+            if (sampler.source != Source::buffer || sampler.pass != graph.pass) continue;
+            if (sampler.filter != Filter::nearest) use.filtered = true;
+            if (sampler.filter == Filter::mipmap) use.mipmaps = true;
         }
+    }
+    Json json = page_texture(pass.cube ? SamplerType::samplerCube : SamplerType::sampler2D,
+                             std::string(name_of(pass.format)), use);
+    json["outputs"] = pass.outputs.size();
+    json["sides"] = graph.feedback ? 2 : 1;
+    return json;
+}
+
+void Planner::add_shape(Json& json, const CompiledScene& scene, std::size_t index) const {
+    const std::size_t pass = scene.graph.passes[index].pass;
+    if (pass == kSoundPass) {  // its samples are read back
+        json.update(page_texture(SamplerType::sampler2D, "rgba32f", {.drawn = true}));
+        json.update({{"outputs", 1}, {"sides", 1}, {"size", {kSoundBlockWidth, kSoundBlockRows}}});
+    } else if (fills_a_buffer(pass)) {
+        add_size(json, preset_.scene.passes[pass]);
+        json.update(buffer_json(scene, index));
+        const Step& step = preset_.scene.passes[pass].step;
+        if (step) json["step"] = {step.numerator, step.denominator};
+    } else {
+        json["faces"] = 1;
     }
 }
 
@@ -145,6 +163,15 @@ std::string Planner::for_software(const std::string& text) const {
     return changed.erase(begin, names.size());
 }
 
+// What nothing fills. GLSL's other kinds of samplers have no texture here.
+void Planner::add_unfilled(Json& samplers, const PassProgram& program) {
+    for (const UnfilledSampler& unfilled : program.unfilled) {
+        if (!unfilled.type) continue;
+        samplers[unfilled.name] = inputs_.size();
+        inputs_.push_back(page_unfilled(*unfilled.type));
+    }
+}
+
 Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
     const PassProgram& program = scene.programs[index];
     const PassText text = pass_text(preset_, program.pass, {.specialise = false, .named = true});
@@ -159,8 +186,11 @@ Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
     for (const SamplerUniform& uniform : program.samplers) {
         const std::string& name = sampler_at(preset_, uniform.sampler).name;
         samplers[name] = input_of(scene, uniform.sampler);
-        if (name.starts_with("iChannel"))  // the other name of it
-            samplers[fmt::format("iCh{}.sampler", name.back())] = samplers[name];
+    }
+    add_unfilled(samplers, program);
+    for (char digit = '0'; digit < '4'; ++digit) {  // their other names
+        const std::string name = fmt::format("iChannel{}", digit);
+        if (samplers.contains(name)) samplers[fmt::format("iCh{}.sampler", digit)] = samplers[name];
     }
     for (const std::size_t sampler : channels_told_of(preset_, program)) {
         if (sampler_at(preset_, sampler).source == Source::none) continue;
@@ -219,7 +249,6 @@ Json tweak_json(const Tweak& tweak, const TweakValue& value) {
     }
     if (tweak.is_colour) json["colour"] = true;
     if (tweak.log) json["log"] = true;
-    if (tweak.step > 0.0) json["step"] = tweak.step;
     return json;
 }
 
@@ -259,6 +288,12 @@ Json origins_json(const Scene& scene) {
     return list;
 }
 
+// A triangle that covers all.
+constexpr const char* kVertex =
+    "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID % 2 * 4 - 1, gl_VertexID / 2 * "
+    "4 "
+    "- 1, 0, 1); }";
+
 Json Planner::plan(const CompiledScene& scene, const CompiledScene* sound) {
     Json files = Json::array();
     for (const auto& file : preset_.scene.files) files.push_back(file.filename().string());
@@ -270,8 +305,11 @@ Json Planner::plan(const CompiledScene& scene, const CompiledScene* sound) {
                  {"seconds", preset_.date.seconds},
                  {"tweaks", tweaks_json(preset_)},
                  {"events", events_json(preset_)},
+                 {"vertex", kVertex},
                  {"passes", passes(scene)}};
     if (sound) json["sound"] = passes(*sound);
+    json["keyboard"] = std::ranges::any_of(
+        inputs_, [](const Json& input) { return input["source"] == "keyboard"; });
     report(diagnostics_);
     json["inputs"] = std::move(inputs_);
     json["files"] = std::move(files);

@@ -14,10 +14,12 @@ namespace glint {
 //   lines, origins                                  of all texts: each line once; [line of the
 //                                                   scene's text, file, line of the file] where
 //                                                   the files go over into each other
+//   vertex, keyboard                                the vertex shader; whether keys are the scene's
 //   tweaks, events
-//   inputs[{source, kind, filter, modes, …}]        what samplers read, and how: in WebGL's numbers
-//   passes[{name, text, first, format, size, …}]    in drawing order, the picture last; `text` is
-//                                                   pairs of first line and count, `soft` another
+//   inputs[{source, target, modes, …}]              what samplers read, and how: in WebGL's numbers
+//   passes[{name, text, first, formats, size, …}]   in drawing order, the picture last; `text` is
+//                                                   pairs of first line and the one behind the
+//                                                   last, `soft` another
 //                                                   one for drivers that draw in software, `first`
 //                                                   the line where the scene's own text begins
 //   sound                                           passes of mainSound, or none

@@ -109,5 +109,19 @@ TEST(Analyser, ItBeginsAnewAtItsEndAndFadesNotBeyond) {
     EXPECT_EQ(rows(analyser, 2.9), rows(analyser, 4.9));
 }
 
+TEST(Analyser, ARoundIsLikeTheNextOneOnceItHasSettled) {
+    Analyser analyser(tone(500.0, 0.3, 0.7123));  // no whole number of blocks
+    const auto rows_of = [&](long block) {
+        const auto bytes = analyser.rows_of(block);
+        return std::vector<std::byte>(bytes.begin(), bytes.end());
+    };
+    ASSERT_EQ(analyser.round(), 43);
+    const long settled = analyser.settled();
+    EXPECT_EQ(rows_of(settled), rows_of(settled + 43));
+    EXPECT_EQ(rows_of(settled + 40), rows_of(settled + 40 + 5 * 43));
+    EXPECT_NE(rows_of(0), rows_of(43)) << "silence came before the start";
+    EXPECT_EQ(rows(analyser, 0.7123 + 1e-9), rows(analyser, 0.7123 + 1.0 / 60.0 - 1e-5));
+}
+
 }  // namespace
 }  // namespace glint::analyser_test

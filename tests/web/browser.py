@@ -39,7 +39,7 @@ class Browser:
             pass_fds=(to_them, from_them, 3, 4), env={**os.environ, "HOME": self.folder.name},
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_them), os.close(from_them)
-        self.number, self.rest, self.told = 0, b"", []
+        self.driver, self.number, self.rest, self.told = driver, 0, b"", []
 
     def __enter__(self):
         return self

@@ -2,17 +2,18 @@
 import test from "node:test";
 import assert from "node:assert/strict";
 const page = "../../host/offline/page/";
-const {Clock, dateAfter, lastFrame, playedFrame, stepsDue, timed} = await import(page + "clock.js");
+const {dateAfter, lastFrame, makeClock, playedFrame, timed} = await import(page + "clock.js");
+const {stepsDue} = await import(page + "steps.js");
 const {makeInput, makeTape} = await import(page + "input.js");
 const {explain, placeOf} = await import(page + "errors.js");
-const {clamp, format, parse, readLook, writeLook} = await import(page + "look.js");
+const {fitted, format, parse, readLook, writeLook} = await import(page + "look.js");
 const {declaration, textOf} = await import(page + "texts.js");
 const {noiseBytes} = await import(page + "noise.js");
 const {channelsTold} = await import(page + "channels.js");
-const {makeAnalyser, spectrum} = await import(page + "analyser.js");
-const {fractionOf, valueAt} = await import(page + "controls.js");
+const {rowsOf} = await import(page + "rows.js");
+const {slideOf, valueAt} = await import(page + "controls.js");
 const {makeHolder} = await import(page + "holder.js");
-const {formatOf, makePlayer} = await import(page + "player.js");
+const {makePlayer} = await import(page + "player.js");
 
 test("the last frame forgives times a rounding off a whole one", () => {
     assert.equal(lastFrame(7 / 60), 7);
@@ -42,7 +43,7 @@ test("frames of a playback end at its end, and settle there", () => {
 });
 
 test("a paused clock stands, and goes on without a jump", () => {
-    const clock = new Clock(3);
+    const clock = makeClock(3);
     clock.advance(1000);
     clock.advance(1500);
     assert.equal(clock.time, 3.5);
@@ -116,7 +117,7 @@ test("values are read as they are written", () => {
     assert.deepEqual(parse(plan.tweaks[0], "7"), [1]);
     assert.equal(parse(plan.tweaks[0], "x"), undefined);
     assert.equal(parse(plan.tweaks[1], "1,2"), undefined);
-    assert.deepEqual(clamp(plan.tweaks[2], [7.4]), [2]);
+    assert.deepEqual(fitted(plan.tweaks[2], [7.4]), [2]);
 });
 
 test("the address keeps what differs from the preset", () => {
@@ -133,9 +134,9 @@ test("tweaks are uniforms or constants, and lines are counted", () => {
     assert.equal(declaration(plan.tweaks[1], [0, 0.2, 1]), "const vec3 tint = vec3(0.00000000e+0,2.00000003e-1,1.00000000e+0);");
     assert.equal(declaration(plan.tweaks[3], [0]), "const bool lit = bool(0.00000000e+0);");
     assert.equal(declaration(plan.tweaks[2], [2 ** 24 + 1]), "const int kind = int(16777217);");
-    assert.equal(textOf(plan, {text: [0, 1], soft: [3, 2], first: 0}, null, true).text.split("\n").at(-2), "y");
-    const {text, added} = textOf(plan, {text: [0, 3, 4, 1], first: 2}, null);
-    assert.deepEqual(text.split("\n").filter(line => !line.startsWith("#define")), ["#version 300 es", "void f();", "glint_tweak0", "y", ""]);
+    assert.equal(textOf(plan, {text: [[0, 1]], soft: [[3, 5]], first: 0}, null, true).text.split("\n").at(-1), "y");
+    const {text, added} = textOf(plan, {text: [[0, 3], [4, 5]], first: 2}, null);
+    assert.deepEqual(text.split("\n").filter(line => !line.startsWith("#define")), ["#version 300 es", "void f();", "glint_tweak0", "y"]);
     assert.equal(added, 2 + 5);
 });
 
@@ -158,19 +159,17 @@ test("noise has the host's bytes", () => {  // pcg3d of (0, 0, 0), (1, 0, 0), (0
     assert.deepEqual([...noiseBytes({size: [2, 1, 1], faces: 1, channels: 1})], [155, 161]);
 });
 
-test("the spectrum of a tone stands in its bin", () => {
-    const bins = spectrum(Array.from({length: 2048}, (_, i) => Math.cos(2 * Math.PI * 100 * i / 2048)));
-    assert.ok(Math.abs(bins[100] - 0.5) < 1e-9 && bins[99] < 1e-9);
-    const rowsAt = makeAnalyser(new Int16Array(44100));
-    assert.equal(rowsAt(0.1), rowsAt(0.1001));
-    assert.deepEqual([rowsAt(0.3)[5], rowsAt(0.3)[600]], [0, 128]);
+test("a sound has the rows of its block, and of its last round where it has settled", () => {
+    const bytes = new Uint8Array(5 * 1024).map((_, i) => i >> 10), rowsAt = rowsOf(bytes, {seconds: 0.05, settled: 2});  // rounds of 3 blocks
+    assert.deepEqual([0, 1, 2, 3, 4, 5, 6, 30].map(block => rowsAt({iTime: block / 60 + 1e-9})[0]), [0, 1, 2, 3, 4, 2, 3, 3]);
+    assert.equal(rowsAt({iTime: 0.0499}).length, 1024);
 });
 
 test("a logarithmic slider goes by factors", () => {
     const size = plan.tweaks[4];
-    assert.ok(Math.abs(fractionOf(size, 10) - 0.5) < 1e-12);
-    assert.equal(valueAt(size, 0.75), 100);
-    assert.equal(valueAt({...size, log: false, step: 5, range: [0, 20]}, 0.6), 10);
+    assert.ok(Math.abs(slideOf(size, 10) - (Math.log(0.1) + Math.log(1000)) / 2) < 1e-12);
+    assert.deepEqual(valueAt(size, `${Math.log(100)}`), [100]);
+    assert.deepEqual(valueAt({...size, log: false}, "15"), [15]);
 });
 
 test("the resolution falls where frames are slow, and is left alone where it is chosen", () => {
@@ -183,20 +182,21 @@ test("the resolution falls where frames are slow, and is left alone where it is 
 });
 
 // WebGL that draws nothing and counts.
-function countingGl() {
+function countingGl(also) {
     const draws = [];
     let program;
-    const known = {useProgram: p => program = p, drawArrays: () => draws.push(program), isContextLost: () => false};
+    const known = {useProgram: p => program = p, drawArrays: () => draws.push(program), isContextLost: () => false, ...also};
     return {draws, gl: new Proxy(known, {get: (_, name) => known[name] ?? (/^[A-Z0-9_]+$/.test(name) ? name : () => ({}))})};
 }
-const linked = (player, reads) => player.passes.map((pass, i) => (
+const linked = (player, reads) => new Map(player.passes.map((pass, i) => [pass,
     {id: pass.name, uniforms: pass.still ? [] : [{send: "uniform1fv", name: "iTime"}],
-     samplers: reads[i].map(k => ({input: player.inputs[k], kind: "2D"}))}));
-const size = [4, 4], format16 = "rgba16f", buffer = pass => ({source: "buffer", pass, output: 0, filter: "nearest", kind: "2D", modes: []});
+     samplers: reads[i].map(k => ({input: player.inputs[k]}))}]));
+const kept = {formats: [["rgba16f"]], sides: 1, outputs: 1, faces: 1}, image = {name: "image", faces: 1}, size = [4, 4];
+const buffer = pass => ({source: "buffer", pass, output: 0, modes: []});
 
 test("what has not changed is not drawn again, and only what is carried on is advanced", () => {
     const {gl, draws} = countingGl();
-    const passes = [{name: "fixed", still: true, size, format: format16}, {name: "trail", size, format: format16, double: true}, {name: "image"}];
+    const passes = [{...kept, name: "fixed", still: true, size}, {...kept, name: "trail", size, sides: 2}, image];
     const player = makePlayer(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes);
     player.use(linked(player, [[], [1], [0, 1]]));
     assert.deepEqual([player.isStateful, player.passes.map(p => p.state)], [true, [false, true, false]]);
@@ -209,7 +209,7 @@ test("what has not changed is not drawn again, and only what is carried on is ad
 
 test("another size begins the buffers of a share of the picture anew, and leaves the others", () => {
     const {gl, draws} = countingGl();
-    const passes = [{name: "own", still: true, size, format: format16}, {name: "half", still: true, scale: 0.5, format: format16}, {name: "image", still: true}];
+    const passes = [{...kept, name: "own", still: true, size}, {...kept, name: "half", still: true, scale: 0.5}, {...image, still: true}];
     const player = makePlayer(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes), frame = {iTime: 0, keys: new Uint8Array(768)};
     player.size = [8, 8];
     player.use(linked(player, [[], [], [0, 1]]));
@@ -223,7 +223,7 @@ test("another size begins the buffers of a share of the picture anew, and leaves
 
 test("passes of one step length run together, once for each step that is due", () => {
     const {gl, draws} = countingGl();
-    const step = [1, 4], passes = [{name: "a", size, step, format: format16}, {name: "b", size, step, format: format16}, {name: "image"}];
+    const step = [1, 4], passes = [{...kept, name: "a", size, step}, {...kept, name: "b", size, step}, image];
     const player = makePlayer(gl, {tweaks: [], inputs: [buffer(0), buffer(1)]}, passes);
     player.use(linked(player, [[1], [0], [0, 1]]));
     player.draw({iTime: 0.5, keys: new Uint8Array(768)});
@@ -233,9 +233,15 @@ test("passes of one step length run together, once for each step that is due", (
     assert.equal(draws.length, 5);
 });
 
-test("without float buffers halves are taken", () => {
-    assert.equal(formatOf({draw: true}, "rgba32f", true, true), "rgba16f");
-    assert.equal(formatOf({draw: true}, "rgba32f", false, true), "rgba32f");
-    assert.equal(formatOf({filter: true, half: true}, "r32f", false, true), "r16f");
-    assert.equal(formatOf({filter: true}, "r32f", false, true), "rgba8");
+test("the first format is taken for which the browser has all, and another one is told", () => {
+    const formats = [["rgba32f", "draws", "filters"], ["rgba16f", "draws"], ["rgba8"]];
+    const takes = has => {
+        const told = [], {gl} = countingGl({getExtension: name => has.includes(name)});
+        const player = makePlayer(gl, {tweaks: [], inputs: []}, [{...kept, ...image, formats, size}], text => told.push(text));
+        player.use(linked(player, [[]]));
+        return told.join();
+    };
+    assert.equal(takes(["draws", "filters"]), "");
+    assert.match(takes(["draws"]), /image: rgba16f instead of rgba32f/);
+    assert.match(takes(["filters"]), /image: rgba8 instead of rgba32f/);
 });

@@ -1,49 +1,49 @@
-// What a pass fills: its textures, double where it reads itself back, and the way to draw into them.
+// What a pass fills: its textures, two sides of them where it reads itself back, and the way to draw into them.
+import {list, max} from "./arithmetic.js";
 
-export function makeTexture(gl, kind, format, [w, h, depth = 1], mipmaps) {
-    const target = gl["TEXTURE_" + kind], texture = gl.createTexture(), shape = [gl[format.toUpperCase()], w, h];
-    const levels = mipmaps ? 1 + Math.floor(Math.log2(Math.max(w, h, depth))) : 1;
+// Of a shape that the host wrote: what WebGL calls the kind of texture.
+export const makeTexture = (gl, {target, mipmaps}, format, [w, h, depth = 1]) => {
+    const texture = gl.createTexture(), shape = [target, mipmaps ? 32 - Math.clz32(max(w, h, depth)) : 1, gl[format], w, h];
     gl.bindTexture(target, texture);
-    if (kind === "3D") gl.texStorage3D(target, levels, ...shape, depth);
-    else gl.texStorage2D(target, levels, ...shape);
+    if (target === gl.TEXTURE_3D) gl.texStorage3D(...shape, depth);
+    else gl.texStorage2D(...shape);
     return texture;
-}
+};
 
 let versions = 0;  // of all buffers: no two pictures have the same
 
-export function makeBuffer(gl, {format, size, outputs = 1, cube, double, mipmaps}) {
-    const kind = cube ? "CUBE_MAP" : "2D";
-    const sides = Array.from({length: double ? 2 : 1}, () => {
-        const textures = Array.from({length: outputs}, () => makeTexture(gl, kind, format, size, mipmaps));
-        const frames = Array.from({length: cube ? 6 : 1}, (_, face) => {
-            const frame = gl.createFramebuffer(), points = textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
+export const makeBuffer = (gl, shape, format, size) => {
+    const {target, image, faces, outputs, mipmaps} = shape;
+    // Readers see the first side, the last one is drawn into.
+    const sides = list(shape.sides, () => {
+        const textures = list(outputs, () => makeTexture(gl, shape, format, size)), points = textures.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
+        const frames = list(faces, face => {
+            const frame = gl.createFramebuffer();
             gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-            textures.forEach((texture, i) => gl.framebufferTexture2D(gl.FRAMEBUFFER, points[i],
-                cube ? gl.TEXTURE_CUBE_MAP_POSITIVE_X + face : gl.TEXTURE_2D, texture, 0));
+            textures.forEach((texture, i) => gl.framebufferTexture2D(gl.FRAMEBUFFER, points[i], image + face, texture, 0));
             gl.drawBuffers(points);
             return frame;
         });
         return {textures, frames};
     });
-    let [front] = sides;
-    const back = () => sides.at(sides.indexOf(front) - 1);
-    const buffer = {
+    return {
         version: ++versions,
-        texture: output => front.textures[output],
-        target: face => back().frames[face],
-        // What was drawn into the target becomes what readers see.
+        get textures() { return sides[0].textures; },
+        get frames() { return sides.at(-1).frames; },
+        // What was drawn becomes what readers see.
         finish() {
-            front = back();
-            buffer.version = ++versions;
-            for (const texture of mipmaps ? front.textures : []) {
-                gl.bindTexture(gl["TEXTURE_" + kind], texture);
-                gl.generateMipmap(gl["TEXTURE_" + kind]);
+            sides.reverse();
+            this.version = ++versions;
+            if (mipmaps) for (const texture of this.textures) {
+                gl.bindTexture(target, texture);
+                gl.generateMipmap(target);
             }
         },
-        free: () => sides.forEach(({textures, frames}) => {
-            textures.forEach(texture => gl.deleteTexture(texture));
-            frames.forEach(frame => gl.deleteFramebuffer(frame));
-        }),
+        free() {
+            for (const {textures, frames} of sides) {
+                textures.forEach(texture => gl.deleteTexture(texture));
+                frames.forEach(frame => gl.deleteFramebuffer(frame));
+            }
+        },
     };
-    return buffer;
-}
+};

@@ -2,7 +2,7 @@
 
 const timeOf = (input, time) => input?.seconds ? time % input.seconds : input?.plays ? time : 0;
 
-export function channelsTold(inputs, time, sizeOf) {
+export const channelsTold = (inputs, time, sizeOf) => {
     const told = {
         "iChannelTime[0]": inputs.map(input => timeOf(input, time)),
         "iChannelResolution[0]": inputs.flatMap(sizeOf),
@@ -13,4 +13,4 @@ export function channelsTold(inputs, time, sizeOf) {
         told[`iCh${i}.loaded`] = +(sizeOf(input)[0] > 0);
     });
     return told;
-}
+};

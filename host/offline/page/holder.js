@@ -1,33 +1,32 @@
 // The picture's resolution, held by itself: fewer pixels where frames take long, more where there is time.
+import {max} from "./arithmetic.js";
 
 const SLOW = 1000 / 22, QUICK = 1000 / 40, LEAST = 0.2;
 
-export function makeHolder() {
-    let auto = true, last, most = 1, times = [];
-    const holder = {
+export const makeHolder = () => {
+    let isHeld = true, last, most = 1, times = [];
+    return {
         share: 1,
         // "auto", or the share of the screen's pixels a side.
         hold(text) {
-            auto = text === "auto";
-            holder.share = +text || 1;
+            isHeld = !+text;
+            this.share = +text || 1;
             most = 1;
             times = [];
         },
         // A frame at `now` (ms); true where the share has changed.
         took(now) {
-            const ms = now - last, before = holder.share;
+            const ms = now - last, before = this.share;
             last = now;
-            if (!auto || !(ms > 0 && ms < 2000)) return false;
-            times.push(ms);
-            if (times.length < 12 && times.reduce((a, b) => a + b) < 600) return false;
+            if (isHeld && ms < 2000) times.push(ms);
+            if (times.length < 12 && !(times.reduce((a, b) => a + b, 0) > 600)) return false;
             const median = times.sort((a, b) => a - b)[times.length >> 1];
             times = [];
             if (median > SLOW) {
                 most = before;  // more was too much
-                holder.share = Math.max(LEAST, before * Math.max(0.5, Math.sqrt(33 / median)));
-            } else if (median < QUICK && before * 1.2 < most) holder.share *= 1.2;
-            return holder.share !== before;
+                this.share = max(LEAST, before * max(0.5, Math.sqrt(33 / median)));
+            } else if (median < QUICK && before * 1.2 < most) this.share *= 1.2;
+            return this.share !== before;
         },
     };
-    return holder;
-}
+};

@@ -1,11 +1,12 @@
 // Mouse and keys by the site's rules.
+import {floor, min} from "./arithmetic.js";
 
-const pixel = (fraction, pixels) => Math.floor(fraction * pixels + 1e-6);
+const pixel = (fraction, pixels) => floor(fraction * pixels + 1e-6);
 
 // Follows events, and gives the input of each frame. Rows of keys: held, pressed in this frame, toggled.
-export function makeInput() {
+export const makeInput = () => {
     const keys = new Uint8Array(768);
-    let at, click, held, isPressed;
+    let at = [0, 0], click = at, held, isPressed;
     return {
         apply({key, mouse, down}) {
             if (!mouse) {
@@ -21,17 +22,17 @@ export function makeInput() {
         },
         // Ends the frame: what was pressed is no longer new afterwards.
         next([w, h]) {
-            const seen = keys.slice(), [x, y, clickX, clickY] = click ? [at, click].flatMap(([x, y]) => [pixel(x, w), pixel(y, h)]) : [0, 0, 0, 0];
+            const seen = keys.slice(), [x, y, clickX, clickY] = [at, click].flatMap(([x, y]) => [pixel(x, w), pixel(y, h)]);
             const iMouse = [x, y, held ? clickX : 0 - clickX, isPressed ? clickY : 0 - clickY];
             isPressed = false;
             keys.fill(0, 256, 512);
             return {iMouse, u_mouse: [x, y], keys: seen};
         },
     };
-}
+};
 
 // What was done, in order of time: the preset's events and those of whoever looks.
-export function makeTape(begun) {
+export const makeTape = begun => {
     const events = [...begun];
     return {
         events,
@@ -47,7 +48,7 @@ export function makeTape(begun) {
             const until = time => { while (events[at]?.t <= time) state.apply(events[at++]); };
             return {
                 input(to, size, from = -Infinity) {
-                    until(Math.min(from, to));
+                    until(min(from, to));
                     if (events[at - 1]?.t <= from) state.next(size);
                     until(to);
                     return state.next(size);
@@ -55,4 +56,4 @@ export function makeTape(begun) {
             };
         },
     };
-}
+};

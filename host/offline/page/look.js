@@ -1,41 +1,43 @@
 // The look in the address: #t=12&choppiness=0.3&waterTint=%230b3a53 names what differs from the preset.
+import {clamp, round} from "./arithmetic.js";
 
-export const hexOf = value => "#" + value.map(v => Math.round(Math.min(Math.max(v, 0), 1) * 255).toString(16).padStart(2, "0")).join("");
+const byteOf = v => round(clamp(v, 0, 1) * 255);
+export const hexOf = value => "#" + value.map(v => byteOf(v).toString(16).padStart(2, 0)).join("");
 
 // A value as presets write it. The host gives names to what is on or off, and to what has names a range.
-export function format({names, colour}, value) {
+export const format = ({names, colour}, value) => {
     if (names) return names[value[0]];
-    if (colour && value.every(v => v >= 0 && v <= 1 && Math.abs(Math.round(v * 255) - v * 255) < 1e-9)) return hexOf(value);
+    if (colour && value.every(v => Math.abs(byteOf(v) / 255 - v) < 1e-9)) return hexOf(value);
     return `${value.map(v => +v.toPrecision(7))}`;
-}
+};
 
-export const clamp = ({type, names, range: [min, max] = [-3e38, 3e38]}, value) =>
-    value.map(v => Math.min(Math.max(names || type === "int" ? Math.round(v) : v, min), max));
+export const fitted = ({type, names, range: [min, max] = [-3e38, 3e38]}, value) =>
+    value.map(v => clamp(names || type === "int" ? round(v) : v, min, max));
 
 // The inverse; nothing where the text is no value of the tweak.
-export function parse(tweak, text) {
-    const {names, value: {length}} = tweak;
-    let value = text.split(",").map(part => part.trim() ? +part : NaN);
-    if (names?.includes(text)) value = [names.indexOf(text)];
-    if (/^#([0-9a-f]{2}){3,4}$/i.test(text)) value = [...text.match(/[0-9a-f]{2}/gi).map(byte => parseInt(byte, 16) / 255), 1].slice(0, length);
-    return value.length === length && value.every(Number.isFinite) ? clamp(tweak, value) : undefined;
-}
+export const parse = (tweak, text) => {
+    const {names, value: {length}} = tweak, [, ...bytes] = text.match(/^#(..)(..)(..)(..)?$/) ?? [];
+    const value = names?.includes(text) ? [names.indexOf(text)]
+        : bytes[0] ? bytes.slice(0, length).map(byte => `0x${byte ?? "ff"}` / 255)
+        : text.split(",").map(part => part.trim() ? +part : NaN);
+    return value.length === length && value.every(Number.isFinite) ? fitted(tweak, value) : undefined;
+};
 
 // {time, paused, values} of a hash; names that the scene does not have are left alone.
-export function readLook(plan, hash) {
-    const words = new URLSearchParams(hash.replace(/^#/, "")), t = parseFloat(words.get("t"));
+export const readLook = (plan, hash) => {
+    const words = new URLSearchParams(hash.slice(1)), t = parseFloat(words.get("t"));
     return {
         time: t >= 0 && t <= 1e9 ? t : plan.time,
         paused: words.has("paused"),
         values: plan.tweaks.map(tweak => words.has(tweak.name) && parse(tweak, words.get(tweak.name)) || tweak.value),
     };
-}
+};
 
-export function writeLook(plan, {time, paused, values}) {
+export const writeLook = (plan, {time, paused, values}) => {
     const words = paused ? [`t=${+time.toFixed(3)}`, "paused"] : [];
     plan.tweaks.forEach((tweak, i) => {
         const text = format(tweak, values[i]);
         if (text !== format(tweak, tweak.value)) words.push(`${tweak.name}=${encodeURIComponent(text)}`);
     });
     return words.join("&");
-}
+};

@@ -1,5 +1,6 @@
 // The page: a plan, a canvas, its controls.
-import {Clock, frameAt, lastFrame, playedFrame} from "./clock.js";
+import {max, min, round} from "./arithmetic.js";
+import {makeClock, frameAt, lastFrame, playedFrame} from "./clock.js";
 import {makeTape} from "./input.js";
 import {makePlayer} from "./player.js";
 import {makeSound} from "./sound.js";
@@ -10,17 +11,16 @@ import {readLook, writeLook} from "./look.js";
 const $ = id => document.getElementById(id), canvas = $("picture");
 const plan = JSON.parse($("plan").textContent), first = readLook(plan, location.hash);
 const gl = canvas.getContext("webgl2", {alpha: false, antialias: false, depth: false, powerPreference: "high-performance"});
-const tape = makeTape(plan.events), clock = new Clock(first.time), holder = makeHolder(), body = document.body.classList;
-const keyboard = plan.inputs.some(input => input.source === "keyboard");
+const tape = makeTape(plan.events), clock = makeClock(first.time), holder = makeHolder(), body = document.body.classList;
 let player, reader, sound, values = first.values, index = 0, isReady = false, seeking = 0, wanted, hasUniforms, rest, frames = 0, since = 0;
 
-const say = (text, kind = "note") => { $("says").textContent = text; $("says").className = kind; };
+const say = (textContent, className = "") => Object.assign($("says"), {textContent, className});
 const notes = new Set();
-const note = text => { notes.add(text); say([...notes].join("\n")); };
+const note = text => say([...text ? notes.add(text) : notes].join("\n"));
 
 // --- looks
 
-async function start() {
+const start = async () => {
     if (!gl) throw new Error("This browser has no WebGL 2.");
     player = makePlayer(gl, plan, plan.passes, note);
     player.values = values;
@@ -29,40 +29,37 @@ async function start() {
     fit();
     player.size = [canvas.width, canvas.height];
     player.use(linked);
-    const readsMouse = player.live.some(pass => pass.program.uniforms.some(u => /iMouse|u_mouse/.test(u.name)));
-    canvas.style.touchAction = readsMouse ? "none" : "pan-y";
     isReady = true;
     await seek(clock.time);
-}
+};
 
 // The constants of this look become those of the programs, once no tweak moves any more; while one does, uniforms.
-async function relink(constants) {
-    const mine = wanted = Symbol();
+const relink = async constants => {
+    const mine = wanted = {};
     hasUniforms ||= !constants;
     const linked = await player.link(constants).catch(fail);
     if (mine !== wanted || !linked || constants && constants !== values) return;
     player.use(linked);
     hasUniforms = !constants;
-}
+};
 
-function setValue(i, value) {
+const setValue = (i, value) => {
     values = values.with(i, value);
     player.values = values;
     show(values);
     if (!hasUniforms) relink(null);
     clearTimeout(rest);
     rest = setTimeout(() => { keepLook(); relink(values); sound?.load(values); }, 700);
-}
+};
 
 const keepLook = () => history.replaceState(null, "", "#" + writeLook(plan, {time: clock.time, paused: !clock.playing, values}));
 
 // --- frames
 
 // Plays to a time as `glint still` does, a few frames at a time.
-async function seek(time) {
+const seek = async time => {
     const mine = ++seeking, last = lastFrame(time), end = last + plan.settle;
     clock.time = time;
-    clock.last = null;
     player.reset();
     reader = tape.reader();
     index = player.isStateful ? 0 : end;
@@ -71,36 +68,36 @@ async function seek(time) {
         const began = performance.now();
         for (let i = 0; i < count && index < end; ++i) player.draw(input(playedFrame(plan, index++, time)), true);
         await player.wait();
-        count = Math.max(1, Math.round(count * Math.min(2, 60 / (performance.now() - began + 1))));
-        if (end > 200) say(`${Math.round(100 * index / end)} %`);
+        count = max(1, round(count * min(2, 60 / (performance.now() - began + 1))));
+        if (end > 200) say(`${round(100 * index / end)} %`);
         await new Promise(requestAnimationFrame);
         if (mine !== seeking) return;
     }
     player.draw(input(playedFrame(plan, end, time)));
     seeking = 0;
     ++index;
-    say([...notes].join("\n"));
+    note();
     body.add("drawn");
     sounds();
-}
+};
 
 // One more frame, `delta` seconds after the last one; 0 where time stands still.
-function draw(delta) {
+const draw = delta => {
     const frame = frameAt(plan, clock.time, delta || 1 / 60, index);
     Object.assign(frame, reader.input(clock.time + 1e-6, player.size), {tape, longest: 0.25});
     ++index;
     return player.draw(frame);
-}
+};
 
 // The frame that stands there, once more.
-function again() {
+const again = () => {
     player.root.drawn = false;
     --index;
     draw(0);
-}
+};
 
 let moved = false;
-function tick60(now) {
+const tick60 = now => {
     requestAnimationFrame(tick60);
     if (!isReady || seeking || document.hidden) { clock.last = null; return; }
     const delta = clock.advance(now);
@@ -108,46 +105,42 @@ function tick60(now) {
     else if (player.live.some(pass => !pass.drawn)) again();
     if (clock.playing && !plan.fixed && !player.keepsSize && holder.took(now)) fit();
     if (now - since > 500) {
-        $("rate").textContent = `${clock.playing ? Math.round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
+        $("rate").textContent = `${clock.playing ? round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
         if (document.activeElement !== $("time")) $("time").value = clock.time.toFixed(2);
         frames = 0;
         since = now;
     }
-}
+};
 
 // --- the picture's size
 
 // What carries the picture's pixels on keeps its size, unless another one is chosen: then it is played anew.
-function fit(isChosen) {
-    const [w, h] = plan.size, box = $("stage").getBoundingClientRect(), scale = Math.min(box.width / w, box.height / h);
-    canvas.style.width = `${Math.floor(w * scale)}px`;
-    canvas.style.height = `${Math.floor(h * scale)}px`;
-    const pixels = scale * (devicePixelRatio || 1) * holder.share;
-    const size = plan.fixed ? plan.size : [w, h].map(s => Math.max(1, Math.round(s * pixels)));
-    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize && isChosen !== true) return;
+const fit = isChosen => {
+    const scale = plan.fixed ? 1 : canvas.clientWidth / plan.size[0] * devicePixelRatio * holder.share;
+    const size = plan.size.map(s => max(1, round(s * scale)));
+    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize && !isChosen) return;
     [canvas.width, canvas.height] = size;
     if (isReady) player.resize(size);
-    if (isChosen === true && player.keepsSize) seek(clock.time);
-}
-new ResizeObserver(fit).observe($("stage"));
+    if (isChosen && player.keepsSize) seek(clock.time);
+};
+new ResizeObserver(() => fit()).observe($("stage"));
 
 // --- buttons
 
 const plays = on => body.toggle("paused", !(clock.playing = on));
-function play(on) {
+const play = on => {
     plays(on);
-    clock.last = null;
     keepLook();
     sounds();
-}
-function sounds() {
+};
+const sounds = () => {
     if (!sound) return;
     if (clock.playing && body.contains("loud") && !document.hidden) sound.play(clock.time); else sound.stop();
-}
+};
 const press = {
     play: () => play(!clock.playing),
     again: () => seek(0),
-    step: () => { play(false); clock.time += 1 / 60; draw(1 / 60); $("time").value = clock.time.toFixed(2); },
+    step: () => { play(false); clock.time += 1 / 60; draw(1 / 60); since = 0; },
     save: () => {
         again();
         canvas.toBlob(blob => Object.assign(document.createElement("a"), {href: URL.createObjectURL(blob), download: `${plan.title} ${clock.time.toFixed(2)}.png`}).click());
@@ -162,7 +155,7 @@ const press = {
     },
 };
 for (const name in press) on($(name), "click", () => isReady && press[name]());
-on($("time"), "change", () => isReady && seek(Math.max(+$("time").value || 0, 0)));
+on($("time"), "change", () => isReady && seek(max(+$("time").value || 0, 0)));
 on($("share"), "change", () => { holder.hold($("share").value); fit(true); });
 const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, setValue);
 
@@ -181,14 +174,17 @@ on(canvas, "pointerdown pointermove pointerup pointercancel", event => {
 on(window, "keydown keyup", event => {
     const {type, keyCode, target} = event, down = type === "keydown";
     if (event.repeat || event.ctrlKey || event.metaKey || keyCode > 255 || down && target.closest?.("input,select,button,summary")) return;
-    if (down && keyCode >= 32 && keyCode <= (keyboard ? 40 : 32)) event.preventDefault();
-    if (keyboard) did({key: keyCode, down});
+    if (down && keyCode >= 32 && keyCode <= (plan.keyboard ? 40 : 32)) event.preventDefault();
+    if (plan.keyboard) did({key: keyCode, down});
     else if (down && keyCode === 32) press.play();
 });
 
 // --- what happens to the page
 
-on(document, "visibilitychange", sounds);
+on(document, "visibilitychange", () => {
+    clock.last = null;
+    sounds();
+});
 on(window, "hashchange", () => {
     const look = readLook(plan, location.hash);
     look.values.forEach((value, i) => `${value}` !== `${values[i]}` && setValue(i, value));
@@ -199,11 +195,14 @@ on(canvas, "webglcontextlost", event => {
     event.preventDefault();
     isReady = false;
     ++seeking;
-    say("The graphics driver was lost. Waiting for it.");
+    say("The graphics driver was lost.");
 });
 on(canvas, "webglcontextrestored", () => { seeking = 0; start().catch(fail); });
 
-function fail(error) { say(error.message, "error"); console.error(error.message); }
+const fail = error => {
+    say(error.message, "error");
+    console.error(error.message);
+};
 
 show(values);
 plays(!first.paused);
