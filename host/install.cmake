@@ -7,7 +7,7 @@ set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME glint)
 
 install(TARGETS glint RUNTIME DESTINATION bin)
-install(DIRECTORY ${repository}/presets DESTINATION ${data} FILES_MATCHING PATTERN *.toml)
+install(DIRECTORY ${repository}/presets DESTINATION ${data} FILES_MATCHING PATTERN *.toml PATTERN *.png)
 install(DIRECTORY ${repository}/fragments DESTINATION ${data} FILES_MATCHING PATTERN *.frag PATTERN new EXCLUDE)
 install(DIRECTORY ${manuals}/ DESTINATION share/man/man1)
 install(FILES shell/glint.bash DESTINATION share/bash-completion/completions RENAME glint)

@@ -41,12 +41,19 @@ void declare(CLI::App& verb, StudyOptions& study) {
     CLI::Option* ms = verb.add_option("--ms", study.ms_budget,
                                       "find the best joint setting of all quality tweaks within so "
                                       "many milliseconds a frame; or own: what the preset takes");
-    verb.add_option("--rmse", study.rmse_budget, "find the fastest with at most this error, or own")
-        ->excludes(ms);
+    CLI::Option* rmse = verb.add_option("--rmse", study.rmse_budget,
+                                        "find the fastest with at most this error, or own")
+                            ->excludes(ms);
+    verb.add_option("--flip", study.flip_budget,
+                    "find the fastest with at most this FLIP, or own: the difference that a person "
+                    "sees, from 0 to 1")
+        ->excludes(ms)
+        ->excludes(rmse);
     verb.add_option("--name", study.name,
                     "what the setting that is found is called in the preset of -o; best otherwise");
-    verb.add_option("-o,--output", study.output,
-                    "a folder for the report; a preset (.toml) for what --ms or --rmse finds")
+    verb.add_option(
+            "-o,--output", study.output,
+            "a folder for the report; a preset (.toml) for what --ms, --rmse or --flip finds")
         ->type_name(kFolder);
     CLI::Option* csv = verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
     CLI::Option* json = verb.add_flag("--json", study.view.json, "one JSON object on stdout");

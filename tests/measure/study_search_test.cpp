@@ -20,7 +20,7 @@ struct World {
             ms += cost[i] * work;
             squares += std::pow(error[i] * std::pow(work, -order[i]), 2.0);
         }
-        return {.at = stand, .ms = ms, .rmse = std::sqrt(squares)};
+        return {.at = stand, .ms = ms, .error = std::sqrt(squares)};
     }
 };
 
@@ -41,10 +41,10 @@ World world(std::uint64_t seed) {
 const std::vector<Dial> kDials(4, Dial{.count = 7});
 
 Tried best_within(const std::vector<Tried>& all, const Budget& budget) {
-    Tried best{.at = {}, .ms = 1e9, .rmse = 1e9};
+    Tried best{.at = {}, .ms = 1e9, .error = 1e9};
     for (const Tried& one : all) {
-        if (budget.ms && one.ms <= *budget.ms && one.rmse < best.rmse) best = one;
-        if (budget.rmse && one.rmse <= *budget.rmse && one.ms < best.ms) best = one;
+        if (budget.ms && one.ms <= *budget.ms && one.error < best.error) best = one;
+        if (budget.error && one.error <= *budget.error && one.ms < best.ms) best = one;
     }
     return best;
 }
@@ -64,14 +64,14 @@ TEST(StudySearch, FindsWhatAllSettingsTogetherHave) {
         const World known = world(seed);
         const auto measure = [&](const Stand& at) { return std::optional(known.at(at)); };
         const Stand own = {3, 3, 3, 3};
-        for (const Budget& budget : {Budget{.ms = known.at(own).ms, .rmse = {}},
-                                     Budget{.ms = {}, .rmse = known.at(own).rmse}}) {
+        for (const Budget& budget : {Budget{.ms = known.at(own).ms, .error = {}},
+                                     Budget{.ms = {}, .error = known.at(own).error}}) {
             const auto tried = search(kDials, own, budget, 160, measure);
             EXPECT_LE(tried.size(), 160u);
             const Tried found = best_within(tried, budget);
             const Tried truth = best_within(everything(known), budget);
             exact += found.at == truth.at;
-            EXPECT_LE(budget.ms ? found.rmse / truth.rmse : found.ms / truth.ms, 1.1) << seed;
+            EXPECT_LE(budget.ms ? found.error / truth.error : found.ms / truth.ms, 1.1) << seed;
         }
     }
     EXPECT_GE(exact, 60) << "of 80";
@@ -84,17 +84,17 @@ TEST(StudySearch, ComesToAnotherMethod) {
         const bool other = at[0] == 1;
         return std::optional(Tried{.at = at,
                                    .ms = 1.0 + (other ? 0.5 : 1.0) * steps,
-                                   .rmse = other ? 2.0 / (steps * steps) : 0.5 / steps});
+                                   .error = other ? 2.0 / (steps * steps) : 0.5 / steps});
     };
     const std::vector<Dial> dials = {{.count = 2, .is_menu = true}, {.count = 7}};
-    const auto tried = search(dials, {0, 2}, {.ms = 9.0, .rmse = {}}, 160, measure);
-    EXPECT_EQ(best_within(tried, {.ms = 9.0, .rmse = {}}).at, (Stand{1, 4}));
+    const auto tried = search(dials, {0, 2}, {.ms = 9.0, .error = {}}, 160, measure);
+    EXPECT_EQ(best_within(tried, {.ms = 9.0, .error = {}}).at, (Stand{1, 4}));
 }
 
 TEST(StudySearch, EndsWhereNoMoreMayBeMeasured) {
     int left = 10;
     const World known = world(1);
-    const auto tried = search(kDials, {3, 3, 3, 3}, {.ms = 5.0, .rmse = {}}, 160,
+    const auto tried = search(kDials, {3, 3, 3, 3}, {.ms = 5.0, .error = {}}, 160,
                               [&](const Stand& at) -> std::optional<Tried> {
                                   if (left-- == 0) return std::nullopt;
                                   return known.at(at);
@@ -103,12 +103,12 @@ TEST(StudySearch, EndsWhereNoMoreMayBeMeasured) {
 }
 
 TEST(StudySearch, KeepsTheBestAboutTheBudget) {
-    const std::vector<Tried> tried = {{.at = {0}, .ms = 1.0, .rmse = 1.0},
-                                      {.at = {1}, .ms = 2.0, .rmse = 0.5},
-                                      {.at = {2}, .ms = 3.0, .rmse = 0.6},
-                                      {.at = {3}, .ms = 4.0, .rmse = 0.1},
-                                      {.at = {4}, .ms = 64.0, .rmse = 0.01}};
-    const auto best = best_of(tried, {.ms = 4.0, .rmse = {}}, 2);
+    const std::vector<Tried> tried = {{.at = {0}, .ms = 1.0, .error = 1.0},
+                                      {.at = {1}, .ms = 2.0, .error = 0.5},
+                                      {.at = {2}, .ms = 3.0, .error = 0.6},
+                                      {.at = {3}, .ms = 4.0, .error = 0.1},
+                                      {.at = {4}, .ms = 64.0, .error = 0.01}};
+    const auto best = best_of(tried, {.ms = 4.0, .error = {}}, 2);
     ASSERT_EQ(best.size(), 2u);
     EXPECT_EQ(best[0].at, Stand{1}) << "the fastest first; what is beaten is left out";
     EXPECT_EQ(best[1].at, Stand{3});

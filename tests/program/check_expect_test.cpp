@@ -162,6 +162,29 @@ TEST_F(CheckExpect, JUnitIsReadByOthers) {
     EXPECT_EQ(std::system(command.c_str()), 0) << bytes("check.xml");
 }
 
+// What is shipped looks as it says, and a look that is off by three bounces or a shadow is told.
+TEST_F(CheckExpect, AShippedPresetIsHeldToItsPicture) {
+    const fs::path shipped = fs::path(GLINT_REPOSITORY) / "presets/analytic.toml";
+    const Outcome outcome =
+        glint({"check", shipped.string(), "--case", "expected", "--junit", "check.xml"});
+    EXPECT_EQ(outcome.code, 0) << outcome.out;
+    const std::string cases = bytes("check.xml");
+    EXPECT_NE(cases.find("name=\"expected picture\""), std::string::npos) << cases;
+    EXPECT_NE(cases.find("tests=\"1\" failures=\"0\""), std::string::npos) << cases;
+    for (const char* tweak : {"bounces = 3\n", "shadows = false\n"}) {
+        std::string text = bytes_of(shipped);
+        const auto put = [&](const std::string& before, const std::string& after) {
+            ASSERT_NE(text.find(before), std::string::npos) << before;
+            text.replace(text.find(before), before.size(), after);
+        };
+        put("../", std::string(GLINT_REPOSITORY) + "/");
+        put("expected/", std::string(GLINT_REPOSITORY) + "/presets/expected/");
+        put("[tweaks]\n", std::string("[tweaks]\n") + tweak);
+        write("off.toml", text);
+        EXPECT_EQ(glint({"check", "off.toml", "--case", "expected"}).code, 6) << tweak;
+    }
+}
+
 TEST_F(CheckExpect, AReportNeverStandsInAScenesPlace) {
     EXPECT_EQ(glint({"check", "look.toml", "--junit", "s.frag"}).code, 2);
     EXPECT_EQ(bytes("s.frag"), kScene);

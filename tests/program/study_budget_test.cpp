@@ -73,14 +73,50 @@ TEST_F(StudyBudget, ABudgetChoosesAndAPresetKeepsIt) {
               0);
 }
 
+// What a person hardly sees may be left out, however much it is in numbers.
+TEST_F(StudyBudget, MayBeWhatAPersonSees) {
+    write("s.frag", kTwoDials);
+    const auto by = [&](const std::string& option, const std::string& number) {
+        return report_of(glint(
+            {"study", "s.frag", "--size", "64x36", "--seconds", "1", option, number, "--json"}));
+    };
+    const Json json = by("--flip", "0.05");
+    const Json& best = json["best"];
+    ASSERT_TRUE(best.is_object()) << json;
+    EXPECT_LE(best["flip"].get<double>(), 0.05);
+    for (const Json& row : json["rows"]) {
+        if (row["ms"].get<double>() < best["ms"].get<double>()) {
+            EXPECT_GT(row["flip"].get<double>(), 0.05) << row["value"] << " is faster";
+        }
+    }
+    ASSERT_FALSE(json["frontier"].empty());
+    EXPECT_TRUE(json["frontier"][0]["flip"].is_number());
+    EXPECT_EQ(by("--flip", "own")["best"]["tweaks"]["method"], "none");
+    const Json strict = by("--flip", "1e-9");
+    EXPECT_TRUE(strict["best"].is_null());
+    EXPECT_NE(findings(strict).find("within 1e-09 FLIP; the least is "), std::string::npos)
+        << findings(strict);
+}
+
 TEST_F(StudyBudget, ABudgetThatNothingMeetsIsTold) {
     write("s.frag", kTwoDials);
     const Json json = report_of(glint(
         {"study", "s.frag", "--size", "16x9", "--seconds", "0", "--ms", "0.000001", "--json"}));
     EXPECT_TRUE(json["best"].is_null());
     EXPECT_NE(findings(json).find("nothing that was tried is within"), std::string::npos);
-    EXPECT_EQ(glint({"study", "s.frag", "--ms", "much"}).code, 2);
+    const Outcome unwritten = glint({"study", "s.frag", "--size", "16x9", "--seconds", "0", "--ms",
+                                     "0.000001", "-o", "best.toml"});
+    EXPECT_EQ(unwritten.code, 1);
+    EXPECT_NE(unwritten.err.find("best.toml is not written: nothing that was tried"),
+              std::string::npos)
+        << unwritten.err;
+    EXPECT_FALSE(std::filesystem::exists("best.toml"));
+    for (const char* wrong : {"much", "0", "-1", "nan", "inf", "1e999", ""}) {
+        for (const char* option : {"--ms", "--rmse", "--flip"})
+            EXPECT_EQ(glint({"study", "s.frag", option, wrong}).code, 2) << option << wrong;
+    }
     EXPECT_EQ(glint({"study", "s.frag", "--ms", "1", "--rmse", "1"}).code, 2);
+    EXPECT_EQ(glint({"study", "s.frag", "--flip", "1", "--rmse", "1"}).code, 2);
     EXPECT_EQ(glint({"study", "s.frag", "-o", "a.toml"}).code, 2);
 }
 

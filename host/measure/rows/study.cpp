@@ -169,7 +169,8 @@ Json frontier_json(const Study& study) {
                             {"ms", row.ms.median},
                             {"ms_low", row.ms.low},
                             {"ms_high", row.ms.high},
-                            {"rmse", row.error ? Json(row.error->rmse) : Json()}});
+                            {"rmse", row.error ? Json(row.error->rmse) : Json()},
+                            {"flip", row.error ? Json(row.error->flip) : Json()}});
     }
     return frontier;
 }
@@ -180,7 +181,8 @@ Json best_json(const Study& study) {
     return {{"row", *study.best},
             {"tweaks", tweaks_json(row.value)},
             {"ms", row.ms.median},
-            {"error", row.error ? Json(row.error->rmse) : Json()}};
+            {"error", row.error ? Json(row.error->rmse) : Json()},
+            {"flip", row.error ? Json(row.error->flip) : Json()}};
 }
 
 }  // namespace

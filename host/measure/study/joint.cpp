@@ -3,6 +3,7 @@
 #include "base/median.h"
 #include "base/words.h"
 #include "measure/rows/difference.h"
+#include "measure/rows/flip.h"
 #include "measure/study/result.h"
 #include "measure/study/search.h"
 #include "measure/study/statistics.h"
@@ -25,14 +26,21 @@ constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's
 constexpr std::size_t kWinners = 8;   // that are measured well
 constexpr std::size_t kKept = 6;      // programs
 
-double own_or_number(const std::string& text, double own, const char* option) {
-    if (text == "own") return own;
-    const auto number = parse_number(text);
-    if (!number || *number <= 0.0) {
-        throw UsageError(fmt::format(
-            "{} {}: write a number above 0, or own: what the preset takes.", option, text));
+// By what a search goes within this limit.
+double error_of(const Difference& off, const Limit& limit) {
+    return limit.of == Limit::Of::flip ? off.flip : off.rmse;
+}
+
+const char* unit_of(const Limit& limit) {
+    switch (limit.of) {
+        case Limit::Of::ms:
+            return "ms";
+        case Limit::Of::rmse:
+            return "RMSE";
+        case Limit::Of::flip:
+            return "FLIP";
     }
-    return *number;
+    return "";
 }
 
 // The tweak that a knob turns.
@@ -43,9 +51,9 @@ std::size_t tweak_of(const Preset& preset, const Knob& knob) {
 
 class JointSearch {
 public:
-    JointSearch(const Preset& preset, const std::vector<Knob>& knobs, const StudyOptions& options,
-                Context& context, const MeasureOptions& how)
-        : preset_(preset), options_(options), context_(context), how_(how) {
+    JointSearch(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
+                double seconds, Context& context, const MeasureOptions& how)
+        : preset_(preset), limit_(limit), seconds_(seconds), context_(context), how_(how) {
         for (const Knob& knob : knobs) {
             if (tweak_of(preset, knob) < preset.scene.tweaks.size()) knobs_.push_back(knob);
         }
@@ -63,13 +71,14 @@ public:
         knob.reference.text = "all references";
         knob.second->text = "half of all of them";
         truth_ = MeasuredScene(preset_, knob.reference.setting, context_, how_).draw_picture();
+        size_ = compared_size(preset_, how_.pass);
         start();
         const Budget budget = this->budget();
         const Stopwatch clock;
         bool any = false;  // the preset's own is measured, however little time there is
         const auto tried =
             search(dials_, own(), budget, kTries, [&](const Stand& at) -> std::optional<Tried> {
-                const bool over = clock.ms() > 1e3 * kSearchShare * options_.seconds;
+                const bool over = clock.ms() > 1e3 * kSearchShare * seconds_;
                 if (std::exchange(any, true) && over) return std::nullopt;
                 return measure(at);
             });
@@ -183,23 +192,28 @@ private:
     Tried measure(const Stand& at) {
         MeasuredScene& tried = scene(setting(at));
         const bool encoded = how_.pass == kImagePass;
-        const Difference off = difference(tried.draw_picture(), truth_, encoded);
+        const std::vector<float> picture = tried.draw_picture();
+        Difference off = difference(picture, truth_, encoded);
+        if (limit_.of == Limit::Of::flip)
+            off.flip = mean(flip_map(picture, truth_, size_, {.encoded = encoded}));
         std::vector<double> ratios;
         for (int i = 0; i < kQuickFrames; ++i)
             ratios.push_back(time(tried.time_frame()) / time(base_->time_frame()));
         const bool failed = off.not_finite > 0;
-        return {.at = at, .ms = base_ms_ * median_of(ratios), .rmse = failed ? 1e9 : off.rmse};
+        return {.at = at,
+                .ms = base_ms_ * median_of(ratios),
+                .error = failed ? 1e9 : error_of(off, limit_)};
     }
 
     Budget budget() {
-        if (!options_.ms_budget.empty())
-            return {.ms = own_or_number(options_.ms_budget, base_ms_, "--ms"), .rmse = {}};
-        return {.ms = {},
-                .rmse = own_or_number(options_.rmse_budget, measure(own()).rmse, "--rmse")};
+        if (limit_.of == Limit::Of::ms)
+            return {.ms = limit_.number.value_or(base_ms_), .error = {}};
+        return {.ms = {}, .error = limit_.number ? *limit_.number : measure(own()).error};
     }
 
     const Preset& preset_;
-    const StudyOptions& options_;
+    const Limit& limit_;
+    double seconds_;
     Context& context_;
     MeasureOptions how_;
     std::vector<Knob> knobs_;
@@ -207,6 +221,7 @@ private:
     std::vector<bool> menus_;          // by knob
     std::vector<Dial> dials_;
     std::vector<float> truth_;
+    glm::ivec2 size_{0};                                                    // of what is compared
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;
@@ -214,39 +229,60 @@ private:
 
 }  // namespace
 
-bool has_budget(const StudyOptions& options) {
-    return !options.ms_budget.empty() || !options.rmse_budget.empty();
+std::optional<Limit> limit_of(const StudyOptions& options) {
+    struct Option {
+        Limit::Of of;
+        const char* name;
+        const std::optional<std::string>& text;
+    };
+    for (const Option& option : {Option{Limit::Of::ms, "--ms", options.ms_budget},
+                                 Option{Limit::Of::rmse, "--rmse", options.rmse_budget},
+                                 Option{Limit::Of::flip, "--flip", options.flip_budget}}) {
+        if (!option.text) continue;
+        if (*option.text == "own") return Limit{.of = option.of};
+        const auto number = parse_number(*option.text);
+        if (number && std::isfinite(*number) && *number > 0.0)
+            return Limit{.of = option.of, .number = number};
+        throw UsageError(
+            fmt::format("{} {}: write a number above 0, or own: what the preset takes.",
+                        option.name, *option.text));
+    }
+    return std::nullopt;
 }
 
-Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const StudyOptions& options,
-                Context& context, const MeasureOptions& how) {
-    return JointSearch(preset, knobs, options, context, how).run();
+Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
+                double seconds, Context& context, const MeasureOptions& how) {
+    return JointSearch(preset, knobs, limit, seconds, context, how).run();
 }
 
-void choose_best(Study& study, const StudyOptions& options) {
+void choose_best(Study& study, const Limit& limit) {
     study.is_joint = true;
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
-    const bool by_time = !options.ms_budget.empty(), any = own != study.rows.end();
-    const bool is_own = options.ms_budget == "own";  // what is not told to take longer does not
-    const double own_ms = any ? own->ms.median : 0.0;
-    const double own_rmse = any && own->error ? own->error->rmse : 0.0;
-    const double budget = by_time ? own_or_number(options.ms_budget, own_ms, "--ms")
-                                  : own_or_number(options.rmse_budget, own_rmse, "--rmse");
-    const auto better = [&](const StudyRow& a, const StudyRow& b) {
-        return by_time ? a.error->rmse < b.error->rmse : a.ms.median < b.ms.median;
+    const bool any = own != study.rows.end(), by_time = limit.of == Limit::Of::ms;
+    const double own_error = any && own->error ? error_of(*own->error, limit) : 0.0;
+    const double most = limit.number.value_or(by_time && any ? own->ms.median : own_error);
+    // What a budget limits, and what is the least within it.
+    const auto limited = [&](const StudyRow& row) {
+        return by_time ? row.ms.median : error_of(*row.error, limit);
     };
+    const auto wanted = [&](const StudyRow& row) {
+        return by_time ? row.error->rmse : row.ms.median;
+    };
+    std::optional<double> least;
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
         const StudyRow& row = study.rows[i];
         if (!row.error || !row.failed.empty()) continue;
-        const bool is_within = !by_time ? row.error->rmse <= budget
-                               : is_own ? row.verdict != TimeVerdict::slower
-                                        : row.ms.median <= budget;
-        if (is_within && (!study.best || better(row, study.rows[*study.best]))) study.best = i;
+        least = std::min(least.value_or(limited(row)), limited(row));
+        // What is not told to take longer than the preset's own does not.
+        const bool is_within =
+            by_time && !limit.number ? row.verdict != TimeVerdict::slower : limited(row) <= most;
+        if (is_within && (!study.best || wanted(row) < wanted(study.rows[*study.best])))
+            study.best = i;
     }
-    if (!study.best) {
-        study.findings.push_back(fmt::format("nothing that was tried is within {} {}",
-                                             three_digits(budget), by_time ? "ms" : "of RMSE"));
-    }
+    if (study.best) return;
+    study.findings.push_back(
+        fmt::format("nothing that was tried is within {} {}{}", three_digits(most), unit_of(limit),
+                    least ? fmt::format("; the least is {}", three_digits(*least)) : ""));
 }
 
 }  // namespace glint

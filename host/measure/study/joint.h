@@ -5,18 +5,26 @@
 #include "measure/study/measure.h"
 #include "measure/study/plan.h"
 
+#include <optional>
+
 namespace glint {
 
-// Whether the options name a budget.
-bool has_budget(const StudyOptions& options);
+// What the options ask for: the least error within so many milliseconds, or the least time within
+// this RMSE or FLIP.
+struct Limit {
+    enum class Of { ms, rmse, flip } of = Of::ms;
+    std::optional<double> number{};  // above 0; none: what the preset itself takes
+};
+// Nothing where they ask for none. Throws UsageError for a number that is no limit.
+std::optional<Limit> limit_of(const StudyOptions& options);
 
 // Searches over the values of these knobs, and gives what was found as the values of one: the
 // settings near the budget that nothing beats, and the preset's own. What counts as the truth is
-// the picture with all references at once. Throws UsageError for a budget that is none.
-Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const StudyOptions& options,
-                Context& context, const MeasureOptions& how);
+// the picture with all references at once. Throws UsageError where there is nothing to choose.
+Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
+                double seconds, Context& context, const MeasureOptions& how);
 
-// Which row the budget chooses, when all have been measured.
-void choose_best(Study& study, const StudyOptions& options);
+// Which row the limit chooses, when all have been measured.
+void choose_best(Study& study, const Limit& limit);
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include "base/say.h"
 #include "measure/rows/flip.h"
 #include "measure/study/comparison.h"
+#include "measure/study/joint.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
 #include "offline/picture_file.h"
@@ -134,10 +135,10 @@ bool compares_looks(const StudyOptions& options) {
                 "glint study A B.");
         return true;
     }
-    const bool names_knobs =
-        !options.vary.empty() || !options.reference.empty() || !options.second.empty() ||
-        options.time_only || options.pass != "image" || options.each ||
-        !options.ms_budget.empty() || !options.rmse_budget.empty() || !options.over.empty();
+    const bool names_knobs = !options.vary.empty() || !options.reference.empty() ||
+                             !options.second.empty() || options.time_only ||
+                             options.pass != "image" || options.each || limit_of(options) ||
+                             !options.over.empty();
     return two && !names_knobs;
 }
 

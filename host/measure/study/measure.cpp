@@ -117,6 +117,13 @@ double MeasuredScene::time_all_passes() {
     return median_of(ms);
 }
 
+glm::ivec2 compared_size(const Preset& preset, std::size_t pass) {
+    if (pass == kImagePass) return preset.size;
+    const Pass& declared = preset.scene.passes[pass];
+    if (declared.cube) throw UsageError("--pass: a cube has no plane to compare.");
+    return buffer_size(declared, preset.size);
+}
+
 std::string machine_name() {
     std::ifstream list("/proc/cpuinfo");
     std::string line, model = "unknown processor";

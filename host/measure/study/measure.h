@@ -50,6 +50,9 @@ private:
     int drawn_ = 0;
 };
 
+// Of this pass, or of the picture. Throws UsageError for a cube, which has no plane to compare.
+glm::ivec2 compared_size(const Preset& preset, std::size_t pass);
+
 // "Xeon …, 2 threads": the processor, and how many of its threads there are.
 std::string machine_name();
 

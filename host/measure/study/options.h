@@ -3,6 +3,10 @@
 
 #include "offline/options.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace glint {
 
 struct StudyOptions {
@@ -18,8 +22,8 @@ struct StudyOptions {
     int frames = 15;                       // timed frames a row, at least
     double seconds = 30.0;                 // of timing a knob, after which no verdict is waited for
     // Milliseconds of a frame, or an error, within which the best joint setting of all quality
-    // tweaks is sought: a number, or "own". "": none is.
-    std::string ms_budget{}, rmse_budget{};
+    // tweaks is sought: a number, or "own". One of them at most.
+    std::optional<std::string> ms_budget{}, rmse_budget{}, flip_budget{};
     std::string over{};         // "presets", or "time=A:B:STEP"; "": the view alone
     std::string name = "best";  // of what is found, in a preset
     std::filesystem::path

@@ -162,9 +162,9 @@ std::string section(const Study& study, std::size_t number) {
     }
     if (study.best) {
         const StudyRow& best = study.rows[*study.best];
-        text +=
-            fmt::format("<p>The budget chooses <b>{}</b>: {:.3f} ms, RMSE {}.</p>\n",
-                        markup_escaped(best.value), best.ms.median, three_digits(best.error->rmse));
+        text += fmt::format("<p>The budget chooses <b>{}</b>: {:.3f} ms, RMSE {}, FLIP {}.</p>\n",
+                            markup_escaped(best.value), best.ms.median,
+                            three_digits(best.error->rmse), three_digits(best.error->flip));
     }
     for (const std::string& note : study.notes) {
         text += fmt::format("<p class=note>{}</p>\n", markup_escaped(note));

@@ -379,8 +379,8 @@ std::string to_table(const Study& study) {
     }
     if (study.best) {
         const StudyRow& best = study.rows[*study.best];
-        text += fmt::format("best: {}  {:.3f} ms, RMSE {}\n", best.value, best.ms.median,
-                            three_digits(best.error->rmse));
+        text += fmt::format("best: {}  {:.3f} ms, RMSE {}, FLIP {}\n", best.value, best.ms.median,
+                            three_digits(best.error->rmse), three_digits(best.error->flip));
     }
     for (const std::string& finding : study.findings) text += "finding: " + finding + "\n";
     for (const std::string& note : study.notes) text += "note: " + note + "\n";

@@ -15,20 +15,21 @@ constexpr std::size_t kPairs = 2;  // that are tried at each place
 // In factors, beyond or below.
 double distance(const Tried& tried, const Budget& budget) {
     if (budget.ms) return std::abs(std::log(tried.ms / *budget.ms));
-    return std::abs(std::log(std::max(tried.rmse, kLeastRmse) /
-                             std::max(budget.rmse.value_or(0.0), kLeastRmse)));
+    return std::abs(std::log(std::max(tried.error, kLeastRmse) /
+                             std::max(budget.error.value_or(0.0), kLeastRmse)));
 }
 
 bool is_within(const Tried& tried, const Budget& budget) {
-    return (!budget.ms || tried.ms <= *budget.ms) && (!budget.rmse || tried.rmse <= *budget.rmse);
+    return (!budget.ms || tried.ms <= *budget.ms) &&
+           (!budget.error || tried.error <= *budget.error);
 }
 
 std::vector<Tried> frontier(std::span<const Tried> tried) {
     std::vector<Tried> best;
     for (const Tried& one : tried) {
         const bool beaten = std::ranges::any_of(tried, [&](const Tried& other) {
-            const bool as_good = other.ms <= one.ms && other.rmse <= one.rmse;
-            return as_good && (other.ms < one.ms || other.rmse < one.rmse);
+            const bool as_good = other.ms <= one.ms && other.error <= one.error;
+            return as_good && (other.ms < one.ms || other.error < one.error);
         });
         if (!beaten) best.push_back(one);
     }
@@ -107,13 +108,13 @@ private:
                 if (turned < 2 || known_.contains(both.at)) continue;
                 const Tried &a = tried_[known_.at(list[i])], &b = tried_[known_.at(list[k])];
                 both.ms = a.ms + b.ms - place.ms;
-                both.rmse = std::sqrt(
-                    std::max(a.rmse * a.rmse + b.rmse * b.rmse - place.rmse * place.rmse, 0.0));
+                both.error = std::sqrt(std::max(
+                    a.error * a.error + b.error * b.error - place.error * place.error, 0.0));
                 if (is_within(both, budget_)) promised.push_back(std::move(both));
             }
         }
         std::ranges::stable_sort(promised, [&](const Tried& a, const Tried& b) {
-            return budget_.ms ? a.rmse < b.rmse : a.ms < b.ms;
+            return budget_.ms ? a.error < b.error : a.ms < b.ms;
         });
         std::vector<Stand> best;
         for (std::size_t i = 0; i < std::min(kPairs, promised.size()); ++i)

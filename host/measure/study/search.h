@@ -19,12 +19,12 @@ struct Dial {
 
 struct Tried {
     Stand at;
-    double ms = 0.0, rmse = 0.0;
+    double ms = 0.0, error = 0.0;
 };
 
 // At most so many milliseconds, or at most this error; one of the two.
 struct Budget {
-    std::optional<double> ms, rmse;
+    std::optional<double> ms, error;
 };
 
 // Goes on from what is measured: of the best that stand nearest to the budget the one whose

@@ -295,7 +295,7 @@ Study study_knob(const Scenery& scenery, const Knob& knob) {
                 .size = scenery.size,
                 .pass = scenery.options.pass,
                 .time_only = scenery.options.time_only,
-                .is_joint = has_budget(scenery.options),
+                .is_joint = limit_of(scenery.options).has_value(),
                 .notes = knob.notes};
     const std::optional<Reference> reference = draw_references(scenery, knob, study);
     Scenes scenes;
@@ -303,14 +303,6 @@ Study study_knob(const Scenery& scenery, const Knob& knob) {
     time_rows(scenery, knob, study, scenes);
     judge(study, knob, scenery.context.is_software());
     return study;
-}
-
-// The size of what is compared.
-glm::ivec2 size_of(const Preset& preset, std::size_t pass) {
-    if (pass == kImagePass) return preset.size;
-    const Pass& declared = preset.scene.passes[pass];
-    if (declared.cube) throw UsageError("--pass: a cube has no plane to compare.");
-    return buffer_size(declared, preset.size);
 }
 
 std::size_t output_of(const Scene& scene, std::size_t pass, const std::string& name) {
@@ -332,7 +324,8 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     const MeasureOptions how{.pass = pass,
                              .output = output_of(preset.scene, pass, options.pass),
                              .specialise = view.specialise};
-    if (has_budget(options)) plan.knobs = {joint_knob(preset, plan.knobs, options, context, how)};
+    const auto limit = limit_of(options);
+    if (limit) plan.knobs = {joint_knob(preset, plan.knobs, *limit, options.seconds, context, how)};
     const std::vector<View> views = views_over(preset, options);
     Lines lines(options.lines, plan, options.time_only, std::max<std::size_t>(views.size(), 1));
     const auto scenery = [&](const Preset& seen, const std::string& name) {
@@ -342,7 +335,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             .context = context,
             .store = store,
             .how = how,
-            .size = size_of(seen, pass),
+            .size = compared_size(seen, pass),
             .name = name,
             .key = key_of_preset(seen, context.renderer(), options.pass, view.specialise),
             .lines = lines};
@@ -365,8 +358,8 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             judge(studies.back(), knob, context.is_software());
         }
         Study& study = studies.back();
-        if (has_budget(options)) {
-            choose_best(study, options);
+        if (limit) {
+            choose_best(study, *limit);
             lines.tell(study, knob, context.is_software(), false);
         }
         for (const std::string& left_out : plan.left_out) {
@@ -400,7 +393,12 @@ void require_report_apart(const StudyOptions& options) {
 // What the budget has chosen becomes a quality of the preset in this file, which keeps what else it
 // has; where there is none, of the studied one.
 void write_best(const StudyOptions& options, const std::vector<Study>& studies) {
-    if (studies.empty() || !studies.front().best) return;
+    if (studies.empty()) return;
+    if (!studies.front().best) {
+        say_error(fmt::format("{} is not written: {}", options.output.string(),
+                              studies.front().findings.back()));
+        throw Stop(ExitCode::failure);
+    }
     const Study& study = studies.front();
     const bool exists = std::filesystem::exists(options.output);
     ReadPreset read = read_preset(exists ? options.output : options.files.front());
@@ -427,8 +425,9 @@ void write_best(const StudyOptions& options, const std::vector<Study>& studies) 
 void run_study(const StudyOptions& options) {
     if (compares_looks(options)) return run_looks(options);
     const bool to_preset = options.output.extension() == ".toml";
-    if (to_preset && (!has_budget(options) || options.files.size() != 1))
-        throw UsageError("-o with a preset takes one FILE, and --ms or --rmse.");
+    const auto limit = limit_of(options);
+    if (to_preset && (!limit || options.files.size() != 1))
+        throw UsageError("-o with a preset takes one FILE, and --ms, --rmse or --flip.");
     if (!options.output.empty() && !to_preset) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
     const StudyStore store(to_preset ? std::filesystem::path() : options.output);
@@ -443,7 +442,6 @@ void run_study(const StudyOptions& options) {
     }
     std::string csv = csv_header();
     for (const Study& study : studies) csv += to_csv(study);
-    if (to_preset) write_best(options, studies);
     if (!options.output.empty() && !to_preset) {
         write_whole_file(options.output / "study.csv", std::as_bytes(std::span(csv)));
         const std::string json = json_text(to_json(studies, context->renderer())) + "\n";
@@ -452,6 +450,7 @@ void run_study(const StudyOptions& options) {
     }
     if (options.csv) say_result("{}", csv);
     if (options.view.json) say_result("{}\n", json_text(to_json(studies, context->renderer())));
+    if (to_preset) write_best(options, studies);
     if (code != ExitCode::done) throw Stop(code);
 }
 

@@ -1,0 +1,180 @@
+"""What the report measures, and how it is kept: a step that was measured of the same texts is not measured again."""
+import datetime
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
+# Modest, so that nine scenes are done within 40 minutes of two idle cores. Errors do not depend on how many
+# frames are timed, and hardly on the size. Seconds are of timing a tweak; a search has four times as many.
+JOINT = {"--ms": "own", "--size": "96x54", "--seconds": "10"}
+OVER = {"--ms": "own", "--over": "presets", "--size": "96x54", "--seconds": "2"}
+ALONE = {"--size": "192x108", "--seconds": "4"}
+FEATURES = {"--metric": "time", "--size": "192x108", "--seconds": "2"}
+# llvmpipe ends the loops of a pixel after 65,535 turns together, which all references at once would need.
+LESS = {"analytic": ["bounces=24", "shadowSamples=16", "antialiasing=16"]}
+
+
+def scenes(folder, names):
+    """(name, main preset or scene) of each scene of a tree, or of the named ones."""
+    files = sorted((folder / "fragments").glob("*.frag"))
+    unknown = set(names) - {file.stem for file in files}
+    if unknown:
+        sys.exit(f"There is no scene {', '.join(sorted(unknown))} in fragments/.")
+    for file in files:
+        preset = folder / "presets" / (file.stem + ".toml")
+        if not names or file.stem in names:
+            yield file.stem, preset if preset.exists() else file
+
+
+def commit():
+    """What is measured, "+" where it is not committed as it stands."""
+    command = ["git", "-C", REPOSITORY, "describe", "--always", "--exclude=*", "--dirty=+"]
+    return subprocess.run(command, capture_output=True, text=True).stdout.strip() or "unknown"
+
+
+class Kept:
+    """A folder of what was measured. Each step of a scene stands in a file of its own, whole or not at all; within a
+    step `glint study -o` goes on where it was stopped. `more`: options that win over those of a step."""
+
+    def __init__(self, folder, glint, tree, more=None):
+        self.folder, self.glint, self.tree, self.more, self.commit = folder, glint, tree, more or {}, commit()
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def texts(self, name):
+        """All that a scene's figures hang on, but for the program: its text and its presets."""
+        presets = sorted((self.tree / "presets").glob(name + "*.toml"))
+        return b"".join(file.read_bytes() for file in [self.tree / "fragments" / (name + ".frag"), *presets])
+
+    def step(self, name, file, step, options, only_kept):
+        """Its studies, with when and how they were measured; why there are none, as "failed"; None where nothing is
+        kept, and nothing else is wanted."""
+        key = hashlib.sha256(self.texts(name) + repr(options).encode()).hexdigest()
+        kept = self.folder / f"{name}-{step}.json"
+        try:
+            found = json.loads(kept.read_text())
+            if found["key"] == key:
+                return found
+        except (OSError, ValueError, KeyError):
+            pass
+        if only_kept:
+            return None
+        print(f"{name}, {step}", flush=True)
+        found = {"key": key, "commit": self.commit, "date": str(datetime.date.today()), "options": options,
+                 **self.measure(self.folder / f"{name}-{step}", file, options)}
+        if "failed" not in found:
+            being_written = kept.with_suffix(".part")
+            being_written.write_text(json.dumps(found))
+            being_written.replace(kept)
+        return found
+
+    def measure(self, folder, file, options):
+        before, began = os.times(), time.monotonic()
+        result = subprocess.run([self.glint, "study", file, "--json", "-o", folder, *options],
+                                capture_output=True, text=True)
+        wall, after = time.monotonic() - began, os.times()
+        if result.returncode != 0:
+            reason = result.stderr.strip().splitlines() or ["no reason is given"]
+            return {"failed": reason[-1], "studies": [], "svgs": []}
+        studies = json.loads(result.stdout)["studies"]
+        sections = re.split(r"<h2 id=s\d+>", (folder / "index.html").read_text())[1:]
+        svgs = [re.search(r"<svg.*?</svg>", section, re.S) for section in sections]
+        processor = sum(after[2:4]) - sum(before[2:4])
+        return {"studies": studies, "svgs": [svg and svg.group() for svg in svgs], "load": os.getloadavg()[0],
+                "wall_s": wall, "processor_s": processor}
+
+    def tweaks(self, file):
+        info = subprocess.run([self.glint, "info", file, "--json"], capture_output=True, text=True, check=True)
+        return json.loads(info.stdout)["tweaks"]
+
+    def off(self, file):
+        """Tweaks with a value that says off, and are not off: "NAME=own,off". Not the camera's: another view is
+        no feature less."""
+        for tweak in self.tweaks(file):
+            value, names = tweak["value"], tweak.get("names")
+            if tweak["group"] == "Camera":
+                continue
+            if tweak["type"] == "bool" and value:
+                yield f"{tweak['name']}=on,off"
+            elif names and names[0] in ("off", "none") and value:
+                yield f"{tweak['name']}={names[value]},{names[0]}"
+            elif not names and tweak["type"] in ("float", "int") and tweak["min"] == 0 and value:
+                yield f"{tweak['name']}={value},0"
+
+    def options(self, name, file, step, found):
+        """What a step of a scene is measured with, or None where there is nothing to measure."""
+        less = [f"--reference={item}" for item in LESS.get(name, [])]
+        if step != "features" and not any(tweak.get("quality") for tweak in self.tweaks(file)):
+            return None
+        if step == "joint":
+            return self.words(JOINT) + less
+        if step == "alone":
+            return self.words(ALONE)
+        if step == "over":
+            few = [f"--vary={item}" for item in few_settings(found)]
+            return self.words(OVER) + less + few if few else None
+        off = [f"--vary={item}" for item in self.off(file)]
+        return self.words(FEATURES) + off if off else None
+
+    def words(self, options):
+        return [word for pair in {**options, **self.more}.items() for word in pair]
+
+
+STEPS = ["joint", "over", "alone", "features"]   # what is worth most is measured first, of all scenes
+
+
+def measured(kept, names, only_kept):
+    """By scene, its steps by name."""
+    found = {name: {} for name, _ in scenes(kept.tree, names)}
+    for step in STEPS:
+        for name, file in scenes(kept.tree, names):
+            options = kept.options(name, file, step, found[name])
+            result = kept.step(name, file, step, options, only_kept) if options else None
+            if result is None:
+                continue
+            if "failed" in result:
+                print(f"{name}, {step}: {result['failed']}", file=sys.stderr)
+            found[name][step] = result
+    return found
+
+
+def own_row(study):
+    """The preset's own setting, if it has an error."""
+    return next((row for row in study["rows"] if row["is_preset"] and row["rmse"] is not None), None)
+
+
+def compared(study):
+    return [row for row in study["rows"] if row["rmse"] is not None]
+
+
+def as_fast(study, own):
+    """The least error that is not told to take longer than the preset's own setting."""
+    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and row["rmse"] < own["rmse"]]
+    return min(rows, key=lambda row: row["rmse"], default=None)
+
+
+def as_near(study, own):
+    """The least time that is told to be less, at no more error."""
+    rows = [row for row in compared(study) if row["verdict"] == "faster" and row["rmse"] <= own["rmse"]]
+    return min(rows, key=lambda row: row["ms"], default=None)
+
+
+def few_settings(found):
+    """The values of the preset's own setting and of those that beat it, as "NAME=a,b"; of one tweak at least."""
+    study = next(iter(found.get("joint", {}).get("studies", [])), None)
+    own = own_row(study) if study else None
+    if not own:
+        return []
+    values = {}
+    for row in (own, as_fast(study, own), as_near(study, own)):
+        for part in (row["value"].split() if row else []):
+            name, value = part.split("=")
+            values.setdefault(name, [])
+            if value not in values[name]:
+                values[name].append(value)
+    return [f"{name}={','.join(list_)}" for name, list_ in values.items()]
