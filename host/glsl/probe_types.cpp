@@ -192,6 +192,7 @@ std::string cost_functions() {
 constexpr std::string_view kFaults =
     R"(int glint_id = 0, glint_last = 0, glint_found = 0, glint_first = 0, glint_worst = 0;
 bool glint_mends = false;
+float glint_scale = 7.0, glint_inside = 0.37;
 uvec4 glint_bits = uvec4(0u, 0u, 0x7F7FFFFFu, 0u);
 void glint_f(int i, bool is_wrong, uint a, uint b) {
     if (is_wrong && glint_found == 0) { glint_first = i + 1; glint_bits.xy = uvec2(a, b); }
@@ -209,7 +210,7 @@ float glint_v(int i, float v) {
     glint_f(i, (floatBitsToUint(v) & 0x7F800000u) == 0x7F800000u, v);
     bool is_nan = (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u;
     glint_u(i, is_nan, v, 3e38);
-    return glint_mends && is_nan ? 0.37 : v;
+    return glint_mends && is_nan ? 0.05 * glint_scale : v;
 }
 float glint_w(int i, float v, float now) { glint_v(i, now); return v; }
 float glint_d(int i, float b) { glint_f(i, b == 0.0, b); glint_u(i, false, b, abs(b)); return b; }
@@ -230,24 +231,24 @@ ivec3 glint_t(int i, ivec3 at, ivec3 size) { return at; }
 )";
 
 // `is_undefined`: what no driver owes a result. `off`: how far from that. `mended`: an operand that
-// has a result, another one than what is undefined may come to.
+// has a result, another one than what is undefined may come to: a usual, a small or a large one.
 struct Domain {
     const char *name, *is_wrong, *is_undefined, *off, *mended;
 };
 constexpr std::array<Domain, 8> kOne = {
-    {{"sqrt", "a < 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
-     {"inversesqrt", "a <= 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
-     {"log", "a <= 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
-     {"log2", "a <= 0.0", "a < 0.0", "a", "max(v, -7.0 * v)"},
+    {{"sqrt", "a < 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
+     {"inversesqrt", "a <= 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
+     {"log", "a <= 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
+     {"log2", "a <= 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
      {"acos", "abs(a) > 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
-      "v - (v - 0.37) * step(1.0000001, abs(v))"},
+      "v - (v - glint_inside) * step(1.0000001, abs(v))"},
      {"asin", "abs(a) > 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
-      "v - (v - 0.37) * step(1.0000001, abs(v))"},
+      "v - (v - glint_inside) * step(1.0000001, abs(v))"},
      {"acosh", "a < 1.0", "a < 1.0", "a - 1.0", "1.0 + abs(v - 1.0)"},
      {"atanh", "abs(a) >= 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
-      "v - (v - 0.37) * step(1.0, abs(v))"}}};
+      "v - (v - glint_inside) * step(1.0, abs(v))"}}};
 constexpr std::array<Domain, 3> kTwo = {
-    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0", "a", "max(v, -7.0 * v), w"},
+    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0", "a", "max(v, -glint_scale * v), w"},
      {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + 1.0"},
      {"atan", "a == 0.0 && b == 0.0", "false", "3e38", "v, w"}}};
 
@@ -350,10 +351,13 @@ std::string probe_main(ProbeKind kind, std::size_t outputs) {
                        : kind == ProbeKind::cost ? "glint_hits, 0, 0"
                                                  : "glint_found, glint_first, glint_worst";
     // Every fragment watches another site.
-    const char* survey = kind == ProbeKind::faults
-                             ? "if (glint_place.w > 0) { glint_id = (glint_ask.x + cell.x + 37 * "
-                               "cell.y) % glint_place.w; glint_mends = glint_ask.y != 0; }"
-                             : "";
+    const char* survey =
+        kind == ProbeKind::faults
+            ? "if (glint_place.w > 0) { glint_id = (glint_ask.x + cell.x + 37 * "
+              "cell.y) % glint_place.w; glint_mends = glint_ask.y != 0; "
+              "if (glint_ask.y == 2) { glint_scale = 7e-9; glint_inside = -0.99; } "
+              "if (glint_ask.y == 3) { glint_scale = 7e9; glint_inside = 0.99; } }"
+            : "";
     return fmt::format(
                "layout(location = {}) out uvec4 glint_kept;\nlayout(location = {}) out uvec4 "
                "glint_told;\n",

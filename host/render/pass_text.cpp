@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <unordered_set>
 
@@ -299,11 +300,15 @@ std::unordered_set<std::string_view> zero_tweaks(const Preset& preset,
     return names;
 }
 
-// The host's main(), for another one to call at a place that it chooses.
-std::string in_words_of_probe(std::string main) {
+// The host's main(), for another one to call at a place that it chooses. What looks for faults
+// sees the picture's alpha, too.
+std::string in_words_of_probe(std::string main, ProbeKind kind) {
     constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-        {"void main()", "void glint_draw()"}, {"gl_FragCoord", "glint_coord"}};
-    for (const auto& [theirs, ours] : kWords)
+        {"void main()", "void glint_draw()"},
+        {"gl_FragCoord", "glint_coord"},
+        {"vec4(color.rgb, 1.0)", "color"}};
+    const std::size_t count = kind == ProbeKind::faults ? 3 : 2;
+    for (const auto& [theirs, ours] : std::span(kWords).first(count))
         for (std::size_t at = main.find(theirs); at != main.npos; at = main.find(theirs, at))
             main.replace(at, theirs.size(), ours);
     return main;
@@ -327,7 +332,7 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
                        : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
                                                  : buffer_main(scene.passes[pass], out, options);
     if (probe) {
-        main = probe_declarations(probe->kind) + in_words_of_probe(std::move(main)) +
+        main = probe_declarations(probe->kind) + in_words_of_probe(std::move(main), probe->kind) +
                probe_main(probe->kind, output_names(scene, pass).size());
     }
     return text + main + own_overloads(reading);

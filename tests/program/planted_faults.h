@@ -390,6 +390,21 @@ inline void add_alpha_and_hidden(std::vector<Planted>& list) {
         "vec2 z = floor(q * 2.0); c = vec4(q, 0.5, z.x / (1.0 + z.y));");
     add("alpha/pow", "c.rgb = vec3(q, 1.0); c.a = pow(q.x - 0.5, 0.5);",
         "c.rgb = vec3(q, 1.0); c.a = pow(abs(q.x - 0.5), 0.5);");
+    add("hidden/step", "c = vec4(step(0.5, sqrt(q.x - 0.5)));",
+        "c = vec4(step(0.5, sqrt(max(q.x - 0.5, 0.0))));");
+    add("hidden/if", "float x = sqrt(q.x - 0.5); c = vec4(x > 0.1 ? 1.0 : 0.0);",
+        "float x = q.x > 0.5 ? sqrt(q.x - 0.5) : 0.0; c = vec4(x > 0.1 ? 1.0 : 0.0);");
+    const auto corner = [&](const char* name, const char* use) {
+        const auto text = [&](const char* off) {
+            return tweaked(std::string(kA) + kB, fmt::format("{} - (a - b)", off), use);
+        };
+        list.push_back({name, text("0.9"), text("1.1")});
+    };
+    corner("hidden/min_and_max", "min(max(log(x), 0.0), 1.0)");
+    corner("hidden/mix", "mix(0.2, sqrt(x), step(q.x, 2.0)) < 0.1 ? 1.0 : 0.3");
+    const std::string ab = std::string(kA) + kB;
+    list.push_back({"alpha/corner", ab + image("c = vec4(q, 0.5, sqrt(0.95 - (a - b)));"),
+                    ab + image("c = vec4(q, 0.5, sqrt(1.05 - (a - b)));")});
     add("hidden/max", "c = vec4(max(sqrt(q.x - 0.5), 0.0));",
         "c = vec4(sqrt(max(q.x - 0.5, 0.0)));");
     add("hidden/clamp", "c = vec4(clamp(log(q.y - 0.3), 0.0, 1.0));",

@@ -247,7 +247,7 @@ void FaultSurvey::look(std::size_t index) {
     if (sites == 0 || renderer_.buffer(index).shape().cube) return;
     std::size_t before = 0;
     for (std::size_t i = 0; i < index; ++i) before += probes_[i].probed().sites.size();
-    const std::vector<ProbeCell> cells = probe.survey(renderer_, *frame_, turn_, false);
+    const std::vector<ProbeCell> cells = probe.survey(renderer_, *frame_, turn_, 0);
     const auto width = static_cast<std::size_t>(renderer_.buffer(index).shape().size.x);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         const float off = std::bit_cast<float>(cells[at].kept[2]);
@@ -275,17 +275,37 @@ bool is_never_right(const ProbeSite& site) {
            (site.kind == SiteKind::index && !site.name.starts_with("texelFetch"));
 }
 
+// What is undefined, or, in the picture's alpha, which the plain picture has not, no number.
+bool is_undefined(const ProbeCell& cell) {
+    return cell.told[2] != 0 || (cell.told[1] != 0 && !is_finite(cell));
+}
+
+// Another colour with any of the results that it may have.
+std::vector<bool> shows(Probe& probe, Renderer& renderer, const Frame& frame, int turn,
+                        const std::vector<ProbeCell>& cells) {
+    std::vector<bool> shown(cells.size());
+    for (std::size_t at = 0; at < cells.size(); ++at)
+        shown[at] = is_undefined(cells[at]) && !is_finite(cells[at]);
+    for (int mend = 1; mend <= Probe::kMends && std::ranges::find(shown, true) == shown.end();
+         ++mend) {
+        const std::vector<ProbeCell> mended = probe.survey(renderer, frame, turn, mend);
+        for (std::size_t at = 0; at < cells.size(); ++at)
+            shown[at] = is_undefined(cells[at]) && is_another(cells[at], mended[at]);
+    }
+    return shown;
+}
+
 }  // namespace
 
 void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<ProbeCell>& cells) {
-    const auto is_undefined = [](const ProbeCell& cell) { return cell.told[2] != 0; };
     if (std::ranges::none_of(cells, is_undefined)) return;
-    const std::vector<ProbeCell> mended = probe.survey(renderer_, *frame_, turn_, true);
+    const std::vector<bool> shown = shows(probe, renderer_, *frame_, turn_, cells);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         if (!is_undefined(cells[at])) continue;
-        const std::size_t number = cells[at].told[2] - 1;
+        const bool is_told = cells[at].told[2] != 0;
+        const std::size_t number = cells[at].told[is_told ? 2 : 1] - 1;
         const ProbeSite& site = probe.probed().sites[number];
-        if (!is_never_right(site) && !is_another(cells[at], mended[at])) continue;
+        if (!shown[at] && !(is_told && is_never_right(site))) continue;
         const ProbeValue row = probe.row(number);
         fault_ = ProbeFault{.file = row.file,
                             .line = row.line,
@@ -293,7 +313,7 @@ void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<Probe
                             .function = row.function,
                             .expression = site.name};
         ProbeCell worst = cells[at];
-        worst.kept[0] = worst.kept[3];
+        if (is_told) worst.kept[0] = worst.kept[3];
         describe(site, worst, *fault_);
         fault_->operands.resize(1);  // of the second nothing is known
         if (site.kind == SiteKind::index) fault_->what = "out of range";
@@ -304,8 +324,10 @@ void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<Probe
         fault_->pixel = {static_cast<int>(at) % width, static_cast<int>(at) / width};
         fault_->frame = frame_->frame;
         fault_->is_seen = !is_finite(cells[at]);
-        fault_->pixels = static_cast<std::size_t>(std::ranges::count_if(
-            cells, [&](const ProbeCell& cell) { return cell.told[2] == number + 1; }));
+        fault_->pixels =
+            static_cast<std::size_t>(std::ranges::count_if(cells, [&](const ProbeCell& cell) {
+                return cell.told[is_told ? 2 : 1] == number + 1;
+            }));
         return;
     }
 }

@@ -328,9 +328,9 @@ std::vector<ProbeCell> Probe::map(Renderer& renderer, const Frame& frame, std::s
 }
 
 std::vector<ProbeCell> Probe::survey(Renderer& renderer, const Frame& frame, int first,
-                                     bool mends) {
+                                     int mend) {
     const ProbeTarget target(renderer.buffer(index_in(renderer)).shape().size, outputs_);
-    draw(renderer, frame, target, {.site = first, .hit = mends ? 1 : 0},
+    draw(renderer, frame, target, {.site = first, .hit = mend},
          {0, 0, 0, static_cast<int>(probed_.sites.size())}, 0);
     return target.read();
 }

@@ -75,9 +75,11 @@ public:
     // One site's value in every pixel, rows bottom up; hit 0: the last.
     std::vector<ProbeCell> map(Renderer& renderer, const Frame& frame, std::size_t site, int hit,
                                int face = 0);
-    // Of ProbeKind::faults: every pixel's, each watching another site, from `first` on; `mends`:
-    // what is undefined gets a result all the same. See probe_declarations.
-    std::vector<ProbeCell> survey(Renderer& renderer, const Frame& frame, int first, bool mends);
+    // Of ProbeKind::faults: every pixel's, each watching another site, from `first` on; `mend`, 1
+    // to kMends: what is undefined gets a result all the same, a usual, a small or a large one. See
+    // probe_declarations.
+    static constexpr int kMends = 3;
+    std::vector<ProbeCell> survey(Renderer& renderer, const Frame& frame, int first, int mend);
     // The colour that the last question at a pixel drew there.
     const std::array<float, 4>& colour() const { return colour_; }
     // Whether that pixel was discarded, which then tells nothing.
