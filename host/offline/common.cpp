@@ -35,7 +35,8 @@ glm::ivec2 parse_size(const std::string& text) {
     return size;
 }
 
-void apply_tweak(Preset& preset, const std::string& assignment) {
+// Returns what there is to say of a value beyond the range; "" of others.
+std::string apply_tweak(Preset& preset, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string name = assignment.substr(0, equals);
     const auto& tweaks = preset.scene.tweaks;
@@ -54,10 +55,9 @@ void apply_tweak(Preset& preset, const std::string& assignment) {
     }
     TweakValue& kept = preset.values[static_cast<std::size_t>(found - tweaks.begin())];
     kept = clamp_to_range(*found, *value);
-    if (kept != *value) {
-        say_warning(fmt::format("--tweak {}: outside its range, taken as {}", assignment,
-                                format_value(*found, kept)));
-    }
+    if (kept == *value) return {};
+    return fmt::format("--tweak {}: outside its range, taken as {}", assignment,
+                       format_value(*found, kept));
 }
 
 }  // namespace
@@ -126,18 +126,23 @@ void apply_quality(Preset& preset, const std::string& name) {
 
 }  // namespace
 
-void lay_over(Preset& preset, const ViewOptions& options) {
+std::vector<std::string> lay_over(Preset& preset, const ViewOptions& options) {
+    std::vector<std::string> clamped;
     preset.size = size_of(options, preset.size);
     preset.has_size |= !options.size.empty();
     if (!options.quality.empty()) apply_quality(preset, options.quality);
-    for (const std::string& tweak : options.tweaks) apply_tweak(preset, tweak);
+    for (const std::string& tweak : options.tweaks) {
+        std::string warning = apply_tweak(preset, tweak);
+        if (!warning.empty()) clamped.push_back(std::move(warning));
+    }
+    return clamped;
 }
 
 Preset open_preset(const ViewOptions& options) {
     ReadPreset read = read_preset(options.file);
     report(read.diagnostics);
     if (!read.preset) throw Stop(ExitCode::failure);
-    lay_over(*read.preset, options);
+    for (const std::string& warning : lay_over(*read.preset, options)) say_warning(warning);
     return std::move(*read.preset);
 }
 

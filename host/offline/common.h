@@ -95,8 +95,9 @@ private:
 // Prints diagnostics to stderr; throws Stop with exit code 3 or 4 when there are errors.
 void report(const Diagnostics& diagnostics);
 
-// Lays the options' size and tweaks over a preset. Throws UsageError.
-void lay_over(Preset& preset, const ViewOptions& options);
+// Lays the options' size and tweaks over a preset; returns a sentence on each value that was beyond
+// its range. Throws UsageError.
+std::vector<std::string> lay_over(Preset& preset, const ViewOptions& options);
 
 // "the scene has no tweak 'wave' (it has waves, wind); did you mean 'waves'?", for a sentence's
 // end.

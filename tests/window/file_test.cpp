@@ -103,6 +103,47 @@ TEST_F(File, ThatWasChangedMeanwhileIsNotSavedOverUnasked) {
     EXPECT_TRUE(eventually([&] { return pixel().g == 230; })) << "it is read, and stands here";
 }
 
+TEST_F(File, ChanceLeavesAloneWhatSaysNorandomTheCameraAndQuality) {
+    open(
+        "uniform float free; //@ 0.2 [0, 1]\n"
+        "uniform float same; //@ 0.2 [0, 1] norandom\n"
+        "uniform float eye; //@ 0.2 [0, 1] group=Camera\n"
+        "uniform int steps; //@ 3 [1, 9] quality\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(free, same, 0.5 * eye + 0.05 * float(steps), 1);\n}\n");
+    const Colour before = pixel();
+    ASSERT_EQ(before.g, 51);
+    for (int i = 0; i < 3; ++i) {
+        const int red = pixel().r;
+        screen_->tap("Control_L+g");
+        ASSERT_TRUE(eventually([&] { return pixel().r != red; }));
+        EXPECT_EQ(pixel(), Colour(pixel().r, before.g, before.b));
+    }
+}
+
+// The row of its first tweak, in a window of 1280x720.
+TEST_F(File, ATypedValueIsClampedAndResetsGoToThePresetsThenToTheTexts) {
+    open_look();
+    screen_->tap("Control_L+space");
+    settle();
+    screen_->key("Control_L", true);
+    settle();
+    screen_->click({1120, 89});
+    settle();
+    screen_->key("Control_L", false);
+    settle();
+    screen_->type("9");
+    screen_->tap("Return");
+    EXPECT_TRUE(eventually([&] { return pixel().r == 255; })) << pixel();
+    EXPECT_TRUE(becomes_unsaved(true));
+    for (const int red : {51, 0}) {
+        settle();
+        screen_->click({960, 89});
+        screen_->click({960, 89});
+        EXPECT_TRUE(eventually([&] { return pixel().r == red; })) << pixel();
+    }
+}
+
 TEST_F(File, ThePanelsHaveTheKeysFromF6OrCtrlFToEsc) {
     open(
         "uniform sampler2D keys; //@ keyboard\n"

@@ -265,6 +265,12 @@ TEST_F(Work, TweaksOfTheCommandLineAreUnsavedAndOutliveReloads) {
     EXPECT_TRUE(eventually([&] { return red() == 51; }));
 }
 
+TEST_F(Work, AValueOfTheCommandLineBeyondTheRangeIsClampedAndToldOnce) {
+    open_look({"--tweak", "level=9"});
+    EXPECT_TRUE(eventually([&] { return red() == 255; })) << red();
+    EXPECT_EQ(glint_->count("level=9: outside its range, taken as 1"), 1) << glint_->errors();
+}
+
 TEST_F(Work, TheEditorOpensTheSceneWhereThereIsNoError) {
     const fs::path told = folder_->path() / "told";
     fs::create_directory(folder_->path() / "bin");

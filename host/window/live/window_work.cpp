@@ -2,6 +2,7 @@
 // the next run.
 #include "base/canonical_name.h"
 #include "base/temporary_file.h"
+#include "base/terminal.h"
 #include "glsl/raw_text.h"
 #include "media/image.h"
 #include "offline/examples.h"
@@ -333,7 +334,10 @@ void PlaygroundWindow::lay_options_over() {
     if (options_.tweaks.empty()) return;
     Preset preset = playground_.current_preset();
     try {
-        lay_over(preset, options_);
+        for (const std::string& clamped : lay_over(preset, options_)) {
+            say_warning(clamped);
+            notice(clamped);
+        }
     } catch (const UsageError& error) {
         return notice(error.what());  // a text that had no such tweak at the start could not tell
     }
