@@ -50,18 +50,40 @@ std::uint32_t zero_in(const Reading& reading, const Names& constants, std::uint3
     return is_alone && is_zero(at + 1) ? at + 1 : kNone;
 }
 
-}  // namespace
-
-void mend_division_by_zero(const Reading& reading, const Names& zero_uniforms, Edits& edits) {
+// Calls visit(operator, is it `/=`, zero) for every division by a zero.
+template <typename Visit>
+void each_division(const Reading& reading, const Names& zero_uniforms, Visit visit) {
     const Names constants = zero_constants(reading, zero_uniforms);
     for (std::uint32_t at = 0; at < reading.tokens.size(); ++at) {
         const bool assigns = reading.tokens[at].is("/=");
         if (!assigns && !reading.tokens[at].is("/")) continue;
         const std::uint32_t zero = zero_in(reading, constants, at + 1);
-        if (zero == kNone) continue;
+        if (zero != kNone) visit(at, assigns, zero);
+    }
+}
+
+}  // namespace
+
+void mend_division_by_zero(const Reading& reading, const Names& zero_uniforms, Edits& edits) {
+    each_division(reading, zero_uniforms, [&](std::uint32_t at, bool assigns, std::uint32_t zero) {
         const std::string before = reading.spelled({at + 1, zero});  // `vec3 (`
         edits.replace({at, zero + 1}, (assigns ? "*= " : "* ") + before + "1e39");
-    }
+    });
+}
+
+void name_divisions(const Reading& reading,
+                    const std::unordered_map<std::string_view, std::size_t>& uniforms,
+                    Edits& edits) {
+    Names names;
+    for (const auto& [name, number] : uniforms) names.insert(name);
+    each_division(reading, names, [&](std::uint32_t at, bool assigns, std::uint32_t zero) {
+        const auto uniform = uniforms.find(reading.tokens[zero].text);
+        if (uniform == uniforms.end()) return;
+        const std::string number = std::to_string(uniform->second);
+        const std::string before = reading.spelled({at + 1, zero});
+        edits.replace({at, zero + 1}, (assigns ? " glint_by" : " glint_over") + number + " " +
+                                          before + " glint_divisor" + number);
+    });
 }
 
 }  // namespace glint

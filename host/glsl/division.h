@@ -4,6 +4,7 @@
 #include "glsl/edits.h"
 
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace glint {
@@ -13,5 +14,12 @@ namespace glint {
 // `zero_uniforms` are names of floats that are declared as uniforms and become constants of 0.
 void mend_division_by_zero(const Reading& reading,
                            const std::unordered_set<std::string_view>& zero_uniforms, Edits& edits);
+
+// For whoever writes other constants of uniforms into one text: what the mending would change where
+// one is 0 becomes names, `glint_over3` for `/`, `glint_by3` for `/=`, `glint_divisor3` for the
+// uniform, whose number is 3 here.
+void name_divisions(const Reading& reading,
+                    const std::unordered_map<std::string_view, std::size_t>& uniforms,
+                    Edits& edits);
 
 }  // namespace glint

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace glint {
 namespace {
@@ -21,6 +22,25 @@ namespace {
 void replace_all(std::string& text, std::string_view what, std::string_view by) {
     for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
         text.replace(at, what.size(), by);
+}
+
+// The page with texts in place of its marks; what looks like a mark within these is only text.
+std::string filled(std::string_view page, const std::map<std::string_view, std::string>& texts) {
+    std::string result;
+    while (!page.empty()) {
+        std::size_t first = page.size();
+        std::string_view mark;
+        for (const auto& [candidate, text] : texts) {
+            const std::size_t at = page.find(candidate);
+            if (at >= first) continue;
+            first = at;
+            mark = candidate;
+        }
+        result += page.substr(0, first);
+        if (!mark.empty()) result += texts.at(mark);
+        page.remove_prefix(first + mark.size());
+    }
+    return result;
 }
 
 // Takes a module out of the script: it stands from its mark to the next one.
@@ -90,12 +110,15 @@ void write_page(const ExportOptions& options) {
     std::string page(page_text());
     leave_out_unneeded(page, plan);
     std::string json = json_text(plan, -1);
-    replace_all(json, "</", "<\\/");  // which would end the script
-    replace_all(page, "<!--TITLE-->", in_html(plan["title"].get<std::string>()));
-    replace_all(page, "<!--CLASSES-->", body_classes(preset, options.controls, reads_mouse(scene)));
-    replace_all(page, "<!--SHAPE-->", fmt::format("--w:{};--h:{}", preset.size.x, preset.size.y));
-    replace_all(page, "<!--CONTROLS-->", page_controls(preset));
-    page.replace(page.find("/*PLAN*/"), 8, json);
+    replace_all(json, "</", "<\\/");      // which would end the script,
+    replace_all(json, "<!", "\\u003c!");  // and this, before "<script", would keep it from ending
+    const std::string classes = body_classes(preset, options.controls, reads_mouse(scene));
+    page =
+        filled(page, {{"<!--TITLE-->", in_html(plan["title"].get<std::string>())},
+                      {"<!--CLASSES-->", classes},
+                      {"<!--SHAPE-->", fmt::format("--w:{};--h:{}", preset.size.x, preset.size.y)},
+                      {"<!--CONTROLS-->", page_controls(preset)},
+                      {"/*PLAN*/", json}});
     write_whole_file(options.output, std::as_bytes(std::span(page)));
     say_result("{}\n", options.output.string());
 }

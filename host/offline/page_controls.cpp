@@ -79,7 +79,8 @@ std::string page_controls(const Preset& preset) {
     for (const Tweak& tweak : preset.scene.tweaks) {
         if (!is_open || tweak.group != group) {
             if (is_open) html += "</details>";
-            html += fmt::format("<details open><summary>{}</summary>\n", in_html(tweak.group));
+            html += fmt::format("<details open><summary>{}</summary>\n",
+                                tweak.group.empty() ? "tweaks" : in_html(tweak.group));
             is_open = true;
         }
         group = tweak.group;

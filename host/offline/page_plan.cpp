@@ -14,7 +14,7 @@
 #include <chrono>
 #include <map>
 #include <unordered_map>
-#include <unordered_set>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -58,9 +58,36 @@ Json Lines::runs_of(const std::string& text) {
     return runs;
 }
 
+// Numbers of the floats by which the text divides as they are.
+std::vector<std::size_t> divisors(const Scene& scene) {
+    const Reading reading = read_glsl(scene.text, known_of_scene());
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < scene.tweaks.size(); ++i) {
+        if (scene.tweaks[i].type != TweakType::float1) continue;
+        Edits edits(reading);
+        name_divisions(reading, {{scene.tweaks[i].name, i}}, edits);
+        if (edits.apply().text != scene.text) numbers.push_back(i);
+    }
+    return numbers;
+}
+
+// What name_divisions() (glsl/division.h) writes, by whether the page says that the value is 0.
+std::string division_words(const Preset& preset) {
+    std::string text;
+    for (const std::size_t i : divisors(preset.scene)) {
+        text += fmt::format(
+            "#if glint_zero{0}\n#define glint_over{0} *\n#define glint_by{0} *=\n"
+            "#define glint_divisor{0} 1e39\n#else\n#define glint_over{0} /\n"
+            "#define glint_by{0} /=\n#define glint_divisor{0} {1}\n#endif\n",
+            i, preset.scene.tweaks[i].name);
+    }
+    return text;
+}
+
 class Planner {
 public:
-    explicit Planner(const Preset& preset) : preset_(preset), limits_(texture_limits()) {}
+    explicit Planner(const Preset& preset)
+        : preset_(preset), limits_(texture_limits()), divisions_(division_words(preset)) {}
 
     Json passes(const CompiledScene& scene);
     Json plan(const CompiledScene& scene, const CompiledScene* sound);
@@ -75,6 +102,7 @@ private:
 
     const Preset& preset_;
     TextureLimits limits_;
+    std::string divisions_;
     Lines lines_;
     Json inputs_ = Json::array();
     std::map<std::pair<const CompiledScene*, std::size_t>, std::size_t> known_inputs_;
@@ -156,6 +184,7 @@ std::string Planner::for_software(const std::string& text) const {
         const Tweak& tweak = preset_.scene.tweaks[i];
         names += fmt::format("#define {} uniform {} {};\n", named_tweak(i), glsl_name(tweak.type),
                              tweak.name);
+        names += fmt::format("#define glint_zero{} 0\n", i);
     }
     const std::size_t begin = text.find('\n') + 1;  // behind #version
     std::string changed = text;
@@ -174,7 +203,9 @@ void Planner::add_unfilled(Json& samplers, const PassProgram& program) {
 
 Json Planner::pass_json(const CompiledScene& scene, std::size_t index) {
     const PassProgram& program = scene.programs[index];
-    const PassText text = pass_text(preset_, program.pass, {.specialise = false, .named = true});
+    PassText text = pass_text(preset_, program.pass, {.specialise = false, .named = true});
+    text.text.insert(text.text.find('\n') + 1, divisions_);  // behind #version
+    text.user_begin += divisions_.size();
     const auto user = text.text.begin() + static_cast<std::ptrdiff_t>(text.user_begin);
     const std::string soft = for_software(text.text);
     Json json = {{"name", pass_name(preset_.scene, program.pass)},
@@ -208,22 +239,6 @@ Json Planner::passes(const CompiledScene& scene) {
     return list;
 }
 
-// Names of the floats by which the text divides as they are.
-std::unordered_set<std::string> divisors(const Scene& scene) {
-    const Reading reading = read_glsl(scene.text, known_of_scene());
-    const auto mended = [&](const std::unordered_set<std::string_view>& zeros) {
-        Edits edits(reading);
-        mend_division_by_zero(reading, zeros, edits);
-        return edits.apply().text;
-    };
-    std::unordered_set<std::string> names;
-    const std::string text = mended({});
-    for (const Tweak& tweak : scene.tweaks)
-        if (tweak.type == TweakType::float1 && mended({tweak.name}) != text)
-            names.insert(tweak.name);
-    return names;
-}
-
 // Days from 1970 on.
 int day_of(const Date& date) {
     const std::chrono::sys_days first =
@@ -254,11 +269,9 @@ Json tweak_json(const Tweak& tweak, const TweakValue& value) {
 
 Json tweaks_json(const Preset& preset) {
     Json list = Json::array();
-    const auto dividing = divisors(preset.scene);
     for (std::size_t i = 0; i < preset.values.size(); ++i) {
         const Tweak& tweak = preset.scene.tweaks[i];
         list.push_back(tweak_json(tweak, preset.values[i]));
-        if (dividing.contains(tweak.name)) list.back()["divides"] = true;
     }
     return list;
 }
@@ -308,9 +321,9 @@ Json Planner::plan(const CompiledScene& scene, const CompiledScene* sound) {
                  {"vertex", kVertex},
                  {"passes", passes(scene)}};
     if (sound) json["sound"] = passes(*sound);
+    report(diagnostics_);
     json["keyboard"] = std::ranges::any_of(
         inputs_, [](const Json& input) { return input["source"] == "keyboard"; });
-    report(diagnostics_);
     json["inputs"] = std::move(inputs_);
     json["files"] = std::move(files);
     json["origins"] = origins_json(preset_.scene);

@@ -300,6 +300,14 @@ std::unordered_set<std::string_view> zero_tweaks(const Preset& preset,
     return names;
 }
 
+// By their names: the numbers of those that a text may divide by.
+std::unordered_map<std::string_view, std::size_t> float_tweaks(const Scene& scene) {
+    std::unordered_map<std::string_view, std::size_t> numbers;
+    for (std::size_t i = 0; i < scene.tweaks.size(); ++i)
+        if (scene.tweaks[i].type == TweakType::float1) numbers[scene.tweaks[i].name] = i;
+    return numbers;
+}
+
 // The host's main(), for another one to call at a place that it chooses. What looks for faults
 // sees the picture's alpha, too.
 std::string in_words_of_probe(std::string main, ProbeKind kind) {
@@ -392,6 +400,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         put_in_place_of("gl_FragCoord", "glint_coord", reading, edits);
     name_parameters(reading, edits);
     mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
+    if (options.named) name_divisions(reading, float_tweaks(scene), edits);
 
     PassText result;
     const bool is_lean = leave_out(reading, entry_of(scene, pass), options, edits, result);

@@ -16,7 +16,8 @@ struct ProgramOptions {
     bool specialise = true;                // write the tweaks in as constants
     std::vector<std::size_t> constants{};  // without `specialise`: these alone
     // Without `specialise`: a tweak's declaration becomes the name that named_tweak() gives, for
-    // whoever defines it as one thing or the other.
+    // whoever defines it as one thing or the other, and a division by one has names as well
+    // (glsl/division.h).
     bool named = false;
     bool average = false;  // the picture in linear light at a sub-pixel position, to be added up
     bool tiles = false;    // the picture is drawn in tiles, each at an origin of its own

@@ -37,5 +37,15 @@ TEST(Division, ByAConstantThatIsZeroIsMultiplication) {
         << "a tweak that is written in as 0";
 }
 
+TEST(Division, ByAUniformHasNamesForWhoeverKnowsItsValue) {
+    const Reading reading =
+        read_glsl("uniform float soft;\nvoid f() { a / vec2(soft); a /= soft; a / 0.; }", {});
+    Edits edits(reading);
+    name_divisions(reading, {{"soft", 3}}, edits);
+    EXPECT_EQ(edits.apply().text,
+              "uniform float soft;\nvoid f() { a  glint_over3 vec2 ( glint_divisor3); a  glint_by3 "
+              " glint_divisor3; a / 0.; }");
+}
+
 }  // namespace
 }  // namespace glint::division_test

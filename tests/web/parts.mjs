@@ -7,7 +7,7 @@ const {stepsDue} = await import(page + "steps.js");
 const {makeInput, makeTape} = await import(page + "input.js");
 const {explain, placeOf} = await import(page + "errors.js");
 const {fitted, format, parse, readLook, writeLook} = await import(page + "look.js");
-const {declaration, textOf} = await import(page + "texts.js");
+const {declaration, definitions, textOf} = await import(page + "texts.js");
 const {noiseBytes} = await import(page + "noise.js");
 const {channelsTold} = await import(page + "channels.js");
 const {rowsOf} = await import(page + "rows.js");
@@ -126,6 +126,9 @@ test("the address keeps what differs from the preset", () => {
     assert.equal(writeLook(plan, look), "t=12.5&paused&tint=%23ff0000&kind=bright");
     assert.equal(writeLook(plan, readLook(plan, "")), "");
     assert.equal(readLook(plan, "#t=-1").time, 2);
+    const named = {...plan, tweaks: [{...plan.tweaks[0], name: "t"}]}, look2 = {time: 3, paused: true, values: [[0.25]]};
+    assert.equal(writeLook(named, look2), "t=3&paused&t.=0.25");
+    assert.deepEqual(readLook(named, "#" + writeLook(named, look2)), look2);
 });
 
 test("tweaks are uniforms or constants, and lines are counted", () => {
@@ -137,14 +140,12 @@ test("tweaks are uniforms or constants, and lines are counted", () => {
     assert.equal(textOf(plan, {text: [[0, 1]], soft: [[3, 5]], first: 0}, null, true).text.split("\n").at(-1), "y");
     const {text, added} = textOf(plan, {text: [[0, 3], [4, 5]], first: 2}, null);
     assert.deepEqual(text.split("\n").filter(line => !line.startsWith("#define")), ["#version 300 es", "void f();", "glint_tweak0", "y"]);
-    assert.equal(added, 2 + 5);
+    assert.equal(added, 2 + 2 * 5);
 });
 
-test("what is divided by is no constant of 0", () => {
-    const tweak = {name: "scale", type: "float", divides: true};
-    assert.equal(declaration(tweak, [0]), "uniform float scale;");
-    assert.match(declaration(tweak, [2]), /^const/);
-    assert.match(declaration({...tweak, divides: false}, [0]), /^const/);
+test("the text hears which tweaks are constants of 0, by which it may not divide", () => {
+    const zero = value => definitions({name: "scale", type: "float"}, 3, value)[1];
+    assert.deepEqual([[0], [1e-50], [2], undefined].map(zero), [1, 1, 0, 0].map(is => `#define glint_zero3 ${is}`));
 });
 
 test("a pass that asks is told the sizes and times of its channels", () => {
@@ -242,6 +243,6 @@ test("the first format is taken for which the browser has all, and another one i
         return told.join();
     };
     assert.equal(takes(["draws", "filters"]), "");
-    assert.match(takes(["draws"]), /image: rgba16f instead of rgba32f/);
-    assert.match(takes(["filters"]), /image: rgba8 instead of rgba32f/);
+    assert.match(takes(["draws"]), /image: rgba16f in place of rgba32f/);
+    assert.match(takes(["filters"]), /image: rgba8 in place of rgba32f/);
 });

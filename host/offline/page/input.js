@@ -32,28 +32,24 @@ export const makeInput = () => {
 };
 
 // What was done, in order of time: the preset's events and those of whoever looks.
-export const makeTape = begun => {
-    const events = [...begun];
-    return {
-        events,
-        add(event) {
-            let at = events.length;
-            while (at > 0 && events[at - 1].t > event.t) --at;
-            events.splice(at, 0, event);
-        },
-        // The input at a time; what happened since the last call counts as new, unless it is before `from`.
-        reader() {
-            const state = makeInput();
-            let at = 0;
-            const until = time => { while (events[at]?.t <= time) state.apply(events[at++]); };
-            return {
-                input(to, size, from = -Infinity) {
-                    until(min(from, to));
-                    if (events[at - 1]?.t <= from) state.next(size);
-                    until(to);
-                    return state.next(size);
-                },
-            };
-        },
-    };
-};
+export const makeTape = events => ({
+    events,
+    add(event) {
+        events.push(event);
+        events.sort((a, b) => a.t - b.t);
+    },
+    // The input at a time; what happened since the last call counts as new, unless it is before `from`.
+    reader() {
+        const state = makeInput();
+        let at = 0;
+        const until = time => { while (events[at]?.t <= time) state.apply(events[at++]); };
+        return {
+            input(to, size, from = -Infinity) {
+                until(min(from, to));
+                if (events[at - 1]?.t <= from) state.next(size);
+                until(to);
+                return state.next(size);
+            },
+        };
+    },
+});

@@ -24,12 +24,15 @@ export const parse = (tweak, text) => {
 };
 
 // {time, paused, values} of a hash; names that the scene does not have are left alone.
+// Two tweaks may have the names of what else stands there.
+const wordOf = ({name}) => /^(t|paused)$/.test(name) ? name + "." : name;
+
 export const readLook = (plan, hash) => {
     const words = new URLSearchParams(hash.slice(1)), t = parseFloat(words.get("t"));
     return {
         time: t >= 0 && t <= 1e9 ? t : plan.time,
         paused: words.has("paused"),
-        values: plan.tweaks.map(tweak => words.has(tweak.name) && parse(tweak, words.get(tweak.name)) || tweak.value),
+        values: plan.tweaks.map(tweak => parse(tweak, words.get(wordOf(tweak)) ?? "") ?? tweak.value),
     };
 };
 
@@ -37,7 +40,7 @@ export const writeLook = (plan, {time, paused, values}) => {
     const words = paused ? [`t=${+time.toFixed(3)}`, "paused"] : [];
     plan.tweaks.forEach((tweak, i) => {
         const text = format(tweak, values[i]);
-        if (text !== format(tweak, tweak.value)) words.push(`${tweak.name}=${encodeURIComponent(text)}`);
+        if (text !== format(tweak, tweak.value)) words.push(`${wordOf(tweak)}=${encodeURIComponent(text)}`);
     });
     return words.join("&");
 };

@@ -21,7 +21,7 @@ const note = text => say([...text ? notes.add(text) : notes].join("\n"));
 // --- looks
 
 const start = async () => {
-    if (!gl) throw new Error("This browser has no WebGL 2.");
+    if (!gl) throw new Error("There is no WebGL 2.");
     player = makePlayer(gl, plan, plan.passes, note);
     player.values = values;
     hasUniforms = false;
@@ -140,7 +140,7 @@ const sounds = () => {
 const press = {
     play: () => play(!clock.playing),
     again: () => seek(0),
-    step: () => { play(false); clock.time += 1 / 60; draw(1 / 60); since = 0; },
+    step: () => { clock.time += 1 / 60; play(false); draw(1 / 60); since = 0; },
     save: () => {
         again();
         canvas.toBlob(blob => Object.assign(document.createElement("a"), {href: URL.createObjectURL(blob), download: `${plan.title} ${clock.time.toFixed(2)}.png`}).click());
@@ -195,7 +195,7 @@ on(canvas, "webglcontextlost", event => {
     event.preventDefault();
     isReady = false;
     ++seeking;
-    say("The graphics driver was lost.");
+    say("The driver was lost.");
 });
 on(canvas, "webglcontextrestored", () => { seeking = 0; start().catch(fail); });
 

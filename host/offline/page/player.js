@@ -36,7 +36,7 @@ export const makePlayer = (gl, plan, planned, fell) => {
     // The host's first choice, or the first for which the browser has all that it needs.
     const formatOf = (what, formats) => {
         const [taken] = formats.find(([, ...needs]) => needs.every(has));
-        if (taken !== formats[0][0]) fell?.(`${what}: ${taken} instead of ${formats[0]}, which this browser has not all`);
+        if (taken !== formats[0][0]) fell?.(`${what}: ${taken} in place of ${formats[0].join(" with ")}`);
         return taken.toUpperCase();
     };
 

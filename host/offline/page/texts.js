@@ -3,17 +3,20 @@
 // The exponent makes a float of any number.
 const literal = (type, v) => type === "int" ? v : Math.fround(v).toExponential(8);
 
-// A value of 0 by which something is divided stays a uniform: drivers make garbage of constants there.
-export const declaration = ({name, type, divides}, value) => {
-    if (!value || divides && value.includes(0)) return `uniform ${type} ${name};`;
-    return `const ${type} ${name} = ${type}(${value.map(v => literal(type, v))});`;
-};
+export const declaration = ({name, type}, value) =>
+    value ? `const ${type} ${name} = ${type}(${value.map(v => literal(type, v))});` : `uniform ${type} ${name};`;
+
+// By whether a value is 0 the host's text divides by it, or multiplies with what is beyond all floats.
+export const definitions = (tweak, i, value) => [
+    `#define glint_tweak${i} ${declaration(tweak, value)}`,
+    `#define glint_zero${i} ${value && !Math.fround(value[0]) ? 1 : 0}`,
+];
 
 // `values`: of all tweaks, or null. Drivers that draw in software have a text of their own, where the host has one for them.
 // `added` counts the lines before the scene's own.
 export const textOf = (plan, pass, values, isSoftware) => {
     const lines = (isSoftware && pass.soft || pass.text).flatMap(run => plan.lines.slice(...run));
-    const names = plan.tweaks.map((tweak, i) => `#define glint_tweak${i} ${declaration(tweak, values?.[i])}`);
+    const names = plan.tweaks.flatMap((tweak, i) => definitions(tweak, i, values?.[i]));
     lines.splice(1, 0, ...names);  // behind #version
     return {text: lines.join("\n"), added: pass.first + names.length};
 };
