@@ -110,7 +110,7 @@ TEST_F(StudyBudget, ABudgetThatNothingMeetsIsTold) {
     EXPECT_NE(unwritten.err.find("best.toml is not written: nothing that was tried"),
               std::string::npos)
         << unwritten.err;
-    EXPECT_FALSE(std::filesystem::exists("best.toml"));
+    EXPECT_FALSE(fs::exists(folder() / "best.toml"));
     for (const char* wrong : {"much", "0", "-1", "nan", "inf", "1e999", ""}) {
         for (const char* option : {"--ms", "--rmse", "--flip"})
             EXPECT_EQ(glint({"study", "s.frag", option, wrong}).code, 2) << option << wrong;

@@ -311,6 +311,22 @@ std::size_t output_of(const Scene& scene, std::size_t pass, const std::string& n
     return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
+// Why there is nothing to study, and what there is to do about it.
+std::string nothing_to_study(const Preset& preset) {
+    const std::string file = preset.file.string();
+    std::string names;
+    for (const Tweak& tweak : preset.scene.tweaks)
+        names += (names.empty() ? "" : ", ") + tweak.name;
+    if (names.empty())
+        return fmt::format(
+            "{} has no tweaks, so that nothing is studied; what it costs: glint bench {}", file,
+            file);
+    return fmt::format(
+        "{} has no quality tweaks and accumulates nothing, so that nothing is studied; mark one "
+        "with quality, or name one of {}: glint study {} --vary {}",
+        file, names, file, preset.scene.tweaks.front().name);
+}
+
 // All studies of one file.
 void study_file(const std::filesystem::path& file, const StudyOptions& options, Context& context,
                 const StudyStore& store, std::vector<Study>& studies) {
@@ -340,11 +356,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             .key = key_of_preset(seen, context.renderer(), options.pass, view.specialise),
             .lines = lines};
     };
-    if (plan.knobs.empty()) {
-        say_warning(fmt::format(
-            "{} has no quality tweaks and accumulates nothing; name a tweak with --vary",
-            file.string()));
-    }
+    if (plan.knobs.empty()) say_warning(nothing_to_study(preset));
     for (const Knob& knob : plan.knobs) {
         std::vector<Study> seen;
         for (const View& one : views) {
