@@ -327,6 +327,12 @@ std::string nothing_to_study(const Preset& preset) {
         file, names, file, preset.scene.tweaks.front().name);
 }
 
+// How far the search for joint settings has come.
+void tell_search(int tried, int most) {
+    say_result("{}\n", json_text(Json{{"done", tried}, {"of", most}}, -1));
+    flush_results();
+}
+
 // All studies of one file.
 void study_file(const std::filesystem::path& file, const StudyOptions& options, Context& context,
                 const StudyStore& store, std::vector<Study>& studies) {
@@ -341,7 +347,10 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
                              .output = output_of(preset.scene, pass, options.pass),
                              .specialise = view.specialise};
     const auto limit = limit_of(options);
-    if (limit) plan.knobs = {joint_knob(preset, plan.knobs, *limit, options.seconds, context, how)};
+    if (limit) {
+        const auto told = options.lines ? tell_search : [](int, int) {};
+        plan.knobs = {joint_knob(preset, plan.knobs, *limit, options.seconds, context, how, told)};
+    }
     const std::vector<View> views = views_over(preset, options);
     Lines lines(options.lines, plan, options.time_only, std::max<std::size_t>(views.size(), 1));
     const auto scenery = [&](const Preset& seen, const std::string& name) {
