@@ -4,6 +4,7 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
+#include "base/words.h"
 #include "measure/rows/flip.h"
 #include "measure/study/joint.h"
 #include "measure/study/looks.h"
@@ -411,6 +412,31 @@ void require_report_apart(const StudyOptions& options) {
     }
 }
 
+// Before minutes of work: whether what a budget finds can be written to a preset.
+void require_preset_output(const StudyOptions& options) {
+    if (options.files.size() != 1 || !limit_of(options))
+        throw UsageError("-o with a preset takes one FILE, and --ms, --rmse or --flip.");
+    if (options.name.empty() || parse_number(options.name)) {
+        throw UsageError(
+            fmt::format("--name {}: write a word; --quality with a number is that of JPEG files.",
+                        options.name));
+    }
+    const std::filesystem::path folder = options.output.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        throw UsageError(
+            fmt::format("-o {}: there is no folder {}.", options.output.string(), folder.string()));
+    }
+    if (!std::filesystem::exists(options.output)) return;
+    const ReadPreset read = read_preset(options.output), from = read_preset(options.files.front());
+    if (!read.preset) report(read.diagnostics);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    std::error_code none;
+    if (from.preset && !std::filesystem::equivalent(from.preset->scene.files.front(),
+                                                    read.preset->scene.files.front(), none))
+        throw UsageError(
+            fmt::format("-o {}: it is a preset of another scene.", options.output.string()));
+}
+
 // What the budget has chosen becomes a quality of the preset in this file, which keeps what else it
 // has; where there is none, of the studied one.
 void write_best(const StudyOptions& options, const std::vector<Study>& studies) {
@@ -446,9 +472,9 @@ void write_best(const StudyOptions& options, const std::vector<Study>& studies) 
 void run_study(const StudyOptions& options) {
     if (compares_looks(options)) return run_looks(options);
     const bool to_preset = options.output.extension() == ".toml";
-    const auto limit = limit_of(options);
-    if (to_preset && (!limit || options.files.size() != 1))
-        throw UsageError("-o with a preset takes one FILE, and --ms, --rmse or --flip.");
+    if (limit_of(options) && options.time_only)
+        throw UsageError("--metric time tells no error, by which a budget chooses.");
+    if (to_preset) require_preset_output(options);
     if (!options.output.empty() && !to_preset) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
     const StudyStore store(to_preset ? std::filesystem::path() : options.output);
