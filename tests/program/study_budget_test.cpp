@@ -110,7 +110,7 @@ TEST_F(StudyBudget, ABudgetThatNothingMeetsIsTold) {
     EXPECT_NE(unwritten.err.find("best.toml is not written: nothing that was tried"),
               std::string::npos)
         << unwritten.err;
-    EXPECT_FALSE(std::filesystem::exists("best.toml"));
+    EXPECT_FALSE(fs::exists(folder() / "best.toml"));
     for (const char* wrong : {"much", "0", "-1", "nan", "inf", "1e999", ""}) {
         for (const char* option : {"--ms", "--rmse", "--flip"})
             EXPECT_EQ(glint({"study", "s.frag", option, wrong}).code, 2) << option << wrong;
@@ -118,6 +118,28 @@ TEST_F(StudyBudget, ABudgetThatNothingMeetsIsTold) {
     EXPECT_EQ(glint({"study", "s.frag", "--ms", "1", "--rmse", "1"}).code, 2);
     EXPECT_EQ(glint({"study", "s.frag", "--flip", "1", "--rmse", "1"}).code, 2);
     EXPECT_EQ(glint({"study", "s.frag", "-o", "a.toml"}).code, 2);
+}
+
+// What cannot be kept is told before anything is sought.
+TEST_F(StudyBudget, WhereItCannotBeKeptNothingIsSought) {
+    write("s.frag", kTwoDials);
+    write("other.frag", kGradient);
+    write("other.toml", "scene = \"other.frag\"\n");
+    write("broken.toml", "scene = [\n");
+    const auto refused = [&](int code, std::vector<std::string> more) {
+        std::vector<std::string> all = {"study", "s.frag", "--ms", "own", "--lines"};
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome outcome = glint(std::move(all));
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+    };
+    refused(2, {"-o", "no/where/s.toml"});
+    refused(2, {"-o", "other.toml"});
+    refused(4, {"-o", "broken.toml"});
+    refused(2, {"-o", "s.toml", "--name", ""});
+    refused(2, {"-o", "s.toml", "--name", "50"});
+    refused(2, {"--metric", "time"});
+    EXPECT_EQ(bytes("broken.toml"), "scene = [\n");
 }
 
 // Steps that matter the more the brighter it is.

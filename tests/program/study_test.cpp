@@ -32,6 +32,18 @@ protected:
     static std::string findings(const Json& study) { return study["findings"].dump(); }
 };
 
+TEST_F(Study, WhereThereIsNothingToStudyItSaysWhatToDo) {
+    write("s.frag", "uniform float glow; //@ 1 [0, 2]\nuniform bool wide; //@ on\n" +
+                        std::string("void mainImage(out vec4 c, in vec2 p) { c = vec4(glow); }\n"));
+    const Outcome outcome = glint({"study", "s.frag", "--size", "8x8"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("one of glow, wide: glint study s.frag --vary glow"),
+              std::string::npos)
+        << outcome.err;
+    write("plain.frag", kGradient);
+    EXPECT_NE(glint({"study", "plain.frag"}).err.find("has no tweaks"), std::string::npos);
+}
+
 // Values that double from 1 to 64. Near 1 the error is not of its order yet, and the curve that
 // decodes sRGB bends it a little: so 0.2.
 TEST_F(Study, TheMidpointRuleIsOfOrderTwo) {

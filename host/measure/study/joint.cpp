@@ -1,6 +1,7 @@
 #include "measure/study/joint.h"
 
 #include "base/median.h"
+#include "base/process_time.h"
 #include "base/words.h"
 #include "measure/rows/difference.h"
 #include "measure/rows/flip.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <thread>
 #include <utility>
 
 namespace glint {
@@ -65,7 +67,7 @@ public:
         }
     }
 
-    Knob run() {
+    Knob run(const std::function<void(int tried, int most)>& told) {
         Knob knob{.name = "quality", .reference = truth(1.0), .second = truth(0.5)};
         knob.second_work = {SecondWork::Kind::more, 0.5};
         knob.reference.text = "all references";
@@ -74,12 +76,13 @@ public:
         size_ = compared_size(preset_, how_.pass);
         start();
         const Budget budget = this->budget();
-        const Stopwatch clock;
-        bool any = false;  // the preset's own is measured, however little time there is
+        const double begun = spent_ms();
+        int count = 0;  // the preset's own is measured, however little time there is
         const auto tried =
             search(dials_, own(), budget, kTries, [&](const Stand& at) -> std::optional<Tried> {
-                const bool over = clock.ms() > 1e3 * kSearchShare * seconds_;
-                if (std::exchange(any, true) && over) return std::nullopt;
+                const bool over = spent_ms() - begun > 1e3 * kSearchShare * seconds_;
+                if (count > 0 && over) return std::nullopt;
+                told(++count, kTries);
                 return measure(at);
             });
         std::vector<Tried> winners = best_of(tried, budget, kWinners);
@@ -171,6 +174,13 @@ private:
         return *kept;
     }
 
+    // On the wall; of a software renderer as long as the machine would take were it alone with it,
+    // so that what is found does not hang on what else runs.
+    double spent_ms() const {
+        const unsigned processors = std::max(std::thread::hardware_concurrency(), 1u);
+        return context_.is_software() ? own_processor_ms() / processors : clock_.ms();
+    }
+
     double time(const FrameTime& frame) const {
         return context_.is_software() ? frame.processor : frame.wall;
     }
@@ -225,6 +235,7 @@ private:
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;
+    Stopwatch clock_;
 };
 
 }  // namespace
@@ -251,8 +262,9 @@ std::optional<Limit> limit_of(const StudyOptions& options) {
 }
 
 Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
-                double seconds, Context& context, const MeasureOptions& how) {
-    return JointSearch(preset, knobs, limit, seconds, context, how).run();
+                double seconds, Context& context, const MeasureOptions& how,
+                const std::function<void(int tried, int most)>& told) {
+    return JointSearch(preset, knobs, limit, seconds, context, how).run(told);
 }
 
 void choose_best(Study& study, const Limit& limit) {

@@ -5,6 +5,7 @@
 #include "measure/study/measure.h"
 #include "measure/study/plan.h"
 
+#include <functional>
 #include <optional>
 
 namespace glint {
@@ -21,8 +22,10 @@ std::optional<Limit> limit_of(const StudyOptions& options);
 // Searches over the values of these knobs, and gives what was found as the values of one: the
 // settings near the budget that nothing beats, and the preset's own. What counts as the truth is
 // the picture with all references at once. Throws UsageError where there is nothing to choose.
+// `told` hears how many have been tried, of how many at most.
 Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
-                double seconds, Context& context, const MeasureOptions& how);
+                double seconds, Context& context, const MeasureOptions& how,
+                const std::function<void(int tried, int most)>& told);
 
 // Which row the limit chooses, when all have been measured.
 void choose_best(Study& study, const Limit& limit);

@@ -4,6 +4,7 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/terminal.h"
+#include "base/words.h"
 #include "measure/rows/flip.h"
 #include "measure/study/joint.h"
 #include "measure/study/looks.h"
@@ -311,6 +312,28 @@ std::size_t output_of(const Scene& scene, std::size_t pass, const std::string& n
     return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
+// Why there is nothing to study, and what there is to do about it.
+std::string nothing_to_study(const Preset& preset) {
+    const std::string file = preset.file.string();
+    std::string names;
+    for (const Tweak& tweak : preset.scene.tweaks)
+        names += (names.empty() ? "" : ", ") + tweak.name;
+    if (names.empty())
+        return fmt::format(
+            "{} has no tweaks, so that nothing is studied; what it costs: glint bench {}", file,
+            file);
+    return fmt::format(
+        "{} has no quality tweaks and accumulates nothing, so that nothing is studied; mark one "
+        "with quality, or name one of {}: glint study {} --vary {}",
+        file, names, file, preset.scene.tweaks.front().name);
+}
+
+// How far the search for joint settings has come.
+void tell_search(int tried, int most) {
+    say_result("{}\n", json_text(Json{{"done", tried}, {"of", most}}, -1));
+    flush_results();
+}
+
 // All studies of one file.
 void study_file(const std::filesystem::path& file, const StudyOptions& options, Context& context,
                 const StudyStore& store, std::vector<Study>& studies) {
@@ -325,7 +348,10 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
                              .output = output_of(preset.scene, pass, options.pass),
                              .specialise = view.specialise};
     const auto limit = limit_of(options);
-    if (limit) plan.knobs = {joint_knob(preset, plan.knobs, *limit, options.seconds, context, how)};
+    if (limit) {
+        const auto told = options.lines ? tell_search : [](int, int) {};
+        plan.knobs = {joint_knob(preset, plan.knobs, *limit, options.seconds, context, how, told)};
+    }
     const std::vector<View> views = views_over(preset, options);
     Lines lines(options.lines, plan, options.time_only, std::max<std::size_t>(views.size(), 1));
     const auto scenery = [&](const Preset& seen, const std::string& name) {
@@ -340,11 +366,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             .key = key_of_preset(seen, context.renderer(), options.pass, view.specialise),
             .lines = lines};
     };
-    if (plan.knobs.empty()) {
-        say_warning(fmt::format(
-            "{} has no quality tweaks and accumulates nothing; name a tweak with --vary",
-            file.string()));
-    }
+    if (plan.knobs.empty()) say_warning(nothing_to_study(preset));
     for (const Knob& knob : plan.knobs) {
         std::vector<Study> seen;
         for (const View& one : views) {
@@ -390,6 +412,31 @@ void require_report_apart(const StudyOptions& options) {
     }
 }
 
+// Before minutes of work: whether what a budget finds can be written to a preset.
+void require_preset_output(const StudyOptions& options) {
+    if (options.files.size() != 1 || !limit_of(options))
+        throw UsageError("-o with a preset takes one FILE, and --ms, --rmse or --flip.");
+    if (options.name.empty() || parse_number(options.name)) {
+        throw UsageError(
+            fmt::format("--name {}: write a word; --quality with a number is that of JPEG files.",
+                        options.name));
+    }
+    const std::filesystem::path folder = options.output.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        throw UsageError(
+            fmt::format("-o {}: there is no folder {}.", options.output.string(), folder.string()));
+    }
+    if (!std::filesystem::exists(options.output)) return;
+    const ReadPreset read = read_preset(options.output), from = read_preset(options.files.front());
+    if (!read.preset) report(read.diagnostics);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    std::error_code none;
+    if (from.preset && !std::filesystem::equivalent(from.preset->scene.files.front(),
+                                                    read.preset->scene.files.front(), none))
+        throw UsageError(
+            fmt::format("-o {}: it is a preset of another scene.", options.output.string()));
+}
+
 // What the budget has chosen becomes a quality of the preset in this file, which keeps what else it
 // has; where there is none, of the studied one.
 void write_best(const StudyOptions& options, const std::vector<Study>& studies) {
@@ -425,9 +472,9 @@ void write_best(const StudyOptions& options, const std::vector<Study>& studies) 
 void run_study(const StudyOptions& options) {
     if (compares_looks(options)) return run_looks(options);
     const bool to_preset = options.output.extension() == ".toml";
-    const auto limit = limit_of(options);
-    if (to_preset && (!limit || options.files.size() != 1))
-        throw UsageError("-o with a preset takes one FILE, and --ms, --rmse or --flip.");
+    if (limit_of(options) && options.time_only)
+        throw UsageError("--metric time tells no error, by which a budget chooses.");
+    if (to_preset) require_preset_output(options);
     if (!options.output.empty() && !to_preset) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
     const StudyStore store(to_preset ? std::filesystem::path() : options.output);

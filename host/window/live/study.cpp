@@ -68,8 +68,9 @@ bool LiveStudy::update() {
     return news;
 }
 
-// A line holds one study as far as it has come.
+// A line holds one study as far as it has come; none while joint settings are sought.
 void LiveStudy::hear(const nlohmann::ordered_json& json) {
+    if (!json.contains("study")) return;
     Study study = study_from_json(json.at("study"));
     if (studies_.empty() || studies_.back().knob != study.knob) studies_.emplace_back();
     studies_.back() = std::move(study);

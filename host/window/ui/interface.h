@@ -86,6 +86,7 @@ struct NewSceneState {
 
 struct StudyState {
     std::string knob;  // to be studied; "" for all
+    Edits edits;
     // The row under the mouse, in the diagram or in the table; in the frame before, and in this.
     std::optional<std::size_t> hovered, hovering;
 };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace glint {
 namespace {
 
 constexpr const char* kAllKnobs = "All quality tweaks";
+constexpr const char* kTogether = "All together";
 
 const Tweak* find_tweak(const Build& build, const std::string& name) {
     if (!build.facts.scene) return nullptr;
@@ -61,24 +63,47 @@ void choose(Build& build, const Study& study, std::size_t row) {
     if (several) wish(build, {.what = TweakEdit::What::commit});
 }
 
-// All quality tweaks are dragged together, along the joint settings that nothing beats.
-void along_frontier(Build& build, const Study& study) {
-    std::vector<std::size_t> stars;
+std::string error_text(const StudyRow& row) {
+    return row.error ? power_text(row.error->rmse) : "";
+}
+
+// Joint settings from the fastest to the nearest: each has less error than all that are faster. By
+// the medians alone, so that there is something to drag on a machine whose clock tells little.
+std::vector<std::size_t> frontier_stops(const Study& study) {
+    std::vector<std::size_t> rows, stops;
     for (std::size_t i = 0; i < study.rows.size(); ++i)
-        if (study.rows[i].pareto) stars.push_back(i);
-    if (!study.is_joint || stars.size() < 2) return;
-    std::ranges::sort(stars, {}, [&](std::size_t i) { return study.rows[i].ms.median; });
+        if (study.rows[i].failed.empty() && study.rows[i].error) rows.push_back(i);
+    std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return study.rows[i].ms.median; });
+    for (const std::size_t i : rows)
+        if (stops.empty() || study.rows[i].error->rmse < study.rows[stops.back()].error->rmse)
+            stops.push_back(i);
+    return stops;
+}
+
+// All quality tweaks are dragged together; one drag is one step of undo.
+void along_frontier(Build& build, StudyState& state, const Study& study) {
+    if (!study.is_joint) return;
+    const std::vector<std::size_t> stops = frontier_stops(study);
+    if (stops.size() < 2) return;
+    // The handle stands at the last stop that is no slower than what is set.
     const auto current = current_row(build, study);
-    const auto found = std::ranges::find(stars, current.value_or(study.rows.size()));
-    int at = found == stars.end() ? 0 : static_cast<int>(found - stars.begin());
-    const std::string text = found == stars.end()
-                                 ? "drag"
-                                 : fmt::format("{:.3g} ms, RMSE {}", study.rows[*found].ms.median,
-                                               power_text(study.rows[*found].error->rmse));
+    const auto slower = [&](std::size_t i) {
+        return current && study.rows[i].ms.median > study.rows[*current].ms.median;
+    };
+    const auto after = std::ranges::find_if(stops, slower);
+    int at = std::max(static_cast<int>(after - stops.begin()) - 1, 0);
+    const std::string text = current
+                                 ? fmt::format("{:.3g} ms, RMSE {}", study.rows[*current].ms.median,
+                                               error_text(study.rows[*current]))
+                                 : "drag: all together";
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x, 1.0f));
-    if (ImGui::SliderInt("##along", &at, 0, static_cast<int>(stars.size()) - 1, text.c_str(),
-                         ImGuiSliderFlags_NoInput))
-        choose(build, study, stars[static_cast<std::size_t>(at)]);
+    if (ImGui::SliderInt("##along", &at, 0, static_cast<int>(stops.size()) - 1, text.c_str(),
+                         ImGuiSliderFlags_NoInput)) {
+        const std::size_t row = stops[static_cast<std::size_t>(at)];
+        build.settings.shown_row = row;
+        for (const Turned& one : turned_by(build, study, row))
+            state.edits.set(build, one.tweak, one.value);
+    }
     tip(build.theme, "All quality tweaks at once, from the fastest to the nearest");
 }
 
@@ -87,9 +112,12 @@ void knob_menu(Build& build, StudyState& state) {
     if (state.knob != kAllTogether && !find_tweak(build, state.knob)) state.knob.clear();
     const float button = ImGui::CalcTextSize("Cancel").x + build.theme.px(24);
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - button, 1.0f));
-    if (!ImGui::BeginCombo("##knob", state.knob.empty() ? kAllKnobs : state.knob.c_str())) return;
+    const char* shown = state.knob.empty()           ? kAllKnobs
+                        : state.knob == kAllTogether ? kTogether
+                                                     : state.knob.c_str();
+    if (!ImGui::BeginCombo("##knob", shown)) return;
     if (ImGui::Selectable(kAllKnobs, state.knob.empty())) state.knob.clear();
-    if (ImGui::Selectable("All together", state.knob == kAllTogether)) state.knob = kAllTogether;
+    if (ImGui::Selectable(kTogether, state.knob == kAllTogether)) state.knob = kAllTogether;
     tip(build.theme, "The joint settings with the least error for their time");
     for (std::size_t i = 0; scene && i < scene->tweaks.size(); ++i) {
         const Tweak& tweak = scene->tweaks[i];
@@ -131,8 +159,16 @@ void study_choice(Build& build) {
     }
 }
 
-std::string error_text(const StudyRow& row) {
-    return row.error ? power_text(row.error->rmse) : "";
+// The value; of a joint setting what differs from the preset's own, for all of it is long.
+std::string short_value(const Study& study, const StudyRow& row) {
+    const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
+    if (!study.is_joint || own == study.rows.end()) return row.value;
+    if (row.is_preset) return "own";
+    std::istringstream parts(row.value), own_parts(own->value);
+    std::string text, part, own_part;
+    while (parts >> part && own_parts >> own_part)
+        if (part != own_part) text += (text.empty() ? "" : " ") + part;
+    return text;
 }
 
 std::string psnr_text(const StudyRow& row) {
@@ -186,7 +222,8 @@ void row_line(Build& build, StudyState& state, const Study& study, std::size_t i
     if (ImGui::IsItemHovered()) state.hovering = index;
     ImGui::PopStyleColor();
     ImGui::SameLine(0, 0);
-    text_in(colour, row.value, current_row(build, study) == index ? build.theme.bold : nullptr);
+    text_in(colour, short_value(study, row),
+            current_row(build, study) == index ? build.theme.bold : nullptr);
     for (const std::string& text :
          {fmt::format("{:.4g}", row.ms.median), error_text(row), psnr_text(row)}) {
         ImGui::TableNextColumn();
@@ -197,7 +234,8 @@ void row_line(Build& build, StudyState& state, const Study& study, std::size_t i
 
 void row_table(Build& build, StudyState& state, const Study& study) {
     if (study.rows.empty()) return;
-    if (!ImGui::BeginTable("rows", 4, ImGuiTableFlags_SizingStretchProp)) return;
+    if (!ImGui::BeginTable("rows", 4, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableNextRow();
     for (const char* name : {study.knob.c_str(), "ms", "RMSE", "PSNR, dB"}) {
         ImGui::TableNextColumn();
@@ -225,8 +263,8 @@ void view_choice(Build& build, const Study& study) {
 void study_facts(const Study& study) {
     ImGui::PushTextWrapPos(0.0f);
     const double own = study.reference_rmse();
-    text_in(colours::kDim, "Reference " + study.reference +
-                               (own > 0.0 ? ", itself within " + power_text(own) : ""));
+    text_in(colours::kDim, "Reference " + study.reference);
+    if (own > 0.0) text_in(colours::kDim, "Itself within " + power_text(own));
     if (study.order) text_in(colours::kDim, fmt::format("Order {:.2f}", *study.order));
     for (const std::string& finding : study.findings) text_in(colours::kWarning, finding);
     ImGui::PopTextWrapPos();
@@ -246,7 +284,7 @@ void one_study(Build& build, StudyState& state, const Study& study) {
     const auto under = diagram(build.theme, study, look);
     if (under) state.hovering = under;
     if (under && ImGui::IsItemClicked()) choose(build, study, *under);
-    along_frontier(build, study);
+    along_frontier(build, state, study);
     view_choice(build, study);
     row_table(build, state, study);
     study_facts(study);
@@ -281,6 +319,7 @@ void study_panel(Build& build, StudyState& state) {
         introduce_study();
     }
     end_panel(build, PanelId::study);
+    state.edits.follow(build.wishes);
 }
 
 }  // namespace glint

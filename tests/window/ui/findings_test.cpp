@@ -129,6 +129,33 @@ TEST_F(StudyPanel, RunsTheKnobThatIsChosenAndCancels) {
     EXPECT_TRUE(screen_.wishes.cancel_study);
 }
 
+// Joint settings, of which the clock tells none from another: the slider goes along the medians.
+TEST_F(StudyPanel, OneDragTurnsAllTweaksAndIsOneStepOfUndo) {
+    Study& study = studies_[0];
+    study.knob = "quality";
+    study.is_joint = true;
+    for (StudyRow& row : study.rows) {
+        row.is_preset = row.value == "8";
+        row.value = "steps=" + row.value;
+        row.pareto = false;
+    }
+    study.rows[3].error->rmse = 0.5;  // slower and worse: no stop
+    screen_.frame();
+    const ImGuiWindow* body = screen_.window("Study/body");
+    ASSERT_TRUE(body);
+    const auto slider = screen_.find(ImHashStr("##along", 0, body->ID), "Study");
+    ASSERT_TRUE(slider);
+    screen_.drag(at(*slider, 0.4f), at(*slider, 0.98f));
+    EXPECT_EQ(screen_.tweaks.value(0)[0], 64);
+    screen_.drag(at(*slider, 0.98f), at(*slider, 0.65f));
+    EXPECT_EQ(screen_.tweaks.value(0)[0], 16) << "32 is slower than 16 and has more error";
+    EXPECT_TRUE(screen_.tweaks.undo());
+    EXPECT_EQ(screen_.tweaks.value(0)[0], 64);
+    EXPECT_TRUE(screen_.tweaks.undo());
+    EXPECT_EQ(screen_.tweaks.value(0)[0], 8);
+    EXPECT_FALSE(screen_.tweaks.can_undo());
+}
+
 TEST_F(StudyPanel, ComparesThePictureOfTheRowThatWasClicked) {
     const ImGuiWindow* body = screen_.window("Study/body");
     ASSERT_TRUE(body);
