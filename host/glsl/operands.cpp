@@ -50,6 +50,74 @@ std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint
     return std::min(at, stop);
 }
 
+namespace {
+
+// What binds less than `+`, or is none of an expression.
+bool ends_sum(const Reading& reading, std::uint32_t at) {
+    constexpr std::string_view kEnds[] = {",",  ";",  "?",  ":",  "{",  "}",   "=",  "+=",
+                                          "-=", "*=", "/=", "%=", "&=", "|=",  "^=", "<",
+                                          ">",  "<=", ">=", "==", "!=", "&&",  "||", "^^",
+                                          "&",  "|",  "^",  "<<", ">>", "<<=", ">>="};
+    const Token& token = reading.tokens[at];
+    return std::ranges::find(kEnds, token.text) != std::end(kEnds) ||
+           (token.is_word() && is_keyword(token.text));
+}
+
+// The first token of the sum that ends before `end`.
+std::uint32_t sum_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop) {
+    std::uint32_t at = end;
+    while (at > stop) {
+        const Token& last = reading.tokens[at - 1];
+        if (last.is(")") || last.is("]")) {
+            if (reading.partner[at - 1] == kNone) break;
+            at = reading.partner[at - 1];
+            continue;
+        }
+        if (last.is("(") || last.is("[") || ends_sum(reading, at - 1)) break;
+        --at;
+    }
+    return at;
+}
+
+// Behind the product that begins at `begin`.
+std::uint32_t term_end(const Reading& reading, std::uint32_t begin, std::uint32_t stop) {
+    std::uint32_t at = begin;
+    while (at < stop) {
+        const Token& next = reading.tokens[at];
+        if (const std::uint32_t close = reading.close_of(at); close != kNone) {
+            at = close + 1;
+            continue;
+        }
+        const bool is_sign = next.is("+") || next.is("-");
+        const bool is_unary = at == begin || reading.tokens[at - 1].is("*") ||
+                              reading.tokens[at - 1].is("/") || reading.tokens[at - 1].is("%") ||
+                              reading.tokens[at - 1].is("-") || reading.tokens[at - 1].is("+");
+        if (next.is(")") || next.is("]") || ends_sum(reading, at) || (is_sign && !is_unary)) break;
+        ++at;
+    }
+    return std::min(at, stop);
+}
+
+}  // namespace
+
+std::vector<TokenRange> sides_of_sum(const Reading& reading, std::uint32_t at, TokenRange room) {
+    if (at == room.begin) return {};
+    const Token& before = reading.tokens[at - 1];
+    const bool is_binary = before.kind == TokenKind::number || before.is(")") || before.is("]") ||
+                           (before.is_word() && !is_keyword(before.text));
+    if (!is_binary) return {};
+    return {{sum_begin(reading, at, room.begin), at},
+            {at + 1, term_end(reading, at + 1, room.end)}};
+}
+
+bool is_computed(const Reading& reading, TokenRange range) {
+    constexpr std::string_view kComputing[] = {"+", "-", "*", "/", "("};
+    for (std::uint32_t at = range.begin; at < range.end; ++at)
+        if (std::ranges::find(kComputing, reading.tokens[at].text) != std::end(kComputing))
+            return true;
+    return false;
+}
+
 // Up to the comma, semicolon, colon or bracket that ends it.
 std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop) {
     const auto token = [&](std::uint32_t i) -> const Token& { return reading.tokens[i]; };

@@ -4,6 +4,7 @@
 #include "glsl/reading.h"
 
 #include <string>
+#include <vector>
 
 namespace glint {
 
@@ -12,6 +13,13 @@ std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint
 
 // Behind a unary expression: signs, a name or number or parentheses, and what follows them.
 std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint32_t stop);
+
+// What stands on both sides of a binary `+` or `-`: the sum before it, such as `a * b + c`, and the
+// product behind it. Nothing of a sign.
+std::vector<TokenRange> sides_of_sum(const Reading& reading, std::uint32_t at, TokenRange room);
+
+// Whether it has an operation that rounds.
+bool is_computed(const Reading& reading, TokenRange range);
 
 // The comma, semicolon, colon or bracket that ends what begins at `at`.
 std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop);

@@ -105,6 +105,7 @@ private:
     // Hands an expression through `glint_v(7, …)`.
     void hand_through(SiteKind kind, std::string name, std::uint32_t at, TokenRange range,
                       const char* function = "glint_v", const std::string& more = "") {
+        if (wish_.kind == ProbeKind::rounding && !is_computed(reading_, range)) return;
         const auto site = add_site(kind, std::move(name), at);
         if (!site) return;
         const char *open = has_comma(range) ? "(" : "", *close = has_comma(range) ? ")" : "";
@@ -145,6 +146,7 @@ private:
     void over_division(std::uint32_t at, TokenRange room);
     void over_fetch(const Call& call);
     void over_index(std::uint32_t at);
+    void over_sum(std::uint32_t at, TokenRange room);
     void over_call(const Call& call);
     void over_loop(std::uint32_t index);
     std::vector<TokenRange> outs_in(TokenRange range) const;
@@ -287,6 +289,8 @@ void Instrumenter::over_tokens(TokenRange range) {
             over_assignment(at, range);
         if (wish_.kind == ProbeKind::values && (token(at).is("++") || token(at).is("--")))
             over_step(at, range);
+        if (wish_.kind == ProbeKind::rounding && (token(at).is("+") || token(at).is("-")))
+            over_sum(at, range);
         if (wish_.kind != ProbeKind::faults) continue;
         if (token(at).is("/") || token(at).is("%") || token(at).is("/=") || token(at).is("%="))
             over_division(at, range);
@@ -298,8 +302,10 @@ void Instrumenter::over_assignment(std::uint32_t at, TokenRange room) {
     const TokenRange to = {operand_begin(reading_, at, room.begin), at};
     if (to.empty() || !token(to.begin).is_word()) return;
     if (is_whole_array(to)) return probed_.left_out.push_back(reading_.place(to.begin).begin);
+    // What is rounded is what the variable gets, not what the assignment is worth.
+    const bool is_rounding = wish_.kind == ProbeKind::rounding;
     hand_through(SiteKind::assigned, close_spelling(reading_, to), to.begin,
-                 {to.begin, expression_end(reading_, at + 1, room.end)});
+                 {is_rounding ? at + 1 : to.begin, expression_end(reading_, at + 1, room.end)});
 }
 
 // `i++` and `++i`: of the former, what the variable is afterwards.
@@ -410,6 +416,11 @@ void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
     const std::uint32_t begin = operand_begin(reading_, at, room.begin);
     hand_through(SiteKind::division, close_spelling(reading_, {begin, end}), begin, divisor,
                  "glint_d");
+}
+
+void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {
+    for (const TokenRange side : sides_of_sum(reading_, at, room))
+        hand_through(SiteKind::sum, close_spelling(reading_, side), side.begin, side);
 }
 
 void Instrumenter::over_index(std::uint32_t at) {

@@ -18,9 +18,10 @@
 namespace glint {
 
 enum class ProbeKind : std::uint8_t {
-    values,  // what variables are given, what functions get and give back, what conditions say
-    cost,    // turns of loops, reads of textures, calls
-    faults,  // what is outside of an operation's domain, or born not finite
+    values,    // what variables are given, what functions get and give back, what conditions say
+    cost,      // turns of loops, reads of textures, calls
+    faults,    // what is outside of an operation's domain, or born not finite
+    rounding,  // what results that are rounded the other way come to
 };
 
 enum class SiteKind : std::uint8_t {
@@ -34,6 +35,7 @@ enum class SiteKind : std::uint8_t {
     turn,        // of a loop
     read,        // of a texture
     call,        // of a function
+    sum,         // what is added or subtracted
     division,
     domain,  // of sqrt, log, …
     index,

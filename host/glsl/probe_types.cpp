@@ -230,6 +230,39 @@ ivec2 glint_t(int i, ivec2 at, ivec2 size) {
 ivec3 glint_t(int i, ivec3 at, ivec3 size) { return at; }
 )";
 
+// A result that is rounded may as well be the next float above or below. What ends in twelve zeros,
+// as whole numbers and their halves do, is taken for exact. glint_id: the site, -1 for all, -2 for
+// none; -3 moves the pixels themselves.
+constexpr std::string_view kRounding =
+    R"(int glint_id = 0, glint_last = 0, glint_hits = 0;
+uvec4 glint_bits = uvec4(0);
+uint glint_chance = 0u;
+float glint_v(int i, float v) {
+    uint bits = floatBitsToUint(v), power = bits & 0x7F800000u;
+    if ((glint_id != i && glint_id != -1) || power == 0u || power == 0x7F800000u || (bits & 0xFFFu) == 0u) return v;
+    ++glint_hits;
+    glint_chance = glint_chance * 747796405u + 2891336453u;
+    uint word = ((glint_chance >> ((glint_chance >> 28u) + 4u)) ^ glint_chance) * 277803737u;
+    return uintBitsToFloat((word >> 30u) % 2u == 0u ? bits - 1u : bits + 1u);
+}
+vec2 glint_v(int i, vec2 v) { return vec2(glint_v(i, v.x), glint_v(i, v.y)); }
+vec3 glint_v(int i, vec3 v) { return vec3(glint_v(i, v.xy), glint_v(i, v.z)); }
+vec4 glint_v(int i, vec4 v) { return vec4(glint_v(i, v.xy), glint_v(i, v.zw)); }
+)";
+
+std::string rounding_functions() {
+    std::string text(kRounding);
+    for (std::size_t i = 4; i < kTypes.size(); ++i)
+        text += fmt::format("{0} glint_v(int i, {0} v) {{ return v; }}\n", kTypes[i]);
+    for (const std::string_view matrix : kMatrices) {
+        text += fmt::format("{0} glint_v(int i, {0} v) {{ ", matrix);
+        for (int c = 0; c < matrix_columns(matrix); ++c)
+            text += fmt::format("v[{0}] = glint_v(i, v[{0}]); ", c);
+        text += "return v; }\n";
+    }
+    return text;
+}
+
 // `is_undefined`: what no driver owes a result. `off`: how far from that. `mended`: an operand that
 // has a result, another one than what is undefined may come to: a usual, a small or a large one.
 struct Domain {
@@ -340,16 +373,17 @@ constexpr std::string_view kMain = R"(void main() {{
 }  // namespace
 
 std::string probe_declarations(ProbeKind kind) {
-    const std::string functions = kind == ProbeKind::values ? values_functions()
-                                  : kind == ProbeKind::cost ? cost_functions()
-                                                            : faults_functions();
+    const std::string functions = kind == ProbeKind::values     ? values_functions()
+                                  : kind == ProbeKind::cost     ? cost_functions()
+                                  : kind == ProbeKind::rounding ? rounding_functions()
+                                                                : faults_functions();
     return "uniform ivec4 glint_ask, glint_place;\nvec4 glint_coord = vec4(0.0);\n" + functions;
 }
 
 std::string probe_main(ProbeKind kind, std::size_t outputs) {
-    const char* told = kind == ProbeKind::values ? "glint_hits, glint_order, glint_tag"
-                       : kind == ProbeKind::cost ? "glint_hits, 0, 0"
-                                                 : "glint_found, glint_first, glint_worst";
+    const char* told = kind == ProbeKind::values   ? "glint_hits, glint_order, glint_tag"
+                       : kind != ProbeKind::faults ? "glint_hits, 0, 0"
+                                                   : "glint_found, glint_first, glint_worst";
     // Every fragment watches another site.
     const char* survey =
         kind == ProbeKind::faults
@@ -358,6 +392,12 @@ std::string probe_main(ProbeKind kind, std::size_t outputs) {
               "if (glint_ask.y == 2) { glint_scale = 7e-9; glint_inside = -0.99; } "
               "if (glint_ask.y == 3) { glint_scale = 7e9; glint_inside = 0.99; } }"
             : "";
+    if (kind == ProbeKind::rounding)
+        survey =
+            "glint_chance = uint(glint_last) * 747796405u + uint(cell.x + 4096 * cell.y);\n"
+            "    if (glint_id == -3) glint_coord.xy = "
+            "uintBitsToFloat(floatBitsToUint(glint_coord.xy) "
+            "+ uvec2(1));";
     return fmt::format(
                "layout(location = {}) out uvec4 glint_kept;\nlayout(location = {}) out uvec4 "
                "glint_told;\n",

@@ -77,6 +77,19 @@ TEST(Search, TriesTheUsualPointFirstAndTheSamePointsEveryTime) {
     }
 }
 
+TEST(Search, LeavesDearRangesAloneThreeTimesOfFour) {
+    const std::size_t rare = 2;
+    Search search(Point(5, 0.5), rare);
+    int changed = 0;
+    for (int k = 0; k < 240; ++k) {
+        const Point point = search.next();
+        changed += point[3] != 0.5 || point[4] != 0.5;
+        search.tell(point, {.distances = {static_cast<float>(point[0]) + 1.0f}});
+    }
+    EXPECT_GT(changed, 20);
+    EXPECT_LT(changed, 80);
+}
+
 TEST(Search, TheSmallestReproducerDiffersInWhatItMust) {
     const auto fails = [](const Point& p) { return p[0] > 0.8 && p[2] < 0.3; };
     const Point found = smallest({0.95, 0.1, 0.05, 0.9}, Point(4, 0.5), fails, 100);

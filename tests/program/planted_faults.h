@@ -166,6 +166,15 @@ inline void add_growth(std::vector<Planted>& list) {
     add("of_steps", "c = iFrame == 0 ? vec4(0.0) : s; c = c == vec4(0.0) ? vec4(1.0) : s * 1.0002;",
         "c = iFrame == 0 ? vec4(0.0) : s; c = c == vec4(0.0) ? vec4(1.0) : s;",
         "size=8x8 step=1/60");
+    add("late", "c = iFrame == 0 ? vec4(1.0) : min(s * (iFrame < 300 ? 1.0 : 1.0002), 6e4);",
+        "c = iFrame == 0 ? vec4(1.0) : min(s * (iFrame < 300 ? 1.0 : 0.9998), 6e4);");
+    const auto corner = [](const char* grows) {
+        return fed(fmt::format("float g = a > 0.9 && b < 0.1 ? {} : 0.999;"
+                               " c = iFrame == 0 ? vec4(1.0) : min(s * g, 6e4);",
+                               grows),
+                   "size=8x8 step=1/60", std::string(kA) + kB);
+    };
+    list.push_back({"growth/at_a_corner", corner("1.001"), corner("0.9999")});
     add("beside_noise",
         "c = iFrame == 0 ? vec4(3.0) : s * 1.0003;"
         " c.w = fract(sin(dot(p, vec2(12.9, 78.2)) + iTime) * 43.0);",
@@ -206,6 +215,11 @@ inline void add_explosions(std::vector<Planted>& list) {
     add("small_end", "uniform float k; //@ 1.0 [0.01, 2]\n",
         "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y * (1.0 - 0.05 / k), -200.0, 200.0));",
         "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y * exp(-0.05 / k), -200.0, 200.0));");
+    const std::string limited =
+        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y - {} / 60.0 * (y - 0.1), -8.0, 8.0));";
+    add("of_little_room", "uniform float k; //@ 1.0 [0, 300]\n",
+        fmt::format(fmt::runtime(limited), "k"),
+        fmt::format(fmt::runtime(limited), "min(k, 60.0)"));
     add("late", "uniform float k; //@ 0.0 [0, 1]\n",
         "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(min(y * (1.0 + 0.01 * k), 5e4));",
         "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(min(mix(y, 2.0, 0.01 * k), 5e4));");
@@ -250,6 +264,14 @@ inline void add_frame_rates(std::vector<Planted>& list) {
     };
     add("step", "c = s + vec4(0.005, 0.003, 0.0, 0.0);",
         "c = s + vec4(0.3, 0.18, 0.0, 0.0) * (iFrame == 0 ? 0.0 : iTimeDelta);");
+    const auto speed = [&](const char* each) {
+        return fed(
+            fmt::format("c = s + vec4(0.02 * a * {}, 0.0, 0.0, 0.0);", each), "size=1x1",
+            "uniform float a; //@ 0.0 [0, 1]\n",
+            fmt::format(fmt::runtime(dot), "fract(0.1 + texelFetch(state, ivec2(0), 0).x), 0.5"));
+    };
+    list.push_back(
+        {"frame_rate/at_an_end", speed("0.1"), speed("(iFrame == 0 ? 0.0 : 6.0 * iTimeDelta)")});
     add("circle", "c = vec4(0.5 + 0.3 * cos(s.z), 0.5 + 0.3 * sin(s.z), s.z + 0.03, 1.0);",
         "c = vec4(0.5 + 0.3 * cos(iTime), 0.5 + 0.3 * sin(iTime), 0.0, 1.0);");
     add("follower", "c = vec4(mix(s.xy, vec2(0.9, 0.5), 0.01), 0.0, 1.0);",
@@ -279,6 +301,13 @@ inline void add_keys(std::vector<Planted>& list) {
     add("toggled", 84, 2);
     add("pressed", 65, 1);
     add("rare", 123, 0, "1.0 / max(0.5 - x, 0.0)");
+    const auto turned = [&](const char* from) {
+        return std::string(kA) + "uniform sampler2D keys; //@ keyboard\n" +
+               image(fmt::format("float x = texelFetch(keys, ivec2(32, 0), 0).x;"
+                                 " c = vec4(vec3(sqrt({} - x - a)), 1.0);",
+                                 from));
+    };
+    list.push_back({"key/and_tweak", turned("1.85"), turned("2.05")});
 }
 
 inline void add_strobes(std::vector<Planted>& list) {
@@ -292,6 +321,11 @@ inline void add_strobes(std::vector<Planted>& list) {
         "c = vec4(vec3(q.x < 0.1 ? fract(iTime * 8.0) : 0.3), 1.0);");
     add("of_sin", "c = vec4(vec3(0.4 + 0.3 * sin(30.0 * iTime)), 1.0);",
         "c = vec4(vec3(0.4 + 0.02 * sin(30.0 * iTime)), 1.0);");
+    const auto speed = [](const char* range) {
+        return fmt::format("uniform float speed; //@ 0.2 [0, {}]\n", range) +
+               image("c = vec4(vec3(step(0.0, sin(40.0 * speed * iTime))), 1.0);");
+    };
+    list.push_back({"strobe/at_an_end", speed("1"), speed("0.4")});
     add("of_colours",
         "c = mod(float(iFrame), 8.0) < 4.0 ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(1.0, 1.0, 0.0, 1.0);",
         "c = vec4(vec3(step(0.5, fract(q.x + iTime * 0.2))), 1.0);");
@@ -353,6 +387,11 @@ inline void add_undefined(std::vector<Planted>& list) {
         "vec3 s = vec3(0.0); s.xy = q; c = vec4(s, 1.0);");
     add("unset/array", "float s[3]; s[0] = q.x; s[1] = q.y; c = vec4(s[0], s[1], s[2], 1.0);",
         "float s[3]; s[0] = q.x; s[1] = q.y; s[2] = 0.0; c = vec4(s[0], s[1], s[2], 1.0);");
+    const auto unset = [](const char* from) {
+        return std::string(kA) +
+               image(fmt::format("float s; if (a < {}) s = 0.3; c = vec4(s);", from));
+    };
+    list.push_back({"unset/at_an_end", unset("0.8"), unset("1.1")});
     add("unset/switch", "bool b; if (q.y > 0.5) b = true; c = vec4(b ? 1.0 : 0.2);",
         "bool b = false; if (q.y > 0.5) b = true; c = vec4(b ? 1.0 : 0.2);");
 }
@@ -375,6 +414,13 @@ inline void add_loops(std::vector<Planted>& list) {
         "for (int n = 0; n < {0}; n++) s += 1e-5 * fract(q.x * float(n));\n"
         "    for (int n = 0; n < {0}; n++) s += 1e-5 * fract(q.y * float(n));",
         "40000", "900");
+    const auto turns = [](const char* most) {
+        return fmt::format("uniform int n; //@ 100 [1, {}]\n", most) +
+               image(
+                   "float s = 0.0; for (int i = 0; i < n; i++) s += 1e-5 * fract(q.x + float(i) * "
+                   "0.7); c = vec4(s);");
+    };
+    list.push_back({"loop_budget/at_an_end", turns("70000"), turns("2000")});
     add("until_it_converges",
         "float x = q.x; for (int n = 0; n < 100000 && x < {}; n++) {{ x += 1e-5; s += 1e-5; }}",
         "2.0", "-1.0");
@@ -464,6 +510,16 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
                                     " float n = iFrame == 0 ? 0.0 : s.w; c = vec4(mix(s.xyz, "
                                     "now.xyz, 1.0 / (n + 1.0)), n + 1.0);",
                                     "", "", "c = vec4(texelFetch(state, ivec2(p), 0).xyz, 1.0);")},
+        {"counted_average", fed("float n = iFrame == 0 ? 0.0 : s.w; c = vec4(mix(s.xyz, vec3(0.5), "
+                                "1.0 / (n + 1.0)), n "
+                                "+ 1.0);")},
+        {"population", fed("c = s + 0.004 * s * (1.0 - s); if (s.x == 0.0) c = vec4(0.01);",
+                           "size=8x8 step=1/60")},
+        {"oscillator",
+         fed("float w = sqrt(k), h = 1.0 / 60.0; vec2 y = s.xy == vec2(0.0) ? vec2(1.0, "
+             "0.0) : s.xy; c = vec4(y.x * cos(w * h) + y.y / w * sin(w * h), y.y * cos(w "
+             "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
+             "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
         {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
         {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
     };

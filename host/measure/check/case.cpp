@@ -203,12 +203,15 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     add_long_case(list, subject);
     end_group();
     add_search_case(list, subject);
+    add_worst_case(list, subject);
     end_group();
     add_healing_cases(list, subject, effort);
     add_endurance_cases(list, subject);
     end_group();
     add_conditioning_case(list, subject);
     add_loop_case(list, subject);
+    end_group();
+    add_rounding_case(list);
     end_group();
     add_stiffness_cases(list, subject);
     end_group();

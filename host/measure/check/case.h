@@ -76,9 +76,11 @@ void add_frame_rate_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_flash_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_stiffness_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_conditioning_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_rounding_case(std::vector<Case>& list);
 void add_loop_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_key_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_search_case(std::vector<Case>& list, const CheckSubject& subject);
+void add_worst_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
 

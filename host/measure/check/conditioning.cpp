@@ -1,7 +1,11 @@
 // How far the picture moves when one input moves by the smallest amount that a float can: told, not
 // judged, since an edge may flip by a rounding.
+#include "base/temporary_file.h"
 #include "measure/check/case.h"
+#include "measure/probe/probe.h"
 #include "measure/rows/difference.h"
+#include "measure/rows/heat.h"
+#include "offline/picture_file.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +20,8 @@ namespace {
 constexpr double kNudgedPlayed = 0.5;  // s of a simulation
 // Beyond this share of pixels it is no edge: what is computed has lost its digits.
 constexpr double kMostPixels = 0.05;
+// From this share on there is a picture of where.
+constexpr double kWorthAMap = 0.005;
 
 double next_float(double value) {
     return static_cast<double>(
@@ -84,6 +90,39 @@ public:
         usual_ = usual;
         subject_.preset.events = events;
     }
+    // Where the middles of pixels lie; of a long text only where there is time for its program.
+    void move_pixels(const Effort& effort) {
+        if (!subject_.is_short() && !effort.tries) return;
+        Renderer& renderer = subject_.renderer();
+        const Playback playback{.end = time_};
+        const Frame frame = playback.frame(subject_.preset, playback.last_frame());
+        try {
+            Probe probe(subject_.opened(), kImagePass, {.specialise = subject_.specialised()},
+                        {.kind = ProbeKind::rounding, .only = {{0, 0}}});
+            std::vector<float> usual, now;
+            const auto put = [](const std::vector<ProbeCell>& cells, std::vector<float>& picture) {
+                for (const ProbeCell& cell : cells)
+                    picture.insert(picture.end(), cell.colour.begin(), cell.colour.end());
+            };
+            draw(0.0);
+            renderer.before_pass = [&](std::size_t index) {
+                if (index != probe.index_in(renderer)) return;
+                put(probe.rounded(renderer, frame, Probe::kNoSite, 1), usual);
+                put(probe.rounded(renderer, frame, Probe::kPixelsMoved, 1), now);
+            };
+            renderer.redraw();
+            subject_.draw_blindly(frame);
+            renderer.before_pass = nullptr;
+            add("the place of pixels", usual, now);
+        } catch (const ProbeRefused&) {  // the other inputs are told
+        }
+    }
+    // How far each pixel went at most, a step of colour a decade.
+    std::vector<std::byte> map() const {
+        std::vector<float> off(usual_);
+        for (std::size_t i = 0; i < off.size(); ++i) off[i] += i % 4 == 3 ? 0.0f : most_[i / 4];
+        return difference_heat(off, usual_, false);
+    }
     const Moved& worst() const { return worst_; }
     int count() const { return count_; }
 
@@ -98,16 +137,22 @@ private:
             if (!subject_.draw(frame)) return;
         }
     }
-    void add(const std::string& what) {
+    void add(const std::string& what) { add(what, usual_, subject_.picture()); }
+    void add(const std::string& what, const std::vector<float>& usual,
+             const std::vector<float>& now) {
         ++count_;
-        const Moved moved = moved_picture(what, usual_, subject_.picture(), subject_.preset.size);
+        const Moved moved = moved_picture(what, usual, now, subject_.preset.size);
+        most_.resize(usual_.size() / 4);
+        for (std::size_t i = 0; i < std::min(usual.size(), now.size()); ++i)
+            if (i % 4 != 3 && std::isfinite(now[i] - usual[i]))
+                most_[i / 4] = std::max(most_[i / 4], std::abs(now[i] - usual[i]));
         if (moved.share > worst_.share || (moved.share == worst_.share && moved.most > worst_.most))
             worst_ = moved;
     }
 
     CheckSubject& subject_;
     double time_;
-    std::vector<float> usual_;
+    std::vector<float> usual_, most_;  // the latter by pixel
     Moved worst_;
     int count_ = 0;
 };
@@ -118,6 +163,7 @@ void run_conditioning(Check& check, CaseResult& result) {
     mover.move_time();
     mover.move_tweaks();
     mover.move_mouse();
+    mover.move_pixels(check.effort);
     const Moved& worst = mover.worst();
     if (worst.most == 0.0) {
         result.note = fmt::format("{} inputs moved by one ulp, no pixel moves", mover.count());
@@ -128,14 +174,18 @@ void run_conditioning(Check& check, CaseResult& result) {
         worst.what, 100.0 * worst.share, worst.pixel.x, worst.pixel.y, worst.most,
         worst.share > kMostPixels ? "; float itself is at fault here, more work mends nothing"
                                   : "");
+    if (worst.share < kWorthAMap) return;
+    const auto file = check.folder / (case_stem(check.subject.opened(), result.name) + ".png");
+    make_folder(check.folder);
+    write_rgb(file, mover.map(), check.subject.preset.size);
+    result.picture = file.string();
 }
 
 }  // namespace
 
 void add_conditioning_case(std::vector<Case>& list, const CheckSubject& subject) {
-    if (subject.moves() || !subject.scene().tweaks.empty() || subject.renderer().reads_mouse())
-        list.push_back({"one ulp", run_conditioning,
-                        subject.scene().tweaks.empty() ? Case::Tweaks::none : Case::Tweaks::one});
+    list.push_back({"one ulp", run_conditioning,
+                    subject.scene().tweaks.empty() ? Case::Tweaks::none : Case::Tweaks::one});
 }
 
 }  // namespace glint

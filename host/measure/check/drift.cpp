@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace glint {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kLeastGrowth = 1.02;          // from the first part to the las
 constexpr double kLeastRatio = 1.01;           // from one increase to the next
 constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may differ
 
-std::array<double, kParts> means_of_parts(const std::vector<double>& values) {
+std::array<double, kParts> means_of_parts(std::span<const double> values) {
     std::array<double, kParts> means{};
     const std::size_t length = values.size() / kParts;
     for (std::size_t part = 0; part < kParts; ++part) {
@@ -29,7 +30,7 @@ std::array<double, kParts> means_of_parts(const std::vector<double>& values) {
 
 // The factor of a part to the next by which the values' increases grow, where that is always the
 // same: then they grow like exp(t), whatever is added to them. Sums and squares of time do not.
-std::optional<double> steady_factor(const std::vector<double>& values) {
+std::optional<double> steady_factor(std::span<const double> values) {
     const auto means = means_of_parts(values);
     if (!(means.back() > kLeastGrowth * means.front())) return std::nullopt;
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
@@ -41,6 +42,18 @@ std::optional<double> steady_factor(const std::vector<double>& values) {
     }
     if (least < kLeastRatio || most - least > kUneven * (most - 1.0) + kDust) return std::nullopt;
     return (least + most) / 2.0;
+}
+
+// Without the frames in which nothing has changed yet.
+std::span<const double> without_start(std::span<const double> values) {
+    constexpr double kSame = 1e-7;
+    std::size_t first = 0;
+    while (first + 1 < values.size() &&
+           std::abs(values[first + 1] - values[first]) <= kSame * std::abs(values[first]))
+        ++first;
+    // From nothing to something is no growth either.
+    if (first + 1 < values.size() && values[first] == 0.0) ++first;
+    return values.subspan(first);
 }
 
 }  // namespace
@@ -61,7 +74,7 @@ void StateCurves::add(const CheckSubject& subject) {
             const std::vector<float> values = subject.renderer().read_buffer(i, output);
             for (std::size_t k = 0; k < values.size(); ++k) {
                 if (!std::isfinite(values[k])) continue;
-                largest = std::max(largest, std::abs(values[k]));
+                if (std::abs(values[k]) > std::abs(largest)) largest = values[k];
                 squares[k % 4] += static_cast<double>(values[k]) * static_cast<double>(values[k]);
             }
             const double texels = std::max(static_cast<double>(values.size()) / 4.0, 1.0);
@@ -73,23 +86,39 @@ void StateCurves::add(const CheckSubject& subject) {
             put(names[output], sum);
         }
     }
-    largest_.push_back(largest);
+    largest_.push_back(std::abs(largest));
+    signed_.push_back(largest);
 }
 
-std::string StateCurves::growth() const {
-    if (frames() < kLeastOfGrowth) return "";
+std::string StateCurves::growth(std::size_t from) const {
     for (const Curve& curve : curves_) {
-        const auto factor = steady_factor(curve.means);
+        const auto values = without_start(std::span(curve.means).subspan(std::min(from, frames())));
+        if (values.size() < kLeastOfGrowth) continue;
+        const auto factor = steady_factor(values);
         if (!factor) continue;
         // Of squares; of the values half of it.
-        const double frame = std::log(*factor) / 2.0 / static_cast<double>(frames() / kParts);
+        const double frame = std::log(*factor) / 2.0 / static_cast<double>(values.size() / kParts);
         return fmt::format("{} grows steadily, by {:.2g} % a frame", curve.name, 100.0 * frame);
     }
     return "";
 }
 
+// An unstable step that is clamped: in the last quarter the largest value is mostly the same, but
+// for its sign.
+bool StateCurves::chatters() const {
+    const std::size_t from = frames() - frames() / 4;
+    std::size_t same = 0, turned = 0;
+    for (std::size_t k = from + 1; k < frames(); ++k) {
+        same += largest_[k] == largest_[k - 1];
+        turned += signed_[k] == -signed_[k - 1] && signed_[k] != 0.0f;
+    }
+    const std::size_t steps = frames() / 4;
+    return steps > 4 && 4 * same >= 3 * (steps - 1) && 4 * turned >= steps;
+}
+
 bool StateCurves::explodes(float usual) const {
     constexpr float kFactor = 4.0f, kBeyondUsual = 8.0f, kLeast = 10.0f;
+    if (largest() >= kFactor * usual && usual > 0.0f && chatters()) return true;
     constexpr double kLonger = 1.5;  // of x^n the second factor takes 4^(1/n) times as long
     if (largest() < std::max(kLeast, kBeyondUsual * usual)) return false;
     for (std::size_t a = 0; a < largest_.size(); ++a) {

@@ -14,9 +14,11 @@ public:
     // Of what is fed back, after a frame.
     void add(const CheckSubject& subject);
 
-    // Steady growth by a factor a frame, however small: "sums grows by 0.01 % a frame".
-    std::string growth() const;
-    // Whether the largest value rose faster than any power of time, beyond `usual` by far.
+    // Steady growth by a factor a frame, however small: "sums grows by 0.01 % a frame". From that
+    // frame on, or later where it stands still at first.
+    std::string growth(std::size_t from = 0) const;
+    // Whether the largest value rose faster than any power of time, beyond `usual` by far; or
+    // stands beyond it at a limit, its sign to and fro.
     bool explodes(float usual) const;
     float largest() const;
     float largest_from(std::size_t frame) const;
@@ -24,12 +26,14 @@ public:
     std::size_t frames() const { return largest_.size(); }
 
 private:
+    bool chatters() const;
+
     struct Curve {
         std::string name;           // of what: "waves.x", "waves"
         std::vector<double> means;  // squares, by frame
     };
     std::vector<Curve> curves_;
-    std::vector<float> largest_;
+    std::vector<float> largest_, signed_;  // by frame; that with its sign
 };
 
 }  // namespace glint

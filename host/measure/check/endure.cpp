@@ -1,6 +1,7 @@
 // Simulations over many frames: every end of every tweak, and what becomes of a poisoned texel once
 // it looks healed.
-#include "measure/check/case.h"
+#include "measure/check/endure.h"
+
 #include "measure/check/drift.h"
 #include "measure/check/invariants.h"
 #include "measure/check/poison.h"
@@ -16,12 +17,14 @@ namespace glint {
 namespace {
 
 constexpr int kEndured = 600, kLeastEndured = 30;  // at each end of a tweak
-constexpr int kBefore = 30, kAfter = 120;          // frames round a poisoning
+constexpr int kConfirmed = 2000;                   // before a growth is told
+constexpr float kFar = 1000.0f;
+constexpr int kBefore = 30, kAfter = 120;  // frames round a poisoning
 
 // Frames at 60 Hz, as many as a share of the seconds allows. False when one was not finite.
 bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants& invariants) {
     const Stopwatch clock;
-    for (int k = 0; k < frames; ++k) {
+    for (int k = static_cast<int>(curves.frames()); k < frames; ++k) {
         if (!check.effort.tries && k >= kLeastEndured && check.effort.over(clock.ms(), 0.02)) break;
         if (!check.subject.play_frames(k, k + 1, 60.0)) return false;
         curves.add(check.subject);
@@ -30,18 +33,19 @@ bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants
     return true;
 }
 
-// What the preset itself comes to.
-float usual_largest(Check& check) {
-    if (check.usual_largest) return *check.usual_largest;
-    const auto values = check.subject.preset.values;
-    check.subject.preset.values = check.subject.opened().values;
-    StateCurves curves;
-    Invariants invariants(check.subject);
-    play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants);
-    check.subject.renderer().reset();
-    check.subject.preset.values = values;
-    check.usual_largest = curves.largest();
-    return *check.usual_largest;
+// What begins as a growth may come to rest, as that of a population does: then it goes on.
+std::string why_not(const Check& check, StateCurves& curves, Invariants& invariants, float usual) {
+    if (!check.subject.observed().is_finite()) return "";
+    if (curves.explodes(usual))
+        return fmt::format("the state explodes to {:.3g} (with the preset's values {:.3g})",
+                           curves.largest(), usual);
+    const std::string growth = curves.growth();
+    const std::size_t seen = curves.frames();
+    if (growth.empty() || !play_curves(check, kConfirmed, curves, invariants))
+        return invariants.broken();
+    const bool goes_on = curves.frames() == seen || !curves.growth(seen).empty() ||
+                         curves.largest() > std::max(kFar, kFar * usual);
+    return goes_on ? growth : invariants.broken();
 }
 
 void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) {
@@ -55,14 +59,8 @@ void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) 
     Invariants invariants(check.subject);
     if (!play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants)) return;
     result.note = fmt::format("{} frames, largest {:.3g}", curves.frames(), curves.largest());
-    const std::string growth = curves.growth();
-    if (curves.explodes(usual))
-        result.fail(fmt::format("the state explodes to {:.3g} (with the preset's values {:.3g})",
-                                curves.largest(), usual));
-    else if (!growth.empty())
-        result.fail(growth);
-    else if (!invariants.broken().empty())
-        result.fail(invariants.broken());
+    const std::string why = why_not(check, curves, invariants, usual);
+    if (!why.empty()) result.fail(why);
 }
 
 struct Seen {
@@ -146,6 +144,26 @@ void run_after_poison(std::size_t index, Check& check, CaseResult& result) {
 }
 
 }  // namespace
+
+float usual_largest(Check& check) {
+    if (check.usual_largest) return *check.usual_largest;
+    const auto values = check.subject.preset.values;
+    check.subject.preset.values = check.subject.opened().values;
+    StateCurves curves;
+    Invariants invariants(check.subject);
+    play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants);
+    check.subject.renderer().reset();
+    check.subject.preset.values = values;
+    check.usual_largest = curves.largest();
+    return *check.usual_largest;
+}
+
+std::string why_not_for_long(Check& check, float usual) {
+    StateCurves curves;
+    Invariants invariants(check.subject);
+    play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants);
+    return why_not(check, curves, invariants, usual);
+}
 
 void add_endurance_cases(std::vector<Case>& list, const CheckSubject& subject) {
     if (!subject.stateful()) return;

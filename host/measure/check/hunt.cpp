@@ -1,5 +1,6 @@
-// Where anything at all fails: the search over tweaks, time and mouse, and every key.
+// Where anything at all fails: the search over tweaks, time, mouse, keys and size, and every key.
 #include "measure/check/case.h"
+#include "measure/check/endure.h"
 #include "measure/check/space.h"
 #include "measure/probe/faults.h"
 
@@ -15,12 +16,16 @@ constexpr int kHuntedFrames = 8;     // of a simulation, at each point
 constexpr int kSmallest = 160;       // trials for the smallest reproducer
 constexpr double kHuntShare = 0.12;  // of the seconds, that a search may take
 constexpr int kEvaluations = 256;    // of one effort
+constexpr int kOfSizes = 192;        // where there is nothing but the size to change
+constexpr int kMostKeys = 6;         // that the search presses
+constexpr int kSmallestLong = 16;    // trials, each a long run
 constexpr double kLongText = 5e3;    // ms that instrumented programs of a long text may take
 
 // A subject that is brought to points, its operations watched where they can be.
 class Hunter {
 public:
-    explicit Hunter(Check& check) : subject_(check.subject), space_(check.subject) {
+    Hunter(Check& check, const std::vector<int>& keys)
+        : subject_(check.subject), space_(check.subject, keys) {
         CheckSubject& subject = subject_;
         if (!subject.is_short() && check.effort.over(kLongText, kHuntShare)) return;
         try {
@@ -42,27 +47,53 @@ public:
         const Playback playback{.end = subject_.stateful() ? (kHuntedFrames - 1) / 60.0 : time};
         const int last = playback.last_frame();
         bool finite = true;
+        float earlier = 0.0f;  // of the state, half way
         for (int k = subject_.stateful() ? 0 : last; k <= last && finite; ++k) {
             const Frame frame = playback.frame(subject_.preset, k);
             subject_.still = StillPlace{frame.time, playback.fps};
             if (k == last && survey_) survey_->begin(frame);
             finite = subject_.draw(frame);
             if (survey_) survey_->end();
+            if (k == last / 2 && subject_.stateful()) earlier = subject_.largest_state();
         }
         Trial trial{.fails = !finite};
-        if (!survey_) return trial;
-        trial.distances = survey_->distances();
-        fault_ = survey_->fault();
-        trial.fails |= fault_.has_value();
+        if (survey_) {
+            trial.distances = survey_->distances();
+            fault_ = survey_->fault();
+            trial.fails |= fault_.has_value();
+        }
+        if (subject_.stateful() && finite) add_state(point, earlier, trial);
         return trial;
     }
+
+    // Where the state grew most within its few frames, and where it became largest.
+    const Point& steepest() const { return steepest_; }
+    const Point& largest() const { return largest_; }
 
     // Of the last point.
     const std::optional<ProbeFault>& fault() const { return fault_; }
 
 private:
+    // Growth and magnitude are goals like any distance.
+    void add_state(const Point& point, float earlier, Trial& trial) {
+        const float now = subject_.largest_state();
+        const float growth = now / std::max(earlier, 1e-6f);
+        if (steepest_.empty() || growth > most_growth_) {
+            steepest_ = point;
+            most_growth_ = growth;
+        }
+        if (largest_.empty() || now > most_) {
+            largest_ = point;
+            most_ = now;
+        }
+        trial.distances.push_back(1.0f / (1.0f + growth));
+        trial.distances.push_back(1.0f / (1.0f + now));
+    }
+
     CheckSubject& subject_;
     Space space_;
+    Point steepest_{}, largest_{};
+    float most_growth_ = 0.0f, most_ = 0.0f;
     std::unique_ptr<FaultSurvey> survey_;
     std::optional<ProbeFault> fault_;
 };
@@ -88,12 +119,61 @@ void report(Hunter& hunter, Check& check, const Point& found, CaseResult& result
                                : fmt::format("at {}", where));
 }
 
+// The points at which the state grew most and became largest play on for long.
+void endure_worst(const Hunter& hunter, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    const Space& space = hunter.space();
+    const float usual = usual_largest(check);
+    const auto why_at = [&](const Point& point) {
+        subject.restore();
+        space.apply(point, subject);
+        return subject.observed().is_finite() ? why_not_for_long(check, usual) : "";
+    };
+    for (const Point& worst : {hunter.steepest(), hunter.largest()}) {
+        if (worst.empty() || why_at(worst).empty()) continue;
+        const Point point = smallest(
+            worst, space.usual(), [&](const Point& one) { return !why_at(one).empty(); },
+            kSmallestLong);
+        const std::string why = why_at(point);
+        return result.fail(fmt::format("{}; at {}", why, space.words(point, subject)));
+    }
+}
+
+std::vector<int> keys_in_order();
+
+// Keys that change the picture or what is kept, each alone and with the preset's values.
+std::vector<int> keys_that_matter(Check& check) {
+    std::vector<int> keys;
+    CheckSubject& subject = check.subject;
+    if (!subject.renderer().reads_keyboard()) return keys;
+    const Stopwatch clock;
+    const auto seen = [&](int key) {
+        subject.restore();
+        const double time = subject.stateful() ? 2.0 / 60 : subject.preset.time;
+        if (key >= 0)
+            subject.preset.events = {
+                {.time = subject.stateful() ? 1.0 / 60 : std::max(0.0, time - 0.5 / 60),
+                 .key = key,
+                 .down = true}};
+        subject.show(time, time);
+        return std::pair(subject.picture(), subject.largest_state());
+    };
+    const auto usual = seen(-1);
+    for (const int key : keys_in_order()) {
+        if (keys.size() == kMostKeys) break;
+        if (!check.effort.tries && check.effort.over(clock.ms(), 0.03)) break;
+        if (seen(key) != usual) keys.push_back(key);
+    }
+    return keys;
+}
+
 void run_search(Check& check, CaseResult& result) {
     const Stopwatch clock;
-    Hunter hunter(check);
-    Search search(hunter.space().usual());
-    const int wanted =
-        hunter.space().usual().empty() ? 1 : kEvaluations * check.effort.tries.value_or(1);
+    Hunter hunter(check, keys_that_matter(check));
+    const Space& space = hunter.space();
+    Search search(space.usual(), space.rare());
+    const int wanted = (space.usual().size() == space.rare() ? kOfSizes : kEvaluations) *
+                       check.effort.tries.value_or(1);
     int done = 0;
     for (; done < wanted; ++done) {
         if (!check.effort.tries && check.effort.over(clock.ms(), kHuntShare)) break;
@@ -105,6 +185,7 @@ void run_search(Check& check, CaseResult& result) {
     result.note =
         fmt::format("{}{} points{}", done, done < wanted ? fmt::format(" of {}", wanted) : "",
                     hunter.is_guided() ? "" : ", without a guide");
+    if (check.subject.stateful()) endure_worst(hunter, check, result);
 }
 
 // Arrows, space, letters and digits first, then all others.

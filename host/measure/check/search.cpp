@@ -8,6 +8,7 @@ namespace glint {
 namespace {
 
 constexpr double kLeastStep = 1e-3;
+constexpr std::size_t kRare = 4;
 
 // The positive root of x^(d+1) = x + 1: 1.618… for one range, 1.3247… for two.
 double root_of(std::size_t dimensions) {
@@ -20,24 +21,30 @@ double root_of(std::size_t dimensions) {
 }  // namespace
 
 Point Search::end_point(std::size_t row) const {
-    const std::size_t rows = std::bit_ceil(usual_.size() + 1);
-    Point point(usual_.size());
-    for (std::size_t i = 0; i < point.size(); ++i) {
+    const std::size_t rows = std::bit_ceil(often_ + 1);
+    Point point = usual_;
+    for (std::size_t i = 0; i < often_; ++i) {
         const bool is_high = (std::popcount((row % rows) & (i + 1)) % 2 == 0) == (row < rows);
         point[i] = is_high ? 1.0 : 0.0;
     }
     return point;
 }
 
+// A sequence each of the ranges that change often and rarely, so that none is the coarser for the
+// other.
 Point Search::spread_point() {
-    const double root = root_of(usual_.size());
     const auto number = static_cast<double>(++spread_);
-    Point point(usual_.size());
-    double share = 1.0;
-    for (double& component : point) {
-        share /= root;
-        component = std::fmod(0.5 + number * share, 1.0);
-    }
+    Point point = usual_;
+    const auto spread = [&](std::size_t begin, std::size_t end) {
+        const double root = root_of(end - begin);
+        double share = 1.0;
+        for (std::size_t i = begin; i < end; ++i) {
+            share /= root;
+            point[i] = std::fmod(0.5 + number * share, 1.0);
+        }
+    };
+    spread(0, often_);
+    if (often_ == 0 || spread_ % kRare == 0) spread(often_, point.size());
     return point;
 }
 
@@ -49,9 +56,11 @@ std::optional<Point> Search::moved_point() {
         if (!goal.varies || goal.nearest <= 0.0f || goal.step < kLeastStep) continue;
         moving_ = at;
         Point point = goal.best;
-        const auto count = std::min<std::size_t>(1 + random_() % 3, point.size());
+        const bool is_rare = often_ == 0 || (often_ < point.size() && ++moves_ % kRare == 0);
+        const std::size_t room = is_rare ? point.size() : often_;
+        const auto count = std::min<std::size_t>(1 + random_() % 3, room);
         for (std::size_t k = 0; k < count; ++k) {
-            double& component = point[random_() % point.size()];
+            double& component = point[random_() % room];
             component = std::clamp(component + goal.step * (2.0 * drawn() - 1.0), 0.0, 1.0);
         }
         return point;
@@ -63,7 +72,7 @@ Point Search::next() {
     const std::size_t number = asked_++;
     moving_ = SIZE_MAX;
     if (number == 0 || usual_.empty()) return usual_;
-    const std::size_t ends = 2 * std::bit_ceil(usual_.size() + 1);
+    const std::size_t ends = often_ == 0 ? 0 : 2 * std::bit_ceil(often_ + 1);
     if (number <= ends) return end_point(number - 1);
     // Two moves for one that explores, once anything is known to vary.
     if (number % 3 != 0)

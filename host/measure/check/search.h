@@ -26,12 +26,16 @@ using Try = std::function<Trial(const Point&)>;
 // and their opposites: an orthogonal array of strength 3; Hedayat, Sloane and Stufken, "Orthogonal
 // Arrays", 1999). From then on every other point is of the additive sequence R (Martin Roberts,
 // "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), which leaves no large hole, and
-// every other one moves from where one operation came nearest to a fault (an evolution strategy,
+// the others move from where one operation came nearest to a fault (an evolution strategy,
 // (1+1), of one to three ranges at a time, that adapts its steps; the distance is the "branch
 // distance" of search-based testing, McMinn 2004).
+//
+// The last `rare` ranges are dear to change: no end is tried of them, and they change in every
+// fourth of the points that spread, and of the moves.
 class Search {
 public:
-    explicit Search(Point usual) : usual_(std::move(usual)) {}
+    explicit Search(Point usual, std::size_t rare = 0)
+        : usual_(std::move(usual)), often_(usual_.size() - rare) {}
 
     Point next();
     void tell(const Point& point, const Trial& trial);
@@ -49,8 +53,9 @@ private:
     std::optional<Point> moved_point();
 
     Point usual_;
+    std::size_t often_;
     std::vector<Goal> goals_;
-    std::size_t asked_ = 0, spread_ = 0, turn_ = 0, moving_ = SIZE_MAX;
+    std::size_t asked_ = 0, spread_ = 0, turn_ = 0, moves_ = 0, moving_ = SIZE_MAX;
     std::mt19937 random_{1};
 };
 

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace glint {
 namespace {
 
 constexpr double kLongest = 60.0;  // s; a scene without a state is seen at any time up to this
+constexpr double kLongestSide = 1920.0;
+// The usual number of pixels. The shorter side gives way, so that no point is dearer than others.
+constexpr double kMostPixels = 3.0;
 
 bool is_logarithmic(const Tweak& tweak, const Range& range) {
     return tweak.log && range.min > 0.0;
@@ -38,7 +42,8 @@ double at_share(const Tweak& tweak, const Range& range, double share) {
     return std::lerp(range.min, range.max, share);
 }
 
-Space::Space(const CheckSubject& subject) {
+Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
+    : usual_size_(subject.opened().size) {
     const auto& tweaks = subject.scene().tweaks;
     for (std::size_t i = 0; i < tweaks.size(); ++i) {
         const auto range = range_of(tweaks[i]);
@@ -58,12 +63,37 @@ Space::Space(const CheckSubject& subject) {
             usual_.push_back(0.5);
         }
     }
+    for (const int key : keys) {
+        axes_.push_back({Axis::Of::key, static_cast<std::size_t>(key), 0});
+        usual_.push_back(0.0);
+    }
+    for (const int c : {0, 1}) {
+        axes_.push_back({Axis::Of::size, 0, static_cast<std::size_t>(c)});
+        usual_.push_back(std::min(usual_size_[c] / kLongestSide, 1.0));
+    }
+}
+
+glm::ivec2 Space::size_at(const Point& point) const {
+    glm::ivec2 size = usual_size_;
+    const std::size_t first = point.size() - 2;
+    for (const int c : {0, 1}) {
+        const std::size_t i = first + static_cast<std::size_t>(c);
+        if (point[i] != usual_[i])
+            size[c] = std::max(1, static_cast<int>(std::lround(point[i] * kLongestSide)));
+    }
+    if (size == usual_size_) return size;
+    const double most = kMostPixels * usual_size_.x * usual_size_.y;
+    int& shorter = size.x < size.y ? size.x : size.y;
+    const int longer = std::max(size.x, size.y);
+    shorter = std::clamp(static_cast<int>(most / longer), 1, shorter);
+    return size;
 }
 
 double Space::apply(const Point& point, CheckSubject& subject) const {
     double time = subject.opened().time;
     glm::dvec2 mouse(0.5);
     bool is_moved = false;
+    std::vector<int> held;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         if (point[i] == usual_[i]) continue;  // what the preset has, to the last digit
         const Axis& axis = axes_[i];
@@ -72,14 +102,22 @@ double Space::apply(const Point& point, CheckSubject& subject) const {
         } else if (axis.of == Axis::Of::mouse) {
             mouse[static_cast<int>(axis.component)] = point[i];
             is_moved = true;
-        } else {
+        } else if (axis.of == Axis::Of::key) {
+            if (point[i] >= 0.5) held.push_back(static_cast<int>(axis.index));
+        } else if (axis.of == Axis::Of::tweak) {
             const Tweak& tweak = subject.scene().tweaks[axis.index];
             TweakValue& value = subject.preset.values[axis.index];
             value[axis.component] = at_share(tweak, *range_of(tweak), point[i]);
             value = clamp_to_range(tweak, value);
         }
     }
-    if (is_moved) subject.preset.events = {{.time = 0.0, .down = true, .mouse = mouse}};
+    if (is_moved || !held.empty()) subject.preset.events.clear();
+    if (is_moved) subject.preset.events.push_back({.time = 0.0, .down = true, .mouse = mouse});
+    // Of a scene without a state in its one frame, so that it is seen as pressed, too.
+    const double pressed = subject.stateful() ? 1.0 / 60 : std::max(0.0, time - 0.5 / 60);
+    for (const int key : held)
+        subject.preset.events.push_back({.time = pressed, .key = key, .down = true});
+    if (const glm::ivec2 size = size_at(point); size != subject.preset.size) subject.resize(size);
     return time;
 }
 
@@ -97,13 +135,37 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
             mouse[static_cast<int>(axis.component)] = point[i];
             is_moved = true;
         }
+        if (axis.of == Axis::Of::key && point[i] >= 0.5)
+            add("key " + key_name(static_cast<int>(axis.index)));
         if (axis.of != Axis::Of::tweak || told == axis.index) continue;
         told = axis.index;
         const Tweak& tweak = subject.scene().tweaks[axis.index];
         add(tweak.name + "=" + format_value(tweak, subject.preset.values[axis.index]));
     }
+    if (const glm::ivec2 size = size_at(point); size != usual_size_)
+        add(fmt::format("size {}x{}", size.x, size.y));
     if (is_moved) add(fmt::format("mouse {:.3g},{:.3g}", mouse.x, mouse.y));
     return words.empty() ? "the preset as it is" : words;
+}
+
+std::vector<std::vector<TweakValue>> values_at_ends(const CheckSubject& subject, std::size_t most) {
+    const auto& tweaks = subject.scene().tweaks;
+    std::vector<std::vector<TweakValue>> sets = {subject.opened().values};
+    Search search(Point(tweaks.size(), 0.5));
+    search.next();
+    const std::size_t ends = tweaks.empty() ? 0 : 2 * std::bit_ceil(tweaks.size() + 1);
+    for (std::size_t k = 0; k < ends && sets.size() < most; ++k) {
+        const Point point = search.next();
+        std::vector<TweakValue> values = sets.front();
+        for (std::size_t i = 0; i < tweaks.size(); ++i) {
+            const auto range = range_of(tweaks[i]);
+            if (!range) continue;
+            values[i].fill(point[i] < 0.5 ? range->min : range->max);
+            values[i] = clamp_to_range(tweaks[i], values[i]);
+        }
+        if (std::ranges::find(sets, values) == sets.end()) sets.push_back(std::move(values));
+    }
+    return sets;
 }
 
 }  // namespace glint

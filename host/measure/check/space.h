@@ -1,4 +1,5 @@
-// What a person can turn: every number of every tweak, the time, the mouse; as shares of ranges.
+// What a person can turn: every number of every tweak, the time, the mouse, keys, the size; as
+// shares of ranges.
 #pragma once
 
 #include "measure/check/search.h"
@@ -22,22 +23,32 @@ double at_share(const Tweak& tweak, const Range& range, double share);
 
 class Space {
 public:
-    explicit Space(const CheckSubject& subject);
+    // `keys`: held down or not.
+    explicit Space(const CheckSubject& subject, const std::vector<int>& keys = {});
     // The preset's own.
     const Point& usual() const { return usual_; }
-    // Sets tweaks and events; gives the time.
+    // How many of the last ranges are dear to change: those of the size.
+    std::size_t rare() const { return 2; }
+    // Sets tweaks, events and size; gives the time.
     double apply(const Point& point, CheckSubject& subject) const;
     // "a=0.95, mouse 0.3,0.7, time 7.3": what of it is not as usual.
     std::string words(const Point& point, const CheckSubject& subject) const;
 
 private:
     struct Axis {
-        enum class Of { tweak, time, mouse } of;
-        std::size_t index;  // of the tweak
+        enum class Of { tweak, time, mouse, key, size } of;
+        std::size_t index;  // of the tweak; the key
         std::size_t component;
     };
+    glm::ivec2 size_at(const Point& point) const;
+
     std::vector<Axis> axes_;
     Point usual_;
+    glm::ivec2 usual_size_;
 };
+
+// The preset's values, and the ends of all ranges, so combined that any two tweaks take every
+// combination of theirs; at most `most` sets.
+std::vector<std::vector<TweakValue>> values_at_ends(const CheckSubject& subject, std::size_t most);
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 // NaN, 0x7FC0DEAD and true instead. Where that shows, halves of what was unset are tried until the
 // first is found that shows on its own.
 #include "measure/check/case.h"
+#include "measure/check/space.h"
 #include "measure/rows/difference.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@ namespace glint {
 namespace {
 
 constexpr double kUnsetPlayed = 0.5;  // s of a simulation
+constexpr std::size_t kEnds = 16;     // sets of tweaks
 
 // Of all passes that are drawn, each once, in the order of the text.
 std::vector<Unset> unset_values(const CheckSubject& subject) {
@@ -35,12 +37,19 @@ public:
     explicit Comparison(CheckSubject& subject)
         : subject_(subject),
           time_(subject.stateful() ? std::min(subject.preset.time, kUnsetPlayed)
-                                   : subject.preset.time) {}
+                                   : subject.preset.time) {
+        sets_ = values_at_ends(subject, subject.specialised() ? 1 : kEnds);
+    }
 
     // False where the scene is not finite by itself.
     bool draw_usual() {
-        const bool finite = subject_.show(time_, kUnsetPlayed);
-        usual_ = subject_.picture();
+        bool finite = true;
+        for (const auto& values : sets_) {
+            subject_.restore();
+            subject_.preset.values = values;
+            finite &= subject_.show(time_, kUnsetPlayed);
+            usual_.push_back(subject_.picture());
+        }
         return finite;
     }
 
@@ -48,15 +57,21 @@ public:
         CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
                             {.specialise = subject_.specialised(), .marked = range});
         marked.after_frame = subject_.after_frame;
-        if (!marked.show(time_, kUnsetPlayed)) return true;
-        const Difference found = difference(marked.picture(), usual_);
-        return found.not_finite > 0 || found.share_off > 0.0;
+        for (std::size_t i = 0; i < sets_.size(); ++i) {
+            marked.restore();
+            marked.preset.values = sets_[i];
+            if (!marked.show(time_, kUnsetPlayed)) return true;
+            const Difference found = difference(marked.picture(), usual_[i]);
+            if (found.not_finite > 0 || found.share_off > 0.0) return true;
+        }
+        return false;
     }
 
 private:
     CheckSubject& subject_;
     double time_;
-    std::vector<float> usual_;
+    std::vector<std::vector<TweakValue>> sets_;
+    std::vector<std::vector<float>> usual_;  // by set
 };
 
 // `list` shows as a whole. Of two that show only together it is the first.
@@ -114,7 +129,9 @@ void run_unset(Check& check, CaseResult& result) {
 }  // namespace
 
 void add_unset_case(std::vector<Case>& list, const CheckSubject& subject) {
-    if (!unset_values(subject).empty()) list.push_back({"uninitialised values", run_unset});
+    if (!unset_values(subject).empty())
+        list.push_back({"uninitialised values", run_unset,
+                        subject.scene().tweaks.empty() ? Case::Tweaks::none : Case::Tweaks::all});
 }
 
 }  // namespace glint

@@ -43,6 +43,8 @@ const char* kind_of(SiteKind kind) {
             return "read";
         case SiteKind::call:
             return "call";
+        case SiteKind::sum:
+            return "sum";
         case SiteKind::division:
             return "division";
         case SiteKind::domain:
@@ -327,8 +329,13 @@ std::vector<ProbeCell> Probe::map(Renderer& renderer, const Frame& frame, std::s
     return target.read();
 }
 
-std::vector<ProbeCell> Probe::survey(Renderer& renderer, const Frame& frame, int first,
-                                     int mend) {
+std::vector<ProbeCell> Probe::rounded(Renderer& renderer, const Frame& frame, int site, int seed) {
+    const ProbeTarget target(renderer.buffer(index_in(renderer)).shape().size, outputs_);
+    draw(renderer, frame, target, {.site = site, .hit = seed}, glm::ivec4(0), 0);
+    return target.read();
+}
+
+std::vector<ProbeCell> Probe::survey(Renderer& renderer, const Frame& frame, int first, int mend) {
     const ProbeTarget target(renderer.buffer(index_in(renderer)).shape().size, outputs_);
     draw(renderer, frame, target, {.site = first, .hit = mend},
          {0, 0, 0, static_cast<int>(probed_.sites.size())}, 0);

@@ -80,6 +80,10 @@ public:
     // probe_declarations.
     static constexpr int kMends = 3;
     std::vector<ProbeCell> survey(Renderer& renderer, const Frame& frame, int first, int mend);
+    // Of ProbeKind::rounding: what is drawn where results of a site, or of those that these stand
+    // for, are rounded by chance.
+    static constexpr int kEverySite = -1, kNoSite = -2, kPixelsMoved = -3;
+    std::vector<ProbeCell> rounded(Renderer& renderer, const Frame& frame, int site, int seed);
     // The colour that the last question at a pixel drew there.
     const std::array<float, 4>& colour() const { return colour_; }
     // Whether that pixel was discarded, which then tells nothing.
