@@ -107,8 +107,10 @@ std::string read_whole_file(const fs::path& file, std::size_t most) {
         return Unreadable(file, "it is larger than " + std::to_string(most >> 20) + " MiB");
     };
     if (in.size() > most) throw too_large();
-    // It may grow meanwhile, and files of the kernel's tell no size.
-    std::string bytes(in.size(), '\0');
+    // It may grow meanwhile, and files of the kernel's tell no size. Room to see that it has not.
+    std::string bytes;
+    bytes.reserve(in.size() + kChunk);
+    bytes.resize(in.size());
     bytes.resize(in.read(bytes, 0));
     for (bool more = true; more;) {
         const std::size_t before = bytes.size();

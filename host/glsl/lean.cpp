@@ -25,7 +25,19 @@ bool stands_for_itself(const Reading& reading, Span span) {
     return depth == 0;
 }
 
+// The name that a global declares alone, of a constant or one that will be.
+std::string_view constant_name(const Reading& reading, const Declaration& declaration,
+                               const std::unordered_set<std::string_view>& uniforms) {
+    if (declaration.names.size() != 1 || declaration.structure != kNone) return {};
+    const std::string_view name = reading.word(declaration.names.front().name);
+    return declaration.is_const || uniforms.contains(name) ? name : std::string_view();
+}
+
 }  // namespace
+
+bool may_be_left_out(const Reading& reading, TokenRange tokens) {
+    return reading.stands_alone(tokens) && stands_for_itself(reading, reading.place(tokens));
+}
 
 bool can_be_lean(const Reading& reading) {
     return reading.is_balanced && reading.not_understood.empty() && !reading.unclosed_comment &&
@@ -35,9 +47,44 @@ bool can_be_lean(const Reading& reading) {
 void leave_out_functions(const Reading& reading, const std::vector<bool>& reached, Edits& edits) {
     for (std::uint32_t i = 0; i < reading.functions.size(); ++i) {
         const TokenRange tokens = reading.functions[i].tokens;
-        if (reached[i] || !reading.stands_alone(tokens)) continue;
-        const Span span = reading.place(tokens);
-        if (stands_for_itself(reading, span)) edits.replace_bytes(span, "");
+        if (!reached[i] && may_be_left_out(reading, tokens))
+            edits.replace_bytes(reading.place(tokens), "");
+    }
+}
+
+std::unordered_set<std::string_view> unused_constants(
+    const Reading& reading, const std::vector<bool>& reached,
+    const std::unordered_set<std::string_view>& uniforms) {
+    std::unordered_set<std::string_view> used, unused;
+    const auto use = [&](TokenRange range) {
+        for (std::uint32_t at = range.begin; at < range.end; ++at)
+            if (reading.tokens[at].is_word()) used.insert(reading.tokens[at].text);
+    };
+    for (std::uint32_t i = 0; i < reading.functions.size(); ++i) {
+        const TokenRange tokens = reading.functions[i].tokens;
+        if (reached[i] || !may_be_left_out(reading, tokens)) use(tokens);
+    }
+    // What a global asks for stands before it.
+    for (auto item = reading.items.rbegin(); item != reading.items.rend(); ++item) {
+        if (item->kind == Item::Kind::function) continue;
+        std::string_view name;
+        if (item->kind == Item::Kind::declaration)
+            name = constant_name(reading, reading.declarations[item->index], uniforms);
+        if (!name.empty() && !used.contains(name) && may_be_left_out(reading, item->tokens))
+            unused.insert(name);
+        else
+            use(item->tokens);
+    }
+    return unused;
+}
+
+void leave_out_constants(const Reading& reading, const std::unordered_set<std::string_view>& unused,
+                         Edits& edits) {
+    for (const Item& item : reading.items) {
+        if (item.kind != Item::Kind::declaration) continue;
+        const Declaration& declaration = reading.declarations[item.index];
+        if (declaration.is_const && unused.contains(constant_name(reading, declaration, {})))
+            edits.replace_bytes(reading.place(item.tokens), "");
     }
 }
 

@@ -270,14 +270,25 @@ bool is_constant(const ProgramOptions& options, std::size_t tweak) {
            std::ranges::find(options.constants, tweak) != options.constants.end();
 }
 
-// Every tweak that the options want so, as a constant.
-void specialise(const Preset& preset, const ProgramOptions& options, Edits& edits) {
+// Every tweak that the options want so, as a constant; nothing for those that are unused.
+void specialise(const Preset& preset, const ProgramOptions& options,
+                const std::unordered_set<std::string_view>& unused, Edits& edits) {
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
         if (!is_constant(options, i)) continue;
         const Tweak& tweak = preset.scene.tweaks[i];
         edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
-                            constant(tweak, preset.values[i]));
+                            unused.contains(tweak.name) ? "" : constant(tweak, preset.values[i]));
     }
+}
+
+// Another value of what a pass does not ask for leaves its text as it was.
+std::unordered_set<std::string_view> unused_constants(const Reading& reading, const Scene& scene,
+                                                      const std::vector<bool>& reached,
+                                                      const ProgramOptions& options) {
+    std::unordered_set<std::string_view> tweaks;
+    for (std::size_t i = 0; i < scene.tweaks.size(); ++i)
+        if (is_constant(options, i) && !options.named) tweaks.insert(scene.tweaks[i].name);
+    return unused_constants(reading, reached, tweaks);
 }
 
 void name_tweaks(const Scene& scene, Edits& edits) {
@@ -346,17 +357,6 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     return text + main + own_overloads(reading);
 }
 
-// Says whether the text is to lose its comments, too.
-bool leave_out(const Reading& reading, std::string_view entry, const ProgramOptions& options,
-               Edits& edits, PassText& result) {
-    if (!options.lean && !options.feed) return false;
-    const bool is_lean = options.lean && can_be_lean(reading);
-    const std::vector<bool> reached = reading.reached_from({entry});
-    if (is_lean) leave_out_functions(reading, reached, edits);
-    if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, edits);
-    return is_lean;
-}
-
 std::string numbers_uniform(const std::vector<float>& numbers) {
     if (numbers.empty()) return {};
     return fmt::format("uniform vec4 {}[{}];\n", kNumbers, (numbers.size() + 3) / 4);
@@ -376,7 +376,7 @@ std::optional<std::size_t> PassText::origin(std::size_t at) const {
 EditedText specialised_text(const Preset& preset) {
     const Reading reading = read_glsl(preset.scene.text, known_of_scene());
     Edits edits(reading);
-    specialise(preset, {.specialise = true}, edits);
+    specialise(preset, {.specialise = true}, {}, edits);
     return edits.apply();
 }
 
@@ -387,10 +387,15 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const bool plain_main = image && scene.image_entry == "main";
     const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
     Edits edits(reading);
+    const bool is_lean = options.lean && can_be_lean(reading);
+    std::vector<bool> reached;
+    if (is_lean || options.feed) reached = reading.reached_from({entry_of(scene, pass)});
+    std::unordered_set<std::string_view> unused;
+    if (is_lean) unused = unused_constants(reading, scene, reached, options);
     if (options.named)
         name_tweaks(scene, edits);
     else
-        specialise(preset, options, edits);
+        specialise(preset, options, unused, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);
@@ -403,7 +408,9 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (options.named) name_divisions(reading, float_tweaks(scene), edits);
 
     PassText result;
-    const bool is_lean = leave_out(reading, entry_of(scene, pass), options, edits, result);
+    if (is_lean) leave_out_functions(reading, reached, edits);
+    if (is_lean) leave_out_constants(reading, unused, edits);
+    if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, is_lean, edits);
     result.unset = write_zeros(reading, edits, entry, options.marked);
     if (probe)
         result.probed =

@@ -65,7 +65,9 @@ public:
     // `times`: null for a run that does not count. Keys are pressed in runs of their own.
     void run(bool cold, bool with_keys, Times* times) {
         const fs::path shaders = folder_.path() / "shaders";
+        // A driver that has kept nothing is a new one, of which no trial is known.
         if (cold) fs::remove_all(shaders);
+        if (cold) fs::remove_all(folder_.path() / "home/.cache/glint/trials");
         fs::create_directories(shaders);
         Screen screen(kScreen);
         const auto start = Clock::now();

@@ -61,8 +61,10 @@ void read_text(std::string_view raw) {
         mend_division_by_zero(reading, {}, edits);
         Edits lean(reading);
         const std::vector<bool> reached = reading.reached_from({"mainImage"});
-        if (can_be_lean(reading)) leave_out_functions(reading, reached, lean);
-        feed_numbers(reading, reached, "numbers", lean);
+        const bool is_lean = can_be_lean(reading);
+        if (is_lean) leave_out_functions(reading, reached, lean);
+        if (is_lean) leave_out_constants(reading, unused_constants(reading, reached, {}), lean);
+        feed_numbers(reading, reached, "numbers", is_lean, lean);
         without_comments(lean.apply().text);
         write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
         for (const Declaration& declaration : reading.declarations)

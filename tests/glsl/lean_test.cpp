@@ -12,7 +12,9 @@ std::string lean(std::string_view text) {
     const Reading reading = read_glsl(text, known_of_driver());
     if (!can_be_lean(reading)) return "not understood";
     Edits edits(reading);
-    leave_out_functions(reading, reading.reached_from({"f"}), edits);
+    const std::vector<bool> reached = reading.reached_from({"f"});
+    leave_out_functions(reading, reached, edits);
+    leave_out_constants(reading, unused_constants(reading, reached, {}), edits);
     return without_comments(edits.apply().text);
 }
 
@@ -24,9 +26,29 @@ TEST(Lean, LeavesOutFunctionsThatAreNotCalled) {
 
 TEST(Lean, KeepsGlobalsStructsAndMacros) {
     const std::string text =
-        "#define TWO 2.\nstruct S { float a; };\nconst float k = 1.;\nuniform float t;\n"
+        "#define TWO 2.\nstruct S { float a; };\nuniform float t;\nfloat g = 1.;\n"
         "void f() { }\n";
     EXPECT_EQ(lean(text), text);
+}
+
+TEST(Lean, LeavesOutConstantsThatNothingAsksForWhichStays) {
+    EXPECT_EQ(lean("const float a = 1.;\nconst float b = 2. * a, c = 3.;\nconst float d = b;\n"
+                   "const int n = 4, m = 5;\nconst int size = 6;\nconst float unused = d;\n"
+                   "const float gone = 7.;\nfloat kept[size];\n"
+                   "void g() { gone; }\nvoid f() { a; }\n"),
+              "const float a = 1.;\nconst float b = 2. * a, c = 3.;\n"
+              "const int n = 4, m = 5;\nconst int size = 6;\nfloat kept[size];\nvoid f() { a; }\n");
+    const std::string within = "#define EDGE 2. * k\nconst float k = 1.;\nvoid f() { x = EDGE; }\n";
+    EXPECT_EQ(lean(within), within);
+    const std::string defines = "const float k =\n#define TWO 2.\nTWO;\nvoid f() { x = TWO; }\n";
+    EXPECT_EQ(lean(defines), defines);
+}
+
+TEST(Lean, UniformsThatWillBeConstantsAreToldWithThem) {
+    const Reading reading = read_glsl(
+        "uniform float a; uniform float b; uniform float c; void f() { b; }", known_of_driver());
+    using Names = std::unordered_set<std::string_view>;
+    EXPECT_EQ(unused_constants(reading, reading.reached_from({"f"}), {"a", "b"}), Names({"a"}));
 }
 
 // An edit of these leaves the text as it was.

@@ -12,11 +12,12 @@ namespace {
 
 using Fed = std::pair<std::string, std::vector<float>>;
 
-// All functions that f() reaches.
-Fed fed(std::string_view text) {
+// All functions that f() reaches, and with them the constants, where these are wanted.
+Fed fed(std::string_view text, bool constants = false) {
     const Reading reading = read_glsl(text, known_of_driver());
     Edits edits(reading);
-    std::vector<float> numbers = feed_numbers(reading, reading.reached_from({"f"}), "n", edits);
+    std::vector<float> numbers =
+        feed_numbers(reading, reading.reached_from({"f"}), "n", constants, edits);
     return {edits.apply().text, std::move(numbers)};
 }
 
@@ -36,6 +37,7 @@ TEST(Numbers, ThatMustBeConstantOrWholeAreLeft) {
              "void f() { const float k = 2.5, l[2] = float[2](3.5, 4.5); }",
              "void f() { int i = 3; uint u = 7u; i = 0x1E; b[2] = c; switch (i) { case 5: break; } "
              "}",
+             "void f() { a = ivec2(2, 3).x + g(4) + vec2(2 + 3, b[2]).x + vec2(012, 0x1).x; }",
              "float k = 2.5; layout(location = 0) out vec4 o; void f() { float a[4]; }",
              "float g() { return 2.5; } void f() {}",
          })
@@ -49,6 +51,48 @@ TEST(Numbers, ThatCompilersFoldAreLeft) {
     EXPECT_EQ(fed(text), Fed(text, {}));
     EXPECT_EQ(fed("void f() { a = pow(0.5, 2.0); }"),
               Fed("void f() { a = pow(n[0].x, 2.0); }", {0.5f}));
+}
+
+// A float holds them as they are.
+TEST(Numbers, ThatAreWholeAreFedWhereAConstructorMakesThemFloats) {
+    EXPECT_EQ(fed("void f() { a = vec3(2, -7, 1) * float(3) + vec2(0, g(5)).x; }"),
+              Fed("void f() { a = vec3(n[0].x, -n[0].y, 1) * float(n[0].z) + vec2(0, g(5)).x; }",
+                  {2.0f, 7.0f, 3.0f}));
+}
+
+TEST(Numbers, ThatAreBrokenAreFedAsExponents) {
+    EXPECT_EQ(fed("void f() { a = pow(b, 2.2) + pow(b, -1.25) + pow(b, 0.5) + pow(b, -3.0); }"),
+              Fed("void f() { a = pow(b, n[0].x) + pow(b, -n[0].y) + pow(b, 0.5) + pow(b, -3.0); }",
+                  {2.2f, 1.25f}));
+}
+
+TEST(Numbers, OfGlobalConstantsAreFedWhereTheyAreUsed) {
+    EXPECT_EQ(fed("const float k = -2.5;\nconst vec3 sun = vec3(1.0, 0.9, 0.7);\n"
+                  "void f() { a = -k * sun.x + 3.5; b = sun; }",
+                  true),
+              Fed("\n\nvoid f() { a = -(-n[0].x) * (vec3(1.0, n[0].y, n[0].z)).x + n[0].w; "
+                  "b = (vec3(1.0, n[0].y, n[0].z)); }",
+                  {2.5f, 0.9f, 0.7f, 3.5f}));
+    EXPECT_EQ(fed("const float k = 2.5; float g() { return k; } void f() { a = k; }", true),
+              Fed(" float g() { return k; } void f() { a = (n[0].x); }", {2.5f}))
+        << "what f() does not call is gone by then";
+}
+
+TEST(Numbers, OfConstantsThatAreAskedForElsewhereAreLeft) {
+    for (const char* text : {
+             "const float k = 2.5; const float l = k; void f() { a = k; }",
+             "const float k = 2.5; void f() { const float l = k; a = k; }",
+             "const float k = 2.5; float l = k; void f() { a = k; }",
+             "const float k = 2.5; void f() { float k = b; a = k; }",
+             "const float k = 2.5; void f() { a = b.k + k; }",
+             "const float k = 2.5; void f() { a = pow(b, k); }",
+             "const float k = 2.5, l = 3.5; void f() { a = k; }",
+             "const float k = 2.5 * PI; void f() { a = k; }",
+             "const float k = 1.0; const vec2 l = vec2(0.0, 1.0); void f() { a = k + l.x; }",
+             "const float k[2] = float[2](2.5, 3.5); void f() { a = k[0]; }",
+             "const int k = 2; void f() { a = k; }",
+         })
+        EXPECT_EQ(fed(text, true), Fed(text, {})) << text;
 }
 
 TEST(Numbers, WithinMacrosAreFedWhereTheUseCanBeWrittenOut) {

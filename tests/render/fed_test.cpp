@@ -60,6 +60,56 @@ TEST_F(Fed, ANumberThatChangesNeedsNoOtherProgramAndIsSeen) {
         << "and back";
 }
 
+// To the byte: what is fed here a compiler cannot fold.
+TEST_F(Fed, ConstantsExponentsAndWholeNumbersChangeWithoutAnotherProgram) {
+    const std::string text = R"(
+const float kEdge = 0.37;
+const vec3 kTint = vec3(1.0, 0.8, 0.55);
+void mainImage(out vec4 c, in vec2 p) {
+    vec2 uv = p / vec2(32, 18);
+    c = vec4(kTint * pow(uv.x, 1.7) * step(kEdge, uv.y) + uv.y / float(3), 1);
+}
+)";
+    const TestFolder folder;
+    ProgramShelf shelf;
+    const auto drawn = [&](const std::string& word, const std::string& by) {
+        std::string changed = text;
+        if (!word.empty()) changed.replace(changed.find(word), word.size(), by);
+        const Preset preset = *read_scene_text(folder, changed, {.size = {32, 18}}).preset;
+        const auto fed = picture(preset, kFed, 0.0, &shelf);
+        EXPECT_EQ(compare(fed, picture(preset, {}, 0.0), 0).share, 0.0) << by;
+        EXPECT_EQ(shelf.size(), 1u) << by;
+        return fed;
+    };
+    const auto first = drawn("", "");
+    for (const auto& [word, by] :
+         {std::pair("0.37", "0.62"), {"0.55", "0.2"}, {"1.7", "3.3"}, {"(3)", "(5)"}})
+        EXPECT_GT(compare(first, drawn(word, by), 1).share, 0.1) << by;
+}
+
+// A slider that comes to rest, and an edit of a constant, are of no account to other passes.
+TEST_F(Fed, APassIsNotCompiledAgainForAConstantThatItDoesNotAskFor) {
+    const TestFolder folder;
+    ProgramShelf shelf;
+    Preset preset = preset_of(folder, "0.3, 1)", "tint, 1)");
+    const std::string text =
+        "const float kOwn = 0.3;\nuniform float tint; //@ 0.2 [0, 1]\n" + preset.scene.text;
+    const auto read = [&](const char* by) {
+        std::string changed = text;
+        changed.replace(changed.find("0.3;"), 3, by);
+        changed.replace(changed.find("0.75 *"), 6, "kOwn *");
+        return *read_scene_text(folder, changed, {.size = {32, 18}}).preset;
+    };
+    preset = read("0.3");
+    picture(preset, kConstants, 0.0, &shelf);
+    ASSERT_EQ(shelf.size(), 2u);
+    preset.values[0][0] = 0.8;  // tint
+    picture(preset, kConstants, 0.0, &shelf);
+    EXPECT_EQ(shelf.size(), 3u);
+    picture(read("0.4"), kConstants, 0.0, &shelf);
+    EXPECT_EQ(shelf.size(), 4u);
+}
+
 TEST_F(Fed, APassThatAnEditLeavesAsItWasIsNotCompiledAgain) {
     struct Case {
         const char *word, *by;

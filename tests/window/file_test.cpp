@@ -127,10 +127,8 @@ TEST_F(File, ATypedValueIsClampedAndResetsGoToThePresetsThenToTheTexts) {
     screen_->tap("Control_L+space");
     settle();
     screen_->key("Control_L", true);
-    settle();
     screen_->click({1120, 89});
-    settle();
-    screen_->key("Control_L", false);
+    screen_->key("Control_L", false);  // before the next frame
     settle();
     screen_->type("9");
     screen_->tap("Return");

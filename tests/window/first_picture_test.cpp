@@ -75,6 +75,21 @@ TEST_F(FirstPicture, WhatWasSeenHereLastStandsUntilTheSceneDraws) {
     EXPECT_EQ(glint_->count("scene.frag: "), 1) << "it is still tried, after the one before";
 }
 
+TEST_F(FirstPicture, WhatPassedHereBeforeIsNotTriedAgainUntilItsTextIsAnother) {
+    open(flat({200, 30, 20}));
+    for (const auto& [text, tried] :
+         {std::pair(flat({200, 30, 20}), false), std::pair(flat({20, 30, 200}), true)}) {
+        settle();
+        leave();
+        write(scene(), text);
+        const int shown = glint_->count(": shown");
+        const int untried = glint_->count("trial 0.0");
+        start({scene().string()});
+        ASSERT_TRUE(glint_->says(": shown", shown + 1)) << glint_->errors();
+        EXPECT_EQ(glint_->count("trial 0.0") == untried, tried) << glint_->errors();
+    }
+}
+
 TEST_F(FirstPicture, WithoutOneTheGroundIsNotBlackAndStaysSoWhereNothingCanBeShown) {
     hang(kHopeless);
     start({scene().string()});

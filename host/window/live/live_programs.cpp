@@ -1,12 +1,15 @@
 #include "window/live/live_programs.h"
 
 #include <algorithm>
+#include <ctime>
 #include <iterator>
 #include <utility>
 
 namespace glint {
 
 namespace {
+
+const Verdict kRunning{.state = TrialState::running, .passes = {}, .diagnostics = {}};
 
 // The other process has linked every pass and drawn one: what it linked lies where the driver keeps
 // programs, and is taken up from there while it draws the others.
@@ -15,10 +18,23 @@ bool is_compiled(const Verdict& verdict) {
            verdict.passes.front().first_ms > 0.0;
 }
 
+double compile_ms_of(const Verdict& verdict) {
+    double sum = 0.0;
+    for (const PassTrial& pass : verdict.passes) sum += pass.first_ms;
+    return sum;
+}
+
+// On a processor: other programs may have it meanwhile.
+double ms_of_this_thread() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
 }  // namespace
 
-LivePrograms::LivePrograms(const std::string& device, bool specialise)
-    : trial_({.device = device}) {
+LivePrograms::LivePrograms(const std::string& device, bool specialise, KeptVerdicts verdicts)
+    : trial_({.device = device}), verdicts_(std::move(verdicts)) {
     if (specialise) standby_.emplace(device);
 }
 
@@ -27,26 +43,61 @@ ProgramOptions LivePrograms::options(Programs programs) const {
     return {.specialise = programs == Programs::constants, .lean = true};
 }
 
+Candidate LivePrograms::candidate() const {
+    return {.preset = *tried_,
+            .compile = {.program = options(tried_programs_)},
+            .size = tried_size_,
+            .time = tried_time_,
+            .images = {},
+            .is_text = tried_is_text_};
+}
+
 void LivePrograms::start_trial(Preset preset, Programs programs, bool is_text, glm::ivec2 size,
                                double time) {
     tried_ = std::move(preset);
+    tried_programs_ = programs;
+    tried_size_ = size;
+    tried_time_ = time;
     tried_is_text_ = is_text;
     tried_is_linking_ = false;
     tried_by_standby_ = programs != Programs::constants && standby_;
     loader_.stop();
-    Trial& trial = tried_by_standby_ ? standby_->trial() : trial_;
-    trial.start({.preset = *tried_,
-                 .compile = {.program = options(programs)},
-                 .size = size,
-                 .time = time,
-                 .images = {},
-                 .is_text = is_text});
+    known_.reset();
+    if (is_text && !tried_by_standby_) known_ = verdicts_.take(candidate());
+    if (!known_) return (tried_by_standby_ ? standby_->trial() : trial_).start(candidate());
+    longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms_of(*known_));
+    loader_.start(*tried_, options(programs), known_->passes);
+}
+
+// Its programs lie where the driver keeps them. Where it has to compile one after all, the rest is
+// left to the other process.
+const Verdict& LivePrograms::follow_known() {
+    if (!loader_.is_loading()) return *known_;
+    constexpr double kFromCache = 60.0;  // ms, by far
+    const double began_ms = ms_of_this_thread();
+    loader_.step(shelf_, nullptr);
+    if (ms_of_this_thread() - began_ms > kFromCache) {
+        known_.reset();
+        loader_.stop();
+        trial_.start(candidate());
+    }
+    return kRunning;
+}
+
+void LivePrograms::keep_verdict() {
+    if (!tried_is_text_ || tried_by_standby_) return;
+    verdicts_.keep(known_ ? *known_ : trial_.poll());
+}
+
+std::string LivePrograms::work() const {
+    if (known_) return "loading programs";
+    return tried_by_standby_ ? standby_->work() : trial_.work();
 }
 
 // Standby's programs are here already.
 const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
-    static const Verdict running{.state = TrialState::running, .passes = {}, .diagnostics = {}};
     trial_.poll();
+    if (known_) return follow_known();
     const Verdict& verdict = (tried_by_standby_ ? standby_->trial() : trial_).poll();
     const bool has_passed = verdict.state == TrialState::passed;
     if (!is_awaited || tried_by_standby_ || (!has_passed && !is_compiled(verdict))) return verdict;
@@ -54,14 +105,10 @@ const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
         const auto programs = standby_ ? Programs::constants : Programs::uniforms_for_good;
         loader_.start(*tried_, options(programs), verdict.passes);
     }
-    if (has_passed) {
-        double compile_ms = 0.0;
-        for (const PassTrial& pass : verdict.passes) compile_ms += pass.first_ms;
-        longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms);
-    }
+    if (has_passed) longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms_of(verdict));
     if (!loader_.is_loading()) return verdict;
     loader_.step(shelf_, tried_is_text_ ? nullptr : drawn);
-    return running;
+    return kRunning;
 }
 
 void LivePrograms::prepare(const Preset& shown, glm::ivec2 size, double time) {

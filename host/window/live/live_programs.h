@@ -4,6 +4,7 @@
 // compile. Here their programs are linked from what the driver keeps, and nothing is linked twice.
 #pragma once
 
+#include "window/live/kept_verdicts.h"
 #include "window/live/program_loader.h"
 #include "window/live/reloader.h"
 #include "window/live/standby.h"
@@ -19,8 +20,8 @@ namespace glint {
 class LivePrograms {
 public:
     // On this device. `specialise`: constants are wanted once the tweaks rest, and fed programs
-    // until then; else nothing but uniforms.
-    LivePrograms(const std::string& device, bool specialise);
+    // until then; else nothing but uniforms. What has passed its trial before is in `verdicts`.
+    LivePrograms(const std::string& device, bool specialise, KeptVerdicts verdicts);
 
     // How a text is compiled for these programs.
     ProgramOptions options(Programs programs) const;
@@ -40,12 +41,14 @@ public:
     const Verdict& follow_trial(bool is_awaited, Renderer* drawn);
     // What was tried last.
     const Preset& tried() const { return *tried_; }
+    // It has been drawn, and nothing has come of it: it need not be tried at the next start.
+    void keep_verdict();
     // Whether that is by fed programs, which are compiled where nobody waits.
     bool is_tried_by_standby() const { return tried_by_standby_; }
     // The longest that a text of this file has been in a driver for its first draws, ms.
     double longest_compile_ms() const { return longest_compile_ms_; }
     // What the trial of a file that was opened took a frame to cost, ms; 0: not known.
-    double expected_ms() { return trial_.poll().expected_ms; }
+    double expected_ms() { return known_ ? known_->expected_ms : trial_.poll().expected_ms; }
 
     // Makes fed programs ready for a text that is shown, in the background, once a text; asked for
     // when there is nothing else to do.
@@ -78,18 +81,26 @@ public:
     bool is_linking_tried() const { return loader_.is_loading(); }
     bool is_linking_standby() const { return standby_ && standby_->is_loading(); }
     // What the trial does, in words such as "compiling image".
-    std::string work() const { return tried_by_standby_ ? standby_->work() : trial_.work(); }
+    std::string work() const;
     // For ::poll(): readable when there is something to follow.
     std::vector<int> descriptors() const {
         return {trial_.descriptor(), standby_ ? standby_->descriptor() : -1};
     }
 
 private:
+    Candidate candidate() const;
+    const Verdict& follow_known();
+
     ProgramShelf shelf_;
     Trial trial_;
     std::optional<Standby> standby_;  // where constants are wanted
     ProgramLoader loader_;            // of what was tried
+    KeptVerdicts verdicts_;
+    std::optional<Verdict> known_;  // of what was tried last, since an earlier run
     std::optional<Preset> tried_;
+    Programs tried_programs_ = Programs::constants;
+    glm::ivec2 tried_size_{1};
+    double tried_time_ = 0.0;
     bool tried_is_text_ = false, tried_is_linking_ = false, tried_by_standby_ = false;
     std::size_t text_ = 0, prepared_text_ = 0;  // texts that were shown, counted
     double longest_compile_ms_ = 0.0;

@@ -48,7 +48,8 @@ Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOption
       options_(options),
       size_(size),
       full_size_(size),
-      programs_(options.device, options.specialise),
+      programs_(options.device, options.specialise,
+                KeptVerdicts(options.verdicts, context.driver())),
       sketcher_(options.device),
       reloader_(reload_steps(),
                 {.constants = options.specialise, .hopeless_ms = options.hopeless_ms}),
@@ -250,6 +251,7 @@ void Playground::prepare_uniforms() {
     programs_.follow_standby(*renderer_);
     const bool is_quiet =
         reloader_.state() == ReloadState::idle && !reloader_.has_unseen() && !awaits_inputs();
+    if (is_quiet && has_picture_) programs_.keep_verdict();
     if (is_quiet) keep_maps();
     if (is_quiet && programs_.wants_preparing())
         programs_.prepare(current_preset(), full_size_, transport_.time());

@@ -40,6 +40,8 @@ struct PlaygroundOptions {
     std::filesystem::path start_states{};
     // Where maps are kept that took long to draw; empty: nowhere.
     std::filesystem::path maps{};
+    // Where it is kept which texts have passed their trial; empty: nowhere.
+    std::filesystem::path verdicts{};
 };
 
 // To be used on one thread. What a person typed wrong is told by diagnostics() and leaves on the

@@ -89,7 +89,8 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
     const glm::dvec2 moved = event.position - mouse_;
     mouse_ = event.position;
     if (event.kind == WindowEvent::Kind::mouse_button) {
-        panels_.mouse_button(event.position, event.code, event.down);
+        panels_.mouse_button(event.position, event.code, event.down,
+                             (event.modifiers & GLFW_MOD_CONTROL) != 0);
     }
     if (event.kind == WindowEvent::Kind::mouse_button && event.code == 0) {
         if (event.down && pin_probe(event.position)) return;

@@ -52,6 +52,7 @@ struct TweaksState {
     std::string typed, typed_text;  // the tweak whose value is being typed, and what stands there
     bool typing_begins = false;
     std::string told, told_of;  // what became of a value that was typed, and of which tweak
+    TweakValue told_at{};       // which it has since; said of no other
     std::string focus;          // the tweak whose control is to have the keyboard
     bool focus_first = false;   // the first that is listed
     bool searches = false;      // the field was asked for

@@ -95,7 +95,7 @@ struct Panels::State {
     struct Press {
         ImVec2 at;
         int button;
-        bool down;
+        bool down, control;
     };
     GLFWwindow* window;
     std::string memory;  // ImGui keeps a pointer to it
@@ -170,14 +170,17 @@ Wishes Panels::update(const Facts& facts, TweakValues& tweaks, const Transport& 
         io.DeltaTime = 1e-6f;  // what follows is the same instant
     };
     const ImVec2 mouse = io.MousePos;
+    const bool control = io.KeyCtrl;
     std::ranges::copy(held, std::begin(io.MouseDown));
     for (const State::Press& press : std::exchange(state_->presses, {})) {
         io.MousePos = press.at;
+        io.KeyCtrl = press.control;
         build();  // what lies there is known a pass later
         io.MouseDown[press.button] = press.down;
         build();
     }
     io.MousePos = mouse;
+    io.KeyCtrl = control;
     for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button) {
         io.MouseDown[button] = glfwGetMouseButton(state_->window, button) == GLFW_PRESS;
     }
@@ -199,10 +202,10 @@ void Panels::draw() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-void Panels::mouse_button(glm::dvec2 position, int button, bool down) {
+void Panels::mouse_button(glm::dvec2 position, int button, bool down, bool control) {
     ImGui::SetCurrentContext(state_->context);
     if (button >= IM_ARRAYSIZE(ImGui::GetIO().MouseDown)) return;
-    state_->presses.push_back({panel_place(position), button, down});
+    state_->presses.push_back({panel_place(position), button, down, control});
 }
 
 bool Panels::takes_mouse() const {

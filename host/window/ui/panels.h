@@ -239,9 +239,10 @@ public:
     // Draws what update() built over framebuffer 0.
     void draw();
 
-    // A press or release since the last update(), at a place in pixels of the framebuffer, y up.
-    // A slow scene leaves seconds between two frames: clicks count where they happened.
-    void mouse_button(glm::dvec2 position, int button, bool down);
+    // A press or release since the last update(), at a place in pixels of the framebuffer, y up,
+    // with Ctrl held or not. A slow scene leaves seconds between two frames: clicks count where
+    // they happened.
+    void mouse_button(glm::dvec2 position, int button, bool down, bool control);
 
     // Whether the panels take what the mouse or the keyboard does now, as of the last update(). The
     // keyboard is the scene's until PanelSettings::keys, a field or a popup has it.

@@ -27,9 +27,10 @@ struct Row {
         state.edits.set(build, index, to);
         tell_of(to);
     }
-    void tell(std::string words) {
+    void tell(std::string words, const TweakValue& stands) {
         state.told = std::move(words);
         state.told_of = tweak.name;
+        state.told_at = stands;
     }
     // What a person wanted, and does not get.
     void tell_of(const TweakValue& wanted);
@@ -49,7 +50,8 @@ void Row::tell_of(const TweakValue& wanted) {
         if (number >= *tweak.min && number <= *tweak.max) continue;
         tell(fmt::format("{} is beyond [{}, {}]; clamped to {}", format_number(number),
                          format_number(*tweak.min), format_number(*tweak.max),
-                         format_number(std::clamp(number, *tweak.min, *tweak.max))));
+                         format_number(std::clamp(number, *tweak.min, *tweak.max))),
+             clamp_to_range(tweak, wanted));
     }
 }
 
@@ -77,7 +79,8 @@ void typed_field(Row& row) {
             row.set(*value);
         else
             row.tell(fmt::format("'{}' is not {}; it stays {}", row.state.typed_text,
-                                 expected_value(row.tweak), format_value(row.tweak, row.value)));
+                                 expected_value(row.tweak), format_value(row.tweak, row.value)),
+                     row.value);
     }
     if (!ImGui::IsItemDeactivated()) return;
     row.state.typed.clear();

@@ -127,7 +127,8 @@ void tweak_row(Build& build, TweaksState& state, std::size_t index) {
         ImGui::SameLine(left + whole - lock);
         lock_button(build, index);
     }
-    if (state.told_of == build.facts.scene->tweaks[index].name) {
+    const bool is_told_of = state.told_of == build.facts.scene->tweaks[index].name;
+    if (is_told_of && state.told_at == build.tweaks.value(index)) {
         ImGui::SetCursorPosX(control_x);
         ImGui::PushTextWrapPos(left + whole);
         text_in(colours::kWarning, state.told);

@@ -128,6 +128,15 @@ TEST_F(Typed, BeyondTheRangeItIsClampedAndToldBelow) {
     EXPECT_EQ(room(), before) << "they are gone";
 }
 
+TEST_F(Typed, OfAValueThatWasResetSinceNothingIsSaid) {
+    const float before = room();
+    type("9");
+    ASSERT_GT(room(), before + 10.0f);
+    screen.tweaks.reset(0);
+    screen.wait();
+    EXPECT_EQ(room(), before);
+}
+
 TEST_F(Typed, WhatIsNoNumberChangesNothingAndIsTold) {
     const float before = room();
     type("much");
