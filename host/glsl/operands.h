@@ -16,6 +16,9 @@ std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint
 // The comma, semicolon, colon or bracket that ends what begins at `at`.
 std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop);
 
+// `=`, `+=`, `<<=`, …
+bool is_assignment(const Token& token);
+
 // Tokens as a person has spelled them, on one line.
 std::string close_spelling(const Reading& reading, TokenRange range);
 
