@@ -77,6 +77,8 @@ void PlaygroundWindow::tell_probe(Facts& facts) const {
     probe_.tell(fact);
     fact.pixel = probed_pixel_;
     fact.watch = watch();
+    if (last_probed_ && settings_.probe.pass.empty() && full_size() != playground_.size())
+        fact.full_pixel = glm::ivec2(*last_probed_ * glm::dvec2(full_size()));
     for (const PassFact& pass : passes_) fact.passes.push_back(pass.name);
     if (!settings_.probe.pinned || !settings_.probe.pass.empty()) return;
     // The middle of its pixel, where the picture fills its area.

@@ -240,8 +240,7 @@ void pixel_line(Build& build) {
     if (!probe.pixel)
         text_in(colours::kDim, "Move the mouse over the picture; a click pins a pixel.");
     else
-        text_in(colours::kText, fmt::format("pixel {}, {} of {} \u00d7 {}", probe.pixel->x,
-                                            probe.pixel->y, probe.size.x, probe.size.y));
+        text_in(colours::kText, pixel_text(*probe.pixel, probe.size, probe.full_pixel));
     if (view.pinned) {
         ImGui::SameLine();
         if (text_button(build.theme, "pinned", true, "Click, or Esc: follow the mouse again"))
