@@ -161,9 +161,11 @@ std::vector<std::string> Probe::notes() const {
     places.erase(std::ranges::unique(places).begin(), places.end());
     for (const std::size_t at : places) {
         const Place place = preset_.scene.place_at(at);
-        notes.push_back(fmt::format(
-            "{}:{}:{}: what is given a value here is not told: an array as a whole, or a macro's",
-            place.file, place.line, place.column));
+        notes.push_back(
+            fmt::format("{}:{}:{}: what is given a value here is not told: of an array in a "
+                        "struct, a struct of this function, "
+                        "or a macro",
+                        place.file, place.line, place.column));
     }
     return notes;
 }
