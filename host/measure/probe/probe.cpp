@@ -162,9 +162,9 @@ std::vector<std::string> Probe::notes() const {
     for (const std::size_t at : places) {
         const Place place = preset_.scene.place_at(at);
         notes.push_back(
-            fmt::format("{}:{}:{}: what is given a value here is not told: of an array in a "
-                        "struct, a struct of this function, "
-                        "or a macro",
+            fmt::format("{}:{}:{}: what is given a value here is not told: it is an array in a "
+                        "struct, of a struct "
+                        "that a function declares, or a macro's",
                         place.file, place.line, place.column));
     }
     return notes;
