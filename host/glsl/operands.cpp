@@ -3,6 +3,8 @@
 #include "glsl/parser.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace glint {
 
@@ -134,6 +136,12 @@ std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint
         }
     }
     return std::min(at, stop);
+}
+
+bool is_assignment(const Token& token) {
+    constexpr std::array<std::string_view, 11> kAssigning = {
+        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "<<=", ">>=", "^="};
+    return is_one_of(token.text, kAssigning);
 }
 
 // Tokens as a person would spell them.

@@ -24,6 +24,9 @@ bool is_computed(const Reading& reading, TokenRange range);
 // The comma, semicolon, colon or bracket that ends what begins at `at`.
 std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop);
 
+// `=`, `+=`, `<<=`, …
+bool is_assignment(const Token& token);
+
 // Tokens as a person has spelled them, on one line.
 std::string close_spelling(const Reading& reading, TokenRange range);
 

@@ -2,6 +2,7 @@
 
 #include "glsl/operands.h"
 #include "glsl/parser.h"
+#include "glsl/probe_room.h"
 #include "glsl/probe_types.h"
 #include "glsl/variables.h"
 
@@ -16,8 +17,6 @@
 namespace glint {
 namespace {
 
-constexpr std::array<std::string_view, 11> kAssigning = {
-    "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "<<=", ">>=", "^="};
 constexpr std::array<std::string_view, 11> kReads = {
     "texture",     "textureLod",      "texelFetch",     "textureGrad",
     "textureProj", "textureOffset",   "textureProjLod", "textureLodOffset",
@@ -102,9 +101,9 @@ private:
         return expression_end(reading_, range.begin, range.end) != range.end;
     }
 
-    // Hands an expression through `glint_v(7, …)`.
+    // Hands an expression through `glint0_v(7, …)`.
     void hand_through(SiteKind kind, std::string name, std::uint32_t at, TokenRange range,
-                      const char* function = "glint_v", const std::string& more = "") {
+                      const char* function = "glint0_v", const std::string& more = "") {
         if (wish_.kind == ProbeKind::rounding && !is_computed(reading_, range)) return;
         const auto site = add_site(kind, std::move(name), at);
         if (!site) return;
@@ -121,6 +120,18 @@ private:
             probed_.sites.pop_back();
     }
 
+    // Of a variable, behind a brace or a statement.
+    void add_record(SiteKind kind, TokenRange variable, std::uint32_t at, std::uint32_t behind) {
+        const auto site = add_site(kind, close_spelling(reading_, variable), at);
+        if (!site) return;
+        const std::string record = record_of(*site, variable);
+        if (record.empty() || !edits_.takes_after(behind)) {
+            probed_.left_out.push_back(reading_.place(variable.begin).begin);
+            return probed_.sites.pop_back();
+        }
+        words_.push_back({behind, Words::Where::after, {behind, behind + 1}, " " + record + ";"});
+    }
+
     // Behind the brace of a body.
     void add_at_head(SiteKind kind, const std::string& name, std::uint32_t at, std::uint32_t brace,
                      const std::string& call) {
@@ -135,6 +146,7 @@ private:
 
     bool is_variable(TokenRange range) const;
     bool is_whole_array(TokenRange range) const;
+    std::string record_of(std::size_t site, TokenRange variable) const;
 
     void over_function(std::uint32_t index);
     void over_statement(std::uint32_t index);
@@ -151,12 +163,6 @@ private:
     void over_loop(std::uint32_t index);
     std::vector<TokenRange> outs_in(TokenRange range) const;
     std::string outs_behind(TokenRange range, std::uint32_t at);
-    // Beside a brace, or behind or before a statement.
-    struct Room {
-        std::uint32_t brace = kNone, statement = kNone;
-        bool is_behind = false;
-    };
-    Room room_at(Span line, std::uint32_t function) const;
     void place_expression(std::size_t index, std::uint32_t function);
     void add_structs();
     void write();
@@ -176,8 +182,7 @@ bool Instrumenter::is_variable(TokenRange range) const {
     if (range.empty() || !token(range.begin).is_word()) return false;
     for (std::uint32_t at = range.begin; at < range.end; ++at) {
         const Token& one = token(at);
-        if (one.is("(") || one.is("++") || one.is("--") || is_one_of(one.text, kAssigning))
-            return false;
+        if (one.is("(") || one.is("++") || one.is("--") || is_assignment(one)) return false;
     }
     return operand_end(reading_, range.begin, range.end) == range.end;
 }
@@ -197,23 +202,33 @@ bool Instrumenter::is_whole_array(TokenRange range) const {
     return known > brackets({range.begin, range.end});
 }
 
+// `glint0_v(8,t)`, of a variable that has its value; "" where that cannot be told.
+std::string Instrumenter::record_of(std::size_t site, TokenRange variable) const {
+    const std::string name = reading_.spelled(variable);
+    if (!is_whole_array(variable)) return fmt::format("glint0_v({},{})", site, name);
+    const auto found = variables_.find(variable.begin, function_);
+    const TokenRange brackets =
+        found.name->array.empty() ? found.declaration->type_array : found.name->array;
+    const bool has_one = reading_.close_of(brackets.begin) + 1 == brackets.end &&
+                         (found.name->array.empty() || found.declaration->type_array.empty());
+    if (variable.size() != 1 || !has_one) return {};
+    return array_record(site, name, reading_.word(found.declaration->type));
+}
+
 void Instrumenter::over_function(std::uint32_t index) {
     const Function& function = reading_.functions[index];
     function_ = index;
     const std::uint32_t brace = function.body.begin;
     if (wish_.kind == ProbeKind::cost)
         add_at_head(SiteKind::call, std::string(reading_.word(function.name)), function.name, brace,
-                    "glint_n({},2)");
+                    "glint0_n({},2)");
     for (const std::uint32_t parameter : function.parameters) {
         const Declaration& one = reading_.declarations[parameter];
         if (wish_.kind != ProbeKind::values || one.names.empty() || (one.is_out && !one.is_in))
             continue;
-        const Declarator& name = one.names.front();
-        if (!one.type_array.empty() || !name.array.empty() ||
-            reading_.word(one.type).find("sampler") != std::string_view::npos)
-            continue;
-        add_at_head(SiteKind::parameter, std::string(reading_.word(name.name)), name.name, brace,
-                    fmt::format("glint_v({{}},{})", reading_.word(name.name)));
+        const std::uint32_t name = one.names.front().name;
+        if (reading_.word(one.type).find("sampler") != std::string_view::npos) continue;
+        add_record(SiteKind::parameter, {name, name + 1}, name, brace);
     }
     const std::uint32_t end = reading_.statements[function.first_statement].next;
     for (std::uint32_t i = function.first_statement; i < end; ++i) over_statement(i);
@@ -279,14 +294,13 @@ void Instrumenter::over_statement(std::uint32_t index) {
     }
     if (values && probed_.sites.size() == sites)
         add_statement(SiteKind::reached, close_spelling(reading_, statement.tokens),
-                      statement.tokens.begin, statement.tokens, "glint_r({})");
+                      statement.tokens.begin, statement.tokens, "glint0_r({})");
 }
 
 void Instrumenter::over_tokens(TokenRange range) {
     for (std::uint32_t at = range.begin; at < range.end; ++at) {
         if (fixed_[at] || token(at).kind != TokenKind::symbol) continue;
-        if (wish_.kind != ProbeKind::cost && is_one_of(token(at).text, kAssigning))
-            over_assignment(at, range);
+        if (wish_.kind != ProbeKind::cost && is_assignment(token(at))) over_assignment(at, range);
         if (wish_.kind == ProbeKind::values && (token(at).is("++") || token(at).is("--")))
             over_step(at, range);
         if (wish_.kind == ProbeKind::rounding && (token(at).is("+") || token(at).is("-")))
@@ -301,7 +315,7 @@ void Instrumenter::over_tokens(TokenRange range) {
 void Instrumenter::over_assignment(std::uint32_t at, TokenRange room) {
     const TokenRange to = {operand_begin(reading_, at, room.begin), at};
     if (to.empty() || !token(to.begin).is_word()) return;
-    if (is_whole_array(to)) return probed_.left_out.push_back(reading_.place(to.begin).begin);
+    if (is_whole_array(to)) return;  // told behind the statement
     // What is rounded is what the variable gets, not what the assignment is worth.
     const bool is_rounding = wish_.kind == ProbeKind::rounding;
     hand_through(SiteKind::assigned, close_spelling(reading_, to), to.begin,
@@ -319,36 +333,34 @@ void Instrumenter::over_step(std::uint32_t at, TokenRange room) {
     const TokenRange what = {operand_begin(reading_, at, room.begin), at};
     if (!is_variable(what)) return;
     hand_through(SiteKind::assigned, close_spelling(reading_, what), what.begin,
-                 {what.begin, at + 1}, "glint_w", "," + reading_.spelled(what));
+                 {what.begin, at + 1}, "glint0_w", "," + reading_.spelled(what));
 }
 
 void Instrumenter::over_declaration(const Declaration& declaration) {
     if (wish_.kind == ProbeKind::cost) return;
     for (const Declarator& one : declaration.names) {
         if (one.initial.empty()) continue;
-        if (!one.array.empty() || !declaration.type_array.empty()) {
-            probed_.left_out.push_back(reading_.place(one.name).begin);
-            continue;
-        }
-        const std::string name(reading_.word(one.name));
-        if (!declaration.is_const) {
-            hand_through(SiteKind::assigned, name, one.name, one.initial);
+        const bool is_array = !one.array.empty() || !declaration.type_array.empty();
+        if (!declaration.is_const && !is_array) {
+            hand_through(SiteKind::assigned, std::string(reading_.word(one.name)), one.name,
+                         one.initial);
             continue;
         }
         const Statement& own = reading_.statements[declaration.statement];
-        const std::uint32_t last = declaration.tokens.end - 1;
-        if (wish_.kind != ProbeKind::values || own.kind != StatementKind::declaration ||
-            !edits_.takes_after(last))
-            continue;
-        if (const auto site = add_site(SiteKind::assigned, name, one.name))
-            words_.push_back({last, Words::Where::after, own.tokens,
-                              fmt::format(" glint_v({},{});", *site, name)});
+        if (wish_.kind == ProbeKind::values && own.kind == StatementKind::declaration)
+            add_record(SiteKind::assigned, {one.name, one.name + 1}, one.name,
+                       declaration.tokens.end - 1);
     }
 }
 
-// What calls within a range hand to `out` parameters.
+// What calls within a range hand to `out` parameters, and arrays that are assigned as a whole.
 std::vector<TokenRange> Instrumenter::outs_in(TokenRange range) const {
     std::vector<TokenRange> outs;
+    for (std::uint32_t at = range.begin; at < range.end; ++at) {
+        if (fixed_[at] || !token(at).is("=")) continue;
+        const TokenRange to = {operand_begin(reading_, at, range.begin), at};
+        if (is_variable(to) && is_whole_array(to)) outs.push_back(to);
+    }
     for (const Call& call : reading_.calls) {
         if (call.name < range.begin || call.name >= range.end) continue;
         const std::vector<TokenRange> arguments = reading_.arguments_of(call);
@@ -358,7 +370,7 @@ std::vector<TokenRange> Instrumenter::outs_in(TokenRange range) const {
             for (std::size_t i = 0; i < arguments.size(); ++i) {
                 const bool is_known = std::ranges::find(outs, arguments[i]) != outs.end();
                 if (reading_.declarations[function.parameters[i]].is_out && !is_known &&
-                    is_variable(arguments[i]) && !is_whole_array(arguments[i]))
+                    is_variable(arguments[i]))
                     outs.push_back(arguments[i]);
             }
         }
@@ -366,12 +378,19 @@ std::vector<TokenRange> Instrumenter::outs_in(TokenRange range) const {
     return outs;
 }
 
-// `glint_v(8,t);` for each of them.
+// `glint0_v(8,t);` for each of them.
 std::string Instrumenter::outs_behind(TokenRange range, std::uint32_t at) {
     std::string text;
     for (const TokenRange out : outs_in(range)) {
         const auto site = add_site(SiteKind::assigned, close_spelling(reading_, out), at);
-        if (site) text += fmt::format("glint_v({},{});", *site, reading_.spelled(out));
+        if (!site) continue;
+        const std::string record = record_of(*site, out);
+        if (!record.empty()) {
+            text += record + ";";
+            continue;
+        }
+        probed_.left_out.push_back(reading_.place(out.begin).begin);
+        probed_.sites.pop_back();
     }
     return text;
 }
@@ -387,11 +406,11 @@ void Instrumenter::over_condition(const Statement& statement, TokenRange conditi
         add_site(SiteKind::condition, close_spelling(reading_, condition), condition.begin);
     if (!site) return;
     const bool commas = has_comma(condition);
-    const std::string open = fmt::format("glint_v({},{}", *site, commas ? "(" : "");
+    const std::string open = fmt::format("glint0_v({},{}", *site, commas ? "(" : "");
     const std::string close = commas ? "))" : ")";
     const bool is_there =
         outs.empty() ? wrap(condition, open, close)
-                     : wrap(condition, "(glint_if=(" + open, close + ")," + outs + "glint_if)");
+                     : wrap(condition, "(glint0_if=(" + open, close + ")," + outs + "glint0_if)");
     if (!is_there) probed_.sites.pop_back();
 }
 
@@ -402,9 +421,9 @@ void Instrumenter::over_loop(std::uint32_t index) {
     const std::string name(reading_.word(loop.tokens.begin));
     if (body.parent != index) return;
     if (body.kind == StatementKind::block)
-        add_at_head(SiteKind::turn, name, loop.tokens.begin, body.tokens.begin, "glint_n({},0)");
+        add_at_head(SiteKind::turn, name, loop.tokens.begin, body.tokens.begin, "glint0_n({},0)");
     else
-        add_statement(SiteKind::turn, name, loop.tokens.begin, body.tokens, "glint_n({},0)");
+        add_statement(SiteKind::turn, name, loop.tokens.begin, body.tokens, "glint0_n({},0)");
 }
 
 void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
@@ -415,7 +434,7 @@ void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
     if (divisor.empty() || (divisor.size() == 1 && token(at + 1).kind == TokenKind::number)) return;
     const std::uint32_t begin = operand_begin(reading_, at, room.begin);
     hand_through(SiteKind::division, close_spelling(reading_, {begin, end}), begin, divisor,
-                 "glint_d");
+                 "glint0_d");
 }
 
 void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {
@@ -438,14 +457,14 @@ void Instrumenter::over_index(std::uint32_t at) {
         length = type[digit];
     }
     hand_through(SiteKind::index, close_spelling(reading_, {at - 1, close + 1}), at - 1,
-                 {at + 1, close}, "glint_i", "," + length);
+                 {at + 1, close}, "glint0_i", "," + length);
 }
 
 void Instrumenter::over_call(const Call& call) {
     const TokenRange whole = {call.name, call.brackets.end};
     const std::string_view name = reading_.word(call.name);
     if (wish_.kind == ProbeKind::cost && is_one_of(name, kReads))
-        return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint_n");
+        return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint0_n");
     if (wish_.kind == ProbeKind::faults && name == "texelFetch") return over_fetch(call);
     const bool is_known = is_one_of(name, kDomains) || (name == "atan" && call.arity == 2);
     if (wish_.kind != ProbeKind::faults || !is_known) return;
@@ -455,7 +474,7 @@ void Instrumenter::over_call(const Call& call) {
     words_.push_back({call.name,
                       Words::Where::instead,
                       {call.name, call.name + 1},
-                      fmt::format("glint_{}", name)});
+                      fmt::format("glint0_{}", name)});
     words_.push_back({call.brackets.begin, Words::Where::after, whole, fmt::format("{},", *site)});
 }
 
@@ -466,40 +485,21 @@ void Instrumenter::over_fetch(const Call& call) {
     if (token(last).kind != TokenKind::number || !token(last - 1).is(",")) return;
     const TokenRange whole = {call.name, call.brackets.end};
     hand_through(SiteKind::index, close_spelling(reading_, whole), call.name, {first + 2, last - 1},
-                 "glint_t",
+                 "glint0_t",
                  fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, token(last).text));
 }
 
-// Behind the last statement of the line, as it stands in no other of that line; before what leaves
-// the place; at the head of a loop's or a function's body.
-Instrumenter::Room Instrumenter::room_at(Span line, std::uint32_t f) const {
-    const Function& function = reading_.functions[f];
-    const auto& statements = reading_.statements;
-    const std::uint32_t end = statements[function.first_statement].next;
-    std::uint32_t chosen = kNone, around = function.first_statement, next = kNone;
-    for (std::uint32_t i = function.first_statement + 1; i < end; ++i) {
-        const Statement& one = statements[i];
-        const Span place = reading_.place(one.tokens);
-        const bool is_there = line.begin <= place.begin && place.begin < line.end;
-        const bool is_one = one.kind != StatementKind::block && one.kind != StatementKind::case_;
-        if (is_there && is_one && (chosen == kNone || statements[chosen].next <= i)) chosen = i;
-        if (place.begin < line.begin && line.begin < place.end) around = i;
-        if (next == kNone && place.begin >= line.end) next = i;
+// With what stands for gl_FragCoord, whose own counts cells.
+std::string with_true_place(const std::string& expression) {
+    const Reading reading = read_glsl(expression, {});
+    std::string words;
+    std::size_t done = 0;
+    for (const Token& token : reading.written) {
+        if (!token.is("gl_FragCoord")) continue;
+        words += expression.substr(done, token.span().begin - done) + "glint0_coord";
+        done = token.span().end;
     }
-    if (chosen == kNone && statements[around].kind != StatementKind::block) chosen = around;
-    if (chosen == kNone) {  // an empty line: before what follows in the same block, or at its end
-        if (reading_.place(function.body).begin >= line.begin) return {function.body.begin, kNone};
-        if (next != kNone && statements[next].parent == around) return {kNone, next, false};
-        return {statements[around].tokens.end - 1, kNone};
-    }
-    const StatementKind kind = statements[chosen].kind;
-    const bool is_loop =
-        kind == StatementKind::for_ || kind == StatementKind::while_ || kind == StatementKind::do_;
-    if (is_loop && statements[chosen + 1].kind == StatementKind::block)
-        return {statements[chosen + 1].tokens.begin, kNone};
-    return {kNone, chosen,
-            kind == StatementKind::declaration || kind == StatementKind::expression ||
-                kind == StatementKind::empty};
+    return words + expression.substr(done);
 }
 
 void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
@@ -507,12 +507,13 @@ void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
     const Span whole = reading_.place(reading_.functions[f].tokens);
     if (asked.line.begin >= whole.end || asked.line.end <= whole.begin) return;
     function_ = f;
-    const Room room = room_at(asked.line, f);
+    const ProbeRoom room = room_at(reading_, asked.line, f);
     const std::size_t site =
         new_site(asked.is_assertion ? SiteKind::assertion : SiteKind::expression, asked.text,
                  asked.line.begin);
-    const std::string call = fmt::format(
-        "{}({},({}));", wish_.kind == ProbeKind::faults ? "glint_a" : "glint_v", site, asked.text);
+    const std::string call =
+        fmt::format("{}({},({}));", wish_.kind == ProbeKind::assertions ? "glint0_a" : "glint0_v",
+                    site, with_true_place(asked.text));
     bool is_there = false;
     if (room.brace != kNone) {
         const bool opens = token(room.brace).is("{");
@@ -537,10 +538,11 @@ void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
 void Instrumenter::add_structs() {
     StructTypes types(reading_);
     probed_.structs.resize(reading_.structs.size());
+    if (wish_.kind == ProbeKind::cost || wish_.kind == ProbeKind::assertions) return;
     for (const Declaration& declaration : reading_.declarations) {
         if (declaration.structure == kNone || declaration.scope != Scope::global) continue;
         const std::uint32_t last = declaration.tokens.end - 1;
-        if (wish_.kind == ProbeKind::cost || !edits_.takes_after(last)) continue;
+        if (!edits_.takes_after(last)) continue;
         const std::string text = types.overload(declaration.structure, wish_.kind);
         if (text.empty()) continue;
         probed_.structs[declaration.structure] = types.leaves(declaration.structure);
@@ -571,22 +573,6 @@ void Instrumenter::write() {
 Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vector<bool>& reached,
                   Edits& edits) {
     return Instrumenter(reading, wish, edits).run(reached);
-}
-
-std::string refusal_of_expression(std::string_view text) {
-    const Reading reading = read_glsl(text, {});
-    if (reading.tokens.empty()) return "it is empty";
-    if (!reading.directives.empty() || !reading.comments.empty())
-        return "it is to be an expression alone";
-    std::vector<std::string_view> open;
-    for (const Token& token : reading.tokens) {
-        if (token.is(";") || token.is("{") || token.is("}") || token.kind == TokenKind::strange ||
-            token.kind == TokenKind::quoted || (token.is_word() && is_keyword(token.text)))
-            return "it is to be an expression alone";
-        if (token.is("++") || token.is("--") || is_one_of(token.text, kAssigning))
-            return "it would change a variable";
-    }
-    return reading.is_balanced ? "" : "its brackets do not balance";
 }
 
 }  // namespace glint

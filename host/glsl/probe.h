@@ -1,7 +1,7 @@
 // A text that tells what happens in it: values, turns of loops, the first fault.
 //
 // Each place of interest, a site, has a number. An expression is handed through a function that
-// notes it and gives it back, `glint_v(7, h = map(p))`, so that nothing is evaluated that was not,
+// notes it and gives it back, `glint0_v(7, h = map(p))`, so that nothing is evaluated that was not,
 // nor in another order, and GLSL's own overloading finds the types. What a fragment keeps of the
 // many values that come by is told by uniforms (see probe_prologue); so one program, drawn once,
 // answers for as many sites, hits or pixels as are asked.
@@ -18,10 +18,11 @@
 namespace glint {
 
 enum class ProbeKind : std::uint8_t {
-    values,    // what variables are given, what functions get and give back, what conditions say
-    cost,      // turns of loops, reads of textures, calls
-    faults,    // what is outside of an operation's domain, or born not finite
-    rounding,  // what results that are rounded the other way come to
+    values,      // what variables are given, what functions get and give back, what conditions say
+    cost,        // turns of loops, reads of textures, calls
+    faults,      // what is outside of an operation's domain, or born not finite
+    assertions,  // which expressions do not hold, of at most kMostAssertions
+    rounding,    // what results that are rounded the other way come to
 };
 
 enum class SiteKind : std::uint8_t {
@@ -83,30 +84,33 @@ Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vect
 // Why this is no expression that may be evaluated beside a text; "" where it is one.
 std::string refusal_of_expression(std::string_view text);
 
-// Bits of what is recorded: by probe_type() of a told tag. Matrices and structs are told in leaves,
-// each a site of its own: number + (leaf << kProbeLeafShift).
+inline constexpr std::size_t kMostAssertions = 128;  // of one program
+
+// Bits of what is recorded: by probe_type() of a told tag. Matrices, structs, arrays are told in
+// leaves, each a site of its own: number + (leaf << kProbeLeafShift).
 inline constexpr int kProbeLeafShift = 16, kProbeContainerShift = 5, kProbeReached = 31,
                      kProbeFirstStruct = 10;
 // By the tag's lowest bits: "float", "vec2" … "bvec4".
 const char* probe_type(std::uint32_t tag);
-// Of a matrix or struct: what its leaves are called; one empty name otherwise.
+// Of a matrix, struct or array: what its leaves are called; one empty name otherwise.
 ProbeLeaves leaves_of(std::uint32_t tag, const Probed& probed);
 
 // What stands before the text: the functions that its sites call. The host's own main() is called
-// `glint_draw`, and probe_main() behind it calls that. Two more outputs follow those of the pass:
+// `glint0_draw`, and probe_main() behind it calls that. Two more outputs follow those of the pass:
 //
-//     values  glint_kept: the bits of the value; glint_told: hits, order among all, tag, 1
-//     cost    glint_kept: turns, reads, calls, 0; glint_told: hits of the wanted site, 0, 0, 1
-//     faults  glint_kept: up to two operands of the first, how far the watched site has kept off
-//             what is undefined (a float), an operand of the worst; glint_told: faults, site of the
-//             first + 1, of the first that is undefined + 1, 1
+//     values  glint0_kept: the bits of the value; glint0_told: hits, order among all, tag, 1
+//     cost    glint0_kept: turns, reads, calls, 0; glint0_told: hits of the wanted site, 0, 0, 1
+//     faults  glint0_kept: up to two operands of the first, how far the watched site has kept off
+//             what is undefined (a float), an operand of the worst; glint0_told: faults, site of
+//             the first + 1, of the first that is undefined + 1, 1
+//     assertions  glint0_kept: a bit for each that did not hold; glint0_told: 0, 0, 0, 1
 //
-// `uniform ivec4 glint_ask`: the site and hit that the first cell wants, and what each further cell
-// adds to both; of more hits than there are, the last. `uniform ivec4 glint_place`: cells, each of
-// 2x2 fragments, that evaluate the quad at .xy, .z of them in a row; .z = 0: each fragment is its
-// own pixel. `glint_coord` stands for gl_FragCoord. Of faults, `glint_place.w` is the number of
-// sites, of which each fragment watches another, and `glint_ask.y` whether what is undefined gets a
-// result all the same.
+// `uniform ivec4 glint0_ask`: the site and hit that the first cell wants, and what each further
+// cell adds to both; of more hits than there are, the last. `uniform ivec4 glint0_place`: cells,
+// each of 2x2 fragments, that evaluate the quad at .xy, .z of them in a row; .z = 0: each fragment
+// is its own pixel. `glint0_coord` stands for gl_FragCoord. Of faults, `glint0_place.w` is the
+// number of sites, of which each fragment watches another, and `glint0_ask.y` whether what is
+// undefined gets a result all the same.
 std::string probe_declarations(ProbeKind kind);
 std::string probe_main(ProbeKind kind, std::size_t outputs);
 

@@ -14,6 +14,8 @@ constexpr std::array<const char*, 16> kTypes = {
     "uint",  "uvec2", "uvec3", "uvec4", "bool", "bvec2", "bvec3", "bvec4"};
 constexpr std::size_t kMostLeaves = 64;
 constexpr int kMostDeep = 8;
+// Containers of arrays: eight times the length, and the columns of a matrix.
+constexpr int kFirstArray = 1 << 16, kMostElements = 64;
 
 // Containers from 1 on: matrices by columns, then rows.
 int matrix_number(std::string_view type) {
@@ -55,7 +57,14 @@ ProbeLeaves leaves_of(std::uint32_t tag, const Probed& probed) {
     const int container = static_cast<int>(tag >> kProbeContainerShift);
     if (container == 0) return {""};
     ProbeLeaves leaves;
-    if (container >= kProbeFirstStruct) {
+    if (container >= kFirstArray) {
+        const int length = std::min((container - kFirstArray) / 8, kMostElements);
+        const int columns = (container - kFirstArray) % 8;
+        for (int i = 0; i < length; ++i) {
+            if (columns == 0) leaves.push_back(fmt::format("[{}]", i));
+            for (int c = 0; c < columns; ++c) leaves.push_back(fmt::format("[{}][{}]", i, c));
+        }
+    } else if (container >= kProbeFirstStruct) {
         const auto structure = static_cast<std::size_t>(container - kProbeFirstStruct);
         if (structure < probed.structs.size()) leaves = probed.structs[structure];
     } else {
@@ -63,6 +72,21 @@ ProbeLeaves leaves_of(std::uint32_t tag, const Probed& probed) {
             leaves.push_back(fmt::format("[{}]", column));
     }
     return leaves;
+}
+
+// Of an array an element alone is taken hold of: that which is asked for.
+std::string array_record(std::size_t site, const std::string& name, std::string_view type) {
+    const int columns = matrix_columns(type), cut = std::max(columns, 1);
+    const int simple =
+        columns > 0 ? probe_type_of(fmt::format("vec{}", matrix_rows(type))) : probe_type_of(type);
+    if (simple < 0) return {};
+    const std::string at = fmt::format("(glint0_id>>{})", kProbeLeafShift);
+    const std::string element =
+        columns > 0 ? fmt::format("[{0}/{1}][{0}%{1}]", at, columns) : fmt::format("[{}]", at);
+    return fmt::format(
+        "(glint0_has({0},{1}.length()*{2})&&glint0_l(glint0_id,{3}+({1}.length()<<{4}),{1}{5}))",
+        site, name, cut, simple | (kFirstArray + columns) << kProbeContainerShift,
+        kProbeContainerShift + 3, element);
 }
 
 bool StructTypes::add_leaves(std::uint32_t structure, const std::string& path, int depth,
@@ -110,13 +134,13 @@ std::string StructTypes::overload(std::uint32_t structure, ProbeKind kind) const
     std::vector<Leaf> leaves;
     const Struct& one = reading_.structs[structure];
     if (one.name == kNone || !add_leaves(structure, "", 0, leaves) || leaves.empty()) return {};
-    std::string text = fmt::format("{0} glint_v(int i,{0} v){{", reading_.word(one.name));
+    std::string text = fmt::format("{0} glint0_v(int i,{0} v){{", reading_.word(one.name));
     const int container = kProbeFirstStruct + static_cast<int>(structure);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const int tag = probe_type_of(leaves[i].type) | container << kProbeContainerShift;
-        text += kind == ProbeKind::values ? fmt::format("glint_l(i+{},{},v{});",
+        text += kind == ProbeKind::values ? fmt::format("glint0_l(i+{},{},v{});",
                                                         i << kProbeLeafShift, tag, leaves[i].path)
-                                          : fmt::format("glint_v(i,v{});", leaves[i].path);
+                                          : fmt::format("glint0_v(i,v{});", leaves[i].path);
     }
     return text + "return v;}";
 }
@@ -141,37 +165,43 @@ std::string bits(std::size_t type, const std::string& value) {
 constexpr std::array<const char*, 9> kMatrices = {"mat2",   "mat2x3", "mat2x4", "mat3x2", "mat3",
                                                   "mat3x4", "mat4x2", "mat4x3", "mat4"};
 
-constexpr std::string_view kValues = R"(bool glint_if = false;
-int glint_id = 0, glint_last = 0, glint_hits = 0, glint_events = 0, glint_order = 0, glint_tag = 0;
-uvec4 glint_bits = uvec4(0);
-bool glint_keeps(int i, int tag) {
-    ++glint_events;
-    bool here = i == glint_id;
-    glint_hits += int(here);
-    here = here && glint_hits <= glint_last;
-    if (here) { glint_tag = tag; glint_order = glint_events; }
+constexpr std::string_view kValues = R"(bool glint0_if = false;
+int glint0_id = 0, glint0_last = 0, glint0_hits = 0, glint0_events = 0, glint0_order = 0, glint0_tag = 0;
+uvec4 glint0_bits = uvec4(0);
+bool glint0_has(int i, int count) {
+    bool is_asked = (glint0_id & 65535) == i && (glint0_id >> 16) < count;
+    glint0_events += int(!is_asked);
+    return is_asked;
+}
+bool glint0_keeps(int i, int tag) {
+    ++glint0_events;
+    bool here = i == glint0_id;
+    glint0_hits += int(here);
+    here = here && glint0_hits <= glint0_last;
+    if (here) { glint0_tag = tag; glint0_order = glint0_events; }
     return here;
 }
 )";
 
 std::string values_functions() {
     std::string text(kValues);
-    text += fmt::format("void glint_r(int i) {{ glint_keeps(i, {}); }}\n", kProbeReached);
+    text += fmt::format("void glint0_r(int i) {{ glint0_keeps(i, {}); }}\n", kProbeReached);
     for (std::size_t i = 0; i < kTypes.size(); ++i) {
         text += fmt::format(
-            "void glint_l(int i, int tag, {0} v) {{ if (glint_keeps(i, tag)) glint_bits.{1} = {2}; "
-            "}}\n{0} glint_v(int i, {0} v) {{ glint_l(i, {3}, v); return v; }}\n",
+            "bool glint0_l(int i, int tag, {0} v) {{ if (glint0_keeps(i, tag)) glint0_bits.{1} = "
+            "{2}; "
+            "return true; }}\n{0} glint0_v(int i, {0} v) {{ glint0_l(i, {3}, v); return v; }}\n",
             kTypes[i], swizzle(length_of_type(i)), bits(i, "v"), i);
         if (i < 12)
             text += fmt::format(
-                "{0} glint_w(int i, {0} v, {0} now) {{ glint_l(i, {1}, now); return v; }}\n",
+                "{0} glint0_w(int i, {0} v, {0} now) {{ glint0_l(i, {1}, now); return v; }}\n",
                 kTypes[i], i);
     }
     for (const std::string_view matrix : kMatrices) {
-        text += fmt::format("{0} glint_v(int i, {0} v) {{ ", matrix);
+        text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
         for (int c = 0; c < matrix_columns(matrix); ++c)
             text += fmt::format(
-                "glint_l(i + {}, {}, v[{}]); ", c << kProbeLeafShift,
+                "glint0_l(i + {}, {}, v[{}]); ", c << kProbeLeafShift,
                 (matrix_rows(matrix) - 1) | matrix_number(matrix) << kProbeContainerShift, c);
         text += "return v; }\n";
     }
@@ -180,84 +210,83 @@ std::string values_functions() {
 
 std::string cost_functions() {
     std::string text =
-        "int glint_id = 0, glint_last = 0, glint_hits = 0;\n"
-        "uvec4 glint_bits = uvec4(0);\n"
-        "void glint_n(int i, int kind) { glint_hits += int(i == glint_id); "
-        "++glint_bits[kind]; }\n";
+        "int glint0_id = 0, glint0_last = 0, glint0_hits = 0;\n"
+        "uvec4 glint0_bits = uvec4(0);\n"
+        "void glint0_n(int i, int kind) { glint0_hits += int(i == glint0_id); "
+        "++glint0_bits[kind]; }\n";
     for (const char* type : {"float", "vec4", "ivec4", "uvec4"})
-        text += fmt::format("{0} glint_n(int i, {0} v) {{ glint_n(i, 1); return v; }}\n", type);
+        text += fmt::format("{0} glint0_n(int i, {0} v) {{ glint0_n(i, 1); return v; }}\n", type);
     return text;
 }
 
 constexpr std::string_view kFaults =
-    R"(int glint_id = 0, glint_last = 0, glint_found = 0, glint_first = 0, glint_worst = 0;
-bool glint_mends = false;
-float glint_scale = 7.0, glint_inside = 0.37;
-uvec4 glint_bits = uvec4(0u, 0u, 0x7F7FFFFFu, 0u);
-void glint_f(int i, bool is_wrong, uint a, uint b) {
-    if (is_wrong && glint_found == 0) { glint_first = i + 1; glint_bits.xy = uvec2(a, b); }
-    glint_found += int(is_wrong);
+    R"(int glint0_id = 0, glint0_last = 0, glint0_found = 0, glint0_first = 0, glint0_worst = 0;
+bool glint0_mends = false;
+float glint0_scale = 7.0, glint0_inside = 0.37;
+uvec4 glint0_bits = uvec4(0u, 0u, 0x7F7FFFFFu, 0u);
+void glint0_f(int i, bool is_wrong, uint a, uint b) {
+    if (is_wrong && glint0_found == 0) { glint0_first = i + 1; glint0_bits.xy = uvec2(a, b); }
+    glint0_found += int(is_wrong);
 }
-void glint_f(int i, bool is_wrong, float a) { glint_f(i, is_wrong, floatBitsToUint(a), 0u); }
-void glint_f(int i, bool is_wrong, float a, float b) { glint_f(i, is_wrong, floatBitsToUint(a), floatBitsToUint(b)); }
-void glint_u(int i, bool is_undefined, uint a, float off) {
-    if (is_undefined && glint_worst == 0) { glint_worst = i + 1; glint_bits.w = a; }
-    if (i == glint_id && off < uintBitsToFloat(glint_bits.z)) glint_bits.z = floatBitsToUint(max(off, 0.0));
+void glint0_f(int i, bool is_wrong, float a) { glint0_f(i, is_wrong, floatBitsToUint(a), 0u); }
+void glint0_f(int i, bool is_wrong, float a, float b) { glint0_f(i, is_wrong, floatBitsToUint(a), floatBitsToUint(b)); }
+void glint0_u(int i, bool is_undefined, uint a, float off) {
+    if (is_undefined && glint0_worst == 0) { glint0_worst = i + 1; glint0_bits.w = a; }
+    if (i == glint0_id && off < uintBitsToFloat(glint0_bits.z)) glint0_bits.z = floatBitsToUint(max(off, 0.0));
 }
-void glint_u(int i, bool is_undefined, float a, float off) { glint_u(i, is_undefined, floatBitsToUint(a), off); }
-void glint_a(int i, bool holds) { glint_f(i, !holds, 0u, 0u); }
-float glint_v(int i, float v) {
-    glint_f(i, (floatBitsToUint(v) & 0x7F800000u) == 0x7F800000u, v);
+void glint0_u(int i, bool is_undefined, float a, float off) { glint0_u(i, is_undefined, floatBitsToUint(a), off); }
+float glint0_v(int i, float v) {
+    glint0_f(i, (floatBitsToUint(v) & 0x7F800000u) == 0x7F800000u, v);
     bool is_nan = (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u;
-    glint_u(i, is_nan, v, 3e38);
-    return glint_mends && is_nan ? 0.05 * glint_scale : v;
+    glint0_u(i, is_nan, v, 3e38);
+    return glint0_mends && is_nan ? 0.05 * glint0_scale : v;
 }
-float glint_w(int i, float v, float now) { glint_v(i, now); return v; }
-float glint_d(int i, float b) { glint_f(i, b == 0.0, b); glint_u(i, false, b, abs(b)); return b; }
-int glint_d(int i, int b) { glint_f(i, b == 0, uint(b), 0u); glint_u(i, b == 0, uint(b), abs(float(b))); return b; }
-uint glint_d(int i, uint b) { glint_f(i, b == 0u, b, 0u); glint_u(i, b == 0u, b, float(b)); return b; }
-int glint_i(int i, int at, int count) {
+float glint0_w(int i, float v, float now) { glint0_v(i, now); return v; }
+float glint0_d(int i, float b) { glint0_f(i, b == 0.0, b); glint0_u(i, false, b, abs(b)); return b; }
+int glint0_d(int i, int b) { glint0_f(i, b == 0, uint(b), 0u); glint0_u(i, b == 0, uint(b), abs(float(b))); return b; }
+uint glint0_d(int i, uint b) { glint0_f(i, b == 0u, b, 0u); glint0_u(i, b == 0u, b, float(b)); return b; }
+int glint0_i(int i, int at, int count) {
     bool is_out = at < 0 || at >= count;
-    glint_f(i, is_out, uint(at), uint(count));
-    glint_u(i, is_out, uint(at), min(float(at) + 1.0, float(count) - float(at)));
+    glint0_f(i, is_out, uint(at), uint(count));
+    glint0_u(i, is_out, uint(at), min(float(at) + 1.0, float(count) - float(at)));
     return at;
 }
-uint glint_i(int i, uint at, int count) { glint_i(i, at > 2147483647u ? 2147483647 : int(at), count); return at; }
-ivec2 glint_t(int i, ivec2 at, ivec2 size) {
-    glint_u(i, at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y, uint(at.x), 3e38);
-    return glint_mends ? clamp(at, ivec2(0), size - 1) : at;
+uint glint0_i(int i, uint at, int count) { glint0_i(i, at > 2147483647u ? 2147483647 : int(at), count); return at; }
+ivec2 glint0_t(int i, ivec2 at, ivec2 size) {
+    glint0_u(i, at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y, uint(at.x), 3e38);
+    return glint0_mends ? clamp(at, ivec2(0), size - 1) : at;
 }
-ivec3 glint_t(int i, ivec3 at, ivec3 size) { return at; }
+ivec3 glint0_t(int i, ivec3 at, ivec3 size) { return at; }
 )";
 
 // A result that is rounded may as well be the next float above or below. What ends in twelve zeros,
-// as whole numbers and their halves do, is taken for exact. glint_id: the site, -1 for all, -2 for
+// as whole numbers and their halves do, is taken for exact. glint0_id: the site, -1 for all, -2 for
 // none; -3 moves the pixels themselves.
 constexpr std::string_view kRounding =
-    R"(int glint_id = 0, glint_last = 0, glint_hits = 0;
-uvec4 glint_bits = uvec4(0);
-uint glint_chance = 0u;
-float glint_v(int i, float v) {
+    R"(int glint0_id = 0, glint0_last = 0, glint0_hits = 0;
+uvec4 glint0_bits = uvec4(0);
+uint glint0_chance = 0u;
+float glint0_v(int i, float v) {
     uint bits = floatBitsToUint(v), power = bits & 0x7F800000u;
-    if ((glint_id != i && glint_id != -1) || power == 0u || power == 0x7F800000u || (bits & 0xFFFu) == 0u) return v;
-    ++glint_hits;
-    glint_chance = glint_chance * 747796405u + 2891336453u;
-    uint word = ((glint_chance >> ((glint_chance >> 28u) + 4u)) ^ glint_chance) * 277803737u;
+    if ((glint0_id != i && glint0_id != -1) || power == 0u || power == 0x7F800000u || (bits & 0xFFFu) == 0u) return v;
+    ++glint0_hits;
+    glint0_chance = glint0_chance * 747796405u + 2891336453u;
+    uint word = ((glint0_chance >> ((glint0_chance >> 28u) + 4u)) ^ glint0_chance) * 277803737u;
     return uintBitsToFloat((word >> 30u) % 2u == 0u ? bits - 1u : bits + 1u);
 }
-vec2 glint_v(int i, vec2 v) { return vec2(glint_v(i, v.x), glint_v(i, v.y)); }
-vec3 glint_v(int i, vec3 v) { return vec3(glint_v(i, v.xy), glint_v(i, v.z)); }
-vec4 glint_v(int i, vec4 v) { return vec4(glint_v(i, v.xy), glint_v(i, v.zw)); }
+vec2 glint0_v(int i, vec2 v) { return vec2(glint0_v(i, v.x), glint0_v(i, v.y)); }
+vec3 glint0_v(int i, vec3 v) { return vec3(glint0_v(i, v.xy), glint0_v(i, v.z)); }
+vec4 glint0_v(int i, vec4 v) { return vec4(glint0_v(i, v.xy), glint0_v(i, v.zw)); }
 )";
 
 std::string rounding_functions() {
     std::string text(kRounding);
     for (std::size_t i = 4; i < kTypes.size(); ++i)
-        text += fmt::format("{0} glint_v(int i, {0} v) {{ return v; }}\n", kTypes[i]);
+        text += fmt::format("{0} glint0_v(int i, {0} v) {{ return v; }}\n", kTypes[i]);
     for (const std::string_view matrix : kMatrices) {
-        text += fmt::format("{0} glint_v(int i, {0} v) {{ ", matrix);
+        text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
         for (int c = 0; c < matrix_columns(matrix); ++c)
-            text += fmt::format("v[{0}] = glint_v(i, v[{0}]); ", c);
+            text += fmt::format("v[{0}] = glint0_v(i, v[{0}]); ", c);
         text += "return v; }\n";
     }
     return text;
@@ -269,19 +298,19 @@ struct Domain {
     const char *name, *is_wrong, *is_undefined, *off, *mended;
 };
 constexpr std::array<Domain, 8> kOne = {
-    {{"sqrt", "a < 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
-     {"inversesqrt", "a <= 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
-     {"log", "a <= 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
-     {"log2", "a <= 0.0", "a < 0.0", "a", "max(v, -glint_scale * v)"},
+    {{"sqrt", "a < 0.0", "a < 0.0", "a", "max(v, -glint0_scale * v)"},
+     {"inversesqrt", "a <= 0.0", "a < 0.0", "a", "max(v, -glint0_scale * v)"},
+     {"log", "a <= 0.0", "a < 0.0", "a", "max(v, -glint0_scale * v)"},
+     {"log2", "a <= 0.0", "a < 0.0", "a", "max(v, -glint0_scale * v)"},
      {"acos", "abs(a) > 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
-      "v - (v - glint_inside) * step(1.0000001, abs(v))"},
+      "v - (v - glint0_inside) * step(1.0000001, abs(v))"},
      {"asin", "abs(a) > 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
-      "v - (v - glint_inside) * step(1.0000001, abs(v))"},
+      "v - (v - glint0_inside) * step(1.0000001, abs(v))"},
      {"acosh", "a < 1.0", "a < 1.0", "a - 1.0", "1.0 + abs(v - 1.0)"},
      {"atanh", "abs(a) >= 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
-      "v - (v - glint_inside) * step(1.0, abs(v))"}}};
+      "v - (v - glint0_inside) * step(1.0, abs(v))"}}};
 constexpr std::array<Domain, 3> kTwo = {
-    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0", "a", "max(v, -glint_scale * v), w"},
+    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0", "a", "max(v, -glint0_scale * v), w"},
      {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + 1.0"},
      {"atan", "a == 0.0 && b == 0.0", "false", "3e38", "v, w"}}};
 
@@ -301,54 +330,56 @@ std::string faults_functions() {
         const std::string type = kTypes[static_cast<std::size_t>(n) - 1];
         if (n > 1) {
             for (const char* name : {"v", "d"})
-                text +=
-                    fmt::format("{0} glint_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
-                                for_each(n, fmt::format("v{{of}} = glint_{}(i, v{{of}}); ", name)));
+                text += fmt::format(
+                    "{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
+                    for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));
             text += fmt::format(
-                "{0} glint_w(int i, {0} v, {0} now) {{ glint_v(i, now); return v; }}\n", type);
+                "{0} glint0_w(int i, {0} v, {0} now) {{ glint0_v(i, now); return v; }}\n", type);
         }
         for (const Domain& one : kOne)
             text += fmt::format(
-                "void glint_is_{0}(int i, {1} v) {{ {2}}}\n{1} glint_{0}(int i, {1} v) {{ "
-                "glint_is_{0}(i, v); if (glint_mends) v = {3}; return {0}(v); }}\n",
+                "void glint0_is_{0}(int i, {1} v) {{ {2}}}\n{1} glint0_{0}(int i, {1} v) {{ "
+                "glint0_is_{0}(i, v); if (glint0_mends) v = {3}; return {0}(v); }}\n",
                 one.name, type,
-                for_each(n, fmt::format("{{{{ float a = v{{of}}; glint_f(i, {}, a); "
-                                        "glint_u(i, {}, a, {}); }}}} ",
+                for_each(n, fmt::format("{{{{ float a = v{{of}}; glint0_f(i, {}, a); "
+                                        "glint0_u(i, {}, a, {}); }}}} ",
                                         one.is_wrong, one.is_undefined, one.off)),
                 one.mended);
         for (const Domain& one : kTwo)
             for (const bool is_scalar : {false, true}) {
                 if (is_scalar && (n == 1 || one.name != std::string_view("mod"))) continue;
                 text += fmt::format(
-                    "{1} glint_{0}(int i, {1} v, {3} w) {{ bool was = glint_worst != 0; "
-                    "{2}return glint_mends && !was && glint_worst == i + 1 ? {0}({4}) : {0}(v, w); "
+                    "{1} glint0_{0}(int i, {1} v, {3} w) {{ bool was = glint0_worst != 0; "
+                    "{2}return glint0_mends && !was && glint0_worst == i + 1 ? {0}({4}) : {0}(v, "
+                    "w); "
                     "}}\n",
                     one.name, type,
-                    for_each(n, fmt::format("{{{{ float a = v{{of}}, b = w{}; glint_f(i, {}, a, "
-                                            "b); glint_u(i, {}, a, {}); }}}} ",
+                    for_each(n, fmt::format("{{{{ float a = v{{of}}, b = w{}; glint0_f(i, {}, a, "
+                                            "b); glint0_u(i, {}, a, {}); }}}} ",
                                             is_scalar ? "" : "{of}", one.is_wrong, one.is_undefined,
                                             one.off)),
                     is_scalar ? "float" : type, one.mended);
             }
         text += fmt::format(
-            "{0} glint_normalize(int i, {0} v) {{ float a = length(v); glint_f(i, dot(v, v) == "
+            "{0} glint0_normalize(int i, {0} v) {{ float a = length(v); glint0_f(i, dot(v, v) == "
             "0.0, "
-            "a); glint_u(i, a == 0.0, a, a); return normalize(glint_mends && a == 0.0 ? v + 1.0 : "
+            "a); glint0_u(i, a == 0.0, a, a); return normalize(glint0_mends && a == 0.0 ? v + 1.0 "
+            ": "
             "v); }}\n",
             type);
     }
     for (std::size_t i = 4; i < kTypes.size(); ++i)
-        text += fmt::format("{0} glint_v(int i, {0} v) {{ return v; }}\n", kTypes[i]);
+        text += fmt::format("{0} glint0_v(int i, {0} v) {{ return v; }}\n", kTypes[i]);
     for (const char* type : {"ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4"}) {
         const int n = type[4] - '0';
-        text += fmt::format("{0} glint_d(int i, {0} v) {{ {1}return v; }}\n", type,
-                            for_each(n, "glint_d(i, v{of}); "));
+        text += fmt::format("{0} glint0_d(int i, {0} v) {{ {1}return v; }}\n", type,
+                            for_each(n, "glint0_d(i, v{of}); "));
     }
     for (const std::string_view matrix : kMatrices) {
-        text += fmt::format("{0} glint_v(int i, {0} v) {{ ", matrix);
+        text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
         for (int c = 0; c < matrix_columns(matrix); ++c)
-            text += fmt::format("glint_v(i, v[{}]); ", c);
-        text += fmt::format("return v; }}\n{0} glint_d(int i, {0} v) {{ return v; }}\n", matrix);
+            text += fmt::format("glint0_v(i, v[{}]); ", c);
+        text += fmt::format("return v; }}\n{0} glint0_d(int i, {0} v) {{ return v; }}\n", matrix);
     }
     return text;
 }
@@ -356,53 +387,85 @@ std::string faults_functions() {
 constexpr std::string_view kMain = R"(void main() {{
     ivec2 cell = ivec2(gl_FragCoord.xy);
     int n = 0;
-    glint_coord = gl_FragCoord;
-    if (glint_place.z > 0) {{
-        n = (cell.y >> 1) * glint_place.z + (cell.x >> 1);
-        glint_coord.xy = vec2(glint_place.xy + (cell & 1)) + 0.5;
+    glint0_coord = gl_FragCoord;
+    if (glint0_place.z > 0) {{
+        n = (cell.y >> 1) * glint0_place.z + (cell.x >> 1);
+        glint0_coord.xy = vec2(glint0_place.xy + (cell & 1)) + 0.5;
     }}
-    glint_id = glint_ask.x + n * glint_ask.z;
-    glint_last = glint_ask.y + n * glint_ask.w;
+    glint0_id = glint0_ask.x + n * glint0_ask.z;
+    glint0_last = glint0_ask.y + n * glint0_ask.w;
     {}
-    glint_draw();
-    glint_kept = glint_bits;
-    glint_told = uvec4({}, 1u);
+    glint0_draw();
+    glint0_kept = glint0_bits;
+    glint0_told = uvec4({}, 1u);
 }}
 )";
 
 }  // namespace
 
+namespace {
+
+std::string functions_of(ProbeKind kind) {
+    switch (kind) {
+        case ProbeKind::values:
+            return values_functions();
+        case ProbeKind::cost:
+            return cost_functions();
+        case ProbeKind::faults:
+            return faults_functions();
+        case ProbeKind::rounding:
+            return rounding_functions();
+        case ProbeKind::assertions:
+            return "int glint0_id = 0, glint0_last = 0; uvec4 glint0_bits = uvec4(0u);\n"
+                   "void glint0_a(int i, bool holds) { if (!holds) glint0_bits[i >> 5] |= 1u << (i "
+                   "& 31); }\n";
+    }
+    return "";
+}
+
+// What the second output tells.
+const char* told_of(ProbeKind kind) {
+    switch (kind) {
+        case ProbeKind::values:
+            return "glint0_hits, glint0_order, glint0_tag";
+        case ProbeKind::cost:
+        case ProbeKind::rounding:
+            return "glint0_hits, 0, 0";
+        case ProbeKind::faults:
+            return "glint0_found, glint0_first, glint0_worst";
+        case ProbeKind::assertions:
+            return "0, 0, 0";
+    }
+    return "";
+}
+
+}  // namespace
+
 std::string probe_declarations(ProbeKind kind) {
-    const std::string functions = kind == ProbeKind::values     ? values_functions()
-                                  : kind == ProbeKind::cost     ? cost_functions()
-                                  : kind == ProbeKind::rounding ? rounding_functions()
-                                                                : faults_functions();
-    return "uniform ivec4 glint_ask, glint_place;\nvec4 glint_coord = vec4(0.0);\n" + functions;
+    return "uniform ivec4 glint0_ask, glint0_place;\nvec4 glint0_coord = vec4(0.0);\n" +
+           functions_of(kind);
 }
 
 std::string probe_main(ProbeKind kind, std::size_t outputs) {
-    const char* told = kind == ProbeKind::values   ? "glint_hits, glint_order, glint_tag"
-                       : kind != ProbeKind::faults ? "glint_hits, 0, 0"
-                                                   : "glint_found, glint_first, glint_worst";
     // Every fragment watches another site.
     const char* survey =
         kind == ProbeKind::faults
-            ? "if (glint_place.w > 0) { glint_id = (glint_ask.x + cell.x + 37 * "
-              "cell.y) % glint_place.w; glint_mends = glint_ask.y != 0; "
-              "if (glint_ask.y == 2) { glint_scale = 7e-9; glint_inside = -0.99; } "
-              "if (glint_ask.y == 3) { glint_scale = 7e9; glint_inside = 0.99; } }"
+            ? "if (glint0_place.w > 0) { glint0_id = (glint0_ask.x + cell.x + 37 * "
+              "cell.y) % glint0_place.w; glint0_mends = glint0_ask.y != 0; "
+              "if (glint0_ask.y == 2) { glint0_scale = 7e-9; glint0_inside = -0.99; } "
+              "if (glint0_ask.y == 3) { glint0_scale = 7e9; glint0_inside = 0.99; } }"
             : "";
     if (kind == ProbeKind::rounding)
         survey =
-            "glint_chance = uint(glint_last) * 747796405u + uint(cell.x + 4096 * cell.y);\n"
-            "    if (glint_id == -3) glint_coord.xy = "
-            "uintBitsToFloat(floatBitsToUint(glint_coord.xy) "
+            "glint0_chance = uint(glint0_last) * 747796405u + uint(cell.x + 4096 * cell.y);\n"
+            "    if (glint0_id == -3) glint0_coord.xy = "
+            "uintBitsToFloat(floatBitsToUint(glint0_coord.xy) "
             "+ uvec2(1));";
     return fmt::format(
-               "layout(location = {}) out uvec4 glint_kept;\nlayout(location = {}) out uvec4 "
-               "glint_told;\n",
+               "layout(location = {}) out uvec4 glint0_kept;\nlayout(location = {}) out uvec4 "
+               "glint0_told;\n",
                outputs, outputs + 1) +
-           fmt::format(fmt::runtime(kMain), survey, told);
+           fmt::format(fmt::runtime(kMain), survey, told_of(kind));
 }
 
 }  // namespace glint

@@ -15,6 +15,10 @@ int probe_type_of(std::string_view type);
 int matrix_columns(std::string_view type);
 int matrix_rows(std::string_view type);
 
+// `(glint0_has(7,a.length())&&…)`, which notes what the array `a` of this type holds, the first 64
+// elements; empty where its elements are no numbers.
+std::string array_record(std::size_t site, const std::string& name, std::string_view type);
+
 // The structs of a text.
 class StructTypes {
 public:
@@ -23,7 +27,7 @@ public:
 
     // `.nor`, `.m[0]`, `.hit.t`; empty where some member cannot be told.
     ProbeLeaves leaves(std::uint32_t structure) const;
-    // `S glint_v(int i, S v) { … }`; empty where there can be none.
+    // `S glint0_v(int i, S v) { … }`; empty where there can be none.
     std::string overload(std::uint32_t structure, ProbeKind kind) const;
 
 private:

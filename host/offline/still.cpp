@@ -314,11 +314,11 @@ void print_result(const Still& still) {
 
 }  // namespace
 
-void run_still(const StillOptions& options, const Stopwatch& since_start) {
+Preset run_still(const StillOptions& options, const Stopwatch& since_start) {
     check_options(options);
     Split ms;
     Stopwatch clock;
-    const Preset preset = open_preset(options.view);
+    Preset preset = open_preset(options.view);
     const NamedFile output{"-o", options.output.string()};
     require_files_apart(options, output, {}, preset);
     require_files_writable(options, output);
@@ -357,6 +357,7 @@ void run_still(const StillOptions& options, const Stopwatch& since_start) {
     write_file(still);
     still.ms.total = since_start.ms();
     print_result(still);
+    return preset;
 }
 
 }  // namespace glint

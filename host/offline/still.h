@@ -5,7 +5,7 @@
 
 namespace glint {
 
-// Throws what main() turns into exit codes.
-void run_still(const StillOptions& options, const Stopwatch& since_start);
+// Gives back what was drawn. Throws what main() turns into exit codes.
+Preset run_still(const StillOptions& options, const Stopwatch& since_start);
 
 }  // namespace glint

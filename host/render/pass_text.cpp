@@ -323,14 +323,20 @@ std::unordered_map<std::string_view, std::size_t> float_tweaks(const Scene& scen
 // sees the picture's alpha, too.
 std::string in_words_of_probe(std::string main, ProbeKind kind) {
     constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-        {"void main()", "void glint_draw()"},
-        {"gl_FragCoord", "glint_coord"},
+        {"void main()", "void glint0_draw()"},
+        {"gl_FragCoord", "glint0_coord"},
         {"vec4(color.rgb, 1.0)", "color"}};
     const std::size_t count = kind == ProbeKind::faults ? 3 : 2;
     for (const auto& [theirs, ours] : std::span(kWords).first(count))
         for (std::size_t at = main.find(theirs); at != main.npos; at = main.find(theirs, at))
             main.replace(at, theirs.size(), ours);
     return main;
+}
+
+// So that a __LINE__ of the user's is that of the plain text.
+std::string on_one_line(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    return text;
 }
 
 // What the driver reads before the user's text.
@@ -351,8 +357,10 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
                        : scene.passes[pass].cube ? cube_main(scene.passes[pass], out)
                                                  : buffer_main(scene.passes[pass], out, options);
     if (probe) {
-        main = probe_declarations(probe->kind) + in_words_of_probe(std::move(main), probe->kind) +
-               probe_main(probe->kind, output_names(scene, pass).size());
+        main = on_one_line(probe_declarations(probe->kind)) +
+               in_words_of_probe(std::move(main), probe->kind);
+        main.back() = ' ';  // its line's end
+        main += on_one_line(probe_main(probe->kind, output_names(scene, pass).size())) + '\n';
     }
     return text + main + own_overloads(reading);
 }
@@ -402,7 +410,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
     else if (probe)
-        put_in_place_of("gl_FragCoord", "glint_coord", reading, edits);
+        put_in_place_of("gl_FragCoord", "glint0_coord", reading, edits);
     name_parameters(reading, edits);
     mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
     if (options.named) name_divisions(reading, float_tweaks(scene), edits);

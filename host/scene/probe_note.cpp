@@ -8,6 +8,18 @@
 
 namespace glint {
 
+namespace {
+
+// `shaders/inc/shared.glsl` in `inc/shared.glsl`, and in itself.
+bool ends_in(const std::filesystem::path& path, const std::filesystem::path& end) {
+    auto part = path.end();
+    for (auto wanted = end.end(); wanted != end.begin();)
+        if (part == path.begin() || *--part != *--wanted) return false;
+    return true;
+}
+
+}  // namespace
+
 std::optional<ProbeNote> parse_probe_note(std::string_view annotation) {
     const std::string_view text = trimmed(annotation);
     const std::string_view word = text.substr(0, text.find_first_of(" \t("));
@@ -51,8 +63,7 @@ std::optional<Span> find_line(const Scene& scene, std::string_view name) {
     for (const Origin& origin : scene.origins) {
         const std::size_t end = std::min(scene.text.find('\n', begin), scene.text.size() - 1) + 1;
         const std::filesystem::path& path = scene.files[origin.file];
-        const bool is_file =
-            file.empty() ? origin.file == 0 : path == file || path.filename() == file;
+        const bool is_file = file.empty() ? origin.file == 0 : ends_in(path, file);
         if (is_file && origin.line == number) return Span{begin, end};
         begin = end;
     }

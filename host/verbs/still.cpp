@@ -33,15 +33,15 @@ void declare(CLI::App& verb, StillOptions& still) {
 }  // namespace
 
 std::unique_ptr<Verb> still_verb() {
-    return make_verb<StillOptions>(declare,
-                                   [](const StillOptions& options, const Stopwatch& since_start) {
-                                       run_still(options, since_start);
-                                       say_broken_assertions({.view = options.view,
-                                                              .time = options.time,
-                                                              .frame = options.frame,
-                                                              .settle = options.settle,
-                                                              .fps = options.fps});
-                                   });
+    return make_verb<StillOptions>(
+        declare, [](const StillOptions& options, const Stopwatch& since_start) {
+            Preset drawn = run_still(options, since_start);
+            say_broken_assertions(std::move(drawn), {.view = options.view,
+                                                     .time = options.time,
+                                                     .frame = options.frame,
+                                                     .settle = options.settle,
+                                                     .fps = options.fps});
+        });
 }
 
 }  // namespace glint

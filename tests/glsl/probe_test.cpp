@@ -25,53 +25,54 @@ std::string in_function(const std::string& body, ProbeKind kind = ProbeKind::val
 }
 
 TEST(ProbeText, HandsThroughWhatAVariableIsGiven) {
-    EXPECT_EQ(in_function("float a = 1.; a += b;"), "float a = glint_v(0,1.); glint_v(1,a += b);");
-    EXPECT_EQ(in_function("p.xz = q[i].yx;"), "glint_v(0,p.xz = q[i].yx);");
-    EXPECT_EQ(in_function("a = b = c;"), "glint_v(0,a = glint_v(1,b = c));");
-    EXPECT_EQ(in_function("const float a = 1.;"), "const float a = 1.; glint_v(0,a);");
+    EXPECT_EQ(in_function("float a = 1.; a += b;"),
+              "float a = glint0_v(0,1.); glint0_v(1,a += b);");
+    EXPECT_EQ(in_function("p.xz = q[i].yx;"), "glint0_v(0,p.xz = q[i].yx);");
+    EXPECT_EQ(in_function("a = b = c;"), "glint0_v(0,a = glint0_v(1,b = c));");
+    EXPECT_EQ(in_function("const float a = 1.;"), "const float a = 1.; glint0_v(0,a);");
 }
 
 TEST(ProbeText, KeepsWhatIsOnlySometimesEvaluated) {
-    EXPECT_EQ(in_function("c ? a = 1. : d;"), "c ? glint_v(0,a = 1.) : d;");
-    EXPECT_EQ(in_function("c && (a = d);"), "c && (glint_v(0,a = d));");
+    EXPECT_EQ(in_function("c ? a = 1. : d;"), "c ? glint0_v(0,a = 1.) : d;");
+    EXPECT_EQ(in_function("c && (a = d);"), "c && (glint0_v(0,a = d));");
     EXPECT_EQ(in_function("if (c) a = 1.; else b = 2.;"),
-              "if (glint_v(0,c)) glint_v(1,a = 1.); else glint_v(2,b = 2.);");
+              "if (glint0_v(0,c)) glint0_v(1,a = 1.); else glint0_v(2,b = 2.);");
 }
 
 TEST(ProbeText, TellsASteppedVariableAsItIsAfterwards) {
-    EXPECT_EQ(in_function("i++;"), "glint_w(0,i++,i);");
-    EXPECT_EQ(in_function("--i;"), "glint_v(0,--i);");
-    EXPECT_EQ(in_function("if (x) ++i;"), "if (glint_v(0,x)) glint_v(1,++i);");
+    EXPECT_EQ(in_function("i++;"), "glint0_w(0,i++,i);");
+    EXPECT_EQ(in_function("--i;"), "glint0_v(0,--i);");
+    EXPECT_EQ(in_function("if (x) ++i;"), "if (glint0_v(0,x)) glint0_v(1,++i);");
 }
 
 TEST(ProbeText, TellsWhatACallHandsOut) {
-    EXPECT_EQ(in_function("put(a, 1.);"), "{put(a, 1.); glint_v(0,a);}");
+    EXPECT_EQ(in_function("put(a, 1.);"), "{put(a, 1.); glint0_v(0,a);}");
     EXPECT_EQ(
         in_function("for (int i = 0; i < n; i++) break;"),
-        "for (int i = glint_v(0,0); glint_v(2,i < n); glint_w(1,i++,i)) {glint_r(3); break;}");
+        "for (int i = glint0_v(0,0); glint0_v(2,i < n); glint0_w(1,i++,i)) {glint0_r(3); break;}");
 }
 
 TEST(ProbeText, KeepsCommasTogether) {
     EXPECT_EQ(in_function("while (i++, i < n) break;"),
-              "while (glint_v(1,(glint_w(0,i++,i), i < n))) {glint_r(2); break;}");
+              "while (glint0_v(1,(glint0_w(0,i++,i), i < n))) {glint0_r(2); break;}");
 }
 
 TEST(ProbeText, TellsParametersAndResults) {
     EXPECT_EQ(instrumented("float f(vec2 p, out float q) { return p.x; }"),
-              "float f(vec2 p, out float q) { glint_v(0,p); return glint_v(1,p.x); }");
+              "float f(vec2 p, out float q) { glint0_v(0,p); return glint0_v(1,p.x); }");
     EXPECT_EQ(instrumented("float f(sampler2D s) { return g(s); }"),
-              "float f(sampler2D s) { return glint_v(0,g(s)); }");
+              "float f(sampler2D s) { return glint0_v(0,g(s)); }");
 }
 
 TEST(ProbeText, HandsAMacrosUseThroughAsAWhole) {
     EXPECT_EQ(instrumented("#define SET(x) x = 1.\nvoid f() { SET(a); }"),
-              "#define SET(x) x = 1.\nvoid f() { glint_v(0,SET(a)); }");
+              "#define SET(x) x = 1.\nvoid f() { glint0_v(0,SET(a)); }");
 }
 
 TEST(ProbeText, TellsStructsByTheirMembers) {
     const std::string text = instrumented("struct S { float t; mat2 m; };\nvoid f() { s = g(); }");
-    EXPECT_NE(text.find("S glint_v(int i,S v){glint_l(i+0,320,v.t);glint_l(i+65536,321,v.m[0]);"
-                        "glint_l(i+131072,321,v.m[1]);return v;}"),
+    EXPECT_NE(text.find("S glint0_v(int i,S v){glint0_l(i+0,320,v.t);glint0_l(i+65536,321,v.m[0]);"
+                        "glint0_l(i+131072,321,v.m[1]);return v;}"),
               text.npos)
         << text;
 }
@@ -80,7 +81,7 @@ TEST(ProbeText, InstrumentsTheLinesAloneThatAreAskedFor) {
     const std::string text = "void f() {\na = 1.;\nb = 2.;\n}";
     const std::size_t line = text.find("b");
     EXPECT_EQ(instrumented(text, {.only = {{line, line + 8}}}),
-              "void f() {\na = 1.;\nglint_v(0,b = 2.);\n}");
+              "void f() {\na = 1.;\nglint0_v(0,b = 2.);\n}");
 }
 
 TEST(ProbeText, PutsAnExpressionBehindItsLine) {
@@ -91,9 +92,20 @@ TEST(ProbeText, PutsAnExpressionBehindItsLine) {
                             {.expressions = {{.text = "a*2.", .line = {at, at + line.size()}}}});
     };
     EXPECT_EQ(with("float a = 1.;\n"),
-              "void f() {\nfloat a = 1.; glint_v(0,(a*2.));\nif (a > 0.) return;\nb = 2.;\n}");
+              "void f() {\nfloat a = 1.; glint0_v(0,(a*2.));\nif (a > 0.) return;\nb = 2.;\n}");
     EXPECT_EQ(with("if (a > 0.) return;\n"),
-              "void f() {\nfloat a = 1.;\nglint_v(0,(a*2.)); if (a > 0.) return;\nb = 2.;\n}");
+              "void f() {\nfloat a = 1.;\nglint0_v(0,(a*2.)); if (a > 0.) return;\nb = 2.;\n}");
+}
+
+TEST(ProbeText, EvaluatesAnExpressionAtALoopInEachTurn) {
+    const auto at_loop = [](const std::string& loop) {
+        const std::string text = "void f() {\n" + loop + "\n}";
+        return instrumented(text, {.expressions = {{.text = "i", .line = {11, 12 + loop.size()}}}});
+    };
+    EXPECT_EQ(at_loop("for (int i = 0; i < 3; i++) { a += b; }"),
+              "void f() {\nfor (int i = 0; i < 3; i++) { glint0_v(0,(i));  a += b; }\n}");
+    EXPECT_EQ(at_loop("for (int i = 0; i < 3; i++)\n a += b;"),
+              "void f() {\nfor (int i = 0; i < 3; i++)\n {glint0_v(0,(i)); a += b;}\n}");
 }
 
 TEST(ProbeText, RefusesWhatIsNoExpression) {
@@ -104,14 +116,14 @@ TEST(ProbeText, RefusesWhatIsNoExpression) {
 
 TEST(ProbeText, CountsTurnsReadsAndCalls) {
     EXPECT_EQ(in_function("for (;;) a = texture(s, p);", ProbeKind::cost),
-              " glint_n(0,2); for (;;) {glint_n(1,0); a = glint_n(2,texture(s, p));}");
+              " glint0_n(0,2); for (;;) {glint0_n(1,0); a = glint0_n(2,texture(s, p));}");
 }
 
 TEST(ProbeText, ChecksWhatHasADomain) {
     EXPECT_EQ(in_function("a = sqrt(b) / c;", ProbeKind::faults),
-              "glint_v(0,a = glint_sqrt(2,b) / glint_d(1,c));");
+              "glint0_v(0,a = glint0_sqrt(2,b) / glint0_d(1,c));");
     EXPECT_EQ(in_function("vec3 v; a = v[i];", ProbeKind::faults),
-              "vec3 v; glint_v(0,a = v[glint_i(1,i,3)]);");
+              "vec3 v; glint0_v(0,a = v[glint0_i(1,i,3)]);");
 }
 
 }  // namespace

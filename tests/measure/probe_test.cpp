@@ -109,6 +109,40 @@ TEST_F(ProbeTest, TellsEveryType) {
     EXPECT_EQ(all.of("w").type, "uvec3");
 }
 
+TEST_F(ProbeTest, TellsArraysByTheirElements) {
+    Player player(
+        "float[2] pair(float x) { return float[2](x, x * 2.0); }\n"
+        "float sum(float a[2]) { return a[0] + a[1]; }\n"
+        "void fill(out ivec2 a[3]) { for (int i = 0; i < 3; i++) a[i] = ivec2(i, 7); }\n" +
+        image("float a[2] = pair(3.0), late[2]; ivec2 f[3]; fill(f); late = pair(5.0);\n"
+              "const float table[2] = float[2](8.0, 9.0);\n"
+              "mat2 m[2] = mat2[2](mat2(1, 2, 3, 4), mat2(5, 6, 7, 8));\n"
+              "if ((late = pair(6.0))[0] > 1.0) c = vec4(sum(a) + table[1]);"));
+    const Answer all = ask(player, {1, 1});
+    EXPECT_EQ(all.of("a[1]").value, std::vector<double>{6});
+    EXPECT_EQ(all.of("a[0]").function, "sum");
+    EXPECT_EQ(all.of("f[2]").value, (std::vector<double>{2, 7}));
+    EXPECT_EQ(all.of("late[1]").value, std::vector<double>{10});
+    EXPECT_EQ(all.values.back().value.at(0), 18.0);
+    EXPECT_EQ(all.of("table[1]").value, std::vector<double>{9});
+    EXPECT_EQ(all.of("m[1][0]").value, (std::vector<double>{5, 6}));
+    EXPECT_EQ(all.of("m[1][1]").value, (std::vector<double>{7, 8}));
+    EXPECT_EQ(all.notes, std::vector<std::string>());
+    EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
+}
+
+TEST_F(ProbeTest, KnowsTheLinesOfThePlainText) {
+    Player player(image("c = vec4(__LINE__);"));
+    const Answer all = ask(player, {1, 1});
+    EXPECT_EQ(all.plain.x, all.colour[0]);
+}
+
+TEST_F(ProbeTest, LeavesNamesToTheText) {
+    Player player("float glint_v = 1.0; int glint_id = 2;\n" +
+                  image("float glint_ask = glint_v + float(glint_id); c = vec4(glint_ask);"));
+    EXPECT_EQ(ask(player, {1, 1}).number("glint_ask"), 3.0);
+}
+
 TEST_F(ProbeTest, EvaluatesNothingThatTheSourceDoesNot) {
     Player player(
         "int calls = 0;\n"
@@ -142,6 +176,18 @@ TEST_F(ProbeTest, HasTheTrueNeighboursForDerivatives) {
     }
 }
 
+// Drivers round to halves or cut them off: both are what a program has drawn.
+TEST_F(ProbeTest, ComparesABufferOfHalvesAsFarAsThatTells) {
+    const auto same = [](float plain, float probed) {
+        return same_colour(glm::vec4(plain), {probed, probed, probed, probed},
+                           PixelFormat::rgba16f);
+    };
+    EXPECT_EQ(same(1955.0f / 2048.0f, 0.9550683f), "bits");
+    EXPECT_EQ(same(1956.0f / 2048.0f, 0.9550683f), "bits");
+    EXPECT_NE(same(1954.0f / 2048.0f, 0.9550683f), "bits");
+    EXPECT_NE(same(-1955.0f / 2048.0f, 0.9550683f), "bits");
+}
+
 TEST_F(ProbeTest, SeesTheSameFormerFrameAsAFeedbackPass) {
     Player player(
         "uniform sampler2D sum; //@ pass mainSum\n"
@@ -170,6 +216,14 @@ TEST_F(ProbeTest, EvaluatesAnyExpressionAtALine) {
     EXPECT_THROW(
         ask(player, {0, 0}, 0, {.expressions = {{.text = "nobody", .line = {at, at + 11}}}}),
         ProbeRefused);
+}
+
+TEST_F(ProbeTest, EvaluatesAnExpressionAtTheTruePlace) {
+    Player player(image("c = vec4(gl_FragCoord.xy, p);"));
+    const Answer all =
+        ask(player, {3, 1}, 0, {.expressions = {{.text = "gl_FragCoord.xy", .line = {41, 42}}}});
+    EXPECT_EQ(all.values.at(0).value, (std::vector<double>{3.5, 1.5}));
+    EXPECT_EQ(all.values.at(0).name, "gl_FragCoord.xy");
 }
 
 TEST_F(ProbeTest, LeavesOutWhatTheDriverDoesNotTakeAndSaysSo) {

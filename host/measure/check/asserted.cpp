@@ -16,9 +16,15 @@ void check_assertions(Check& check, CaseResult& result) {
         subject.preset, subject.renderer(), {.specialise = subject.specialised()}, draw);
     if (broken.empty()) return;
     const BrokenAssertion& first = broken.front();
-    result.fail(fmt::format(
-        "{}:{}: {}{}", first.file, first.line, sentence_of(first),
-        broken.size() > 1 ? fmt::format("; {} more do not hold", broken.size() - 1) : ""));
+    result.where = CasePlace{.file = first.file,
+                             .line = first.line,
+                             .expression = first.expression,
+                             .what = "an assertion"};
+    std::string all;
+    for (const BrokenAssertion& one : broken)
+        all += fmt::format("{}{}:{}:{}: {}", all.empty() ? "" : "; ", one.file, one.line,
+                           one.column, sentence_of(one));
+    result.fail(all);
 }
 
 }  // namespace

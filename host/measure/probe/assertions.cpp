@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace glint {
 namespace {
@@ -26,20 +27,31 @@ void look(Probe& probe, Renderer& renderer, std::size_t index, const std::string
     if (sites.empty()) return;
     for (int face = 0; face < (shape.cube ? 6 : 1); ++face) {
         const std::vector<ProbeCell> cells = probe.map(renderer, Frame{}, 0, 0, face);
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (cells[i].told[0] == 0) continue;
-            const std::size_t at = sites[cells[i].told[1] - 1].at;
+        for (std::size_t site = 0; site < sites.size(); ++site) {
             const auto note = static_cast<std::size_t>(
-                std::ranges::find(notes, at, &ProbeNote::begin) - notes.begin());
-            if (note >= notes.size()) continue;
-            BrokenAssertion& broken = found[note];
-            const auto pixel = static_cast<int>(i);
-            if (broken.pixels++ == 0) {
-                broken.pass = pass;
-                broken.pixel = {pixel % shape.size.x, pixel / shape.size.x};
+                std::ranges::find(notes, sites[site].at, &ProbeNote::begin) - notes.begin());
+            for (std::size_t i = 0; i < cells.size(); ++i) {
+                if ((cells[i].kept[site / 32] >> site % 32 & 1u) == 0) continue;
+                const auto pixel = static_cast<int>(i);
+                if (found[note].pixels++ > 0) continue;
+                found[note].pass = pass;
+                found[note].pixel = {pixel % shape.size.x, pixel / shape.size.x};
             }
         }
     }
+}
+
+// Those of them that the driver takes; of the others it is noted why not.
+ProbeWish accepted_of(const Preset& preset, std::size_t pass, const ProgramOptions& options,
+                      const ProbeWish& wish, std::vector<BrokenAssertion>& found) {
+    ProbeWish rest = wish;
+    rest.expressions = accepted(preset, pass, options, wish,
+                                [&](const ProbeExpression& one, const std::string& why) {
+                                    for (std::size_t i = 0; i < wish.expressions.size(); ++i)
+                                        if (wish.expressions[i].line.begin == one.line.begin)
+                                            found[i].refused = why;
+                                });
+    return rest;
 }
 
 }  // namespace
@@ -53,36 +65,32 @@ std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& r
                                                const std::function<void()>& draw) {
     std::vector<ProbeNote> notes = find_probe_notes(preset.scene);
     std::erase_if(notes, [](const ProbeNote& note) { return !note.is_assertion; });
-    ProbeWish wish{.kind = ProbeKind::faults};
+    ProbeWish wish{.kind = ProbeKind::assertions};
     std::vector<BrokenAssertion> found;
     for (const ProbeNote& note : notes) {
-        wish.expressions.push_back(expression_of(note));
+        if (wish.expressions.size() < kMostAssertions)
+            wish.expressions.push_back(expression_of(note));
         found.push_back({.file = note.place.file,
                          .line = note.place.line,
                          .column = note.place.column,
                          .expression = note.expression,
                          .why = note.why});
+        if (found.size() > kMostAssertions)
+            found.back().refused = fmt::format("a text has at most {} of them", kMostAssertions);
     }
-    std::vector<Probe> probes;
+    std::vector<std::optional<Probe>> probes;
     for (const GraphPass& pass : renderer.graph().passes) {
+        std::optional<Probe>& probe = probes.emplace_back();
         try {
-            probes.emplace_back(preset, pass.pass, options, wish);
+            probe.emplace(preset, pass.pass, options, wish);
         } catch (const ProbeRefused&) {
-            ProbeWish rest = wish;
-            rest.expressions = accepted(preset, pass.pass, options, wish,
-                                        [&](const ProbeExpression& one, const std::string& why) {
-                                            for (std::size_t i = 0; i < notes.size(); ++i)
-                                                if (notes[i].begin == one.line.begin)
-                                                    found[i].refused = why;
-                                        });
-            // Of none, all values would be told.
-            if (rest.expressions.empty()) rest.only = {Span{0, 0}};
-            probes.emplace_back(preset, pass.pass, options, rest);
+            const ProbeWish rest = accepted_of(preset, pass.pass, options, wish, found);
+            if (!rest.expressions.empty()) probe.emplace(preset, pass.pass, options, rest);
         }
     }
     renderer.before_pass = [&](std::size_t index) {
         const std::string pass = pass_name(preset.scene, renderer.graph().passes[index].pass);
-        look(probes[index], renderer, index, pass, notes, found);
+        if (probes[index]) look(*probes[index], renderer, index, pass, notes, found);
     };
     renderer.reset();  // what nothing has changed would not be drawn, and not be looked at
     draw();

@@ -161,6 +161,11 @@ std::string shown(const ProbeCost& cost) {
             text += fmt::format("; correlation with milliseconds {:.3f}", *cost.explains[i]);
         text += "\n";
     }
+    if (!cost.runs.empty())
+        text += fmt::format("milliseconds of {} draws, {}x{} to {}x{}, {:g} to {:g} s\n",
+                            cost.runs.size(), cost.runs.front().size.x, cost.runs.front().size.y,
+                            cost.runs.back().size.x, cost.runs.back().size.y,
+                            cost.runs.front().time, cost.runs.back().time);
     for (const ProbeLineCost& line : cost.lines)
         text += fmt::format("{}:{}: {}: {} {}  {:.1f} a pixel, {:.0f} at most\n",
                             std::filesystem::path(line.file).filename().string(), line.line,

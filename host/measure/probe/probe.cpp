@@ -118,8 +118,8 @@ Probe::Probe(const Preset& preset, std::size_t pass, ProgramOptions options, Pro
     }
     options.lean = options.feed = options.tiles = options.average = false;
     compile(options, wish);
-    ask_location_ = glGetUniformLocation(program_->id, "glint_ask");
-    place_location_ = glGetUniformLocation(program_->id, "glint_place");
+    ask_location_ = glGetUniformLocation(program_->id, "glint0_ask");
+    place_location_ = glGetUniformLocation(program_->id, "glint0_place");
 }
 
 // What the driver refuses is left out, line by line.
@@ -163,9 +163,11 @@ std::vector<std::string> Probe::notes() const {
     places.erase(std::ranges::unique(places).begin(), places.end());
     for (const std::size_t at : places) {
         const Place place = preset_.scene.place_at(at);
-        notes.push_back(fmt::format(
-            "{}:{}:{}: what is given a value here is not told: an array as a whole, or a macro's",
-            place.file, place.line, place.column));
+        notes.push_back(
+            fmt::format("{}:{}:{}: what is given a value here is not told: it is an array in a "
+                        "struct, of a struct "
+                        "that a function declares, or a macro's",
+                        place.file, place.line, place.column));
     }
     return notes;
 }
@@ -267,11 +269,13 @@ void Probe::add_leaves(Renderer& renderer, const Frame& frame, const ProbePlace&
 }
 
 std::vector<ProbeValue> Probe::values_at(Renderer& renderer, const Frame& frame,
-                                         const ProbePlace& place) {
+                                         const ProbePlace& place,
+                                         std::vector<std::uint32_t>* hits) {
     const Ask every{.hit = kEvery, .site_step = 1, .count = static_cast<int>(probed_.sites.size())};
     const std::vector<ProbeCell> cells = ask(renderer, frame, place, every);
     std::vector<ProbeValue> rows;
     for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (hits) hits->push_back(cells[i].told[0]);
         if (cells[i].told[0] == 0) continue;
         rows.push_back(row(i));
         fill(rows.back(), cells[i], kEvery);
@@ -342,6 +346,19 @@ std::vector<ProbeCell> Probe::survey(Renderer& renderer, const Frame& frame, int
     return target.read();
 }
 
+namespace {
+
+// A half that this may become: that which was drawn, where it is one of the two around it.
+float as_half(float value, float drawn) {
+    const float nearest = glm::unpackHalf1x16(glm::packHalf1x16(value));
+    if (std::isnan(value) || std::abs(nearest) <= std::abs(value)) return nearest;
+    const auto bits = static_cast<std::uint16_t>(glm::packHalf1x16(nearest) - 1);
+    const float cut = glm::unpackHalf1x16(bits);  // towards zero
+    return drawn == cut ? cut : nearest;
+}
+
+}  // namespace
+
 std::string same_colour(const glm::vec4& plain, const std::array<float, 4>& probed,
                         PixelFormat format) {
     bool same_bits = true, same_bytes = true;
@@ -350,7 +367,7 @@ std::string same_colour(const glm::vec4& plain, const std::array<float, 4>& prob
     };
     for (int c = 0; c < channel_count(format); ++c) {
         float a = plain[c], b = probed[static_cast<std::size_t>(c)];
-        if (bytes_a_channel(format) == 2) b = glm::unpackHalf1x16(glm::packHalf1x16(b));
+        if (bytes_a_channel(format) == 2) b = as_half(b, a);
         if (bytes_a_channel(format) == 1) b = static_cast<float>(byte(b)) / 255.0f;
         const bool both_nan = std::isnan(a) && std::isnan(b);
         same_bits &= both_nan || a == b;

@@ -63,9 +63,11 @@ public:
     std::vector<std::string> notes() const;
     std::size_t index_in(const Renderer& renderer) const;
 
-    // The last value at each site that was reached, in the order of the text.
+    // The last value at each site that was reached, in the order of the text; how often each was
+    // goes to `hits`.
     std::vector<ProbeValue> values_at(Renderer& renderer, const Frame& frame,
-                                      const ProbePlace& place);
+                                      const ProbePlace& place,
+                                      std::vector<std::uint32_t>* hits = nullptr);
     // Every value of every site, in the order in which they came, up to `most` of each.
     std::vector<ProbeValue> hits_at(Renderer& renderer, const Frame& frame, const ProbePlace& place,
                                     int most);

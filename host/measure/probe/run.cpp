@@ -10,6 +10,7 @@
 #include "measure/probe/session.h"
 #include "measure/probe/watches.h"
 #include "offline/frames.h"
+#include "scene/passes.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -50,13 +51,30 @@ ProbeWish wish_of(const ProbeOptions& options, const ProbeSession& session) {
     return wish;
 }
 
+// A whole sentence about the place that --line or --expr names, and the end.
+[[noreturn]] void stop_at_line(const ProbeSession& session, const ProbeOptions& options,
+                               const std::string& sentence) {
+    const std::string& expression = options.expression;
+    const Span line = session.line(
+        options.line.empty() ? expression.substr(expression.rfind('@') + 1) : options.line);
+    const Preset& preset = session.preset();
+    const std::size_t first = preset.scene.text.find_first_not_of(" \t", line.begin);
+    say_diagnostic({Severity::error, preset.scene.place_at(std::min(first, line.end)), sentence});
+    throw Stop(ExitCode::usage);
+}
+
+std::string no_value(const ProbeSession& session) {
+    return fmt::format("In pass {}, this line gives no variable a value.",
+                       pass_name(session.preset().scene, session.pass()));
+}
+
 // Which of a line's sites a series is of: the last that is given a value.
-std::size_t only_site(const Probe& probe, const ProbeOptions& options) {
+std::size_t only_site(const ProbeSession& session, const Probe& probe,
+                      const ProbeOptions& options) {
     const auto& sites = probe.probed().sites;
     const auto is_value = [](const ProbeSite& site) { return site.kind != SiteKind::reached; };
     const auto last = std::find_if(sites.rbegin(), sites.rend(), is_value);
-    if (last == sites.rend())
-        throw UsageError(fmt::format("Line {} gives no variable a value.", options.line));
+    if (last == sites.rend()) stop_at_line(session, options, no_value(session));
     return static_cast<std::size_t>(sites.rend() - last) - 1;
 }
 
@@ -97,10 +115,16 @@ void print(const Probing& probing, const ProbeOptions& options) {
         say_result("nothing of this was reached at this pixel\n");
 }
 
-// The wanted hit alone, where one is wanted.
-void keep_hit(std::vector<ProbeValue>& rows, const ProbeOptions& options) {
-    if (options.hit)
-        std::erase_if(rows, [&](const ProbeValue& row) { return row.hit != *options.hit; });
+// The wanted hit alone, where one is wanted; a note where there are fewer.
+void keep_hit(std::vector<ProbeValue>& rows, const ProbeOptions& options,
+              std::vector<std::string>& notes) {
+    if (!options.hit) return;
+    int most = 0;
+    for (const ProbeValue& row : rows) most = std::max(most, row.hits);
+    if (most > 0 && most < *options.hit)
+        notes.push_back(
+            fmt::format("there is no hit {} at this pixel, but {}", *options.hit, most));
+    std::erase_if(rows, [&](const ProbeValue& row) { return row.hit != *options.hit; });
 }
 
 void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& options,
@@ -114,10 +138,10 @@ void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& option
         rows = has_hits ? probe.hits_at(session.renderer(), frame, place, kMostHits)
                         : probe.values_at(session.renderer(), frame, place);
     });
-    keep_hit(rows, options);
     found = session.probing(place);
     found.values = std::move(seen);
     if (watch) found.notes = watch->refused();
+    keep_hit(rows, options, found.notes);
     found.values.insert(found.values.end(), rows.begin(), rows.end());
     if (probe.is_discarded())
         found.same = "discarded";
@@ -128,11 +152,14 @@ void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& option
 
 void probe_picture(ProbeSession& session, Probe& probe, const ProbeOptions& options,
                    const ProbePlace& place, Probing& found) {
-    const std::size_t site = only_site(probe, options);
+    const std::size_t site = only_site(session, probe, options);
     std::vector<ProbeCell> cells;
     session.at_frame(options, [&](const Frame& frame) {
         cells = probe.map(session.renderer(), frame, site, options.hit.value_or(0), place.face);
     });
+    const auto hit = static_cast<std::uint32_t>(options.hit.value_or(0));
+    for (ProbeCell& cell : cells)
+        if (cell.told[0] < hit) cell.told[0] = 0;  // it keeps the last of fewer
     found = session.probing(place);
     found.series.push_back(series_of(cells, session.shape().size, place.pixel,
                                      options.along.empty() ? "map" : options.along));
@@ -146,7 +173,7 @@ void probe_frames(ProbeSession& session, Probe& probe, const ProbeOptions& optio
     const Frames wanted =
         frames_of(options.frames.empty() ? "0:59" : options.frames, "", options.fps);
     const Playback playback{.end = wanted.last() / options.fps, .fps = options.fps};
-    const std::size_t site = only_site(probe, options);
+    const std::size_t site = only_site(session, probe, options);
     ProbeSeries series{.along = "time", .what = probe.row(site)};
     const bool stateful = session.renderer().graph().stateful;
     std::int64_t next = 0;
@@ -161,7 +188,8 @@ void probe_frames(ProbeSession& session, Probe& probe, const ProbeOptions& optio
         session.draw(frame, [&](const Frame& now) {
             rows = probe.hits_at(session.renderer(), now, place, kMostHits);
         });
-        keep_hit(rows, options);
+        std::vector<std::string> fewer;
+        keep_hit(rows, options, fewer);
         add_to(series, frame.time, rows);
     }
     found = session.probing(place);
@@ -223,6 +251,8 @@ void run_probe(const ProbeOptions& options) {
                     wish_of(options, session));
         if (options.along == "time")
             probe_frames(session, probe, options, place, found);
+        else if (!options.line.empty() && probe.probed().sites.empty() && probe.notes().empty())
+            stop_at_line(session, options, no_value(session));
         else if (!options.map.empty() || !options.along.empty())
             probe_picture(session, probe, options, place, found);
         else
@@ -230,15 +260,14 @@ void run_probe(const ProbeOptions& options) {
         for (std::string& note : probe.notes()) found.notes.push_back(std::move(note));
     } catch (const ProbeRefused& refused) {
         if (options.expression.empty()) throw;
-        throw UsageError(fmt::format("--expr {}", refused.what()));
+        stop_at_line(session, options, fmt::format("--expr {}", refused.what()));
     }
     print(found, options);
 }
 
-void say_broken_assertions(const ProbeOptions& options) {
-    const ReadPreset read = read_preset(options.view.file);
-    if (!read.preset || !has_assertions(read.preset->scene)) return;
-    ProbeSession session(options);
+void say_broken_assertions(Preset preset, const ProbeOptions& options) {
+    if (!has_assertions(preset.scene)) return;
+    ProbeSession session(std::move(preset), options);
     const Frame& frame = session.play_to(options);
     const auto draw = [&] { session.renderer().draw(frame); };
     for (const BrokenAssertion& broken :

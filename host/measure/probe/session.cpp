@@ -1,6 +1,7 @@
 #include "measure/probe/session.h"
 
 #include "offline/input_files.h"
+#include "scene/passes.h"
 #include "scene/probe_note.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,10 @@ std::optional<glm::ivec2> parse_pixel(const std::string& text) {
 }  // namespace
 
 ProbeSession::ProbeSession(const ProbeOptions& options)
-    : preset_(open_preset(options.view)),
+    : ProbeSession(open_preset(options.view), options) {}
+
+ProbeSession::ProbeSession(Preset preset, const ProbeOptions& options)
+    : preset_(std::move(preset)),
       pass_(find_pass(preset_.scene, options.pass)),
       specialised_(options.view.specialise),
       context_(make_egl_context(options.view.device)) {
@@ -36,6 +40,9 @@ ProbeSession::ProbeSession(const ProbeOptions& options)
 }
 
 ProbePlace ProbeSession::place(const ProbeOptions& options) const {
+    if (options.face != 0 && !shape().cube)
+        throw UsageError(fmt::format("--face {}: pass {} fills no cube.", options.face,
+                                     pass_name(preset_.scene, pass_)));
     const glm::ivec2 size = shape().size;
     if (options.at.empty()) return {.pixel = size / 2, .face = options.face};
     const auto pixel = parse_pixel(options.at);

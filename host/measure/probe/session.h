@@ -16,6 +16,8 @@ class ProbeSession {
 public:
     // Throws as open_preset() and compile_or_stop() do.
     explicit ProbeSession(const ProbeOptions& options);
+    // Of what has been read already.
+    ProbeSession(Preset preset, const ProbeOptions& options);
 
     const Preset& preset() const { return preset_; }
     std::size_t pass() const { return pass_; }

@@ -211,7 +211,6 @@ void LiveProbe::tell(ProbeFact& fact) const {
     if (found_.same.starts_with("no"))
         fact.notes.push_back("The instrumented text draws another colour here, " + found_.same);
     if (found_.same == "discarded") fact.notes.push_back("This pixel is discarded.");
-    fact.size = found_.size;
     const auto watched = static_cast<std::size_t>(answer_.watched);
     const std::span<const ProbeValue> all = found_.values;
     fact.watched = all.first(std::min(watched, all.size()));

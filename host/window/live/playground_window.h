@@ -208,6 +208,7 @@ private:
     std::optional<std::vector<std::string>> watch_;  // another than the file's
     std::optional<glm::dvec2> last_probed_;
     std::optional<glm::ivec2> probed_pixel_;
+    glm::ivec2 probed_size_{0};  // of the buffer in which it is
     KeptResolutions kept_resolutions_;
     HeldRate held_rate_;
     bool resolution_begun_ = false;  // of the file that was opened

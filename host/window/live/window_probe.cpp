@@ -51,13 +51,13 @@ bool PlaygroundWindow::follow_probe() {
                            .cost = settings_.probe.cost,
                            .watch = watch()};
     last_probed_ = probed_place();
-    if (last_probed_) {
-        const Renderer& renderer = *playground_.renderer();
-        const glm::ivec2 size = renderer.buffer(renderer.graph_index(question.pass)).shape().size;
+    const Renderer& renderer = *playground_.renderer();
+    const glm::ivec2 size = renderer.buffer(renderer.graph_index(question.pass)).shape().size;
+    if (last_probed_)
         question.pixel =
             glm::clamp(glm::ivec2(*last_probed_ * glm::dvec2(size)), glm::ivec2(0), size - 1);
-    }
     probed_pixel_ = question.pixel;
+    probed_size_ = size;
     return probe_.follow(playground_, question);
 }
 
@@ -76,7 +76,10 @@ void PlaygroundWindow::tell_probe(Facts& facts) const {
     if (!settings_.source || !playground_.is_open()) return;
     probe_.tell(fact);
     fact.pixel = probed_pixel_;
+    fact.size = probed_size_;
     fact.watch = watch();
+    if (last_probed_ && settings_.probe.pass.empty() && full_size() != playground_.size())
+        fact.full_pixel = glm::ivec2(*last_probed_ * glm::dvec2(full_size()));
     for (const PassFact& pass : passes_) fact.passes.push_back(pass.name);
     if (!settings_.probe.pinned || !settings_.probe.pass.empty()) return;
     // The middle of its pixel, where the picture fills its area.

@@ -69,6 +69,13 @@ std::string power_text(double value) {
     return text;
 }
 
+std::string pixel_text(glm::ivec2 pixel, glm::ivec2 size, std::optional<glm::ivec2> at_full_size) {
+    return fmt::format("pixel {}, {} of {} \u00d7 {}{}", pixel.x, pixel.y, size.x, size.y,
+                       at_full_size
+                           ? fmt::format(" ({}, {} at full size)", at_full_size->x, at_full_size->y)
+                           : "");
+}
+
 bool has_range(const Tweak& tweak) {
     return tweak.min && tweak.max && std::isfinite(*tweak.min) && std::isfinite(*tweak.max) &&
            *tweak.min < *tweak.max;

@@ -3,6 +3,9 @@
 
 #include "scene/scene.h"
 
+#include <glm/vec2.hpp>
+
+#include <optional>
 #include <string>
 
 namespace glint {
@@ -15,6 +18,9 @@ std::string short_number(double value);
 
 // Three digits and a power of ten where that is shorter: "0.25", "3.64·10⁻⁴", "10⁻³".
 std::string power_text(double value);
+
+// `pixel 150, 30 of 240 × 135 (401, 81 at full size)`.
+std::string pixel_text(glm::ivec2 pixel, glm::ivec2 size, std::optional<glm::ivec2> at_full_size);
 
 // Whether the tweak has a range that a slider can span.
 bool has_range(const Tweak& tweak);

@@ -54,7 +54,9 @@ struct ProbeFact {
     std::string problem{};             // why there are none; "" where there is nothing to say
     std::vector<std::string> notes{};  // what could not be watched, and why
     std::optional<glm::ivec2> pixel{};
-    glm::ivec2 size{0};                 // of the pass's buffer
+    glm::ivec2 size{0};  // of the pass's buffer
+    // The same place of the picture in its full size, where it is drawn smaller meanwhile.
+    std::optional<glm::ivec2> full_pixel{};
     glm::dvec2 mark{-1.0};              // of a pinned pixel's middle, in pixels of the window, y up
     std::vector<std::string> passes{};  // that can be looked into
     std::vector<std::string> watch{};   // as the preset will keep it

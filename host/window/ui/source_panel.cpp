@@ -216,15 +216,20 @@ void source(Build& build, SourceState& state) {
 void pass_choice(Build& build) {
     const auto& passes = build.facts.probe.passes;
     ProbeView& view = build.settings.probe;
-    for (const std::string& pass : passes) {
+    const auto beside = [&](const std::string& label) {
+        same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + build.theme.px(16));
+    };
+    for (std::size_t i = 0; passes.size() > 1 && i < passes.size(); ++i) {
+        const std::string& pass = passes[i];
         const bool is_picture = pass == "image";
         const bool is_on = view.pass == pass || (view.pass.empty() && is_picture);
-        if (passes.size() > 1 && text_button(build.theme, pass.c_str(), is_on, "Whose text runs")) {
+        if (i > 0) beside(pass);
+        if (text_button(build.theme, pass.c_str(), is_on, "Whose text runs")) {
             view.pass = is_picture ? "" : pass;
             view.value.reset();
         }
-        if (passes.size() > 1) ImGui::SameLine(0, build.theme.px(2));
     }
+    if (passes.size() > 1) beside("Cost");
     if (text_button(build.theme, "Cost", view.cost,
                     "Turns of loops, reads of textures and calls of every pixel, as a heat map")) {
         view.cost = !view.cost;
@@ -240,8 +245,7 @@ void pixel_line(Build& build) {
     if (!probe.pixel)
         text_in(colours::kDim, "Move the mouse over the picture; a click pins a pixel.");
     else
-        text_in(colours::kText, fmt::format("pixel {}, {} of {} \u00d7 {}", probe.pixel->x,
-                                            probe.pixel->y, probe.size.x, probe.size.y));
+        text_in(colours::kText, pixel_text(*probe.pixel, probe.size, probe.full_pixel));
     if (view.pinned) {
         ImGui::SameLine();
         if (text_button(build.theme, "pinned", true, "Click, or Esc: follow the mouse again"))

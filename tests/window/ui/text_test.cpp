@@ -19,6 +19,12 @@ Tweak ranged(double min, double max, double step = 0.0) {
     return tweak;
 }
 
+TEST(NumberText, APixelOfALoweredPictureIsToldAtFullSizeToo) {
+    EXPECT_EQ(pixel_text({3, 4}, {640, 360}, {}), "pixel 3, 4 of 640 \u00d7 360");
+    EXPECT_EQ(pixel_text({150, 30}, {240, 135}, glm::ivec2(401, 81)),
+              "pixel 150, 30 of 240 \u00d7 135 (401, 81 at full size)");
+}
+
 TEST(NumberText, HasTheDigitsThatTheRangeDeserves) {
     EXPECT_EQ(number_text(ranged(0, 1), 0.5), "0.500");
     EXPECT_EQ(number_text(ranged(-180, 180), 20), "20.0");

@@ -1,0 +1,55 @@
+#include "glsl/probe_room.h"
+
+#include "glsl/operands.h"
+#include "glsl/parser.h"
+#include "glsl/probe.h"
+
+namespace glint {
+
+ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f) {
+    const Function& function = reading.functions[f];
+    const auto& statements = reading.statements;
+    const std::uint32_t end = statements[function.first_statement].next;
+    std::uint32_t chosen = kNone, around = function.first_statement, next = kNone;
+    for (std::uint32_t i = function.first_statement + 1; i < end; ++i) {
+        const Statement& one = statements[i];
+        const Span place = reading.place(one.tokens);
+        const bool is_there = line.begin <= place.begin && place.begin < line.end;
+        const bool is_one = one.kind != StatementKind::block && one.kind != StatementKind::case_;
+        if (is_there && is_one && (chosen == kNone || statements[chosen].next <= i)) chosen = i;
+        if (place.begin < line.begin && line.begin < place.end) around = i;
+        if (next == kNone && place.begin >= line.end) next = i;
+    }
+    if (chosen == kNone && statements[around].kind != StatementKind::block) chosen = around;
+    if (chosen == kNone) {  // an empty line: before what follows in the same block, or at its end
+        if (reading.place(function.body).begin >= line.begin) return {function.body.begin, kNone};
+        if (next != kNone && statements[next].parent == around) return {kNone, next, false};
+        return {statements[around].tokens.end - 1, kNone};
+    }
+    const StatementKind kind = statements[chosen].kind;
+    const bool is_loop =
+        kind == StatementKind::for_ || kind == StatementKind::while_ || kind == StatementKind::do_;
+    if (is_loop && statements[chosen + 1].kind == StatementKind::block)
+        return {statements[chosen + 1].tokens.begin, kNone};
+    if (is_loop) return {kNone, chosen + 1};
+    return {kNone, chosen,
+            kind == StatementKind::declaration || kind == StatementKind::expression ||
+                kind == StatementKind::empty};
+}
+
+std::string refusal_of_expression(std::string_view text) {
+    const Reading reading = read_glsl(text, {});
+    if (reading.tokens.empty()) return "it is empty";
+    if (!reading.directives.empty() || !reading.comments.empty())
+        return "it is to be an expression alone";
+    for (const Token& token : reading.tokens) {
+        if (token.is(";") || token.is("{") || token.is("}") || token.kind == TokenKind::strange ||
+            token.kind == TokenKind::quoted || (token.is_word() && is_keyword(token.text)))
+            return "it is to be an expression alone";
+        if (token.is("++") || token.is("--") || is_assignment(token))
+            return "it would change a variable";
+    }
+    return reading.is_balanced ? "" : "its brackets do not balance";
+}
+
+}  // namespace glint

@@ -1,0 +1,20 @@
+// Where in a function an expression can be evaluated beside a line.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <cstdint>
+
+namespace glint {
+
+// Beside a brace, or behind or before a statement.
+struct ProbeRoom {
+    std::uint32_t brace = kNone, statement = kNone;
+    bool is_behind = false;
+};
+
+// Behind the last statement of the line (its bytes), as it stands in no other of that line; before
+// what leaves the place; at the head of a loop's or a function's body.
+ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t function);
+
+}  // namespace glint

@@ -1,0 +1,174 @@
+// The command line of `glint probe`: what it answers, in which shape, and what it says of mistakes.
+#include "report.h"
+
+#include <map>
+
+namespace glint::cli::probe_verb_test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view kScene =
+    "uniform sampler2D sum; //@ pass mainSum\n"                               // 1
+    "float twice(float x) {\n"                                                // 2
+    "    float y = x * 2.0;\n"                                                // 3
+    "    return y;\n"                                                         // 4
+    "}\n"                                                                     // 5
+    "void mainSum(out vec4 c, in vec2 p) {\n"                                 // 6
+    "    c = texelFetch(sum, ivec2(p), 0) + 1.0;\n"                           // 7
+    "}\n"                                                                     // 8
+    "void mainImage(out vec4 c, in vec2 p) {\n"                               // 9
+    "    float a = twice(p.x), b = twice(p.y);\n"                             // 10
+    "    for (int i = 0; i < 3; i++) a += texelFetch(sum, ivec2(i), 0).x;\n"  // 11
+    "    // nothing here\n"                                                   // 12
+    "    if (a < 0.0) b = sqrt(a);\n"                                         // 13
+    "    c = vec4(a, b, iTime, 1);\n"                                         // 14
+    "}\n";
+
+class ProbeVerb : public InAFolder {
+protected:
+    ProbeVerb() { write("scene.frag", kScene); }
+
+    Outcome probe(std::vector<std::string> arguments) const {
+        for (const char* word : {"8x4", "--size", "scene.frag", "probe"})
+            arguments.insert(arguments.begin(), word);
+        return glint(std::move(arguments));
+    }
+    Json json(std::vector<std::string> arguments) const {
+        arguments.push_back("--json");
+        return report_of(probe(std::move(arguments)));
+    }
+    static Json values_of(const Json& series) {
+        Json values = Json::array();
+        for (const Json& row : series["rows"]) values.push_back(row["value"]);
+        return values;
+    }
+    // Exit code 2, and these words on stderr alone.
+    void expect_usage(std::vector<std::string> arguments, std::string_view words) const {
+        const Outcome outcome = probe(std::move(arguments));
+        EXPECT_EQ(outcome.code, 2) << words;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+    }
+};
+
+TEST_F(ProbeVerb, TellsEveryValueAtAPixelInTheShapeThatScriptsRelyOn) {
+    const Json all = json({"--at", "3,1", "--frame", "2", "--fps", "10"});
+    EXPECT_EQ(all["pixel"], Json({3, 1}));
+    EXPECT_EQ(all["size"], Json({8, 4}));
+    EXPECT_EQ(all["frame"], 2);
+    EXPECT_EQ(all["pass"], "image");
+    EXPECT_EQ(all["same"], "bits");
+    std::map<std::string, Json> last;
+    for (const Json& row : all["values"]) {
+        for (const char* key :
+             {"file", "line", "column", "function", "name", "kind", "type", "hit"})
+            EXPECT_TRUE(row.contains(key)) << key;
+        EXPECT_TRUE(row["value"].is_array());
+        last[row["name"]] = row;
+    }
+    EXPECT_EQ(last["y"]["line"], 3);
+    EXPECT_EQ(last["y"]["value"], Json({3.0}));  // of the last call, with p.y
+    EXPECT_EQ(last["y"]["hit"], 2);
+    EXPECT_EQ(last["b"]["value"], Json({3.0}));
+    EXPECT_EQ(last["a"]["value"], Json({7.0 + 3 * 3}));  // the third frame's sum three times
+    EXPECT_EQ(last["a"]["hits"], 3);
+    EXPECT_EQ(last["c"]["type"], "vec4");
+    EXPECT_FALSE(last.contains("b = sqrt(a)"));
+}
+
+TEST_F(ProbeVerb, TellsALineAHitAndAnExpressionInTheOrderOfTheCalls) {
+    const Json line = json({"--at", "3,1", "--line", "3"})["values"];
+    ASSERT_EQ(line.size(), 2u);
+    EXPECT_EQ(line[0]["value"], Json({7.0}));
+    EXPECT_EQ(line[1]["value"], Json({3.0}));
+    const Json second = json({"--at", "3,1", "--line", "3", "--hit", "2"})["values"];
+    ASSERT_EQ(second.size(), 1u);
+    EXPECT_EQ(second[0]["value"], Json({3.0}));
+    const Json turns = json({"--at", "3,1", "--expr", "i * 2@11"})["values"];
+    ASSERT_EQ(turns.size(), 3u);
+    EXPECT_EQ(turns[2]["value"], Json({4}));
+    EXPECT_EQ(turns[2]["type"], "int");
+    const Json of_pass = json({"--pass", "sum", "--frame", "3", "--line", "7"});
+    EXPECT_EQ(of_pass["pass"], "sum");
+    EXPECT_EQ(of_pass["values"][0]["value"], Json({4, 4, 4, 4}));
+}
+
+TEST_F(ProbeVerb, TellsAValueAlongARowAColumnAndOverFrames) {
+    const Json row = json({"--at", "3,1", "--line", "10", "--along", "x"})["series"][0];
+    EXPECT_EQ(row["along"], "x");
+    ASSERT_EQ(values_of(row).size(), 8u);  // of b, the last that the line gives a value
+    const Json column = json({"--at", "3,1", "--line", "10", "--along", "y"})["series"][0];
+    EXPECT_EQ(values_of(column), Json({{1.0}, {3.0}, {5.0}, {7.0}}));
+    EXPECT_EQ(column["min"], Json({1.0}));
+    EXPECT_EQ(column["max"], Json({7.0}));
+    const Json second =
+        json({"--at", "3,1", "--line", "3", "--hit", "9", "--along", "y"})["series"][0];
+    EXPECT_EQ(second["unreached"], 4);
+    const Json time = json({"--at", "0,0", "--line", "7", "--pass", "sum", "--along", "time",
+                            "--frames", "1:5:2"})["series"][0];
+    EXPECT_EQ(values_of(time), Json({{2, 2, 2, 2}, {4, 4, 4, 4}, {6, 6, 6, 6}}));
+}
+
+TEST_F(ProbeVerb, WritesAMapCountsCostAndFindsFaults) {
+    const Json map = json({"--line", "10", "--map", "b.exr"});
+    EXPECT_TRUE(fs::exists(folder() / "b.exr"));
+    EXPECT_EQ(map["series"][0]["max"], Json({7.0}));
+    const Json cost = json({"--cost"})["cost"];
+    for (const char* key : {"loops", "reads", "calls"}) EXPECT_TRUE(cost.contains(key)) << key;
+    EXPECT_EQ(json({"--faults"})["first_bad"], nullptr);
+    write("bad.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(sqrt(1.0 - p.x));\n}\n");
+    const Outcome bad = glint({"probe", "bad.frag", "--faults", "--size", "4x2", "--json"});
+    const Json first = report_of(bad)["first_bad"];
+    EXPECT_EQ(first["line"], 2);
+    EXPECT_EQ(first["expression"], "sqrt(1.0 - p.x)");
+    EXPECT_EQ(first["operands"], Json({-0.5}));
+}
+
+TEST_F(ProbeVerb, SaysWhatCannotBeAsked) {
+    expect_usage({"--at", "8,0"}, "from 0,0 at the bottom left to 7,3");
+    expect_usage({"--at", "3"}, "write X,Y");
+    expect_usage({"--pass", "sun"}, "no pass 'sun'");
+    expect_usage({"--line", "12"}, "scene.frag:12:5: error: In pass image, this line gives no");
+    expect_usage({"--line", "99"}, "no line 99");
+    expect_usage({"--expr", "nobody@10"}, "scene.frag:10:5: error: --expr 'nobody': ");
+    expect_usage({"--expr", "a = 1.0@10"}, "it would change a variable");
+    expect_usage({"--expr", "a"}, "its line");
+    expect_usage({"--hit", "1"}, "name it by --line or --expr");
+    expect_usage({"--line", "10", "--expr", "a@10"}, "not both");
+    expect_usage({"--face", "2"}, "pass image fills no cube");
+}
+
+TEST_F(ProbeVerb, SaysThatThereAreFewerHits) {
+    const Outcome outcome = probe({"--line", "3", "--hit", "99"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("there is no hit 99 at this pixel, but 2"), std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(ProbeVerb, StillNamesEachAssertionThatFailsAndReadsItsPresetOnce) {
+    write("asserts.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    //@ assert p.x > 1.0 \"far\"\n"
+          "    //@ assert p.x > 2.0\n"
+          "    //@ assert nobody\n"
+          "    c = vec4(1);\n"
+          "}\n");
+    write("asserts.toml", "scene = \"asserts.frag\"\nunknown = 1\n");
+    const Outcome still = glint({"still", "asserts.toml", "-o", "a.png", "--size", "4x2"});
+    EXPECT_EQ(still.code, 0);
+    for (const char* words :
+         {"asserts.frag:2:5: warning: assert p.x > 1.0 \"far\" does not hold in 2 pixels of image",
+          "asserts.frag:3:5: warning: assert p.x > 2.0 does not hold in 4 pixels of image",
+          "asserts.frag:4:5: warning: assert nobody cannot be evaluated"})
+        EXPECT_NE(still.err.find(words), std::string::npos) << still.err;
+    const std::size_t once = still.err.find("unknown");
+    EXPECT_NE(once, std::string::npos);
+    EXPECT_EQ(still.err.find("asserts.toml:2", still.err.find("asserts.toml:2") + 1),
+              std::string::npos)
+        << still.err;
+}
+
+}  // namespace
+}  // namespace glint::cli::probe_verb_test
