@@ -182,15 +182,20 @@ inline void add_growth(std::vector<Planted>& list) {
         " c.w = fract(sin(dot(p, vec2(12.9, 78.2)) + iTime) * 43.0);");
 }
 
+// Steps of their own, begun anew where `w` is 0, so that they follow no frame rate and heal; of
+// their oscillations the picture shows little, so that it does not flash.
 inline void add_explosions(std::vector<Planted>& list) {
+    const char* words = "size=8x8 step=1/60";
+    const char* picture = "c = vec4(vec3(0.4 + 1e-6 * texelFetch(state, ivec2(0), 0).x), 1.0);";
     const auto add = [&](const char* name, const std::string& tweak, const std::string& fault,
                          const std::string& twin) {
-        list.push_back({std::string("explosion/") + name, fed(fault, "size=8x8", tweak),
-                        fed(twin, "size=8x8", tweak)});
+        list.push_back({std::string("explosion/") + name,
+                        fed(fault + " c.w = 1.0;", words, tweak, picture),
+                        fed(twin + " c.w = 1.0;", words, tweak, picture)});
     };
     const std::string k = "uniform float k; //@ 20.0 [1, 20000]\n";
     const std::string spring =
-        "float h = 1.0 / 60.0; vec2 y = iFrame == 0 ? vec2(1.0, 0.0) : s.xy;"
+        "float h = 1.0 / 60.0; vec2 y = s.w == 0.0 ? vec2(1.0, 0.0) : s.xy;"
         " float v = {} - h * ({}) * y.x; float x = y.x + h * v;"
         " c = vec4(clamp(vec2(x, v), -{}, {}), 0.0, 1.0);";
     const auto springs = [&](const char* limit) {
@@ -201,28 +206,28 @@ inline void add_explosions(std::vector<Planted>& list) {
     add("spring_of_large_room", k, springs("60000.0"),
         fmt::format(fmt::runtime(spring), "y.y", "min(k, 3000.0)", "60000.0", "60000.0"));
     add("decay", "uniform float k; //@ 1.0 [0, 300]\n",
-        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y - k / 60.0 * y, -500.0, 500.0));",
-        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y * exp(-k / 60.0), -500.0, 500.0));");
+        "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(clamp(y - k / 60.0 * y, -500.0, 500.0));",
+        "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(clamp(y * exp(-k / 60.0), -500.0, 500.0));");
     const std::string diffusion =
         "vec4 sum = vec4(0.0); ivec2 i = ivec2(p); for (int n = 0; n < 4; n++)"
         " {{ ivec2 o = n == 0 ? ivec2(1, 0) : n == 1 ? ivec2(-1, 0) : n == 2 ? ivec2(0, 1) : "
         "ivec2(0, -1);"
         " sum += texelFetch(state, (i + o + 8) % 8, 0); }}"
-        " c = iFrame == 0 ? vec4(mod(p.x - 0.5, 3.0)) : clamp(s + {} * (sum - 4.0 * s), -300.0, "
+        " c = s.w == 0.0 ? vec4(mod(p.x - 0.5, 3.0)) : clamp(s + {} * (sum - 4.0 * s), -300.0, "
         "300.0);";
     add("diffusion", "uniform float k; //@ 0.1 [0, 1]\n", fmt::format(fmt::runtime(diffusion), "k"),
         fmt::format(fmt::runtime(diffusion), "min(k, 0.25)"));
     add("small_end", "uniform float k; //@ 1.0 [0.01, 2]\n",
-        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y * (1.0 - 0.05 / k), -200.0, 200.0));",
-        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y * exp(-0.05 / k), -200.0, 200.0));");
+        "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(clamp(y * (1.0 - 0.05 / k), -200.0, 200.0));",
+        "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(clamp(y * exp(-0.05 / k), -200.0, 200.0));");
     const std::string limited =
-        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(clamp(y - {} / 60.0 * (y - 0.1), -8.0, 8.0));";
+        "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(clamp(y - {} / 60.0 * (y - 0.1), -8.0, 8.0));";
     add("of_little_room", "uniform float k; //@ 1.0 [0, 300]\n",
         fmt::format(fmt::runtime(limited), "k"),
         fmt::format(fmt::runtime(limited), "min(k, 60.0)"));
     add("late", "uniform float k; //@ 0.0 [0, 1]\n",
-        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(min(y * (1.0 + 0.01 * k), 5e4));",
-        "float y = iFrame == 0 ? 1.0 : s.x; c = vec4(min(mix(y, 2.0, 0.01 * k), 5e4));");
+        "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(min(y * (1.0 + 0.01 * k), 5e4));",
+        "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(min(mix(y, 2.0, 0.01 * k), 5e4));");
 }
 
 inline void add_poison(std::vector<Planted>& list) {
