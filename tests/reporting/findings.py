@@ -52,7 +52,7 @@ def gains(found):
                 ratios[name] = (best[key] / own[key] if own[key] else 0.0, turned(best, own))
     yield (f"Of {len(all_)} scenes, {len(stars)} ship with a setting on the joint frontier of their quality tweaks"
            + (f": {listed(stars, 9)}." if stars else "."))
-    for ratios, what in ((fast, "less error in no more time"), (near, "no more error in less time")):
+    for ratios, what in ((fast, "less error in a time that is not told to be more"), (near, "no more error in a time that is told to be less")):
         if ratios:
             best = min(ratios, key=lambda name: ratios[name])
             share, by = ratios[best]
@@ -120,6 +120,8 @@ def views(found):
     if worst:
         yield (f"Over all presets of a scene, {worst[1]}'s own setting fares worst, in {worst[2]['view']}: an error of "
                f"{number(worst[2]['rmse'])}, {worst[0]:.1f} times that of all together.")
+    else:
+        yield "Of no scene the main preset's own setting was measured over all presets, or it has no error there."
 
 
 def sentences(found):

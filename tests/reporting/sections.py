@@ -8,7 +8,6 @@ from measures import as_fast, as_near, compared, own_row
 
 DIAGRAMS = pathlib.Path("pictures/studies")   # as pages link to it
 CLEAR = 0.02   # of a frame's time: what a quiet machine's median wavers by from call to call
-MARKS = ("<!-- tests/report -->\n", "<!-- end of tests/report -->\n")
 SHOWN = ["caustics-quality", "sea-reflections", "christmas-bounces", "deep_ocean-shaftSamples"]
 BUDGETS = ["scene", "own: ms", "error", "as fast: ms", "error", "of own", "by", "as near: ms", "of own", "by"]
 
@@ -39,8 +38,8 @@ def head(page, found):
               "median of rounds in random order, its interval holds it in 95 of 100 cases, and “faster” and “slower” are "
               "beside the preset's own setting. Stars (*): every setting with less error is told to be slower, and it has "
               "less error than every faster star. ~: within ten times the reference's own error, and so uncertain. "
-              "A machine that others use makes intervals wider and verdicts fewer, and the clock that of the processor; "
-              "it makes no false ones.")
+              "A machine that others use makes intervals wider and verdicts fewer; at most one study in twenty has a "
+              "false one.")
     for step, what in (("joint", "joint frontiers"), ("over", "over all presets"), ("alone", "every tweak alone"),
                        ("features", "features")):
         missing = [name for name, steps in found.items() if not steps.get(step, {}).get("studies")]
@@ -220,14 +219,31 @@ def budget_line(name, study, own):
     return line + ([f"{near['ms']:.3g}", f"{near['ms'] / own['ms']:.0%}", turned(near, own)] if near else [""] * 3)
 
 
-def update_performance(page, found):
-    """What a budget finds, and some diagrams, between the marks; a page without them stays as it is."""
-    text = page.read_text() if page.exists() else ""
-    begin, end = (text.find(mark) for mark in MARKS)
+def between(text, name, content):
+    """The text with this between its marks; without them as it is."""
+    begin, end = (text.find(mark) for mark in (f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"))
     if begin < 0 or end < begin:
+        return text
+    return text[:begin] + f"<!-- {name} -->\n" + content + text[end:]
+
+
+def budgets(found):
+    """What beats the presets' own settings, as a table."""
+    lines = [BUDGETS, ["---"] * len(BUDGETS), *(budget_line(*one) for one in joints(found))]
+    return (f"`tests/report`, {when(found)}, `glint study PRESET {' '.join(next(joint_options(found), []))}`:\n\n"
+            + "".join(f"| {' | '.join(line)} |\n" for line in lines))
+
+
+def joint_options(found):
+    for name, study, own in joints(found):
+        yield [word for word in found[name]["joint"].get("options", []) if not word.startswith("--reference")]
+
+
+def update_performance(page, found):
+    """What a budget finds, and some diagrams; a page without the marks stays as it is."""
+    if not page.exists():
         return
-    lines = [budget_line(*one) for one in joints(found)]
-    table = "".join(f"| {' | '.join(line)} |\n" for line in [BUDGETS, ["---"] * len(BUDGETS), *lines])
     pictures = "".join(f"![{name}: error against time]({DIAGRAMS.as_posix()}/{name}.svg)\n"
                        for name in SHOWN if (page.parent / DIAGRAMS / f"{name}.svg").exists())
-    page.write_text(text[:begin] + MARKS[0] + f"`tests/report`, {when(found)}:\n\n{table}\n{pictures}" + text[end:])
+    text = between(page.read_text(), "tests/report", f"`tests/report`, {when(found)}:\n\n{pictures}")
+    page.write_text(between(text, "tests/report: budgets", budgets(found)))
