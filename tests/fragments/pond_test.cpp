@@ -1,4 +1,5 @@
 // The pool's simulation against a kernel and a closed form of its own, at every rate and for long.
+#include "bar.h"
 #include "water.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <random>
 
 namespace glint::pond_test {
 namespace {
@@ -241,6 +243,41 @@ TEST_F(Water, ThePoolIsFullAfterTenMinutes) {
 }
 TEST_F(Water, ThePoolIsFullAfterTenOtherMinutes) {
     expect_full_pools(std::span(kExtremes).last(3), 4, 600.0);
+}
+
+// Bars of Q16 over tweaks by chance: nothing is lost or rises, and frames do not matter.
+TEST_F(Water, ThePoolIsFullAndTheSameAtEveryFrameRateWhateverTheCase) {
+    Bar mean("Q16 water: mean height after 20 s, m", 1e-6);
+    Bar highest("Q16 water: highest, m", 0.3 + 1e-6);
+    Bar apart("Q16 water: 30 and 240 beside 60 frames a second, m", 0.0);
+    std::mt19937 random(16);
+    const auto within = [&](double low, double high) {
+        return low * std::pow(high / low, std::generate_canonical<double, 53>(random));
+    };
+    for (int k = 0; k < 24; ++k) {
+        const std::string tweaks = fmt::format(
+            "rain = {:.3g}\ndropSize = {:.3g}\ndropForce = {:.3g}\nwaveSpeed = {:.3g}\n"
+            "damping = {:.3g}\ndepth = {:.3g}\n",
+            within(1, 60), within(0.09, 0.5), within(0.1, 3), within(0.2, 3.75), within(0.05, 5),
+            within(0.8, 4));
+        Pool pool{.scale = 4, .preset = touched(tweaks)};
+        const Contents then = pool.at(20.0);
+        mean.see(std::abs(then.mean), tweaks);
+        highest.see(then.highest, tweaks);
+        const std::string alone = "[tweaks]\n" + tweaks;
+        std::vector<float> first;
+        for (const double fps : {60.0, 30.0, 240.0}) {
+            Player player(pool.text,
+                          {.size = {160, 80}, .preset = alone, .pass = "pond", .fps = fps});
+            player.still(2.0);
+            const std::vector<float> heights = player.floats();
+            if (first.empty()) first = heights;
+            double most = 0.0;
+            for (std::size_t i = 0; i < heights.size(); ++i)
+                most = std::max(most, std::abs(double{heights[i]} - first[i]));
+            apart.see(most, tweaks);
+        }
+    }
 }
 
 // Once the hand is gone, and with no rain, the motion dies away, from one frame to the next.

@@ -4,6 +4,7 @@
 // indices nothing bends (1e-6 rad, the rounding of a unit vector is 1e-7). Reflected and
 // transmitted light sum to what came, within 1e-6. The display curve stays within 0 and 1, never
 // falls, and knows NaN and Inf.
+#include "bar.h"
 #include "intersections.h"
 
 #include <array>
@@ -23,8 +24,9 @@ struct Ray {
     glm::vec3 rd, nor;
     float eta;  // index before over index behind
 };
-std::vector<Ray> rays(bool equal) {
-    Random random{std::mt19937(31)};
+// Indices between `least` and 1 / `least`.
+std::vector<Ray> rays(double least, std::uint32_t seed = 31) {
+    Random random{std::mt19937(seed)};
     std::vector<Ray> all;
     while (all.size() < 65536) {
         const glm::dvec3 nor = random.direction();
@@ -32,7 +34,7 @@ std::vector<Ray> rays(bool equal) {
         // Angles from straight down to grazing, many of them within a degree of it.
         const double lift = std::pow(10.0, random.uniform(-6.0, 0.0)) * 0.5 * std::numbers::pi;
         const glm::dvec3 rd = std::cos(lift) * side - std::sin(lift) * nor;
-        const double eta = equal ? 1.0 : std::exp(random.uniform(std::log(0.4), std::log(2.5)));
+        const double eta = std::exp(random.uniform(std::log(least), -std::log(least)));
         all.push_back({glm::vec3(rd), glm::vec3(nor), static_cast<float>(eta)});
     }
     all.push_back({{0, -1, 0}, {0, 1, 0}, 1.5f});
@@ -49,16 +51,15 @@ std::vector<ProbeCase> cases_of(const std::vector<Ray>& all) {
     return cases;
 }
 
-TEST_F(Refraction, IsFiniteAndRightAtEveryAngleAndIndex) {
-    const auto all = rays(false);
+// The share that the built-in functions leave without a number.
+double expect_to_bend_rightly(const std::vector<Ray>& all, Bar& bar, std::string_view where) {
     const auto bent = probe_all(kAnalytic, "refractExactly(a.xyz, b.xyz, c.x)", cases_of(all));
     const auto built_in = probe_all("", "normalize(refract(a.xyz, b.xyz, c.x))", cases_of(all));
     double worst = 0.0;
     std::size_t not_numbers = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const glm::vec3 got(bent[i]);
-        ASSERT_TRUE(std::isfinite(got.x) && std::isfinite(got.y) && std::isfinite(got.z)) << i;
-        ASSERT_NEAR(glm::length(got), 1.0f, 1e-6f) << i;
+        EXPECT_NEAR(glm::length(got), 1.0f, 1e-6f) << i;  // fails for what is no number, too
         if (!std::isfinite(built_in[i].x)) ++not_numbers;
         const Real3 rd(all[i].rd), nor(all[i].nor);
         const Real eta = all[i].eta,
@@ -70,14 +71,27 @@ TEST_F(Refraction, IsFiniteAndRightAtEveryAngleAndIndex) {
             eta * glm::normalize(rd) + (eta * cosine - std::sqrt(k)) * glm::normalize(nor);
         worst = std::max(worst, angle_between(glm::dvec3(got), glm::dvec3(truth)));
     }
-    fmt::print("refraction: worst {:.1e} rad; refract() and normalize(): {:.1f} % NaN\n", worst,
-               100.0 * static_cast<double>(not_numbers) / static_cast<double>(all.size()));
-    EXPECT_LE(worst, 5e-6);
-    EXPECT_GT(not_numbers, all.size() / 10) << "the built-in way fails in total reflection";
+    bar.see(worst, where);
+    return static_cast<double>(not_numbers) / static_cast<double>(all.size());
+}
+
+TEST_F(Refraction, IsFiniteAndRightAtEveryAngleAndIndex) {
+    Bar bar("Q7 analytic: directions, rad", 5e-6);
+    EXPECT_GT(expect_to_bend_rightly(rays(0.4), bar, "indices 0.4 to 2.5"), 0.1)
+        << "the built-in way fails in total reflection";
+}
+TEST_F(Refraction, IsRightWhateverTheCase) {
+    Bar bar("Q7 analytic: directions, rad", 5e-6);
+    for (std::uint32_t seed = 0; seed < 24; ++seed) {
+        const double least = 1.0 - std::pow(10.0, -0.3 * seed);  // to within 1e-7 of 1
+        expect_to_bend_rightly(rays(std::max(least, 0.25), seed), bar,
+                               fmt::format("indices from {:.8g}", std::max(least, 0.25)));
+    }
 }
 
 TEST_F(Refraction, EqualIndicesDoNotBend) {
-    const auto all = rays(true);
+    Bar bar("Q7 analytic: bend at equal indices, rad", 1e-6);
+    const auto all = rays(1.0);
     const auto bent = probe_all(kAnalytic, "refractExactly(a.xyz, b.xyz, c.x)", cases_of(all));
     const auto built_in = probe_all("", "refract(a.xyz, b.xyz, c.x)", cases_of(all));
     double worst = 0.0, worst_built_in = 0.0;
@@ -87,8 +101,7 @@ TEST_F(Refraction, EqualIndicesDoNotBend) {
         worst_built_in =
             std::max(worst_built_in, angle_between(glm::dvec3(built_in[i]), glm::dvec3(all[i].rd)));
     }
-    fmt::print("equal indices: worst {:.1e} rad, refract() {:.1e} rad\n", worst, worst_built_in);
-    EXPECT_LE(worst, 1e-6);
+    bar.see(worst, "");
     EXPECT_GE(worst_built_in, 1e-5) << "the built-in function bends, or these rays prove nothing";
 }
 
@@ -160,6 +173,34 @@ TEST_F(Refraction, TheDisplayCurveIsWithinZeroAndOneAndNeverFalls) {
         for (const glm::vec4& c : probe(scene, "display(a.xyz)", mixed)) {
             for (int k = 0; k < 3; ++k) EXPECT_TRUE(c[k] >= 0.0f && c[k] <= 1.0f);
         }
+    }
+}
+
+// A colour that gets brighter never shows darker, nor a channel out of range.
+TEST_F(Refraction, TheDisplayCurveNeverFallsWhateverTheCase) {
+    Bar range("Q18 all: beyond 0 or 1", 0.0), fall("Q18 all: luminance lost by more light", 2e-6);
+    Random random{std::mt19937(18)};
+    constexpr std::size_t kSteps = 256;
+    std::vector<ProbeCase> cases;
+    for (int colour = 0; colour < 240; ++colour) {
+        const auto channel = [&] { return std::pow(10.0, random.uniform(-4.0, 0.0)); };
+        const glm::dvec3 light(channel(), channel(), colour % 5 == 0 ? 0.0 : channel());
+        for (std::size_t i = 0; i < kSteps; ++i) {
+            const double factor = std::pow(10.0, -5.0 + 14.0 * static_cast<double>(i) / kSteps);
+            cases.push_back({.a = glm::vec4(glm::vec3(light * factor), 0)});
+        }
+    }
+    const auto shown = probe_all(kAnalytic, "display(a.xyz)", cases);
+    double last = 0.0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const glm::vec4& light = cases[i].a;
+        const std::string where =
+            fmt::format("light {:.3g} {:.3g} {:.3g}", light.x, light.y, light.z);
+        const glm::dvec3 c(shown[i]);
+        for (int k = 0; k < 3; ++k) range.see(std::max(c[k] - 1.0, -c[k]), where);
+        const double luminance = glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722));
+        if (i % kSteps != 0) fall.see(last - luminance, where);
+        last = luminance;
     }
 }
 

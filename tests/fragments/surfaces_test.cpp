@@ -5,6 +5,7 @@
 // 1e6 m away. Normals are right to 0.01 degrees (RMS) for an eye up to 1e3 m away, although the
 // distance itself is rounded to 6e-5 m there: the hit is made good near the surface. 0.0003 degrees
 // are a few roundings of a normal's own digits, and no more is allowed, near or far.
+#include "bar.h"
 #include "intersections.h"
 
 #include <array>
@@ -56,55 +57,80 @@ FloatRay ray_to_set(Random& random, double distance) {
     return {ro, glm::vec3(glm::normalize(target - glm::dvec3(ro)))};
 }
 
-TEST_F(Surfaces, RaysThatLeaveDoNotMeetWhatTheyLeave) {
+// Distances (m) evenly in the logarithm, off round numbers.
+std::vector<double> spread(int count, double from, double to) {
+    std::vector<double> distances;
+    for (int k = 0; k < count; ++k)
+        distances.push_back(from * std::pow(to / from, (k + 0.618) / count));
+    return distances;
+}
+
+// What rays met that left a surface seen from `distance` (m).
+struct Leaving {
+    double own = 0.0;       // share that met the surface they left
+    double textbook = 0.0;  // the same with a lift of 1e-3 m
+    float lift = 0.0f;      // the largest, in ulp
+};
+Leaving leaving(Random& random, double distance, const Ids& id) {
+    std::vector<ProbeCase> cases;
+    while (cases.size() < 32768) {
+        const FloatRay ray = ray_to_set(random, distance);
+        const auto cosine = static_cast<float>(std::pow(10.0, random.uniform(-1.7, 0.0)));
+        const float sense = random.uniform(0.0, 1.0) < 0.5 ? 1.0f : -1.0f;
+        cases.push_back({.a = glm::vec4(ray.ro, cosine),
+                         .b = glm::vec4(ray.rd, sense),
+                         .c = glm::vec4(random.direction(), 0)});
+    }
+    Leaving result;
+    for (const bool recipe : {true, false}) {
+        const auto met =
+            probe_all(kAnalytic + kLeave,
+                      fmt::format("probe_leave(a.xyz, b.xyz, c.xyz, a.w, b.w, {})", recipe), cases);
+        std::size_t left = 0, own = 0;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const auto first = static_cast<int>(met[i].x), second = static_cast<int>(met[i].y);
+            const bool glass = first == id.ball || first == id.gem || first == id.cube;
+            if (cases[i].b.w < 0.0f && !glass) continue;  // nothing goes into what is opaque
+            ++left;
+            result.lift = std::max(result.lift, met[i].w);
+            if (first != second) continue;
+            // Hollow shapes may meet themselves farther on, and glass its far side: what counts
+            // there is a way no longer than some lifts seen at this slope.
+            const bool may = first == id.ring || first == id.wall || cases[i].b.w < 0.0f;
+            if (!may || met[i].z < 4e-6f / cases[i].a.w) ++own;
+        }
+        (recipe ? result.own : result.textbook) =
+            static_cast<double>(own) / static_cast<double>(left);
+    }
+    return result;
+}
+
+void expect_to_leave(const std::vector<double>& distances) {
+    Bar own("Q6 analytic: share of rays that meet what they leave", 1e-4);
+    Bar lift("Q6 analytic: lift, ulp", 16.0);
     const Ids id = ids();
-    for (const double distance : {10.0, 1e2, 1e3, 1e4, 1e6}) {
+    for (const double distance : distances) {
         Random random{std::mt19937(static_cast<std::uint32_t>(distance) + 1)};
-        std::vector<ProbeCase> cases;
-        while (cases.size() < 32768) {
-            const FloatRay ray = ray_to_set(random, distance);
-            const auto cosine =
-                static_cast<float>(std::pow(10.0, random.uniform(-1.7, 0.0)));  // from 0.02
-            const float sense = random.uniform(0.0, 1.0) < 0.5 ? 1.0f : -1.0f;
-            cases.push_back({.a = glm::vec4(ray.ro, cosine),
-                             .b = glm::vec4(ray.rd, sense),
-                             .c = glm::vec4(random.direction(), 0)});
-        }
-        std::array<double, 2> share{};
-        float lift = 0.0f;
-        for (const bool recipe : {true, false}) {
-            const auto met = probe_all(
-                kAnalytic + kLeave,
-                fmt::format("probe_leave(a.xyz, b.xyz, c.xyz, a.w, b.w, {})", recipe), cases);
-            std::size_t left = 0, own = 0;
-            for (std::size_t i = 0; i < cases.size(); ++i) {
-                const auto first = static_cast<int>(met[i].x), second = static_cast<int>(met[i].y);
-                const bool glass = first == id.ball || first == id.gem || first == id.cube;
-                if (cases[i].b.w < 0.0f && !glass) continue;  // nothing goes into what is opaque
-                ++left;
-                lift = std::max(lift, met[i].w);
-                if (first != second) continue;
-                // Hollow shapes may meet themselves farther on, and glass its far side: what counts
-                // there is a way no longer than some lifts seen at this slope.
-                const bool may = first == id.ring || first == id.wall || cases[i].b.w < 0.0f;
-                if (!may || met[i].z < 4e-6f / cases[i].a.w) ++own;
-            }
-            share[recipe ? 0 : 1] = static_cast<double>(own) / static_cast<double>(left);
-        }
-        fmt::print("eye at {:<8g} own surface met again: recipe {:.4f} %, p + 1e-3 n {:.2f} %\n",
-                   distance, 100.0 * share[0], 100.0 * share[1]);
-        EXPECT_LE(share[0], 1e-4) << "at " << distance;
-        EXPECT_LE(lift, 16.0f);
+        const Leaving rays = leaving(random, distance, id);
+        const std::string where = fmt::format("eye at {:.3g} m", distance);
+        own.see(rays.own, where);
+        lift.see(double{rays.lift}, where);
         if (distance >= 1e6) {
-            EXPECT_GE(share[1], 0.1) << "a fixed offset drowns, or this proves nothing";
+            EXPECT_GE(rays.textbook, 0.1) << "a fixed offset drowns, or this proves nothing";
         }
     }
+}
+TEST_F(Surfaces, RaysThatLeaveDoNotMeetWhatTheyLeave) {
+    expect_to_leave({10.0, 1e2, 1e3, 1e4, 1e6});
+}
+TEST_F(Surfaces, RaysLeaveWhateverTheCase) {
+    expect_to_leave(spread(32, 4.0, 1e6));
 }
 
 // The surfaces again, as implicit functions in long double, with the shader's own constants.
 struct Implicit {
-    std::string name, id;
-    double radius;  // of its strongest curve, m
+    std::string name;
+    float id;
     std::function<Real(const Real3&)> value;
 };
 Real3 gradient(const Implicit& shape, const Real3& p) {
@@ -119,42 +145,58 @@ Real3 gradient(const Implicit& shape, const Real3& p) {
     return glm::normalize(sum);
 }
 
-TEST_F(Surfaces, NormalsAreRightForAnEyeUpToAKilometreAway) {
+std::vector<Implicit> implicit_shapes() {
     const std::vector<ProbeCase> one(1);
     const auto constant = [&](const char* what) { return probe(kAnalytic, what, one)[0]; };
     const auto real3 = [&](const char* what) { return Real3(glm::vec3(constant(what))); };
+    const auto id = [&](const char* what) { return constant(what).x; };
     const glm::vec4 ball = constant("kBall"), ring = constant("vec3(kRing, ringTurn())"),
                     drum = constant("kDrum"), cone = constant("kCone");
     const Real3 egg = real3("kEggCentre"), axes = real3("kEggAxes"), at_ring = real3("kRingCentre"),
                 at_drum = real3("kDrumCentre"), apex = real3("kConeApex");
-    const std::vector<Implicit> shapes = {
-        {"ball", "kBallId", 0.56,
-         [&](const Real3& p) { return glm::length(p - Real3(glm::vec3(ball))) - Real{ball.w}; }},
-        {"ellipsoid", "kEggId", 0.22,
-         [&](const Real3& p) { return glm::length((p - egg) / axes) - 1.0L; }},
-        {"cylinder", "kDrumId", 0.5,
-         [&](const Real3& p) {
+    return {
+        {"ball", id("float(kBallId)"),
+         [=](const Real3& p) { return glm::length(p - Real3(glm::vec3(ball))) - Real{ball.w}; }},
+        {"ellipsoid", id("float(kEggId)"),
+         [=](const Real3& p) { return glm::length((p - egg) / axes) - 1.0L; }},
+        {"cylinder", id("float(kDrumId)"),
+         [=](const Real3& p) {
              return std::hypot(p.x - at_drum.x, p.z - at_drum.z) - Real{drum.x};
          }},
-        {"cone", "kConeId", 0.12,
-         [&](const Real3& p) {
+        {"cone", id("float(kConeId)"),
+         [=](const Real3& p) {
              return std::hypot(p.x - apex.x, p.z - apex.z) + Real{cone.x} * (p.y - apex.y);
          }},
-        {"torus", "kRingId", 0.16,
-         [&](const Real3& p) {
+        {"torus", id("float(kRingId)"),
+         [=](const Real3& p) {
              const Real3 f = p - at_ring;
              const Real c = std::cos(Real{ring.z}), s = std::sin(Real{ring.z});
              const Real x = c * f.x + s * f.z, axis = c * f.z - s * f.x;
              return std::hypot(std::hypot(x, f.y) - Real{ring.x}, axis) - Real{ring.y};
          }},
     };
+}
+
+// The true hit near o + t d, by Newton's steps.
+Real3 true_hit(const Implicit& shape, const Real3& o, const Real3& d, Real t) {
+    for (int k = 0; k < 20; ++k) {
+        const Real slope =
+            (shape.value(o + (t + 1e-6L) * d) - shape.value(o + (t - 1e-6L) * d)) / 2e-6L;
+        t -= std::clamp(shape.value(o + t * d) / slope, -0.01L, 0.01L);
+    }
+    return o + t * d;
+}
+
+void expect_true_normals(const std::vector<double>& distances) {
     const std::string functions =
         "vec4 probe_normal(vec3 ro, vec3 rd) {\n"
         "    Hit h = meetScene(ro, rd);\n"
         "    vec3 q, nor = arrive(ro, rd, h, q);\n"
         "    return vec4(nor, h.id);\n"
         "}\n";
-    for (const double distance : {10.0, 1e2, 1e3}) {
+    Bar normals("Q10 analytic: normals, degrees RMS", 3e-4);
+    const std::vector<Implicit> shapes = implicit_shapes();
+    for (const double distance : distances) {
         Random random{std::mt19937(static_cast<std::uint32_t>(distance) + 3)};
         std::vector<FloatRay> rays;
         std::vector<ProbeCase> cases;
@@ -162,36 +204,33 @@ TEST_F(Surfaces, NormalsAreRightForAnEyeUpToAKilometreAway) {
             rays.push_back(ray_to_set(random, distance));
             cases.push_back({.a = glm::vec4(rays.back().ro, 0), .b = glm::vec4(rays.back().rd, 0)});
         }
-        const auto normals = probe_all(kAnalytic + functions, "probe_normal(a.xyz, b.xyz)", cases);
+        const auto found = probe_all(kAnalytic + functions, "probe_normal(a.xyz, b.xyz)", cases);
         const auto ways = probe_all(kAnalytic, "meetScene(a.xyz, b.xyz).t", cases);
         for (const Implicit& shape : shapes) {
-            const float id = constant(fmt::format("float({})", shape.id).c_str()).x;
-            std::vector<double> errors;
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                if (normals[i].w != id) continue;
-                const Real3 o(rays[i].ro), d(rays[i].rd);
-                Real t = ways[i].x;
-                for (int k = 0; k < 20; ++k) {  // Newton's steps to the true hit
-                    const Real slope =
-                        (shape.value(o + (t + 1e-6L) * d) - shape.value(o + (t - 1e-6L) * d)) /
-                        2e-6L;
-                    t -= std::clamp(shape.value(o + t * d) / slope, -0.01L, 0.01L);
-                }
-                const Real3 truth = gradient(shape, o + t * d);
-                if (std::abs(glm::dot(truth, d)) < 0.5L) continue;  // towards the limb a hit slides
-                const Real sine = glm::length(glm::cross(truth, Real3(glm::vec3(normals[i]))));
-                errors.push_back(static_cast<double>(std::asin(std::min(sine, 1.0L))) * 180.0 /
-                                 std::numbers::pi);
-            }
-            ASSERT_GT(errors.size(), 200u) << shape.name;
             double squares = 0.0;
-            for (const double error : errors) squares += error * error;
-            const double rms = std::sqrt(squares / static_cast<double>(errors.size()));
-            fmt::print("eye at {:<6g} {:<10} normals: {:.5f} degrees RMS\n", distance, shape.name,
-                       rms);
-            EXPECT_LE(rms, 3e-4) << shape.name << " at " << distance;
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                if (found[i].w != shape.id) continue;
+                const Real3 o(rays[i].ro), d(rays[i].rd);
+                const Real3 truth = gradient(shape, true_hit(shape, o, d, Real{ways[i].x}));
+                if (std::abs(glm::dot(truth, d)) < 0.5L) continue;  // towards the limb a hit slides
+                const Real sine = glm::length(glm::cross(truth, Real3(glm::vec3(found[i]))));
+                const double error =
+                    static_cast<double>(std::asin(std::min(sine, 1.0L))) * 180.0 / std::numbers::pi;
+                squares += error * error;
+                ++count;
+            }
+            ASSERT_GT(count, 200u) << shape.name;
+            normals.see(std::sqrt(squares / static_cast<double>(count)),
+                        fmt::format("{}, eye at {:.3g} m", shape.name, distance));
         }
     }
+}
+TEST_F(Surfaces, NormalsAreRightForAnEyeUpToAKilometreAway) {
+    expect_true_normals({10.0, 1e2, 1e3});
+}
+TEST_F(Surfaces, NormalsAreRightWhateverTheCase) {
+    expect_true_normals(spread(12, 4.0, 1e3));
 }
 
 }  // namespace
