@@ -79,7 +79,7 @@ inline void add_balls(std::vector<Planted>& list) {
     }
     const auto steep = [&](double radius) {
         return tweaked(tweaks, "distance(vec3(a, b, d), vec3(0.3, 0.6, 0.7))",
-                       fmt::format("x < {} ? log(-1.0 - a) : x", radius));
+                       fmt::format("x < {:.2f} ? log(-1.0 - a) : x", radius));
     };
     list.push_back({"ball/steep", steep(0.25), steep(-1.0)});
     const auto angle = [&](const char* scale) {
@@ -152,7 +152,7 @@ inline void add_growth(std::vector<Planted>& list) {
         list.push_back({std::string("growth/") + name, fed(fault, words), fed(twin, words)});
     };
     add("guarded", "c = iFrame == 0 ? vec4(1.0) : min(s * 1.0001, 6e4);",
-        "c = iFrame == 0 ? vec4(1.0) : min(s * 0.9999, 6e4);");
+        "c = mix(s == vec4(0.0) ? vec4(1.0) : s, vec4(0.5), 1.0 - exp(-0.006 * iTimeDelta));");
     add("of_a_part",
         "c = iFrame == 0 ? vec4(0.5) : s; c.y = iFrame == 0 ? 2.0 : min(s.y * 1.0002, 6e4);",
         "c = iFrame == 0 ? vec4(0.5) : s; c.y = iFrame == 0 ? 2.0 : s.y;");
@@ -161,8 +161,8 @@ inline void add_growth(std::vector<Planted>& list) {
     add("oscillating",
         "float h = 0.02; c = iFrame == 0 ? vec4(1.0, 0.0, 0.0, 1.0)"
         " : vec4(s.x + h * s.y, s.y - h * s.x, 0.0, 1.0);",
-        "float h = 0.02, v = s.y - h * s.x; c = iFrame == 0 ? vec4(1.0, 0.0, 0.0, 1.0)"
-        " : vec4(s.x + h * v, v, 0.0, 1.0);");
+        "float h = 1.2 * iTimeDelta; c = s.w == 0.0 ? vec4(1.0, 0.0, 0.0, 1.0)"
+        " : vec4(s.x * cos(h) + s.y * sin(h), s.y * cos(h) - s.x * sin(h), 0.0, 1.0);");
     add("of_steps", "c = iFrame == 0 ? vec4(0.0) : s; c = c == vec4(0.0) ? vec4(1.0) : s * 1.0002;",
         "c = iFrame == 0 ? vec4(0.0) : s; c = c == vec4(0.0) ? vec4(1.0) : s;",
         "size=8x8 step=1/60");
@@ -170,7 +170,7 @@ inline void add_growth(std::vector<Planted>& list) {
         "c = iFrame == 0 ? vec4(1.0) : min(s * (iFrame < 300 ? 1.0 : 0.9998), 6e4);");
     const auto corner = [](const char* grows) {
         return fed(fmt::format("float g = a > 0.9 && b < 0.1 ? {} : 0.999;"
-                               " c = iFrame == 0 ? vec4(1.0) : min(s * g, 6e4);",
+                               " c = s == vec4(0.0) ? vec4(1.0) : min(s * g, 6e4);",
                                grows),
                    "size=8x8 step=1/60", std::string(kA) + kB);
     };
@@ -212,7 +212,8 @@ inline void add_explosions(std::vector<Planted>& list) {
         "vec4 sum = vec4(0.0); ivec2 i = ivec2(p); for (int n = 0; n < 4; n++)"
         " {{ ivec2 o = n == 0 ? ivec2(1, 0) : n == 1 ? ivec2(-1, 0) : n == 2 ? ivec2(0, 1) : "
         "ivec2(0, -1);"
-        " sum += texelFetch(state, (i + o + 8) % 8, 0); }}"
+        " vec4 t = texelFetch(state, (i + o + 8) % 8, 0);"
+        " sum += mix(s, t, lessThanEqual(abs(t), vec4(6e4))); }}"
         " c = s.w == 0.0 ? vec4(mod(p.x - 0.5, 3.0)) : clamp(s + {} * (sum - 4.0 * s), -300.0, "
         "300.0);";
     add("diffusion", "uniform float k; //@ 0.1 [0, 1]\n", fmt::format(fmt::runtime(diffusion), "k"),
@@ -278,16 +279,18 @@ inline void add_frame_rates(std::vector<Planted>& list) {
     list.push_back(
         {"frame_rate/at_an_end", speed("0.1"), speed("(iFrame == 0 ? 0.0 : 6.0 * iTimeDelta)")});
     add("circle", "c = vec4(0.5 + 0.3 * cos(s.z), 0.5 + 0.3 * sin(s.z), s.z + 0.03, 1.0);",
-        "c = vec4(0.5 + 0.3 * cos(iTime), 0.5 + 0.3 * sin(iTime), 0.0, 1.0);");
+        "float a = 6.2831853 * float(iTick & 524287u) / 524288.0;"
+        " c = vec4(0.5 + 0.3 * cos(a), 0.5 + 0.3 * sin(a), 0.0, 1.0);");
     add("follower", "c = vec4(mix(s.xy, vec2(0.9, 0.5), 0.01), 0.0, 1.0);",
         "c = vec4(mix(s.xy, vec2(0.9, 0.5), iFrame == 0 ? 0.0 : 1.0 - exp(-0.6 * iTimeDelta)), "
         "0.0, 1.0);");
     add("counter", "c = vec4(float(iFrame) / 400.0, 0.5, 0.0, 1.0);",
-        "c = vec4(iTime / 7.0, 0.5, 0.0, 1.0);");
+        "c = vec4(float(iTick & 524287u) / 524288.0, 0.5, 0.0, 1.0);");
     add("friction",
         "vec2 v = iFrame == 0 ? vec2(0.8) : s.zw * 0.98; c = vec4(s.xy + v * iTimeDelta, v);",
-        "vec2 v = iFrame == 0 ? vec2(0.8) : s.zw * exp(-1.2 * iTimeDelta);"
-        " c = vec4(s.xy + v * (iFrame == 0 ? 0.0 : iTimeDelta), v);");
+        "float kept = exp(-1.2 * iTimeDelta); vec2 v = s.z == 0.0 ? vec2(0.8) : s.zw;"
+        " c = s.z == 0.0 ? vec4(0.0, 0.0, v) : vec4(s.xy + v * (1.0 - kept) / 1.2, max(v * kept, "
+        "1e-3));");
 }
 
 inline void add_keys(std::vector<Planted>& list) {
@@ -474,10 +477,13 @@ inline void add_invariants(std::vector<Planted>& list) {
     const auto add = [&](const char* name, const char* body, const char* fault, const char* twin) {
         list.push_back({std::string("invariant/") + name, fed(body, fault), fed(body, twin)});
     };
-    const char* wave = "c = vec4(0.5 + 0.6 * sin(iTime + p.x));";
+    const char* wave =
+        "c = vec4(0.5 + 0.6 * sin(6.2831853 * float(iTick & 524287u) / 524288.0 + p.x));";
     add("bounded_above", wave, "size=8x8 bounded=[-1, 1]", "size=8x8 bounded=[-1, 1.2]");
     add("bounded_below", wave, "size=8x8 bounded=[0, 2]", "size=8x8 bounded=[-0.2, 2]");
-    const char* leak = "c = iFrame == 0 ? vec4(1.0) : s * 0.99999;";
+    const char* leak = "c = s == vec4(0.0) ? vec4(1.0) : s * 0.99999;";
+    add("bounded_away_from_0", "c = vec4(p.x < 1.0 ? 0.4 : 0.8);", "size=8x8 bounded=[0.5, 1]",
+        "size=8x8 bounded=[0.3, 1]");
     add("conserves", leak, "size=8x8 conserves=1e-3", "size=8x8 conserves=0.5");
     const std::string tweak = "uniform float k; //@ 0.5 [0, 1]";
     const std::string grows = "c = vec4(k > 0.9 ? 3.0 : 1.0);";

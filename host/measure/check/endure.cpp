@@ -147,13 +147,11 @@ void run_after_poison(std::size_t index, Check& check, CaseResult& result) {
 
 float usual_largest(Check& check) {
     if (check.usual_largest) return *check.usual_largest;
-    const auto values = check.subject.preset.values;
-    check.subject.preset.values = check.subject.opened().values;
+    check.subject.restore();  // a search that asks stands elsewhere
     StateCurves curves;
     Invariants invariants(check.subject);
     play_curves(check, check.paced(kEndured, kLeastEndured), curves, invariants);
     check.subject.renderer().reset();
-    check.subject.preset.values = values;
     check.usual_largest = curves.largest();
     return *check.usual_largest;
 }
@@ -166,7 +164,7 @@ std::string why_not_for_long(Check& check, float usual) {
 }
 
 void add_endurance_cases(std::vector<Case>& list, const CheckSubject& subject) {
-    if (!subject.stateful()) return;
+    if (!subject.stateful() && !Invariants(subject).any()) return;
     const auto& tweaks = subject.scene().tweaks;
     for (std::size_t i = 0; i < tweaks.size(); ++i) {
         const auto range = range_of(tweaks[i]);

@@ -3,6 +3,7 @@
 
 #include "measure/check/subject.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ private:
     struct One {
         std::size_t index, output;  // of the graph, of the pass
         const Sampler* sampler;
-        float low = 0.0f, high = 0.0f;
+        float low = std::numeric_limits<float>::infinity(), high = -low;
         double first = 0.0, drift = 0.0;  // the sum; how far it has gone, as a share
         bool is_begun = false;
     };

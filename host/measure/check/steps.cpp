@@ -260,7 +260,7 @@ void add_step_cases(std::vector<Case>& list, const CheckSubject& subject) {
 }
 
 void add_long_case(std::vector<Case>& list, const CheckSubject& subject) {
-    if (subject.moves()) list.push_back({"long run", run_long});
+    if (subject.moves() || Invariants(subject).any()) list.push_back({"long run", run_long});
 }
 
 }  // namespace glint
