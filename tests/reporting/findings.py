@@ -82,6 +82,8 @@ def eyes(found):
 
 def truth(found):
     studies = list(alone(found))
+    if not studies:
+        return
     idle = [f"{name}'s {study['knob']}" for name, study in studies if is_idle(study)]
     yield (f"Of {len(studies)} quality tweaks, {len(idle)} change nothing in the picture of the main preset"
            + (f": {listed(idle, 12)}." if idle else "."))

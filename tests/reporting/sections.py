@@ -8,7 +8,7 @@ from measures import as_fast, as_near, compared, own_row
 
 DIAGRAMS = pathlib.Path("pictures/studies")   # as pages link to it
 CLEAR = 0.02   # of a frame's time: what a quiet machine's median wavers by from call to call
-SHOWN = ["caustics-quality", "sea-reflections", "christmas-bounces", "deep_ocean-shaftSamples"]
+SHOWN = ["caustics-quality", "magic-quality", "terrain-quality", "deep_ocean-quality"]
 BUDGETS = ["scene", "own: ms", "error", "as fast: ms", "error", "of own", "by", "as near: ms", "of own", "by"]
 
 
