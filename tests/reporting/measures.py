@@ -35,7 +35,10 @@ def scenes(folder, names):
 def commit():
     """What is measured, "+" where it is not committed as it stands."""
     command = ["git", "-C", REPOSITORY, "describe", "--always", "--exclude=*", "--dirty=+"]
-    return subprocess.run(command, capture_output=True, text=True).stdout.strip() or "unknown"
+    try:
+        return subprocess.run(command, capture_output=True, text=True).stdout.strip() or "unknown"
+    except FileNotFoundError:   # a machine without git
+        return "unknown"
 
 
 class Kept:

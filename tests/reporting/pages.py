@@ -20,6 +20,11 @@ svg {{ max-width: 100%; height: auto; }}
 """
 
 
+def marked(text):
+    """As HTML, with what stands between backticks as code."""
+    return re.sub(r"`([^`]+)`", r"<code>\1</code>", html.escape(text))
+
+
 def is_number(text):
     return re.fullmatch(r"[~=]?[-+.e\d]+( ?%)?( – [-+.e\d]+)?", text) is not None
 
@@ -36,11 +41,11 @@ class Page:
 
     def text(self, text):
         self.markdown.append(text + "\n")
-        self.body.append(f"<p>{html.escape(text)}</p>")
+        self.body.append(f"<p>{marked(text)}</p>")
 
     def sentences(self, list_):
         self.markdown.append("".join(f"{i}. {text}\n" for i, text in enumerate(list_, 1)))
-        self.body.append("<ol>" + "".join(f"<li>{html.escape(text)}" for text in list_) + "</ol>")
+        self.body.append("<ol>" + "".join(f"<li>{marked(text)}" for text in list_) + "</ol>")
 
     def table(self, names, rows):
         """Rows of texts; one that begins with * is a star's, and shaded."""
