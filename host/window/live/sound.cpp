@@ -55,7 +55,10 @@ void LiveSound::follow(const Preset* preset, std::vector<TweakValue> values,
     if (preset) content = content_of(*preset, std::move(values));
     if (content && content->files.empty() && !preset->scene.has_sound) content.reset();
     if (content != content_) {
-        if (!content || !content_ || content->text != content_->text) why_silent_.clear();
+        if (!content || !content_ || content->text != content_->text) {
+            why_silent_.clear();
+            is_begun_anew_ = false;
+        }
         content_ = std::move(content);
         since_change_.restart();
     }
@@ -101,7 +104,10 @@ bool LiveSound::update() {
         why_silent_ = line.starts_with("silent ") ? line.substr(7) : "";
     }
     if (goes_on) return is_new;
+    const bool is_unheard = !answered_;
     end();
+    // It may have ended before this text came to it, which then deserves another one.
+    if (is_unheard && !std::exchange(is_begun_anew_, true)) return true;
     why_silent_ = "the process that plays it has ended";
     return true;
 }

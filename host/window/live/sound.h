@@ -55,7 +55,8 @@ private:
     SocketProcess process_;
     std::optional<Content> content_, sent_;  // what there is; what the process has
     Stopwatch since_change_;
-    bool answered_ = true;  // the process has made something of what it was sent last
+    bool answered_ = true;        // the process has made something of what it was sent last
+    bool is_begun_anew_ = false;  // for this text
     PlayState told_;
     std::string why_silent_;
 };
