@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 namespace glint {
 namespace {
@@ -53,9 +52,10 @@ std::string test_loops_at_end(std::string_view text) {
     const Reading reading = read_glsl(text, known_of_driver());
     Edits edits(reading);
     if (reading.is_balanced && reading.not_understood.empty())
-        for (const Statement& statement : reading.statements | std::views::reverse)
-            if (statement.kind == StatementKind::for_)  // what stands within others comes first
-                test_at_end(reading, statement, edits);
+        // What stands within others comes first. (clang 14 has no views::reverse of these libraries.)
+        for (std::size_t i = reading.statements.size(); i-- > 0;)
+            if (reading.statements[i].kind == StatementKind::for_)
+                test_at_end(reading, reading.statements[i], edits);
     return edits.apply().text;
 }
 
