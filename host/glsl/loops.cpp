@@ -52,7 +52,8 @@ std::string test_loops_at_end(std::string_view text) {
     const Reading reading = read_glsl(text, known_of_driver());
     Edits edits(reading);
     if (reading.is_balanced && reading.not_understood.empty())
-        // What stands within others comes first. (clang 14 has no views::reverse of these libraries.)
+        // What stands within others comes first; not by views::reverse, which clang 14 does not
+        // take.
         for (std::size_t i = reading.statements.size(); i-- > 0;)
             if (reading.statements[i].kind == StatementKind::for_)
                 test_at_end(reading, reading.statements[i], edits);
