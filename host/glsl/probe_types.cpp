@@ -401,10 +401,6 @@ constexpr std::string_view kMain = R"(void main() {{
 }}
 )";
 
-}  // namespace
-
-namespace {
-
 std::string functions_of(ProbeKind kind) {
     switch (kind) {
         case ProbeKind::values:
@@ -420,6 +416,20 @@ std::string functions_of(ProbeKind kind) {
                    "void glint0_a(int i, bool holds) { if (!holds) glint0_bits[i >> 5] |= 1u << (i "
                    "& 31); }\n";
     }
+    return "";
+}
+
+// What a fragment sets before it draws.
+const char* survey_of(ProbeKind kind) {
+    if (kind == ProbeKind::faults)  // every fragment watches another site
+        return "if (glint0_place.w > 0) { glint0_id = (glint0_ask.x + cell.x + 37 * "
+               "cell.y) % glint0_place.w; glint0_mends = glint0_ask.y != 0; "
+               "if (glint0_ask.y == 2) { glint0_scale = 7e-9; glint0_inside = -0.99; } "
+               "if (glint0_ask.y == 3) { glint0_scale = 7e9; glint0_inside = 0.99; } }";
+    if (kind == ProbeKind::rounding)
+        return "glint0_chance = uint(glint0_last) * 747796405u + uint(cell.x + 4096 * cell.y);\n"
+               "    if (glint0_id == -3) glint0_coord.xy = "
+               "uintBitsToFloat(floatBitsToUint(glint0_coord.xy) + uvec2(1));";
     return "";
 }
 
@@ -447,25 +457,11 @@ std::string probe_declarations(ProbeKind kind) {
 }
 
 std::string probe_main(ProbeKind kind, std::size_t outputs) {
-    // Every fragment watches another site.
-    const char* survey =
-        kind == ProbeKind::faults
-            ? "if (glint0_place.w > 0) { glint0_id = (glint0_ask.x + cell.x + 37 * "
-              "cell.y) % glint0_place.w; glint0_mends = glint0_ask.y != 0; "
-              "if (glint0_ask.y == 2) { glint0_scale = 7e-9; glint0_inside = -0.99; } "
-              "if (glint0_ask.y == 3) { glint0_scale = 7e9; glint0_inside = 0.99; } }"
-            : "";
-    if (kind == ProbeKind::rounding)
-        survey =
-            "glint0_chance = uint(glint0_last) * 747796405u + uint(cell.x + 4096 * cell.y);\n"
-            "    if (glint0_id == -3) glint0_coord.xy = "
-            "uintBitsToFloat(floatBitsToUint(glint0_coord.xy) "
-            "+ uvec2(1));";
     return fmt::format(
                "layout(location = {}) out uvec4 glint0_kept;\nlayout(location = {}) out uvec4 "
                "glint0_told;\n",
                outputs, outputs + 1) +
-           fmt::format(fmt::runtime(kMain), survey, told_of(kind));
+           fmt::format(fmt::runtime(kMain), survey_of(kind), told_of(kind));
 }
 
 }  // namespace glint

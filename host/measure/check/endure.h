@@ -8,7 +8,7 @@
 namespace glint {
 
 // The largest value that is fed back with the preset's own values, over some hundred frames; worked
-// out once. Leaves the subject's values as they were, its state as at the start.
+// out once. Leaves the subject as it was opened, its state as at the start.
 float usual_largest(Check& check);
 
 // Plays some hundred frames of the subject as it is; why that is wrong: its state grows steadily,
