@@ -2,6 +2,8 @@
 #include "media/image.h"
 #include "report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -80,6 +82,38 @@ TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
         EXPECT_EQ(c["nan"], 0);
         EXPECT_EQ(c["inf"], 0);
         EXPECT_LE(c["min"].get<double>(), c["max"].get<double>());
+    }
+}
+
+TEST_F(Check, WhatABufferPromisesIsDrawnOverTheFramesHeldOrBroken) {
+    const auto scene = [&](const char* name, const char* promise) {
+        write(std::string(name) + ".frag",
+              fmt::format(
+                  "uniform sampler2D pool; //@ pass mainPool size=8x8 {}\n"
+                  "void mainPool(out vec4 s, in vec2 p) {{\n"
+                  "    s = vec4(max(texelFetch(pool, ivec2(p), 0).x, 1.0) + 0.001, -0.5, 0, 1);\n"
+                  "}}\n"
+                  "void mainImage(out vec4 c, in vec2 p) {{ c = texture(pool, p / 64.0); }}\n",
+                  promise));
+        const Outcome outcome = glint({"check", std::string(name) + ".frag", "--case", "long run",
+                                       "--frames", "300", "--json"});
+        EXPECT_EQ(outcome.err, "");
+        return case_of(Json::parse(outcome.out), "long run");
+    };
+    const Json held = scene("held", "bounded=[-1, 2]");
+    EXPECT_EQ(held["verdict"], "pass");
+    ASSERT_EQ(held["curves"].size(), 1u);
+    EXPECT_EQ(held["curves"][0]["buffer"], "pool");
+    EXPECT_EQ(held["curves"][0]["bounded"], Json({-1.0, 2.0}));
+    EXPECT_EQ(held["curves"][0]["points"].back()[0], 299);
+    EXPECT_NEAR(held["curves"][0]["points"].back()[2].get<double>(), 1.3, 1e-4) << "300 roundings";
+    const Json broken = scene("broken", "conserves=0.01");
+    EXPECT_EQ(broken["verdict"], "fail");
+    for (const Json& found : {held, broken}) {
+        if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
+        const std::string file = found["diagram"];
+        EXPECT_TRUE(file.ends_with("-long-run.svg"));
+        EXPECT_TRUE(bytes(file).starts_with("<svg")) << file;
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/temporary_file.h"
 #include "base/words.h"
+#include "measure/check/curves.h"
 #include "measure/probe/faults.h"
 #include "scene/preset_writer.h"
 
@@ -119,6 +120,20 @@ void write_picture(const CheckSubject& subject, const fs::path& file) {
     write_image(file, image);
 }
 
+// What buffers promise and what they did stands beside the pictures, held or broken.
+void write_curves(const Check& check, CaseResult& result) {
+    const std::string svg = svg_curves(result.curves);
+    if (svg.empty()) return;
+    const fs::path file = check.folder / (case_stem(check.subject.opened(), result.name) + ".svg");
+    try {
+        make_folder(check.folder);
+        write_whole_file(file, std::as_bytes(std::span(svg)));
+        result.diagram = file.string();
+    } catch (const std::runtime_error& error) {  // the verdict stands all the same
+        result.note += fmt::format("; no diagram: {}", error.what());
+    }
+}
+
 // Where the first value was born that is not finite, of a frame that a still can show again.
 void find_birthplace(CheckSubject& subject, CaseResult& result) {
     constexpr int kMostFrames = 240;
@@ -233,6 +248,7 @@ CaseResult run_case(Check& check, const Case& wanted) {
     if (!seen.is_finite()) {
         result.fail(describe(seen) + (result.note.empty() ? "" : "; " + result.note));
     }
+    write_curves(check, result);
     if (result.verdict != CaseVerdict::fail) return result;
     result.reproduce = command_for_case(subject.view(), result.name);
     if (!wanted.shows) return result;

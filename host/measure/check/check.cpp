@@ -28,6 +28,7 @@ void print_table(const CheckedFile& file) {
         say_result("{:<6}  {:<{}}  {}\n", to_string(result.verdict), result.name,
                    std::min<std::size_t>(widest, 40), result.note);
         if (!result.picture.empty()) say_result("        picture: {}\n", result.picture);
+        if (!result.diagram.empty()) say_result("        curves: {}\n", result.diagram);
         if (!result.reproduce.empty()) say_result("        again: {}\n", result.reproduce);
     }
     const std::size_t skipped = count(file, CaseVerdict::skip);

@@ -15,16 +15,19 @@ Invariants::Invariants(const CheckSubject& subject) {
         if (drawn == passes.end()) continue;
         list_.push_back({.index = static_cast<std::size_t>(drawn - passes.begin()),
                          .output = sampler.output,
-                         .sampler = &sampler});
+                         .sampler = &sampler,
+                         .curve = {.buffer = sampler.name,
+                                   .bounded = sampler.bounded,
+                                   .conserves = sampler.conserves}});
     }
 }
 
 void Invariants::look(One& one, const std::vector<float>& values, int frame) {
-    double sum = 0.0, magnitude = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        one.low = std::min(one.low, values[i]);
-        one.high = std::max(one.high, values[i]);
-        if (i % 4 != 0) continue;
+    double sum = 0.0, magnitude = 0.0, drift = 0.0;
+    const auto [least, most] = std::ranges::minmax(values);
+    one.low = std::min(one.low, least);
+    one.high = std::max(one.high, most);
+    for (std::size_t i = 0; i < values.size(); i += 4) {
         sum += static_cast<double>(values[i]);
         magnitude += std::abs(static_cast<double>(values[i]));
     }
@@ -32,8 +35,9 @@ void Invariants::look(One& one, const std::vector<float>& values, int frame) {
         one.is_begun = true;
         one.first = sum;
     }
-    if (one.is_begun)
-        one.drift = std::max(one.drift, std::abs(sum - one.first) / std::max(magnitude, 1e-30));
+    if (one.is_begun) drift = std::abs(sum - one.first) / std::max(magnitude, 1e-30);
+    one.drift = std::max(one.drift, drift);
+    one.curve.add({frame, static_cast<double>(least), static_cast<double>(most), drift});
     const Sampler& sampler = *one.sampler;
     if (!broken_.empty()) return;
     if (sampler.bounded) {
@@ -60,6 +64,12 @@ std::string Invariants::words() const {
         if (one.sampler->conserves) words += fmt::format(", its sum off by {:.2g}", one.drift);
     }
     return words;
+}
+
+std::vector<InvariantCurve> Invariants::curves() const {
+    std::vector<InvariantCurve> curves;
+    for (const One& one : list_) curves.push_back(one.curve);
+    return curves;
 }
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/check/subject.h"
+#include "measure/rows/curve.h"
 
 #include <limits>
 #include <string>
@@ -18,6 +19,8 @@ public:
     const std::string& broken() const { return broken_; }
     // "waves within [-0.31, 0.29], drifted by 2e-08": what they came to.
     std::string words() const;
+    // One a promised buffer.
+    std::vector<InvariantCurve> curves() const;
 
 private:
     struct One {
@@ -26,6 +29,7 @@ private:
         float low = std::numeric_limits<float>::infinity(), high = -low;
         double first = 0.0, drift = 0.0;  // the sum; how far it has gone, as a share
         bool is_begun = false;
+        InvariantCurve curve{};
     };
     void look(One& one, const std::vector<float>& values, int frame);
 

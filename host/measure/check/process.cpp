@@ -1,13 +1,13 @@
 #include "measure/check/process.h"
 
-#include "base/json_text.h"
 #include "base/launch.h"
-#include "base/terminal.h"
 #include "measure/check/budget.h"
+#include "measure/check/case_child.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <poll.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,9 +15,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
+#include <memory>
+#include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace glint {
@@ -26,150 +28,28 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kMostRestarts = 8;  // hangs and crashes of one file; then the rest is left out
-// The sanitizers' own exit, so that what they find does not read as a result.
-constexpr int kNoResult = 99;
 
-// ---- The child: one line of JSON for everything that the parent has to know ---------------------
-
-void tell(int pipe, const Json& line) {
-    const std::string text = json_text(line, -1) + "\n";
-    std::size_t done = 0;
-    while (done < text.size()) {
-        const ssize_t count = ::write(pipe, text.data() + done, text.size() - done);
-        if (count < 0 && errno != EINTR) _exit(kNoResult);  // nobody listens any more
-        if (count > 0) done += static_cast<std::size_t>(count);
-    }
-}
-
-ViewOptions small(const ViewOptions& view) {
-    ViewOptions result = view;
-    if (result.size.empty()) result.size = "96x54";
-    return result;
-}
-
-// Tells now and then that the driver still answers.
-class Heartbeat {
-public:
-    explicit Heartbeat(int pipe) : pipe_(pipe) {}
-    void operator()() {
-        if (since_told_.ms() < 200.0) return;
-        since_told_.restart();
-        tell(pipe_, {{"alive", true}});
-    }
-
-private:
-    int pipe_;
-    Stopwatch since_told_;
-};
-
-// How much of the usual number of frames a scene can afford. Beyond 20 ms a frame the usual number,
-// some 3000, takes more than a minute.
-double pace_of(CheckSubject& subject, const Effort& effort) {
-    constexpr double kQuick = 20.0, kLeast = 0.1;
-    if (effort.seconds == 0.0) return 1.0;
-    subject.draw_blindly(subject.frame_at(0.0, 1.0 / 60, 0));  // compiles to machine code
-    const Stopwatch clock;
-    subject.draw_blindly(subject.frame_at(1.0 / 60, 1.0 / 60, 1));
-    subject.draw_blindly(subject.frame_at(2.0 / 60, 1.0 / 60, 2));
-    return std::clamp(kQuick / std::max(clock.ms() / 2.0, kQuick), kLeast, 1.0);
-}
-
-// `wanted.effort.seconds` are those that are left; of `all_seconds` people have heard.
-void run_cases(const FileCheck& wanted, double all_seconds, std::size_t first, int pipe) {
-    const Preset preset = open_preset(small(wanted.view));
-    const auto context = make_egl_context(wanted.view.device);
-    // Compiling has limits of its own, and is no hang.
-    tell(pipe, {{"compiling", true}});
-    CheckSubject subject(wanted.view, preset, *context);
-    tell(pipe, {{"compiling", false}});
-    std::optional<CheckSubject> fed;  // with uniforms, for cases that change tweaks
-    std::optional<Check> with_uniforms;
-    std::vector<Case> cases = all_cases(subject, wanted.effort);
-    std::erase_if(cases, [&](const Case& c) { return !c.name.starts_with(wanted.only); });
-    tell(pipe, {{"renderer", context->renderer()}, {"cases", cases.size()}});
-    subject.after_frame = Heartbeat(pipe);
-    Check check{.subject = subject,
-                .effort = wanted.effort,
-                .pace = pace_of(subject, wanted.effort),
-                .folder = wanted.folder};
-    SharedSeconds seconds(wanted.effort);
-    const Stopwatch clock;
-    for (std::size_t i = first; i < cases.size(); ++i) {
-        const Case& next = cases[i];
-        tell(pipe, {{"begin", next.name}});
-        CaseResult result{.name = next.name, .verdict = CaseVerdict::skip};
-        if (wanted.scene_is_known && next.tweaks >= Case::Tweaks::all) {
-            result.note = "the same as with the preset before";
-        } else if (seconds.is_over(next, clock.ms())) {
-            result.note = fmt::format("left out: --seconds {} were over", all_seconds);
-        } else if (next.tweaks == Case::Tweaks::none) {
-            result = run_case(check, next);
-        } else {
-            tell(pipe, {{"compiling", true}});
-            if (!fed)
-                fed.emplace(wanted.view, preset, *context, SubjectOptions{.specialise = false});
-            tell(pipe, {{"compiling", false}});
-            fed->after_frame = subject.after_frame;
-            if (!with_uniforms)
-                with_uniforms.emplace(Check{.subject = *fed,
-                                            .effort = wanted.effort,
-                                            .pace = check.pace,
-                                            .folder = wanted.folder});
-            result = run_case(*with_uniforms, next);
-        }
-        tell(pipe, {{"result", to_json(result)}});
-    }
-    tell(pipe, {{"end", true}});
-}
-
-[[noreturn]] void be_the_child(const FileCheck& wanted, double all_seconds, std::size_t first,
-                               int pipe, pid_t parent) {
-    end_with(parent);
-    const auto leave = [](ExitCode code) {
-        std::fflush(nullptr);
-        _exit(static_cast<int>(code));
-    };
-    try {
-        run_cases(wanted, all_seconds, first, pipe);
-        leave(ExitCode::done);
-    } catch (const Stop& stop) {
-        leave(stop.code);
-    } catch (const UsageError& error) {
-        say_error(error.what());
-        leave(ExitCode::usage);
-    } catch (const NoContext& error) {
-        say_error(error.what());
-        leave(ExitCode::no_context);
-    } catch (const ContextLost&) {
-        leave(ExitCode::context_lost);
-    } catch (const std::exception& error) {
-        say_error(error.what());
-    }
-    leave(ExitCode::failure);
-    std::abort();
-}
-
-// ---- The parent ---------------------------------------------------------------------------------
-
-// A child and what it tells, until it ends or is silent for too long.
+// A child, what it tells, and which case it runs, until it ends or is silent for too long.
 class CaseProcess {
 public:
-    CaseProcess(const FileCheck& wanted, double all_seconds, std::size_t first) {
+    explicit CaseProcess(const FileCheck& wanted) {
         std::array<int, 2> ends{};
-        if (::pipe(ends.data()) != 0) throw std::runtime_error("There is no pipe to be had.");
+        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+            throw std::runtime_error("There is no socket to be had.");
         std::fflush(nullptr);
         const pid_t parent = ::getpid();
         pid_ = ::fork();
         if (pid_ < 0) throw std::runtime_error("There is no process to be had.");
         if (pid_ == 0) {
             ::close(ends[0]);
-            be_the_child(wanted, all_seconds, first, ends[1], parent);
+            be_a_case_child(wanted, ends[1], parent);
         }
         ::close(ends[1]);
-        pipe_ = ends[0];
+        socket_ = ends[0];
+        heard();
     }
     ~CaseProcess() {
-        ::close(pipe_);
+        ::close(socket_);
         if (pid_ <= 0) return;
         ::kill(pid_, SIGKILL);
         wait_for(pid_);
@@ -177,39 +57,64 @@ public:
     CaseProcess(const CaseProcess&) = delete;
     CaseProcess& operator=(const CaseProcess&) = delete;
 
-    // The next line; nothing at the end, or after `seconds` of silence, which ends the child.
-    std::optional<Json> next(double seconds) {
-        for (;;) {
-            const std::size_t end = text_.find('\n');
-            if (end != std::string::npos) {
-                Json line = Json::parse(text_.substr(0, end));
-                text_.erase(0, end + 1);
-                return line;
-            }
-            pollfd readable{pipe_, POLLIN, 0};
-            const double worked = processor_seconds();
-            const int ready = ::poll(&readable, 1, static_cast<int>(seconds * 1000.0));
-            if (ready < 0 && errno == EINTR) continue;
-            hung_ = ready == 0;
-            if (hung_) worked_ = processor_seconds() - worked;
-            if (hung_) ::kill(pid_, SIGKILL);
-            std::array<char, 4096> chunk;
-            const ssize_t count = hung_ ? 0 : ::read(pipe_, chunk.data(), chunk.size());
-            if (count <= 0) return std::nullopt;
-            text_.append(chunk.data(), static_cast<std::size_t>(count));
+    int socket() const { return socket_; }
+
+    void run(std::size_t number) {
+        running = number;
+        heard();
+        // One that is gone is found when its socket is read.
+        (void)::send(socket_, &number, sizeof number, MSG_NOSIGNAL);
+    }
+    void run_no_more() { ::shutdown(socket_, SHUT_WR); }
+
+    // What it has told since, to be asked when its socket can be read. False at its end.
+    bool read(const std::function<void(const Json&)>& line) {
+        std::array<char, 4096> chunk;
+        const ssize_t count = ::read(socket_, chunk.data(), chunk.size());
+        if (count < 0 && errno == EINTR) return true;
+        if (count <= 0) return false;
+        heard();
+        text_.append(chunk.data(), static_cast<std::size_t>(count));
+        for (std::size_t end; (end = text_.find('\n')) != std::string::npos;) {
+            const Json told = Json::parse(text_.substr(0, end));
+            text_.erase(0, end + 1);
+            compiling_ = told.value("compiling", compiling_);
+            line(told);
         }
+        return true;
+    }
+
+    // From its last word on it may be silent for so many seconds, but while it compiles.
+    void wait_at_most(double seconds) { patience_ = seconds; }
+    // What is left of them.
+    double patience() const {
+        constexpr double kCompiling = 600.0;  // for drivers that sleep meanwhile
+        return (compiling_ ? kCompiling : patience_) - silent_.ms() / 1000.0;
+    }
+    // Ends it; what it did while it was silent tells whether it hung.
+    void end_silent() {
+        waited_ = silent_.ms() / 1000.0;
+        worked_ = processor_seconds() - spent_;
+        hung_ = true;
+        ::kill(pid_, SIGKILL);
     }
 
     bool hung() const { return hung_; }
+    double waited() const { return waited_; }
     // Processor time that it took while it was silent, when that ended it.
     double worked() const { return worked_; }
 
     // Its exit code, or minus the signal that ended it.
     int wait() { return wait_for(std::exchange(pid_, -1)); }
 
+    std::optional<std::size_t> running{};  // its case
+    bool is_asked = false;                 // it has compiled, and gets cases
+
 private:
-    pid_t pid_ = -1;
-    int pipe_ = -1;
+    void heard() {
+        silent_.restart();
+        spent_ = processor_seconds();
+    }
     double processor_seconds() const {
         clockid_t clock{};
         timespec spent{};
@@ -218,9 +123,12 @@ private:
         return static_cast<double>(spent.tv_sec) + static_cast<double>(spent.tv_nsec) * 1e-9;
     }
 
+    pid_t pid_ = -1;
+    int socket_ = -1;
     std::string text_;
-    bool hung_ = false;
-    double worked_ = 0.0;
+    Stopwatch silent_;
+    bool compiling_ = false, hung_ = false;
+    double patience_ = 0.0, spent_ = 0.0, waited_ = 0.0, worked_ = 0.0;
 };
 
 // What is left of --seconds, from the first case on.
@@ -246,14 +154,14 @@ private:
 
 // A frame that never comes is a hang. One that has not come because --seconds were short is one as
 // well where it was worked on for half the time; otherwise the machine may have been busy.
-CaseResult silent_case(const std::string& name, const CaseProcess& child, double waited,
-                       const FileCheck& wanted) {
+CaseResult silent_case(const std::string& name, const CaseProcess& child, const FileCheck& wanted) {
     CaseResult result{.name = name};
+    const double waited = child.waited();
     if (waited >= wanted.hang_seconds || child.worked() > waited / 2) {
-        result.fail(fmt::format("hangs: no frame within {:g} s", waited));
+        result.fail(fmt::format("hangs: no frame within {:.3g} s", waited));
     } else {
         result.verdict = CaseVerdict::skip;
-        result.note = fmt::format("left out: no frame within {:g} s, and --seconds {} were over",
+        result.note = fmt::format("left out: no frame within {:.3g} s, and --seconds {} were over",
                                   waited, wanted.effort.seconds);
     }
     return result;
@@ -266,60 +174,186 @@ std::string last_words(int code) {
     return fmt::format("could not be drawn (exit code {})", code);
 }
 
+// How many processes share the cases of a file. What an --effort finds must not depend on the
+// machine, nor on who finds it first; and a second process pays for a compilation of its own.
+std::size_t crew_of(const FileCheck& wanted, std::size_t cases) {
+    constexpr double kWorth = 10.0;  // s
+    constexpr std::size_t kMost = 4, kCasesEach = 8;
+    if (wanted.effort.seconds < kWorth) return 1;
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    return std::clamp<std::size_t>(cases / kCasesEach, 1, std::min(cores, kMost));
+}
+
+// One file: hands its cases out, in their order, to whoever has none.
+class FileWork {
+public:
+    FileWork(const FileCheck& wanted,
+             const std::function<void(const CheckedFile& so_far, long total)>& progress)
+        : wanted_(wanted),
+          progress_(progress),
+          file_{.scene = wanted.view.file.string()},
+          left_(wanted.effort),
+          shared_(wanted.effort) {}
+
+    CheckedFile run() {
+        const Stopwatch clock;
+        start_one();
+        while (!children_.empty()) {
+            const auto spoke = wait_for_word();
+            if (spoke == children_.end()) continue;
+            CaseProcess& child = **spoke;
+            if (child.hung() || !child.read([&](const Json& line) { hear(child, line); }))
+                at_the_end(spoke);
+        }
+        put_in_order();
+        file_.seconds = clock.ms() / 1000.0;
+        return std::move(file_);
+    }
+
+private:
+    using Children = std::vector<std::unique_ptr<CaseProcess>>;
+
+    double frame_limit() const {
+        return frame_wait_seconds(wanted_.hang_seconds, wanted_.effort.seconds, left_.left());
+    }
+
+    void start_one() {
+        FileCheck rest = wanted_;
+        rest.effort.seconds = left_.left();
+        children_.push_back(std::make_unique<CaseProcess>(rest));
+        children_.back()->wait_at_most(frame_limit());
+    }
+
+    // Who can be read, or has been silent for too long; the end when nobody.
+    Children::iterator wait_for_word() {
+        std::vector<pollfd> sockets;
+        double seconds = 600.0;
+        for (const auto& child : children_) {
+            sockets.push_back({child->socket(), POLLIN, 0});
+            seconds = std::clamp(child->patience(), 0.0, seconds);
+        }
+        ::poll(sockets.data(), sockets.size(), static_cast<int>(seconds * 1000.0) + 1);
+        for (std::size_t i = 0; i < sockets.size(); ++i)
+            if (sockets[i].revents != 0) return children_.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto silent = std::ranges::find_if(
+            children_, [](const auto& child) { return child->patience() <= 0.0; });
+        if (silent != children_.end()) (*silent)->end_silent();
+        return silent;
+    }
+
+    void hear(CaseProcess& child, const Json& line) {
+        if (line.contains("cases")) {
+            if (cases_.empty()) begin(line);
+            child.is_asked = true;
+            give(child);
+        }
+        if (line.contains("result")) {
+            keep(*child.running, case_from_json(line.at("result")));
+            give(child);
+        }
+        child.wait_at_most(frame_limit());
+        tell();
+    }
+
+    // The first to have compiled tells which cases there are.
+    void begin(const Json& line) {
+        file_.renderer = line.at("renderer");
+        for (const Json& one : line.at("cases"))
+            cases_.push_back({.name = one.at(0),
+                              .run = {},
+                              .tweaks = static_cast<Case::Tweaks>(one.at(1).get<int>()),
+                              .group = one.at(2)});
+        left_.start();
+        clock_.restart();
+    }
+
+    // Nobody else draws while the first group runs, which compares times.
+    void call_others() {
+        if (std::exchange(are_called_, true)) return;
+        while (children_.size() < crew_of(wanted_, cases_.size())) start_one();
+    }
+
+    // Why it is not run; "" if it is.
+    std::string why_left_out(const Case& next) {
+        if (wanted_.scene_is_known && next.tweaks >= Case::Tweaks::all)
+            return "the same as with the preset before";
+        if (shared_.is_over(next, clock_.ms()))
+            return fmt::format("left out: --seconds {} were over", wanted_.effort.seconds);
+        return {};
+    }
+
+    void give(CaseProcess& child) {
+        child.running.reset();
+        while (next_ < cases_.size()) {
+            const std::size_t number = next_++;
+            std::string why = why_left_out(cases_[number]);
+            if (cases_[number].group > 0) call_others();
+            if (why.empty()) return child.run(number);
+            keep(number, {.name = cases_[number].name,
+                          .verdict = CaseVerdict::skip,
+                          .note = std::move(why)});
+        }
+        child.run_no_more();
+    }
+
+    void keep(std::size_t number, CaseResult result) {
+        numbers_.push_back(number);
+        file_.cases.push_back(std::move(result));
+    }
+    void tell() const { progress_(file_, static_cast<long>(cases_.size())); }
+
+    // A child has ended: it was done, never began, or its case has ended it.
+    void at_the_end(Children::iterator which) {
+        const std::unique_ptr<CaseProcess> child = std::move(*which);
+        children_.erase(which);
+        const int code = child->wait();
+        if (!child->running && !child->hung()) {
+            if (!child->is_asked && children_.empty())
+                file_.code = code > 0 ? static_cast<ExitCode>(code) : ExitCode::failure;
+            return;
+        }
+        CaseResult result{.name = child->running ? cases_[*child->running].name : "start"};
+        if (child->hung())
+            result = silent_case(result.name, *child, wanted_);
+        else
+            result.fail(last_words(code));
+        result.reproduce = command_for_case(wanted_.view, result.name);
+        keep(child->running.value_or(0), std::move(result));
+        tell();
+        const bool is_given_up = code == static_cast<int>(ExitCode::shader);
+        if (is_given_up) file_.code = ExitCode::shader;  // the driver would do the same again
+        if (!child->running || is_given_up) return children_.clear();
+        if (restarts_++ < kMostRestarts && next_ < cases_.size()) start_one();
+    }
+
+    void put_in_order() {
+        std::vector<std::size_t> order(numbers_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers_[i]; });
+        std::vector<CaseResult> cases;
+        for (const std::size_t i : order) cases.push_back(std::move(file_.cases[i]));
+        file_.cases = std::move(cases);
+    }
+
+    const FileCheck& wanted_;
+    const std::function<void(const CheckedFile& so_far, long total)>& progress_;
+    CheckedFile file_;
+    SecondsLeft left_;
+    SharedSeconds shared_;
+    Stopwatch clock_;  // since the first case
+    std::vector<Case> cases_;
+    std::size_t next_ = 0;
+    std::vector<std::size_t> numbers_;  // of file_.cases, which stand as they ended
+    Children children_;
+    bool are_called_ = false;
+    int restarts_ = 0;
+};
+
 }  // namespace
 
 CheckedFile check_file(const FileCheck& wanted,
                        const std::function<void(const CheckedFile& so_far, long total)>& progress) {
-    CheckedFile file{.scene = wanted.view.file.string()};
-    const Stopwatch clock;
-    SecondsLeft seconds(wanted.effort);
-    FileCheck rest = wanted;
-    long total = 0;
-    for (int start = 0; start <= kMostRestarts; ++start) {
-        rest.effort.seconds = seconds.left();
-        CaseProcess child(rest, wanted.effort.seconds, file.cases.size());
-        std::string running;
-        bool ended = false, compiling = false;
-        double wait = 0.0;
-        const auto next_line = [&] {
-            constexpr double kCompiling = 600.0;  // for drivers that sleep meanwhile
-            wait = compiling ? kCompiling
-                             : frame_wait_seconds(wanted.hang_seconds, wanted.effort.seconds,
-                                                  seconds.left());
-            return child.next(wait);
-        };
-        while (const auto line = next_line()) {
-            compiling = line->value("compiling", compiling);
-            if (line->contains("renderer")) file.renderer = line->at("renderer");
-            if (line->contains("cases")) total = line->at("cases");
-            if (line->contains("begin")) {
-                running = line->at("begin");
-                seconds.start();
-            }
-            if (line->contains("result")) file.cases.push_back(case_from_json(line->at("result")));
-            ended |= line->contains("end");
-            progress(file, total);
-        }
-        const int code = child.wait();
-        if (ended) break;
-        if (running.empty() && !child.hung()) {  // it did not come to the first case
-            file.code = code > 0 ? static_cast<ExitCode>(code) : ExitCode::failure;
-            break;
-        }
-        CaseResult result{.name = running.empty() ? "start" : running};
-        if (child.hung())
-            result = silent_case(result.name, child, wait, wanted);
-        else
-            result.fail(last_words(code));
-        result.reproduce = command_for_case(wanted.view, result.name);
-        file.cases.push_back(std::move(result));
-        progress(file, total);
-        const bool is_given_up = code == static_cast<int>(ExitCode::shader);
-        if (is_given_up) file.code = ExitCode::shader;  // the driver would do the same again
-        if (running.empty() || is_given_up) break;
-    }
-    file.seconds = clock.ms() / 1000.0;
-    return file;
+    return FileWork(wanted, progress).run();
 }
 
 }  // namespace glint

@@ -1,5 +1,6 @@
-// Runs the cases of one file in a process of its own, so that a shader that hangs, a GPU that is
-// reset and a driver that crashes are failed cases, and the rest is still checked.
+// Runs the cases of one file in processes of their own, so that a shader that hangs, a GPU that is
+// reset and a driver that crashes are failed cases, and the rest is still checked. Seconds are
+// spread over the cores, an effort is not: what it finds is the same on any machine.
 #pragma once
 
 #include "measure/check/case.h"
@@ -10,7 +11,7 @@
 
 namespace glint {
 
-// What came of a file: its cases in the order in which they ran.
+// What came of a file: its cases in their order; while they run, as they end.
 struct CheckedFile {
     std::string scene;  // the file, as it was named
     std::string renderer{};

@@ -211,6 +211,7 @@ void run_long(Check& check, CaseResult& result) {
             if (!subject.show(subject.preset.time + k * kMomentsSpan / moments, 0.0)) return;
             invariants.add(subject, k);
         }
+        result.curves = invariants.curves();
         result.note = fmt::format("{} moments over 10 minutes{}", moments, invariants.words());
         if (!invariants.broken().empty()) result.fail(invariants.broken());
         return;
@@ -229,6 +230,7 @@ void run_long(Check& check, CaseResult& result) {
                                               wanted, check.effort.seconds)
                                 : fmt::format("{} frames", done);
     result.note += invariants.words();
+    result.curves = invariants.curves();
     if (!invariants.broken().empty()) return result.fail(invariants.broken());
     const std::size_t quarter = curves.frames() / 4;
     if (quarter == 0) return;

@@ -56,6 +56,8 @@ nlohmann::ordered_json to_json(const CaseResult& result) {
     if (!result.reproduce.empty()) json["reproduce"] = result.reproduce;
     if (!result.picture.empty()) json["picture"] = result.picture;
     if (result.where) json["where"] = to_json(*result.where);
+    if (!result.diagram.empty()) json["diagram"] = result.diagram;
+    for (const InvariantCurve& curve : result.curves) json["curves"].push_back(to_json(curve));
     return json;
 }
 
@@ -67,10 +69,13 @@ CaseResult case_from_json(const nlohmann::ordered_json& json) {
                       .max = json.at("max"),
                       .note = json.at("note"),
                       .reproduce = json.value("reproduce", ""),
-                      .picture = json.value("picture", "")};
+                      .picture = json.value("picture", ""),
+                      .diagram = json.value("diagram", "")};
     const auto verdict = kCaseVerdicts.find(json.at("verdict").get<std::string>());
     result.verdict = verdict.value_or(result.verdict);
     if (json.contains("where")) result.where = place_from(json.at("where"));
+    for (const auto& curve : json.value("curves", nlohmann::ordered_json::array()))
+        result.curves.push_back(curve_from_json(curve));
     return result;
 }
 

@@ -2,6 +2,8 @@
 // one JSON that `--json`, `--lines`, the process of a check and the check panel share.
 #pragma once
 
+#include "measure/rows/curve.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
@@ -27,11 +29,13 @@ struct CaseResult {
     CaseVerdict verdict = CaseVerdict::pass;
     // Pixels of all buffers and of the picture, in the frame where the first were found.
     std::size_t nan = 0, infinite = 0;
-    float min = 0.0f, max = 0.0f;      // of all finite values in all frames
-    std::string note{};                // why, in words; ""
-    std::string reproduce{};           // the command that shows it again; failures only
-    std::string picture{};             // a file; failures only
-    std::optional<CasePlace> where{};  // of failures, where it is known
+    float min = 0.0f, max = 0.0f;          // of all finite values in all frames
+    std::string note{};                    // why, in words; ""
+    std::string reproduce{};               // the command that shows it again; failures only
+    std::string picture{};                 // a file; failures only
+    std::optional<CasePlace> where{};      // of failures, where it is known
+    std::vector<InvariantCurve> curves{};  // of what the text promises; "long run" only
+    std::string diagram{};                 // a file with them
 
     std::size_t not_finite() const { return nan + infinite; }
     void fail(std::string why);

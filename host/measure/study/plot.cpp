@@ -1,22 +1,16 @@
 #include "measure/study/plot.h"
 
-#include "base/launch.h"
-#include "base/words.h"
+#include "measure/study/gnuplot.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <vector>
 
 namespace glint {
 namespace {
-
-std::string gnuplot_word(const std::string& word) {
-    return quoted(word, '\'', "''");
-}
 
 bool can_be_shown(const Study& study, const StudyRow& row) {
     if (row.ms.median <= 0.0) return false;
@@ -156,31 +150,12 @@ std::string script(const Study& study) {
            "notitle\n";
 }
 
-// What gnuplot writes; "" where there is none.
-std::string drawn(const std::string& commands) {
-    std::FILE* file = std::tmpfile();
-    if (!file) return {};
-    std::fputs(commands.c_str(), file);
-    std::fflush(file);
-    std::string text;
-    const Launched gnuplot =
-        launch({.words = {"gnuplot", "/dev/stdin"}, .input = ::fileno(file), .output = kPipe});
-    if (gnuplot.error == 0) {
-        text = read_to_end(gnuplot.pipe);
-        wait_for(gnuplot.process);
-    }
-    std::fclose(file);
-    const std::size_t begin = text.find("<svg"), end = text.rfind("</svg>");
-    if (begin == std::string::npos || end == std::string::npos) return {};
-    return text.substr(begin, end + 6 - begin);
-}
-
 }  // namespace
 
 std::string svg_plot(const Study& study) {
     const auto shown = std::ranges::count_if(
         study.rows, [&](const StudyRow& r) { return can_be_shown(study, r); });
-    return shown < 2 ? "" : drawn(script(study));
+    return shown < 2 ? "" : gnuplot_svg(script(study));
 }
 
 }  // namespace glint

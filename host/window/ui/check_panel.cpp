@@ -1,4 +1,5 @@
 // Numerical stability: every extreme that a scene can be brought to, worst first.
+#include "window/ui/curves.h"
 #include "window/ui/interface.h"
 #include "window/ui/widgets.h"
 
@@ -102,6 +103,7 @@ void case_details(Build& build, const CaseResult& found) {
     ImGui::Indent(theme.px(8));
     ImGui::PushTextWrapPos(0.0f);
     if (!found.note.empty()) text_in(colours::kText, found.note);
+    for (const InvariantCurve& curve : found.curves) invariant_curve(theme, curve);
     if (!found.reproduce.empty()) text_in(colours::kDim, found.reproduce, theme.mono);
     ImGui::PopTextWrapPos();
     if (!found.reproduce.empty() && text_button(theme, "Copy the command", false, ""))
