@@ -2,6 +2,8 @@
 #include "planted_faults.h"
 #include "report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -106,6 +108,23 @@ TEST_F(PlantedFaults, OfEachWayAreFoundAndTheirTwinsPass) {
                                                         {"strobe/of_time", "flashes"},
                                                         {"frame_rate/step", "frame rates"}};
     for (const auto& [name, only] : ways) look_at(planted(name), {"--case", only});
+}
+
+// A long text is not compiled with all that its tweaks may ask for: the preset's values alone
+// count.
+TEST_F(PlantedFaults, TheLoopBudgetOfALongTextIsThatOfItsPreset) {
+    const auto scene = [&](int turns) {
+        return fmt::format(
+                   "uniform int turns; //@ {} [1, 70000]\n"
+                   "void mainImage(out vec4 c, in vec2 p) {{\n"
+                   "    float s = 0.0;\n"
+                   "    for (int i = 0; i < turns; i++) s += 1e-5 * fract(p.x * float(i));\n"
+                   "    c = vec4(s);\n"
+                   "}}\n",
+                   turns) +
+               std::string(20'000, '/') + "\n";
+    };
+    look_at({"loop_budget/of_a_long_text", scene(70'000), scene(100)}, {"--case", "loop budget"});
 }
 
 TEST_F(PlantedFaults, AreLedBackToTheFewestTweaksAndTheirOperation) {
