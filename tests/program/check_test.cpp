@@ -117,6 +117,16 @@ TEST_F(Check, WhatABufferPromisesIsDrawnOverTheFramesHeldOrBroken) {
     }
 }
 
+// 1.28 Hz: three of 64 frames differ from the one before, or two, as the phase will have it.
+TEST_F(Check, WhatBlinksSlowlyAndRightAtEveryAgeStandsStillAtNone) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(step(0.5, float(83886u * iTick) / 4294967296.0));\n"
+          "}\n");
+    const Outcome outcome = glint({"check", "scene.frag", "--case", "age", "--json"});
+    EXPECT_EQ(failed(report_of(outcome, 0)), std::set<std::string>());
+}
+
 TEST_F(Check, AFailureWhosePictureCannotBeKeptIsTheSameFailure) {
     write("file", "");
     const Json report = check(

@@ -54,11 +54,10 @@ protected:
             for (const std::string& why : words)
                 std::cout << (file == twin ? "TWIN   " : "found  ") << one.name << ": " << why
                           << '\n';
-        // Not found yet: a level that there is not, a growth that sets in late, a clamp within two
-        // frames, and 0/0 that a driver's clamp makes a number.
-        static const std::set<std::string> kMissed = {
-            "fetch/level", "growth/of_steps", "explosion/spring", "explosion/of_little_room",
-            "hidden/zero_by_zero"};
+        // Not found yet: a level that there is not, 0/0 that a driver's clamp makes a number, and
+        // strobing at a tweak's end, of which `worst` only tells.
+        static const std::set<std::string> kMissed = {"fetch/level", "hidden/zero_by_zero",
+                                                      "strobe/at_an_end"};
         if (!failed.contains(fault)) std::cout << "MISSED " << one.name << '\n';
         EXPECT_TRUE(failed.contains(fault) || kMissed.contains(one.name))
             << one.name << ": " << one.fault;
@@ -66,12 +65,12 @@ protected:
     }
 };
 
-// A row of the table each, of one kind.
+// A row of the table each, of one kind. An effort, not seconds: a busy machine finds as much.
 class AllPlantedFaults : public PlantedFaults, public testing::WithParamInterface<std::string> {};
 
 TEST_P(AllPlantedFaults, AreFoundAndTheirTwinsPass) {
     for (const Planted& one : planted_faults())
-        if (one.name.starts_with(GetParam() + "/")) look_at(one);
+        if (one.name.starts_with(GetParam() + "/")) look_at(one, {"--effort", "1"});
     if (GetParam() != "honest") return;
     for (const auto& [name, text] : honest_scenes())
         EXPECT_EQ(failures({written(name, text)}), (decltype(failures({}))()));

@@ -28,6 +28,9 @@ inline std::string tweaked(const std::string& declarations, const std::string& x
     return declarations + image("float x = " + x + ";\n    c = vec4(vec3(" + use + "), 1.0);");
 }
 
+// A turn in 8 s, as right after a year.
+constexpr const char* kTurn = "6.2831853 * float(iTick & 524287u) / 524288.0";
+
 constexpr const char* kA = "uniform float a; //@ 0.5 [0, 1]\n";
 constexpr const char* kB = "uniform float b; //@ 0.5 [0, 1]\n";
 constexpr const char* kD = "uniform float d; //@ 0.5 [0, 1]\n";
@@ -91,7 +94,8 @@ inline void add_balls(std::vector<Planted>& list) {
 
 inline void add_times_and_mice(std::vector<Planted>& list) {
     const auto time = [](const char* off) {
-        return tweaked("", fmt::format("abs(iTime - 7.3) - {}", off), "sqrt(x)");
+        return tweaked("", fmt::format("abs(float(iTick & 4194303u) / 65536.0 - 7.3) - {}", off),
+                       "sqrt(x)");
     };
     list.push_back({"time/moment", time("0.2"), time("-0.1")});
     const auto late = [](const char* from) {
@@ -233,23 +237,22 @@ inline void add_explosions(std::vector<Planted>& list) {
 
 inline void add_poison(std::vector<Planted>& list) {
     const auto raw = [](const std::string& body) {
-        return "uniform sampler2D state; //@ pass mainState size=8x8\n"
+        return "uniform sampler2D state; //@ pass mainState size=8x8 step=1/60\n"
                "bool is_bad(float x) { return !(abs(x) <= 6e4); }\n"
                "void mainState(out vec4 c, in vec2 p) {\n"
                "    float s = texelFetch(state, ivec2(p), 0).x;\n    " +
                body + "\n}\n" + image("c = vec4(texelFetch(state, ivec2(p) % 8, 0).xyz, 1.0);");
     };
-    const auto add = [&](const char* name, const char* fault, const char* twin) {
+    const auto add = [&](const char* name, const std::string& fault, const std::string& twin) {
         list.push_back({std::string("poison/") + name, raw(fault), raw(twin)});
     };
-    const char* healed = "if (is_bad(s)) s = 0.0; c = vec4(mix(s, 0.5 + 0.5 * sin(iTime), 0.05));";
+    const std::string moves = fmt::format("vec4(mix(s, 0.5 + 0.5 * sin({}), 0.05))", kTurn);
+    const std::string healed = "if (is_bad(s)) s = 0.0; c = " + moves + ";";
     add("wrong_state", "if (is_bad(s)) s = 9.0; c = vec4(s > 5.0 ? s : mix(s, 0.5, 0.05));",
         healed);
     add("slow_growth", "if (is_bad(s)) s = 3.0; c = vec4(s > 2.0 ? s * 1.001 : mix(s, 0.5, 0.05));",
         healed);
-    add("stuck",
-        "if (is_bad(s)) s = -1.0; c = vec4(s < 0.0 ? s : mix(s, 0.5 + 0.5 * sin(iTime), 0.05));",
-        healed);
+    add("stuck", "if (is_bad(s)) s = -1.0; c = s < 0.0 ? vec4(s) : " + moves + ";", healed);
     add("dead", "if (is_bad(s)) s = 0.0; c = vec4(iFrame == 0 ? 0.1 : s + 0.02 * s * (1.0 - s));",
         "if (is_bad(s) || s == 0.0) s = 0.1; c = vec4(s + 0.02 * s * (1.0 - s));");
     add("bound",
@@ -319,24 +322,26 @@ inline void add_keys(std::vector<Planted>& list) {
 }
 
 inline void add_strobes(std::vector<Planted>& list) {
-    const auto add = [&](const char* name, const char* fault, const char* twin) {
+    const auto add = [&](const char* name, const char* fault, const std::string& twin) {
         list.push_back({std::string("strobe/") + name, image(fault), image(twin)});
     };
     add("of_frames", "c = vec4(vec3(float(iFrame & 1)), 1.0);", "c = vec4(vec3(q.x), 1.0);");
     add("of_time", "c = vec4(vec3(step(0.0, sin(40.0 * iTime))), 1.0);",
-        "c = vec4(vec3(0.5 + 0.5 * sin(2.0 * iTime)), 1.0);");
+        fmt::format("c = vec4(vec3(0.5 + 0.5 * sin({})), 1.0);", kTurn));
     add("of_half", "c = vec4(vec3(q.x < 0.5 ? 0.3 : fract(iTime * 8.0)), 1.0);",
-        "c = vec4(vec3(q.x < 0.1 ? fract(iTime * 8.0) : 0.3), 1.0);");
+        "c = vec4(vec3(q.x < 0.1 ? float(iTick & 8191u) / 8192.0 : 0.3), 1.0);");
     add("of_sin", "c = vec4(vec3(0.4 + 0.3 * sin(30.0 * iTime)), 1.0);",
-        "c = vec4(vec3(0.4 + 0.02 * sin(30.0 * iTime)), 1.0);");
+        fmt::format("c = vec4(vec3(0.4 + 0.02 * sin(32.0 * {})), 1.0);", kTurn));
     const auto speed = [](const char* range) {
         return fmt::format("uniform float speed; //@ 0.2 [0, {}]\n", range) +
-               image("c = vec4(vec3(step(0.0, sin(40.0 * speed * iTime))), 1.0);");
+               image(
+                   "float turns = float(uint(6.4 * speed * 65536.0) * iTick) / 4294967296.0;"
+                   " c = vec4(vec3(step(0.5, turns)), 1.0);");
     };
     list.push_back({"strobe/at_an_end", speed("1"), speed("0.4")});
     add("of_colours",
         "c = mod(float(iFrame), 8.0) < 4.0 ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(1.0, 1.0, 0.0, 1.0);",
-        "c = vec4(vec3(step(0.5, fract(q.x + iTime * 0.2))), 1.0);");
+        "c = vec4(vec3(step(0.5, fract(q.x + float(iTick & 262143u) / 262144.0))), 1.0);");
 }
 
 inline void add_undefined(std::vector<Planted>& list) {

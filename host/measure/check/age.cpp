@@ -26,6 +26,7 @@ constexpr double kTickPeriod = 65536;  // s
 // An aged scene may move in this share of the frames in which it moved when it was young, and be
 // this much more uneven. A float iTime is twice below and beyond both after a day.
 constexpr double kLeastMoving = 0.75, kLeastFinelyMoving = 0.5;
+constexpr double kBeats = 2.0;  // frames: what beats slowly has one more or less, now and then
 constexpr double kUnevennessFactor = 2.0, kUnevennessAllowed = 0.1;
 // The same phase: where a display shows a difference.
 constexpr double kLeastPsnr = 55.0, kMostOff = 0.0005;
@@ -120,7 +121,9 @@ Motion motion_at(const Check& check, double age) {
         changes(clock, check.subject, (frames + 1) * kFrame, kFineFrame, fine_frames);
     return {.moving = share_moving(coarse),
             .finely_moving = share_moving(fine),
-            .unevenness = unevenness(coarse)};
+            .unevenness = unevenness(coarse),
+            .frame = 1.0 / frames,
+            .fine_frame = 1.0 / fine_frames};
 }
 
 // The least that can be asked: a scene may come to rest within its first minute.
@@ -129,16 +132,21 @@ Motion young_motion(Check& check) {
         const Motion at_1 = motion_at(check, 1.0), at_60 = motion_at(check, 60.0);
         check.young = {.moving = std::min(at_1.moving, at_60.moving),
                        .finely_moving = std::min(at_1.finely_moving, at_60.finely_moving),
-                       .unevenness = std::max(at_1.unevenness, at_60.unevenness)};
+                       .unevenness = std::max(at_1.unevenness, at_60.unevenness),
+                       .frame = at_1.frame,
+                       .fine_frame = at_1.fine_frame};
     }
     return *check.young;
 }
 
 void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
-    if (old.moving < kLeastMoving * young.moving) {
+    const double least = kLeastMoving * young.moving - kBeats * young.frame;
+    const double finely_least =
+        kLeastFinelyMoving * young.finely_moving - kBeats * young.fine_frame;
+    if (old.moving < least) {
         result.fail(fmt::format("stands still in {:.0f} % of frames, when young in {:.0f} %",
                                 100.0 - 100.0 * old.moving, 100.0 - 100.0 * young.moving));
-    } else if (old.finely_moving < kLeastFinelyMoving * young.finely_moving) {
+    } else if (old.finely_moving < finely_least) {
         result.fail(
             fmt::format("moves in coarse steps: {:.0f} % of frames 1/960 s apart differ, "
                         "when young {:.0f} %",
