@@ -49,8 +49,9 @@ private:
     void resolve_readers();
     bool stands_in_tab(const Pass& pass) const;
     void find_entries();
+    void check_function(const PassCall& call, const std::string& why,
+                        const std::vector<std::string>& outputs);
     void check_seconds();
-    std::string no_function(const Pass& pass) const;
     bool misses_a_file() const;
     void check_image();
 
@@ -124,6 +125,8 @@ bool Builder::misses_a_file() const {
 void Builder::check_image() {
     if (!identifiers_.contains("mainImage") && identifiers_.contains("gl_FragColor"))
         scene_.image_entry = "main";  // plain GLSL of the web, as in the Book of Shaders
+    if (scene_.image_entry == "mainImage")
+        check_function({"mainImage"}, "this draws the picture", {"color"});
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
     if (misses_a_file()) return;
     const bool is_empty = reading_.written.empty();
@@ -345,34 +348,34 @@ bool Builder::stands_in_tab(const Pass& pass) const {
 void Builder::find_entries() {
     for (std::size_t i = 0; i < scene_.passes.size(); ++i) {
         Pass& pass = scene_.passes[i];
-        if (identifiers_.contains(pass.entry) && !declared_.contains(pass.entry)) continue;
+        if (identifiers_.contains(pass.entry) && !declared_.contains(pass.entry)) {
+            check_function({pass.entry, pass.outputs.size(), pass.cube},
+                           fmt::format("it fills {}", fmt::join(pass.outputs, ", ")), pass.outputs);
+            continue;
+        }
         if (stands_in_tab(pass))
             pass.entry =
                 pass.cube && identifiers_.contains("mainCubemap") ? "mainCubemap" : "mainImage";
         else if (!misses_a_file() && !puts_names_together())
-            error(entries_[i], no_function(pass));
+            error(entries_[i], no_pass_function(reading_, pass));
     }
+}
+
+// Of a function that is there and cannot be called, drivers only say that there is none.
+void Builder::check_function(const PassCall& call, const std::string& why,
+                             const std::vector<std::string>& outputs) {
+    const auto wrong = find_uncallable(reading_, call);
+    if (!wrong) return;
+    std::string out;
+    for (const std::string& name : outputs) out += fmt::format("out vec4 {}, ", name);
+    error(wrong->begin,
+          fmt::format("{}, and so has to be void {}({}in vec2 coord{})", why, call.entry, out,
+                      call.cube ? ", in vec3 rayOri, in vec3 rayDir" : ""));
 }
 
 // As `a##b`, which GLSL ES does not have.
 bool Builder::puts_names_together() const {
     return std::ranges::any_of(reading_.written, [](const Token& token) { return token.is("##"); });
-}
-
-std::string Builder::no_function(const Pass& pass) const {
-    constexpr std::size_t kMostNames = 12;
-    const std::vector<std::string> functions = find_pass_functions(reading_);
-    const std::size_t named = std::min(functions.size(), kMostNames);
-    std::string names;
-    for (std::size_t i = 0; i < named; ++i) names += (i > 0 ? ", " : "") + functions[i];
-    const std::string here =
-        functions.empty()
-            ? fmt::format("; write void {}(out vec4 color, in vec2 coord{}) {{ … }}", pass.entry,
-                          pass.cube ? ", in vec3 rayOri, in vec3 rayDir" : "")
-            : fmt::format(" among {}{}{}", names, functions.size() > named ? ", …" : "",
-                          did_you_mean(pass.entry, functions));
-    return fmt::format("there is no function {}{} (a tab, within #ifdef PASS_{}, has mainImage)",
-                       in_quotes(pass.entry), here, pass.name);
 }
 
 // Samplers that name the same function are its `out` parameters, in order.

@@ -1,5 +1,7 @@
 #include "scene/scene_text.h"
 
+#include "base/words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,6 +134,57 @@ std::vector<std::string> find_pass_functions(const Reading& reading) {
             names.push_back(name);
     }
     return names;
+}
+
+namespace {
+
+// False only where the type is another one of the language's own.
+bool may_be(std::string_view type, std::string_view wanted) {
+    constexpr std::string_view kOthers[] = {"void",  "float", "int",  "uint",  "bool",
+                                            "vec2",  "vec3",  "vec4", "ivec2", "ivec3",
+                                            "ivec4", "mat2",  "mat3", "mat4"};
+    return type == wanted || std::ranges::find(kOthers, type) == std::end(kOthers);
+}
+
+bool can_be_called(const Reading& reading, const Function& function, const PassCall& call) {
+    if (!may_be(reading.word(function.type), "void")) return false;
+    if (function.parameters.size() != call.outputs + (call.cube ? 3 : 1)) return false;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const Declaration& parameter = reading.declarations[function.parameters[i]];
+        const bool is_output = i < call.outputs;
+        const char* type = is_output ? "vec4" : i == call.outputs ? "vec2" : "vec3";
+        if (parameter.is_out != is_output || !may_be(reading.word(parameter.type), type))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<Span> find_uncallable(const Reading& reading, const PassCall& call) {
+    std::optional<Span> first;
+    for (const Function& function : reading.functions) {
+        if (!function.is_defined() || reading.word(function.name) != call.entry) continue;
+        if (can_be_called(reading, function, call)) return std::nullopt;
+        if (!first) first = reading.place(function.name);
+    }
+    return first;
+}
+
+std::string no_pass_function(const Reading& reading, const Pass& pass) {
+    constexpr std::size_t kMostNames = 12;
+    const std::vector<std::string> functions = find_pass_functions(reading);
+    const std::size_t named = std::min(functions.size(), kMostNames);
+    std::string names;
+    for (std::size_t i = 0; i < named; ++i) names += (i > 0 ? ", " : "") + functions[i];
+    const std::string here =
+        functions.empty()
+            ? fmt::format("; write void {}(out vec4 color, in vec2 coord{}) {{ … }}", pass.entry,
+                          pass.cube ? ", in vec3 rayOri, in vec3 rayDir" : "")
+            : fmt::format(" among {}{}{}", names, functions.size() > named ? ", …" : "",
+                          did_you_mean(pass.entry, functions));
+    return fmt::format("there is no function {}{} (a tab, within #ifdef PASS_{}, has mainImage)",
+                       in_quotes(pass.entry), here, pass.name);
 }
 
 std::unordered_set<std::string_view> find_words(const Reading& reading) {

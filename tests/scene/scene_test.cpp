@@ -176,6 +176,38 @@ TEST(Scene, APassWithoutItsFunctionIsAnErrorThatNamesTheNearestAndAllThereAre) {
     EXPECT_EQ(text.find("helper"), std::string::npos);
 }
 
+TEST(Scene, AFunctionThatCannotBeCalledAsItsPassIsAnErrorAtItsName) {
+    const std::string a = "uniform sampler2D a; //@ pass mainA\n";
+    const std::string b = "uniform sampler2D b; //@ pass mainA\n";
+    const std::pair<std::string, const char*> wrong[] = {
+        {a + b + "void mainA(out vec4 c, in vec2 f) { c = vec4(1); }\n" + kImage,
+         "a.frag:3:6: error: it fills a, b, and so has to be void mainA(out vec4 a, out vec4 b, in "
+         "vec2 coord)"},
+        {a + "void mainA(out vec4 c, out vec4 d, vec2 f) { c = d = vec4(1); }\n" + kImage,
+         "a.frag:2:6: error: it fills a, and so has to be void mainA(out vec4 a, in vec2 coord)"},
+        {a + "void mainA(out vec3 c, in vec2 f) { c = vec3(1); }\n" + kImage, "a.frag:2:6: error"},
+        {a + "vec4 mainA(in vec2 f) { return vec4(1); }\n" + kImage, "a.frag:2:6: error"},
+        {"uniform samplerCube a; //@ pass mainA\n"
+         "void mainA(out vec4 c, in vec2 f) { c = vec4(1); }\n" +
+             kImage,
+         "in vec2 coord, in vec3 rayOri, in vec3 rayDir)"},
+        {"void mainImage(out vec3 c, in vec2 f) { c = vec3(1); }\n",
+         "a.frag:1:6: error: this draws the picture, and so has to be void mainImage(out vec4 "
+         "color, in vec2 coord)"}};
+    for (const auto& [text, words] : wrong) {
+        const ReadScene result = read(text);
+        EXPECT_FALSE(result.scene) << text;
+        EXPECT_NE(all(result.diagnostics).find(words), std::string::npos)
+            << all(result.diagnostics);
+    }
+    for (const char* right : {"void mainA(out highp vec4 c, vec2 f) { c = vec4(1); }\n",
+                              "void mainA(inout vec4 c, const in vec2 f) { c = vec4(1); }\n",
+                              "#define V vec4\nvoid mainA(out V c, in vec2) { c = V(1); }\n",
+                              "float mainA(float x) { return x; }\n"
+                              "void mainA(out vec4 c, in vec2 f) { c = vec4(1); }\n"})
+        good(a + (right + kImage));
+}
+
 TEST(Scene, APassNobodyReadsOrACubeWithoutItsFunctionIsAnErrorToo) {
     for (const char* line :
          {"uniform samplerCube sky; //@ pass mainSkyy\n", "uniform sampler2D a; //@ pass a\n",
