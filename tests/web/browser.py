@@ -171,7 +171,8 @@ class Page:
         self.ask("Input.dispatchTouchEvent", type=f"touch{kind}", touchPoints=[{"x": x, "y": y} for x, y in points])
 
     def screenshot(self, file):
-        data = self.ask("Page.captureScreenshot", format="png")["data"]
+        kind = {"format": "jpeg", "quality": 85} if pathlib.Path(file).suffix == ".jpg" else {"format": "png"}
+        data = self.ask("Page.captureScreenshot", **kind)["data"]
         pathlib.Path(file).write_bytes(base64.b64decode(data))
 
     def pixels(self, time, size):
