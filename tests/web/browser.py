@@ -9,6 +9,8 @@ import subprocess
 import tempfile
 import time
 
+from ended import Ended
+
 BROWSERS = ["chromium-headless-shell", "chromium"]
 FLAGS = ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu-watchdog", "--use-gl=angle",
          "--autoplay-policy=no-user-gesture-required", "--hide-scrollbars", "--no-first-run", "--remote-debugging-pipe"]
@@ -34,7 +36,7 @@ class Browser:
         def place():  # where the browser looks for them
             os.dup2(to_them, 103), os.dup2(from_them, 104)
             os.dup2(103, 3), os.dup2(104, 4)
-        self.process = subprocess.Popen(
+        self.process = Ended(
             [program(), *FLAGS, *DRIVERS[driver], f"--user-data-dir={self.folder.name}/data"], preexec_fn=place,
             pass_fds=(to_them, from_them, 3, 4), env={**os.environ, "HOME": self.folder.name},
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -45,8 +47,7 @@ class Browser:
         return self
 
     def __exit__(self, *_):
-        self.process.kill()
-        self.process.wait()
+        self.process.close()
         os.close(self.to), os.close(self.of)
         for _ in range(20):  # its children may still write
             try:
@@ -170,7 +171,8 @@ class Page:
         self.ask("Input.dispatchTouchEvent", type=f"touch{kind}", touchPoints=[{"x": x, "y": y} for x, y in points])
 
     def screenshot(self, file):
-        data = self.ask("Page.captureScreenshot", format="png")["data"]
+        kind = {"format": "jpeg", "quality": 85} if pathlib.Path(file).suffix == ".jpg" else {"format": "png"}
+        data = self.ask("Page.captureScreenshot", **kind)["data"]
         pathlib.Path(file).write_bytes(base64.b64decode(data))
 
     def pixels(self, time, size):
