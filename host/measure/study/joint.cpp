@@ -96,6 +96,7 @@ public:
         }
         knob.notes.push_back(fmt::format("{} joint settings of {} tweaks were tried, {} measured",
                                          tried.size(), knobs_.size(), winners.size()));
+        if (!lacks_.empty()) knob.notes.push_back(lacks_);
         return knob;
     }
 
@@ -136,7 +137,7 @@ private:
     // would not do: what converges fast would pass for what does not, and the other way round.
     double share_of(const Setting& second) {
         const double between = apart(picture_of(second), truth_);
-        double squares = 0.0;
+        double squares = 0.0, most = 0.0;
         for (std::size_t i = 0; between > 0.0 && i <= knobs_.size(); ++i) {
             const Setting whole = truth(1.0).setting, half = truth(0.5, i).setting,
                           quarter = truth(0.25, i).setting;
@@ -151,6 +152,10 @@ private:
                 own_error(last, {SecondWork::Kind::more, 0.5},
                           order ? std::optional(std::min(*order, kMostOrder)) : order);
             squares += left * left;
+            if (left <= most) continue;
+            most = left;
+            lacks_ = fmt::format("the truth lacks most of {}: {}",
+                                 i < knobs_.size() ? knobs_[i].name : "settle", three_digits(left));
         }
         return between > 0.0 ? std::sqrt(squares) / between : 1.0;
     }
@@ -271,7 +276,8 @@ private:
     std::vector<bool> menus_;          // by knob
     std::vector<Dial> dials_;
     std::vector<float> truth_;
-    glm::ivec2 size_{0};                                                    // of what is compared
+    std::string lacks_;   // the truth; "": nothing
+    glm::ivec2 size_{0};  // of what is compared
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;
