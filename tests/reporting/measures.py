@@ -82,7 +82,7 @@ class Kept:
             return None
         print(f"{name}, {step}", flush=True)
         found = {"key": key, "commit": self.commit, "date": str(datetime.date.today()), "options": options,
-                 **self.measure(self.folder / f"{name}-{step}", file, options)}
+                 **self.measure(self.folder / f"{name}-{'joint' if step == 'near' else step}", file, options)}   # one truth
         if "failed" not in found:
             being_written = kept.with_suffix(".part")
             being_written.write_text(json.dumps(found))
