@@ -25,6 +25,7 @@ MOST_SECONDS = 400   # of one step of a scene, some three times as long as the l
 TRUTHS = {"analytic": ["antialiasing=256", "bounces=96", "shadowSamples=2"],
           "boat": ["antialias=96", "sunSamples=2", "substeps=16"],
           "caustics": ["shaftSamples=64"],   # of 257 frames of photons
+          "christmas": ["mirrorBlur=10000"],   # never
           "deep_ocean": ["antialias=64", "shaftSamples=64"],
           "water": ["antialias=128"]}
 TRUTHS_ALONE = {"analytic": ["antialiasing=256"], "boat": ["antialias=64"], "deep_ocean": ["antialias=64"],
