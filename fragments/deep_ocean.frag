@@ -76,7 +76,8 @@ uniform float targetShift;     //@ 0.0 [-15, 15] unit=m "of the point looked at,
 uniform float focalLength;     //@ 17 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.3 [-4, 6] unit=stop "before the display curve"
 //@ group Quality
-uniform int   marchSteps;      //@ 256 [16, 1024] log quality reference=1024 "of a ray to the floor"
+uniform int   march;           //@ 0 {bounded, even} norandom "steps to the floor; even: to compare"
+uniform int   marchSteps; //@ 256 [16, 1024] log quality reference=1024 second=march=even "of a ray to the floor"
 uniform int   shaftSamples;    //@ 12 [1, 256] log quality reference=256 "along one view ray"
 uniform int   antialias;       //@ 1 [1, 16] quality reference=16 "samples of a pixel"
 uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and tears are cut out"
@@ -106,6 +107,7 @@ const float kIorWater = 1.34;              // visible light
 const float kTile = 256.0;                 // m, after which the floor repeats, far beyond sight
 const int   kGround = 1024;                // texels of the floor, a side
 const float kClearance = 3.0;              // m, of water over the highest floor
+const float kEvenMarch = 160.0;            // m, of a ray, which even steps share: beyond sight
 const float kCell = 2.0, kPatch = 8.0;     // m, of the cells of `tops` and of `summits`
 const float kNet = 8.0;                    // m, tile of the waves
 const int   kNetTexels = 128, kWaves = 10, kReach = 8;   // kReach: texels that light moves aside
@@ -266,8 +268,8 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         float tCell = max(min(leave.x, leave.y), t);
         float topLarge = texelFetch(summits, ivec2(large) & 31, 0).x;
         vec2 top = texelFetch(tops, ivec2(cell) & 127, 0).xy;
-        bool overLarge = min(p.y, ro.y + tLarge * rd.y) > topLarge;
-        bool over = overLarge || min(p.y, ro.y + tCell * rd.y) > top.x;
+        bool overLarge = march == 0 && min(p.y, ro.y + tLarge * rd.y) > topLarge;
+        bool over = overLarge || (march == 0 && min(p.y, ro.y + tCell * rd.y) > top.x);
         float next = overLarge ? tLarge : tCell;
         if (over) above = vec2(t, p.y - top.x);   // or higher
         if (!over) {
@@ -277,7 +279,8 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
             else above = vec2(t, f);
         }
         ++seabedEvaluations;
-        t = max(next, t + least + 0.3 * pixel * t);
+        float even = kEvenMarch / float(marchSteps);
+        t = march == 0 ? max(next, t + least + 0.3 * pixel * t) : t + even;
     }
     if (below.x < 0.0) return -1.0;
     for (int k = 0; k < 4; ++k) {

@@ -62,7 +62,7 @@ uniform float fillLight;       //@ 1.0 [0, 4] "reaches what is golden and nothin
 uniform float haze;            //@ 0.0025 [0, 0.1] unit=1/m "scatters light: the glow of the lamps"
 uniform bool  shafts;          //@ off "things cast shadows in the haze; wants 8 glowSamples"
 uniform float hallLight;       //@ 1.0 [0, 4] "niches in the wall"
-uniform int   shadows;         //@ 2 {off, hard, soft} quality reference=2 "kind of shadow"
+uniform int   shadows;         //@ 2 {off, hard, soft, sampled} quality reference=2 "kind of shadow"
 uniform bool  caustics;        //@ on "light that glass gathers"
 //@ group Camera
 uniform float cameraDistance;  //@ 9.5 [8, 20] unit=m "from the hall's axis"
@@ -74,7 +74,7 @@ uniform float focalLength;     //@ 21 [12, 120] log unit=mm "of a lens on 36 x 2
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
 uniform int   bounces;         //@ 6 [1, 24] quality reference=24 "rays followed for a pixel"
-uniform int   shadowSamples;   //@ 1 [1, 64] log quality reference=64 "cones to each lamp"
+uniform int   shadowSamples; //@ 1 [1, 64] log quality reference=64 second=shadows=sampled "cones to each lamp"
 uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points along a ray's glow"
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
@@ -403,8 +403,9 @@ float throughBalls(vec3 p, vec3 nor, vec3 lampAt, int mask) {
 vec3 lampsLight(vec3 p, vec3 nor, vec3 rd, float alpha, out vec3 sheen) {
     vec3 sum = vec3(0.0);
     sheen = vec3(0.0);
-    int samples = shadows == 2 ? shadowSamples : 1;
-    float spread = shadows == 2 ? lampRadius : 0.0, size = spread / sqrt(float(samples));
+    int samples = shadows >= 2 ? shadowSamples : 1;
+    float spread = shadows >= 2 ? lampRadius : 0.0;
+    float size = shadows == 3 ? 0.0 : spread / sqrt(float(samples));   // sampled: rays, no cones
     for (int k = 0; k < 3; ++k) {
         vec3 at = thing(kLamps + k).xyz, axis = at - p, power = lampLight(k);
         float far2 = dot(axis, axis), inverse = inversesqrt(far2);

@@ -67,7 +67,8 @@ uniform float thickness;       //@ 0.0 [0, 2] unit=m "of what a pixel shows; 0: 
 uniform float bias;            //@ 0.002 [0, 0.2] unit=m "depth that a ray must pass a surface by"
 uniform float edgeFade;        //@ 0.06 [0, 0.5] "share of the picture over which reflections fade"
 //@ group Quality
-uniform int   seaSteps;        //@ 128 [8, 512] log quality reference=512 "of a ray to the sea"
+uniform int   march;           //@ 0 {bounded, even} norandom "steps to the sea; even: to compare"
+uniform int   seaSteps; //@ 128 [8, 512] log quality reference=512 second=march=even "of a ray to the sea"
 uniform int   mirrorRays;      //@ 16 [1, 64] log quality reference=64 "where the mirror blurs"
 uniform int   shadows;         //@ 1 {off, cone, sampled} quality reference=2 "kind of shadow"
 uniform int   sunSamples;      //@ 16 [1, 64] log quality reference=64 "rays of a sampled shadow"
@@ -289,7 +290,8 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
         f = max(f, 0.0);
         float far = 2.4 * f / max(close + sqrt(close * close + bend0 * f), 1e-6);
         float far0 = 2.4 * over / max(close0 + sqrt(close0 * close0 + bend0 * over), 1e-6);
-        t = min(t + max(max(far, far0), least), leave);
+        float even = (leave - enter) / float(seaSteps);
+        t = min(t + (march == 0 ? max(max(far, far0), least) : even), leave);
     }
     if (below.x < 0.0) return ahead ? above.x : -1.0;   // out of steps: nearly there
     for (int k = 0; k < 4; ++k) {

@@ -44,11 +44,28 @@ TEST(StudyOwnError, OfSamplesThatTheSecondContainsIsMoreThanIsSeen) {
     EXPECT_DOUBLE_EQ(own_error(std::sqrt(0.5), {SecondWork::Kind::more, 2.0}, 0.5), 1.0);
 }
 
+TEST(StudyOwnError, ThatIsMeasuredIsThisShareOfTheDifference) {
+    EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::share, 0.25}, 1.0), 0.125);
+}
+
 TEST(StudyOwnError, OfAnOrderIsWhatTheSecondsStepLeaves) {
     EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::more, 2.0}, 1.0), 1.0);
     EXPECT_DOUBLE_EQ(own_error(15.0 / 16, {SecondWork::Kind::more, 2.0}, 4.0), 1.0);
     EXPECT_DOUBLE_EQ(own_error(1.0, {SecondWork::Kind::more, 0.5}, 1.0), 1.0) << "of half the work";
     EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::more, 2.0}, {}), 1.0) << "as of order 1";
+}
+
+// What several views have in common is judged again.
+TEST(StudyNotes, StandOnceHoweverOftenAStudyIsJudged) {
+    glint::Study study;
+    study.rows = {row(1.0, 1.0), row(2.0, 2.0)};
+    for (glint::StudyRow& one : study.rows) one.error = glint::Difference{.rmse = 0.01};
+    study.reference_error = glint::Difference{.rmse = 0.01};
+    const glint::Knob knob{.notes = {"assumed"}};
+    glint::judge(study, knob, true);
+    EXPECT_EQ(study.notes.size(), 2u);
+    glint::judge(study, knob, true);
+    EXPECT_EQ(study.notes.size(), 2u);
 }
 
 }  // namespace

@@ -98,6 +98,24 @@ TEST_F(StudyBudget, MayBeWhatAPersonSees) {
         << findings(strict);
 }
 
+// One that falls like 1/n, and one that halves with each more: half of both at once shows mostly
+// what the second lacks, of which the truth lacks next to nothing.
+TEST_F(StudyBudget, TheTruthClaimsWhatItIsOff) {
+    write("s.frag",
+          "uniform int a; //@ 2 [1, 16] log quality reference=16\n"
+          "uniform int b; //@ 2 [1, 8] quality reference=8\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(vec3(0.3 + 0.1 / float(a) + 0.2 * exp2(-float(b))), 1);\n"
+          "}\n");
+    const Json json = report_of(
+        glint({"study", "s.frag", "--size", "8x8", "--seconds", "0", "--ms", "own", "--json"}));
+    const auto linear = [](double c) { return std::pow((c + 0.055) / 1.055, 2.4); };
+    const double off = linear(0.3 + 0.1 / 16 + 0.2 / 256) - linear(0.3);
+    EXPECT_GT(json["own_error"].get<double>(), 0.9 * off);
+    EXPECT_LT(json["own_error"].get<double>(), 1.5 * off);
+    EXPECT_GT(json["reference_error"]["rmse"].get<double>(), 2.0 * off) << "half of both";
+}
+
 TEST_F(StudyBudget, ABudgetThatNothingMeetsIsTold) {
     write("s.frag", kTwoDials);
     const Json json = report_of(glint(

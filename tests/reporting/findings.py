@@ -2,7 +2,7 @@
 import math
 import statistics
 
-from measures import as_fast, as_near, compared, own_row
+from measures import as_fast, chosen, compared, own_row, quickest
 
 
 def number(value):
@@ -47,17 +47,20 @@ def gains(found):
         all_.append(name)
         if own["pareto"]:
             stars.append(name)
-        for best, ratios, key in ((as_fast(study, own), fast, "rmse"), (as_near(study, own), near, "ms")):
-            if best:
-                ratios[name] = (best[key] / own[key] if own[key] else 0.0, turned(best, own))
+        best, (share, quick) = as_fast(study, own), quickest(found[name])
+        if best:
+            fast[name] = best["rmse"] / own["rmse"], turned(best, own)
+        if quick:
+            near[name] = share, turned(quick, own)
     yield (f"Of {len(all_)} scenes, {len(stars)} ship with a setting on the joint frontier of their quality tweaks"
            + (f": {listed(stars, 9)}." if stars else "."))
-    for ratios, what in ((fast, "less error in a time that is not told to be more"), (near, "no more error in a time that is told to be less")):
+    for ratios, what, of in ((fast, "an error that is told to be less, in a time that is not told to be more", "error"),
+                             (near, "no more error in a time that is told to be less", "time")):
         if ratios:
             best = min(ratios, key=lambda name: ratios[name])
             share, by = ratios[best]
             yield (f"Scenes for which the search found a joint setting with {what}: {len(ratios)} ({listed(ratios, 9)}); most "
-                   f"of all {best}, with {share:.0%} of its own by {by}.")
+                   f"of all {best}, with {share:.0%} of its {of} by {by}.")
         else:
             yield f"For no scene the search found a joint setting with {what}."
 
@@ -111,19 +114,23 @@ def times(found):
 
 
 def views(found):
-    worst = None
+    worst, kept, others = None, [], []
     for name, steps in found.items():
         for study in steps.get("over", {}).get("studies", []):
-            own = own_row(study)
-            if own and own["rmse"] and "worst" in own:
+            own, best = own_row(study), chosen(study)
+            if not own or not best:
+                continue
+            (others if best["rmse"] < own["rmse"] else kept).append(name)
+            if own["rmse"] and "worst" in own:
                 ratio = own["worst"]["rmse"] / own["rmse"]
                 if math.isfinite(ratio) and (not worst or ratio > worst[0]):
                     worst = ratio, name, own["worst"]
+    text = f"Over all presets of a scene the own setting stays the choice of {len(kept)}" + (f" ({listed(kept, 9)})" if kept else "")
+    text += f"; {len(others)} would do better with another" + (f" ({listed(others, 9)})" if others else "")
     if worst:
-        yield (f"Over all presets of a scene, {worst[1]}'s own setting fares worst, in {worst[2]['view']}: an error of "
-               f"{number(worst[2]['rmse'])}, {worst[0]:.1f} times that of all together.")
-    else:
-        yield "Of no scene the main preset's own setting was measured over all presets, or it has no error there."
+        text += (f"; the least even is {worst[1]}'s own setting: in {worst[2]['view']} its error is {number(worst[2]['rmse'])}, "
+                 f"{worst[0]:.1f} times that of all together")
+    yield text + "."
 
 
 def sentences(found):

@@ -2,6 +2,7 @@
 import datetime
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -13,11 +14,22 @@ REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 # Modest: nine scenes are to be done within 40 minutes of two idle cores. Errors do not depend on how many
 # frames are timed, and hardly on the size. Seconds are of timing a tweak; a search has four times as many.
 JOINT = {"--ms": "own", "--size": "96x54", "--seconds": "5"}
+NEAR = {"--rmse": "own", "--size": "96x54", "--seconds": "3"}
 OVER = {"--ms": "own", "--over": "presets", "--size": "96x54", "--seconds": "2"}
 ALONE = {"--size": "96x54", "--seconds": "2"}
-FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "2"}
-# llvmpipe ends the loops of a pixel after 65,535 turns together, which all references at once would need.
-LESS = {"analytic": ["bounces=24", "shadowSamples=16", "antialiasing=16"]}
+FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
+MOST_SECONDS = 400   # of one step of a scene, some three times as long as the longest
+# Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
+# times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
+# loops of a pixel after 65,535 turns together, which all references at once would need.
+TRUTHS = {"analytic": ["antialiasing=256", "bounces=96", "shadowSamples=2"],
+          "boat": ["antialias=96", "sunSamples=2", "substeps=16"],
+          "caustics": ["shaftSamples=64"],   # of 257 frames of photons
+          "christmas": ["mirrorBlur=10000"],   # never
+          "deep_ocean": ["antialias=64", "shaftSamples=64"],
+          "water": ["antialias=128"]}
+TRUTHS_ALONE = {"analytic": ["antialiasing=256"], "boat": ["antialias=64"], "deep_ocean": ["antialias=64"],
+                "water": ["antialias=128"]}
 
 
 def scenes(folder, names):
@@ -43,10 +55,12 @@ def commit():
 
 class Kept:
     """A folder of what was measured. Each step of a scene stands in a file of its own, whole or not at all; within a
-    step `glint study -o` goes on where it was stopped. `more`: options that win over those of a step."""
+    step `glint study -o` goes on where it was stopped. `more`: options that win over those of a step. After so many
+    `minutes` nothing more is begun."""
 
-    def __init__(self, folder, glint, tree, more=None):
+    def __init__(self, folder, glint, tree, more=None, minutes=math.inf):
         self.folder, self.glint, self.tree, self.more, self.commit = folder, glint, tree, more or {}, commit()
+        self.end = time.monotonic() + 60 * minutes
         folder.mkdir(parents=True, exist_ok=True)
 
     def texts(self, name):
@@ -65,11 +79,11 @@ class Kept:
                 return found
         except (OSError, ValueError, KeyError):
             pass
-        if only_kept:
+        if only_kept or time.monotonic() > self.end:
             return None
         print(f"{name}, {step}", flush=True)
         found = {"key": key, "commit": self.commit, "date": str(datetime.date.today()), "options": options,
-                 **self.measure(self.folder / f"{name}-{step}", file, options)}
+                 **self.measure(self.folder / f"{name}-{'joint' if step == 'near' else step}", file, options)}   # one truth
         if "failed" not in found:
             being_written = kept.with_suffix(".part")
             being_written.write_text(json.dumps(found))
@@ -78,8 +92,11 @@ class Kept:
 
     def measure(self, folder, file, options):
         before, began = os.times(), time.monotonic()
-        result = subprocess.run([self.glint, "study", file, "--json", "-o", folder, *options],
-                                capture_output=True, text=True)
+        try:
+            result = subprocess.run([self.glint, "study", file, "--json", "-o", folder, *options],
+                                    capture_output=True, text=True, timeout=MOST_SECONDS)
+        except subprocess.TimeoutExpired:
+            return {"failed": f"ended after {MOST_SECONDS} s; another call goes on from there", "studies": [], "svgs": []}
         wall, after = time.monotonic() - began, os.times()
         if result.returncode != 0:
             reason = result.stderr.strip().splitlines() or ["no reason is given"]
@@ -111,16 +128,18 @@ class Kept:
 
     def options(self, name, file, step, found):
         """What a step of a scene is measured with, or None where there is nothing to measure."""
-        less = [f"--reference={item}" for item in LESS.get(name, [])]
+        truth, alone = ([f"--reference={item}" for item in list_.get(name, [])] for list_ in (TRUTHS, TRUTHS_ALONE))
         if step != "features" and not any(tweak.get("quality") for tweak in self.tweaks(file)):
             return None
         if step == "joint":
-            return self.words(JOINT) + less
+            return self.words(JOINT) + truth
+        if step == "near":
+            return self.words(NEAR) + truth
         if step == "alone":
-            return self.words(ALONE)
+            return self.words(ALONE) + alone
         if step == "over":
             few = [f"--vary={item}" for item in few_settings(found)]
-            return self.words(OVER) + less + few if few else None
+            return self.words(OVER) + truth + few if few else None
         off = [f"--vary={item}" for item in self.off(file)]
         return self.words(FEATURES) + off if off else None
 
@@ -128,7 +147,7 @@ class Kept:
         return [word for pair in {**options, **self.more}.items() for word in pair]
 
 
-STEPS = ["joint", "alone", "features", "over"]   # what is worth most for its time is measured first, of all scenes
+STEPS = ["joint", "alone", "over", "near", "features"]   # what is worth most for its time is measured first, of all scenes
 
 
 def measured(kept, names, only_kept):
@@ -155,10 +174,15 @@ def compared(study):
     return [row for row in study["rows"] if row["rmse"] is not None]
 
 
+def is_nearer(study, row, than):
+    """Whether its error is told to be less: each may be off by what the truth is."""
+    return row["rmse"] + study["own_error"] < than["rmse"] - study["own_error"]
+
+
 def as_fast(study, own):
-    """The least error that is not told to take longer than the preset's own setting."""
-    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and row["rmse"] < own["rmse"]]
-    return min(rows, key=lambda row: row["rmse"], default=None)
+    """The least error, told to be less, that is not told to take longer than the preset's own setting."""
+    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and is_nearer(study, row, own)]
+    return min(rows, key=lambda row: (row["rmse"], row["ms"]), default=None)
 
 
 def as_near(study, own):
@@ -167,14 +191,27 @@ def as_near(study, own):
     return min(rows, key=lambda row: row["ms"], default=None)
 
 
+def quickest(steps):
+    """What has no more error than the preset's own setting in the least share of its time, by either search; that share."""
+    found = [(row["ms"] / own["ms"], row) for step in ("joint", "near") for study in steps.get(step, {}).get("studies", [])
+             for own in [own_row(study)] if own for row in [as_near(study, own)] if row]
+    return min(found, key=lambda one: one[0], default=(1.0, None))
+
+
+def chosen(study):
+    """The row that a budget of the own time has chosen, if any."""
+    best = study.get("best")
+    return study["rows"][best["row"]] if best else None
+
+
 def few_settings(found):
-    """The values of the preset's own setting and of those that beat it, as "NAME=a,b"; of one tweak at least."""
+    """The values of the preset's own setting and of the one that beats it, as "NAME=a,b"; of one tweak at least."""
     study = next(iter(found.get("joint", {}).get("studies", [])), None)
     own = own_row(study) if study else None
     if not own:
         return []
     values = {}
-    for row in (own, as_fast(study, own), as_near(study, own)):
+    for row in (own, as_fast(study, own) or as_near(study, own)):
         for part in (row["value"].split() if row else []):
             name, value = part.split("=")
             values.setdefault(name, [])

@@ -27,6 +27,8 @@ constexpr double kSearchShare = 4.0;  // of --seconds, for all of them
 constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's own
 constexpr std::size_t kWinners = 8;   // that are measured well
 constexpr std::size_t kKept = 6;      // programs
+constexpr double kMostOrder = 4.0;    // that three pictures are believed to show
+constexpr double kMatters = 0.1;      // of the difference: less needs no order
 
 // By what a search goes within this limit.
 double error_of(const Difference& off, const Limit& limit) {
@@ -69,10 +71,10 @@ public:
 
     Knob run(const std::function<void(int tried, int most)>& told) {
         Knob knob{.name = "quality", .reference = truth(1.0), .second = truth(0.5)};
-        knob.second_work = {SecondWork::Kind::more, 0.5};
         knob.reference.text = "all references";
-        knob.second->text = "half of all of them";
-        truth_ = MeasuredScene(preset_, knob.reference.setting, context_, how_).draw_picture();
+        knob.second->text = "half of each of them";
+        truth_ = picture_of(knob.reference.setting);
+        knob.second_work = {SecondWork::Kind::share, share_of(knob.second->setting)};
         size_ = compared_size(preset_, how_.pass);
         start();
         const Budget budget = this->budget();
@@ -94,25 +96,68 @@ public:
         }
         knob.notes.push_back(fmt::format("{} joint settings of {} tweaks were tried, {} measured",
                                          tried.size(), knobs_.size(), winners.size()));
+        if (!lacks_.empty()) knob.notes.push_back(lacks_);
         return knob;
     }
 
 private:
-    // All references, with so much of the work.
-    KnobValue truth(double work) const {
+    // All references, with so much of the work, or with so much of that of one knob alone; the one
+    // after the last is the frames that settle.
+    KnobValue truth(double work, std::optional<std::size_t> only = {}) const {
         KnobValue value{.setting = {.values = preset_.values, .settle = preset_.settle}};
+        const auto turns = [&](std::size_t i) { return work < 1.0 && only.value_or(i) == i; };
         for (std::size_t i = 0; i < knobs_.size(); ++i) {
             const Setting& reference = knobs_[i].reference.setting;
             double& number = value.setting.values[tweaks_[i]][0];
             number = reference.values[tweaks_[i]][0];
             value.setting.settle = std::max(value.setting.settle, reference.settle);
-            if (work == 1.0 || menus_[i]) continue;
+            if (menus_[i] || !turns(i)) continue;
             const Tweak& tweak = preset_.scene.tweaks[tweaks_[i]];
             number *= knobs_[i].more_is_better ? work : 1.0 / work;
             if (tweak.type == TweakType::int1) number = std::floor(number);
-            if (tweak.min) number = std::max(number, *tweak.min);
+            if (knobs_[i].more_is_better && tweak.min) number = std::max(number, *tweak.min);
+            if (!knobs_[i].more_is_better && tweak.max) number = std::min(number, *tweak.max);
+        }
+        if (turns(knobs_.size())) {
+            const int frames = value.setting.settle + 1;
+            value.setting.settle = std::max(static_cast<int>(frames * work), 1) - 1;
         }
         return value;
+    }
+
+    std::vector<float> picture_of(const Setting& setting) { return scene(setting).draw_picture(); }
+
+    double apart(const std::vector<float>& a, const std::vector<float>& b) const {
+        return difference(a, b, how_.pass == kImagePass).rmse;
+    }
+
+    // How much of the difference to this other picture the truth's own error is: of each number
+    // what is left after it, by the order that half and a quarter of it show, all else at its
+    // reference. These have causes of their own, so that their squares add up. All halved together
+    // would not do: what converges fast would pass for what does not, and the other way round.
+    double share_of(const Setting& second) {
+        const double between = apart(picture_of(second), truth_);
+        double squares = 0.0, most = 0.0;
+        for (std::size_t i = 0; between > 0.0 && i <= knobs_.size(); ++i) {
+            const Setting whole = truth(1.0).setting, half = truth(0.5, i).setting,
+                          quarter = truth(0.25, i).setting;
+            if (half == whole) continue;
+            const std::vector<float> picture = picture_of(half);
+            const double last = apart(picture, truth_);
+            const bool matters = last > kMatters * between && quarter != half;
+            const double before = matters ? apart(picture_of(quarter), picture) : 0.0;
+            const auto order =
+                before > 0.0 ? std::optional(std::log2(before / last)) : std::nullopt;
+            const double left =
+                own_error(last, {SecondWork::Kind::more, 0.5},
+                          order ? std::optional(std::min(*order, kMostOrder)) : order);
+            squares += left * left;
+            if (left <= most) continue;
+            most = left;
+            lacks_ = fmt::format("the truth lacks most of {}: {}",
+                                 i < knobs_.size() ? knobs_[i].name : "settle", three_digits(left));
+        }
+        return between > 0.0 ? std::sqrt(squares) / between : 1.0;
     }
 
     // Knobs whose least number is the most work stand the other way round.
@@ -231,7 +276,8 @@ private:
     std::vector<bool> menus_;          // by knob
     std::vector<Dial> dials_;
     std::vector<float> truth_;
-    glm::ivec2 size_{0};                                                    // of what is compared
+    std::string lacks_;   // the truth; "": nothing
+    glm::ivec2 size_{0};  // of what is compared
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;

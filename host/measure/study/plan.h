@@ -42,9 +42,10 @@ struct SecondWork {
         another,  // another way to the truth
         seed,     // the same work with other random numbers
         more,     // the same way with more work, which may share its samples
+        share,    // the error has been measured to be this share of the difference
     };
     Kind kind = Kind::another;
-    double ratio = 2.0;  // more: how many times the work; less than 1 where it is less
+    double ratio = 2.0;  // more: how many times the work, less than 1 where it is less; the share
 };
 
 // What counts as the truth as well, by another way, and what it is measured by itself.

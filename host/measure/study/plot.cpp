@@ -1,12 +1,14 @@
 #include "measure/study/plot.h"
 
 #include "measure/study/gnuplot.h"
+#include "measure/study/labels.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <vector>
 
 namespace glint {
@@ -18,7 +20,7 @@ bool can_be_shown(const Study& study, const StudyRow& row) {
     return row.failed.empty() && row.error && row.error->rmse > 0.0;
 }
 
-// x, its ends, y, the label.
+// x, y, and the ends of the time.
 std::string data_block(const Study& study, const char* name, bool only_pareto) {
     std::vector<const StudyRow*> rows;
     for (const StudyRow& row : study.rows) {
@@ -32,11 +34,9 @@ std::string data_block(const Study& study, const char* name, bool only_pareto) {
     for (const StudyRow* row : rows) {
         const Timing& ms = row->ms;
         if (study.time_only) {
-            text += fmt::format("{} {} {} {} \"{}\"\n", *row->work, ms.median, ms.low, ms.high,
-                                row->value);
+            text += fmt::format("{} {} {} {}\n", *row->work, ms.median, ms.low, ms.high);
         } else {
-            text += fmt::format("{} {} {} {} \"{}\"\n", ms.median, row->error->rmse, ms.low,
-                                ms.high, row->value);
+            text += fmt::format("{} {} {} {}\n", ms.median, row->error->rmse, ms.low, ms.high);
         }
     }
     return text + "END\n";
@@ -89,11 +89,14 @@ std::string tics(const Span& span) {
     return "(" + text + ")";
 }
 
-std::string axis(const char* name, Span span, double room) {
-    span.widen(room);
+std::string axis(const char* name, Span span) {
     return fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3}\n", name, span.low, span.high,
                        tics(span));
 }
+
+// Where the diagram stands in its picture, so that texts can be placed by the pixel.
+constexpr glm::dvec2 kPicture{760.0, 440.0};
+constexpr Box kArea{{92.0, 66.0}, {736.0, 400.0}};
 
 constexpr const char* kStyle = R"(
 set encoding utf8
@@ -101,7 +104,7 @@ set logscale xy
 set grid xtics ytics lt 1 lc rgb '#dddddd'
 set border 3 lc rgb '#808080'
 set tics nomirror textcolor rgb '#404040'
-set key top right
+set key at screen 0.97,0.97 right top horizontal
 set bars small
 )";
 
@@ -117,24 +120,70 @@ const char* clock_words(const Study& study) {
     return "";
 }
 
+// What a point is called: its value; of a joint setting what differs from the preset's own.
+std::string label_of(const Study& study, const StudyRow& row) {
+    if (!study.is_joint) return row.value;
+    if (row.is_preset) return "the preset's own";
+    const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
+    if (own == study.rows.end()) return row.value;
+    std::istringstream mine(row.value), theirs(own->value);
+    std::string text, a, b;
+    while (mine >> a && theirs >> b)
+        if (a != b) text += (text.empty() ? "" : " ") + a;
+    return text;
+}
+
+// Names of the points, those of the frontier and of the preset first; of joint settings, which have
+// long names, of these alone.
+std::string labels(const Study& study, const Span& x, const Span& y) {
+    const auto place = [](double v, const Span& span, double low, double high) {
+        return std::lerp(low, high, std::log(v / span.low) / std::log(span.high / span.low));
+    };
+    const auto across = [&](double ms) { return place(ms, x, kArea.low.x, kArea.high.x); };
+    std::vector<LabelledPoint> points;
+    for (const bool first : {true, false}) {
+        for (const StudyRow& row : study.rows) {
+            if (!can_be_shown(study, row) || (row.pareto || row.is_preset) != first) continue;
+            const double up = place(row.error->rmse, y, kArea.low.y, kArea.high.y);
+            points.push_back({.at = {across(row.ms.median), up},
+                              .low = across(row.ms.low),
+                              .high = across(row.ms.high),
+                              .text = first || !study.is_joint ? label_of(study, row) : ""});
+        }
+    }
+    std::string text;
+    for (const PlacedLine& line : place_labels(points, kArea)) {
+        text += fmt::format(
+            "set label {} at screen {:.5f},{:.5f} left front tc rgb '#1f5fa8' noenhanced\n",
+            gnuplot_word(line.text), line.at.x / kPicture.x, line.at.y / kPicture.y);
+    }
+    return text;
+}
+
 std::string script(const Study& study) {
     // Names of its parts, so that several diagrams can stand in one page.
     const std::string name =
         fmt::format("{}_{}", std::filesystem::path(study.scene).stem().string(), study.knob);
     std::string text = fmt::format(
-        "set terminal svg size 760,440 dynamic font 'sans-serif,13' name {} background '#ffffff'\n",
-        gnuplot_word(name));
+        "set terminal svg size {},{} dynamic font 'sans-serif,13' name {} background '#ffffff'\n",
+        kPicture.x, kPicture.y, gnuplot_word(name));
+    const Box share{kArea.low / kPicture, kArea.high / kPicture};
+    text += fmt::format(
+        "set margins at screen {:.5f}, at screen {:.5f}, at screen {:.5f}, at screen {:.5f}\n",
+        share.low.x, share.high.x, share.low.y, share.high.y);
     text += kStyle + data_block(study, "rows", false);
+    Span x = span_of(study, !study.time_only), y = span_of(study, study.time_only);
+    x.widen(study.time_only ? 1.3 : 1.25);
+    y.widen(study.time_only ? 1.3 : 2.0);
+    text += axis("x", x) + axis("y", y);
     if (study.time_only) {
-        text += axis("x", span_of(study, false), 1.3) + axis("y", span_of(study, true), 1.3);
         text += fmt::format("set xlabel {} noenhanced\nset ylabel 'ms a frame'\n",
                             gnuplot_word(study.knob));
         return text +
                "plot $rows using 1:2:3:4 with yerrorlines lw 2 pt 7 ps 0.6 lc rgb '#1f5fa8' "
                "notitle\n";
     }
-    text += data_block(study, "pareto", true);
-    text += axis("x", span_of(study, true), 1.25) + axis("y", span_of(study, false), 2.0);
+    text += data_block(study, "pareto", true) + labels(study, x, y);
     text += fmt::format("set xlabel 'ms{}'\nset ylabel 'RMSE{}'\nplot ", clock_words(study),
                         study.pass == "image" ? " in linear light" : "");
     if (study.reference_rmse() > 0.0) {
@@ -142,12 +191,11 @@ std::string script(const Study& study) {
             "{} with lines dt 2 lw 1.5 lc rgb '#a04040' title 'error of the reference', ",
             study.reference_rmse());
     }
+    // The order of joint settings means nothing.
+    if (!study.is_joint) text += "$rows using 1:2 with lines lw 0.7 lc rgb '#9ab8d8' notitle, ";
     return text +
            "$pareto using 1:2 with lines lw 5 lc rgb '#f0c060' title 'Pareto frontier', "
-           "$rows using 1:2 with lines lw 0.7 lc rgb '#9ab8d8' notitle, "
-           "$rows using 1:2:3:4 with xerrorbars lw 1.5 pt 7 ps 0.6 lc rgb '#1f5fa8' notitle, "
-           "$rows using 1:2:5 with labels left offset 0.8,0.5 tc rgb '#1f5fa8' noenhanced "
-           "notitle\n";
+           "$rows using 1:2:3:4 with xerrorbars lw 1.5 pt 7 ps 0.6 lc rgb '#1f5fa8' notitle\n";
 }
 
 }  // namespace

@@ -296,6 +296,8 @@ double own_error(double rmse, const SecondWork& second, const std::optional<doub
             return rmse;
         case SecondWork::Kind::seed:  // both are off by as much, in ways of their own
             return rmse / std::numbers::sqrt2;
+        case SecondWork::Kind::share:
+            return rmse * second.ratio;
         case SecondWork::Kind::more:
             break;
     }
@@ -310,6 +312,7 @@ double own_error(double rmse, const SecondWork& second, const std::optional<doub
 void judge(Study& study, const Knob& knob, bool on_software) {
     take_times(study, on_software);
     study.findings.clear();
+    study.notes = knob.notes;  // a study over several views is judged again
     const double apart = study.reference_error ? study.reference_error->rmse : 0.0;
     // What the order is depends on what can be told from the reference, and that on the order.
     study.order.reset();
