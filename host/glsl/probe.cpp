@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 11> kDomains = {"sqrt",  "inversesqrt", "
 class Instrumenter {
 public:
     Instrumenter(const Reading& reading, const ProbeWish& wish, Edits& edits)
-        : reading_(reading), wish_(wish), edits_(edits), variables_(reading) {
+        : reading_(reading), wish_(wish), edits_(edits), variables_(reading), structs_(reading) {
         fixed_.resize(reading.tokens.size());
         for (const Declaration& declaration : reading.declarations) {
             const auto mark = [&](TokenRange range) {
@@ -146,6 +146,11 @@ private:
 
     bool is_variable(TokenRange range) const;
     bool is_whole_array(TokenRange range) const;
+    std::uint32_t bare_struct_of(TokenRange range) const;
+    // No function takes it: it is told behind its statement.
+    bool is_told_behind(TokenRange range) const {
+        return is_whole_array(range) || bare_struct_of(range) != kNone;
+    }
     std::string record_of(std::size_t site, TokenRange variable) const;
 
     void over_function(std::uint32_t index);
@@ -171,6 +176,7 @@ private:
     const ProbeWish& wish_;
     Edits& edits_;
     Variables variables_;
+    StructTypes structs_;
     std::vector<bool> fixed_;  // by token: what must stay a constant, or is no expression
     std::vector<Words> words_;
     std::uint32_t function_ = 0;
@@ -202,10 +208,29 @@ bool Instrumenter::is_whole_array(TokenRange range) const {
     return known > brackets({range.begin, range.end});
 }
 
+// Into structs: that of this variable or element, where no function takes it, since the function
+// itself declares it, or not all of it can be told.
+std::uint32_t Instrumenter::bare_struct_of(TokenRange range) const {
+    const auto found = variables_.find(range.begin, function_);
+    if (!found.declaration) return kNone;
+    for (std::uint32_t at = range.begin; at < range.end; ++at)
+        if (token(at).is(".")) return kNone;
+    const std::string_view type = reading_.word(found.declaration->type);
+    for (std::uint32_t i = 0; i < reading_.structs.size(); ++i) {
+        const Struct& one = reading_.structs[i];
+        if (one.name == kNone || reading_.word(one.name) != type) continue;
+        if (one.function == function_ && found.declaration->owner == function_) return i;
+        if (one.function == kNone && structs_.leaves(i).empty()) return i;
+    }
+    return kNone;
+}
+
 // `glint0_v(8,t)`, of a variable that has its value; "" where that cannot be told.
 std::string Instrumenter::record_of(std::size_t site, TokenRange variable) const {
     const std::string name = reading_.spelled(variable);
-    if (!is_whole_array(variable)) return fmt::format("glint0_v({},{})", site, name);
+    if (!is_told_behind(variable)) return fmt::format("glint0_v({},{})", site, name);
+    if (!is_whole_array(variable))
+        return structs_.record(bare_struct_of(variable), std::to_string(site), name);
     const auto found = variables_.find(variable.begin, function_);
     const TokenRange brackets =
         found.name->array.empty() ? found.declaration->type_array : found.name->array;
@@ -315,7 +340,7 @@ void Instrumenter::over_tokens(TokenRange range) {
 void Instrumenter::over_assignment(std::uint32_t at, TokenRange room) {
     const TokenRange to = {operand_begin(reading_, at, room.begin), at};
     if (to.empty() || !token(to.begin).is_word()) return;
-    if (is_whole_array(to)) return;  // told behind the statement
+    if (is_told_behind(to)) return;
     // What is rounded is what the variable gets, not what the assignment is worth.
     const bool is_rounding = wish_.kind == ProbeKind::rounding;
     hand_through(SiteKind::assigned, close_spelling(reading_, to), to.begin,
@@ -340,8 +365,9 @@ void Instrumenter::over_declaration(const Declaration& declaration) {
     if (wish_.kind == ProbeKind::cost) return;
     for (const Declarator& one : declaration.names) {
         if (one.initial.empty()) continue;
-        const bool is_array = !one.array.empty() || !declaration.type_array.empty();
-        if (!declaration.is_const && !is_array) {
+        const bool is_behind = !one.array.empty() || !declaration.type_array.empty() ||
+                               bare_struct_of({one.name, one.name + 1}) != kNone;
+        if (!declaration.is_const && !is_behind) {
             hand_through(SiteKind::assigned, std::string(reading_.word(one.name)), one.name,
                          one.initial);
             continue;
@@ -359,7 +385,7 @@ std::vector<TokenRange> Instrumenter::outs_in(TokenRange range) const {
     for (std::uint32_t at = range.begin; at < range.end; ++at) {
         if (fixed_[at] || !token(at).is("=")) continue;
         const TokenRange to = {operand_begin(reading_, at, range.begin), at};
-        if (is_variable(to) && is_whole_array(to)) outs.push_back(to);
+        if (is_variable(to) && is_told_behind(to)) outs.push_back(to);
     }
     for (const Call& call : reading_.calls) {
         if (call.name < range.begin || call.name >= range.end) continue;
@@ -489,19 +515,6 @@ void Instrumenter::over_fetch(const Call& call) {
                  fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, token(last).text));
 }
 
-// With what stands for gl_FragCoord, whose own counts cells.
-std::string with_true_place(const std::string& expression) {
-    const Reading reading = read_glsl(expression, {});
-    std::string words;
-    std::size_t done = 0;
-    for (const Token& token : reading.written) {
-        if (!token.is("gl_FragCoord")) continue;
-        words += expression.substr(done, token.span().begin - done) + "glint0_coord";
-        done = token.span().end;
-    }
-    return words + expression.substr(done);
-}
-
 void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
     const ProbeExpression& asked = wish_.expressions[index];
     const Span whole = reading_.place(reading_.functions[f].tokens);
@@ -536,16 +549,16 @@ void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
 }
 
 void Instrumenter::add_structs() {
-    StructTypes types(reading_);
     probed_.structs.resize(reading_.structs.size());
     if (wish_.kind == ProbeKind::cost || wish_.kind == ProbeKind::assertions) return;
     for (const Declaration& declaration : reading_.declarations) {
-        if (declaration.structure == kNone || declaration.scope != Scope::global) continue;
+        if (declaration.structure == kNone) continue;
+        probed_.structs[declaration.structure] = structs_.leaves(declaration.structure);
+        if (declaration.scope != Scope::global) continue;
         const std::uint32_t last = declaration.tokens.end - 1;
         if (!edits_.takes_after(last)) continue;
-        const std::string text = types.overload(declaration.structure, wish_.kind);
+        const std::string text = structs_.overload(declaration.structure, wish_.kind);
         if (text.empty()) continue;
-        probed_.structs[declaration.structure] = types.leaves(declaration.structure);
         words_.push_back({last, Words::Where::after, {last, last + 1}, " " + text});
     }
 }

@@ -52,4 +52,16 @@ std::string refusal_of_expression(std::string_view text) {
     return reading.is_balanced ? "" : "its brackets do not balance";
 }
 
+std::string with_true_place(const std::string& expression) {
+    const Reading reading = read_glsl(expression, {});
+    std::string words;
+    std::size_t done = 0;
+    for (const Token& token : reading.written) {
+        if (!token.is("gl_FragCoord")) continue;
+        words += expression.substr(done, token.span().begin - done) + "glint0_coord";
+        done = token.span().end;
+    }
+    return words + expression.substr(done);
+}
+
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include "glsl/reading.h"
 
 #include <cstdint>
+#include <string>
 
 namespace glint {
 
@@ -16,5 +17,8 @@ struct ProbeRoom {
 // Behind the last statement of the line (its bytes), as it stands in no other of that line; before
 // what leaves the place; at the head of a loop's or a function's body.
 ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t function);
+
+// The expression with what stands for gl_FragCoord, whose own counts cells.
+std::string with_true_place(const std::string& expression);
 
 }  // namespace glint

@@ -130,18 +130,27 @@ ProbeLeaves StructTypes::leaves(std::uint32_t structure) const {
     return paths;
 }
 
+std::string StructTypes::record(std::uint32_t structure, const std::string& site,
+                                const std::string& value) const {
+    std::vector<Leaf> leaves;
+    if (!add_leaves(structure, "", 0, leaves)) return {};
+    const int container = kProbeFirstStruct + static_cast<int>(structure);
+    std::string text;
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+        text +=
+            fmt::format("{}glint0_l({}+{},{},{}{})", i > 0 ? ";" : "", site, i << kProbeLeafShift,
+                        probe_type_of(leaves[i].type) | container << kProbeContainerShift, value,
+                        leaves[i].path);
+    return text;
+}
+
 std::string StructTypes::overload(std::uint32_t structure, ProbeKind kind) const {
     std::vector<Leaf> leaves;
     const Struct& one = reading_.structs[structure];
     if (one.name == kNone || !add_leaves(structure, "", 0, leaves) || leaves.empty()) return {};
     std::string text = fmt::format("{0} glint0_v(int i,{0} v){{", reading_.word(one.name));
-    const int container = kProbeFirstStruct + static_cast<int>(structure);
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-        const int tag = probe_type_of(leaves[i].type) | container << kProbeContainerShift;
-        text += kind == ProbeKind::values ? fmt::format("glint0_l(i+{},{},v{});",
-                                                        i << kProbeLeafShift, tag, leaves[i].path)
-                                          : fmt::format("glint0_v(i,v{});", leaves[i].path);
-    }
+    if (kind == ProbeKind::values) return text + record(structure, "i", "v") + ";return v;}";
+    for (const Leaf& leaf : leaves) text += fmt::format("glint0_v(i,v{});", leaf.path);
     return text + "return v;}";
 }
 

@@ -27,6 +27,9 @@ public:
 
     // `.nor`, `.m[0]`, `.hit.t`; empty where some member cannot be told.
     ProbeLeaves leaves(std::uint32_t structure) const;
+    // Notes the leaves of such a value, calls with a semicolon between them; empty as above.
+    std::string record(std::uint32_t structure, const std::string& site,
+                       const std::string& value) const;
     // `S glint0_v(int i, S v) { … }`; empty where there can be none.
     std::string overload(std::uint32_t structure, ProbeKind kind) const;
 

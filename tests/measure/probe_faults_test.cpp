@@ -290,6 +290,8 @@ void compare_all(const char* folder, std::string_view ending, std::string_view w
 
 class ProbeScenes : public GlTest {};
 class AllProbeScenes : public ProbeScenes {};
+// One scene each, so that it can be run in pieces.
+class AllProbePresets : public ProbeScenes, public ::testing::WithParamInterface<const char*> {};
 
 TEST_F(ProbeScenes, ShortTextsAreDrawnAsThePlainOnesAre) {
     compare_all("tests/corpus/shaders", ".glsl", "golfed");
@@ -300,11 +302,14 @@ TEST_F(AllProbeScenes, OfTheCorpusAreDrawnAsThePlainOnesAre) {
     compare_all("tests/corpus/shaders", ".glsl", "");
 }
 
-TEST_F(AllProbeScenes, OfOursAreDrawnAsThePlainOnesAre) {
-    for (const char* name : {"analytic", "boat", "caustics", "christmas", "deep_ocean", "magic",
-                             "sea", "terrain", "water"})
-        compare_all("presets", ".toml", std::string(name) + ".toml");
+TEST_P(AllProbePresets, AreDrawnAsThePlainOnesAre) {
+    compare_all("presets", ".toml", GetParam() + std::string(".toml"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Long, AllProbePresets,
+                         ::testing::Values("analytic", "boat", "caustics", "christmas",
+                                           "deep_ocean", "magic", "sea", "terrain", "water"),
+                         [](const auto& name) { return std::string(name.param); });
 
 }  // namespace
 }  // namespace glint::probe_faults_test

@@ -226,14 +226,64 @@ TEST_F(ProbeTest, EvaluatesAnExpressionAtTheTruePlace) {
     EXPECT_EQ(all.values.at(0).name, "gl_FragCoord.xy");
 }
 
-TEST_F(ProbeTest, LeavesOutWhatTheDriverDoesNotTakeAndSaysSo) {
-    Player player(
-        image("struct Local { float x; }; Local l = Local(1.0); float a = l.x + 1.0;\n"
-              "float b = 3.0; c = vec4(a + b);"));
+TEST_F(ProbeTest, TellsStructsThatAFunctionDeclares) {
+    Player player(image(
+        "struct Own { float x; vec2 y; }; Own a = Own(1.0, vec2(2, 3)), b[2]; float k = a.x;\n"
+        "a = Own(4.0, vec2(p)); b[1] = a; a.x = 7.0; c = vec4(a.x + b[1].x + k);"));
+    const Answer all = ask(player, {0, 0});
+    EXPECT_EQ(all.number("k"), 1.0);
+    EXPECT_EQ(all.of("a.y").value, (std::vector<double>{2, 3})) << "as it is declared";
+    EXPECT_EQ(all.number("b[1].x"), 4.0);
+    EXPECT_EQ(all.values.back().value.at(0), 12.0);
+    EXPECT_EQ(all.notes, std::vector<std::string>());
+    EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
+}
+
+// Of an array in a struct, which may have the length of an expression, its elements alone are told.
+TEST_F(ProbeTest, LeavesOutWhatItCannotTellAndSaysSo) {
+    Player player("const int two = 2; struct Many { float x[two]; };\n" +
+                  image("Many m; m.x[0] = 1.0; m.x[1] = 2.0; Many n = m;\n"
+                        "float b = 3.0; c = vec4(b + n.x[1]);"));
     const Answer all = ask(player, {0, 0});
     EXPECT_EQ(all.number("b"), 3.0);
+    EXPECT_EQ(all.number("m.x[1]"), 2.0);
     EXPECT_FALSE(all.notes.empty());
     EXPECT_EQ(all.plain.x, all.colour[0]);
+}
+
+// Functions of which the answer is known, computed here in double from the pixel's exact place.
+TEST_F(ProbeTest, TellsWhatKnownFunctionsAreInDouble) {
+    Player player(
+        "float root(float a) { float x = a; for (int i = 0; i < 12; i++) x = 0.5 * (x + a / x); "
+        "return x; }\n"
+        "float series(float x) { float s = 1.0, t = 1.0; for (int i = 1; i < 20; i++) { t *= x / "
+        "float(i); s += t; } return s; }\n"
+        "float area(float b) { float s = 0.0; for (int i = 0; i < 64; i++) { float x = b * "
+        "(float(i) + 0.5) / 64.0; s += x * x * b / 64.0; } return s; }\n"
+        "float horner(float x) { return ((2.0 * x - 3.0) * x + 5.0) * x - 7.0; }\n" +
+            image("float x = p.x / 8.0; mat2 m = mat2(0.6, 0.8, -0.8, 0.6); vec2 turned = m * p;\n"
+                  "c = vec4(root(x), series(x), area(x), horner(x)) + dot(turned, turned);"),
+        {.size = {16, 4}});
+    constexpr double kUlp = 1.0 / 16777216.0;  // a rounding is off by this share at most
+    for (const int at : {0, 3, 7, 15}) {
+        const Answer all = ask(player, {at, 2});
+        const double x = (at + 0.5) / 8.0, y = 2.5, px = 8.0 * x;
+        // A step of Newton's forgets the errors before it: the last has three roundings.
+        EXPECT_NEAR(all.number("root"), std::sqrt(x), 3 * kUlp * std::sqrt(x)) << at;
+        // Term i has 2 i roundings, of which the sum of i x^i/i! is x e^x; and 20 sums of at most
+        // e^x.
+        EXPECT_NEAR(all.number("series"), std::exp(x), (2 * x + 20) * kUlp * std::exp(x)) << at;
+        // The midpoint rule is off by b^3/12/64^2 exactly; 64 sums and five roundings of a term.
+        const double exact = x * x * x / 3.0 - x * x * x / 12.0 / 4096.0;
+        EXPECT_NEAR(all.number("area"), exact, 70 * kUlp * exact) << at;
+        // Six roundings, of numbers up to 2 x^3 + 3 x^2 + 5 x + 7.
+        const double most = 2 * x * x * x + 3 * x * x + 5 * x + 7;
+        EXPECT_NEAR(all.number("horner"), ((2 * x - 3) * x + 5) * x - 7, 6 * kUlp * most) << at;
+        // Coefficients, products and a sum, each off by a rounding of the longest side's size.
+        const std::vector<double> turned = {0.6 * px - 0.8 * y, 0.8 * px + 0.6 * y};
+        for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_NEAR(all.of("turned").value.at(i), turned[i], 5 * kUlp * (px + y)) << at;
+    }
 }
 
 TEST_F(ProbeTest, HasItsRowsInOneJson) {

@@ -109,7 +109,7 @@ std::optional<double> correlation(const std::vector<ProbeCost::Run>& runs, std::
     return (xy - x * y) / std::sqrt(varies);
 }
 
-// Of the picture of a scene without a state: three sizes and four times.
+// Of the picture: three sizes and four times, which a simulation takes for its next frames.
 std::vector<ProbeCost::Run> runs_of(ProbeSession& session, Probe& probe, const Frame& frame) {
     std::vector<ProbeCost::Run> runs;
     const glm::ivec2 full = session.preset().size;
@@ -130,6 +130,23 @@ std::vector<ProbeCost::Run> runs_of(ProbeSession& session, Probe& probe, const F
     return runs;
 }
 
+// Each as a multiple of the mean over its size, so that views alone make a difference.
+std::vector<ProbeCost::Run> shares_of(std::vector<ProbeCost::Run> runs) {
+    const std::vector<ProbeCost::Run> all = runs;
+    const auto share = [&](ProbeCost::Run& run, const auto& number) {
+        double sum = 0.0, count = 0.0;
+        for (ProbeCost::Run one : all)
+            if (one.size == run.size) sum += number(one), ++count;
+        if (sum > 0.0) number(run) *= count / sum;
+    };
+    for (ProbeCost::Run& run : runs) {
+        share(run, [](ProbeCost::Run& one) -> double& { return one.ms; });
+        for (std::size_t i = 0; i < 3; ++i)
+            share(run, [i](ProbeCost::Run& one) -> double& { return one.counts[i]; });
+    }
+    return runs;
+}
+
 }  // namespace
 
 ProbeCost cost_of(ProbeSession& session, const ProbeOptions& options,
@@ -145,9 +162,12 @@ ProbeCost cost_of(ProbeSession& session, const ProbeOptions& options,
     });
     if (!heat.empty()) write_heat(heat, cells, session.shape().size);
     const bool is_picture = !fills_a_buffer(session.pass());
-    if (is_picture && !session.renderer().graph().stateful)
-        cost.runs = runs_of(session, probe, session.frame());
-    for (std::size_t i = 0; i < 3; ++i) cost.explains[i] = correlation(cost.runs, i);
+    if (is_picture) cost.runs = runs_of(session, probe, session.frame());
+    const std::vector<ProbeCost::Run> shares = shares_of(cost.runs);
+    for (std::size_t i = 0; i < 3; ++i) {
+        cost.explains[i] = correlation(cost.runs, i);
+        cost.explains_views[i] = correlation(shares, i);
+    }
     return cost;
 }
 
@@ -159,6 +179,8 @@ std::string shown(const ProbeCost& cost) {
                             cost.most[i]);
         if (cost.explains[i])
             text += fmt::format("; correlation with milliseconds {:.3f}", *cost.explains[i]);
+        if (cost.explains_views[i])
+            text += fmt::format(", over views alone {:.3f}", *cost.explains_views[i]);
         text += "\n";
     }
     if (!cost.runs.empty())

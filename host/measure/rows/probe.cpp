@@ -80,8 +80,11 @@ Json to_json(const ProbeCost& cost) {
         json["runs"].push_back(std::move(row));
     }
     constexpr std::array kNames = {"loops", "reads", "calls"};
-    for (std::size_t i = 0; i < 3; ++i)
-        json["explains"][kNames[i]] = cost.explains[i] ? Json(*cost.explains[i]) : Json();
+    const auto number = [](const std::optional<double>& one) { return one ? Json(*one) : Json(); };
+    for (std::size_t i = 0; i < 3; ++i) {
+        json["explains"][kNames[i]] = number(cost.explains[i]);
+        json["explains_views"][kNames[i]] = number(cost.explains_views[i]);
+    }
     return json;
 }
 

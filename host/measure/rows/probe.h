@@ -46,9 +46,9 @@ struct ProbeLineCost {
 struct ProbeCost {
     std::array<double, 3> mean{}, most{};  // turns of loops, reads, calls; of a pixel
     std::vector<ProbeLineCost> lines{};    // the dearest first
-    // How well a count goes with milliseconds (Pearson), over sizes and times; none where it does
-    // not vary.
-    std::array<std::optional<double>, 3> explains{};
+    // How well a count goes with milliseconds (Pearson), over sizes and times, and over times
+    // alone, sizes taken for alike; none where it does not vary.
+    std::array<std::optional<double>, 3> explains{}, explains_views{};
     struct Run {
         glm::ivec2 size{0};
         double time = 0.0, ms = 0.0;

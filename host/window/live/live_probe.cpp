@@ -50,7 +50,8 @@ bool LiveProbe::hear() {
 }
 
 void LiveProbe::take(ProbeAnswer answer) {
-    is_known_ = true;
+    is_known_ = answer.is_whole;
+    if (!answer.is_whole && answer.map == ProbeMap::none) mapped_ = {};  // of a line still to come
     since_answer_.restart();
     std::optional<ProbeCost> cost = std::move(found_.cost);
     found_ = {};

@@ -6,6 +6,7 @@
 #include "offline/input_files.h"
 #include "render/pass_text.h"
 #include "scene/scene_text.h"
+#include "window/probe/batches.h"
 #include "window/probe/lines.h"
 #include "window/trial/given_buffers.h"
 #include "window/trial/message.h"
@@ -18,11 +19,17 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <memory>
 #include <optional>
 
 namespace glint {
 namespace {
+
+// Copies of sites in one text. A copy adds some 2 ms to half a second that the picture of magic
+// takes without any, and twice that where the driver polishes it: so this is about what the pass
+// takes.
+constexpr double kMostCopies = 300.0;
 
 // The scene of an order, with the pass compiled that is looked into; what it reads stands still.
 class Subject {
@@ -74,7 +81,8 @@ private:
         frame.frame_rate = 1.0 / step.seconds();
         return frame;
     }
-    void follow_lines(const ProbeOrder& order);
+    bool compile_next(const ProbeOrder& order);
+    bool is_whole() const { return lines_.size() + refused_.size() >= batches_.size(); }
     void add_values(const ProbeOrder& order, Probing& found, ProbeAnswer& answer);
     void add_costs(const ProbeOrder& order, Probing& found, ProbeAnswer& answer);
     void add_map(const ProbeOrder& order, ProbeAnswer& answer);
@@ -90,17 +98,39 @@ private:
     std::vector<bool> reached_;
     Frame frame_{};
     std::optional<Watches> watches_;
-    std::optional<Probe> lines_, cost_;
     Span asked_{};
+    std::vector<ProbeBatch> batches_;  // of the lines that are asked for
+    std::deque<Probe> lines_;          // of the first of them, as far as they are compiled
+    std::vector<std::string> refused_;
+    std::optional<Probe> cost_;
 };
 
-void Subject::follow_lines(const ProbeOrder& order) {
-    if (!watches_) watches_.emplace(preset_, pass_, options_);
-    const bool is_same = asked_.begin == order.lines.begin && asked_.end == order.lines.end;
-    if (order.lines.begin == order.lines.end || (lines_ && is_same)) return;
-    lines_.reset();
-    asked_ = order.lines;
-    lines_.emplace(preset_, pass_, options_, ProbeWish{.only = {asked_}});
+// The watches, or a batch of lines; false where all was at hand.
+bool Subject::compile_next(const ProbeOrder& order) {
+    if (asked_.begin != order.lines.begin || asked_.end != order.lines.end) {
+        asked_ = order.lines;
+        lines_.clear();
+        refused_.clear();
+        batches_.clear();
+        const ProbeWish wish{.only = {asked_}};
+        if (asked_.begin < asked_.end)
+            batches_ = batches_of(reading_, preset_.scene.text,
+                                  pass_text(preset_, pass_, options_, &wish).probed.sites,
+                                  copies_in(reading_, entry_of(preset_.scene, pass_)), asked_,
+                                  kMostCopies);
+    }
+    if (!watches_) {
+        watches_.emplace(preset_, pass_, options_);
+        if (watches_->probe()) return true;
+    }
+    if (is_whole()) return false;
+    try {
+        const ProbeBatch& batch = batches_[lines_.size() + refused_.size()];
+        lines_.emplace_back(preset_, pass_, options_, ProbeWish{.only = batch});
+    } catch (const ProbeRefused& refused) {
+        refused_.push_back(refused.what());
+    }
+    return true;
 }
 
 void Subject::add_values(const ProbeOrder& order, Probing& found, ProbeAnswer& answer) {
@@ -109,18 +139,21 @@ void Subject::add_values(const ProbeOrder& order, Probing& found, ProbeAnswer& a
     found.pixel = place.pixel;
     found.values = watches_->values_at(*renderer_, frame_, place);
     answer.watched = static_cast<int>(found.values.size());
-    if (!lines_) return;
+    Probed all;
     std::vector<std::uint32_t> hits;
-    const std::vector<ProbeValue> rows = lines_->values_at(*renderer_, frame_, place, &hits);
-    const auto& sites = lines_->probed().sites;
-    if (lines_->is_discarded())
-        found.same = "discarded";
-    else if (order.colour && !sites.empty())
-        found.same = same_colour(*order.colour, lines_->colour(), PixelFormat::rgba8);
-    found.values.insert(found.values.end(), rows.begin(), rows.end());
-    const std::vector<LineState> states =
-        line_states(preset_.scene, reading_, reached_, lines_->probed(), hits, asked_);
-    for (const LineState state : states) answer.ran.push_back(static_cast<std::uint8_t>(state));
+    for (Probe& probe : lines_) {
+        const std::vector<ProbeValue> rows = probe.values_at(*renderer_, frame_, place, &hits);
+        found.values.insert(found.values.end(), rows.begin(), rows.end());
+        const auto& sites = probe.probed().sites;
+        all.sites.insert(all.sites.end(), sites.begin(), sites.end());
+        if (probe.is_discarded())
+            found.same = "discarded";
+        else if (order.colour && !sites.empty() && !found.same.starts_with("no"))
+            found.same = same_colour(*order.colour, probe.colour(), PixelFormat::rgba8);
+    }
+    if (!is_whole()) return;  // what is not compiled yet may have run
+    for (const LineState state : line_states(preset_.scene, reading_, reached_, all, hits, asked_))
+        answer.ran.push_back(static_cast<std::uint8_t>(state));
 }
 
 // What each line has cost at the pixel, and the dearest lines of all.
@@ -141,8 +174,10 @@ void Subject::add_costs(const ProbeOrder& order, Probing& found, ProbeAnswer& an
 
 void Subject::add_map(const ProbeOrder& order, ProbeAnswer& answer) {
     if (order.map != ProbeMap::value) return;
-    for (Probe* probe : {watches_->probe(), lines_ ? &*lines_ : nullptr}) {
-        if (!probe) continue;
+    std::vector<Probe*> probes;
+    if (watches_->probe()) probes.push_back(watches_->probe());
+    for (Probe& probe : lines_) probes.push_back(&probe);
+    for (Probe* probe : probes) {
         for (std::size_t i = 0; i < probe->probed().sites.size(); ++i) {
             const ProbeValue row = probe->row(i);
             if (row.line != order.line || row.column != order.column || row.file != order.file ||
@@ -178,8 +213,8 @@ void Subject::add_map(const ProbeOrder& order, ProbeAnswer& answer) {
 
 void Subject::answer(const ProbeOrder& order, ProbeAnswer& answer) {
     const Stopwatch clock;
-    const bool compiles = !lines_ || !watches_ || (order.map == ProbeMap::cost && !cost_);
-    follow_lines(order);
+    const bool counts = order.map == ProbeMap::cost && !cost_;
+    const bool compiles = compile_next(order) || counts;
     Probing found{.scene = preset_.scene.files.front().string(),
                   .pass = pass_name(preset_.scene, pass_),
                   .size = size(),
@@ -190,7 +225,9 @@ void Subject::answer(const ProbeOrder& order, ProbeAnswer& answer) {
     add_costs(order, found, answer);
     add_map(order, answer);
     if (!answer.values.empty()) answer.map = order.map, answer.size = size();
+    answer.is_whole = is_whole();
     found.notes = watches_->refused();
+    found.notes.insert(found.notes.end(), refused_.begin(), refused_.end());
     answer.found = to_json(found).dump();
 }
 

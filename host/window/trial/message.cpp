@@ -104,9 +104,10 @@ void members(const auto& all, Is<ProbeOrder> auto& value) {
         kind);
 }
 void members(const auto& all, Is<ProbeAnswer> auto& value) {
-    auto& [number, found, watched, ran, problem, compile_ms, map, size, components, values,
-           reached] = value;
-    all(number, found, watched, ran, problem, compile_ms, map, size, components, values, reached);
+    auto& [number, found, watched, is_whole, ran, problem, compile_ms, map, size, components,
+           values, reached] = value;
+    all(number, found, watched, is_whole, ran, problem, compile_ms, map, size, components, values,
+        reached);
 }
 
 void members(const auto& all, Is<SoundOrder> auto& value) {

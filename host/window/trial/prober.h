@@ -39,7 +39,9 @@ struct ProbeAnswer {
     std::uint64_t number = 0;
     std::string found{};  // a Probing as JSON; its first `watched` values are those of the watches
     int watched = 0;
-    std::vector<std::uint8_t> ran{};  // by line of the text: a LineState
+    // Whether all lines are compiled that were asked for: each order has some of them compiled.
+    bool is_whole = true;
+    std::vector<std::uint8_t> ran{};  // by line of the text: a LineState; where it is whole
     std::string problem{};            // why there is nothing; "" where there is
     double compile_ms = 0.0;          // 0 where all was at hand
     // Four floats a pixel, of which so many count, rows bottom up; and whether it was reached.

@@ -199,6 +199,7 @@ void source(Build& build, SourceState& state) {
                        .ran = index < ran.size() ? ran[index] : std::uint8_t{0}},
                       digits);
             ImGui::PopID();
+            if (!ImGui::IsItemVisible()) continue;  // the clipper measures the first one anywhere
             first = std::min(first.value_or(begins[index]), begins[index]);
             last = std::max(last.value_or(end), end);
         }

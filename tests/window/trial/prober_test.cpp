@@ -3,6 +3,7 @@
 
 #include "../../base/test_folder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -137,6 +138,35 @@ TEST_F(Probing, AValueOfEveryPixelSaysWhereItWasNotReached) {
     EXPECT_EQ(values[4 * (6 * 8 + 5)], -50.5f);
     EXPECT_EQ(answer_.reached[6 * 8 + 5], std::byte{1});
     EXPECT_EQ(answer_.reached[2 * 8 + 5], std::byte{0}) << "below, the branch is not taken";
+}
+
+// A driver compiles a copy of a function for each of its calls, and of what is recorded in it.
+TEST_F(Probing, LinesOfWhichThePassHasManyCopiesAreToldOneAfterAnother) {
+    std::string text = "\nfloat h0(float x) {\n    float a = x + 1.0;\n    return a;\n}\n";
+    for (int i = 1; i <= 7; ++i)
+        text +=
+            fmt::format("float h{0}(float x) {{ return h{1}(x) + h{1}(x + 1.0); }}\n", i, i - 1);
+    Scene& scene = order_.scene.preset.scene;
+    scene.text.replace(scene.text.find("\nfloat never"), 1, text);
+    scene.text.replace(scene.text.find("c = vec4(height)"), 16, "c = vec4(h7(1.0))");
+    scene.origins.resize(static_cast<std::size_t>(std::ranges::count(scene.text, '\n')) + 1);
+    for (std::size_t i = 0; i < scene.origins.size(); ++i)
+        scene.origins[i] = {0, static_cast<int>(i) + 1};
+    order_.pixel = glm::ivec2(1, 1);
+    nlohmann::json found = ask();
+    EXPECT_FALSE(answer_.is_whole);
+    EXPECT_TRUE(answer_.ran.empty()) << "what is not compiled yet may have run";
+    std::size_t told = found.at("values").size();
+    for (int i = 0; i < 20 && !answer_.is_whole; ++i) {
+        found = ask();
+        EXPECT_GE(found.at("values").size(), told);
+        told = found.at("values").size();
+    }
+    EXPECT_TRUE(answer_.is_whole);
+    EXPECT_EQ(value(found, "a", 5), 9.0) << "1 + 7 + 1, of the last call";
+    EXPECT_EQ(ran(5), LineState::ran);
+    ask();
+    EXPECT_EQ(answer_.compile_ms, 0.0);
 }
 
 TEST_F(Probing, WhatDoesNotCompileIsTold) {

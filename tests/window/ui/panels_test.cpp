@@ -406,6 +406,26 @@ TEST(Panels, RememberTheirPlaces) {
     }
 }
 
+// What is in view alone is instrumented: a whole text takes ten times as long.
+TEST(Panels, TheSourceAsksForTheLinesInViewAlone) {
+    Screen screen({});
+    for (int line = 1; line <= 400; ++line) {
+        screen.scene.text += line == 350 ? "void mainImage(\n" : "// another\n";
+        screen.scene.origins.push_back({0, line});
+    }
+    screen.scene.files = {"scene.frag"};
+    const std::vector<PassFact> passes = {{.name = "image", .entry = "mainImage"}};
+    screen.facts.passes = passes;
+    screen.settings.source = true;
+    std::optional<Span> seen;
+    for (int i = 0; i < 4; ++i) seen = screen.frame().lines;
+    ASSERT_TRUE(seen);
+    const std::size_t entry = screen.scene.text.find("void mainImage(");
+    EXPECT_LE(seen->begin, entry);
+    EXPECT_GT(seen->end, entry);
+    EXPECT_GT(seen->begin, screen.scene.text.size() / 2);
+}
+
 TEST(Panels, ComeToRestWhenNothingMoves) {
     Screen screen(two_numbers());
     screen.wait();
