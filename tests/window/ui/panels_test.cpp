@@ -414,7 +414,8 @@ TEST(Panels, TheSourceAsksForTheLinesInViewAlone) {
         screen.scene.origins.push_back({0, line});
     }
     screen.scene.files = {"scene.frag"};
-    const std::vector<PassFact> passes = {{.name = "image", .entry = "mainImage"}};
+    const std::vector<PassFact> passes = {
+        {.name = "image", .entry = "mainImage", .outputs = {}, .runs = {}}};
     screen.facts.passes = passes;
     screen.settings.source = true;
     std::optional<Span> seen;
