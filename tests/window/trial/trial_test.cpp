@@ -290,7 +290,8 @@ TEST(Trial, IsReplacedWhenItIsKilledWhileIdle) {
 TEST(Trial, GivesWayToANewerCandidate) {
     Trial trial(options());
     wait_until_ready(trial);
-    const Preset heavy = preset_of(kHeavy), broken = preset_of("void mainImage(out vec4 c, in vec2 p) { c = none; }");
+    const Preset heavy = preset_of(kHeavy),
+                 broken = preset_of("void mainImage(out vec4 c, in vec2 p) { c = none; }");
     trial.start({.preset = heavy, .compile = {}, .images = {}});
     trial.start({.preset = broken, .compile = {}, .images = {}});
     const Verdict result = try_text(trial, kTrivial);
