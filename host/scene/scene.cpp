@@ -49,8 +49,7 @@ private:
     void resolve_readers();
     bool stands_in_tab(const Pass& pass) const;
     void find_entries();
-    void check_function(const PassCall& call, const std::string& why,
-                        const std::vector<std::string>& outputs);
+    void check_function(const PassCall& call, const std::string& why);
     void check_seconds();
     bool misses_a_file() const;
     void check_image();
@@ -126,7 +125,7 @@ void Builder::check_image() {
     if (!identifiers_.contains("mainImage") && identifiers_.contains("gl_FragColor"))
         scene_.image_entry = "main";  // plain GLSL of the web, as in the Book of Shaders
     if (scene_.image_entry == "mainImage")
-        check_function({"mainImage"}, "this draws the picture", {"color"});
+        check_function({"mainImage", {"color"}}, "this draws the picture");
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
     if (misses_a_file()) return;
     const bool is_empty = reading_.written.empty();
@@ -349,8 +348,8 @@ void Builder::find_entries() {
     for (std::size_t i = 0; i < scene_.passes.size(); ++i) {
         Pass& pass = scene_.passes[i];
         if (identifiers_.contains(pass.entry) && !declared_.contains(pass.entry)) {
-            check_function({pass.entry, pass.outputs.size(), pass.cube},
-                           fmt::format("it fills {}", fmt::join(pass.outputs, ", ")), pass.outputs);
+            check_function({pass.entry, pass.outputs, pass.cube},
+                           fmt::format("it fills {}", fmt::join(pass.outputs, ", ")));
             continue;
         }
         if (stands_in_tab(pass))
@@ -362,15 +361,9 @@ void Builder::find_entries() {
 }
 
 // Of a function that is there and cannot be called, drivers only say that there is none.
-void Builder::check_function(const PassCall& call, const std::string& why,
-                             const std::vector<std::string>& outputs) {
-    const auto wrong = find_uncallable(reading_, call);
-    if (!wrong) return;
-    std::string out;
-    for (const std::string& name : outputs) out += fmt::format("out vec4 {}, ", name);
-    error(wrong->begin,
-          fmt::format("{}, and so has to be void {}({}in vec2 coord{})", why, call.entry, out,
-                      call.cube ? ", in vec3 rayOri, in vec3 rayDir" : ""));
+void Builder::check_function(const PassCall& call, const std::string& why) {
+    if (const auto wrong = find_uncallable(reading_, call))
+        error(wrong->begin, fmt::format("{}, and so has to be {}", why, signature(call)));
 }
 
 // As `a##b`, which GLSL ES does not have.

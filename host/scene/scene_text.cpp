@@ -148,11 +148,11 @@ bool may_be(std::string_view type, std::string_view wanted) {
 
 bool can_be_called(const Reading& reading, const Function& function, const PassCall& call) {
     if (!may_be(reading.word(function.type), "void")) return false;
-    if (function.parameters.size() != call.outputs + (call.cube ? 3 : 1)) return false;
+    if (function.parameters.size() != call.outputs.size() + (call.cube ? 3 : 1)) return false;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const Declaration& parameter = reading.declarations[function.parameters[i]];
-        const bool is_output = i < call.outputs;
-        const char* type = is_output ? "vec4" : i == call.outputs ? "vec2" : "vec3";
+        const bool is_output = i < call.outputs.size();
+        const char* type = is_output ? "vec4" : i == call.outputs.size() ? "vec2" : "vec3";
         if (parameter.is_out != is_output || !may_be(reading.word(parameter.type), type))
             return false;
     }
@@ -160,6 +160,13 @@ bool can_be_called(const Reading& reading, const Function& function, const PassC
 }
 
 }  // namespace
+
+std::string signature(const PassCall& call) {
+    std::string out;
+    for (const std::string& name : call.outputs) out += fmt::format("out vec4 {}, ", name);
+    return fmt::format("void {}({}in vec2 coord{})", call.entry, out,
+                       call.cube ? ", in vec3 rayOri, in vec3 rayDir" : "");
+}
 
 std::optional<Span> find_uncallable(const Reading& reading, const PassCall& call) {
     std::optional<Span> first;
@@ -179,8 +186,7 @@ std::string no_pass_function(const Reading& reading, const Pass& pass) {
     for (std::size_t i = 0; i < named; ++i) names += (i > 0 ? ", " : "") + functions[i];
     const std::string here =
         functions.empty()
-            ? fmt::format("; write void {}(out vec4 color, in vec2 coord{}) {{ … }}", pass.entry,
-                          pass.cube ? ", in vec3 rayOri, in vec3 rayDir" : "")
+            ? fmt::format("; write {} {{ … }}", signature({pass.entry, {"color"}, pass.cube}))
             : fmt::format(" among {}{}{}", names, functions.size() > named ? ", …" : "",
                           did_you_mean(pass.entry, functions));
     return fmt::format("there is no function {}{} (a tab, within #ifdef PASS_{}, has mainImage)",

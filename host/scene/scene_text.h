@@ -63,18 +63,19 @@ std::optional<std::vector<std::string_view>> parse_allow(std::string_view note);
 // The functions that fill a buffer or are the picture, `void NAME(out vec4 …`, each once, in order.
 std::vector<std::string> find_pass_functions(const Reading& reading);
 
-// That this pass has none, in words, with those there are and the nearest.
-std::string no_pass_function(const Reading& reading, const Pass& pass);
-
 // What a pass asks of its function.
 struct PassCall {
-    std::string_view entry;
-    std::size_t outputs = 1;
+    std::string entry;
+    std::vector<std::string> outputs{};
     bool cube = false;
 };
+// `void mainSky(out vec4 sky, in vec2 coord, in vec3 rayOri, in vec3 rayDir)`.
+std::string signature(const PassCall& call);
 // The name of a function that has no twin which can be called so; nothing where one can, where the
 // text has none at all, or names types that are not the language's own.
 std::optional<Span> find_uncallable(const Reading& reading, const PassCall& call);
+// That this pass has none, in words, with those there are and the nearest.
+std::string no_pass_function(const Reading& reading, const Pass& pass);
 
 // The words that stand in live text, those of directives too.
 std::unordered_set<std::string_view> find_words(const Reading& reading);

@@ -18,7 +18,7 @@ NEAR = {"--rmse": "own", "--size": "96x54", "--seconds": "3"}
 OVER = {"--ms": "own", "--over": "presets", "--size": "96x54", "--seconds": "2"}
 ALONE = {"--size": "96x54", "--seconds": "2"}
 FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
-MOST_SECONDS = 400   # of one step of a scene, some three times as long as the longest
+MOST_SECONDS = 400   # of one step of a scene; only caustics over all its presets takes longer, and goes on at the next call
 # Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
 # times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
 # loops of a pixel after 65,535 turns together, which all references at once would need.

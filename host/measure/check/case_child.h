@@ -3,15 +3,14 @@
 
 #include "measure/check/process.h"
 
-#include <nlohmann/json_fwd.hpp>
 #include <sys/types.h>
 
 namespace glint {
 
-// Its end, too: nobody returns. It tells the socket, a line of JSON each: that it is "compiling" or
+// All of a forked process. It tells the socket, a line of JSON each: that it is "compiling" or
 // "alive", its "renderer" and all its "cases" (name, tweaks, group), and the "result" of each case
 // whose number it reads there. It ends with the other end of the socket, or with its parent.
-// Of `wanted.effort.seconds` so many are left.
+// `wanted.effort.seconds` are those that are left.
 [[noreturn]] void be_a_case_child(const FileCheck& wanted, int socket, pid_t parent);
 
 }  // namespace glint

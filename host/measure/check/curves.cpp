@@ -7,11 +7,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kStyle = R"(set encoding utf8
-set grid xtics ytics lt 1 lc rgb '#dddddd'
-set border 3 lc rgb '#808080'
-set tics nomirror textcolor rgb '#404040'
-set offsets graph 0, graph 0, graph 0.08, graph 0.08
+constexpr const char* kLook = R"(set offsets graph 0, graph 0, graph 0.08, graph 0.08
 set lmargin 10
 set xlabel 'frame'
 )";
@@ -59,8 +55,8 @@ std::string svg_curves(std::span<const InvariantCurve> curves) {
     if (count == 0) return {};
     return gnuplot_svg(
         fmt::format("set terminal svg size 760,{} dynamic font 'sans-serif,13' background "
-                    "'#ffffff'\n{}set multiplot layout {},1\n{}unset multiplot\n",
-                    40 + 200 * count, kStyle, count, plots));
+                    "'#ffffff'\n{}{}set multiplot layout {},1\n{}unset multiplot\n",
+                    40 + 200 * count, kGnuplotStyle, kLook, count, plots));
 }
 
 }  // namespace glint

@@ -198,7 +198,7 @@ public:
     CheckedFile run() {
         const Stopwatch clock;
         start_one();
-        while (!children_.empty()) {
+        while (!children_.empty() && !is_done()) {
             const auto spoke = wait_for_word();
             if (spoke == children_.end()) continue;
             CaseProcess& child = **spoke;
@@ -212,6 +212,9 @@ public:
 
 private:
     using Children = std::vector<std::unique_ptr<CaseProcess>>;
+
+    // Then nobody is waited for who still compiles.
+    bool is_done() const { return !cases_.empty() && numbers_.size() == cases_.size(); }
 
     double frame_limit() const {
         return frame_wait_seconds(wanted_.hang_seconds, wanted_.effort.seconds, left_.left());
@@ -287,8 +290,10 @@ private:
         while (next_ < cases_.size()) {
             const std::size_t number = next_++;
             std::string why = why_left_out(cases_[number]);
-            if (cases_[number].group > 0) call_others();
-            if (why.empty()) return child.run(number);
+            if (why.empty()) {
+                if (cases_[number].group > 0) call_others();
+                return child.run(number);
+            }
             keep(number, {.name = cases_[number].name,
                           .verdict = CaseVerdict::skip,
                           .note = std::move(why)});
@@ -307,7 +312,7 @@ private:
         const std::unique_ptr<CaseProcess> child = std::move(*which);
         children_.erase(which);
         const int code = child->wait();
-        if (!child->running && !child->hung()) {
+        if (!child->running && (!child->hung() || !children_.empty())) {  // others go on
             if (!child->is_asked && children_.empty())
                 file_.code = code > 0 ? static_cast<ExitCode>(code) : ExitCode::failure;
             return;

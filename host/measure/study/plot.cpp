@@ -98,12 +98,7 @@ std::string axis(const char* name, Span span) {
 constexpr glm::dvec2 kPicture{760.0, 440.0};
 constexpr Box kArea{{92.0, 66.0}, {736.0, 400.0}};
 
-constexpr const char* kStyle = R"(
-set encoding utf8
-set logscale xy
-set grid xtics ytics lt 1 lc rgb '#dddddd'
-set border 3 lc rgb '#808080'
-set tics nomirror textcolor rgb '#404040'
+constexpr const char* kLook = R"(set logscale xy
 set key at screen 0.97,0.97 right top horizontal
 set bars small
 )";
@@ -171,7 +166,8 @@ std::string script(const Study& study) {
     text += fmt::format(
         "set margins at screen {:.5f}, at screen {:.5f}, at screen {:.5f}, at screen {:.5f}\n",
         share.low.x, share.high.x, share.low.y, share.high.y);
-    text += kStyle + data_block(study, "rows", false);
+    text += kGnuplotStyle;
+    text += kLook + data_block(study, "rows", false);
     Span x = span_of(study, !study.time_only), y = span_of(study, study.time_only);
     x.widen(study.time_only ? 1.3 : 1.25);
     y.widen(study.time_only ? 1.3 : 2.0);
