@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <set>
 #include <string_view>
@@ -24,6 +25,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestText = 64u << 20;
 constexpr int kMostIncludes = 4096;
 constexpr std::size_t kDeepestInclude = 200;
+
+// What texts for WebGL 1 ask for by #extension, and GLSL ES 3.00 has without.
+constexpr auto kExtensionsWithin = std::to_array<std::string_view>(
+    {"GL_OES_standard_derivatives", "GL_EXT_shader_texture_lod", "GL_EXT_frag_depth"});
 
 // A path without "x/.." in it, where that names the same file.
 fs::path tidied(const fs::path& path) {
@@ -167,7 +172,9 @@ void Reader::obey(File& file, const DirectiveLine& directive) {
     if (word == "pragma" && what == "once" && line.size() == 3) once_.insert(file.identity);
     if (word == "include")
         include(file, directive);
-    else if (word == "version" || word == "line" || word == "pragma")
+    else if (word == "version" || word == "line" || word == "pragma" ||
+             (word == "extension" &&
+              std::ranges::find(kExtensionsWithin, what) != kExtensionsWithin.end()))
         append_blanked(file, directive);
 }
 

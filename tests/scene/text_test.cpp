@@ -189,6 +189,14 @@ TEST(Blanked, ArePragmas) {
     EXPECT_EQ(scene.text, "                        // fast\n" + kImage);
 }
 
+TEST(Blanked, AreExtensionsThatTheLanguageHasByNow) {
+    const std::string text =
+        good("#extension GL_OES_standard_derivatives : enable\n#extension GL_X : enable\n" + kImage)
+            .text;
+    EXPECT_EQ(text.find("GL_OES_standard_derivatives"), std::string::npos);
+    EXPECT_NE(text.find("GL_X"), std::string::npos) << "of others the driver decides";
+}
+
 TEST(Uniforms, MayComeFromMacros) {
     const Scene scene = good("#define KNOB uniform float\nKNOB a; //@ 1\n" + kImage);
     EXPECT_EQ(tweak_names(scene), "a ");
