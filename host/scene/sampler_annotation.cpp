@@ -141,7 +141,9 @@ void SamplerParser::parse_source(std::string_view word, std::size_t at) {
 void SamplerParser::parse_target(std::string_view what) {
     result.target_at = words.at();
     result.target = words.bare("=\"");
-    if (is_identifier(result.target)) return;
+    const bool is_option = words.accept('=');  // and the name is forgotten
+    if (is_identifier(result.target) && !is_option) return;
+    if (is_option) words.bare("\"");
     words.complain(result.target_at, fmt::format("here stands the name of a {}", what));
 }
 

@@ -349,6 +349,8 @@ TEST(SamplerAnnotation, SaysWhatIsWrongAndWhere) {
         {SamplerType::sampler2D, "pass", 4, "name of a function"},
         {SamplerType::sampler2D, "pass 3d", 5, "name of a function"},
         {SamplerType::sampler2D, "pass a b", 7, "unknown word 'b'"},
+        {SamplerType::sampler2D, "pass format=rgba16f", 5, "the name of a function"},
+        {SamplerType::sampler2D, "buffer wrap=repeat", 7, "the name of a sampler"},
         {SamplerType::sampler2D, "pass a sise=1", 7, "did you mean 'size'"},
         {SamplerType::sampler2D, "pass a size=0", 12, "from 1 to 16384"},
         {SamplerType::sampler2D, "pass a size=16385", 12, "from 1 to 16384"},
