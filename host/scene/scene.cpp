@@ -106,6 +106,7 @@ Scene Builder::build() {
     resolve_readers();
     find_entries();
     check_seconds();
+    if (const auto strange = find_strange(reading_)) error(strange->begin, about_strange(*strange));
     scene_.has_sound = identifiers_.contains("mainSound");
     check_image();
     for (const Span span : blanked_)

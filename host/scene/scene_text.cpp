@@ -178,6 +178,24 @@ std::optional<Span> find_uncallable(const Reading& reading, const PassCall& call
     return first;
 }
 
+std::optional<Token> find_strange(const Reading& reading) {
+    const auto found = std::ranges::find(reading.tokens, TokenKind::strange, &Token::kind);
+    return found == reading.tokens.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string about_strange(const Token& token) {
+    if (token.text == "`")
+        return "GLSL has no `; take out what a text had round it where it was copied";
+    const auto lead = static_cast<unsigned char>(token.text.front());
+    if (lead < 0x80) return fmt::format("GLSL has no {}; take it out", in_quotes(token.text));
+    char32_t code = lead & (0x7F >> token.text.size());
+    for (const char c : token.text.substr(1)) code = code << 6 | (c & 0x3F);
+    return fmt::format(
+        "GLSL has no {} (U+{:04X}) but in comments; write a plain space, a plain "
+        "letter, or nothing here",
+        in_quotes(token.text), static_cast<std::uint32_t>(code));
+}
+
 std::string no_pass_function(const Reading& reading, const Pass& pass) {
     constexpr std::size_t kMostNames = 12;
     const std::vector<std::string> functions = find_pass_functions(reading);

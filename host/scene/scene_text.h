@@ -74,6 +74,11 @@ std::string signature(const PassCall& call);
 // The name of a function that has no twin which can be called so; nothing where one can, where the
 // text has none at all, or names types that are not the language's own.
 std::optional<Span> find_uncallable(const Reading& reading, const PassCall& call);
+
+// The first character that the compiler would see and GLSL does not have.
+std::optional<Token> find_strange(const Reading& reading);
+// What to say of it: many come with a pasted text, and cannot be seen.
+std::string about_strange(const Token& token);
 // That this pass has none, in words, with those there are and the nearest.
 std::string no_pass_function(const Reading& reading, const Pass& pass);
 

@@ -64,6 +64,29 @@ TEST(OddText, ANulByteIsAnErrorAtItsPlace) {
         << all(result.diagnostics);
 }
 
+// Mesa takes a character beyond ASCII for the end of the text, and says that mainImage is missing.
+TEST(OddText, ACharacterThatGlslDoesNotHaveIsAnErrorAtItsPlace) {
+    const struct {
+        std::string text;
+        const char* words;
+    } cases[] = {
+        {"float a = 1.0;\u00A0\n", "a.frag:1:15: error: GLSL has no '\u00A0' (U+00A0)"},
+        {"float \u03C0 = 3.0;\n", "a.frag:1:7: error: GLSL has no '\u03C0' (U+03C0)"},
+        {"float a = \u201C1\u201D;\n", "a.frag:1:11: error: GLSL has no '\u201C' (U+201C)"},
+        {"/* \u03C0 */ int \U0001F384;\n",
+         "a.frag:1:13: error: GLSL has no '\U0001F384' (U+1F384)"},
+        {"```glsl\n", "a.frag:1:1: error: GLSL has no `"},
+        {"float $a;\n", "a.frag:1:7: error: GLSL has no '$'"},
+    };
+    for (const auto& c : cases) {
+        const ReadScene result = read(c.text + kImage);
+        EXPECT_FALSE(result.scene) << c.text;
+        EXPECT_NE(all(result.diagnostics).find(c.words), std::string::npos)
+            << all(result.diagnostics);
+    }
+    good("#if 0\n\u03C0 `$`\n#endif\n#define PI \u03C0\n// \u03C0 `$`\n" + kImage);
+}
+
 TEST(OddText, MainImageMayStandBehindAMacro) {
     good("#define main_image mainImage\nvoid main_image(out vec4 c, in vec2 f) { c = vec4(1); }\n");
 }
