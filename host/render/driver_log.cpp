@@ -39,6 +39,9 @@ public:
     Diagnostic complaint(Severity severity, int line, int column, bool is_expanded,
                          std::string words) const;
 
+    // Where a name stands first; the file alone where it does not.
+    Place first(std::string_view name) const;
+
     // "; did you mean 'density'?" of a name that is not declared, or "".
     std::string meant_by(std::string_view mistyped) const;
 
@@ -135,6 +138,12 @@ Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_
     return {severity, where, std::move(words)};
 }
 
+Place ReadText::first(std::string_view name) const {
+    for (const Token& token : read_.tokens)
+        if (token.is(name) && pass_.origin(token.begin)) return place(token.begin);
+    return Place{scene_.files.front().string()};
+}
+
 std::string ReadText::meant_by(std::string_view mistyped) const {
     const std::size_t most_letters_apart = (mistyped.size() + 2) / 3;
     std::set<std::string, std::less<>> names;
@@ -219,6 +228,13 @@ std::string unknown_name(const std::string& complaint) {
     return m[1].matched ? m[1] : m[2];
 }
 
+// The f of "function `float f(float)' has static recursion", which Mesa says of line 0.
+std::string recursive_name(const std::string& complaint) {
+    static const std::regex mesa(R"(^function `(?:\w+ )?(\w+)\(.*' has static recursion$)");
+    std::smatch m;
+    return std::regex_match(complaint, m, mesa) ? std::string(m[1]) : "";
+}
+
 // Mesa gives what it does not understand no type, and then complains of each expression round it,
 // all of which stand behind that complaint and begin no later in its line.
 bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
@@ -273,6 +289,12 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
         if (!read) read.emplace(scene, text);
         if (const std::string name = unknown_name(words); !name.empty())
             words += read->meant_by(name);
+        if (const std::string name = recursive_name(words); !name.empty()) {
+            list.push_back({Severity::error, read->first(name),
+                            name + " calls itself, at once or by way of others; GLSL has no "
+                                   "recursion, write a loop"});
+            return;
+        }
         list.push_back(read->complaint(is_error ? Severity::error : Severity::warning,
                                        std::min(parse_count(line), kLastLine), column, is_expanded,
                                        std::move(words)));

@@ -185,6 +185,19 @@ TEST_F(Complaints, SayInWordsWhatIsMissingAtLinking) {
         << to_text(declared_only);
 }
 
+// Mesa says it of line 0.
+TEST_F(Complaints, OfARecursionStandAtTheFunction) {
+    const Diagnostics list = complaints(
+        "float g(float x);\nfloat f(float x) { return x < 1.0 ? x : g(x - 1.0); }\n"
+        "float g(float x) { return f(x); }\n"
+        "void mainImage(out vec4 c, in vec2 p) { c = vec4(f(p.x)); }\n");
+    const Diagnostic* error = first_error(list);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->place.line, error->text.starts_with("f ") ? 2 : 1) << to_text(list);
+    EXPECT_EQ(error->place.column, 7) << to_text(list);
+    EXPECT_NE(error->text.find("GLSL has no recursion"), std::string::npos) << to_text(list);
+}
+
 TEST_F(Complaints, TellOfMoreOutputsThanAPassCanFill) {
     for (const int count : {8, 9}) {
         std::string samplers, outputs, writes;
