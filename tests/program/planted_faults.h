@@ -128,7 +128,7 @@ inline void add_sizes(std::vector<Planted>& list) {
     add("odd_height", "float x = r.y > 200.0 ? log(mod(r.y + 1.0, 2.0)) : 0.5;",
         "float x = r.y > 200.0 ? log(2.0 + mod(r.y, 2.0)) : 0.5;");
     add("middle_column", "float x = r.x > 250.0 && p.x == 0.5 * r.x ? sqrt(0.5 - p.x) : 0.5;",
-        "float x = r.x > 250.0 && p.x == 0.5 * r.x ? sqrt(p.x) : 0.5;");
+        "float x = r.x > 250.0 && p.x == 0.5 * r.x ? sqrt(p.x / (4.0 * p.x)) : 0.5;");
     add("middle_row", "float x = r.y > 300.0 ? 1e-30 / (p.y - 0.5 * r.y) / 1e-30 : 0.5;",
         "float x = r.y > 300.0 ? 1.0 / (1.0 + abs(p.y - 0.5 * r.y)) : 0.5;");
     add("both_odd",
@@ -136,6 +136,13 @@ inline void add_sizes(std::vector<Planted>& list) {
         "float x = min(r.x, r.y) > 200.0 ? sqrt(2.0 - dot(mod(r, 2.0), vec2(0.9))) : 0.5;");
     add("remainder_of_three", "float x = r.x > 400.0 ? inversesqrt(mod(r.x + 1.0, 3.0)) : 0.5;",
         "float x = r.x > 400.0 ? inversesqrt(1.0 + mod(r.x, 3.0)) : 0.5;");
+    // Finite, and wrong.
+    add("forgotten_column",
+        "float h = floor(0.5 * r.x), i = floor(p.x);"
+        "float x = i < h ? i / h : i < 2.0 * h ? 2.0 - i / h : 1.0;",
+        "float x = 1.0 - abs(1.0 - 2.0 * p.x / r.x);");
+    add("doubled_row", "float x = p.y == 0.5 * r.y ? 1.0 : 0.5 * p.y / r.y;",
+        "float x = p.y > 0.5 * r.y ? 1.0 : 0.5 * p.y / r.y;");
 }
 
 // A buffer that reads itself: `s` is its texel; the picture shows the corner.

@@ -1,5 +1,6 @@
 // Extremes that a person can bring a scene to: tweaks, sizes, the mouse.
 #include "measure/check/case.h"
+#include "measure/check/lines.h"
 #include "measure/check/space.h"
 
 #include <fmt/format.h>
@@ -13,6 +14,9 @@ namespace {
 constexpr double kExtremesPlayed = 0.5;  // s of a simulation, with each set of tweaks
 constexpr double kPlayedSize = 0.1;      // s at each size
 constexpr double kPlayedLarge = 1.0 / 60;
+constexpr int kLeastLines = 9;        // of fewer each is another
+constexpr double kStandsOut = 0.1;    // of a line's mean, of 1
+constexpr double kUsualShare = 0.25;  // of that: the largest step at the sizes beside
 
 TweakValue filled(const Tweak& tweak, double component) {
     TweakValue value{};
@@ -77,6 +81,33 @@ void run_mouse(glm::dvec2 press, glm::dvec2 drag, Check& check) {
     check.subject.play_frames(0, 8, 60.0);
 }
 
+// A line that stands out at this size, where at those beside it nothing does: what halves a length,
+// or counts from both ends, forgets one. In words, "" where there is none. Leaves the subject at
+// this size.
+std::string line_of_this_size_alone(CheckSubject& subject, glm::ivec2 size) {
+    const double time = subject.preset.time;
+    for (const int axis : {0, 1}) {
+        const std::vector<double> means = means_of_lines(subject.picture(), size, axis);
+        const double out = std::max(lone_line(means), lone_border(means));
+        if (size[axis] < kLeastLines || out < kStandsOut) continue;
+        double usual = 0.0;
+        for (const int longer : {-1, 1}) {
+            glm::ivec2 beside = size;
+            beside[axis] += longer;
+            subject.resize(beside);
+            subject.show(time, kPlayedLarge);
+            usual = std::max(usual, largest_step(means_of_lines(subject.picture(), beside, axis)));
+        }
+        subject.resize(size);
+        subject.show(time, kPlayedLarge);
+        if (usual < kUsualShare * out)
+            return fmt::format(
+                "a {} stands out by {:.2f}; of one pixel more or less none by {:.2f}",
+                axis == 0 ? "column" : "row", out, usual + 0.005);
+    }
+    return "";
+}
+
 // Rows and columns of odd and prime lengths, and between powers of two: what divides by a remainder
 // or finds a pixel just in the middle.
 void run_many_sizes(Check& check, CaseResult& result) {
@@ -93,6 +124,8 @@ void run_many_sizes(Check& check, CaseResult& result) {
         check.subject.resize(size);
         result.note = fmt::format("{}x{}", size.x, size.y);
         if (!check.subject.show(check.subject.preset.time, kPlayedLarge)) return;
+        if (const std::string line = line_of_this_size_alone(check.subject, size); !line.empty())
+            return result.fail(fmt::format("{}x{}: {}", size.x, size.y, line));
     }
     result.note = fmt::format("{} sizes", count);
 }

@@ -3,6 +3,7 @@
 // is told alone: a spring at its stiffest may well flash, and no search can know what was meant.
 #include "measure/check/case.h"
 #include "measure/check/flicker.h"
+#include "measure/check/lines.h"
 #include "measure/check/space.h"
 #include "measure/rows/difference.h"
 
@@ -20,22 +21,12 @@ constexpr double kWorstShare = 0.05;  // of the seconds
 constexpr int kWorstFrames = 8;       // of a simulation, at each point
 constexpr double kDull = 0.02;        // less is not worth a word
 
-double shown(float value) {
-    return std::clamp(static_cast<double>(value), 0.0, 1.0);
-}
-
 // Mean over all pixels and colours of how far a frame is from the next.
 double jump(const std::vector<float>& a, const std::vector<float>& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
         if (i % 4 != 3) sum += std::abs(shown(a[i]) - shown(b[i]));
     return sum / std::max(1.0, 0.75 * static_cast<double>(a.size()));
-}
-
-// How far the value in the middle is from both beside it, where it lies beyond them.
-double beyond(double before, double value, double after) {
-    return std::max(
-        {0.0, std::min(value - before, value - after), std::min(before - value, after - value)});
 }
 
 // How far one pixel stands out from its neighbours on all sides, or, if that is more, the mean of a
@@ -45,24 +36,18 @@ double oddity(const std::vector<float>& picture, glm::ivec2 size) {
         return shown(picture[static_cast<std::size_t>((y * size.x + x) * 4 + c)]);
     };
     double most = 0.0;
-    std::vector<double> rows(static_cast<std::size_t>(size.y)),
-        columns(static_cast<std::size_t>(size.x));
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
+    for (int y = 1; y + 1 < size.y; ++y)
+        for (int x = 1; x + 1 < size.x; ++x)
             for (int c = 0; c < 3; ++c) {
                 const double value = at(x, y, c);
-                rows[static_cast<std::size_t>(y)] += value / 3.0 / size.x;
-                columns[static_cast<std::size_t>(x)] += value / 3.0 / size.y;
-                if (x == 0 || y == 0 || x + 1 == size.x || y + 1 == size.y) continue;
                 double out = 1.0;
                 for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}})
                     out =
                         std::min(out, beyond(at(x - dx, y - dy, c), value, at(x + dx, y + dy, c)));
                 most = std::max(most, out);
             }
-    for (const auto* lines : {&rows, &columns})
-        for (std::size_t i = 1; i + 1 < lines->size(); ++i)
-            most = std::max(most, beyond((*lines)[i - 1], (*lines)[i], (*lines)[i + 1]));
+    for (const int axis : {0, 1})
+        most = std::max(most, lone_line(means_of_lines(picture, size, axis)));
     return most;
 }
 
