@@ -165,7 +165,7 @@ std::vector<std::string> Probe::notes() const {
         const Place place = preset_.scene.place_at(at);
         notes.push_back(
             fmt::format("{}:{}:{}: what is given a value here is not told: it is an array in a "
-                        "struct, or a macro's",
+                        "struct, a macro's, or an element whose index changes",
                         place.file, place.line, place.column));
     }
     return notes;
