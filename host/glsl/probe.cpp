@@ -231,25 +231,24 @@ void Instrumenter::over_statement(std::uint32_t index) {
             over_tokens(statement.tokens);
             break;
         case StatementKind::return_:
-            over_tokens(statement.head);
             if (statement.head.empty()) break;
             if (wish_.kind != ProbeKind::cost && reading_.functions[function_].type_array.empty())
                 hand_through(SiteKind::returned,
                              std::string(reading_.word(reading_.functions[function_].name)),
                              statement.tokens.begin, statement.head);
-            return;
+            return over_tokens(statement.head);
         case StatementKind::for_:
         case StatementKind::while_:
         case StatementKind::do_:
             if (statement.declaration != kNone)
                 over_declaration(reading_.declarations[statement.declaration]);
-            over_tokens(statement.head);
+            over_condition(statement, statement.condition);
             over_loop(index);
-            return over_condition(statement, statement.condition);
+            return over_tokens(statement.head);
         case StatementKind::if_:
         case StatementKind::switch_:
-            over_tokens(statement.head);
-            return over_condition(statement, statement.head);
+            over_condition(statement, statement.head);
+            return over_tokens(statement.head);
         case StatementKind::break_:
         case StatementKind::continue_:
         case StatementKind::discard:

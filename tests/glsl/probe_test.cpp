@@ -37,6 +37,8 @@ TEST(ProbeText, KeepsWhatIsOnlySometimesEvaluated) {
     EXPECT_EQ(in_function("c && (a = d);"), "c && (glint0_v(0,a = d));");
     EXPECT_EQ(in_function("if (c) a = 1.; else b = 2.;"),
               "if (glint0_v(0,c)) glint0_v(1,a = 1.); else glint0_v(2,b = 2.);");
+    EXPECT_EQ(in_function("if (a = b) return;"),
+              "if (glint0_v(0,glint0_v(1,a = b))) {glint0_r(2); return;}");
     EXPECT_EQ(in_function("c && get(a);"), "c && glint0_then(get(a),(glint0_v(0,a),true));");
     EXPECT_EQ(in_function("a = c ? b = 1., d : e;"),
               "glint0_v(0,a = c ? glint0_v(1,b = 1.), d : e);");
@@ -70,17 +72,17 @@ TEST(ProbeText, TellsASteppedVariableAsItIsAfterwards) {
 TEST(ProbeText, TellsWhatACallHandsOut) {
     EXPECT_EQ(in_function("put(a, 1.);"), "{put(a, 1.); glint0_v(0,a);}");
     EXPECT_EQ(in_function("return get(a);"),
-              "return glint0_then(glint0_v(1,get(a)),(glint0_v(0,a),true));");
+              "return glint0_v(0,glint0_then(get(a),(glint0_v(1,a),true)));");
     EXPECT_EQ(in_function("for (;; put(a, b), ++i) ;"),
               "for (;; (put(a, b),glint0_v(1,a)), glint0_v(0,++i)) ;");
     EXPECT_EQ(
         in_function("for (int i = 0; i < n; i++) break;"),
-        "for (int i = glint0_v(0,0); glint0_v(2,i < n); glint0_w(1,i++,i)) {glint0_r(3); break;}");
+        "for (int i = glint0_v(0,0); glint0_v(1,i < n); glint0_w(2,i++,i)) {glint0_r(3); break;}");
 }
 
 TEST(ProbeText, KeepsCommasTogether) {
     EXPECT_EQ(in_function("while (i++, i < n) break;"),
-              "while (glint0_v(1,(glint0_w(0,i++,i), i < n))) {glint0_r(2); break;}");
+              "while (glint0_v(0,(glint0_w(1,i++,i), i < n))) {glint0_r(2); break;}");
 }
 
 TEST(ProbeText, TellsParametersAndResults) {
