@@ -174,7 +174,10 @@ std::string StructTypes::overloads(std::uint32_t structure, ProbeKind kind) cons
     const Struct& one = reading_.structs[structure];
     if (one.name == kNone) return {};
     std::string text;
-    if (kind == ProbeKind::values)
+    const bool is_returned = std::ranges::any_of(reading_.functions, [&](const Function& function) {
+        return reading_.word(function.type) == reading_.word(one.name);
+    });
+    if (kind == ProbeKind::values && is_returned)  // one with a sampler cannot be
         text =
             fmt::format("{0} glint0_then({0} v,bool noted){{return v;}} ", reading_.word(one.name));
     if (!add_leaves(structure, "", 0, leaves) || leaves.empty()) return text;

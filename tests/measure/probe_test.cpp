@@ -223,6 +223,12 @@ TEST_F(ProbeTest, TellsArraysOfStructsByTheirElements) {
     EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
 }
 
+TEST_F(ProbeTest, LeavesAStructWithASamplerAlone) {
+    Player player("struct M { sampler2D t; float k; }; uniform M m;\n" +
+                  image("float a = m.k + 2.0; c = vec4(a);"));
+    EXPECT_EQ(ask(player, {1, 1}).number("a"), 2.0);
+}
+
 TEST_F(ProbeTest, TellsASteppedMatrix) {
     Player player(image("mat2 m = mat2(1, 2, 3, 4); m++; c = vec4(m[1], m[0]);"));
     const Answer all = ask(player, {1, 1});
