@@ -37,7 +37,8 @@ std::string chip_text(const ProbeValue& value) {
     std::string text = short_value(value);
     if (value.kind == "assigned" || value.kind == "parameter" || value.kind == "expression")
         text = value.name + " " + text;
-    if (value.kind == "returned") text = "return " + text;
+    if (value.kind == "returned")  // `return.nor`, where that is a struct
+        text = fmt::format("return{} {}", value.name.substr(value.function.size()), text);
     if (value.hits > 1) text += fmt::format("  \u00d7{}", value.hits);
     return text;
 }
