@@ -8,6 +8,13 @@
 
 namespace glint {
 
+TokenRange without_parentheses(const Reading& reading, TokenRange range) {
+    while (!range.empty() && reading.tokens[range.begin].is("(") &&
+           reading.close_of(range.begin) == range.end - 1)
+        range = {range.begin + 1, range.end - 1};
+    return range;
+}
+
 // Of what ends before `end`: `a[i].x`, `(a + b)`, `f(x).y`.
 std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop) {
     const auto token = [&](std::uint32_t i) -> const Token& { return reading.tokens[i]; };
@@ -131,6 +138,8 @@ std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint
             ++questions;
         } else if (token(at).is(":")) {
             if (questions-- == 0) return at;
+        } else if (token(at).is(",") && questions > 0) {
+            continue;  // `a ? b, c : d`
         } else if (token(at).is(",") || token(at).is(";") || reading.partner[at] != kNone) {
             return at;
         }

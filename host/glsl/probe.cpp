@@ -2,9 +2,9 @@
 
 #include "glsl/operands.h"
 #include "glsl/parser.h"
+#include "glsl/probe_record.h"
 #include "glsl/probe_room.h"
 #include "glsl/probe_types.h"
-#include "glsl/variables.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 11> kDomains = {"sqrt",  "inversesqrt", "
 class Instrumenter {
 public:
     Instrumenter(const Reading& reading, const ProbeWish& wish, Edits& edits)
-        : reading_(reading), wish_(wish), edits_(edits), variables_(reading), structs_(reading) {
+        : reading_(reading), wish_(wish), edits_(edits), records_(reading) {
         fixed_.resize(reading.tokens.size());
         for (const Declaration& declaration : reading.declarations) {
             const auto mark = [&](TokenRange range) {
@@ -63,6 +63,8 @@ private:
         enum class Where : std::uint8_t { before, instead, after } where;
         TokenRange of;  // what they belong to: of two at one place the inner one is nearer to it
         std::string words;
+        // Of two around the same: the former goes around the latter.
+        std::int64_t order = 0;
     };
     const Token& token(std::uint32_t at) const { return reading_.tokens[at]; }
 
@@ -89,10 +91,11 @@ private:
             probed_.left_out.push_back(reading_.place(range.begin).begin);
             return false;
         }
+        const auto order = static_cast<std::int64_t>(words_.size());
         if (!before.empty())
-            words_.push_back({range.begin, Words::Where::before, range, std::move(before)});
+            words_.push_back({range.begin, Words::Where::before, range, std::move(before), order});
         if (!after.empty())
-            words_.push_back({range.end - 1, Words::Where::after, range, std::move(after)});
+            words_.push_back({range.end - 1, Words::Where::after, range, std::move(after), -order});
         return true;
     }
 
@@ -124,7 +127,7 @@ private:
     void add_record(SiteKind kind, TokenRange variable, std::uint32_t at, std::uint32_t behind) {
         const auto site = add_site(kind, close_spelling(reading_, variable), at);
         if (!site) return;
-        const std::string record = record_of(*site, variable);
+        const std::string record = records_.record_of(*site, variable, function_);
         if (record.empty() || !edits_.takes_after(behind)) {
             probed_.left_out.push_back(reading_.place(variable.begin).begin);
             return probed_.sites.pop_back();
@@ -144,19 +147,13 @@ private:
                           " " + fmt::format(fmt::runtime(call), *site) + ";"});
     }
 
-    bool is_variable(TokenRange range) const;
-    bool is_whole_array(TokenRange range) const;
-    std::uint32_t bare_struct_of(TokenRange range) const;
-    // No function takes it: it is told behind its statement.
-    bool is_told_behind(TokenRange range) const {
-        return is_whole_array(range) || bare_struct_of(range) != kNone;
-    }
-    std::string record_of(std::size_t site, TokenRange variable) const;
+    std::string new_record(TokenRange variable, bool can_be_told);
 
     void over_function(std::uint32_t index);
     void over_statement(std::uint32_t index);
     void over_tokens(TokenRange range);
     void over_assignment(std::uint32_t at, TokenRange room);
+    void over_whole(TokenRange variable, TokenRange assignment);
     void over_step(std::uint32_t at, TokenRange room);
     void over_declaration(const Declaration& declaration);
     void over_condition(const Statement& statement, TokenRange condition);
@@ -166,8 +163,8 @@ private:
     void over_sum(std::uint32_t at, TokenRange room);
     void over_call(const Call& call);
     void over_loop(std::uint32_t index);
-    std::vector<TokenRange> outs_in(TokenRange range) const;
-    std::string outs_behind(TokenRange range, std::uint32_t at);
+    std::vector<TokenRange> outs_of(const Call& call, bool& gives_nothing) const;
+    void over_outs(const Call& call, bool is_statement);
     void place_expression(std::size_t index, std::uint32_t function);
     void add_structs();
     void write();
@@ -175,69 +172,24 @@ private:
     const Reading& reading_;
     const ProbeWish& wish_;
     Edits& edits_;
-    Variables variables_;
-    StructTypes structs_;
+    ProbeRecords records_;
     std::vector<bool> fixed_;  // by token: what must stay a constant, or is no expression
     std::vector<Words> words_;
     std::uint32_t function_ = 0;
     Probed probed_;
 };
 
-// A name with members and indices that can be evaluated once more.
-bool Instrumenter::is_variable(TokenRange range) const {
-    if (range.empty() || !token(range.begin).is_word()) return false;
-    for (std::uint32_t at = range.begin; at < range.end; ++at) {
-        const Token& one = token(at);
-        if (one.is("(") || one.is("++") || one.is("--") || is_assignment(one)) return false;
+// Of a new site; "" where none is wanted, or it is left out.
+std::string Instrumenter::new_record(TokenRange variable, bool can_be_told) {
+    const auto site =
+        add_site(SiteKind::assigned, close_spelling(reading_, variable), variable.begin);
+    if (!site) return {};
+    std::string record = can_be_told ? records_.record_of(*site, variable, function_) : "";
+    if (record.empty()) {
+        probed_.left_out.push_back(reading_.place(variable.begin).begin);
+        probed_.sites.pop_back();
     }
-    return operand_end(reading_, range.begin, range.end) == range.end;
-}
-
-// Which nothing is overloaded for.
-bool Instrumenter::is_whole_array(TokenRange range) const {
-    const auto found = variables_.find(range.begin, function_);
-    if (!found.declaration) return false;
-    const auto brackets = [&](TokenRange array) {
-        int count = 0;
-        for (std::uint32_t at = array.begin; at < array.end; ++at)
-            if (const std::uint32_t close = reading_.close_of(at); close != kNone)
-                ++count, at = close;
-        return count;
-    };
-    const int known = brackets(found.name->array) + brackets(found.declaration->type_array);
-    return known > brackets({range.begin, range.end});
-}
-
-// Into structs: that of this variable or element, where no function takes it, since the function
-// itself declares it, or not all of it can be told.
-std::uint32_t Instrumenter::bare_struct_of(TokenRange range) const {
-    const auto found = variables_.find(range.begin, function_);
-    if (!found.declaration) return kNone;
-    for (std::uint32_t at = range.begin; at < range.end; ++at)
-        if (token(at).is(".")) return kNone;
-    const std::string_view type = reading_.word(found.declaration->type);
-    for (std::uint32_t i = 0; i < reading_.structs.size(); ++i) {
-        const Struct& one = reading_.structs[i];
-        if (one.name == kNone || reading_.word(one.name) != type) continue;
-        if (one.function == function_ && found.declaration->owner == function_) return i;
-        if (one.function == kNone && structs_.leaves(i).empty()) return i;
-    }
-    return kNone;
-}
-
-// `glint0_v(8,t)`, of a variable that has its value; "" where that cannot be told.
-std::string Instrumenter::record_of(std::size_t site, TokenRange variable) const {
-    const std::string name = reading_.spelled(variable);
-    if (!is_told_behind(variable)) return fmt::format("glint0_v({},{})", site, name);
-    if (!is_whole_array(variable))
-        return structs_.record(bare_struct_of(variable), std::to_string(site), name);
-    const auto found = variables_.find(variable.begin, function_);
-    const TokenRange brackets =
-        found.name->array.empty() ? found.declaration->type_array : found.name->array;
-    const bool has_one = reading_.close_of(brackets.begin) + 1 == brackets.end &&
-                         (found.name->array.empty() || found.declaration->type_array.empty());
-    if (variable.size() != 1 || !has_one) return {};
-    return array_record(site, name, reading_.word(found.declaration->type));
+    return record;
 }
 
 void Instrumenter::over_function(std::uint32_t index) {
@@ -272,46 +224,31 @@ void Instrumenter::over_statement(std::uint32_t index) {
         case StatementKind::case_:
         case StatementKind::unknown:
             return;
-        case StatementKind::declaration: {
+        case StatementKind::declaration:
             over_declaration(reading_.declarations[statement.declaration]);
+            return over_tokens(statement.tokens);
+        case StatementKind::expression:
             over_tokens(statement.tokens);
-            const bool is_in_block =
-                statement.parent == kNone ||
-                reading_.statements[statement.parent].kind == StatementKind::block;
-            if (!values || !is_in_block || !edits_.takes_after(statement.tokens.end - 1)) return;
-            const std::string outs = outs_behind(statement.tokens, statement.tokens.begin);
-            if (!outs.empty())
-                words_.push_back(
-                    {statement.tokens.end - 1, Words::Where::after, statement.tokens, " " + outs});
-            return;
-        }
-        case StatementKind::expression: {
-            over_tokens(statement.tokens);
-            if (!values) return;
-            const std::string outs = outs_behind(statement.tokens, statement.tokens.begin);
-            if (!outs.empty()) wrap(statement.tokens, "{", " " + outs + "}");
             break;
-        }
         case StatementKind::return_:
-            over_tokens(statement.head);
             if (statement.head.empty()) break;
             if (wish_.kind != ProbeKind::cost && reading_.functions[function_].type_array.empty())
                 hand_through(SiteKind::returned,
                              std::string(reading_.word(reading_.functions[function_].name)),
                              statement.tokens.begin, statement.head);
-            return;
+            return over_tokens(statement.head);
         case StatementKind::for_:
         case StatementKind::while_:
         case StatementKind::do_:
             if (statement.declaration != kNone)
                 over_declaration(reading_.declarations[statement.declaration]);
-            over_tokens(statement.head);
+            over_condition(statement, statement.condition);
             over_loop(index);
-            return over_condition(statement, statement.condition);
+            return over_tokens(statement.head);
         case StatementKind::if_:
         case StatementKind::switch_:
-            over_tokens(statement.head);
-            return over_condition(statement, statement.head);
+            over_condition(statement, statement.head);
+            return over_tokens(statement.head);
         case StatementKind::break_:
         case StatementKind::continue_:
         case StatementKind::discard:
@@ -335,16 +272,32 @@ void Instrumenter::over_tokens(TokenRange range) {
             over_division(at, range);
         if (token(at).is("[")) over_index(at);
     }
+    if (wish_.kind != ProbeKind::values) return;
+    for (const Call& call : reading_.calls)
+        if (range.begin <= call.name && call.name < range.end && !fixed_[call.name])
+            over_outs(call, call.name == range.begin && call.brackets.end + 1 == range.end &&
+                                token(call.brackets.end).is(";"));
 }
 
 void Instrumenter::over_assignment(std::uint32_t at, TokenRange room) {
-    const TokenRange to = {operand_begin(reading_, at, room.begin), at};
-    if (to.empty() || !token(to.begin).is_word()) return;
-    if (is_told_behind(to)) return;
+    const TokenRange left = {operand_begin(reading_, at, room.begin), at};
+    const TokenRange to = without_parentheses(reading_, left);
+    if (to.empty() || !(token(to.begin).is_word() || token(to.begin).is("("))) return;
+    const TokenRange whole = {left.begin, expression_end(reading_, at + 1, room.end)};
+    if (records_.is_told_behind(to, function_)) return over_whole(to, whole);
     // What is rounded is what the variable gets, not what the assignment is worth.
     const bool is_rounding = wish_.kind == ProbeKind::rounding;
     hand_through(SiteKind::assigned, close_spelling(reading_, to), to.begin,
-                 {is_rounding ? at + 1 : to.begin, expression_end(reading_, at + 1, room.end)});
+                 {is_rounding ? at + 1 : whole.begin, whole.end});
+}
+
+// `(late = pair(x),…,late)`, of an array or a struct that no function takes.
+void Instrumenter::over_whole(TokenRange variable, TokenRange assignment) {
+    if (wish_.kind != ProbeKind::values) return;
+    const std::string record = new_record(variable, records_.is_variable(variable));
+    if (!record.empty() &&
+        !wrap(assignment, "(", "," + record + "," + reading_.spelled(variable) + ")"))
+        probed_.sites.pop_back();
 }
 
 // `i++` and `++i`: of the former, what the variable is afterwards.
@@ -352,21 +305,24 @@ void Instrumenter::over_step(std::uint32_t at, TokenRange room) {
     const bool is_prefix = at + 1 < room.end && (token(at + 1).is_word() || token(at + 1).is("("));
     if (is_prefix) {
         const std::uint32_t end = operand_end(reading_, at + 1, room.end);
-        return hand_through(SiteKind::assigned, close_spelling(reading_, {at + 1, end}), at + 1,
+        const TokenRange what = without_parentheses(reading_, {at + 1, end});
+        return hand_through(SiteKind::assigned, close_spelling(reading_, what), what.begin,
                             {at, end});
     }
-    const TokenRange what = {operand_begin(reading_, at, room.begin), at};
-    if (!is_variable(what)) return;
+    const TokenRange left = {operand_begin(reading_, at, room.begin), at};
+    const TokenRange what = without_parentheses(reading_, left);
+    if (!records_.is_variable(what)) return void(new_record(what, false));
     hand_through(SiteKind::assigned, close_spelling(reading_, what), what.begin,
-                 {what.begin, at + 1}, "glint0_w", "," + reading_.spelled(what));
+                 {left.begin, at + 1}, "glint0_w", "," + reading_.spelled(what));
 }
 
 void Instrumenter::over_declaration(const Declaration& declaration) {
     if (wish_.kind == ProbeKind::cost) return;
     for (const Declarator& one : declaration.names) {
         if (one.initial.empty()) continue;
-        const bool is_behind = !one.array.empty() || !declaration.type_array.empty() ||
-                               bare_struct_of({one.name, one.name + 1}) != kNone;
+        const bool is_behind =
+            !one.array.empty() || !declaration.type_array.empty() ||
+            records_.bare_struct_of({one.name, one.name + 1}, function_) != kNone;
         if (!declaration.is_const && !is_behind) {
             hand_through(SiteKind::assigned, std::string(reading_.word(one.name)), one.name,
                          one.initial);
@@ -379,65 +335,50 @@ void Instrumenter::over_declaration(const Declaration& declaration) {
     }
 }
 
-// What calls within a range hand to `out` parameters, and arrays that are assigned as a whole.
-std::vector<TokenRange> Instrumenter::outs_in(TokenRange range) const {
+// What a call hands to `out` parameters.
+std::vector<TokenRange> Instrumenter::outs_of(const Call& call, bool& gives_nothing) const {
     std::vector<TokenRange> outs;
-    for (std::uint32_t at = range.begin; at < range.end; ++at) {
-        if (fixed_[at] || !token(at).is("=")) continue;
-        const TokenRange to = {operand_begin(reading_, at, range.begin), at};
-        if (is_variable(to) && is_told_behind(to)) outs.push_back(to);
-    }
-    for (const Call& call : reading_.calls) {
-        if (call.name < range.begin || call.name >= range.end) continue;
-        const std::vector<TokenRange> arguments = reading_.arguments_of(call);
-        for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name))) {
-            const Function& function = reading_.functions[index];
-            if (function.parameters.size() != arguments.size()) continue;
-            for (std::size_t i = 0; i < arguments.size(); ++i) {
-                const bool is_known = std::ranges::find(outs, arguments[i]) != outs.end();
-                if (reading_.declarations[function.parameters[i]].is_out && !is_known &&
-                    is_variable(arguments[i]))
-                    outs.push_back(arguments[i]);
-            }
+    const std::vector<TokenRange> arguments = reading_.arguments_of(call);
+    gives_nothing = true;
+    for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name))) {
+        const Function& function = reading_.functions[index];
+        if (function.parameters.size() != arguments.size()) continue;
+        gives_nothing &= reading_.word(function.type) == "void";
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            const bool is_known = std::ranges::find(outs, arguments[i]) != outs.end();
+            if (reading_.declarations[function.parameters[i]].is_out && !is_known)
+                outs.push_back(arguments[i]);
         }
     }
     return outs;
 }
 
-// `glint0_v(8,t);` for each of them.
-std::string Instrumenter::outs_behind(TokenRange range, std::uint32_t at) {
-    std::string text;
-    for (const TokenRange out : outs_in(range)) {
-        const auto site = add_site(SiteKind::assigned, close_spelling(reading_, out), at);
-        if (!site) continue;
-        const std::string record = record_of(*site, out);
-        if (!record.empty()) {
-            text += record + ";";
-            continue;
-        }
-        probed_.left_out.push_back(reading_.place(out.begin).begin);
-        probed_.sites.pop_back();
+// What a call hands out is noted behind it, and only where it is evaluated.
+void Instrumenter::over_outs(const Call& call, bool is_statement) {
+    bool gives_nothing = false;
+    std::string records;
+    const std::size_t sites = probed_.sites.size();
+    const std::vector<TokenRange> outs = outs_of(call, gives_nothing);
+    for (const TokenRange out : outs) {
+        const std::string record =
+            new_record(out, records_.is_variable(out) && records_.is_steady(out, outs, function_));
+        if (!records.empty() && !record.empty()) records += ",";
+        records += record;
     }
-    return text;
+    if (records.empty()) return;
+    const TokenRange whole = {call.name, call.brackets.end};
+    const bool is_there = is_statement
+                              ? wrap({whole.begin, whole.end + 1}, "{", " " + records + ";}")
+                          : gives_nothing ? wrap(whole, "(", "," + records + ")")
+                                          : wrap(whole, "glint0_then(", ",(" + records + ",true))");
+    if (!is_there) probed_.sites.resize(sites);
 }
 
 void Instrumenter::over_condition(const Statement& statement, TokenRange condition) {
     const bool declares = statement.declaration != kNone && statement.kind != StatementKind::for_;
     if (wish_.kind != ProbeKind::values || condition.empty() || declares) return;
-    std::string outs;
-    if (statement.kind != StatementKind::switch_)
-        outs = outs_behind(condition, statement.tokens.begin);
-    std::ranges::replace(outs, ';', ',');
-    const auto site =
-        add_site(SiteKind::condition, close_spelling(reading_, condition), condition.begin);
-    if (!site) return;
-    const bool commas = has_comma(condition);
-    const std::string open = fmt::format("glint0_v({},{}", *site, commas ? "(" : "");
-    const std::string close = commas ? "))" : ")";
-    const bool is_there =
-        outs.empty() ? wrap(condition, open, close)
-                     : wrap(condition, "(glint0_if=(" + open, close + ")," + outs + "glint0_if)");
-    if (!is_there) probed_.sites.pop_back();
+    hand_through(SiteKind::condition, close_spelling(reading_, condition), condition.begin,
+                 condition);
 }
 
 void Instrumenter::over_loop(std::uint32_t index) {
@@ -473,7 +414,7 @@ void Instrumenter::over_index(std::uint32_t at) {
     if (close == kNone || at == 0 || !token(at - 1).is_word() || close - at < 2) return;
     if (at >= 2 && token(at - 2).is(".")) return;
     if (close - at == 2 && token(at + 1).kind == TokenKind::number) return;
-    const auto found = variables_.find(at - 1, function_);
+    const auto found = records_.variables().find(at - 1, function_);
     if (!found.declaration) return;
     const std::string_view type = reading_.word(found.declaration->type);
     std::string length = fmt::format("{}.length()", token(at - 1).text);
@@ -553,11 +494,11 @@ void Instrumenter::add_structs() {
     if (wish_.kind == ProbeKind::cost || wish_.kind == ProbeKind::assertions) return;
     for (const Declaration& declaration : reading_.declarations) {
         if (declaration.structure == kNone) continue;
-        probed_.structs[declaration.structure] = structs_.leaves(declaration.structure);
+        probed_.structs[declaration.structure] = records_.structs().leaves(declaration.structure);
         if (declaration.scope != Scope::global) continue;
         const std::uint32_t last = declaration.tokens.end - 1;
         if (!edits_.takes_after(last)) continue;
-        const std::string text = structs_.overload(declaration.structure, wish_.kind);
+        const std::string text = records_.structs().overloads(declaration.structure, wish_.kind);
         if (text.empty()) continue;
         words_.push_back({last, Words::Where::after, {last, last + 1}, " " + text});
     }
@@ -569,7 +510,7 @@ void Instrumenter::write() {
     std::ranges::stable_sort(words_, {}, [](const Words& one) {
         const bool is_after = one.where == Words::Where::after;
         const auto size = static_cast<std::int64_t>(one.of.size());
-        return std::tuple(one.token, one.where, is_after ? size : -size);
+        return std::tuple(one.token, one.where, is_after ? size : -size, one.order);
     });
     for (Words& one : words_) {
         if (one.where == Words::Where::before)

@@ -14,8 +14,10 @@ constexpr std::array<const char*, 16> kTypes = {
     "uint",  "uvec2", "uvec3", "uvec4", "bool", "bvec2", "bvec3", "bvec4"};
 constexpr std::size_t kMostLeaves = 64;
 constexpr int kMostDeep = 8;
-// Containers of arrays: eight times the length, and the columns of a matrix.
-constexpr int kFirstArray = 1 << 16, kMostElements = 64;
+// Containers of arrays: eight times the length, and the columns of a matrix; of arrays of structs:
+// the struct and, in its lowest bits, the length.
+constexpr int kFirstArray = 1 << 16, kFirstStructArray = 1 << 22, kMostElements = 64;
+constexpr int kLengthBits = 10;
 
 // Containers from 1 on: matrices by columns, then rows.
 int matrix_number(std::string_view type) {
@@ -57,7 +59,14 @@ ProbeLeaves leaves_of(std::uint32_t tag, const Probed& probed) {
     const int container = static_cast<int>(tag >> kProbeContainerShift);
     if (container == 0) return {""};
     ProbeLeaves leaves;
-    if (container >= kFirstArray) {
+    if (container >= kFirstStructArray) {
+        const int length = (container - kFirstStructArray) % (1 << kLengthBits);
+        const auto structure =
+            static_cast<std::size_t>((container - kFirstStructArray) >> kLengthBits);
+        for (int i = 0; i < std::min(length, kMostElements); ++i)
+            for (const std::string& leaf : probed.structs.at(structure))
+                leaves.push_back(fmt::format("[{}]{}", i, leaf));
+    } else if (container >= kFirstArray) {
         const int length = std::min((container - kFirstArray) / 8, kMostElements);
         const int columns = (container - kFirstArray) % 8;
         for (int i = 0; i < length; ++i) {
@@ -138,17 +147,41 @@ std::string StructTypes::record(std::uint32_t structure, const std::string& site
     std::string text;
     for (std::size_t i = 0; i < leaves.size(); ++i)
         text +=
-            fmt::format("{}glint0_l({}+{},{},{}{})", i > 0 ? ";" : "", site, i << kProbeLeafShift,
+            fmt::format("{}glint0_l({}+{},{},{}{})", i > 0 ? "," : "", site, i << kProbeLeafShift,
                         probe_type_of(leaves[i].type) | container << kProbeContainerShift, value,
                         leaves[i].path);
     return text;
 }
 
-std::string StructTypes::overload(std::uint32_t structure, ProbeKind kind) const {
+std::string StructTypes::array_record(std::uint32_t structure, std::size_t site,
+                                      const std::string& name) const {
+    std::vector<Leaf> leaves;
+    if (!add_leaves(structure, "", 0, leaves) || leaves.empty()) return {};
+    const std::string at = fmt::format("(glint0_id>>{})", kProbeLeafShift);
+    const int container = kFirstStructArray + (static_cast<int>(structure) << kLengthBits);
+    std::string text = fmt::format("(glint0_has({},{}.length()*{})&&(", site, name, leaves.size());
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+        text += fmt::format(
+            "{}{}%{}=={}&&glint0_l(glint0_id,{}+(min({}.length(),{})<<{}),{}[{}/{}]{})",
+            i > 0 ? "||" : "", at, leaves.size(), i,
+            probe_type_of(leaves[i].type) | container << kProbeContainerShift, name,
+            (1 << kLengthBits) - 1, kProbeContainerShift, name, at, leaves.size(), leaves[i].path);
+    return text + "))";
+}
+
+std::string StructTypes::overloads(std::uint32_t structure, ProbeKind kind) const {
     std::vector<Leaf> leaves;
     const Struct& one = reading_.structs[structure];
-    if (one.name == kNone || !add_leaves(structure, "", 0, leaves) || leaves.empty()) return {};
-    std::string text = fmt::format("{0} glint0_v(int i,{0} v){{", reading_.word(one.name));
+    if (one.name == kNone) return {};
+    std::string text;
+    const bool is_returned = std::ranges::any_of(reading_.functions, [&](const Function& function) {
+        return reading_.word(function.type) == reading_.word(one.name);
+    });
+    if (kind == ProbeKind::values && is_returned)  // one with a sampler cannot be
+        text =
+            fmt::format("{0} glint0_then({0} v,bool noted){{return v;}} ", reading_.word(one.name));
+    if (!add_leaves(structure, "", 0, leaves) || leaves.empty()) return text;
+    text += fmt::format("{0} glint0_v(int i,{0} v){{", reading_.word(one.name));
     if (kind == ProbeKind::values) return text + record(structure, "i", "v") + ";return v;}";
     for (const Leaf& leaf : leaves) text += fmt::format("glint0_v(i,v{});", leaf.path);
     return text + "return v;}";
@@ -174,8 +207,8 @@ std::string bits(std::size_t type, const std::string& value) {
 constexpr std::array<const char*, 9> kMatrices = {"mat2",   "mat2x3", "mat2x4", "mat3x2", "mat3",
                                                   "mat3x4", "mat4x2", "mat4x3", "mat4"};
 
-constexpr std::string_view kValues = R"(bool glint0_if = false;
-int glint0_id = 0, glint0_last = 0, glint0_hits = 0, glint0_events = 0, glint0_order = 0, glint0_tag = 0;
+constexpr std::string_view kValues =
+    R"(int glint0_id = 0, glint0_last = 0, glint0_hits = 0, glint0_events = 0, glint0_order = 0, glint0_tag = 0;
 uvec4 glint0_bits = uvec4(0);
 bool glint0_has(int i, int count) {
     bool is_asked = (glint0_id & 65535) == i && (glint0_id >> 16) < count;
@@ -201,6 +234,7 @@ std::string values_functions() {
             "{2}; "
             "return true; }}\n{0} glint0_v(int i, {0} v) {{ glint0_l(i, {3}, v); return v; }}\n",
             kTypes[i], swizzle(length_of_type(i)), bits(i, "v"), i);
+        text += fmt::format("{0} glint0_then({0} v, bool noted) {{ return v; }}\n", kTypes[i]);
         if (i < 12)
             text += fmt::format(
                 "{0} glint0_w(int i, {0} v, {0} now) {{ glint0_l(i, {1}, now); return v; }}\n",
@@ -212,7 +246,10 @@ std::string values_functions() {
             text += fmt::format(
                 "glint0_l(i + {}, {}, v[{}]); ", c << kProbeLeafShift,
                 (matrix_rows(matrix) - 1) | matrix_number(matrix) << kProbeContainerShift, c);
-        text += "return v; }\n";
+        text += fmt::format(
+            "return v; }}\n{0} glint0_w(int i, {0} v, {0} now) {{ glint0_v(i, now); return v; "
+            "}}\n{0} glint0_then({0} v, bool noted) {{ return v; }}\n",
+            matrix);
     }
     return text;
 }
@@ -250,7 +287,6 @@ float glint0_v(int i, float v) {
     glint0_u(i, is_nan, v, 3e38);
     return glint0_mends && is_nan ? 0.05 * glint0_scale : v;
 }
-float glint0_w(int i, float v, float now) { glint0_v(i, now); return v; }
 float glint0_d(int i, float b) { glint0_f(i, b == 0.0, b); glint0_u(i, false, b, abs(b)); return b; }
 int glint0_d(int i, int b) { glint0_f(i, b == 0, uint(b), 0u); glint0_u(i, b == 0, uint(b), abs(float(b))); return b; }
 uint glint0_d(int i, uint b) { glint0_f(i, b == 0u, b, 0u); glint0_u(i, b == 0u, b, float(b)); return b; }
@@ -342,8 +378,6 @@ std::string faults_functions() {
                 text += fmt::format(
                     "{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
                     for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));
-            text += fmt::format(
-                "{0} glint0_w(int i, {0} v, {0} now) {{ glint0_v(i, now); return v; }}\n", type);
         }
         for (const Domain& one : kOne)
             text += fmt::format(

@@ -27,11 +27,14 @@ public:
 
     // `.nor`, `.m[0]`, `.hit.t`; empty where some member cannot be told.
     ProbeLeaves leaves(std::uint32_t structure) const;
-    // Notes the leaves of such a value, calls with a semicolon between them; empty as above.
+    // Notes the leaves of such a value, calls with a comma between them; empty as above.
     std::string record(std::uint32_t structure, const std::string& site,
                        const std::string& value) const;
-    // `S glint0_v(int i, S v) { … }`; empty where there can be none.
-    std::string overload(std::uint32_t structure, ProbeKind kind) const;
+    // Of an array of such values, as array_record() of numbers.
+    std::string array_record(std::uint32_t structure, std::size_t site,
+                             const std::string& name) const;
+    // `S glint0_v(int i, S v) { … }`, where it can be told, and what else takes a value of it.
+    std::string overloads(std::uint32_t structure, ProbeKind kind) const;
 
 private:
     struct Leaf {

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <string_view>
 #include <unordered_set>
 
@@ -319,17 +318,18 @@ std::unordered_map<std::string_view, std::size_t> float_tweaks(const Scene& scen
     return numbers;
 }
 
-// The host's main(), for another one to call at a place that it chooses. What looks for faults
-// sees the picture's alpha, too.
+void replace_all(std::string& text, std::string_view theirs, std::string_view ours) {
+    for (std::size_t at = text.find(theirs); at != text.npos;
+         at = text.find(theirs, at + ours.size()))
+        text.replace(at, theirs.size(), ours);
+}
+
+// The host's main(), for another one to call at a place that it chooses.
 std::string in_words_of_probe(std::string main, ProbeKind kind) {
-    constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-        {"void main()", "void glint0_draw()"},
-        {"gl_FragCoord", "glint0_coord"},
-        {"vec4(color.rgb, 1.0)", "color"}};
-    const std::size_t count = kind == ProbeKind::faults ? 3 : 2;
-    for (const auto& [theirs, ours] : std::span(kWords).first(count))
-        for (std::size_t at = main.find(theirs); at != main.npos; at = main.find(theirs, at))
-            main.replace(at, theirs.size(), ours);
+    replace_all(main, "void main()", "void glint0_draw()");
+    replace_all(main, "gl_FragCoord", "glint0_coord");
+    if (kind == ProbeKind::faults)  // which may be born in the picture's alpha, too
+        replace_all(main, "vec4(color.rgb, 1.0)", "color");
     return main;
 }
 

@@ -17,7 +17,7 @@ std::string instrumented(const std::string& text, const ProbeWish& wish = {}) {
 
 // What becomes of a function's body.
 std::string in_function(const std::string& body, ProbeKind kind = ProbeKind::values) {
-    const std::string head = "void put(out float a, float b); void f() {";
+    const std::string head = "void put(out float a, float b); bool get(inout float a); void f() {";
     const std::string text = instrumented(head + " " + body + " }", {.kind = kind});
     EXPECT_TRUE(text.starts_with(head)) << text;
     const std::string inner = text.substr(head.size(), text.size() - head.size() - 2);
@@ -37,6 +37,30 @@ TEST(ProbeText, KeepsWhatIsOnlySometimesEvaluated) {
     EXPECT_EQ(in_function("c && (a = d);"), "c && (glint0_v(0,a = d));");
     EXPECT_EQ(in_function("if (c) a = 1.; else b = 2.;"),
               "if (glint0_v(0,c)) glint0_v(1,a = 1.); else glint0_v(2,b = 2.);");
+    EXPECT_EQ(in_function("if (a = b) return;"),
+              "if (glint0_v(0,glint0_v(1,a = b))) {glint0_r(2); return;}");
+    EXPECT_EQ(in_function("c && get(a);"), "c && glint0_then(get(a),(glint0_v(0,a),true));");
+    EXPECT_EQ(in_function("a = c ? b = 1., d : e;"),
+              "glint0_v(0,a = c ? glint0_v(1,b = 1.), d : e);");
+}
+
+TEST(ProbeText, LooksThroughParentheses) {
+    EXPECT_EQ(in_function("(a) = 1.;"), "glint0_v(0,(a) = 1.);");
+    EXPECT_EQ(in_function("((a.x))++;"), "glint0_w(0,((a.x))++,a . x);");
+    EXPECT_EQ(in_function("++(a);"), "glint0_v(0,++(a));");
+}
+
+// What is evaluated once more is to be the same: no call of the text's own, no other index.
+TEST(ProbeText, NamesAnElementOnceMoreOnlyWhereItIsTheSame) {
+    EXPECT_EQ(in_function("a[int(x)]++;"), "glint0_w(0,a[int(x)]++,a [ int ( x ) ]);");
+    EXPECT_EQ(in_function("a[i++]++;"), "a[glint0_w(0,i++,i)]++;");
+    EXPECT_EQ(in_function("a[get(x)]++;"), "a[glint0_then(get(x),(glint0_v(0,x),true))]++;");
+    EXPECT_EQ(instrumented("int n; void put(out float a, inout int i);\n"
+                           "void f(float a[2], int i) { put(a[i], i); put(a[n], i); }"),
+              "int n; void put(out float a, inout int i);\n"
+              "void f(float a[2], int i) { (glint0_has(0,a.length()*1)&&glint0_l(glint0_id,"
+              "2097152+(a.length()<<8),a[(glint0_id>>16)])); glint0_v(1,i); "
+              "{put(a[i], i); glint0_v(2,i);} {put(a[n], i); glint0_v(3,i);} }");
 }
 
 TEST(ProbeText, TellsASteppedVariableAsItIsAfterwards) {
@@ -47,14 +71,18 @@ TEST(ProbeText, TellsASteppedVariableAsItIsAfterwards) {
 
 TEST(ProbeText, TellsWhatACallHandsOut) {
     EXPECT_EQ(in_function("put(a, 1.);"), "{put(a, 1.); glint0_v(0,a);}");
+    EXPECT_EQ(in_function("return get(a);"),
+              "return glint0_v(0,glint0_then(get(a),(glint0_v(1,a),true)));");
+    EXPECT_EQ(in_function("for (;; put(a, b), ++i) ;"),
+              "for (;; (put(a, b),glint0_v(1,a)), glint0_v(0,++i)) ;");
     EXPECT_EQ(
         in_function("for (int i = 0; i < n; i++) break;"),
-        "for (int i = glint0_v(0,0); glint0_v(2,i < n); glint0_w(1,i++,i)) {glint0_r(3); break;}");
+        "for (int i = glint0_v(0,0); glint0_v(1,i < n); glint0_w(2,i++,i)) {glint0_r(3); break;}");
 }
 
 TEST(ProbeText, KeepsCommasTogether) {
     EXPECT_EQ(in_function("while (i++, i < n) break;"),
-              "while (glint0_v(1,(glint0_w(0,i++,i), i < n))) {glint0_r(2); break;}");
+              "while (glint0_v(0,(glint0_w(1,i++,i), i < n))) {glint0_r(2); break;}");
 }
 
 TEST(ProbeText, TellsParametersAndResults) {
@@ -71,7 +99,7 @@ TEST(ProbeText, HandsAMacrosUseThroughAsAWhole) {
 
 TEST(ProbeText, TellsStructsByTheirMembers) {
     const std::string text = instrumented("struct S { float t; mat2 m; };\nvoid f() { s = g(); }");
-    EXPECT_NE(text.find("S glint0_v(int i,S v){glint0_l(i+0,320,v.t);glint0_l(i+65536,321,v.m[0]);"
+    EXPECT_NE(text.find("S glint0_v(int i,S v){glint0_l(i+0,320,v.t),glint0_l(i+65536,321,v.m[0]),"
                         "glint0_l(i+131072,321,v.m[1]);return v;}"),
               text.npos)
         << text;

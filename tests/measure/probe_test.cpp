@@ -167,6 +167,79 @@ TEST_F(ProbeTest, FollowsOutAndInoutParameters) {
     EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
 }
 
+// A call that is not evaluated hands nothing out; wherever it stands, it is told what it does.
+TEST_F(ProbeTest, TellsWhatIsHandedOutWhereTheCallIsEvaluatedAndOnlyThere) {
+    Player player(
+        "bool get(inout float t) { t += 1.0; return t < 3.0; }\n"
+        "float give(out float o) { o = 7.0; return 1.0; }\n"
+        "void many(out float a, out vec2 b) { a = 5.0; b = vec2(6.0); }\n"
+        "float ret() { float q; return give(q) + q; }\n" +
+        image("float skipped = 0.0, taken = 0.0, chosen, switched, step = 0.0, a; vec4 b;\n"
+              "if (p.x < 0.0 && get(skipped)) c = vec4(1);\n"
+              "if (p.x > 0.0 && get(taken)) chosen = p.x > 0.0 ? give(chosen) : 2.0;\n"
+              "switch (int(give(switched))) { case 1: c = vec4(2); }\n"
+              "for (int i = 0; i < 2; many(a, b.wy), ++i) get(step);\n"
+              "c += vec4(taken, switched, step, ret() + a + b.y);"));
+    const Answer all = ask(player, {2, 1}, 0, {}, "image", true);
+    const auto told = [&](std::string_view name) {
+        std::vector<double> list;
+        for (const ProbeValue& one : all.values)
+            if (one.name == name && one.function != "get" && one.function != "give")
+                list.push_back(one.value.at(0));
+        return list;
+    };
+    using List = std::vector<double>;
+    EXPECT_EQ(told("skipped"), (List{0}));
+    EXPECT_EQ(told("taken"), (List{0, 1}));
+    EXPECT_EQ(told("chosen"), (List{7, 1})) << "what the call hands out, then what it gives back";
+    EXPECT_EQ(told("switched"), (List{7}));
+    EXPECT_EQ(told("step"), (List{0, 1, 2}));
+    EXPECT_EQ(told("b.wy"), (List{6, 6}));
+    EXPECT_EQ(told("q"), (List{7}));
+    EXPECT_EQ(all.notes, std::vector<std::string>());
+    EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
+}
+
+TEST_F(ProbeTest, TellsArraysOfStructsByTheirElements) {
+    Player player(
+        "struct P { vec3 pos; float w[2]; mat2 m; };\n"
+        "P[2] two(float x) { P a[2]; a[0].pos = vec3(x); a[1] = a[0]; a[1].w[1] = 9.0; return a; "
+        "}\n"
+        "void turn(inout P a[2]) { a[0].m = mat2(1, 2, 3, 4); }\n" +
+        image("P a[2] = two(3.0), late[2]; turn(a); late = two(5.0);\n"
+              "struct Own { vec2 y; int n; }; Own b[2]; b[0] = Own(p, 4); b[1] = b[0]; Own k[2];\n"
+              "k = b; c = vec4(a[1].w[1], late[0].pos.x, k[1].n, a[0].m[1].y);"));
+    const Answer all = ask(player, {1, 1});
+    EXPECT_EQ(all.of("late[1].w[1]").value, (std::vector<double>{9}));
+    EXPECT_EQ(all.of("late[0].pos").value, (std::vector<double>{5, 5, 5}));
+    EXPECT_EQ(all.of("k[1].n").value, (std::vector<double>{4}));
+    EXPECT_EQ(all.of("k[0].y").value, (std::vector<double>{1.5, 1.5}));
+    const auto turned = std::ranges::find_if(all.values, [](const ProbeValue& one) {
+        return one.name == "a[0].m[1]" && one.function == "mainImage" &&
+               one.value == std::vector<double>{3, 4};
+    });
+    EXPECT_NE(turned, all.values.end()) << "behind turn()";
+    EXPECT_EQ(all.notes, std::vector<std::string>());
+    EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
+}
+
+TEST_F(ProbeTest, LeavesAStructWithASamplerAlone) {
+    Player player("struct M { sampler2D t; float k; }; uniform M m;\n" +
+                  image("float a = m.k + 2.0; c = vec4(a);"));
+    EXPECT_EQ(ask(player, {1, 1}).number("a"), 2.0);
+}
+
+TEST_F(ProbeTest, TellsASteppedMatrix) {
+    Player player(image("mat2 m = mat2(1, 2, 3, 4); m++; c = vec4(m[1], m[0]);"));
+    const Answer all = ask(player, {1, 1});
+    EXPECT_EQ(all.values.back().value, (std::vector<double>{4, 5, 2, 3}));
+    std::vector<double> last;
+    for (const ProbeValue& one : all.values)
+        if (one.name == "m[1]") last = one.value;
+    EXPECT_EQ(last, (std::vector<double>{4, 5}));
+    EXPECT_EQ(all.notes, std::vector<std::string>());
+}
+
 TEST_F(ProbeTest, HasTheTrueNeighboursForDerivatives) {
     Player player(image("float w = fwidth(p.x * p.x); c = vec4(w);"), {.size = {8, 4}});
     for (const int x : {2, 3}) {

@@ -110,6 +110,29 @@ TEST_F(ProbeVerb, TellsAValueAlongARowAColumnAndOverFrames) {
     EXPECT_EQ(values_of(time), Json({{2, 2, 2, 2}, {4, 4, 4, 4}, {6, 6, 6, 6}}));
 }
 
+TEST_F(ProbeVerb, ASeriesNamesWhatItIsOf) {
+    write("parts.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    mat2 m = mat2(p.x, 2, 3, iTime);\n"
+          "    float a = 0.0; for (int i = 0; i < 3; i++) a += 1.0;\n"
+          "    c = vec4(m) + a;\n"
+          "}\n");
+    const auto series = [&](std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {"probe", "parts.frag", "--size", "4x2", "--at", "1,0", "--json"});
+        return report_of(glint(std::move(more)))["series"][0];
+    };
+    const Json row = series({"--line", "2", "--along", "x"});
+    EXPECT_EQ(row["name"], "m[0]");
+    EXPECT_EQ(values_of(row), Json({{0.5, 2}, {1.5, 2}, {2.5, 2}, {3.5, 2}}));
+    const Json time = series({"--line", "2", "--along", "time", "--frames", "0:1"});
+    EXPECT_EQ(time["name"], "m[0]");
+    EXPECT_EQ(values_of(time), Json({{1.5, 2}, {1.5, 2}}));
+    const Json loop = series({"--line", "3", "--along", "time", "--frames", "0:1"});
+    EXPECT_EQ(loop["name"], "a");
+    EXPECT_EQ(values_of(loop), Json({{3.0}, {3.0}})) << "not the loop's condition, which is last";
+}
+
 TEST_F(ProbeVerb, WritesAMapCountsCostAndFindsFaults) {
     const Json map = json({"--line", "10", "--map", "b.exr"});
     EXPECT_TRUE(fs::exists(folder() / "b.exr"));
@@ -133,6 +156,7 @@ TEST_F(ProbeVerb, SaysWhatCannotBeAsked) {
     expect_usage({"--line", "12"}, "scene.frag:12:5: error: In pass image, this line gives no");
     expect_usage({"--line", "99"}, "no line 99");
     expect_usage({"--expr", "nobody@10"}, "scene.frag:10:5: error: --expr 'nobody': ");
+    expect_usage({"--expr", "float[2](a, b)@10"}, "--expr 'float[2](a, b)': it is of a type");
     expect_usage({"--expr", "a = 1.0@10"}, "it would change a variable");
     expect_usage({"--expr", "a"}, "its line");
     expect_usage({"--hit", "1"}, "name it by --line or --expr");
@@ -153,6 +177,7 @@ TEST_F(ProbeVerb, StillNamesEachAssertionThatFailsAndReadsItsPresetOnce) {
           "    //@ assert p.x > 1.0 \"far\"\n"
           "    //@ assert p.x > 2.0\n"
           "    //@ assert nobody\n"
+          "    //@ assert p.x\n"
           "    c = vec4(1);\n"
           "}\n");
     write("asserts.toml", "scene = \"asserts.frag\"\nunknown = 1\n");
@@ -161,7 +186,9 @@ TEST_F(ProbeVerb, StillNamesEachAssertionThatFailsAndReadsItsPresetOnce) {
     for (const char* words :
          {"asserts.frag:2:5: warning: assert p.x > 1.0 \"far\" does not hold in 2 pixels of image",
           "asserts.frag:3:5: warning: assert p.x > 2.0 does not hold in 4 pixels of image",
-          "asserts.frag:4:5: warning: assert nobody cannot be evaluated"})
+          "asserts.frag:4:5: warning: assert nobody cannot be evaluated",
+          "asserts.frag:5:5: warning: assert p.x cannot be evaluated, and was not: 'p.x': it is "
+          "neither"})
         EXPECT_NE(still.err.find(words), std::string::npos) << still.err;
     const std::size_t once = still.err.find("unknown");
     EXPECT_NE(once, std::string::npos);

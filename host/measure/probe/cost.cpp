@@ -105,7 +105,8 @@ std::optional<double> correlation(const std::vector<ProbeCost::Run>& runs, std::
         x += a / n, y += b / n, xx += a * a / n, yy += b * b / n, xy += a * b / n;
     }
     const double varies = (xx - x * x) * (yy - y * y);
-    if (runs.size() < 3 || !(varies > 0.0) || xx - x * x < 1e-9 * xx) return {};
+    constexpr double kLeast = 0.02;  // of the mean; a clock is not surer than that
+    if (runs.size() < 3 || !(varies > 0.0) || xx - x * x < kLeast * kLeast * x * x) return {};
     return (xy - x * y) / std::sqrt(varies);
 }
 

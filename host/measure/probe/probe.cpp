@@ -72,6 +72,14 @@ std::string said(const Diagnostics& diagnostics, bool with_place) {
     return "the driver gave no reason";
 }
 
+// Of an expression that the driver refuses: nobody but the probe has called a function of it.
+std::string in_words_of_the_text(std::string why) {
+    if (why.find("glint0_v(") != why.npos)
+        return "it is of a type that is not told, such as a whole array: name an element";
+    if (why.find("glint0_a(") != why.npos) return "it is neither true nor false";
+    return why;
+}
+
 }  // namespace
 
 ProbeTarget::ProbeTarget(glm::ivec2 size, std::size_t outputs)
@@ -136,6 +144,7 @@ void Probe::compile(const ProgramOptions& options, ProbeWish& wish) {
         program_ = std::move(compiled.program);
         if (program_) break;
         why = said(compiled.diagnostics, wish.expressions.size() != 1);
+        if (!wish.expressions.empty()) why = in_words_of_the_text(std::move(why));
         std::size_t found = 0;
         for (const ProbeSite& site : probed_.sites) {
             const Place place = preset_.scene.place_at(site.at);
@@ -165,7 +174,7 @@ std::vector<std::string> Probe::notes() const {
         const Place place = preset_.scene.place_at(at);
         notes.push_back(
             fmt::format("{}:{}:{}: what is given a value here is not told: it is an array in a "
-                        "struct, or a macro's",
+                        "struct, a macro's, or an element whose index changes",
                         place.file, place.line, place.column));
     }
     return notes;

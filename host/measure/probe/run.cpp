@@ -150,6 +150,18 @@ void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& option
                                  probe.colour(), session.shape().format);
 }
 
+// What a map's cells tell: of a matrix, a struct or an array the first part, `m[0]`.
+ProbeValue row_of(const Probe& probe, std::size_t site, const std::vector<ProbeCell>& cells) {
+    ProbeValue row = probe.row(site);
+    const auto reached =
+        std::ranges::find_if(cells, [](const ProbeCell& cell) { return cell.told[0] > 0; });
+    if (reached == cells.end()) return row;
+    row.type = probe_type(reached->told[2]);
+    const ProbeLeaves leaves = leaves_of(reached->told[2], probe.probed());
+    if (!leaves.empty()) row.name += leaves.front();
+    return row;
+}
+
 void probe_picture(ProbeSession& session, Probe& probe, const ProbeOptions& options,
                    const ProbePlace& place, Probing& found) {
     const std::size_t site = only_site(session, probe, options);
@@ -163,9 +175,18 @@ void probe_picture(ProbeSession& session, Probe& probe, const ProbeOptions& opti
     found = session.probing(place);
     found.series.push_back(series_of(cells, session.shape().size, place.pixel,
                                      options.along.empty() ? "map" : options.along));
-    found.series.back().what = probe.row(site);
-    found.series.back().what.type = type_of(cells);
+    found.series.back().what = row_of(probe, site, cells);
     if (!options.map.empty()) write_map(options.map, cells, session.shape().size);
+}
+
+// Of this site, the last value; of a matrix, a struct or an array its first part.
+const ProbeValue* last_of(const std::vector<ProbeValue>& rows, const ProbeValue& site) {
+    const ProbeValue* last = nullptr;
+    for (const ProbeValue& row : rows)
+        if (row.column == site.column && row.kind == site.kind && row.name.starts_with(site.name) &&
+            (!last || row.order > last->order))
+            last = &row;
+    return last;
 }
 
 void probe_frames(ProbeSession& session, Probe& probe, const ProbeOptions& options,
@@ -190,7 +211,7 @@ void probe_frames(ProbeSession& session, Probe& probe, const ProbeOptions& optio
         });
         std::vector<std::string> fewer;
         keep_hit(rows, options, fewer);
-        add_to(series, frame.time, rows);
+        add_to(series, frame.time, last_of(rows, probe.row(site)));
     }
     found = session.probing(place);
     found.series.push_back(std::move(series));

@@ -90,18 +90,11 @@ ProbeSeries series_of(const std::vector<ProbeCell>& cells, glm::ivec2 size, glm:
     return series;
 }
 
-std::string type_of(const std::vector<ProbeCell>& cells) {
-    const auto reached =
-        std::ranges::find_if(cells, [](const ProbeCell& cell) { return cell.told[0] > 0; });
-    return reached == cells.end() ? "" : probe_type(reached->told[2]);
-}
-
-void add_to(ProbeSeries& series, double at, const std::vector<ProbeValue>& rows) {
-    const std::vector<double> value = rows.empty() ? std::vector<double>() : rows.back().value;
-    if (!rows.empty()) series.what.type = rows.back().type;
-    add_value(series, value);
+void add_to(ProbeSeries& series, double at, const ProbeValue* row) {
+    if (row) series.what = *row;
     series.at.push_back(at);
-    series.values.push_back(value);
+    series.values.push_back(row ? row->value : std::vector<double>());
+    add_value(series, series.values.back());
 }
 
 std::string shown(const ProbeSeries& series) {

@@ -13,11 +13,8 @@ namespace glint {
 ProbeSeries series_of(const std::vector<ProbeCell>& cells, glm::ivec2 size, glm::ivec2 pixel,
                       const std::string& along);
 
-// Of what was reached: "vec3"; empty where nothing was.
-std::string type_of(const std::vector<ProbeCell>& cells);
-
-// One place more, with the last value among the rows, or none.
-void add_to(ProbeSeries& series, double at, const std::vector<ProbeValue>& rows);
+// One place more, with this value; null: none was reached there.
+void add_to(ProbeSeries& series, double at, const ProbeValue* row);
 
 // A table of up to four columns and a plot of them.
 std::string shown(const ProbeSeries& series);

@@ -37,7 +37,8 @@ std::string chip_text(const ProbeValue& value) {
     std::string text = short_value(value);
     if (value.kind == "assigned" || value.kind == "parameter" || value.kind == "expression")
         text = value.name + " " + text;
-    if (value.kind == "returned") text = "return " + text;
+    if (value.kind == "returned")  // `return.nor`, where that is a struct
+        text = fmt::format("return{} {}", value.name.substr(value.function.size()), text);
     if (value.hits > 1) text += fmt::format("  \u00d7{}", value.hits);
     return text;
 }
@@ -214,23 +215,46 @@ void source(Build& build, SourceState& state) {
     ImGui::PopFont();
 }
 
+// Lines of the text that keep their room, whatever stands above them.
+constexpr float kLeastLines = 6.0f;
+
+bool has_room(float height) {
+    return ImGui::GetContentRegionAvail().y - height >= kLeastLines * ImGui::GetTextLineHeight();
+}
+
+float button_width(const std::string& label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+}
+
+// One line: buttons where they fit, else a menu.
 void pass_choice(Build& build) {
     const auto& passes = build.facts.probe.passes;
     ProbeView& view = build.settings.probe;
-    const auto beside = [&](const std::string& label) {
-        same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + build.theme.px(16));
+    const auto choose = [&](const std::string& pass) {
+        view.pass = pass == "image" ? "" : pass;
+        view.value.reset();
     };
-    for (std::size_t i = 0; passes.size() > 1 && i < passes.size(); ++i) {
-        const std::string& pass = passes[i];
-        const bool is_picture = pass == "image";
-        const bool is_on = view.pass == pass || (view.pass.empty() && is_picture);
-        if (i > 0) beside(pass);
-        if (text_button(build.theme, pass.c_str(), is_on, "Whose text runs")) {
-            view.pass = is_picture ? "" : pass;
-            view.value.reset();
+    const std::string chosen = view.pass.empty() ? "image" : view.pass;
+    float width = button_width("Cost");
+    for (const std::string& pass : passes) width += button_width(pass);
+    const bool fits = width <= ImGui::GetContentRegionAvail().x;
+    if (passes.size() > 1 && !fits) {
+        ImGui::SetNextItemWidth(
+            std::max(ImGui::GetContentRegionAvail().x - button_width("Cost"), 1.0f));
+        if (ImGui::BeginCombo("##pass", chosen.c_str())) {
+            for (const std::string& pass : passes)
+                if (ImGui::Selectable(pass.c_str(), pass == chosen)) choose(pass);
+            ImGui::EndCombo();
         }
+        tip(build.theme, "Whose text runs");
     }
-    if (passes.size() > 1) beside("Cost");
+    for (std::size_t i = 0; passes.size() > 1 && fits && i < passes.size(); ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (text_button(build.theme, passes[i].c_str(), passes[i] == chosen, "Whose text runs"))
+            choose(passes[i]);
+    }
+    if (passes.size() > 1) ImGui::SameLine();
     if (text_button(build.theme, "Cost", view.cost,
                     "Turns of loops, reads of textures and calls of every pixel, as a heat map")) {
         view.cost = !view.cost;
@@ -242,11 +266,21 @@ void pass_choice(Build& build) {
 void pixel_line(Build& build) {
     const ProbeFact& probe = build.facts.probe;
     ProbeView& view = build.settings.probe;
-    ImGui::AlignTextToFramePadding();
-    if (!probe.pixel)
-        text_in(colours::kDim, "Move the mouse over the picture; a click pins a pixel.");
-    else
-        text_in(colours::kText, pixel_text(*probe.pixel, probe.size, probe.full_pixel));
+    const std::string place = probe.pixel
+                                  ? pixel_text(*probe.pixel, probe.size, probe.full_pixel)
+                                  : "Move the mouse over the picture; a click pins a pixel.";
+    const char* const compiling = "compiling\u2026";
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float padding = ImGui::GetStyle().FramePadding.y;
+    float room = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
+    if (view.pinned) room -= button_width("pinned");
+    if (probe.compiles) room -= button_width(compiling);
+    const float width =
+        std::clamp(ImGui::CalcTextSize(place.c_str()).x, 1.0f, std::max(room, 1.0f));
+    ImGui::Dummy({width, ImGui::GetFrameHeight()});
+    tip(build.theme, place);
+    text_within(*ImGui::GetWindowDrawList(), {corner.x, corner.y + padding}, width,
+                probe.pixel ? colours::kText : colours::kDim, place);
     if (view.pinned) {
         ImGui::SameLine();
         if (text_button(build.theme, "pinned", true, "Click, or Esc: follow the mouse again"))
@@ -254,7 +288,8 @@ void pixel_line(Build& build) {
     }
     if (probe.compiles) {
         ImGui::SameLine();
-        text_in(colours::kDim, "compiling\u2026");
+        ImGui::AlignTextToFramePadding();
+        text_in(colours::kDim, compiling);
     }
     ImGui::PushTextWrapPos(0.0f);
     if (!probe.problem.empty()) text_in(colours::kError, probe.problem);
@@ -262,31 +297,62 @@ void pixel_line(Build& build) {
     ImGui::PopTextWrapPos();
 }
 
-void watch_list(Build& build, SourceState& state) {
+// Whether the value comes from this watch, `hit@412`: it may be a part of that, `hit.nor`.
+bool tells(const ProbeValue& value, const std::string& watch) {
+    const std::size_t at = watch.rfind('@');
+    const std::string place = watch.substr(at + 1);
+    return value.name.starts_with(watch.substr(0, at)) &&
+           place.substr(place.rfind(':') + 1) == std::to_string(value.line);
+}
+
+// One line, with a cross where it is one of the preset's. True when the line was pressed.
+bool watched_line(Build& build, int id, const std::string& text, ImU32 ink,
+                  std::optional<std::size_t> watch) {
+    const float height = ImGui::GetTextLineHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width =
+        std::max(ImGui::GetContentRegionAvail().x - (watch ? height + gap : 0.0f), 1.0f);
+    ImGui::PushID(id);
+    const bool pressed = area("watched", {width, height});
+    text_within(*ImGui::GetWindowDrawList(), corner, width, ink, text);
+    tip(build.theme, text);
+    if (watch) {
+        ImGui::SameLine();
+        if (icon_button(build.theme, "end", Icon::close, "Watch it no longer",
+                        {.colour = colours::kDim, .side = height})) {
+            std::vector<std::string> list = build.facts.probe.watch;
+            list.erase(list.begin() + static_cast<std::ptrdiff_t>(*watch));
+            build.wishes.watch = std::move(list);
+        }
+    }
+    ImGui::PopID();
+    return pressed;
+}
+
+// Values of what is watched, and what of it has none.
+void watched_lines(Build& build) {
     const ProbeFact& probe = build.facts.probe;
-    for (std::size_t i = 0; i < probe.watched.size(); ++i) {
-        const ProbeValue& value = probe.watched[i];
-        ImGui::PushID(static_cast<int>(i));
-        const ImVec2 corner = ImGui::GetCursorScreenPos();
-        const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0f);
-        if (area("watched", {width, ImGui::GetTextLineHeight()})) show_everywhere(build, value);
+    std::vector<bool> has_value(probe.watch.size());
+    int id = 0;
+    for (const ProbeValue& value : probe.watched) {
+        std::optional<std::size_t> watch;
+        for (std::size_t i = 0; i < probe.watch.size() && !watch; ++i)
+            if (!has_value[i] && tells(value, probe.watch[i])) watch = i;
+        if (watch) has_value[*watch] = true;
         const bool is_shown = build.settings.probe.value == name_of(value);
-        const std::string text = fmt::format("{}: {}", value.line, chip_text(value));
-        text_within(*ImGui::GetWindowDrawList(), corner, width,
-                    is_shown           ? colours::kText
-                    : is_finite(value) ? colours::kAccent
-                                       : colours::kNotFinite,
-                    text);
-        ImGui::PopID();
+        const ImU32 ink = is_shown           ? colours::kText
+                          : is_finite(value) ? colours::kAccent
+                                             : colours::kNotFinite;
+        if (watched_line(build, id++, fmt::format("{}: {}", value.line, chip_text(value)), ink,
+                         watch))
+            show_everywhere(build, value);
     }
-    for (std::size_t i = 0; i < probe.watch.size(); ++i) {
-        const std::string label = fmt::format("{}  \u00d7##watch{}", probe.watch[i], i);
-        if (i > 0) same_line_if_fits(ImGui::CalcTextSize(probe.watch[i].c_str()).x);
-        if (!text_button(build.theme, label.c_str(), false, "Click: watch it no longer")) continue;
-        std::vector<std::string> list = probe.watch;
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
-        build.wishes.watch = std::move(list);
-    }
+    for (std::size_t i = 0; i < probe.watch.size(); ++i)
+        if (!has_value[i]) watched_line(build, id++, probe.watch[i], colours::kDim, i);
+}
+
+void watch_field(Build& build, SourceState& state) {
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x, 1.0f));
     std::array<char, 256> typed{};
     state.watch.copy(typed.data(), typed.size() - 1);
@@ -337,16 +403,32 @@ void curves(Build& build, const char* what, std::size_t count, int components, c
     }
 }
 
+// In line with buttons beside it.
+void name_within(const Theme& theme, const std::string& name, float room) {
+    ImGui::PushFont(theme.bold);
+    const float width =
+        std::clamp(ImGui::CalcTextSize(name.c_str()).x, 1.0f, std::max(room, theme.px(24)));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({width, ImGui::GetFrameHeight()});
+    text_within(*ImGui::GetWindowDrawList(),
+                {corner.x, corner.y + ImGui::GetStyle().FramePadding.y}, width, colours::kText,
+                name);
+    ImGui::PopFont();
+    tip(theme, name);
+}
+
 void value_picture(Build& build) {
     const ValueFacts* found = build.facts.probe.picture;
     ProbeView& view = build.settings.probe;
     if (!found || (!view.value && !view.cost)) return;
-    const std::string name = view.cost ? "cost" : view.value->name;
-    text_in(colours::kText, name, build.theme.bold);
     constexpr std::array<std::pair<const char*, ValueLook>, 3> kLooks = {
         {{"Range", ValueLook::range},
          {"Sign", ValueLook::sign},
          {"Isolines", ValueLook::isolines}}};
+    float room = ImGui::GetContentRegionAvail().x - button_width("Scene");
+    for (const auto& [word, look] : kLooks)
+        if (!view.cost) room -= button_width(word);
+    name_within(build.theme, view.cost ? "cost" : view.value->name, room);
     for (const auto& [word, look] : kLooks) {
         if (view.cost) break;
         ImGui::SameLine(0, build.theme.px(4));
@@ -375,6 +457,8 @@ void value_picture(Build& build) {
     for (int c = 0; c < found->components; ++c)
         most = std::max(most,
                         *std::ranges::max_element(found->histogram[static_cast<std::size_t>(c)]));
+    const float height = 2 * (build.theme.px(56) + ImGui::GetStyle().ItemSpacing.y);
+    if (!has_room(height)) return;
     curves(
         build, "How often each value comes, from the smallest to the largest", 64,
         found->components, [&](std::size_t i, std::size_t c) {
@@ -395,11 +479,15 @@ void dearest_lines(Build& build) {
     if (!cost || !build.settings.probe.cost) return;
     text_in(colours::kDim, fmt::format("a pixel: {:.0f} turns, {:.0f} reads, {:.0f} calls",
                                        cost->mean[0], cost->mean[1], cost->mean[2]));
-    for (const ProbeLineCost& line : cost->lines)
+    constexpr std::size_t kLeast = 3;
+    for (std::size_t i = 0; i < cost->lines.size(); ++i) {
+        const ProbeLineCost& line = cost->lines[i];
+        if (i >= kLeast && !has_room(ImGui::GetTextLineHeightWithSpacing())) return;
         text_in(colours::kText,
                 fmt::format("{:>5}  {} {}  {:.1f} a pixel", line.line, line.kind, line.name,
                             line.a_pixel),
                 build.theme.mono);
+    }
 }
 
 }  // namespace
@@ -408,7 +496,8 @@ void source_panel(Build& build, SourceState& state) {
     begin_panel(build, PanelId::source, "Source", build.settings.source);
     pass_choice(build);
     pixel_line(build);
-    watch_list(build, state);
+    watched_lines(build);
+    watch_field(build, state);
     value_picture(build);
     dearest_lines(build);
     begin_body();

@@ -427,6 +427,37 @@ TEST(Panels, TheSourceAsksForTheLinesInViewAlone) {
     EXPECT_GT(seen->begin, screen.scene.text.size() / 2);
 }
 
+// What a window of 1280x800 holds on a screen of twice the dots: half of that.
+TEST(Panels, TheSourceLeavesRoomForItsLinesInALowWindow) {
+    Screen screen({}, {1280, 800}, 2.0f);
+    for (int line = 1; line <= 400; ++line) {
+        screen.scene.text += "// another\n";
+        screen.scene.origins.push_back({0, line});
+    }
+    screen.scene.files = {"scene.frag"};
+    const ValueFacts picture{.components = 3};
+    ProbeFact& probe = screen.facts.probe;
+    probe.passes = {"sky", "ambient", "screen", "poses", "albedo", "lightBuffer", "image"};
+    probe.pixel = glm::ivec2(125, 32);
+    probe.size = {160, 90};
+    probe.full_pixel = glm::ivec2(1000, 260);
+    probe.watch = {"dot(fragCoord, fragCoord)@12", "nobody@13"};
+    const std::vector<ProbeValue> watched = {
+        {.line = 12, .name = "dot(fragCoord, fragCoord)", .kind = "expression", .value = {1.0}}};
+    probe.watched = watched;
+    probe.picture = &picture;
+    screen.settings.source = true;
+    screen.settings.tweaks = false;
+    for (const bool is_shown : {false, true}) {
+        if (is_shown) screen.settings.probe.value = ValueName{.line = 12};
+        std::optional<Span> seen;
+        for (int i = 0; i < 8; ++i) seen = screen.frame().lines;
+        ASSERT_TRUE(seen) << is_shown;
+        constexpr std::size_t kALine = 11;  // bytes
+        EXPECT_GE(seen->end - seen->begin, (is_shown ? 3 : 6) * kALine) << is_shown;
+    }
+}
+
 TEST(Panels, ComeToRestWhenNothingMoves) {
     Screen screen(two_numbers());
     screen.wait();

@@ -1,0 +1,102 @@
+#include "glsl/probe_record.h"
+
+#include "glsl/operands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace glint {
+
+// A name with members and indices that can be evaluated once more: without a call of the text's.
+bool ProbeRecords::is_variable(TokenRange range) const {
+    if (range.empty() || !reading_.tokens[range.begin].is_word()) return false;
+    for (std::uint32_t at = range.begin; at < range.end; ++at) {
+        const Token& one = reading_.tokens[at];
+        if (one.is("++") || one.is("--") || is_assignment(one)) return false;
+        if (one.is("(") && !reading_.functions_named(reading_.word(at - 1)).empty()) return false;
+    }
+    return operand_end(reading_, range.begin, range.end) == range.end;
+}
+
+// Which nothing is overloaded for.
+bool ProbeRecords::is_whole_array(TokenRange range, std::uint32_t function) const {
+    const auto found = variables_.find(range.begin, function);
+    if (!found.declaration) return false;
+    const auto brackets = [&](TokenRange array) {
+        int count = 0;
+        for (std::uint32_t at = array.begin; at < array.end; ++at)
+            if (const std::uint32_t close = reading_.close_of(at); close != kNone)
+                ++count, at = close;
+        return count;
+    };
+    const int known = brackets(found.name->array) + brackets(found.declaration->type_array);
+    return known > brackets({range.begin, range.end});
+}
+
+// Into structs: that of this variable or element, where no function takes it, since the function
+// itself declares it, or not all of it can be told.
+std::uint32_t ProbeRecords::bare_struct_of(TokenRange range, std::uint32_t function) const {
+    const auto found = variables_.find(range.begin, function);
+    if (!found.declaration) return kNone;
+    for (std::uint32_t at = range.begin; at < range.end; ++at)
+        if (reading_.tokens[at].is(".")) return kNone;
+    const std::uint32_t structure = struct_of(*found.declaration, function);
+    if (structure == kNone) return kNone;
+    const bool is_bare =
+        reading_.structs[structure].function != kNone || structs_.leaves(structure).empty();
+    return is_bare ? structure : kNone;
+}
+
+// Into structs: the type of what it declares, in this function or outside of all.
+std::uint32_t ProbeRecords::struct_of(const Declaration& declaration,
+                                      std::uint32_t function) const {
+    std::uint32_t global = kNone;
+    for (std::uint32_t i = 0; i < reading_.structs.size(); ++i) {
+        const Struct& one = reading_.structs[i];
+        if (one.name == kNone || reading_.word(one.name) != reading_.word(declaration.type))
+            continue;
+        if (one.function == function && declaration.owner == function) return i;
+        if (one.function == kNone) global = i;
+    }
+    return global;
+}
+
+// `glint0_v(8,t)`, of a variable that has its value; "" where that cannot be told.
+std::string ProbeRecords::record_of(std::size_t site, TokenRange variable,
+                                    std::uint32_t function) const {
+    const std::string name = reading_.spelled(variable);
+    if (!is_told_behind(variable, function)) return fmt::format("glint0_v({},{})", site, name);
+    if (!is_whole_array(variable, function))
+        return structs_.record(bare_struct_of(variable, function), std::to_string(site), name);
+    const auto found = variables_.find(variable.begin, function);
+    const TokenRange brackets =
+        found.name->array.empty() ? found.declaration->type_array : found.name->array;
+    const bool has_one = reading_.close_of(brackets.begin) + 1 == brackets.end &&
+                         (found.name->array.empty() || found.declaration->type_array.empty());
+    if (variable.size() != 1 || !has_one) return {};
+    const std::uint32_t structure = struct_of(*found.declaration, function);
+    return structure == kNone ? array_record(site, name, reading_.word(found.declaration->type))
+                              : structs_.array_record(structure, site, name);
+}
+
+// Whether it is the same element behind a call that hands out these, or changes globals.
+bool ProbeRecords::is_steady(TokenRange variable, const std::vector<TokenRange>& outs,
+                             std::uint32_t function) const {
+    for (std::uint32_t at = variable.begin + 1; at < variable.end; ++at) {
+        if (!reading_.tokens[at].is_word() || reading_.tokens[at - 1].is(".")) continue;
+        const auto found = variables_.find(at, function);
+        if (!found.declaration) continue;
+        if (found.declaration->scope == Scope::global && !found.declaration->is_const &&
+            !found.declaration->is_uniform)
+            return false;
+        if (std::ranges::any_of(outs, [&](TokenRange out) {
+                return reading_.word(out.begin) == reading_.word(at);
+            }))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace glint
