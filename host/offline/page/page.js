@@ -98,9 +98,10 @@ const tick60 = now => {
     requestAnimationFrame(tick60);
     if (!isReady || seeking || document.hidden) { clock.last = null; return; }
     const delta = clock.advance(now);
+    if (clock.playing && !plan.fixed && !player.keepsSize) holder.took(now);
+    fit();  // before the frame is drawn: another size empties the canvas
     if (clock.playing || moved) { if (draw(delta)) ++frames; moved = false; }
     else if (player.live.some(pass => !pass.drawn)) again();
-    if (clock.playing && !plan.fixed && !player.keepsSize && holder.took(now)) fit();
     if (now - since > 500) {
         $("rate").textContent = `${clock.playing ? round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
         if (document.activeElement !== $("time")) $("time").value = clock.time.toFixed(2);
@@ -120,7 +121,6 @@ const fit = isChosen => {
     if (isReady) player.resize(size);
     if (isChosen && player.keepsSize) seek(clock.time);
 };
-new ResizeObserver(() => fit()).observe($("stage"));
 
 // --- buttons
 
