@@ -380,14 +380,16 @@ vec4 quadsThatMeet(sampler2D boxes1, sampler2D boxes2, sampler2D boxes3, vec4 bo
 // the square to its right, between its ends' heights, going up, and takes it away going down. What
 // no edge separates cancels, and the triangle is left (its sign tells which way round it goes).
 // Integral over the height of the unit square of the part of its width right of an edge; signed.
+// (Where ?: stands for the `if` here and in triangleLight, SwiftShader compiles for minutes.)
 float rightOf(vec2 a, vec2 b) {
     vec2 y = clamp(vec2(a.y, b.y), 0.0, 1.0);
     float rise = b.y - a.y, lean = abs(rise) > 1e-6 ? (b.x - a.x) / rise : 0.0;
     vec2 x = a.x + (y - a.y) * lean, left = min(x, 0.0), inside = clamp(x, 0.0, 1.0);
     float run = x.y - x.x, part = left.y - left.x
         + (inside.y - inside.x) * (1.0 - 0.5 * (inside.x + inside.y));
-    float level = clamp(1.0 - 0.5 * (x.x + x.y), 0.0, 1.0);
-    return (y.y - y.x) * (abs(run) > 1e-3 ? part / run : level);
+    float width = clamp(1.0 - 0.5 * (x.x + x.y), 0.0, 1.0);
+    if (abs(run) > 1e-3) width = part / run;
+    return (y.y - y.x) * width;
 }
 float insideUnit(vec2 p) {
     return all(greaterThanEqual(p, vec2(0.0))) && all(lessThan(p, vec2(1.0))) ? 1.0 : 0.0;
@@ -395,8 +397,9 @@ float insideUnit(vec2 p) {
 // Part of a triangle's light in the unit square, over its area; edges: the sum of rightOf.
 float triangleLight(vec2 a, vec2 b, vec2 c, float edges) {
     float area = 0.5 * determinant(mat2(b - a, c - a));
-    float sliver = insideUnit((a + b + c) / 3.0);   // its light goes where its middle is
-    return abs(area) > 1e-3 ? -edges / area : sliver;
+    float share = insideUnit((a + b + c) / 3.0);   // a sliver's light goes where its middle is
+    if (abs(area) > 1e-3) share = -edges / area;
+    return share;
 }
 // Light of a cell's two halves in the unit square; corners in rows, with the flux of each.
 float cellLight(vec2 a, vec2 b, vec2 c, vec2 d, vec4 flux) {

@@ -17,6 +17,8 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu
 DRIVERS = {"swiftshader": ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
            "llvmpipe": ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]}
 
+KEYS = {"Tab": 9, "Enter": 13, "Escape": 27, " ": 32, "Home": 36, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "a": 65}
+
 
 def program():
     """The browser's name, or None."""
@@ -164,8 +166,32 @@ class Page:
         return self.run(f"(() => {{ const b = document.querySelector({json.dumps(selector)}).getBoundingClientRect();"
                         " return [b.x + b.width / 2, b.y + b.height / 2]; })()")
 
-    def key(self, kind, code, name=""):
-        self.ask("Input.dispatchKeyEvent", type=f"key{kind}", windowsVirtualKeyCode=code, key=name)
+    def key(self, kind, name, **more):
+        self.ask("Input.dispatchKeyEvent", type=f"key{kind}", windowsVirtualKeyCode=KEYS[name], key=name, **more)
+
+    def tap(self, *names):
+        for name in names:
+            self.key("Down", name)
+            self.key("Up", name)
+
+    def type(self, selector, text):
+        """In place of what stands in a field, which is left for the next one."""
+        self.click(selector)
+        self.key("Down", "a", modifiers=2, commands=["selectAll"])  # what Ctrl and A do is the system's to say, and there is none
+        self.key("Up", "a")
+        self.ask("Input.insertText", text=text)
+        self.tap("Tab")
+
+    def choose(self, selector, index):
+        """Opens a menu and takes the entry of this number."""
+        self.click(selector)
+        self.tap("Home", *["ArrowDown"] * index, "Enter")
+
+    def show(self, is_shown):
+        """The window, or nothing of it: the page is hidden while it is the smallest."""
+        window = self.ask("Browser.getWindowForTarget")["windowId"]
+        self.browser.ask("Browser.setWindowBounds", windowId=window, bounds={"windowState": "normal" if is_shown else "minimized"})
+        self.wait(f"document.hidden === {json.dumps(not is_shown)}")
 
     def touch(self, kind, *points):
         self.ask("Input.dispatchTouchEvent", type=f"touch{kind}", touchPoints=[{"x": x, "y": y} for x, y in points])

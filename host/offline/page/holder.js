@@ -14,19 +14,18 @@ export const makeHolder = () => {
             most = 1;
             times = [];
         },
-        // A frame at `now` (ms); true where the share has changed.
+        // A frame at `now` (ms).
         took(now) {
             const ms = now - last, before = this.share;
             last = now;
             if (isHeld && ms < 2000) times.push(ms);
-            if (times.length < 12 && !(times.reduce((a, b) => a + b, 0) > 600)) return false;
+            if (times.length < 12 && !(times.reduce((a, b) => a + b, 0) > 600)) return;
             const median = times.sort((a, b) => a - b)[times.length >> 1];
             times = [];
             if (median > SLOW) {
                 most = before;  // more was too much
                 this.share = max(LEAST, before * max(0.5, Math.sqrt(33 / median)));
             } else if (median < QUICK && before * 1.2 < most) this.share *= 1.2;
-            return this.share !== before;
         },
     };
 };

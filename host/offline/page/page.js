@@ -38,15 +38,16 @@ const relink = async constants => {
     const mine = wanted = {};
     hasUniforms ||= !constants;
     const linked = await player.link(constants).catch(fail);
-    if (mine !== wanted || !linked || constants && constants !== values) return;
-    player.use(linked);
-    hasUniforms = !constants;
+    if (linked && mine === wanted && (constants ?? values) === values) {
+        player.use(linked);
+        hasUniforms = !constants;
+    } else linked?.forEach(({id}) => gl.deleteProgram(id));
 };
 
-const setValue = (i, value) => {
-    values = values.with(i, value);
-    player.values = values;
-    show(values);
+const setValues = next => {
+    show(next);
+    if (!gl || `${next}` === `${values}`) return;
+    player.values = values = next;
     if (!hasUniforms) relink(null);
     clearTimeout(rest);
     rest = setTimeout(() => { keepLook(); relink(values); sound?.load(values); }, 700);
@@ -82,12 +83,8 @@ const seek = async time => {
 };
 
 // One more frame, `delta` seconds after the last one; 0 where time stands still.
-const draw = delta => {
-    const frame = frameAt(plan, clock.time, delta || 1 / 60, index);
-    Object.assign(frame, reader.input(clock.time + 1e-6, player.size), {tape, longest: 0.25});
-    ++index;
-    return player.draw(frame);
-};
+const draw = delta => player.draw({
+    ...frameAt(plan, clock.time, delta || 1 / 60, index++), ...reader.input(clock.time + 1e-6, player.size), tape, longest: 0.25});
 
 // The frame that stands there, once more.
 const again = () => {
@@ -101,9 +98,10 @@ const tick60 = now => {
     requestAnimationFrame(tick60);
     if (!isReady || seeking || document.hidden) { clock.last = null; return; }
     const delta = clock.advance(now);
+    if (clock.playing && !plan.fixed && !player.keepsSize) holder.took(now);
+    fit();  // before the frame is drawn: another size empties the canvas
     if (clock.playing || moved) { if (draw(delta)) ++frames; moved = false; }
     else if (player.live.some(pass => !pass.drawn)) again();
-    if (clock.playing && !plan.fixed && !player.keepsSize && holder.took(now)) fit();
     if (now - since > 500) {
         $("rate").textContent = `${clock.playing ? round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
         if (document.activeElement !== $("time")) $("time").value = clock.time.toFixed(2);
@@ -123,7 +121,6 @@ const fit = isChosen => {
     if (isReady) player.resize(size);
     if (isChosen && player.keepsSize) seek(clock.time);
 };
-new ResizeObserver(() => fit()).observe($("stage"));
 
 // --- buttons
 
@@ -143,11 +140,11 @@ const press = {
     step: () => { clock.time += 1 / 60; play(false); draw(1 / 60); since = 0; },
     save: () => {
         again();
-        canvas.toBlob(blob => Object.assign(document.createElement("a"), {href: URL.createObjectURL(blob), download: `${plan.title} ${clock.time.toFixed(2)}.png`}).click());
+        Object.assign(document.createElement("a"), {href: canvas.toDataURL(), download: `${plan.title} ${clock.time.toFixed(2)}.png`}).click();
     },
     full: () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen(),
     tweaks: () => body.toggle("narrow"),
-    reset: () => plan.tweaks.forEach((tweak, i) => setValue(i, tweak.value)),
+    reset: () => setValues(plan.tweaks.map(({value}) => value)),
     sound: async () => {
         const isLoud = body.toggle("loud");
         if (isLoud && !sound) { const made = makeSound(plan); await made.load(values).catch(fail); sound = made; }
@@ -157,7 +154,7 @@ const press = {
 for (const name in press) on($(name), "click", () => isReady && press[name]());
 on($("time"), "change", () => isReady && seek(max(+$("time").value || 0, 0)));
 on($("share"), "change", () => { holder.hold($("share").value); fit(true); });
-const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, setValue);
+const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, (i, value) => setValues(values.with(i, value)));
 
 // --- mouse, touch, keys
 
@@ -187,7 +184,7 @@ on(document, "visibilitychange", () => {
 });
 on(window, "hashchange", () => {
     const look = readLook(plan, location.hash);
-    look.values.forEach((value, i) => `${value}` !== `${values[i]}` && setValue(i, value));
+    setValues(look.values);
     plays(!look.paused);
     if (/[#&]t=/.test(location.hash) && isReady) seek(look.time);
 });

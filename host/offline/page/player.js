@@ -26,6 +26,13 @@ export const makePlayer = (gl, plan, planned, fell) => {
         for (const mode of input.modes) gl.samplerParameteri(sampler, ...mode);
         return {...input, sampler, version: 0, from: passes[input.pass]};
     });
+    const compile = (kind, source) => {
+        const shader = gl.createShader(kind);
+        gl.shaderSource(shader, source);
+        gl.compileShader(shader);
+        return shader;
+    };
+    const vertex = compile(gl.VERTEX_SHADER, plan.vertex);
     let drawSteps, isNew;
     gl.disable(gl.DITHER);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
@@ -56,14 +63,9 @@ export const makePlayer = (gl, plan, planned, fell) => {
     };
 
     const start = (pass, values) => {
-        const {text, added} = textOf(plan, pass, values, isSoftware), id = gl.createProgram();
-        let shader;
-        for (const [kind, source] of [[gl.VERTEX_SHADER, plan.vertex], [gl.FRAGMENT_SHADER, text]]) {
-            shader = gl.createShader(kind);
-            gl.shaderSource(shader, source);
-            gl.compileShader(shader);
-            gl.attachShader(id, shader);
-        }
+        const {text, added} = textOf(plan, pass, values, isSoftware), id = gl.createProgram(), shader = compile(gl.FRAGMENT_SHADER, text);
+        gl.attachShader(id, vertex);
+        gl.attachShader(id, shader);
         gl.linkProgram(id);
         return {id, shader, added, uniforms: [], samplers: []};
     };
@@ -81,6 +83,7 @@ export const makePlayer = (gl, plan, planned, fell) => {
                 samplers.push({input: inputs[pass.samplers?.[name]]});
             }
         }
+        gl.deleteShader(shader);  // as soon as its program is
     };
 
     // Makes the texture of what is no buffer.
