@@ -1,6 +1,7 @@
 // What the eye sees from frame to frame: flashes, and things that run faster on a faster screen.
 #include "measure/check/flicker.h"
 
+#include "measure/check/budget.h"
 #include "measure/check/space.h"
 
 #include <fmt/format.h>
@@ -82,7 +83,7 @@ void compare_rates(CheckSubject& subject, CaseResult& result) {
 // With the preset's values, and where all tweaks are at an end of their ranges.
 void run_frame_rates(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    const Stopwatch clock;
+    const CaseClock clock(check);
     constexpr std::size_t kSets = 5;
     std::string first;
     for (const auto& values : values_at_ends(subject, kSets)) {
@@ -91,7 +92,7 @@ void run_frame_rates(Check& check, CaseResult& result) {
         compare_rates(subject, result);
         if (!subject.observed().is_finite() || result.verdict == CaseVerdict::fail) return;
         if (first.empty()) first = result.note;
-        if (!check.effort.tries && check.effort.over(clock.ms(), 0.03)) break;
+        if (clock.is_over(0.03)) break;
     }
     result.note = first;
 }
