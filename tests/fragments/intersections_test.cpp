@@ -8,7 +8,7 @@
 // would prove nothing.
 #include "intersections.h"
 
-#include "bar.h"
+#include "worst_case.h"
 
 #include <array>
 
@@ -187,12 +187,11 @@ TEST_F(Intersections, RaysThatStartInsideMeetTheFarSide) {
 TEST_F(Intersections, SpheresHoldWhateverTheCase) {
     Bar flips("Q3 sphere: share of rays that flip between hit and miss", 2e-4);
     Bar distances("Q3 sphere: relative error of the distance, 99 % are below", 5e-7);
-    Random random{std::mt19937(3)};
-    for (int k = 0; k < 40; ++k) {
-        const auto radius = static_cast<float>(std::pow(10.0, random.uniform(-3.0, 3.0)));
-        const double away = std::pow(10.0, random.uniform(0.6, 4.0)) * radius;
-        const glm::vec3 centre(random.direction() * std::pow(10.0, random.uniform(-2.0, 3.0)) *
-                               double{radius});
+    search_worst(3, 60, {&flips, &distances}, [&](Dials& dials) {
+        Random random{std::mt19937(dials.number)};
+        const auto radius = static_cast<float>(dials.between_logs(1e-3, 1e3));
+        const double away = dials.between_logs(4.0, 1e4) * radius;
+        const glm::vec3 centre(random.direction() * dials.between_logs(1e-2, 1e3) * double{radius});
         std::vector<ProbeCase> cases;
         std::vector<Real> truth;
         while (cases.size() < 32768) {
@@ -210,7 +209,7 @@ TEST_F(Intersections, SpheresHoldWhateverTheCase) {
         EXPECT_GT(found.hits, cases.size() / 20) << where;
         flips.see(found.flips, where);
         distances.see(found.p99, where);
-    }
+    });
 }
 
 // Rays with zeros in them, along axes, through the apex, in the plane of the disc: a number always,
