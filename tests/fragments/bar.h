@@ -31,6 +31,8 @@ public:
         std::replace(where_.begin(), where_.end(), '\n', ' ');
     }
     double worst() const { return worst_; }
+    // One of the same limit that has seen nothing.
+    Worst unseen() const { return Worst(limit_, side_); }
 
     // The smaller, the worse was what it has seen since it was last asked, and never 0, so that a
     // search goes on from a case that fails to one that fails more; infinity where it saw nothing.

@@ -5,10 +5,7 @@
 // or miss against the truth, at most 32 evaluations a ray, at most 0.1 % out of steps.
 #include "looks.h"
 
-#include <array>
 #include <cmath>
-#include <set>
-#include <utility>
 
 namespace glint::marches_test {
 namespace {
@@ -145,7 +142,7 @@ public:
 
     // So many pictures' rays at each angle, as one case.
     void see(const std::string& look, double time, unsigned seed, unsigned pictures,
-             const std::array<Worst*, 4>& seen) {
+             const std::vector<Worst*>& seen) {
         set_look(player_, look);
         player_.renderer().reset();
         for (const double degrees : {-20.0, -5.0, -1.5}) {
@@ -168,7 +165,7 @@ public:
         }
     }
     const Scene& scene() const { return player_.preset.scene; }
-    std::array<Worst*, 4> bars() { return {&wrong_, &flipped_, &evaluations_, &capped_}; }
+    std::vector<Worst*> bars() { return {&wrong_, &flipped_, &evaluations_, &capped_}; }
 
 private:
     struct Counts {
@@ -205,27 +202,15 @@ TEST_P(Marches, MeetWhatShortStepsMeet) {
     Rays rays(GetParam());
     rays.see(GetParam().worst, GetParam().worst_time, 1, 1, rays.bars());
 }
-// Of a few rays more or less are wrong by chance: the worst case of each bar is asked of 16 times
-// as many.
 TEST_P(Marches, MeetItWhateverTheTweaks) {
     const Field& field = GetParam();
     Rays rays(field);
-    const std::array<Worst*, 4> bars = rays.bars();
-    std::array<Worst, 4> few = {Worst(0.5), Worst(0.5), Worst(32.0), Worst(0.1)};
-    const std::array<Worst*, 4> seen = {&few[0], &few[1], &few[2], &few[3]};
-    std::array<std::pair<std::string, double>, 4> worst;
-    search_worst(numbers_of(rays.scene(), field.tweaks) + 1, 72, {seen.begin(), seen.end()},
-                 [&](Dials& dials) {
-                     const std::array before = few;
-                     const std::string look = look_at(rays.scene(), field.tweaks, dials);
-                     const double time = dials.between(0.0, field.longest_time);
-                     rays.see(look, time, dials.number, 1, seen);
-                     for (std::size_t i = 0; i < few.size(); ++i)
-                         if (dials.number == 0 || few[i].worst() != before[i].worst())
-                             worst[i] = {look, time};
-                 });
-    const std::set<std::pair<std::string, double>> asked(worst.begin(), worst.end());
-    for (const auto& [look, time] : asked) rays.see(look, time, 1000, 16, bars);
+    search_worst_share(numbers_of(rays.scene(), field.tweaks) + 1, 72, rays.bars(),
+                       [&](Dials& dials, unsigned times, const std::vector<Worst*>& bars) {
+                           const std::string look = look_at(rays.scene(), field.tweaks, dials);
+                           const double time = dials.between(0.0, field.longest_time);
+                           rays.see(look, time, dials.number, times, bars);
+                       });
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, Marches, testing::ValuesIn(kFields),
                          [](const auto& field) { return field.param.scene; });

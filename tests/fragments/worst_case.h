@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 #include <vector>
 
 namespace glint {
@@ -21,6 +22,7 @@ public:
     double between_logs(double low, double high) { return low * std::pow(high / low, share()); }
 
     const unsigned number;  // of the case, from 0: a seed of what it draws by chance
+    const Point& point() const { return point_; }
 
 private:
     const Point& point_;
@@ -39,6 +41,28 @@ inline void search_worst(std::size_t ranges, unsigned cases, const std::vector<W
         Trial trial;
         for (Worst* bar : bars) trial.distances.push_back(bar->distance_since_asked());
         search.tell(point, trial);
+    }
+}
+
+// The same for shares of what is drawn by chance, which are off by chance: the search goes by few,
+// and bars see 16 times as many of the worst case of each.
+inline void search_worst_share(
+    std::size_t ranges, unsigned cases, const std::vector<Worst*>& bars,
+    const std::function<void(Dials&, unsigned times, const std::vector<Worst*>&)>& try_one) {
+    std::vector<Worst> few;
+    for (const Worst* bar : bars) few.push_back(bar->unseen());
+    std::vector<Worst*> seen;
+    for (Worst& one : few) seen.push_back(&one);
+    std::vector<Point> worst(bars.size());
+    search_worst(ranges, cases, seen, [&](Dials& dials) {
+        const std::vector<Worst> before = few;
+        try_one(dials, 1, seen);
+        for (std::size_t i = 0; i < few.size(); ++i)
+            if (worst[i].empty() || few[i].worst() != before[i].worst()) worst[i] = dials.point();
+    });
+    for (const Point& point : std::set<Point>(worst.begin(), worst.end())) {
+        Dials dials(point, 1000);
+        try_one(dials, 16, bars);
     }
 }
 
