@@ -12,7 +12,7 @@
 namespace glint::ageing_test {
 namespace {
 
-constexpr unsigned kCases = 80;
+constexpr unsigned kCases = 80, kSimulatedCases = 16;
 
 class Ageing : public GlTest, public testing::WithParamInterface<const char*> {};
 
@@ -58,7 +58,8 @@ TEST_P(Ageing, ShowsTheSamePictureWhateverTheCase) {
         if (!still && !tweak.no_random && tweak.names.empty()) names.push_back(tweak.name);
     }
     see_ages(player, "", 5.0, psnr, off);
-    search_worst(numbers_of(player.preset.scene, names) + 1, kCases, {&psnr, &off},
+    search_worst(numbers_of(player.preset.scene, names) + 1,
+                 player.renderer().graph().stateful ? kSimulatedCases : kCases, {&psnr, &off},
                  [&](Dials& dials) {
                      const std::string look = look_at(player.preset.scene, names, dials);
                      see_ages(player, look, dials.between(2.0, 1000.0), psnr, off);
