@@ -216,36 +216,40 @@ float meanDecay(float x) {   // (1 - exp(-x)) / x, x >= 0
         : (1.0 - exp(-min(x, 80.0))) / x;
 }
 // x'' + c x' + k x = k f over a step of t, for f from f0 to f1 on a line; s: x and x'.
-// S is the answer to a push, C = S' + c S to a release, k Q = 1 - C to a constant f, R to f = t.
-// No difference of nearly equal numbers is divided by anything small, whatever k, c and t are.
+// S is the answer to a push, k Q to a constant f, R to f = t. No difference of nearly equal numbers
+// is divided by anything small, whatever k, c and t are.
 vec2 floatExactly(vec2 s, float k, float c, float t, float f0, float f1) {
-    float a = 0.5 * c, gap = a * a - k, w = sqrt(abs(gap)), S, C, Q, R;
+    float a = 0.5 * c, gap = a * a - k, w = sqrt(abs(gap)), S, Q, R;
     if (c * t < 0.1 && k * t * t < 0.01) {   // series
         S = t * (1.0 - 0.5 * c * t + (c * c - k) * t * t / 6.0
                  - c * (c * c - 2.0 * k) * t * t * t / 24.0);
         Q = t * t * (0.5 - c * t / 6.0 + (c * c - k) * t * t / 24.0);
         R = k * t * t * t * (1.0 / 6.0 - c * t / 24.0 + (c * c - k) * t * t / 120.0);
-        C = 1.0 - k * Q;
     } else if (gap < 0.0) {   // it swings
         float fade = exp(-min(a * t, 80.0)), wt = w * t;
         float sinc = wt < 0.01 ? 1.0 - wt * wt / 6.0 : sin(wt) / wt;
         S = fade * t * sinc;
-        C = fade * (cos(wt) + a * t * sinc);
-        Q = (1.0 - C) / k;
+        Q = (1.0 - fade * (cos(wt) + a * t * sinc)) / k;
         R = t - S - c * Q;
     } else {                  // it creeps: rates a - w, without cancellation, and a + w
         float fast = a + w, slow = k / max(fast, 1e-20), fade = exp(-min(slow * t, 80.0));
         S = t * fade * meanDecay(2.0 * w * t);
-        C = fade + slow * S;
         Q = (t * meanDecay(slow * t) - S) / max(fast, 1e-20);
         R = t - S - c * Q;
     }
+    // What is added, small beside x, is rounded; a factor near 1 would be rounded alike each time.
     float push = (f1 - f0) / t, away = s.x - f0;
-    return vec2(f0 + away * C + s.y * S + push * R,
-                s.y * (C - c * S) - away * k * S + push * k * Q);
+    return s + vec2(s.y * S + push * R - away * k * Q,
+                    push * k * Q - away * k * S - s.y * (k * Q + c * S));
 }
-vec2 floatStep(vec2 s, float k, float c, float t, float f0, float f1) {
-    if (integrator == 2) return floatExactly(s, k, c, t, f0, f1);
+// The same for f that bends: the line keeps its mean (Simpson's), as the step before, `older` to
+// f0, tells. Else a float that swings along with a wave falls short of it.
+vec2 floatAlong(vec2 s, float k, float c, float t, float older, float f0, float f1) {
+    float bend = (f1 - 2.0 * f0 + older) / 12.0;
+    return floatExactly(s, k, c, t, f0 - bend, f1 - bend);
+}
+vec2 floatStep(vec2 s, float k, float c, float t, float older, float f0, float f1) {
+    if (integrator == 2) return floatAlong(s, k, c, t, older, f0, f1);
     float v = s.y + t * (k * (f0 - s.x) - c * s.y);
     return vec2(s.x + t * (integrator == 1 ? v : s.y), v);
 }
@@ -1169,13 +1173,13 @@ vec3 hullTarget(vec2 place, float heading, float back) {
     }
     return vec3(sum, atan(bow), atan(side));
 }
-// One of heave, pitch and roll after a step: position, speed, and the target it followed. Heave is
+// One of heave, pitch and roll after a step: position, speed, and the last two targets. Heave is
 // stiffest; aside: the hull's own lean and squat, which move the targets.
 vec4 floated(vec4 own, int which, bool fresh, vec2 was, vec2 now, float heading, vec3 aside) {
     float stiff = stiffness * (which == 0 ? 1.0 : which == 1 ? 1.2 : 0.7);
     float loss = damping * (which == 2 ? 0.6 : 1.0);
     vec2 s = clamp(own.xy, vec2(-50.0, -5e4), vec2(50.0, 5e4));
-    float before = own.z, dt = iTimeDelta, part = dt / float(substeps);
+    float before = own.z, older = own.w, dt = iTimeDelta, part = dt / float(substeps);
     for (int i = 1; i <= substeps; ++i) {
         float back = dt - float(i) * part;
         vec2 at = mix(now, was, back / dt);
@@ -1183,18 +1187,19 @@ vec4 floated(vec4 own, int which, bool fresh, vec2 was, vec2 now, float heading,
         float target = (hullTarget(at, heading, back) + aside)[which];
         if (fresh) {
             s = vec2(target, 0.0);
-            before = target;
+            before = older = target;
         }
-        s = floatStep(s, stiff, loss, part, before, target);
+        s = floatStep(s, stiff, loss, part, older, before, target);
+        older = before;
         before = target;
         fresh = false;
     }
-    return vec4(clamp(s, -5e4, 5e4), before, 0.0);
+    return vec4(clamp(s, -5e4, 5e4), before, older);
 }
 float key(int code) { return step(0.5, texelFetch(keys, ivec2(code, 0), 0).x); }
 
 // 0: place, heading (to the right), speed. 1: turning, rudder, what the camera lags, 1 once there
-// is a state. 2 to 4: heave, pitch (bow up), roll (port up), each with its speed and its target.
+// is a state. 2 to 4: heave, pitch (bow up), roll (port up), each with its speed and two targets.
 void mainBoat(out vec4 colour, in vec2 pixel) {
     int k = int(pixel.x);
     vec4 place = previousFrame(texelFetch(boat, ivec2(0), 0));

@@ -454,6 +454,13 @@ void Instrumenter::over_fetch(const Call& call) {
     hand_through(SiteKind::index, close_spelling(reading_, whole), call.name, {first + 2, last - 1},
                  "glint0_t",
                  fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, token(last).text));
+    if (token(last).text == "0") return;
+    // Of a level that there is not, drivers tell a size of 0.
+    hand_through(SiteKind::index,
+                 fmt::format("level {} of {}", token(last).text, token(first).text), call.name,
+                 {last, last + 1}, "glint0_i",
+                 fmt::format(",textureSize({},{}).x>0?{}+1:1", token(first).text, token(last).text,
+                             token(last).text));
 }
 
 void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {

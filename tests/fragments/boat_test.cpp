@@ -1,6 +1,5 @@
 // The boat: the float against closed forms, rays to sea and hull against long ones, keys, age.
-#include "bar.h"
-#include "probe.h"
+#include "looks.h"
 
 #include <glm/common.hpp>
 
@@ -140,18 +139,25 @@ double closed_form(double k, double c, double t) {
 // Bars: at 60 Hz at most 1e-4 m off over 20 s, for 2 to 1000 rad/s and damping ratios up to 50; 30
 // and 240 Hz within 1 cm of each other; bounded with steps of 1e-4 to 1 s.
 // Each float by its rate (rad/s) and damping ratio.
-void expect_to_follow_waves(const std::vector<std::pair<float, float>>& floats) {
+struct Q15 {
+    Bar bounded{"Q15 boat: farthest that the float goes, m", 3.0};
+    Bar right{"Q15 boat: off after 20 s at 60 Hz, m", 1e-4};
+    Bar alike{"Q15 boat: 30 beside 240 Hz, m", 0.01};
+};
+void expect_to_follow_waves(const std::vector<std::pair<float, float>>& floats, Q15& bars) {
     const std::string play =
         "vec3 probed(float k, float c, float dt) {\n"
         "    vec2 s = vec2(2.0, 0.0);\n"
-        "    float most = 0.0, now = 0.0, last = 0.0;\n"
+        "    float most = 0.0, now = 0.0, last = 0.0, older = 0.0;\n"
         "    int n = int(20.0 / dt + 0.5);\n"
         "    n = min(n, 20000);\n"  // 2 s of the shortest steps
         "    for (int i = 0; i <= n; ++i) {\n"
         "        float t = float(i) * dt;\n"
         "        now = 0.30 * sin(1.1 * t + 0.3) + 0.12 * sin(2.3 * t + 1.9)"
         " + 0.05 * sin(4.1 * t + 4.0);\n"
-        "        if (i > 0) s = floatExactly(s, k, c, dt, last, now);\n"
+        "        if (i == 1) older = 2.0 * last - now;\n"
+        "        if (i > 0) s = floatAlong(s, k, c, dt, older, last, now);\n"
+        "        older = last;\n"
         "        last = now;\n"
         "        most = max(most, abs(s.x));\n"
         "    }\n"
@@ -163,37 +169,47 @@ void expect_to_follow_waves(const std::vector<std::pair<float, float>>& floats) 
         for (const float step : steps)
             cases.push_back({.a = {rate * rate, 2.0f * ratio * rate, step, ratio}});
     const auto got = probe(scene_text(play), "probed(a.x, a.y, a.z)", cases);
-    Bar bounded("Q15 boat: farthest that the float goes, m", 3.0);
-    Bar right("Q15 boat: off after 20 s at 60 Hz, m", 1e-4);
-    Bar alike("Q15 boat: 30 beside 240 Hz, m", 0.01);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const glm::vec4 one = cases[i].a;
         const std::string where =
-            fmt::format("{:.3g} rad/s, damping ratio {:.3g}, steps of {:.3g} s", std::sqrt(one.x),
+            fmt::format("{:.4g} rad/s, damping ratio {:.4g}, steps of {:.3g} s", std::sqrt(one.x),
                         one.w, one.z);
-        bounded.see(got[i].y, where);
+        bars.bounded.see(got[i].y, where);
         EXPECT_LE(std::abs(got[i].x), 3.0f) << "the greatest may have passed over a NaN";
         const auto step = i % steps.size();
         // Undamped and stiff, a rounding of the phase never fades: only bounds are asked for.
         if (one.w == 0.0f) continue;
-        if (step == 2) right.see(std::abs(got[i].x - closed_form(one.x, one.y, got[i].z)), where);
-        if (step == 3) alike.see(std::abs(double{got[i].x} - got[i - 2].x), where);
+        if (step == 2)
+            bars.right.see(std::abs(got[i].x - closed_form(one.x, one.y, got[i].z)), where);
+        if (step == 3) bars.alike.see(std::abs(double{got[i].x} - got[i - 2].x), where);
     }
 }
 TEST_F(BoatScene, TheFloatFollowsWavesWhateverTheStep) {
     std::vector<std::pair<float, float>> floats;
     for (const float rate : {2.0f, 6.2832f, 20.0f, 100.0f, 400.0f, 1000.0f})
         for (const float ratio : {0.0f, 0.2f, 0.9f, 5.0f, 50.0f}) floats.emplace_back(rate, ratio);
-    expect_to_follow_waves(floats);
+    // Found by the search: slow beside the step, so that a rounding that is the same in each sums.
+    floats.emplace_back(2.0f, 47.48f);
+    Q15 bars;
+    expect_to_follow_waves(floats, bars);
 }
+// 16 floats round one.
 TEST_F(BoatScene, TheFloatFollowsWavesWhateverTheCase) {
-    std::vector<std::pair<float, float>> floats;
-    for (int i = 0; i < 600; ++i) {
-        const auto part = [&](double by) { return std::fmod(0.5 + by * i, 1.0); };
-        floats.emplace_back(static_cast<float>(2.0 * std::pow(500.0, part(0.6180339887))),
-                            static_cast<float>(0.05 * std::pow(1000.0, part(0.7548776662))));
-    }
-    expect_to_follow_waves(floats);
+    Q15 bars;
+    search_worst(2, 80, {&bars.bounded, &bars.right, &bars.alike}, [&](Dials& dials) {
+        const double rate = dials.between_logs(2.0, 1000.0);
+        const double ratio = dials.between_logs(0.05, 50.0);
+        std::vector<std::pair<float, float>> floats;
+        for (int i = 0; i < 16; ++i) {
+            const auto near = [&](double value, double by, double low, double high) {
+                const double part = std::fmod(0.5 + by * i, 1.0);
+                return static_cast<float>(std::clamp(value * std::pow(1.2, part - 0.5), low, high));
+            };
+            floats.emplace_back(near(rate, 0.6180339887, 2.0, 1000.0),
+                                near(ratio, 0.7548776662, 0.05, 50.0));
+        }
+        expect_to_follow_waves(floats, bars);
+    });
 }
 
 // ---- The sea ----
@@ -203,8 +219,7 @@ struct Waves {
     std::array<double, 20> x{}, z{}, height{}, phase{};
     double crest = 0.0;
 };
-Waves waves_of(const std::string& tweaks, double choppiness) {
-    const auto buffer = texels(scene_text(), tweaks, 5.0, {8, 8}, "wavelets");
+Waves waves_in(const std::vector<glm::vec4>& buffer, double choppiness) {
     Waves w;
     for (std::size_t i = 0; i < 20; ++i) {
         const auto g = static_cast<std::size_t>(i / 4 * 4);
@@ -217,6 +232,9 @@ Waves waves_of(const std::string& tweaks, double choppiness) {
     w.crest = 0.25 * choppiness;
     return w;
 }
+Waves waves_of(const std::string& tweaks, double choppiness) {
+    return waves_in(texels(scene_text(), tweaks, 5.0, {8, 8}, "wavelets"), choppiness);
+}
 double height_of(const Waves& w, double x, double z, std::size_t count) {
     double h = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -228,21 +246,41 @@ double height_of(const Waves& w, double x, double z, std::size_t count) {
 
 // A height field has no folds, but steep sums look like cliffs: at the tweaks' most, the slopes of
 // the long waves must sum to at most 0.95.
+double steepest(const Waves& w) {
+    double shape = 0.0, sum = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const double x = kTau * i / 1000.0;
+        shape = std::max(shape, std::sin(x) + 2.0 * w.crest * std::sin(2.0 * x));
+    }
+    for (std::size_t i = 0; i < 8; ++i) sum += w.height[i] * std::hypot(w.x[i], w.z[i]) * shape;
+    return sum;
+}
 TEST_F(BoatScene, SlopesOfTheLongWavesSumToLessThanOne) {
     for (const std::string length : {"1.5", "4.5", "40.0"}) {
         const std::string tweaks =
             "[tweaks]\nsteepness = 1.0\nchoppiness = 1.0\nlongestWave = " + length + "\n";
-        const Waves w = waves_of(tweaks, 1.0);
-        double shape = 0.0, sum = 0.0;
-        for (int i = 0; i < 1000; ++i) {
-            const double x = kTau * i / 1000.0;
-            shape = std::max(shape, std::sin(x) + 2.0 * w.crest * std::sin(2.0 * x));
-        }
-        for (std::size_t i = 0; i < 8; ++i) sum += w.height[i] * std::hypot(w.x[i], w.z[i]) * shape;
+        const double sum = steepest(waves_of(tweaks, 1.0));
         fmt::print("{} m: {:.3f}\n", length, sum);
         EXPECT_LE(sum, 0.95);
         EXPECT_GE(sum, 0.85) << "the tweak's 1 is meant to be a gale";
     }
+}
+TEST_F(BoatScene, SlopesSumToLessThanOneWhateverTheCase) {
+    Bar sum("Q12 boat: sum of the long waves' slopes", 0.95);
+    Player player(scene_text(), {.size = {8, 8}, .pass = "wavelets", .specialise = false});
+    const std::vector<std::string> names = {"longestWave", "steepness", "windAngle",
+                                            "depth",       "animation", "choppiness"};
+    search_worst(numbers_of(player.preset.scene, names) + 1, 200, {&sum}, [&](Dials& dials) {
+        const std::string look = look_at(player.preset.scene, names, dials);
+        const double choppiness = std::stod(look.substr(look.rfind('=') + 1));
+        set_look(player, look);
+        Frame frame = player.frame(0);
+        frame.time = dials.between(0.0, 1e5);
+        frame.longest_catch_up = 0.25;  // s, of what is simulated beside
+        player.draw(frame);
+        sum.see(steepest(waves_in(pixels_of(player), choppiness)),
+                fmt::format("{} at {:.1f} s", look, frame.time));
+    });
 }
 
 // All repeats after 480 m: a wave vector that does not fit would make a seam.

@@ -1,6 +1,6 @@
 // The light on the floor in fragments/caustics.frag against photons traced in double precision.
-#include "bar.h"
 #include "probe.h"
+#include "worst_case.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
@@ -30,8 +30,8 @@ struct Look {
 
     std::string tweaks(std::string_view more = "") const {
         return fmt::format(
-            "[tweaks]\ndepth = {}\nwaveSlope = {}\nwaveLength = {}\nsunElevation = {}\n"
-            "sunAngle = {}\ndispersion = {:.1f}\n{}",
+            "[tweaks]\ndepth = {:.6g}\nwaveSlope = {:.6g}\nwaveLength = {:.6g}\n"
+            "sunElevation = {:.6g}\nsunAngle = {:.6g}\ndispersion = {:.1f}\n{}",
             depth, slope, length, elevation, azimuth, dispersion, more);
     }
     glm::dvec3 sun() const {
@@ -315,37 +315,33 @@ TEST_F(Caustics, FoldedLightIsCountedOnceWhateverTheCase) {
 // Q14 over looks: calm ones against Newton's inverse, folded ones against photons.
 TEST_F(Caustics, CalmWaterIsRightWhateverTheCase) {
     Bar rmse("Q14 caustics: calm water, RMSE", 1e-2), energy("Q14 caustics: calm, energy, %", 0.2);
-    std::mt19937 random(4);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    for (int k = 0; k < 10; ++k) {
-        Look look = {.depth = 0.4 * std::pow(5.0, unit(random)),
-                     .length = 0.6 * std::pow(3.0, unit(random)),
-                     .elevation = 35.0 + 50.0 * unit(random),
-                     .azimuth = 360.0 * unit(random) - 180.0};
+    search_worst(5, 24, {&rmse, &energy}, [&](Dials& dials) {
+        Look look = {.depth = dials.between_logs(0.4, 2.0),
+                     .length = dials.between_logs(0.6, 1.8),
+                     .elevation = dials.between(35.0, 85.0),
+                     .azimuth = dials.between(-180.0, 180.0)};
         // As steep as still counts as calm: depth times curvature.
-        look.slope = std::min(0.12, 0.02 * look.length / look.depth / 0.9) * unit(random);
+        look.slope = std::min(0.12, 0.02 * look.length / look.depth / 0.9) * dials.share();
         const Error error = of_method(look, inverse(look, waves_of(look)), "");
         const std::string where = look.tweaks();
         rmse.see(error.rmse, where);
         energy.see(100.0 * std::abs(error.energy), where);
-    }
+    });
 }
 TEST_F(Caustics, FoldedLightIsRightWhateverTheCase) {
     Bar relative("Q14 caustics: folded light, relMSE", 1e-2);
     Bar energy("Q14 caustics: folded, energy, %", 1.0);
-    std::mt19937 random(6);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    for (int k = 0; k < 6; ++k) {
-        const Look look = {.depth = 1.5 + 3.0 * unit(random),
-                           .slope = 0.05 + 0.07 * unit(random),
-                           .length = 0.7 + 0.8 * unit(random),
-                           .elevation = 45.0 + 40.0 * unit(random),
-                           .azimuth = 360.0 * unit(random) - 180.0};
+    search_worst(5, 24, {&relative, &energy}, [&](Dials& dials) {
+        const Look look = {.depth = dials.between(1.5, 4.5),
+                           .slope = dials.between(0.05, 0.12),
+                           .length = dials.between(0.7, 1.5),
+                           .elevation = dials.between(45.0, 85.0),
+                           .azimuth = dials.between(-180.0, 180.0)};
         const Map reference = photons(look, waves_of(look), 4096, 7);
         const Error error = of_method(look, reference, "method = \"area\"\n");
         relative.see(error.relative, look.tweaks());
         energy.see(100.0 * std::abs(error.energy), look.tweaks());
-    }
+    });
 }
 
 // Light that crosses the surface, relative to flat water: of rays side by side from the sun, each

@@ -1,7 +1,7 @@
 // The wreck on the sea floor: noise, rays to the floor, the hull's field, water, tears and the net
 // of light, in figures.
-#include "bar.h"
 #include "probe.h"
+#include "worst_case.h"
 
 #include <algorithm>
 #include <array>
@@ -59,48 +59,54 @@ double noise(int cx, int cy, double fx, double fy, int seed, int period) {
 
 // Cells as whole numbers keep it exact far out: at most 1e-6 from double precision, root mean
 // square, round 0, 1e6 and beyond 2^24, where a float no longer knows its neighbour.
-void expect_exact_noise(const std::vector<int>& places) {
-    Bar bar("Q9 deep_ocean: noise, RMS", 1e-6);
-    std::mt19937 random(7);
+void expect_exact_noise(glm::ivec2 place, std::uint32_t seed, Bar& bar) {
+    std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-    for (const int far : places) {
-        std::vector<ProbeCase> cases;
-        for (int i = 0; i < 8000; ++i) {
-            const int x = far + static_cast<int>(random() % 512) - 256;
-            const int y = -far + static_cast<int>(random() % 512) - 256;
-            // Whole numbers come in two parts, each exact in a float.
-            const auto high = [](int n) { return static_cast<float>(n >> 12); };
-            const auto low = [](int n) { return static_cast<float>(n & 4095); };
-            cases.push_back(
-                {.a = {high(x), low(x), high(y), low(y)}, .b = {unit(random), unit(random), 0, 0}});
-        }
-        const auto got = probe(kScene,
-                               "seabedNoise(ivec2(int(a.x) * 4096 + int(a.y), int(a.z) * 4096 + "
-                               "int(a.w)), b.xy, 1 << 30, 3)",
-                               cases);
-        double squares = 0.0, top = 0.0;
-        for (std::size_t i = 0; i < cases.size(); ++i) {
-            const glm::vec4& a = cases[i].a;
-            const int x = static_cast<int>(a.x) * 4096 + static_cast<int>(a.y);
-            const int y = static_cast<int>(a.z) * 4096 + static_cast<int>(a.w);
-            const double expected = noise(x, y, cases[i].b.x, cases[i].b.y, 3, 1 << 30);
-            squares += (got[i].x - expected) * (got[i].x - expected);
-            top = std::max(top, std::abs(static_cast<double>(got[i].x)));
-        }
-        bar.see(std::sqrt(squares / static_cast<double>(cases.size())),
-                fmt::format("cells round {}", far));
-        EXPECT_LE(top, 1.0) << "a mean of four slopes over at most a cell";
-        EXPECT_GE(top, 0.3) << "and not flat";
+    std::vector<ProbeCase> cases;
+    for (int i = 0; i < 8000; ++i) {
+        const int x = place.x + static_cast<int>(random() % 512) - 256;
+        const int y = place.y + static_cast<int>(random() % 512) - 256;
+        // Whole numbers come in two parts, each exact in a float.
+        const auto high = [](int n) { return static_cast<float>(n >> 12); };
+        const auto low = [](int n) { return static_cast<float>(n & 4095); };
+        cases.push_back(
+            {.a = {high(x), low(x), high(y), low(y)}, .b = {unit(random), unit(random), 0, 0}});
     }
+    const auto got = probe(kScene,
+                           "seabedNoise(ivec2(int(a.x) * 4096 + int(a.y), int(a.z) * 4096 + "
+                           "int(a.w)), b.xy, 1 << 30, 3)",
+                           cases);
+    double squares = 0.0, top = 0.0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const glm::vec4& a = cases[i].a;
+        const int x = static_cast<int>(a.x) * 4096 + static_cast<int>(a.y);
+        const int y = static_cast<int>(a.z) * 4096 + static_cast<int>(a.w);
+        const double expected = noise(x, y, cases[i].b.x, cases[i].b.y, 3, 1 << 30);
+        squares += (got[i].x - expected) * (got[i].x - expected);
+        top = std::max(top, std::abs(static_cast<double>(got[i].x)));
+    }
+    bar.see(std::sqrt(squares / static_cast<double>(cases.size())),
+            fmt::format("cells round {} {}", place.x, place.y));
+    EXPECT_LE(top, 1.0) << "a mean of four slopes over at most a cell";
+    EXPECT_GE(top, 0.3) << "and not flat";
 }
+constexpr const char* kNoise = "Q9 deep_ocean: noise, RMS";
 TEST_F(DeepOcean, NoiseIsAsExactFarOutAsAtTheOrigin) {
-    expect_exact_noise({0, -1'000'000, 1'000'000, (1 << 24) + 1, 100'000'000});
+    Bar bar(kNoise, 1e-6);
+    for (const int far : {0, -1'000'000, 1'000'000, (1 << 24) + 1, 100'000'000})
+        expect_exact_noise({far, -far}, 7, bar);
 }
 TEST_F(DeepOcean, NoiseIsExactWhateverTheCase) {
-    std::vector<int> places;
-    for (int k = 0; k < 40; ++k)
-        places.push_back((k % 2 == 0 ? 1 : -1) * static_cast<int>(std::pow(10.0, 0.23 * k)));
-    expect_exact_noise(places);
+    Bar bar(kNoise, 1e-6);
+    search_worst(2, 48, {&bar}, [&](Dials& dials) {
+        // Evenly in the number of digits, to 1e9 on both sides.
+        const auto far = [&] {
+            const double digits = dials.between(-9.0, 9.0);
+            return static_cast<int>(std::copysign(std::pow(10.0, std::abs(digits)), digits));
+        };
+        const int x = far(), y = far();
+        expect_exact_noise({x, y}, dials.number, bar);
+    });
 }
 
 TEST_F(DeepOcean, NoiseHasNoSeamBetweenCellsNorAfterItsPeriod) {
@@ -270,7 +276,7 @@ TEST_F(DeepOcean, EvenWaterIsExact) {
             "1.0));\n"
             "    return vec4(once.g / (once.g + field.g), m.towards.y, 0.0, 0.0);\n}\n",
         "vec4(probed(a.x, a.y, a.z, a.w), parts(a.x, a.y, a.w).xy)", cases);
-    double worst = 0.0;
+    Bar error("Q19 deep_ocean: relative error of light along a ray", 1e-4);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const double sigma = cases[i].a.x, rise = cases[i].a.y, t = cases[i].a.z;
         const double share = got[i].z, up = got[i].w;
@@ -288,11 +294,9 @@ TEST_F(DeepOcean, EvenWaterIsExact) {
             before = x;
         }
         if (!std::isfinite(sum) || sum > 1e30) continue;  // up a ray far longer than the water
-        const double error = std::abs(got[i].x - sum) / sum;
-        worst = std::max(worst, error);
-        EXPECT_LE(error, 1e-4) << sigma << " " << rise << " " << t;
+        error.see(std::abs(got[i].x - sum) / sum,
+                  fmt::format("{:.5g} 1/m, rise {:.5g}, {:.5g} m", sigma, rise, t));
     }
-    fmt::print("{:.2g} relative\n", worst);
 }
 
 // Gaussians on a lattice fill it evenly, and none of their light is lost.

@@ -1,11 +1,11 @@
-// Tweaks of a scene as words, "waveHeight=2 windAngle=-30": by hand, or anywhere in their ranges.
+// Tweaks of a scene as words, "waveHeight=2 windAngle=-30": by hand, or as a search has them.
 #pragma once
 
 #include "probe.h"
+#include "worst_case.h"
 
 #include <cmath>
 #include <initializer_list>
-#include <random>
 #include <sstream>
 
 namespace glint {
@@ -31,12 +31,17 @@ inline void set_look(Player& player, std::string_view words) {
     }
 }
 
-// A look with these tweaks anywhere in their ranges, every fourth at one of its ends.
-inline std::string random_look(const Scene& scene, const std::vector<std::string>& names,
-                               std::mt19937& random) {
-    const auto share = [&] {
-        return std::clamp(static_cast<double>(random()) / 4294967296.0 * 1.3 - 0.15, 0.0, 1.0);
-    };
+// How many numbers such tweaks are.
+inline std::size_t numbers_of(const Scene& scene, const std::vector<std::string>& names) {
+    std::size_t count = 0;
+    for (const std::string& name : names)
+        count += static_cast<std::size_t>(component_count(tweak_of(scene, name).type));
+    return count;
+}
+
+// A look with these tweaks where a case has them in their ranges, to four digits.
+inline std::string look_at(const Scene& scene, const std::vector<std::string>& names,
+                           Dials& dials) {
     std::string words;
     for (const std::string& name : names) {
         const Tweak& tweak = tweak_of(scene, name);
@@ -44,20 +49,15 @@ inline std::string random_look(const Scene& scene, const std::vector<std::string
         const double high =
             tweak.max.value_or(std::max(1.0, static_cast<double>(tweak.names.size()) - 1.0));
         TweakValue value{};
-        for (double& component : value) {
-            const double at = share();
-            component = tweak.log ? low * std::pow(high / low, at) : low + (high - low) * at;
+        for (int c = 0; c < component_count(tweak.type); ++c) {
+            const double at = tweak.log ? dials.between_logs(low, high) : dials.between(low, high);
+            value[static_cast<std::size_t>(c)] = std::stod(fmt::format("{:.4g}", at));
         }
         std::string text = format_value(tweak, clamp_to_range(tweak, value));
         std::erase(text, ' ');
         words += fmt::format("{}{}={}", words.empty() ? "" : " ", name, text);
     }
     return words;
-}
-
-// How far along a range by chance: a time, a distance.
-inline double random_between(double low, double high, std::mt19937& random) {
-    return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }
 
 }  // namespace glint

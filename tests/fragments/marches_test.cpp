@@ -3,7 +3,6 @@
 //
 // Q11, at -20, -5 and -1.5 degrees: at most 0.5 % of the hits more than 5 cm off, at most 0.5 % hit
 // or miss against the truth, at most 32 evaluations a ray, at most 0.1 % out of steps.
-#include "bar.h"
 #include "looks.h"
 
 #include <cmath>
@@ -141,41 +140,52 @@ public:
                           field.scene, field.height, field.start, field.hit),
               {.size = {kSide, kSide}, .specialise = false}) {}
 
-    void see(const std::string& look, double time, int seed) {
+    // So many pictures' rays at each angle, as one case.
+    void see(const std::string& look, double time, unsigned seed, unsigned pictures,
+             const std::vector<Worst*>& seen) {
         set_look(player_, look);
         player_.renderer().reset();
         for (const double degrees : {-20.0, -5.0, -1.5}) {
-            Frame frame = player_.frame(0);
-            frame.time = time;
-            frame.longest_catch_up = 1.0;  // s, of what is simulated
-            frame.input.mouse = {static_cast<float>(degrees), static_cast<float>(seed), 0, 0};
-            player_.draw(frame);
-            count(fmt::format("{} at {} s, {} degrees, rays {}", look, time, degrees, seed));
+            Counts all;
+            for (unsigned k = 0; k < pictures; ++k) {
+                Frame frame = player_.frame(0);
+                frame.time = time;
+                frame.longest_catch_up = 1.0;  // s, of what is simulated
+                frame.input.mouse = {static_cast<float>(degrees), static_cast<float>(seed + k), 0,
+                                     0};
+                player_.draw(frame);
+                count(all);
+            }
+            const std::string where =
+                fmt::format("{} at {:.6g} s, {} degrees, rays {}", look, time, degrees, seed);
+            seen[0]->see(100.0 * all.wrong / std::max(all.hits, 1.0), where);
+            seen[1]->see(100.0 * all.flipped / all.rays, where);
+            seen[2]->see(all.evaluations / all.rays + field_.finish, where);
+            seen[3]->see(100.0 * all.capped / all.rays, where);
         }
     }
     const Scene& scene() const { return player_.preset.scene; }
+    std::vector<Worst*> bars() { return {&wrong_, &flipped_, &evaluations_, &capped_}; }
 
 private:
-    void count(const std::string& where) {
+    struct Counts {
+        double rays = 0, hits = 0, wrong = 0, flipped = 0, capped = 0, evaluations = 0;
+    };
+    void count(Counts& all) {
         const std::vector<float> values = player_.floats();
         const auto& tweaks = scene().tweaks;
         const auto steps =
             static_cast<std::size_t>(&tweak_of(scene(), field_.steps) - tweaks.data());
         const auto most = static_cast<float>(player_.preset.values[steps][0]);
-        double hits = 0, wrong = 0, flipped = 0, capped = 0, evaluations = 0;
         for (std::size_t i = 0; i < values.size(); i += 4) {
             const float found = values[i], truth = values[i + 2];
-            hits += truth > 0.0f;
-            flipped += (found >= 0.0f) != (truth > 0.0f);
-            wrong += found >= 0.0f && truth > 0.0f && std::abs(found - truth) > 0.05f;
-            evaluations += values[i + 1];
-            capped += values[i + 1] >= most;
+            all.rays += 1.0;
+            all.hits += truth > 0.0f;
+            all.flipped += (found >= 0.0f) != (truth > 0.0f);
+            all.wrong += found >= 0.0f && truth > 0.0f && std::abs(found - truth) > 0.05f;
+            all.evaluations += values[i + 1];
+            all.capped += values[i + 1] >= most;
         }
-        const double rays = kSide * kSide;
-        wrong_.see(100.0 * wrong / std::max(hits, 1.0), where);
-        flipped_.see(100.0 * flipped / rays, where);
-        evaluations_.see(evaluations / rays + field_.finish, where);
-        capped_.see(100.0 * capped / rays, where);
     }
 
     const Field& field_;
@@ -190,16 +200,17 @@ class Marches : public GlTest, public testing::WithParamInterface<Field> {};
 
 TEST_P(Marches, MeetWhatShortStepsMeet) {
     Rays rays(GetParam());
-    rays.see(GetParam().worst, GetParam().worst_time, 1);
+    rays.see(GetParam().worst, GetParam().worst_time, 1, 1, rays.bars());
 }
 TEST_P(Marches, MeetItWhateverTheTweaks) {
     const Field& field = GetParam();
     Rays rays(field);
-    std::mt19937 random(11);
-    for (int k = 0; k < 30; ++k) {
-        const std::string look = random_look(rays.scene(), field.tweaks, random);
-        rays.see(look, random_between(0.0, field.longest_time, random), k);
-    }
+    search_worst_share(numbers_of(rays.scene(), field.tweaks) + 1, 72, rays.bars(),
+                       [&](Dials& dials, unsigned times, const std::vector<Worst*>& bars) {
+                           const std::string look = look_at(rays.scene(), field.tweaks, dials);
+                           const double time = dials.between(0.0, field.longest_time);
+                           rays.see(look, time, dials.number, times, bars);
+                       });
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, Marches, testing::ValuesIn(kFields),
                          [](const auto& field) { return field.param.scene; });

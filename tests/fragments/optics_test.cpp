@@ -1,7 +1,7 @@
 // What the scenes' tweaks say of light and waves, and the closed forms they share with textbooks,
 // as values: tints, Snell's law, dispersion, light along a ray.
-#include "bar.h"
 #include "probe.h"
+#include "worst_case.h"
 
 #include <array>
 #include <cmath>
@@ -133,39 +133,69 @@ TEST_F(Optics, LampsFadeWithTheSquareOfTheDistance) {
 
 // Q19: what a lake scatters towards the eye, along rays up and down: daylight fades with the depth,
 // and the light along the ray. Against 20,000 steps.
-TEST_F(Optics, TheGlowOfALakeIsTheSumAlongTheRay) {
-    Bar error("Q19 terrain: relative error of the lake's glow", 1e-4);
-    for (const double rise : {-0.9, -0.3, 0.0, 0.4, 0.9}) {
-        const std::vector<ProbeCase> one = {{.a = {static_cast<float>(rise), 0, 0, 0}}};
-        const glm::vec4 loss = probe(scene_text("terrain"), "waterLoss()", one)[0];
-        const glm::vec4 got = probe(
-            scene_text("terrain"), "lakeGlow(12.0, a.x, 10.0) / lakeGlow(12.0, 0.0, 1e-4)", one)[0];
-        for (int c = 0; c < 3; ++c) {
-            double sum = 0.0;
-            for (int k = 0; k < 20000; ++k) {
-                const double t = (k + 0.5) * 10.0 / 20000.0;
-                sum += std::exp(loss[c] * (0.7 * rise - 1.0) * t) * 10.0 / 20000.0;
-            }
-            error.see(std::abs(got[c] * 1e-4 / sum - 1.0), fmt::format("rise {}", rise));
+void expect_the_sum(double rise, double far, Bar& error) {
+    const std::vector<ProbeCase> one = {
+        {.a = {static_cast<float>(rise), static_cast<float>(far), 0, 0}}};
+    const glm::vec4 loss = probe(scene_text("terrain"), "waterLoss()", one)[0];
+    const glm::vec4 got = probe(scene_text("terrain"),
+                                "lakeGlow(12.0, a.x, a.y) / lakeGlow(12.0, 0.0, 1e-4)", one)[0];
+    for (int c = 0; c < 3; ++c) {
+        double sum = 0.0;
+        for (int k = 0; k < 20000; ++k) {
+            const double t = (k + 0.5) * one[0].a.y / 20000.0;
+            sum += std::exp(loss[c] * (0.7 * one[0].a.x - 1.0) * t) * one[0].a.y / 20000.0;
         }
+        error.see(std::abs(got[c] * 1e-4 / sum - 1.0),
+                  fmt::format("rise {:.5g}, {:.4g} m", rise, far));
     }
+}
+constexpr const char* kGlow = "Q19 terrain: relative error of the lake's glow";
+TEST_F(Optics, TheGlowOfALakeIsTheSumAlongTheRay) {
+    Bar error(kGlow, 1e-4);
+    for (const double rise : {-0.9, -0.3, 0.0, 0.4, 0.9}) expect_the_sum(rise, 10.0, error);
+}
+TEST_F(Optics, TheGlowOfALakeIsTheSumWhateverTheCase) {
+    Bar error(kGlow, 1e-4);
+    search_worst(2, 64, {&error}, [&](Dials& dials) {
+        const double rise = dials.between(-0.99, 0.99);
+        expect_the_sum(rise, dials.between_logs(0.05, 50.0), error);
+    });
 }
 
 // Q19: the mean of what fades evenly is exact, from clear air to ink.
-TEST_F(Optics, TheMeanOfAnEvenFadeIsExact) {
-    std::vector<ProbeCase> cases;
-    for (int i = 0; i < 4000; ++i)
-        cases.push_back({.a = {std::pow(10.0, -7.0 + 11.0 * i / 4000.0), 0, 0, 0}});
-    struct {
-        const char *scene, *mean;
-    } const forms[] = {{"boat", "meanDecay(a.x)"}, {"caustics", "meanFade(vec3(a.x)).x"}};
-    for (const auto& form : forms) {
-        Bar error(fmt::format("Q19 {}: relative error of the mean fade", form.scene), 1e-4);
-        const auto got = probe(scene_text(form.scene), form.mean, cases);
+struct Fade {
+    const char *scene, *mean;
+    // 4000 fades between two.
+    void see(double first, double last, Bar& error) const {
+        std::vector<ProbeCase> cases;
+        for (int i = 0; i < 4000; ++i)
+            cases.push_back({.a = {first * std::pow(last / first, i / 4000.0), 0, 0, 0}});
+        const auto got = probe(scene_text(scene), mean, cases);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const double x = cases[i].a.x;
-            error.see(std::abs(got[i].x * x / -std::expm1(-x) - 1.0), fmt::format("x = {:.3g}", x));
+            error.see(std::abs(got[i].x * x / -std::expm1(-x) - 1.0), fmt::format("x = {:.7g}", x));
         }
+    }
+    std::string bar() const {
+        return fmt::format("Q19 {}: relative error of the mean fade", scene);
+    }
+};
+constexpr Fade kFades[] = {{"boat", "meanDecay(a.x)"},
+                           {"caustics", "meanFade(vec3(a.x)).x"},
+                           {"terrain", "meanTransmittance(a.x)"}};
+TEST_F(Optics, TheMeanOfAnEvenFadeIsExact) {
+    for (const Fade& fade : kFades) {
+        Bar error(fade.bar(), 1e-4);
+        fade.see(1e-7, 1e4, error);
+    }
+}
+TEST_F(Optics, TheMeanOfAnEvenFadeIsExactWhateverTheCase) {
+    for (const Fade& fade : kFades) {
+        Bar error(fade.bar(), 1e-4);
+        search_worst(1, 40, {&error}, [&](Dials& dials) {
+            const double x = dials.between_logs(1e-7, 1e4);
+            fade.see(0.9 * x, 1.1 * x, error);
+        });
     }
 }
 

@@ -1,6 +1,6 @@
 // The pool's simulation against a kernel and a closed form of its own, at every rate and for long.
-#include "bar.h"
 #include "water.h"
+#include "worst_case.h"
 
 #include <algorithm>
 #include <array>
@@ -250,16 +250,17 @@ TEST_F(Water, ThePoolIsFullAndTheSameAtEveryFrameRateWhateverTheCase) {
     Bar mean("Q16 water: mean height after 20 s, m", 1e-6);
     Bar highest("Q16 water: highest, m", 0.3 + 1e-6);
     Bar apart("Q16 water: 30 and 240 beside 60 frames a second, m", 0.0);
-    std::mt19937 random(16);
-    const auto within = [&](double low, double high) {
-        return low * std::pow(high / low, std::generate_canonical<double, 53>(random));
-    };
-    for (int k = 0; k < 24; ++k) {
-        const std::string tweaks = fmt::format(
-            "rain = {:.3g}\ndropSize = {:.3g}\ndropForce = {:.3g}\nwaveSpeed = {:.3g}\n"
-            "damping = {:.3g}\ndepth = {:.3g}\n",
-            within(1, 60), within(0.09, 0.5), within(0.1, 3), within(0.2, 3.75), within(0.05, 5),
-            within(0.8, 4));
+    search_worst(6, 40, {&mean, &highest, &apart}, [&](Dials& dials) {
+        std::string tweaks;
+        const auto add = [&](const char* name, double low, double high) {
+            tweaks += fmt::format("{} = {:.3g}\n", name, dials.between_logs(low, high));
+        };
+        add("rain", 1, 60);
+        add("dropSize", 0.09, 0.5);
+        add("dropForce", 0.1, 3);
+        add("waveSpeed", 0.2, 3.75);
+        add("damping", 0.05, 5);
+        add("depth", 0.8, 4);
         Pool pool{.scale = 4, .preset = touched(tweaks)};
         const Contents then = pool.at(20.0);
         mean.see(std::abs(then.mean), tweaks);
@@ -277,7 +278,7 @@ TEST_F(Water, ThePoolIsFullAndTheSameAtEveryFrameRateWhateverTheCase) {
                 most = std::max(most, std::abs(double{heights[i]} - first[i]));
             apart.see(most, tweaks);
         }
-    }
+    });
 }
 
 // Once the hand is gone, and with no rain, the motion dies away, from one frame to the next.

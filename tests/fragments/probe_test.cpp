@@ -1,7 +1,7 @@
 // The probe itself: what goes in and comes out, and one hash as an example of its use.
 #include "probe.h"
 
-#include "bar.h"
+#include "worst_case.h"
 
 #include <bit>
 #include <cstdint>
@@ -47,7 +47,7 @@ TEST_F(Probe, SaysWhatDoesNotCompile) {
 // Q8: a scene's hash gives the bits of C++'s, over 2^20 cells each round -1e6, 1e6 and beyond 2^24,
 // where a float no longer knows its neighbour. (That all scenes have one text of it is asked
 // elsewhere.) A case folds the hashes of 64 cells in a row.
-TEST_F(Probe, AHashOfTheScenesIsTheSameInCppOverMillionsOfCells) {
+int rows_with_other_bits(const std::array<int, 3>& place) {
     const std::string fold =
         "#include \"" GLINT_REPOSITORY
         "/fragments/sea.frag\"\n"
@@ -66,39 +66,50 @@ TEST_F(Probe, AHashOfTheScenesIsTheSameInCppOverMillionsOfCells) {
         x += y * z, y += z * x, z += x * y;
         return std::array{x, y, z};
     };
-    Bar different("Q8 hash: rows of 64 cells with other bits", 0.0);
-    for (const int far : {-1'000'000, 1'000'000, (1 << 24) + 1}) {
-        std::vector<ProbeCase> cases;
-        std::vector<std::array<std::uint32_t, 2>> wanted;
-        for (int i = 0; i < 16384; ++i) {
-            const std::array q = {far + 64 * (i % 16), -far + i / 16 % 32, far + i / 512};
-            ProbeCase one;
-            for (int c = 0; c < 3; ++c) {
-                const int n = q[static_cast<std::size_t>(c)];
-                one.a[c] = static_cast<float>(n >> 16);
-                one.b[c] = static_cast<float>(n & 65535);
-            }
-            cases.push_back(one);
-            std::array<std::uint32_t, 3> sum{};
-            for (int k = 0; k < 64; ++k) {
-                const auto h =
-                    hash(static_cast<std::uint32_t>(q[0] + k), static_cast<std::uint32_t>(q[1]),
-                         static_cast<std::uint32_t>(q[2]));
-                for (std::size_t c = 0; c < 3; ++c) sum[c] = 31u * sum[c] + h[c];
-            }
-            wanted.push_back({sum[0] + 7u * sum[2], sum[1] + 5u * sum[2]});
+    std::vector<ProbeCase> cases;
+    std::vector<std::array<std::uint32_t, 2>> wanted;
+    for (int i = 0; i < 16384; ++i) {
+        const std::array q = {place[0] + 64 * (i % 16), place[1] + i / 16 % 32, place[2] + i / 512};
+        ProbeCase one;
+        for (int c = 0; c < 3; ++c) {
+            const int n = q[static_cast<std::size_t>(c)];
+            one.a[c] = static_cast<float>(n >> 16);
+            one.b[c] = static_cast<float>(n & 65535);
         }
-        const auto got = probe(fold, "folded(a, b)", cases);
-        int wrong = 0;
-        for (std::size_t i = 0; i < cases.size(); ++i) {
-            const auto bits = [](float low, float high) {
-                return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16u;
-            };
-            wrong += bits(got[i].x, got[i].y) != wanted[i][0] ||
-                     bits(got[i].z, got[i].w) != wanted[i][1];
+        cases.push_back(one);
+        std::array<std::uint32_t, 3> sum{};
+        for (int k = 0; k < 64; ++k) {
+            const auto h = hash(static_cast<std::uint32_t>(q[0] + k),
+                                static_cast<std::uint32_t>(q[1]), static_cast<std::uint32_t>(q[2]));
+            for (std::size_t c = 0; c < 3; ++c) sum[c] = 31u * sum[c] + h[c];
         }
-        different.see(wrong, fmt::format("cells round {}", far));
+        wanted.push_back({sum[0] + 7u * sum[2], sum[1] + 5u * sum[2]});
     }
+    const auto got = probe(fold, "folded(a, b)", cases);
+    int wrong = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const auto bits = [](float low, float high) {
+            return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16u;
+        };
+        wrong +=
+            bits(got[i].x, got[i].y) != wanted[i][0] || bits(got[i].z, got[i].w) != wanted[i][1];
+    }
+    return wrong;
+}
+constexpr const char* kOtherBits = "Q8 hash: rows of 64 cells with other bits";
+TEST_F(Probe, AHashOfTheScenesIsTheSameInCppOverMillionsOfCells) {
+    Bar different(kOtherBits, 0.0);
+    for (const int far : {-1'000'000, 1'000'000, (1 << 24) + 1})
+        different.see(rows_with_other_bits({far, -far, far}), fmt::format("cells round {}", far));
+}
+TEST_F(Probe, AHashIsTheSameInCppWhateverTheCase) {
+    Bar different(kOtherBits, 0.0);
+    search_worst(3, 40, {&different}, [&](Dials& dials) {
+        std::array<int, 3> place{};
+        for (int& one : place) one = static_cast<int>(dials.between(-2.1e9, 2.1e9));
+        different.see(rows_with_other_bits(place),
+                      fmt::format("cells round {} {} {}", place[0], place[1], place[2]));
+    });
 }
 
 // pcg3d in GLSL agrees with the textures of noise that the host makes (Jarzynski and Olano 2020).

@@ -1,8 +1,8 @@
 // The sea: rays to the waves, sunlight, glitter, age, in figures.
 #include "sea.h"
 
-#include "bar.h"
 #include "glitter.h"
+#include "worst_case.h"
 
 #include <algorithm>
 #include <array>
@@ -144,6 +144,37 @@ TEST_F(SeaScene, WavesTravelAsDeepWaterLetsThem) {
         height.see(std::abs(got.x - s.height), where);
         normal.see(std::hypot(got.y - s.x, got.z - s.z) * 360.0 / kTau, where);
     }
+}
+
+// The same at any time until iTick wraps, round any place.
+TEST_F(SeaScene, WavesTravelRightWhateverTheCase) {
+    const std::string places =
+        "    float i = floor(p.x) + 32.0 * floor(p.y), far = iMouse.x * pow(1.1, i / 1024.0);\n"
+        "    float a = iMouse.y + 0.05 * fract(kGolden * i), w = square(0.002 * far);\n"
+        "    vec2 at = far * vec2(cos(a), sin(a));\n";
+    Player heights(sea_picture(places + "    Sea s = sea(at, vec3(w, w, 0.0));\n"
+                                        "    c = vec4(s.height, s.slope, 1.0);\n"),
+                   {.size = {32, 32}});
+    Player where_they_are(sea_picture(places + "    c = vec4(at, w, 1.0);\n"), {.size = {32, 32}});
+    Bar height("Q10 sea: height, out to 1000 m, m", 1e-4), normal("Q10 sea: normal, degrees", 0.01);
+    search_worst(3, 64, {&height, &normal}, [&](Dials& dials) {
+        Frame frame = heights.frame(0);
+        frame.time = std::floor(dials.between(0.0, 65536.0 * 64.0)) / 64.0;
+        frame.input.mouse = {static_cast<float>(dials.between_logs(0.5, 900.0)),
+                             static_cast<float>(dials.between(0.0, kTau)), 0, 0};
+        heights.draw(frame);
+        where_they_are.draw(frame);
+        const auto got = pixels_of(heights), places_got = pixels_of(where_they_are);
+        for (std::size_t i = 0; i < got.size(); ++i) {
+            const glm::vec4& at = places_got[i];
+            const Surface s = surface(at.x, at.y, static_cast<std::uint64_t>(frame.time * 65536.0),
+                                      24, {at.z, at.z, 0.0});
+            const std::string where =
+                fmt::format("{:.6g} {:.6g} m, {:.3f} s", at.x, at.y, frame.time);
+            height.see(std::abs(got[i].x - s.height), where);
+            normal.see(std::hypot(got[i].y - s.x, got[i].z - s.z) * 360.0 / kTau, where);
+        }
+    });
 }
 
 // A height field has no overhangs, but steep sums look like cliffs, and rays to them grow long: at
@@ -371,33 +402,35 @@ TEST_F(SeaScene, GlitterKeepsItsMeanOverSunsAndSeas) {
     }
 }
 
-// The same over 400 looks, every fourth tweak at one of its ends, of which those count that show
+// The same over 320 looks, led to where the mean is most off, of which those count that show
 // something: a tenth of the sun's light and more in a unit of angle, from a sun of 3 degrees on. A
 // look's own 256 pixels know their mean to a sixteenth of their spread, which is allowed for
 // thrice. A pixel that sees a single crest (high eyes, long waves) knows not which: one look in ten
 // may have a spread of over 0.4.
 TEST_F(SeaScene, GlitterKeepsItsMeanWhateverTheTweaks) {
     Glitter glitter = sea_glitter();
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> chance(-0.15, 1.15);
-    const auto share = [&] { return std::clamp(chance(random), 0.0, 1.0); };
+    Bar mean("Q20 sea: glitter's mean off, beyond what its pixels tell, %", 5.0);
     int looks = 0, wide = 0;
-    for (int k = 0; k < 400; ++k) {
-        const double sun = 0.5 * std::pow(120.0, share());
-        const std::string look = fmt::format(
-            "waveHeight = {:.2f}\nchoppiness = {:.2f}\nripples = {:.2f}\nwindAngle = {:.1f}\n"
-            "sunHeight = {:.1f}\nsunSize = {:.2f}\ncameraHeight = {:.2f}\n",
-            2.0 * share(), share(), 2.0 * share(), 360.0 * share() - 180.0, sun,
-            0.1 * std::pow(30.0, share()), 0.5 + 5.5 * share());
-        const double far = 320.0 * std::pow(4.0, share()), time = 1000.0 * share();
-        if (sun < 3.0) continue;
+    search_worst(9, 320, {&mean}, [&](Dials& dials) {
+        std::string look;
+        const auto add = [&](const char* name, double value) {
+            look += fmt::format("{} = {:.4g}\n", name, value);
+        };
+        add("waveHeight", dials.between(0.0, 2.0));
+        add("choppiness", dials.between(0.0, 1.0));
+        add("ripples", dials.between(0.0, 2.0));
+        add("windAngle", dials.between(-180.0, 180.0));
+        add("sunHeight", dials.between_logs(3.0, 60.0));
+        add("sunSize", dials.between_logs(0.1, 3.0));
+        add("cameraHeight", dials.between(0.5, 6.0));
+        const double far = dials.between_logs(320.0, 1280.0), time = dials.between(0.0, 1000.0);
         const Glitter::Errors errors = glitter.errors(look, far, time);
-        if (errors.truth < 0.1) continue;
+        if (errors.truth < 0.1) return;
         ++looks;
         wide += errors.spread > 0.4;
-        EXPECT_LE(std::abs(errors.mean), 0.05 + 3.0 * errors.spread / 16.0)
-            << look << far << " m, " << time << " s";
-    }
+        mean.see(100.0 * (std::abs(errors.mean) - 3.0 * errors.spread / 16.0),
+                 fmt::format("{}{:.0f} m, {:.1f} s", look, far, time));
+    });
     EXPECT_GE(looks, 100);
     EXPECT_LE(wide, looks / 10);
 }

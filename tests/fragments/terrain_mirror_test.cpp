@@ -1,12 +1,10 @@
 // What the land's water mirrors: screen space against exact rays, in figures.
-#include "bar.h"
 #include "looks.h"
 #include "terrain.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 namespace glint::terrain_mirror_test {
 namespace {
@@ -114,6 +112,7 @@ struct Q13 {
     Bar invented{"Q13 terrain: false, %", 3.0};
     Bar fetches{"Q13 terrain: texels a ray", 32.0};
     Bar traced{"Q13 terrain: traced, for the picture does not tell, %", 20.0};
+    std::vector<Worst*> all() { return {&found, &wrong, &invented, &fetches, &traced}; }
     void see(const Walks::Rates& r, const std::string& where) {
         found.see(r.found, where);
         wrong.see(r.wrong, where);
@@ -152,28 +151,28 @@ TEST_F(Terrain, ScreenSpaceRaysHoldOverViewsAndLands) {
     constexpr glm::ivec2 kSize{320, 180};
     Walks walks(kSize);
     Q13 bars;
-    std::mt19937 random(3);
+    const std::vector<std::string> names = {"landscape",  "ruggedness", "trees",
+                                            "waveHeight", "waveLength", "cameraAngle"};
     int views = 0;
-    for (int k = 0; k < 30; ++k) {
-        const auto by_chance = [&](double low, double high) {
-            return random_between(low, high, random);
+    search_worst(numbers_of(walks.scene(), names) + 8, 60, bars.all(), [&](Dials& dials) {
+        std::string look = look_at(walks.scene(), names, dials);
+        const auto add = [&](const char* text, double low, double high) {
+            look += fmt::format(fmt::runtime(text), dials.between(low, high));
         };
-        const std::string look =
-            random_look(
-                walks.scene(),
-                {"landscape", "ruggedness", "trees", "waveHeight", "waveLength", "cameraAngle"},
-                random) +
-            fmt::format(
-                " relief={:.2f} waterLevel={:.1f} cameraDistance={:.0f} cameraRise={:.1f}"
-                " focalLength={:.0f} target={:.1f},3,{:.1f}",
-                by_chance(0.7, 1.6), by_chance(-4, 6), by_chance(60, 250), by_chance(3, 30),
-                by_chance(20, 90), by_chance(-20, 20), by_chance(-20, 20));
-        const Walks::Rates r = walks.rates(look, 0.37 * k);
-        if (r.solvable < 0.01 * kSize.x * kSize.y) continue;
+        add(" relief={:.2f}", 0.7, 1.6);
+        add(" waterLevel={:.1f}", -4.0, 6.0);
+        add(" cameraDistance={:.0f}", 60.0, 250.0);
+        add(" cameraRise={:.1f}", 3.0, 30.0);
+        add(" focalLength={:.0f}", 20.0, 90.0);
+        add(" target={:.1f},3", -20.0, 20.0);
+        add(",{:.1f}", -20.0, 20.0);
+        const double time = dials.between(0.0, 20.0);
+        const Walks::Rates r = walks.rates(look, time);
+        if (r.solvable < 0.01 * kSize.x * kSize.y) return;
         ++views;
-        bars.see(r, look + fmt::format(" at {} s", 0.37 * k));
-    }
-    EXPECT_GE(views, 15);
+        bars.see(r, look + fmt::format(" at {:.2f} s", time));
+    });
+    EXPECT_GE(views, 20);
 }
 
 // The whole picture in screen space, and without, against exact rays: linear light before the lens.

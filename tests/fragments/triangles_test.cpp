@@ -6,8 +6,8 @@
 // ten-thousandth as high as long 99 % of the distances are right to 1e-5, seen from any side, and
 // to 2 ulp over the cosine of incidence: a ray's own rounding moves its hit by half of one. A
 // triangle without area is a miss and never NaN.
-#include "bar.h"
 #include "intersections.h"
+#include "worst_case.h"
 
 #include <array>
 
@@ -136,23 +136,22 @@ TEST_F(Triangles, NothingLeaksAtEdgesAndCornersOfAClosedMesh) {
 TEST_F(Triangles, NothingLeaksWhateverTheCase) {
     const Mesh mesh = crystal();
     Bar leaks("Q4 crystal: rays of 20,000 that slip between faces", 0.0);
-    unsigned seed = 100;
-    for (const double distance : {0.8, 1.1, 2.0, 5.0, 20.0, 100.0, 500.0}) {
-        for (const bool corners : {false, true}) {
-            const auto rays = rays_to(mesh, corners, distance, 20000, ++seed);
-            std::vector<ProbeCase> cases;
-            for (const FloatRay& ray : rays)
-                cases.push_back({.a = glm::vec4(ray.ro, 0), .b = glm::vec4(ray.rd, 0)});
-            const auto t = probe_all(kAnalytic + kFirstHit, "probe_gem(a.xyz, b.xyz, true)", cases);
-            int through = 0;
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                const Real near = span_of(mesh, Real3(rays[i].ro), Real3(rays[i].rd)).near;
-                through += !(std::abs(t[i].x - near) < 1e-4L * near);
-            }
-            leaks.see(through,
-                      fmt::format("{} from {} m", corners ? "corners" : "edges", distance));
+    search_worst(2, 48, {&leaks}, [&](Dials& dials) {
+        const double distance = dials.between_logs(0.8, 500.0);
+        const bool corners = dials.share() >= 0.5;
+        const auto rays = rays_to(mesh, corners, distance, 20000, 100 + dials.number);
+        std::vector<ProbeCase> cases;
+        for (const FloatRay& ray : rays)
+            cases.push_back({.a = glm::vec4(ray.ro, 0), .b = glm::vec4(ray.rd, 0)});
+        const auto t = probe_all(kAnalytic + kFirstHit, "probe_gem(a.xyz, b.xyz, true)", cases);
+        int through = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Real near = span_of(mesh, Real3(rays[i].ro), Real3(rays[i].rd)).near;
+            through += !(std::abs(t[i].x - near) < 1e-4L * near);
         }
-    }
+        leaks.see(through,
+                  fmt::format("{} from {:.4g} m", corners ? "corners" : "edges", distance));
+    });
 }
 
 // The sign of ray . (AB x BC): entering shows a front, leaving a back.

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace glint::check_plan_test {
 namespace {
@@ -17,6 +19,16 @@ TEST(FrameWait, IsBoundedByTheSecondsThatAreLeftAndByTheHang) {
     EXPECT_EQ(frame_wait_seconds(60.0, 10.0, 0.001), 10.0);  // the last frame has its chance
     EXPECT_EQ(frame_wait_seconds(1.0, 10.0, 10.0), 1.0);
     EXPECT_EQ(frame_wait_seconds(60.0, 0.0, 0.0), 60.0);  // no limit
+}
+
+// What others do meanwhile is no work of the check.
+TEST_F(GlTest, WorkIsWhatTheProcessorsSpendWhereTheyDraw) {
+    const Context& context = *shared_context.context;
+    if (!context.is_software()) GTEST_SKIP() << "a GPU draws";
+    const WorkClock work(context);
+    const Stopwatch wall;
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    EXPECT_LT(work.ms(), 0.5 * wall.ms());
 }
 
 Case of_group(std::size_t group, Case::Tweaks tweaks = Case::Tweaks::none) {

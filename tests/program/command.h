@@ -8,6 +8,7 @@
 #include <poll.h>
 #include <sched.h>
 #include <sys/mount.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -111,6 +112,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     [[noreturn]] void become(const Command& command, char* const* words) const {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves nothing behind
         for (const auto& [name, value] : command.environment) {
             ::setenv(name.c_str(), value.c_str(), 1);
         }

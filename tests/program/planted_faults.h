@@ -365,6 +365,11 @@ inline void add_undefined(std::vector<Planted>& list) {
     fetch("of_pixels", "c = texelFetch(state, ivec2(p), 0);",
           "c = texelFetch(state, ivec2(p) % 8, 0);");
     fetch("level", "c = texelFetch(state, ivec2(0), 3);", "c = texelFetch(state, ivec2(0), 0);");
+    const auto mipmap = [](const char* picture) {
+        return fed("c = vec4(1.0, 0.5, 0.25, 1.0);", "size=8x8 filter=mipmap", "", picture);
+    };
+    list.push_back({"fetch/level_of_mipmap", mipmap("c = texelFetch(state, ivec2(0), 4);"),
+                    mipmap("c = texelFetch(state, ivec2(0), 3);")});
     fetch("far", "c = texelFetch(state, ivec2(q * 1000.0), 0);",
           "c = texelFetch(state, ivec2(q * 7.9), 0);");
     const auto add = [&](const std::string& name, const std::string& fault,

@@ -2,8 +2,10 @@
 // waited for.
 #pragma once
 
+#include "base/process_time.h"
 #include "measure/check/case.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace glint {
@@ -21,6 +23,36 @@ private:
     Effort effort_;
     std::size_t group_ = static_cast<std::size_t>(-1);
     double group_end_ms_ = 0.0;
+};
+
+// Milliseconds of work since it was made. Where the processors draw, what they spent on this
+// process counts instead of the wall's time if that is less: beside other work as much is found as
+// on a machine of its own, later.
+class WorkClock {
+public:
+    explicit WorkClock(const Context& context) : on_processors_(context.is_software()) {}
+    double ms() const {
+        return on_processors_ ? std::min(wall_.ms(), own_processor_ms() - begun_) : wall_.ms();
+    }
+
+private:
+    bool on_processors_;
+    Stopwatch wall_;
+    double begun_ = own_processor_ms();
+};
+
+// What one case may take of the seconds.
+class CaseClock {
+public:
+    explicit CaseClock(const Check& check) : check_(check), work_(check.subject.context()) {}
+    // Whether it has worked for more than this share of them, or all of them are over by the wall.
+    bool is_over(double share) const {
+        return check_.effort.over(work_.ms(), share) || check_.effort.over(check_.begun.ms());
+    }
+
+private:
+    const Check& check_;
+    WorkClock work_;
 };
 
 // How long the next frame is waited for: as long as a hang may take, but with a limit on all of it

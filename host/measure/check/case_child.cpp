@@ -3,6 +3,7 @@
 #include "base/json_text.h"
 #include "base/launch.h"
 #include "base/terminal.h"
+#include "measure/check/budget.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -69,7 +70,7 @@ double pace_of(CheckSubject& subject, const Effort& effort) {
     constexpr double kQuick = 20.0, kLeast = 0.1;
     if (effort.seconds == 0.0) return 1.0;
     subject.draw_blindly(subject.frame_at(0.0, 1.0 / 60, 0));  // compiles to machine code
-    const Stopwatch clock;
+    const WorkClock clock(subject.context());
     subject.draw_blindly(subject.frame_at(1.0 / 60, 1.0 / 60, 1));
     subject.draw_blindly(subject.frame_at(2.0 / 60, 1.0 / 60, 2));
     return std::clamp(kQuick / std::max(clock.ms() / 2.0, kQuick), kLeast, 1.0);
@@ -93,6 +94,7 @@ public:
         if (!fed_) {
             make(fed_, fed_check_, {.specialise = false});
             fed_check_->pace = special_check_->pace;
+            fed_check_->begun = special_check_->begun;
         }
         return *fed_check_;
     }

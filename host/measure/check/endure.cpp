@@ -2,6 +2,7 @@
 // it looks healed.
 #include "measure/check/endure.h"
 
+#include "measure/check/budget.h"
 #include "measure/check/drift.h"
 #include "measure/check/invariants.h"
 #include "measure/check/poison.h"
@@ -23,9 +24,9 @@ constexpr int kBefore = 30, kAfter = 120;  // frames round a poisoning
 
 // Frames at 60 Hz, as many as a share of the seconds allows. False when one was not finite.
 bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants& invariants) {
-    const Stopwatch clock;
+    const CaseClock clock(check);
     for (int k = static_cast<int>(curves.frames()); k < frames; ++k) {
-        if (!check.effort.tries && k >= kLeastEndured && check.effort.over(clock.ms(), 0.02)) break;
+        if (k >= kLeastEndured && clock.is_over(0.02)) break;
         if (!check.subject.play_frames(k, k + 1, 60.0)) return false;
         curves.add(check.subject);
         invariants.add(check.subject, k);

@@ -1,4 +1,5 @@
 // Where anything at all fails: the search over tweaks, time, mouse, keys and size, and every key.
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/endure.h"
 #include "measure/check/space.h"
@@ -146,7 +147,7 @@ std::vector<int> keys_that_matter(Check& check) {
     std::vector<int> keys;
     CheckSubject& subject = check.subject;
     if (!subject.renderer().reads_keyboard()) return keys;
-    const Stopwatch clock;
+    const CaseClock clock(check);
     const auto seen = [&](int key) {
         subject.restore();
         const double time = subject.stateful() ? 2.0 / 60 : subject.preset.time;
@@ -161,14 +162,14 @@ std::vector<int> keys_that_matter(Check& check) {
     const auto usual = seen(-1);
     for (const int key : keys_in_order()) {
         if (keys.size() == kMostKeys) break;
-        if (!check.effort.tries && check.effort.over(clock.ms(), 0.03)) break;
+        if (clock.is_over(0.03)) break;
         if (seen(key) != usual) keys.push_back(key);
     }
     return keys;
 }
 
 void run_search(Check& check, CaseResult& result) {
-    const Stopwatch clock;
+    const CaseClock clock(check);
     Hunter hunter(check, keys_that_matter(check));
     const Space& space = hunter.space();
     Search search(space.usual(), space.rare());
@@ -176,7 +177,7 @@ void run_search(Check& check, CaseResult& result) {
                        check.effort.tries.value_or(1);
     int done = 0;
     for (; done < wanted; ++done) {
-        if (!check.effort.tries && check.effort.over(clock.ms(), kHuntShare)) break;
+        if (clock.is_over(kHuntShare)) break;
         const Point point = search.next();
         const Trial trial = hunter(point);
         if (trial.fails) return report(hunter, check, point, result);
@@ -206,10 +207,10 @@ bool play_key(CheckSubject& subject, int key) {
 }
 
 void run_keys(Check& check, CaseResult& result) {
-    const Stopwatch clock;
+    const CaseClock clock(check);
     int done = 0;
     for (const int key : keys_in_order()) {
-        if (!check.effort.tries && check.effort.over(clock.ms(), 0.05)) break;
+        if (clock.is_over(0.05)) break;
         if (check.subject.stateful()) check.subject.renderer().reset();
         result.note = fmt::format("key {}", key_name(key));
         if (!play_key(check.subject, key)) return;

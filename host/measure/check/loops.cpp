@@ -1,4 +1,5 @@
 // Loops of one software renderer share 65,535 turns a pixel, then end without a word.
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/space.h"
 #include "measure/probe/probe.h"
@@ -46,13 +47,13 @@ void run_loops(Check& check, CaseResult& result) {
             pass = pass_name(subject.scene(), passes[index].pass);
         }
     };
-    const Stopwatch clock;
+    const CaseClock clock(check);
     for (const auto& values : values_to_try(subject)) {
         subject.restore();
         subject.preset.values = values;
         subject.renderer().redraw();
         if (!subject.draw(frame) || most >= kNearly) break;
-        if (!check.effort.tries && check.effort.over(clock.ms(), 0.03)) break;
+        if (clock.is_over(0.03)) break;
     }
     subject.renderer().before_pass = nullptr;
     result.note = fmt::format("at most {} turns in a pixel{}", most,

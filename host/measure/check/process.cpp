@@ -1,6 +1,7 @@
 #include "measure/check/process.h"
 
 #include "base/launch.h"
+#include "base/process_time.h"
 #include "measure/check/budget.h"
 #include "measure/check/case_child.h"
 
@@ -15,7 +16,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
@@ -27,6 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const unsigned kProcessors = std::max(1u, std::thread::hardware_concurrency());
 constexpr int kMostRestarts = 8;  // hangs and crashes of one file; then the rest is left out
 
 // A child, what it tells, and which case it runs, until it ends or is silent for too long.
@@ -87,22 +88,24 @@ public:
     // From its last word on it may be silent for so many seconds, but while it compiles.
     void wait_at_most(double seconds) { patience_ = seconds; }
     // What is left of them.
-    double patience() const {
-        constexpr double kCompiling = 600.0;  // for drivers that sleep meanwhile
-        return (compiling_ ? kCompiling : patience_) - silent_.ms() / 1000.0;
+    double patience() const { return limit() - silent_.ms() / 1000.0; }
+    // Whether none is left, and others did not keep it from the processors.
+    bool is_too_silent() const {
+        return patience() <= 0.0 &&
+               had_its_time(limit(), silent_.ms() / 1000.0, since_heard(), kProcessors);
     }
     // Ends it; what it did while it was silent tells whether it hung.
     void end_silent() {
         waited_ = silent_.ms() / 1000.0;
-        worked_ = processor_seconds() - spent_;
+        since_ = since_heard();
         hung_ = true;
         ::kill(pid_, SIGKILL);
     }
 
     bool hung() const { return hung_; }
     double waited() const { return waited_; }
-    // Processor time that it took while it was silent, when that ended it.
-    double worked() const { return worked_; }
+    // What it had of the processors while it was silent, when that ended it.
+    const ProcessTime& since() const { return since_; }
 
     // Its exit code, or minus the signal that ended it.
     int wait() { return wait_for(std::exchange(pid_, -1)); }
@@ -113,14 +116,15 @@ public:
 private:
     void heard() {
         silent_.restart();
-        spent_ = processor_seconds();
+        before_ = time_of(pid_);
     }
-    double processor_seconds() const {
-        clockid_t clock{};
-        timespec spent{};
-        if (::clock_getcpuclockid(pid_, &clock) != 0 || ::clock_gettime(clock, &spent) != 0)
-            return 0.0;
-        return static_cast<double>(spent.tv_sec) + static_cast<double>(spent.tv_nsec) * 1e-9;
+    double limit() const {
+        constexpr double kCompiling = 600.0;  // for drivers that sleep meanwhile
+        return compiling_ ? kCompiling : patience_;
+    }
+    ProcessTime since_heard() const {
+        const ProcessTime now = time_of(pid_);
+        return {now.used - before_.used, now.waited - before_.waited};
     }
 
     pid_t pid_ = -1;
@@ -128,7 +132,8 @@ private:
     std::string text_;
     Stopwatch silent_;
     bool compiling_ = false, hung_ = false;
-    double patience_ = 0.0, spent_ = 0.0, waited_ = 0.0, worked_ = 0.0;
+    double patience_ = 0.0, waited_ = 0.0;
+    ProcessTime before_{}, since_{};
 };
 
 // What is left of --seconds, from the first case on.
@@ -152,12 +157,13 @@ private:
     Stopwatch since_;
 };
 
-// A frame that never comes is a hang. One that has not come because --seconds were short is one as
-// well where it was worked on for half the time; otherwise the machine may have been busy.
+// A frame that never comes is a hang, unless others had the processors meanwhile. One that has not
+// come because --seconds were short is one as well where it was worked on for half the time.
 CaseResult silent_case(const std::string& name, const CaseProcess& child, const FileCheck& wanted) {
     CaseResult result{.name = name};
     const double waited = child.waited();
-    if (waited >= wanted.hang_seconds || child.worked() > waited / 2) {
+    const bool hangs = had_its_time(wanted.hang_seconds, waited, child.since(), kProcessors);
+    if (hangs || child.since().used > waited / 2) {
         result.fail(fmt::format("hangs: no frame within {:.3g} s", waited));
     } else {
         result.verdict = CaseVerdict::skip;
@@ -233,13 +239,13 @@ private:
         double seconds = 600.0;
         for (const auto& child : children_) {
             sockets.push_back({child->socket(), POLLIN, 0});
-            seconds = std::clamp(child->patience(), 0.0, seconds);
+            seconds = std::clamp(child->patience(), 0.1, seconds);
         }
         ::poll(sockets.data(), sockets.size(), static_cast<int>(seconds * 1000.0) + 1);
         for (std::size_t i = 0; i < sockets.size(); ++i)
             if (sockets[i].revents != 0) return children_.begin() + static_cast<std::ptrdiff_t>(i);
         const auto silent = std::ranges::find_if(
-            children_, [](const auto& child) { return child->patience() <= 0.0; });
+            children_, [](const auto& child) { return child->is_too_silent(); });
         if (silent != children_.end()) (*silent)->end_silent();
         return silent;
     }

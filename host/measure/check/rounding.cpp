@@ -2,6 +2,7 @@
 // the other, and the picture or buffer is compared with the usual one (stochastic arithmetic;
 // Vignes, "A Stochastic Arithmetic for Reliable Scientific Computation", 1993; as CADNA and
 // Verificarlo do on processors). Told, not judged.
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/probe/probe.h"
 
@@ -51,7 +52,7 @@ double digits_lost(const std::vector<ProbeCell>& usual, const std::vector<ProbeC
 
 class RoundingCase {
 public:
-    explicit RoundingCase(Check& check) : check_(check), subject_(check.subject) {
+    explicit RoundingCase(Check& check) : subject_(check.subject), clock_(check) {
         const auto& passes = subject_.renderer().graph().passes;
         for (const GraphPass& pass : passes) {
             const ProbeWish wish{.kind = ProbeKind::rounding};
@@ -84,9 +85,7 @@ public:
 
 private:
     ProgramOptions options() const { return {.specialise = subject_.specialised()}; }
-    bool is_over() const {
-        return !check_.effort.tries && check_.effort.over(clock_.ms(), kRoundingShare);
-    }
+    bool is_over() const { return clock_.is_over(kRoundingShare); }
 
     void over_pass(std::size_t index, const Frame& frame) {
         if (subject_.renderer().buffer(index).shape().cube) return;
@@ -120,9 +119,8 @@ private:
         }
     }
 
-    Check& check_;
     CheckSubject& subject_;
-    const Stopwatch clock_;
+    const CaseClock clock_;
     std::vector<std::vector<ProbeSite>> sites_;  // by pass
     std::size_t count_ = 0, done_ = 0;
     std::map<std::pair<std::string, int>, LosingLine> lines_;

@@ -1,4 +1,5 @@
 // Frame times from 1/1000 s to the 30 s of a laptop's lid, and thousands of frames.
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/drift.h"
 #include "measure/check/invariants.h"
@@ -217,14 +218,14 @@ void run_long(Check& check, CaseResult& result) {
         return;
     }
     const int wanted = check.effort.frames.value_or(Effort::kFrames);
-    const Stopwatch clock;
+    const CaseClock clock(check);
     StateCurves curves;
     int done = 0;
     for (; done < wanted; ++done) {
         if (!subject.play_frames(done, done + 1, 60.0)) return;
         curves.add(subject);
         invariants.add(subject, done);
-        if (!check.effort.frames && check.effort.over(clock.ms(), 0.25)) break;
+        if (!check.effort.frames && clock.is_over(0.25)) break;
     }
     result.note = done < wanted ? fmt::format("{} of {} frames; --seconds {} were over", done,
                                               wanted, check.effort.seconds)

@@ -1,6 +1,7 @@
 // The worst of what is no fault by itself: the largest jump from a frame to the next, a pixel, row
 // or column that stands out, and how far the picture is from its reference, by the same search. It
 // is told alone: a spring at its stiffest may well flash, and no search can know what was meant.
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/flicker.h"
 #include "measure/check/lines.h"
@@ -115,13 +116,13 @@ private:
 };
 
 void run_worst(Check& check, CaseResult& result) {
-    const Stopwatch clock;
+    const CaseClock clock(check);
     result.verdict = CaseVerdict::report;
     WorstJudge judge(check);
     Search search(judge.space().usual(), judge.space().rare());
     const int wanted = kLookedAt * check.effort.tries.value_or(1);
     for (int done = 0; done < wanted; ++done) {
-        if (!check.effort.tries && check.effort.over(clock.ms(), kWorstShare)) break;
+        if (clock.is_over(kWorstShare)) break;
         const Point point = search.next();
         search.tell(point, judge(point));
         if (!check.subject.observed().is_finite()) return;  // a failure of its own
