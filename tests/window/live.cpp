@@ -179,9 +179,9 @@ double Glint::waited_seconds() const {
 
 double Glint::resident_mib() const {
     std::istringstream stream(read(fmt::format("/proc/{}/statm", process_)));
-    double total = 0.0, resident = 0.0;
-    stream >> total >> resident;
-    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
+    double total = 0.0, resident = 0.0, shared = 0.0;
+    stream >> total >> resident >> shared;
+    return (resident - shared) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
 void Window::SetUp() {

@@ -60,7 +60,7 @@ public:
 
     double cpu_seconds() const;     // user and system, with the processes it has started
     double waited_seconds() const;  // ready to run while others ran, with those processes
-    double resident_mib() const;    // of the process itself
+    double resident_mib() const;    // of the process alone: no library, nothing shared with X11
     std::vector<pid_t> children() const;
 
 private:
