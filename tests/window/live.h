@@ -51,11 +51,11 @@ public:
     struct End {
         int code = -1, signal = 0;
     };
-    End wait(double seconds = 30.0);  // killed then
+    End wait(double seconds = kPatience);  // killed then
 
     std::string errors() const;  // stderr so far
     // Until stderr holds this text `count` times.
-    bool says(std::string_view text, int count = 1, double seconds = 30.0) const;
+    bool says(std::string_view text, int count = 1, double seconds = kPatience) const;
     int count(std::string_view text) const;
 
     double cpu_seconds() const;     // user and system, with the processes it has started
@@ -78,7 +78,7 @@ protected:
     // Saves the scene, starts glint on it and waits for the first picture.
     void open(std::string_view scene, const std::vector<std::string>& arguments = {});
     void start(const std::vector<std::string>& arguments);
-    bool shows(const Colour& colour, glm::ivec2 at = {640, 340}, double seconds = 30.0) const;
+    bool shows(const Colour& colour, glm::ivec2 at = {640, 340}, double seconds = kPatience) const;
     // Waits until nothing has changed on the screen for a while in which glint could have run.
     void settle() const;
     // A still of the same scene by the other verb, as RGB rows.

@@ -22,8 +22,11 @@ struct Colour {
 
 std::ostream& operator<<(std::ostream& stream, const Colour& colour);
 
+// s; what comes is not waited for longer than it takes, and a machine may have much else to do.
+constexpr double kPatience = 120.0;
+
 // Asks every millisecond until it is true; false when it never was.
-bool eventually(const std::function<bool()>& is_true, double seconds = 30.0);
+bool eventually(const std::function<bool()>& is_true, double seconds = kPatience);
 
 class Screen {
 public:

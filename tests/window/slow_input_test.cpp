@@ -133,7 +133,7 @@ TEST_F(SlowInput, TheWindowClosesWhileItIsRead) {
     open(text_of(10));
     ASSERT_TRUE(lease_->is_wanted());
     screen_->tap("Control_L+q");
-    const Glint::End end = glint_->wait(20.0);  // the lease would be taken away after 45
+    const Glint::End end = glint_->wait(40.0);  // the lease would be taken away after 45
     EXPECT_EQ(end.code, 0);
     EXPECT_EQ(end.signal, 0);
 }

@@ -39,7 +39,7 @@ TEST_F(Survival, ALoopThatNeverEndsIsNamedAndThePictureBeforeStays) {
           "}\n");
     ASSERT_TRUE(glint_->says("not shown")) << glint_->errors();
     ASSERT_TRUE(glint_->says("does this loop ever end?")) << "the reasons are told behind it";
-    EXPECT_TRUE(shows({10, 20, 30}, kMargin, 1.0));
+    EXPECT_TRUE(shows({10, 20, 30}, kMargin));
     EXPECT_EQ(glint_->count("scene.frag:3:"), 1) << glint_->errors();
     EXPECT_EQ(glint_->count("does this loop ever end?"), 1) << glint_->errors();
     expect_alive({11, 20, 30});
@@ -136,13 +136,13 @@ TEST_F(Survival, AfterACrashTheSceneIsOfferedPaused) {
     std::this_thread::sleep_for(300ms);
     EXPECT_EQ(screen_->pixel(kMargin), before);
     screen_->tap("Control_L+space");
-    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin) != before; }, 5.0));
+    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin) != before; }));
     screen_->tap("Control_L+q");
     EXPECT_EQ(glint_->wait().code, 0);
     fs::remove(folder_->path() / "stderr.txt");
     open(moving);
     const Colour now = screen_->pixel(kMargin);
-    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin) != now; }, 5.0));
+    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin) != now; }));
 }
 
 TEST_F(Survival, ASecondWindowOnTheSameSceneIsNoCrash) {
@@ -153,7 +153,7 @@ TEST_F(Survival, ASecondWindowOnTheSameSceneIsNoCrash) {
     Glint second(other.name(), folder_->path(), {scene().string()});
     ASSERT_TRUE(glint_->says("scene.frag: shown", 2));
     const Colour now = other.pixel(kMargin);
-    EXPECT_TRUE(eventually([&] { return other.pixel(kMargin) != now; }, 5.0));
+    EXPECT_TRUE(eventually([&] { return other.pixel(kMargin) != now; }));
 }
 
 TEST_F(Survival, AnySizeOfTheWindowIsDrawn) {
