@@ -216,8 +216,7 @@ TEST_F(Input, WhatIsTypedIntoAFieldDoesNotReachTheScene) {
     screen_->type("aaa");
     settle();
     screen_->tap("Escape");
-    settle();
-    EXPECT_EQ(number(kKeyPresses), 0);
+    EXPECT_TRUE(becomes(kKeyPresses, 0));  // the dialog, which dims the picture, has gone
     screen_->tap("a");
     EXPECT_TRUE(becomes(kKeyPresses, 1));
 }
