@@ -47,7 +47,7 @@ protected:
     bool begins(std::string_view verb) const {
         return eventually([&] { return !at_work(verb).empty(); });
     }
-    bool ends(std::string_view verb, double seconds = 60.0) const {
+    bool ends(std::string_view verb, double seconds = kPatience) const {
         return eventually([&] { return at_work(verb).empty(); }, seconds);
     }
 

@@ -3,6 +3,7 @@
 #include "base/launch.h"
 #include "offline/examples.h"
 #include "scene/preset.h"
+#include "window/live/preview.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -121,7 +122,7 @@ void Browser::start_next() {
     const bool is_drawn = fs::exists(output, error);
     const fs::path picture = is_drawn ? output : gallery_picture(current_);
     if (!picture.empty()) {
-        reading_ = std::async(std::launch::async, [picture] { return read_image(picture); });
+        reading_ = std::async(std::launch::async, [picture] { return read_preview(picture); });
         return;
     }
     fs::create_directories(cache_, error);

@@ -1,6 +1,7 @@
 #include "window/live/start_picture.h"
 
 #include "offline/common.h"
+#include "window/live/preview.h"
 
 #include <glm/common.hpp>
 
@@ -38,7 +39,7 @@ Image picture_of(const Buffer& buffer, int longest) {
 
 StartPicture::Reading StartPicture::begin(const std::filesystem::path& file) {
     if (file.empty()) return {};
-    return {file, std::async(std::launch::async, [file] { return read_image(file); })};
+    return {file, std::async(std::launch::async, [file] { return read_preview(file); })};
 }
 
 void StartPicture::read(const std::filesystem::path& file) {

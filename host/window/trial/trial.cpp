@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <thread>
 
 namespace glint {
 namespace {
@@ -15,6 +14,8 @@ using namespace std::chrono_literals;
 
 // A process that still works on an older candidate after this long is given up for the newer one.
 constexpr auto kPatience = 200ms;
+// How a process ended is waited for, without holding anybody up.
+constexpr auto kLongestEnd = 1s;
 // A driver that does not start will not do so the fourth time either.
 constexpr int kMostFailedStarts = 3;
 
@@ -50,6 +51,7 @@ void Trial::spawn() {
 // A new one, which is told of the candidate that still waits.
 void Trial::replace_process() {
     process_.end();
+    silent_since_.reset();
     renderer_.clear();
     spawn();
     if (is_running()) process_.send(order_);
@@ -87,13 +89,12 @@ void Trial::hear(TrialAnswer answer) {
     }
 }
 
-// It crashed, was killed by somebody, or has said why it cannot start.
+// It crashed, was killed by somebody, or has said why it cannot start. Its socket goes first, and
+// its memory takes a while to follow on a busy machine.
 void Trial::hear_end_of_process() {
-    std::optional<int> code;
-    for (int i = 0; i < 20 && !code; ++i) {
-        code = process_.exit_code();
-        if (!code) std::this_thread::sleep_for(1ms);
-    }
+    if (!silent_since_) silent_since_ = Clock::now();
+    const std::optional<int> code = process_.exit_code();
+    if (!code && Clock::now() - *silent_since_ < kLongestEnd) return;
     const bool was_ready = !renderer_.empty();
     if (!was_ready && ++failed_starts_ == kMostFailedStarts && unavailable_.empty()) {
         unavailable_ = fmt::format("It was {} when it started.", ending_words(code.value_or(0)));

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -137,7 +138,8 @@ private:
     std::uint64_t number_ = 0;            // of the newest candidate
     std::unique_ptr<TrialAnswer> heard_;  // the last words, whichever candidate they are about
     Clock::time_point started_, heard_at_;
-    ProcessTime heard_time_;  // of the process, then
+    std::optional<Clock::time_point> silent_since_;  // its socket is closed, and it not yet gone
+    ProcessTime heard_time_;                         // of the process, then
     Verdict verdict_;
 };
 
