@@ -55,7 +55,7 @@ def gains(found):
     yield (f"Of {len(all_)} scenes, {len(stars)} ship with a setting on the joint frontier of their quality tweaks"
            + (f": {listed(stars, 9)}." if stars else "."))
     for ratios, what, of in ((fast, "an error that is told to be less, in a time that is not told to be more", "error"),
-                             (near, "no more error in a time that is told to be less", "time")):
+                             (near, "the same error in a time that is told to be less", "time")):
         if ratios:
             best = min(ratios, key=lambda name: ratios[name])
             share, by = ratios[best]
@@ -93,7 +93,7 @@ def truth(found):
     rivals = [(name, study) for name, study in studies if study["rival"]]
     wrong = [f"{name}'s {study['knob']}" for name, study in rivals if study["rival"]["disagrees"]]
     yield (f"Tweaks with a second, independent way to their truth: {len(rivals)}; of these, {len(wrong)} have two that differ "
-           "by more than both claim" + (f": {listed(wrong)}." if wrong else "."))
+           "by more than both claim" + (f": {listed(wrong)}; why is told below." if wrong else "."))
     own = [own_row(study) for _, study in studies if own_row(study)]
     near = sum(row["near_reference"] for row in own)
     stars = sum(row["pareto"] for row in own)

@@ -24,7 +24,6 @@ MOST_SECONDS = 400   # of one step of a scene; only caustics over all its preset
 # loops of a pixel after 65,535 turns together, which all references at once would need.
 TRUTHS = {"analytic": ["antialiasing=256", "bounces=96", "shadowSamples=2"],
           "boat": ["antialias=96", "sunSamples=2", "substeps=16"],
-          "caustics": ["shaftSamples=64"],   # of 257 frames of photons
           "christmas": ["mirrorBlur=10000"],   # never
           "deep_ocean": ["antialias=64", "shaftSamples=64"],
           "water": ["antialias=128"]}
@@ -83,7 +82,7 @@ class Kept:
             return None
         print(f"{name}, {step}", flush=True)
         found = {"key": key, "commit": self.commit, "date": str(datetime.date.today()), "options": options,
-                 **self.measure(self.folder / f"{name}-{'joint' if step == 'near' else step}", file, options)}   # one truth
+                 **self.measure(self.folder / f"{name}-{'joint' if step in ('near', 'over') else step}", file, options)}   # one truth
         if "failed" not in found:
             being_written = kept.with_suffix(".part")
             being_written.write_text(json.dumps(found))
@@ -179,15 +178,22 @@ def is_nearer(study, row, than):
     return row["rmse"] + study["own_error"] < than["rmse"] - study["own_error"]
 
 
+def is_no_farther(row, than, *measures):
+    """Whether nobody would tell it from the other by these errors, or it has less: 1 % is nothing to see."""
+    return all(row[measure] <= 1.01 * than[measure] for measure in measures)
+
+
 def as_fast(study, own):
-    """The least error, told to be less, that is not told to take longer than the preset's own setting."""
-    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and is_nearer(study, row, own)]
+    """The least error, told to be less and to the eye no more, that is not told to take longer than the preset's own
+    setting."""
+    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and is_nearer(study, row, own)
+            and is_no_farther(row, own, "flip")]
     return min(rows, key=lambda row: (row["rmse"], row["ms"]), default=None)
 
 
 def as_near(study, own):
-    """The least time that is told to be less, at no more error."""
-    rows = [row for row in compared(study) if row["verdict"] == "faster" and row["rmse"] <= own["rmse"]]
+    """The least time that is told to be less, at the same error."""
+    rows = [row for row in compared(study) if row["verdict"] == "faster" and is_no_farther(row, own, "rmse", "flip")]
     return min(rows, key=lambda row: row["ms"], default=None)
 
 
