@@ -2,7 +2,7 @@
 import math
 import statistics
 
-from measures import as_fast, chosen, compared, own_row, quickest
+from measures import as_fast, chosen, compared, enlarged, own_row, quickest
 
 
 def number(value):
@@ -41,6 +41,11 @@ def is_idle(study):
     return bool(rows) and all(row["max"] == 0 for row in rows)
 
 
+def is_slower_large(steps, row):
+    large = enlarged(steps, row)
+    return bool(large) and large["verdict"] == "slower"
+
+
 def gains(found):
     fast, near, stars, all_ = {}, {}, [], []
     for name, study, own in joints(found):
@@ -48,9 +53,9 @@ def gains(found):
         if own["pareto"]:
             stars.append(name)
         best, (share, quick) = as_fast(study, own), quickest(found[name])
-        if best:
+        if best and not is_slower_large(found[name], best):
             fast[name] = best["rmse"] / own["rmse"], turned(best, own)
-        if quick:
+        if quick and not is_slower_large(found[name], quick):
             near[name] = share, turned(quick, own)
     yield (f"Of {len(all_)} scenes, {len(stars)} ship with a setting on the joint frontier of their quality tweaks"
            + (f": {listed(stars, 9)}." if stars else "."))
