@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace glint::cli {
 namespace {
@@ -161,6 +162,30 @@ TEST_F(StudyBudget, WhereItCannotBeKeptNothingIsSought) {
 }
 
 // Steps that matter the more the brighter it is.
+TEST_F(StudyBudget, TheNextBudgetFindsTheTruthDrawn) {
+    write("two.frag", kTwoDials);
+    const auto call = [&](const std::string& budget) {
+        return report_of(glint({"study", "two.frag", "--size", "16x9", "--json", "--seconds", "0",
+                                budget, "own", "-o", "report"}));
+    };
+    const auto truths = [&] {
+        std::map<std::string, fs::file_time_type> files;
+        for (const auto& entry : fs::directory_iterator(folder() / "report/data")) {
+            const std::string name = entry.path().filename();
+            const bool is_truth = name.find("-of-") != std::string::npos ||
+                                  name.find("references") != std::string::npos;
+            if (is_truth) files[name] = entry.last_write_time();
+        }
+        return files;
+    };
+    const Json first = call("--ms");
+    const auto drawn = truths();
+    EXPECT_GE(drawn.size(), 4u) << "all references, half of them, and half of each";
+    const Json then = call("--rmse");
+    EXPECT_EQ(truths(), drawn);
+    EXPECT_EQ(then["own_error"], first["own_error"]);
+}
+
 TEST_F(StudyBudget, OverSeveralViewsTheWorstIsNamed) {
     write("s.frag",
           "uniform int n; //@ 1 [1, 4] quality reference=8\n"

@@ -258,6 +258,42 @@ TEST_F(Study, AReferenceThatSharesItsSamplesIsJudgedAsIfItDidNot) {
     EXPECT_NEAR(told["own_error"].get<double>() / is, 1.0, 0.1);
 }
 
+// u' = cos(t) - u by Euler's method, which knows no chance; by Kutta's, which soon is as near as
+// floats are; and a number that goes nowhere. The seed is another method's.
+TEST_F(Study, ASeedThatAMethodDoesNotReadSaysNothingOfItsError) {
+    write(
+        "s.frag",
+        "uniform int method; //@ 0 {euler, kutta, restless, noise}\n"
+        "uniform int n; //@ 8 [2, 256] log quality reference=1024\n"
+        "uniform int seed; //@ 0 [0, 9]\n"
+        "float random(vec2 p, int i) { return fract(sin(dot(p, vec2(12.9, 78.2)) + float(i)) * "
+        "43758.5); }\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float u = 0.3 + 0.1 * p.x / iResolution.x, h = 2.0 / float(n), sum = 0.0;\n"
+        "    for (int i = 0; i < n; ++i) {\n"
+        "        float t = float(i) * h, a = cos(t) - u, b = cos(t + h / 2.0) - u - h / 2.0 * a;\n"
+        "        float d = cos(t + h / 2.0) - u - h / 2.0 * b, e = cos(t + h) - u - h * d;\n"
+        "        u += method == 0 ? h * a : h / 6.0 * (a + 2.0 * b + 2.0 * d + e);\n"
+        "    }\n"
+        "    if (method == 2) u = random(p, n);\n"
+        "    if (method == 3) u += random(p, n + seed) / float(n);\n"
+        "    c = vec4(vec3(u), 1);\n"
+        "}\n");
+    const auto of = [&](const std::string& method) {
+        return report_of(glint({"study", "s.frag", "--size", "32x18", "--json", "--seconds", "0",
+                                "--tweak", "method=" + method}));
+    };
+    const Json euler = of("euler"), restless = of("restless");
+    EXPECT_EQ(euler["second_reference"], "2048");
+    // By its order the 256 steps are four times as far off as the truth's 1024, and a third of that
+    // is what they differ by.
+    EXPECT_NEAR(euler["own_error"].get<double>() / euler["rows"].back()["rmse"].get<double>(),
+                1.0 / 3, 0.05);
+    EXPECT_EQ(restless["converges"], false) << findings(restless);
+    EXPECT_EQ(of("kutta")["findings"], Json::array()) << "which floats round, and nobody sees";
+    EXPECT_EQ(of("noise")["second_reference"], "1024, another seed");
+}
+
 TEST_F(Study, ASecondReferenceMayTurnAnotherTweak) {
     const Json json =
         study("planted_integrators", {"--vary", "steps=1,...,64", "--second", "rule=left"});
@@ -336,6 +372,36 @@ TEST_F(Study, ABufferIsComparedAsItIs) {
     EXPECT_EQ(json["size"], Json({4, 4}));
     EXPECT_NEAR(json["rows"][0]["rmse"].get<double>(), 1.0 - 1.0 / 8.0, 1e-4);
     EXPECT_NEAR(json["rows"][1]["rmse"].get<double>(), 0.5 - 1.0 / 8.0, 1e-4);
+}
+
+// 240 steps of a sum, that is its rate over four; and a number which the sum knows nothing of, so
+// that its pictures go on from where the others have come.
+TEST_F(Study, WhatDoesNotActOnASimulationFindsItAsItIs) {
+    write("s.frag",
+          "uniform float rate; //@ 1 [0, 4] quality reference=4\n"
+          "uniform int shades; //@ 4 [1, 64] quality reference=64\n"
+          "uniform sampler2D total; //@ pass mainTotal size=1x1 step=1/240\n"
+          "uniform sampler2D seen;  //@ pass mainSeen size=8x8\n"
+          "void mainTotal(out vec4 c, in vec2 p) {\n"
+          "    c = texelFetch(total, ivec2(0), 0) + vec4(rate / 960.0);\n"
+          "}\n"
+          "void mainSeen(out vec4 c, in vec2 p) {\n"
+          "    c = texelFetch(total, ivec2(0), 0) + vec4(1.0 / float(shades));\n"
+          "}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(seen, ivec2(0), 0); }\n");
+    write("s.toml", "scene = \"s.frag\"\ntime = 1.0\n");
+    const Json json = report_of(
+        glint({"study", "s.toml", "--size", "8x8", "--json", "--pass", "seen", "--seconds", "0",
+               "--vary", "rate=1,2", "--vary", "shades=1,2", "--vary", "rate=0,1"}));
+    const auto rmse = [&](int study, int row) {
+        return json["studies"][study]["rows"][row]["rmse"].get<double>();
+    };
+    EXPECT_NEAR(rmse(0, 0), 0.75, 1e-4);
+    EXPECT_NEAR(rmse(0, 1), 0.5, 1e-4);
+    EXPECT_NEAR(rmse(1, 0), 1.0 - 1.0 / 64, 1e-6);
+    EXPECT_NEAR(rmse(1, 1), 0.5 - 1.0 / 64, 1e-6);
+    EXPECT_NEAR(rmse(2, 0), 1.0, 1e-4);
+    EXPECT_NEAR(rmse(2, 1), 0.75, 1e-4);
 }
 
 TEST_F(Study, LinesTellOfEachPictureAsItIsDrawn) {

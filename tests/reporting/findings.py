@@ -2,7 +2,7 @@
 import math
 import statistics
 
-from measures import as_fast, chosen, compared, own_row, quickest
+from measures import as_fast, chosen, compared, enlarged, own_row, quickest
 
 
 def number(value):
@@ -41,6 +41,11 @@ def is_idle(study):
     return bool(rows) and all(row["max"] == 0 for row in rows)
 
 
+def is_slower_large(steps, row):
+    large = enlarged(steps, row)
+    return bool(large) and large["verdict"] == "slower"
+
+
 def gains(found):
     fast, near, stars, all_ = {}, {}, [], []
     for name, study, own in joints(found):
@@ -48,14 +53,14 @@ def gains(found):
         if own["pareto"]:
             stars.append(name)
         best, (share, quick) = as_fast(study, own), quickest(found[name])
-        if best:
+        if best and not is_slower_large(found[name], best):
             fast[name] = best["rmse"] / own["rmse"], turned(best, own)
-        if quick:
+        if quick and not is_slower_large(found[name], quick):
             near[name] = share, turned(quick, own)
     yield (f"Of {len(all_)} scenes, {len(stars)} ship with a setting on the joint frontier of their quality tweaks"
            + (f": {listed(stars, 9)}." if stars else "."))
     for ratios, what, of in ((fast, "an error that is told to be less, in a time that is not told to be more", "error"),
-                             (near, "no more error in a time that is told to be less", "time")):
+                             (near, "the same error in a time that is told to be less", "time")):
         if ratios:
             best = min(ratios, key=lambda name: ratios[name])
             share, by = ratios[best]
@@ -93,7 +98,7 @@ def truth(found):
     rivals = [(name, study) for name, study in studies if study["rival"]]
     wrong = [f"{name}'s {study['knob']}" for name, study in rivals if study["rival"]["disagrees"]]
     yield (f"Tweaks with a second, independent way to their truth: {len(rivals)}; of these, {len(wrong)} have two that differ "
-           "by more than both claim" + (f": {listed(wrong)}." if wrong else "."))
+           "by more than both claim" + (f": {listed(wrong)}; why is told below." if wrong else "."))
     own = [own_row(study) for _, study in studies if own_row(study)]
     near = sum(row["near_reference"] for row in own)
     stars = sum(row["pareto"] for row in own)

@@ -18,13 +18,16 @@ NEAR = {"--rmse": "own", "--size": "96x54", "--seconds": "3"}
 OVER = {"--ms": "own", "--over": "presets", "--size": "96x54", "--seconds": "2"}
 ALONE = {"--size": "96x54", "--seconds": "2"}
 FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
+# What beats a preset in a small picture, beside it in a larger one: there less of a frame is work that is the same for
+# all settings, such as maps and simulations.
+LARGE = {"--size": "320x180", "--seconds": "6"}
+SETTING = "--quality="   # of these, the first of which is the preset's own
 MOST_SECONDS = 400   # of one step of a scene; only caustics over all its presets takes longer, and goes on at the next call
 # Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
 # times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
 # loops of a pixel after 65,535 turns together, which all references at once would need.
 TRUTHS = {"analytic": ["antialiasing=256", "bounces=96", "shadowSamples=2"],
           "boat": ["antialias=96", "sunSamples=2", "substeps=16"],
-          "caustics": ["shaftSamples=64"],   # of 257 frames of photons
           "christmas": ["mirrorBlur=10000"],   # never
           "deep_ocean": ["antialias=64", "shaftSamples=64"],
           "water": ["antialias=128"]}
@@ -51,6 +54,11 @@ def commit():
         return subprocess.run(command, capture_output=True, text=True).stdout.strip() or "unknown"
     except FileNotFoundError:   # a machine without git
         return "unknown"
+
+
+def processor_since(before):
+    """Seconds of all calls since then."""
+    return sum(os.times()[2:4]) - sum(before[2:4])
 
 
 class Kept:
@@ -82,8 +90,9 @@ class Kept:
         if only_kept or time.monotonic() > self.end:
             return None
         print(f"{name}, {step}", flush=True)
+        folder = self.folder / f"{name}-{'joint' if step in ('near', 'over') else step}"   # one truth
         found = {"key": key, "commit": self.commit, "date": str(datetime.date.today()), "options": options,
-                 **self.measure(self.folder / f"{name}-{'joint' if step == 'near' else step}", file, options)}   # one truth
+                 **(self.enlarged if step == "large" else self.measure)(folder, file, options)}
         if "failed" not in found:
             being_written = kept.with_suffix(".part")
             being_written.write_text(json.dumps(found))
@@ -97,16 +106,33 @@ class Kept:
                                     capture_output=True, text=True, timeout=MOST_SECONDS)
         except subprocess.TimeoutExpired:
             return {"failed": f"ended after {MOST_SECONDS} s; another call goes on from there", "studies": [], "svgs": []}
-        wall, after = time.monotonic() - began, os.times()
+        wall, processor = time.monotonic() - began, processor_since(before)
         if result.returncode != 0:
             reason = result.stderr.strip().splitlines() or ["no reason is given"]
             return {"failed": reason[-1], "studies": [], "svgs": []}
         studies = json.loads(result.stdout)["studies"]
         sections = re.split(r"<h2 id=s\d+>", (folder / "index.html").read_text())[1:]
         svgs = [re.search(r"<svg.*?</svg>", section, re.S) for section in sections]
-        processor = sum(after[2:4]) - sum(before[2:4])
         return {"studies": studies, "svgs": [svg and svg.group() for svg in svgs], "load": os.getloadavg()[0],
                 "wall_s": wall, "processor_s": processor}
+
+    def enlarged(self, folder, file, options):
+        """The times of settings beside the preset's own, by setting."""
+        settings = [word.removeprefix(SETTING) for word in options if word.startswith(SETTING)]
+        options = [word for word in options if not word.startswith(SETTING)]
+        folder.mkdir(exist_ok=True)
+        own, times, before, began = folder / "own.toml", {}, os.times(), time.monotonic()
+        own.write_text(with_setting(file, settings[0]))
+        for setting in settings[1:]:
+            other = folder / "other.toml"
+            other.write_text(with_setting(file, setting))
+            result = subprocess.run([self.glint, "study", own, other, "--quality", "measured", "--json", *options],
+                                    capture_output=True, text=True, timeout=MOST_SECONDS)
+            if result.returncode != 0:
+                return {"failed": (result.stderr.strip().splitlines() or ["no reason is given"])[-1], "studies": [], "svgs": []}
+            times[setting] = json.loads(result.stdout)
+        return {"studies": [], "svgs": [], "times": times, "load": os.getloadavg()[0],
+                "wall_s": time.monotonic() - began, "processor_s": processor_since(before)}
 
     def tweaks(self, file):
         info = subprocess.run([self.glint, "info", file, "--json"], capture_output=True, text=True, check=True)
@@ -140,6 +166,9 @@ class Kept:
         if step == "over":
             few = [f"--vary={item}" for item in few_settings(found)]
             return self.words(OVER) + truth + few if few else None
+        if step == "large":
+            settings = [f"{SETTING}{value}" for value in winners(found)]
+            return self.words(LARGE) + settings if len(settings) > 1 else None
         off = [f"--vary={item}" for item in self.off(file)]
         return self.words(FEATURES) + off if off else None
 
@@ -147,7 +176,7 @@ class Kept:
         return [word for pair in {**options, **self.more}.items() for word in pair]
 
 
-STEPS = ["joint", "alone", "over", "near", "features"]   # what is worth most for its time is measured first, of all scenes
+STEPS = ["joint", "alone", "over", "near", "large", "features"]   # what is worth most for its time is measured first, of all scenes
 
 
 def measured(kept, names, only_kept):
@@ -179,15 +208,22 @@ def is_nearer(study, row, than):
     return row["rmse"] + study["own_error"] < than["rmse"] - study["own_error"]
 
 
+def is_no_farther(row, than, *measures):
+    """Whether nobody would tell it from the other by these errors, or it has less: 1 % is nothing to see."""
+    return all(row[measure] <= 1.01 * than[measure] for measure in measures)
+
+
 def as_fast(study, own):
-    """The least error, told to be less, that is not told to take longer than the preset's own setting."""
-    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and is_nearer(study, row, own)]
+    """The least error, told to be less and to the eye no more, that is not told to take longer than the preset's own
+    setting."""
+    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and is_nearer(study, row, own)
+            and is_no_farther(row, own, "flip")]
     return min(rows, key=lambda row: (row["rmse"], row["ms"]), default=None)
 
 
 def as_near(study, own):
-    """The least time that is told to be less, at no more error."""
-    rows = [row for row in compared(study) if row["verdict"] == "faster" and row["rmse"] <= own["rmse"]]
+    """The least time that is told to be less, at the same error."""
+    rows = [row for row in compared(study) if row["verdict"] == "faster" and is_no_farther(row, own, "rmse", "flip")]
     return min(rows, key=lambda row: row["ms"], default=None)
 
 
@@ -202,6 +238,28 @@ def chosen(study):
     """The row that a budget of the own time has chosen, if any."""
     best = study.get("best")
     return study["rows"][best["row"]] if best else None
+
+
+def winners(found):
+    """The preset's own setting, as its rows say it, and those that beat it."""
+    study = next(iter(found.get("joint", {}).get("studies", [])), None)
+    own = own_row(study) if study else None
+    rows = [own, as_fast(study, own), quickest(found)[1]] if own else []
+    return list(dict.fromkeys(row["value"] for row in rows if row))
+
+
+def enlarged(steps, row):
+    """What the setting of this row takes beside the preset's own in a larger picture, if that was measured."""
+    return steps.get("large", {}).get("times", {}).get(row["value"])
+
+
+def with_setting(file, setting):
+    """The preset's text, to stand anywhere, with "NAME=a NAME=b" as a quality."""
+    text = file.read_text() if file.suffix == ".toml" else f'scene = "{file.name}"\n'
+    text = re.sub(r'(?m)^scene = "([^"]*)"', lambda found: f'scene = "{(file.parent / found[1]).resolve()}"', text, count=1)
+    values = (part.split("=") for part in setting.split())
+    return text + "\n[quality.measured]\n" + "".join(
+        f"{name} = {value if re.fullmatch(r'[-+.e0-9]+', value) else json.dumps(value)}\n" for name, value in values)
 
 
 def few_settings(found):

@@ -56,8 +56,15 @@ std::size_t tweak_of(const Preset& preset, const Knob& knob) {
 class JointSearch {
 public:
     JointSearch(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
-                double seconds, Context& context, const MeasureOptions& how)
-        : preset_(preset), limit_(limit), seconds_(seconds), context_(context), how_(how) {
+                double seconds, Context& context, const MeasureOptions& how,
+                const SearchCaller& caller)
+        : preset_(preset),
+          limit_(limit),
+          seconds_(seconds),
+          context_(context),
+          how_(how),
+          caller_(caller) {
+        how_.specialise = false;
         for (const Knob& knob : knobs) {
             if (tweak_of(preset, knob) < preset.scene.tweaks.size()) knobs_.push_back(knob);
         }
@@ -65,16 +72,20 @@ public:
         for (const Knob& knob : knobs_) {
             tweaks_.push_back(tweak_of(preset, knob));
             menus_.push_back(!knob.values.front().work);
+            if (menus_.back()) how_.constants.push_back(tweaks_.back());
             dials_.push_back({knob.values.size(), menus_.back()});
         }
+        knob_ = {.name = "quality",
+                 .reference = truth(1.0),
+                 .second = truth(0.5),
+                 .constants = how_.constants};
     }
 
-    Knob run(const std::function<void(int tried, int most)>& told) {
-        Knob knob{.name = "quality", .reference = truth(1.0), .second = truth(0.5)};
-        knob.reference.text = "all references";
-        knob.second->text = "half of each of them";
-        truth_ = picture_of(knob.reference.setting);
-        knob.second_work = {SecondWork::Kind::share, share_of(knob.second->setting)};
+    Knob run() {
+        knob_.reference.text = "all references";
+        knob_.second->text = "half of each of them";
+        truth_ = picture_of(knob_.reference);
+        knob_.second_work = {SecondWork::Kind::share, share_of(*knob_.second)};
         size_ = compared_size(preset_, how_.pass);
         start();
         const Budget budget = this->budget();
@@ -84,7 +95,7 @@ public:
             search(dials_, own(), budget, kTries, [&](const Stand& at) -> std::optional<Tried> {
                 const bool over = spent_ms() - begun > 1e3 * kSearchShare * seconds_;
                 if (count > 0 && over) return std::nullopt;
-                told(++count, kTries);
+                caller_.told(++count, kTries);
                 return measure(at);
             });
         std::vector<Tried> winners = best_of(tried, budget, kWinners);
@@ -92,19 +103,20 @@ public:
             winners.insert(winners.begin(), tried.front());
         std::ranges::stable_sort(winners, {}, &Tried::ms);
         for (const Tried& winner : winners) {
-            knob.values.push_back({.text = text(winner.at), .setting = setting(winner.at)});
+            knob_.values.push_back({.text = text(winner.at), .setting = setting(winner.at)});
         }
-        knob.notes.push_back(fmt::format("{} joint settings of {} tweaks were tried, {} measured",
-                                         tried.size(), knobs_.size(), winners.size()));
-        if (!lacks_.empty()) knob.notes.push_back(lacks_);
-        return knob;
+        knob_.notes.push_back(fmt::format("{} joint settings of {} tweaks were tried, {} measured",
+                                          tried.size(), knobs_.size(), winners.size()));
+        if (!lacks_.empty()) knob_.notes.push_back(lacks_);
+        return knob_;
     }
 
 private:
     // All references, with so much of the work, or with so much of that of one knob alone; the one
     // after the last is the frames that settle.
     KnobValue truth(double work, std::optional<std::size_t> only = {}) const {
-        KnobValue value{.setting = {.values = preset_.values, .settle = preset_.settle}};
+        KnobValue value{.text = fmt::format("{} of {}", work, only ? name_of(*only) : "all"),
+                        .setting = {.values = preset_.values, .settle = preset_.settle}};
         const auto turns = [&](std::size_t i) { return work < 1.0 && only.value_or(i) == i; };
         for (std::size_t i = 0; i < knobs_.size(); ++i) {
             const Setting& reference = knobs_[i].reference.setting;
@@ -125,7 +137,16 @@ private:
         return value;
     }
 
-    std::vector<float> picture_of(const Setting& setting) { return scene(setting).draw_picture(); }
+    std::string name_of(std::size_t knob) const {
+        return knob < knobs_.size() ? knobs_[knob].name : "settle";
+    }
+
+    std::vector<float> picture_of(const KnobValue& value) {
+        if (auto kept = caller_.find(knob_, value)) return *kept;
+        std::vector<float> picture = scene(value.setting).draw_picture();
+        caller_.keep(knob_, value, picture);
+        return picture;
+    }
 
     double apart(const std::vector<float>& a, const std::vector<float>& b) const {
         return difference(a, b, how_.pass == kImagePass).rmse;
@@ -135,16 +156,15 @@ private:
     // what is left after it, by the order that half and a quarter of it show, all else at its
     // reference. These have causes of their own, so that their squares add up. All halved together
     // would not do: what converges fast would pass for what does not, and the other way round.
-    double share_of(const Setting& second) {
+    double share_of(const KnobValue& second) {
         const double between = apart(picture_of(second), truth_);
         double squares = 0.0, most = 0.0;
         for (std::size_t i = 0; between > 0.0 && i <= knobs_.size(); ++i) {
-            const Setting whole = truth(1.0).setting, half = truth(0.5, i).setting,
-                          quarter = truth(0.25, i).setting;
-            if (half == whole) continue;
+            const KnobValue half = truth(0.5, i), quarter = truth(0.25, i);
+            if (half.setting == truth(1.0).setting) continue;
             const std::vector<float> picture = picture_of(half);
             const double last = apart(picture, truth_);
-            const bool matters = last > kMatters * between && quarter != half;
+            const bool matters = last > kMatters * between && quarter.setting != half.setting;
             const double before = matters ? apart(picture_of(quarter), picture) : 0.0;
             const auto order =
                 before > 0.0 ? std::optional(std::log2(before / last)) : std::nullopt;
@@ -154,8 +174,7 @@ private:
             squares += left * left;
             if (left <= most) continue;
             most = left;
-            lacks_ = fmt::format("the truth lacks most of {}: {}",
-                                 i < knobs_.size() ? knobs_[i].name : "settle", three_digits(left));
+            lacks_ = fmt::format("the truth lacks most of {}: {}", name_of(i), three_digits(left));
         }
         return between > 0.0 ? std::sqrt(squares) / between : 1.0;
     }
@@ -197,20 +216,14 @@ private:
         return at;
     }
 
-    // A program has its menus as constants, so that each method costs what it costs, and numbers as
-    // uniforms, so that it serves all of them.
     MeasuredScene& scene(const Setting& wanted) {
-        MeasureOptions how = how_;
-        how.specialise = false;
         std::vector<double> menus;
-        for (std::size_t i = 0; i < knobs_.size(); ++i) {
-            if (!menus_[i]) continue;
-            how.constants.push_back(tweaks_[i]);
-            menus.push_back(wanted.values[tweaks_[i]][0]);
-        }
+        for (const std::size_t menu : how_.constants) menus.push_back(wanted.values[menu][0]);
         auto& kept = scenes_[menus];
         if (!kept) {
-            kept = std::make_unique<MeasuredScene>(preset_, wanted, context_, how);
+            const double begun = spent_ms();
+            kept = std::make_unique<MeasuredScene>(preset_, wanted, context_, how_);
+            compiling_ms_ += spent_ms() - begun;
             if (scenes_.size() > kKept)
                 scenes_.erase(scenes_.begin()->first == menus ? std::prev(scenes_.end())
                                                               : scenes_.begin());
@@ -220,10 +233,12 @@ private:
     }
 
     // On the wall; of a software renderer as long as the machine would take were it alone with it,
-    // so that what is found does not hang on what else runs.
+    // so that what is found does not hang on what else runs. Nor does it on what the driver has
+    // kept of earlier calls: compiling is not counted.
     double spent_ms() const {
         const unsigned processors = std::max(std::thread::hardware_concurrency(), 1u);
-        return context_.is_software() ? own_processor_ms() / processors : clock_.ms();
+        const double all = context_.is_software() ? own_processor_ms() / processors : clock_.ms();
+        return all - compiling_ms_;
     }
 
     double time(const FrameTime& frame) const {
@@ -232,11 +247,7 @@ private:
 
     // The preset's own setting, beside which all others are timed.
     void start() {
-        MeasureOptions how = how_;
-        how.specialise = false;
-        for (std::size_t i = 0; i < knobs_.size(); ++i)
-            if (menus_[i]) how.constants.push_back(tweaks_[i]);
-        base_ = std::make_unique<MeasuredScene>(preset_, setting(own()), context_, how);
+        base_ = std::make_unique<MeasuredScene>(preset_, setting(own()), context_, how_);
         base_->draw_picture();
         const Rounds rounds = time_rounds(1, [&](std::size_t) { return base_->time_frame(); },
                                           {.seconds = 0.0, .on_software = context_.is_software()});
@@ -270,7 +281,11 @@ private:
     const Limit& limit_;
     double seconds_;
     Context& context_;
+    // A program has its menus as constants, so that each method costs what it costs, and numbers as
+    // uniforms, so that it serves all of them.
     MeasureOptions how_;
+    const SearchCaller& caller_;
+    Knob knob_;  // what is found
     std::vector<Knob> knobs_;
     std::vector<std::size_t> tweaks_;  // by knob
     std::vector<bool> menus_;          // by knob
@@ -281,6 +296,7 @@ private:
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;
+    double compiling_ms_ = 0.0;
     Stopwatch clock_;
 };
 
@@ -309,8 +325,8 @@ std::optional<Limit> limit_of(const StudyOptions& options) {
 
 Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
                 double seconds, Context& context, const MeasureOptions& how,
-                const std::function<void(int tried, int most)>& told) {
-    return JointSearch(preset, knobs, limit, seconds, context, how).run(told);
+                const SearchCaller& caller) {
+    return JointSearch(preset, knobs, limit, seconds, context, how, caller).run();
 }
 
 void choose_best(Study& study, const Limit& limit) {

@@ -19,13 +19,20 @@ struct Limit {
 // Nothing where they ask for none. Throws UsageError for a number that is no limit.
 std::optional<Limit> limit_of(const StudyOptions& options);
 
+// What a search asks of those who want it. Pictures that it judges the truth by are looked for
+// first, and handed on when they are drawn.
+struct SearchCaller {
+    std::function<std::optional<std::vector<float>>(const Knob&, const KnobValue&)> find;
+    std::function<void(const Knob&, const KnobValue&, const std::vector<float>&)> keep;
+    std::function<void(int tried, int most)> told;  // how many, of how many at most
+};
+
 // Searches over the values of these knobs, and gives what was found as the values of one: the
 // settings near the budget that nothing beats, and the preset's own. What counts as the truth is
 // the picture with all references at once. Throws UsageError where there is nothing to choose.
-// `told` hears how many have been tried, of how many at most.
 Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limit& limit,
                 double seconds, Context& context, const MeasureOptions& how,
-                const std::function<void(int tried, int most)>& told);
+                const SearchCaller& caller);
 
 // Which row the limit chooses, when all have been measured.
 void choose_best(Study& study, const Limit& limit);

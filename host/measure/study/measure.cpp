@@ -16,7 +16,14 @@
 namespace glint {
 namespace {
 
-constexpr int kAllPasses = 3;  // frames in which every pass is drawn
+constexpr int kAllPasses = 3;                               // frames in which every pass is drawn
+constexpr std::size_t kMostBytes = std::size_t{256} << 20;  // of states that are kept
+
+std::size_t byte_count(const std::vector<PassState>& state) {
+    std::size_t bytes = 0;
+    for (const PassState& pass : state) bytes += pass.bytes.size();
+    return bytes;
+}
 
 // GPU time between begin and end, in ms; waits for the result.
 class TimerQuery {
@@ -39,6 +46,22 @@ private:
 };
 
 }  // namespace
+
+const Played::Reached* Played::find(const std::string& key, int most_frames) const {
+    const Reached* farthest = nullptr;
+    for (const Reached& one : reached_) {
+        const bool fits = one.key == key && one.frames <= most_frames;
+        if (fits && (!farthest || one.frames > farthest->frames)) farthest = &one;
+    }
+    return farthest;
+}
+
+void Played::keep(Reached reached) {
+    reached_.push_back(std::move(reached));
+    std::size_t bytes = 0;
+    for (const Reached& one : reached_) bytes += byte_count(one.state);
+    for (; bytes > kMostBytes; reached_.pop_front()) bytes -= byte_count(reached_.front().state);
+}
 
 MeasuredScene::MeasuredScene(const Preset& preset, const Setting& setting, Context& context,
                              const MeasureOptions& options)
@@ -79,9 +102,47 @@ Frame MeasuredScene::next_frame() {
     return later.frame(preset_, later.last_frame());
 }
 
+// Programs that say the same to the last bit, with all that the states they draw follow from.
+std::string MeasuredScene::key_of_state() const {
+    std::string key = options_.specialise ? "constants" : "uniforms";
+    for (const std::size_t constant : options_.constants) key += fmt::format(" {}", constant);
+    for (const Pass& pass : preset_.scene.passes)
+        key += fmt::format(" {}", static_cast<int>(pass.format));
+    const std::vector<bool>& acts = options_.played->acts();
+    for (std::size_t i = 0; i < acts.size(); ++i) {
+        if (!acts[i]) continue;
+        key += fmt::format("\n{}", i);
+        for (const double number : preset_.values[i]) key += fmt::format(" {}", number);
+    }
+    return key;
+}
+
+// To just before the last frame, which it returns, from as far as another setting has come.
+Frame MeasuredScene::play_on() {
+    const Playback playback{.end = preset_.time};
+    int ignored = 0, first = 0;
+    const bool is_shared = options_.played && renderer_.graph().stateful;
+    const std::string key = is_shared ? key_of_state() : "";
+    const int end = playback.last_frame(), last = end + preset_.settle;
+    if (const auto* reached = is_shared ? options_.played->find(key, last) : nullptr) {
+        renderer_.set_state(reached->state);
+        first = reached->frames;
+    }
+    Frame frame;
+    // Half and a quarter of the frames that settle are what the truth is measured by.
+    for (const int share : {4, 2, 1}) {
+        const int settle = (preset_.settle + 1) / share - 1;
+        if (share > 1 && (!is_shared || settle < 1 || end + settle <= first)) continue;
+        frame = play(preset_, renderer_, playback, settle, ignored, first);
+        if (!is_shared || end + settle <= first) continue;
+        first = end + settle;
+        options_.played->keep({key, first, renderer_.state()});
+    }
+    return frame;
+}
+
 std::vector<float> MeasuredScene::draw_picture() {
-    int ignored = 0;
-    renderer_.draw(play(preset_, renderer_, {.end = preset_.time}, preset_.settle, ignored));
+    renderer_.draw(play_on());
     context_.finish();
     return renderer_.read_floats(options_.output);
 }

@@ -7,16 +7,44 @@
 #include "render/renderer.h"
 #include "scene/passes.h"
 
+#include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glint {
+
+// How far simulations have been played in a study of one look, so that settings that do not act on
+// them go on from there.
+class Played {
+public:
+    // `acts`: by tweak, whether what later frames depend on reads it.
+    explicit Played(std::vector<bool> acts) : acts_(std::move(acts)) {}
+
+    // What has come the farthest, at most so many frames; null for nothing. What is the same for
+    // two settings by `key` and by the tweaks that act is played alike.
+    struct Reached {
+        std::string key;
+        int frames = 0;
+        std::vector<PassState> state;
+    };
+    const Reached* find(const std::string& key, int most_frames) const;
+    // Forgets the oldest where they would take too much memory.
+    void keep(Reached reached);
+
+    const std::vector<bool>& acts() const { return acts_; }
+
+private:
+    std::vector<bool> acts_;
+    std::deque<Reached> reached_;  // the oldest first
+};
 
 struct MeasureOptions {
     std::size_t pass = kImagePass;         // what is compared
     std::size_t output = 0;                // which of its outputs
     bool specialise = true;                // tweaks written in as constants
     std::vector<std::size_t> constants{};  // without `specialise`: these alone
+    Played* played = nullptr;              // of this look; outlives the scene
 };
 
 // A scene with a setting, as a still would draw it. `context` is current, and outlives it.
@@ -42,6 +70,8 @@ public:
 private:
     static Preset with(const Preset& preset, const Setting& setting);
     Frame next_frame();
+    Frame play_on();
+    std::string key_of_state() const;
 
     Preset preset_;
     Context& context_;

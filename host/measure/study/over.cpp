@@ -163,8 +163,10 @@ Knob knob_in(const View& view, const Preset& base, const Knob& knob) {
     for (KnobValue& value : turned.values) turn(value);
     turn(turned.reference);
     if (turned.second) turn(*turned.second);
+    if (turned.more) turn(*turned.more);
     if (turned.rival) turn(turned.rival->value);
     if (turned.rival && turned.rival->second) turn(*turned.rival->second);
+    if (turned.rival && turned.rival->more) turn(*turned.rival->more);
     return turned;
 }
 

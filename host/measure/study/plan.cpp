@@ -282,10 +282,11 @@ void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
     if ((knob.second = named_second(tweak.name, knob.reference))) return;
     if (const Named named = named_by_scene(tweak); named.is_own_number)
         return by_value(named.values[0].value);
+    knob.more = more_work(tweak, knob, knob.reference);
     knob.second_work = {SecondWork::Kind::seed, 1.0};
     if ((knob.second = second_seed(knob.reference))) return;
-    knob.second_work = {SecondWork::Kind::more, 2.0};
-    knob.second = more_work(tweak, knob, knob.reference);
+    knob.second_work = kTwiceTheWork;
+    knob.second = knob.more;
 }
 
 // What the scene names as another way to the truth.
@@ -296,11 +297,12 @@ void Planner::choose_rival(const Tweak& tweak, Knob& knob) const {
     Rival rival{.value = turned(knob.reference, named.values)};
     rival.value.text = tweak.second;
     settle_accumulating(rival.value, knob);
+    rival.more = more_work(tweak, knob, rival.value);
     rival.work = {SecondWork::Kind::seed, 1.0};
     rival.second = second_seed(rival.value);
     if (!rival.second) {
-        rival.work = {SecondWork::Kind::more, 2.0};
-        rival.second = more_work(tweak, knob, rival.value);
+        rival.work = kTwiceTheWork;
+        rival.second = rival.more;
     }
     knob.rival = std::move(rival);
 }
@@ -330,9 +332,12 @@ Knob Planner::settle_knob(const std::vector<int>& values) const {
     if (second) {
         more(frames(*second));
     } else if (!(result.second = named_second(kSettle, result.reference))) {
-        result.second_work = {SecondWork::Kind::seed, 1.0};
-        result.second = second_seed(result.reference);
-        if (!result.second) more(2 * truth + 1);
+        more(2 * truth + 1);
+        result.more = result.second;
+        if (const auto seed = second_seed(result.reference)) {
+            result.second_work = {SecondWork::Kind::seed, 1.0};
+            result.second = seed;
+        }
     }
     return result;
 }
@@ -481,10 +486,15 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
         compile_or_stop(preset, {.root = root_pass, .program = {.specialise = false}});
     SceneFacts facts{.drawn = std::vector<bool>(preset.scene.passes.size(), false),
                      .read = read_by(preset, fed),
+                     .acts = std::vector<bool>(preset.scene.tweaks.size(), false),
                      .read_with = {},
                      .accumulates = {}};
     for (const GraphPass& pass : fed.graph.passes) {
         if (pass.pass != kImagePass) facts.drawn[pass.pass] = true;
+    }
+    for (std::size_t i = 0; i < fed.programs.size(); ++i) {
+        if (!fed.graph.passes[i].feeds_state) continue;
+        for (const TweakUniform& uniform : fed.programs[i].tweaks) facts.acts[uniform.tweak] = true;
     }
     facts.read_with = [&preset, root_pass, read_by](std::size_t tweak, const TweakValue& value) {
         Preset turned = preset;

@@ -48,11 +48,14 @@ struct SecondWork {
     double ratio = 2.0;  // more: how many times the work, less than 1 where it is less; the share
 };
 
+constexpr SecondWork kTwiceTheWork{SecondWork::Kind::more, 2.0};
+
 // What counts as the truth as well, by another way, and what it is measured by itself.
 struct Rival {
     KnobValue value{};
     std::optional<KnobValue> second{};
     SecondWork work{};
+    std::optional<KnobValue> more{};  // as in Knob
 };
 
 // What is turned while everything else stays as the preset has it.
@@ -63,9 +66,14 @@ struct Knob {
     // To measure the reference by: more work, a second seed, another method.
     std::optional<KnobValue> second{};
     SecondWork second_work{};
+    // Twice the work, to measure it by where another seed changes no pixel: a method that knows no
+    // chance would seem to have no error.
+    std::optional<KnobValue> more{};
     std::optional<Rival> rival{};
     // Whether a larger number is nearer to the reference.
     bool more_is_better = true;
+    // References are drawn with these tweaks alone as constants; none: with all.
+    std::optional<std::vector<std::size_t>> constants{};
     std::vector<std::string> notes{};  // what had to be assumed
 };
 
@@ -78,6 +86,7 @@ struct StudyPlan {
 struct SceneFacts {
     std::vector<bool> drawn;  // by pass: the picture needs it, with some values
     std::vector<bool> read;   // by tweak: something reads it, with some values of the others
+    std::vector<bool> acts;   // by tweak: what later frames depend on reads it, or may
     // The same while one tweak has this value.
     std::function<std::vector<bool>(std::size_t tweak, const TweakValue&)> read_with;
     // Whether frames with time held bring something new, with these values.

@@ -23,6 +23,7 @@ constexpr double kWideWork = 4.0;       // from the least to the most, to say so
 constexpr double kNoNearer = 0.5;       // of the rows' error, by which a reference is off
 constexpr double kSurely = 3.0;         // times what is expected
 constexpr double kGrowingOrder = -0.1;  // error that grows faster than work^0.1
+constexpr double kRounding = 1e-6;      // that sums of thousands of floats differ by
 // Values that agree with each other so much better than with the reference do not converge to it:
 // a method of order 1 that doubles its work still has a distance to go as long as its last step.
 constexpr double kPlateau = 0.2;
@@ -193,7 +194,7 @@ void find_wrong_reference(Study& study, const Steps& steps) {
     if (steps.to_next.empty() || !study.converges) return;
     const StudyRow &best = *steps.rows.back(), &before = *steps.rows[steps.rows.size() - 2];
     const double error = best.error->rmse;
-    if (error <= kLeastRmse) return;
+    if (error <= kRounding) return;
     const auto rest = distance_to_limit(steps);
     if (rest ? error <= kSurely * *rest + study.own_error
              : best.near_reference || steps.to_next.back() >= kPlateau * error)

@@ -31,7 +31,9 @@ using Json = nlohmann::ordered_json;
 // Tells on stdout how far the studies of a file have come, for those who do not want to wait.
 class Lines {
 public:
-    Lines(bool wanted, const StudyPlan& plan, bool time_only, std::size_t views) : wanted_(wanted) {
+    explicit Lines(bool wanted) : wanted_(wanted) {}
+
+    void expect(const StudyPlan& plan, bool time_only, std::size_t views) {
         for (const Knob& knob : plan.knobs) {
             of_ += knob.values.size() + 1;
             if (time_only) continue;
@@ -90,15 +92,26 @@ struct Reference {
     std::string file;  // seen from the report
 };
 
+StudyKey key_of_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value) {
+    std::string kind = "reference";
+    if (knob.constants) kind += fmt::format(" with constants {}", fmt::join(*knob.constants, " "));
+    return key_of(scenery, knob, value, kind);
+}
+
 Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value) {
-    Reference result{.key = key_of(scenery, knob, value, "reference"), .picture = {}, .file = {}};
+    Reference result{.key = key_of_reference(scenery, knob, value), .picture = {}, .file = {}};
     const auto kept = scenery.store.picture(result.key, scenery.size);
     if (kept) {
         result.picture = *kept;
         result.file = scenery.store.shown_file(result.key);
         return result;
     }
-    MeasuredScene scene(scenery.preset, value.setting, scenery.context, scenery.how);
+    MeasureOptions how = scenery.how;
+    if (knob.constants) {
+        how.specialise = false;
+        how.constants = *knob.constants;
+    }
+    MeasuredScene scene(scenery.preset, value.setting, scenery.context, how);
     result.picture = scene.draw_picture();
     result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
     return result;
@@ -258,7 +271,7 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
 }
 
 // The reference, and what it is measured by; none where only times are wanted.
-std::optional<Reference> draw_references(const Scenery& scenery, const Knob& knob, Study& study) {
+std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Study& study) {
     if (study.time_only) return std::nullopt;
     const auto draw = [&](const KnobValue& value) { return draw_reference(scenery, knob, value); };
     const auto apart = [&](const Reference& a, const Reference& b) {
@@ -270,23 +283,35 @@ std::optional<Reference> draw_references(const Scenery& scenery, const Knob& kno
     Reference reference = draw(knob.reference);
     study.reference_picture = reference.file;
     tell(scenery, knob, study);
+    // Beside `truth`; of twice the work where another seed changes nothing.
+    const auto beside = [&](const Reference& truth, std::optional<KnobValue>& second,
+                            const std::optional<KnobValue>& more, SecondWork& work) {
+        const Difference off = apart(draw(*second), truth);
+        if (work.kind != SecondWork::Kind::seed || off.max > 0.0 || !more) return off;
+        second = more;
+        work = kTwiceTheWork;
+        return apart(draw(*second), truth);
+    };
     if (knob.second) {
-        study.reference_error = apart(draw(*knob.second), reference);
+        study.reference_error = beside(reference, knob.second, knob.more, knob.second_work);
+        study.second = knob.second->text;
         tell(scenery, knob, study);
     }
     if (!knob.rival) return reference;
-    const Reference rival = draw(knob.rival->value);
-    study.rival = {.value = knob.rival->value.text, .difference = apart(rival, reference)};
+    Rival& named = *knob.rival;
+    const Reference rival = draw(named.value);
+    study.rival = {.value = named.value.text, .difference = apart(rival, reference)};
     tell(scenery, knob, study);
-    if (knob.rival->second) {
-        const double rmse = apart(draw(*knob.rival->second), rival).rmse;
-        study.rival->own_error = own_error(rmse, knob.rival->work, std::nullopt);
+    if (named.second) {
+        const double rmse = beside(rival, named.second, named.more, named.work).rmse;
+        study.rival->own_error = own_error(rmse, named.work, std::nullopt);
         tell(scenery, knob, study);
     }
     return reference;
 }
 
-Study study_knob(const Scenery& scenery, const Knob& knob) {
+// What the knob's reference turns out to be measured by stands in the knob afterwards.
+Study study_knob(const Scenery& scenery, Knob& knob) {
     Study study{.scene = scenery.preset.file.string(),
                 .knob = knob.name,
                 .reference = knob.reference.text,
@@ -328,9 +353,34 @@ std::string nothing_to_study(const Preset& preset) {
         file, names, file, preset.scene.tweaks.front().name);
 }
 
-// How far the search for joint settings has come.
-void tell_search(int tried, int most) {
-    say_result("{}\n", json_text(Json{{"done", tried}, {"of", most}}, -1));
+// What a budget chooses from, as the values of one knob.
+Knob search_knob(const Scenery& scenery, const std::vector<Knob>& knobs, const Limit& limit) {
+    const SearchCaller caller{
+        .find =
+            [&](const Knob& knob, const KnobValue& value) {
+                return scenery.store.picture(key_of_reference(scenery, knob, value), scenery.size);
+            },
+        .keep =
+            [&](const Knob& knob, const KnobValue& value, const std::vector<float>& picture) {
+                const StudyKey key = key_of_reference(scenery, knob, value);
+                scenery.store.keep_picture(key, picture, scenery.size);
+            },
+        .told =
+            [&](int tried, int most) {
+                if (!scenery.options.lines) return;
+                say_result("{}\n", json_text(Json{{"done", tried}, {"of", most}}, -1));
+                flush_results();
+            }};
+    return joint_knob(scenery.preset, knobs, limit, scenery.options.seconds, scenery.context,
+                      scenery.how, caller);
+}
+
+// What is said of it at the end.
+void finish(Study& study, const StudyPlan& plan, const StudyOptions& options) {
+    for (const std::string& left_out : plan.left_out)
+        study.notes.push_back("left out: " + left_out);
+    const bool table = !options.view.json && !options.csv && !options.lines;
+    if (table) say_result("{}\n", to_table(study));
     flush_results();
 }
 
@@ -348,48 +398,47 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
                              .output = output_of(preset.scene, pass, options.pass),
                              .specialise = view.specialise};
     const auto limit = limit_of(options);
-    if (limit) {
-        const auto told = options.lines ? tell_search : [](int, int) {};
-        plan.knobs = {joint_knob(preset, plan.knobs, *limit, options.seconds, context, how, told)};
-    }
     const std::vector<View> views = views_over(preset, options);
-    Lines lines(options.lines, plan, options.time_only, std::max<std::size_t>(views.size(), 1));
-    const auto scenery = [&](const Preset& seen, const std::string& name) {
+    Played played(facts.acts);
+    std::vector<Played> played_views(views.size(), played);
+    Lines lines(options.lines);
+    const auto scenery = [&](const Preset& seen, const std::string& name, Played& reached) {
+        MeasureOptions how_seen = how;
+        how_seen.played = &reached;
         return Scenery{
             .options = options,
             .preset = seen,
             .context = context,
             .store = store,
-            .how = how,
+            .how = how_seen,
             .size = compared_size(seen, pass),
             .name = name,
             .key = key_of_preset(seen, context.renderer(), options.pass, view.specialise),
             .lines = lines};
     };
     if (plan.knobs.empty()) say_warning(nothing_to_study(preset));
-    for (const Knob& knob : plan.knobs) {
+    const Scenery own = scenery(preset, file.stem().string(), played);
+    if (limit) plan.knobs = {search_knob(own, plan.knobs, *limit)};
+    lines.expect(plan, options.time_only, std::max<std::size_t>(views.size(), 1));
+    for (Knob& knob : plan.knobs) {
         std::vector<Study> seen;
-        for (const View& one : views) {
-            seen.push_back(study_knob(scenery(one.preset, file.stem().string() + "-" + one.name),
-                                      knob_in(one, preset, knob)));
+        for (std::size_t v = 0; v < views.size(); ++v) {
+            const std::string name = file.stem().string() + "-" + views[v].name;
+            Knob turned = knob_in(views[v], preset, knob);
+            seen.push_back(study_knob(scenery(views[v].preset, name, played_views[v]), turned));
+            knob.second_work = turned.second_work;
         }
         if (seen.empty()) {
-            studies.push_back(study_knob(scenery(preset, file.stem().string()), knob));
+            studies.push_back(study_knob(own, knob));
         } else {
             studies.push_back(over_all(views, seen));
             judge(studies.back(), knob, context.is_software());
         }
-        Study& study = studies.back();
         if (limit) {
-            choose_best(study, *limit);
-            lines.tell(study, knob, context.is_software(), false);
+            choose_best(studies.back(), *limit);
+            lines.tell(studies.back(), knob, context.is_software(), false);
         }
-        for (const std::string& left_out : plan.left_out) {
-            study.notes.push_back("left out: " + left_out);
-        }
-        const bool table = !options.view.json && !options.csv && !options.lines;
-        if (table) say_result("{}\n", to_table(study));
-        flush_results();
+        finish(studies.back(), plan, options);
     }
 }
 
