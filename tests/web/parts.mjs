@@ -75,6 +75,14 @@ test("a key is held, pressed in one frame, and toggled; repeats do not count", (
     assert.deepEqual(rows(), [0, 0, 255]);
 });
 
+test("keys are let go of where nobody sees it", () => {
+    const state = makeInput(), held = () => state.next([1, 1]).keys[65];
+    state.apply({key: 65, down: true});
+    assert.equal(held(), 255);
+    state.apply({t: 1});
+    assert.equal(held(), 0);
+});
+
 test("a frame that is drawn alone sees only what was done since the one before as new", () => {
     const tape = makeTape([{t: 0.2, key: 65, down: true}, {t: 0.2, mouse: [0.5, 0.5], down: true}, {t: 0.5, key: 66, down: true}]);
     const frame = playedFrame({day: 0, seconds: 0}, 30, 0.5);
@@ -175,10 +183,18 @@ test("a logarithmic slider goes by factors", () => {
 
 test("the resolution falls where frames are slow, and is left alone where it is chosen", () => {
     const holder = makeHolder();
-    for (let i = 0; i < 20; ++i) holder.took(i * 100);
+    for (let i = 0; i < 20; ++i) holder.took(100);
     assert.ok(holder.share < 0.8);
     holder.hold("0.5");
-    for (let i = 0; i < 20; ++i) holder.took(3000 + i * 100);
+    for (let i = 0; i < 20; ++i) holder.took(100);
+    assert.equal(holder.share, 0.5);
+});
+
+test("a frame that took long between quick ones is no reason to draw fewer pixels, a few of them are", () => {
+    const holder = makeHolder();
+    for (const ms of [0, 17, 17, 1000, 17, 17, 0, 17, 17, 1000, 17, 17, 17, 17, 17]) holder.took(ms);
+    assert.equal(holder.share, 1);
+    for (let i = 0; i < 5; ++i) holder.took(1000);
     assert.equal(holder.share, 0.5);
 });
 

@@ -4,7 +4,7 @@ import {max} from "./arithmetic.js";
 const SLOW = 1000 / 22, QUICK = 1000 / 40, LEAST = 0.2;
 
 export const makeHolder = () => {
-    let isHeld = true, last, most = 1, times = [];
+    let isHeld = true, most = 1, times = [];
     return {
         share: 1,
         // "auto", or the share of the screen's pixels a side.
@@ -14,17 +14,16 @@ export const makeHolder = () => {
             most = 1;
             times = [];
         },
-        // A frame at `now` (ms).
-        took(now) {
-            const ms = now - last, before = this.share;
-            last = now;
-            if (isHeld && ms < 2000) times.push(ms);
-            if (times.length < 12 && !(times.reduce((a, b) => a + b, 0) > 600)) return;
+        // A frame, so long after the one before; 0 after a pause. A few tell what all do where they take long; one tells nothing.
+        took(ms) {
+            const before = this.share;
+            if (isHeld && ms) times.push(ms);
+            if (!times[ms > 200 ? 2 : 11]) return;
             const median = times.sort((a, b) => a - b)[times.length >> 1];
             times = [];
             if (median > SLOW) {
                 most = before;  // more was too much
-                this.share = max(LEAST, before * max(0.5, Math.sqrt(33 / median)));
+                this.share = max(LEAST, before * max(0.5, (33 / median) ** 0.5));
             } else if (median < QUICK && before * 1.2 < most) this.share *= 1.2;
         },
     };

@@ -9,16 +9,16 @@ export const makeInput = () => {
     let at = [0, 0], click = at, held, isPressed;
     return {
         apply({key, mouse, down}) {
-            if (!mouse) {
+            if (key) {
                 if (down && !keys[key]) { keys[256 + key] = 255; keys[512 + key] ^= 255; }
                 keys[key] = down ? 255 : 0;
-                return;
-            }
-            if (down) {
-                at = mouse;
-                if (!held) { click = mouse; isPressed = true; }
-            }
-            held = down;
+            } else if (mouse) {
+                if (down) {
+                    at = mouse;
+                    if (!held) { click = mouse; isPressed = true; }
+                }
+                held = down;
+            } else keys.fill(0, 0, 256);  // whoever held them has gone
         },
         // Ends the frame: what was pressed is no longer new afterwards.
         next([w, h]) {

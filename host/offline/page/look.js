@@ -25,7 +25,7 @@ export const parse = (tweak, text) => {
 
 // {time, paused, values} of a hash; names that the scene does not have are left alone.
 // Two tweaks may have the names of what else stands there.
-const wordOf = ({name}) => /^(t|paused)$/.test(name) ? name + "." : name;
+const wordOf = ({name}) => name.replace(/^(t|paused)$/, "$&.");
 
 export const readLook = (plan, hash) => {
     const words = new URLSearchParams(hash.slice(1)), t = parseFloat(words.get("t"));

@@ -1,5 +1,5 @@
 // The page: a plan, a canvas, its controls.
-import {max, min, round} from "./arithmetic.js";
+import {clamp, max, min, round} from "./arithmetic.js";
 import {makeClock, frameAt, lastFrame, playedFrame} from "./clock.js";
 import {makeTape} from "./input.js";
 import {makePlayer} from "./player.js";
@@ -21,7 +21,7 @@ const note = text => say([...text ? notes.add(text) : notes].join("\n"));
 // --- looks
 
 const start = async () => {
-    if (!gl) throw new Error("There is no WebGL 2.");
+    if (!gl) throw Error("There is no WebGL 2.");
     player = makePlayer(gl, plan, plan.passes, note);
     player.values = values;
     hasUniforms = false;
@@ -48,12 +48,15 @@ const setValues = next => {
     show(next);
     if (!gl || `${next}` === `${values}`) return;
     player.values = values = next;
-    if (!hasUniforms) relink(null);
+    if (hasUniforms) player.root.drawn = false; else relink(null);
     clearTimeout(rest);
-    rest = setTimeout(() => { keepLook(); relink(values); sound?.load(values); }, 700);
+    rest = setTimeout(() => { keepLook(); relink(values); sound?.load(values).catch(fail); }, 700);
 };
 
-const keepLook = () => history.replaceState(null, "", "#" + writeLook(plan, {time: clock.time, paused: !clock.playing, values}));
+const keepLook = () => {
+    const look = "#" + writeLook(plan, {time: clock.time, paused: !clock.playing, values});
+    try { history.replaceState(null, "", look); } catch { /* as a text within another page it has no address */ }
+};
 
 // --- frames
 
@@ -70,9 +73,9 @@ const seek = async time => {
         for (let i = 0; i < count && index < end; ++i) player.draw(input(playedFrame(plan, index++, time)), true);
         await player.wait();
         count = max(1, round(count * min(2, 60 / (performance.now() - began + 1))));
-        if (end > 200) say(`${round(100 * index / end)} %`);
         await new Promise(requestAnimationFrame);
         if (mine !== seeking) return;
+        if (end > 200) say(`${round(100 * index / end)} %`);
     }
     player.draw(input(playedFrame(plan, end, time)));
     seeking = 0;
@@ -98,10 +101,10 @@ const tick60 = now => {
     requestAnimationFrame(tick60);
     if (!isReady || seeking || document.hidden) { clock.last = null; return; }
     const delta = clock.advance(now);
-    if (clock.playing && !plan.fixed && !player.keepsSize) holder.took(now);
+    if (clock.playing && !plan.fixed && !player.keepsSize) holder.took(delta * 1000);
     fit();  // before the frame is drawn: another size empties the canvas
     if (clock.playing || moved) { if (draw(delta)) ++frames; moved = false; }
-    else if (player.live.some(pass => !pass.drawn)) again();
+    else if (player.live.some(pass => !pass.drawn && !pass.step)) again();  // steps wait until they are due
     if (now - since > 500) {
         $("rate").textContent = `${clock.playing ? round(frames * 1000 / (now - since)) + " Hz " : ""}${canvas.width}×${canvas.height}`;
         if (document.activeElement !== $("time")) $("time").value = clock.time.toFixed(2);
@@ -112,14 +115,16 @@ const tick60 = now => {
 
 // --- the picture's size
 
-// What carries the picture's pixels on keeps its size, unless another one is chosen: then it is played anew.
+// What carries the picture's pixels on keeps its size, unless there was no room for it yet, or another one is chosen: then it
+// is played anew.
 const fit = isChosen => {
     const scale = plan.fixed ? 1 : canvas.clientWidth / plan.size[0] * devicePixelRatio * holder.share;
     const size = plan.size.map(s => max(1, round(s * scale)));
-    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize && !isChosen) return;
+    if (`${size}` === `${[canvas.width, canvas.height]}` || isReady && player.keepsSize && canvas.width > 1 && !isChosen) return;
     [canvas.width, canvas.height] = size;
-    if (isReady) player.resize(size);
-    if (isChosen && player.keepsSize) seek(clock.time);
+    if (!isReady) return;
+    player.resize(size);
+    if (player.keepsSize) seek(clock.time);
 };
 
 // --- buttons
@@ -134,25 +139,28 @@ const sounds = () => {
     if (!sound) return;
     if (clock.playing && body.contains("loud") && !document.hidden) sound.play(clock.time); else sound.stop();
 };
+const go = time => {
+    seek(time);
+    keepLook();
+};
 const press = {
     play: () => play(!clock.playing),
-    again: () => seek(0),
-    step: () => { clock.time += 1 / 60; play(false); draw(1 / 60); since = 0; },
+    again: () => go(0),
+    step: () => { if (!seeking) { clock.time += 1 / 60; play(false); draw(1 / 60); since = 0; } },
     save: () => {
-        again();
+        player.again();
         Object.assign(document.createElement("a"), {href: canvas.toDataURL(), download: `${plan.title} ${clock.time.toFixed(2)}.png`}).click();
     },
     full: () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen(),
     tweaks: () => body.toggle("narrow"),
     reset: () => setValues(plan.tweaks.map(({value}) => value)),
     sound: async () => {
-        const isLoud = body.toggle("loud");
-        if (isLoud && !sound) { const made = makeSound(plan); await made.load(values).catch(fail); sound = made; }
+        if (body.toggle("loud")) sound ??= await makeSound(plan).load(values).catch(fail);
         sounds();
     },
 };
 for (const name in press) on($(name), "click", () => isReady && press[name]());
-on($("time"), "change", () => isReady && seek(max(+$("time").value || 0, 0)));
+on($("time"), "change", () => isReady && go(clamp(+$("time").value || 0, 0, 1e9)));
 on($("share"), "change", () => { holder.hold($("share").value); fit(true); });
 const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, (i, value) => setValues(values.with(i, value)));
 
@@ -161,20 +169,22 @@ const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, (i, va
 const did = event => { tape.add({...event, t: clock.time + 1e-9}); moved = true; };
 let pointer = null;
 on(canvas, "pointerdown pointermove pointerup pointercancel", event => {
-    const {type, pointerId, clientX, clientY} = event, begins = type === "pointerdown", ends = /up|cancel/.test(type);
+    const {type, pointerId, offsetX, offsetY} = event, begins = type === "pointerdown", ends = /up|cancel/.test(type);
     if (begins ? pointer !== null || event.button : pointer !== pointerId) return;
     pointer = ends ? null : pointerId;
     if (begins) canvas.setPointerCapture(pointerId);
-    const {left, top, width, height} = canvas.getBoundingClientRect();
-    did({mouse: [(clientX - left) / width, 1 - (clientY - top) / height], down: !ends});
+    const width = canvas.clientWidth, [w, h] = plan.size;  // that is whole, its height need not be
+    did({mouse: [offsetX / width, 1 - offsetY / width * w / h], down: !ends});
 });
 on(window, "keydown keyup", event => {
     const {type, keyCode, target} = event, down = type === "keydown";
-    if (event.repeat || event.ctrlKey || event.metaKey || keyCode > 255 || down && target.closest?.("input,select,button,summary")) return;
+    if (event.repeat || keyCode > 255) return;
+    if (down && (event.ctrlKey || event.metaKey || event.altKey || target.closest?.("input,select,button,summary"))) return;
     if (down && keyCode >= 32 && keyCode <= (plan.keyboard ? 40 : 32)) event.preventDefault();
     if (plan.keyboard) did({key: keyCode, down});
     else if (down && keyCode === 32) press.play();
 });
+on(window, "blur", () => plan.keyboard && did({}));  // keys are let go of elsewhere
 
 // --- what happens to the page
 
@@ -186,7 +196,7 @@ on(window, "hashchange", () => {
     const look = readLook(plan, location.hash);
     setValues(look.values);
     plays(!look.paused);
-    if (/[#&]t=/.test(location.hash) && isReady) seek(look.time);
+    if (isReady) seek(look.time);
 });
 on(canvas, "webglcontextlost", event => {
     event.preventDefault();
@@ -194,13 +204,19 @@ on(canvas, "webglcontextlost", event => {
     ++seeking;
     say("The driver was lost.");
 });
-on(canvas, "webglcontextrestored", () => { seeking = 0; start().catch(fail); });
+on(canvas, "webglcontextrestored", () => {
+    seeking = 0;
+    sound?.stop();  // its context was lost, too
+    sound = body.remove("loud");
+    start().catch(fail);
+});
 
 const fail = error => {
     say(error.message, "error");
     console.error(error.message);
 };
 
+$("full").hidden = !document.fullscreenEnabled;
 show(values);
 plays(!first.paused);
 start().catch(fail);

@@ -33,7 +33,7 @@ export const makePlayer = (gl, plan, planned, fell) => {
         return shader;
     };
     const vertex = compile(gl.VERTEX_SHADER, plan.vertex);
-    let drawSteps, isNew;
+    let drawSteps, isNew, last;
     gl.disable(gl.DITHER);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
 
@@ -73,7 +73,7 @@ export const makePlayer = (gl, plan, planned, fell) => {
     // Asks the linked program what it really reads.
     const inspect = (pass, {id, shader, added, uniforms, samplers}) => {
         if (!gl.getProgramParameter(id, gl.LINK_STATUS) && !gl.isContextLost())
-            throw new Error(explain(plan, pass, gl.getShaderInfoLog(shader) || gl.getProgramInfoLog(id), added));
+            throw Error(explain(plan, pass, gl.getShaderInfoLog(shader) || gl.getProgramInfoLog(id), added));
         gl.useProgram(id);
         for (let i = 0; i < gl.getProgramParameter(id, gl.ACTIVE_UNIFORMS); ++i) {
             const {name, type, size} = gl.getActiveUniform(id, i), location = gl.getUniformLocation(id, name);
@@ -203,9 +203,11 @@ export const makePlayer = (gl, plan, planned, fell) => {
             drawSteps = null;
             shape();
         },
+        // The picture as it stands, of which a browser keeps no copy.
+        again() { drawPass(root, last, true); },
         // Draws whatever has changed, or only what later frames depend on. True when the picture is new.
         draw(frame, onlyState) {
-            instant(frame);
+            instant(last = frame);
             isNew = false;
             const stepped = {};
             for (const pass of player.live) {

@@ -14,6 +14,7 @@ export const makeSound = plan => {
         async load(values) {
             player.values = values;
             player.use(await player.link(values));
+            return sound;
         },
         // Left and right, 8192 samples each.
         block(index) {
