@@ -60,6 +60,22 @@ inline void add_corners(std::vector<Planted>& list) {
     add("components", "uniform vec2 v; //@ 0.5, 0.5 [0, 1]\n", "0.93 - (v.x - v.y)");
 }
 
+// Within a range, where neither its ends nor points that spread ever are.
+inline void add_zeros(std::vector<Planted>& list) {
+    const auto add = [&](const char* name, const std::string& tweaks, const char* fault,
+                         const char* twin) {
+        const auto text = [&](const char* x) {
+            return tweaks + image(fmt::format("c = vec4(0.5 + 0.4 * vec3({}), 1.0);", x));
+        };
+        list.push_back({std::string("zero/") + name, text(fault), text(twin)});
+    };
+    const std::string v = "uniform vec3 v; //@ (0.0, 1.0, 0.0) [-0.3, 1]\n";
+    add("direction", v, "normalize(v)", "v / max(length(v), 1e-6)");
+    add("sine", "uniform float a; //@ 1.0 [-2, 3]\n", "sin(a) / a", "a == 0.0 ? 1.0 : sin(a) / a");
+    add("both", "uniform float a; //@ 1.0 [-2, 3]\nuniform float b; //@ 1.0 [-1, 1]\n",
+        "min(a * a / (a * a + b * b), 0.9)", "min(a * a / (a * a + b * b + 1e-6), 0.9)");
+}
+
 inline void add_balls(std::vector<Planted>& list) {
     struct Ball {
         const char *name, *centre, *use;
@@ -186,6 +202,12 @@ inline void add_growth(std::vector<Planted>& list) {
                    "size=8x8 step=1/60", std::string(kA) + kB);
     };
     list.push_back({"growth/at_a_corner", corner("1.001"), corner("0.9999")});
+    const auto at_an_end = [](const char* most) {
+        return fed("c = min(s * k + 0.01 * step(distance(p, vec2(4.0)), 2.0), 6e4);",
+                   "size=8x8 step=1/60",
+                   fmt::format("uniform float k; //@ 0.98 [0.9, {}]\n", most));
+    };
+    list.push_back({"growth/fed_at_an_end", at_an_end("1.004"), at_an_end("0.999")});
     add("beside_noise",
         "c = iFrame == 0 ? vec4(3.0) : s * 1.0003;"
         " c.w = fract(sin(dot(p, vec2(12.9, 78.2)) + iTime) * 43.0);",
@@ -513,6 +535,7 @@ inline void add_invariants(std::vector<Planted>& list) {
 inline std::vector<Planted> planted_faults() {
     std::vector<Planted> list;
     planting::add_corners(list);
+    planting::add_zeros(list);
     planting::add_balls(list);
     planting::add_times_and_mice(list);
     planting::add_sizes(list);

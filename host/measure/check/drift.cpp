@@ -44,6 +44,15 @@ std::optional<double> steady_factor(std::span<const double> values) {
     return (least + most) / 2.0;
 }
 
+// The same of the values whose squares these are. With what is added in every frame it is they that
+// grow steadily, and with a state of many parts their squares.
+std::optional<double> factor_of_values(std::span<const double> squares) {
+    if (const auto factor = steady_factor(squares)) return std::sqrt(*factor);
+    std::vector<double> roots(squares.begin(), squares.end());
+    for (double& value : roots) value = std::sqrt(value);
+    return steady_factor(roots);
+}
+
 // Without the frames in which nothing has changed yet.
 std::span<const double> without_start(std::span<const double> values) {
     constexpr double kSame = 1e-7;
@@ -94,10 +103,9 @@ std::string StateCurves::growth(std::size_t from) const {
     for (const Curve& curve : curves_) {
         const auto values = without_start(std::span(curve.means).subspan(std::min(from, frames())));
         if (values.size() < kLeastOfGrowth) continue;
-        const auto factor = steady_factor(values);
+        const auto factor = factor_of_values(values);
         if (!factor) continue;
-        // Of squares; of the values half of it.
-        const double frame = std::log(*factor) / 2.0 / static_cast<double>(values.size() / kParts);
+        const double frame = std::log(*factor) / static_cast<double>(values.size() / kParts);
         return fmt::format("{} grows steadily, by {:.2g} % a frame", curve.name, 100.0 * frame);
     }
     return "";

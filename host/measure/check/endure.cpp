@@ -40,8 +40,9 @@ std::string why_not(const Check& check, StateCurves& curves, Invariants& invaria
     if (curves.explodes(usual))
         return fmt::format("the state explodes to {:.3g} (with the preset's values {:.3g})",
                            curves.largest(), usual);
-    const std::string growth = curves.growth();
     const std::size_t seen = curves.frames();
+    std::string growth = curves.growth();
+    if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
     if (growth.empty() || !play_curves(check, kConfirmed, curves, invariants))
         return invariants.broken();
     const bool goes_on = curves.frames() == seen || !curves.growth(seen).empty() ||

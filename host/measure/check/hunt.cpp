@@ -173,8 +173,12 @@ void run_search(Check& check, CaseResult& result) {
     Hunter hunter(check, keys_that_matter(check));
     const Space& space = hunter.space();
     Search search(space.usual(), space.rare());
-    const int wanted = (space.usual().size() == space.rare() ? kOfSizes : kEvaluations) *
-                       check.effort.tries.value_or(1);
+    const int one = space.usual().size() == space.rare() ? kOfSizes : kEvaluations;
+    const int wanted = check.effort.tries ? check.paced(one * *check.effort.tries, 1) : one;
+    for (const Point& point : space.zeros()) {
+        if (clock.is_over(kHuntShare)) break;
+        if (hunter(point).fails) return report(hunter, check, point, result);
+    }
     int done = 0;
     for (; done < wanted; ++done) {
         if (clock.is_over(kHuntShare)) break;
