@@ -262,6 +262,19 @@ inline void add_explosions(std::vector<Planted>& list) {
     add("late", "uniform float k; //@ 0.0 [0, 1]\n",
         "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(min(y * (1.0 + 0.01 * k), 5e4));",
         "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(min(mix(y, 2.0, 0.01 * k), 5e4));");
+    // At one corner of two tweaks, its sign after each frame's two steps the same.
+    const auto corner = [&](const char* heavier) {
+        return fed(fmt::format("float h = 1.0 / 120.0; vec2 y = s.w == 0.0 ? vec2(0.5, 0.0) : s.xy;"
+                               " float v = y.y - h * stiff / (0.05 * mass + {}) * y.x;"
+                               " c = vec4(20.0 * tanh((y.x + h * v) / 20.0), 400.0 * tanh(v / "
+                               "400.0), 0.0, 1.0);",
+                               heavier),
+                   "size=8x8 step=1/120",
+                   "uniform float stiff; //@ 30 [1, 900] log\n"
+                   "uniform float mass; //@ 1 [0.05, 5] log\n",
+                   picture);
+    };
+    list.push_back({"explosion/of_two_steps", corner("0.0"), corner("1.0")});
 }
 
 inline void add_poison(std::vector<Planted>& list) {
@@ -572,6 +585,10 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
              "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
              "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
         {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
+        {"trail", fed("vec2 at = 0.5 + 0.4 * vec2(cos(" + std::string(kTurn) + "), sin(" + kTurn +
+                          ")); c = max(s * exp(-1.5 * iTimeDelta), vec4(smoothstep(0.2, 0.0, "
+                          "distance(p / iResolution.xy, at))));",
+                      "", "", "c = texelFetch(state, ivec2(p), 0);")},
         {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
     };
 }

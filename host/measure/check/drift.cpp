@@ -111,22 +111,34 @@ std::string StateCurves::growth(std::size_t from) const {
     return "";
 }
 
+// Of the frames of the last quarter, those whose largest value is that of the frame before.
+std::size_t StateCurves::unchanged() const {
+    std::size_t same = 0;
+    for (std::size_t k = frames() - frames() / 4 + 1; k < frames(); ++k)
+        same += largest_[k] == largest_[k - 1];
+    return same;
+}
+
+bool StateCurves::stands_beyond(float usual) const {
+    constexpr float kFactor = 4.0f;
+    const std::size_t steps = frames() / 4;
+    return usual > 0.0f && largest() >= kFactor * usual && steps > 4 &&
+           4 * unchanged() >= 3 * (steps - 1);
+}
+
 // An unstable step that is clamped: in the last quarter the largest value is mostly the same, but
 // for its sign.
 bool StateCurves::chatters() const {
-    const std::size_t from = frames() - frames() / 4;
-    std::size_t same = 0, turned = 0;
-    for (std::size_t k = from + 1; k < frames(); ++k) {
-        same += largest_[k] == largest_[k - 1];
-        turned += signed_[k] == -signed_[k - 1] && signed_[k] != 0.0f;
-    }
     const std::size_t steps = frames() / 4;
-    return steps > 4 && 4 * same >= 3 * (steps - 1) && 4 * turned >= steps;
+    std::size_t turned = 0;
+    for (std::size_t k = frames() - steps + 1; k < frames(); ++k)
+        turned += signed_[k] == -signed_[k - 1] && signed_[k] != 0.0f;
+    return steps > 4 && 4 * unchanged() >= 3 * (steps - 1) && 4 * turned >= steps;
 }
 
 bool StateCurves::explodes(float usual) const {
     constexpr float kFactor = 4.0f, kBeyondUsual = 8.0f, kLeast = 10.0f;
-    if (largest() >= kFactor * usual && usual > 0.0f && chatters()) return true;
+    if (stands_beyond(usual) && chatters()) return true;
     constexpr double kLonger = 1.5;  // of x^n the second factor takes 4^(1/n) times as long
     if (largest() < std::max(kLeast, kBeyondUsual * usual)) return false;
     for (std::size_t a = 0; a < largest_.size(); ++a) {
