@@ -86,7 +86,7 @@ std::vector<Point> Space::zeros() const {
         if (is_next) points.push_back(usual_);
         points.back()[i] = all[i] = *zero_[i];
     }
-    if (points.size() > 1) points.push_back(all);
+    if (points.size() > 1) points.insert(points.begin(), all);
     return points;
 }
 
