@@ -37,6 +37,22 @@ std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint
     return at;
 }
 
+std::uint32_t product_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop) {
+    const auto is = [&](std::uint32_t at, std::string_view text) {
+        return at > stop && reading.tokens[at - 1].is(text);
+    };
+    const auto multiplies = [&](std::uint32_t at) {
+        return is(at, "*") || is(at, "/") || is(at, "%");
+    };
+    std::uint32_t at = operand_begin(reading, end, stop);
+    for (;;) {
+        std::uint32_t before = at;
+        while (is(before, "-") || is(before, "+")) --before;
+        if (!multiplies(before)) return at;
+        at = operand_begin(reading, before - 1, stop);
+    }
+}
+
 // Of a unary expression: signs, a name or number or parentheses, and what follows them.
 std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint32_t stop) {
     const auto token = [&](std::uint32_t i) -> const Token& { return reading.tokens[i]; };

@@ -14,6 +14,9 @@ TokenRange without_parentheses(const Reading& reading, TokenRange range);
 // The first token of what ends before `end`: of `a[i].x`, `(a + b)`, `f(x).y`; `end` for none.
 std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop);
 
+// The first token of the product that ends before `end`: of `a * -b / f(x)`.
+std::uint32_t product_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop);
+
 // Behind a unary expression: signs, a name or number or parentheses, and what follows them.
 std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint32_t stop);
 

@@ -400,8 +400,12 @@ void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
     const TokenRange divisor = {at + 1, end};
     if (divisor.empty() || (divisor.size() == 1 && token(at + 1).kind == TokenKind::number)) return;
     const std::uint32_t begin = operand_begin(reading_, at, room.begin);
+    const std::size_t site = probed_.sites.size();
     hand_through(SiteKind::division, close_spelling(reading_, {begin, end}), begin, divisor,
                  "glint0_d");
+    // 1/0 is infinite, 0/0 nothing: what comes of it tells.
+    if (assigns || probed_.sites.size() == site) return;
+    wrap({product_begin(reading_, at, room.begin), end}, fmt::format("glint0_q({},", site), ")");
 }
 
 void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {

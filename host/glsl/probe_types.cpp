@@ -266,7 +266,7 @@ std::string cost_functions() {
 }
 
 constexpr std::string_view kFaults =
-    R"(int glint0_id = 0, glint0_last = 0, glint0_found = 0, glint0_first = 0, glint0_worst = 0;
+    R"(int glint0_id = 0, glint0_last = 0, glint0_found = 0, glint0_first = 0, glint0_worst = 0, glint0_zero = -1;
 bool glint0_mends = false;
 float glint0_scale = 7.0, glint0_inside = 0.37;
 uvec4 glint0_bits = uvec4(0u, 0u, 0x7F7FFFFFu, 0u);
@@ -287,7 +287,12 @@ float glint0_v(int i, float v) {
     glint0_u(i, is_nan, v, 3e38);
     return glint0_mends && is_nan ? 0.05 * glint0_scale : v;
 }
-float glint0_d(int i, float b) { glint0_f(i, b == 0.0, b); glint0_u(i, false, b, abs(b)); return b; }
+float glint0_d(int i, float b) { if (b == 0.0) glint0_zero = i; glint0_f(i, b == 0.0, b); glint0_u(i, false, b, abs(b)); return b; }
+float glint0_q(int i, float v) {
+    bool is_nan = (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u && glint0_zero == i;
+    glint0_u(i, is_nan, v, 3e38);
+    return glint0_mends && is_nan ? 0.05 * glint0_scale : v;
+}
 int glint0_d(int i, int b) { glint0_f(i, b == 0, uint(b), 0u); glint0_u(i, b == 0, uint(b), abs(float(b))); return b; }
 uint glint0_d(int i, uint b) { glint0_f(i, b == 0u, b, 0u); glint0_u(i, b == 0u, b, float(b)); return b; }
 int glint0_i(int i, int at, int count) {
@@ -369,12 +374,36 @@ std::string for_each(int length, const std::string& call) {
     return text;
 }
 
+// What is no float is handed through as it is, but for whole divisors.
+std::string faults_of_other_types() {
+    std::string text;
+    for (std::size_t i = 4; i < kTypes.size(); ++i)
+        text += fmt::format(
+            "{0} glint0_v(int i, {0} v) {{ return v; }}\n{0} glint0_q(int i, {0} v) {{ return v; "
+            "}}\n",
+            kTypes[i]);
+    for (const char* type : {"ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4"}) {
+        const int n = type[4] - '0';
+        text += fmt::format("{0} glint0_d(int i, {0} v) {{ {1}return v; }}\n", type,
+                            for_each(n, "glint0_d(i, v{of}); "));
+    }
+    for (const std::string_view matrix : kMatrices) {
+        text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
+        for (int c = 0; c < matrix_columns(matrix); ++c)
+            text += fmt::format("glint0_v(i, v[{}]); ", c);
+        text += fmt::format("return v; }}\n", matrix);
+        for (const char* name : {"d", "q"})
+            text += fmt::format("{0} glint0_{1}(int i, {0} v) {{ return v; }}\n", matrix, name);
+    }
+    return text;
+}
+
 std::string faults_functions() {
     std::string text(kFaults);
     for (int n = 1; n <= 4; ++n) {
         const std::string type = kTypes[static_cast<std::size_t>(n) - 1];
         if (n > 1) {
-            for (const char* name : {"v", "d"})
+            for (const char* name : {"v", "d", "q"})
                 text += fmt::format(
                     "{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
                     for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));
@@ -411,20 +440,7 @@ std::string faults_functions() {
             "v); }}\n",
             type);
     }
-    for (std::size_t i = 4; i < kTypes.size(); ++i)
-        text += fmt::format("{0} glint0_v(int i, {0} v) {{ return v; }}\n", kTypes[i]);
-    for (const char* type : {"ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4"}) {
-        const int n = type[4] - '0';
-        text += fmt::format("{0} glint0_d(int i, {0} v) {{ {1}return v; }}\n", type,
-                            for_each(n, "glint0_d(i, v{of}); "));
-    }
-    for (const std::string_view matrix : kMatrices) {
-        text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
-        for (int c = 0; c < matrix_columns(matrix); ++c)
-            text += fmt::format("glint0_v(i, v[{}]); ", c);
-        text += fmt::format("return v; }}\n{0} glint0_d(int i, {0} v) {{ return v; }}\n", matrix);
-    }
-    return text;
+    return text + faults_of_other_types();
 }
 
 constexpr std::string_view kMain = R"(void main() {{

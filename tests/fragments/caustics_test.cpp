@@ -316,7 +316,7 @@ TEST_F(Caustics, FoldedLightIsCountedOnceWhateverTheCase) {
 TEST_F(Caustics, CalmWaterIsRightWhateverTheCase) {
     Bar rmse("Q14 caustics: calm water, RMSE", 1e-2), energy("Q14 caustics: calm, energy, %", 0.2);
     search_worst(5, 24, {&rmse, &energy}, [&](Dials& dials) {
-        Look look = {.depth = dials.between_logs(0.4, 2.0),
+        Look look = {.depth = dials.between_logs(0.5, 2.0),
                      .length = dials.between_logs(0.6, 1.8),
                      .elevation = dials.between(35.0, 85.0),
                      .azimuth = dials.between(-180.0, 180.0)};

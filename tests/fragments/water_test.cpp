@@ -101,6 +101,47 @@ TEST_F(Water, HeightsAndSlopesAreThoseOfDoublePrecision) {
     EXPECT_LE(worst_degrees, 0.01) << "normals within a hundredth of a degree";
 }
 
+// Q10, of any waves at any time; without drops, whose heights come from a buffer.
+TEST_F(Water, HeightsAndNormalsAreRightWhateverTheCase) {
+    const PlayerOptions options{.size = {32, 32}, .specialise = false};
+    Player shapes(with_picture(GLINT_REPOSITORY "/fragments/water.frag",
+                               "    loadWaves();\n"
+                               "    vec2 at = (p / 32.0 - 0.5) * vec2(8.0, 12.0);\n"
+                               "    c = vec4(waterHeight(at), waterSlope(at), 1.0);\n"),
+                  options);
+    Player table(water_text(), {.size = {8, 1}, .pass = "wavelets", .specialise = false});
+    const std::vector<std::string> names = {"waveHeight", "longestWave", "windAngle", "windSpread",
+                                            "depth"};
+    Bar height("Q10 water: height, m", 2e-6), normal("Q10 water: normal, degrees", 0.01);
+    search_worst(
+        numbers_of(shapes.preset.scene, names) + 1, 80, {&height, &normal}, [&](Dials& dials) {
+            const std::string look = look_at(shapes.preset.scene, names, dials) + " rain=0";
+            const double time = std::floor(dials.between(0.0, 65536.0 * 64.0)) / 64.0;
+            const auto drawn = [&](Player& player) {
+                set_look(player, look);
+                player.renderer().reset();
+                Frame frame = player.frame(0);
+                frame.time = time;
+                frame.longest_catch_up = 0.01;  // s; the pool is level
+                player.draw(frame);
+                return pixels_of(player);
+            };
+            const PlaneWaves waves = plane_waves_in(drawn(table));
+            const auto got = drawn(shapes);
+            for (std::size_t i = 0; i < got.size(); ++i) {
+                const double x = (static_cast<double>(i % 32) - 15.5) / 4.0;
+                const double z = (static_cast<double>(i / 32) - 15.5) * 0.375;
+                const std::string where =
+                    fmt::format("{} at {:.4g} {:.4g} m, {:.3f} s", look, x, z, time);
+                const glm::dvec2 slope = waves.slope(x, z);
+                const glm::dvec3 exact = normalize(glm::dvec3(-slope.x, 1.0, -slope.y));
+                const glm::dvec3 ours = normalize(glm::dvec3(-got[i].y, 1.0, -got[i].z));
+                height.see(std::abs(got[i].x - waves.at(x, z)), where);
+                normal.see(glm::length(exact - ours) * 180.0 / kPi, where);
+            }
+        });
+}
+
 // Q12: steeper sums than 0.95 fold over, or look like cliffs. Waves that break grow no more.
 TEST_F(Water, SlopesOfTheWavesSumToLessThanOne) {
     Bar sum("Q12 water: sum of the waves' slopes", 0.95);

@@ -149,7 +149,9 @@ TEST(ProbeText, CountsTurnsReadsAndCalls) {
 
 TEST(ProbeText, ChecksWhatHasADomain) {
     EXPECT_EQ(in_function("a = sqrt(b) / c;", ProbeKind::faults),
-              "glint0_v(0,a = glint0_sqrt(2,b) / glint0_d(1,c));");
+              "glint0_v(0,a = glint0_q(1,glint0_sqrt(2,b) / glint0_d(1,c)));");
+    EXPECT_EQ(in_function("f(x - a * -b / c);", ProbeKind::faults),
+              "f(x - glint0_q(0,a * -b / glint0_d(0,c)));");
     EXPECT_EQ(in_function("vec3 v; a = v[i];", ProbeKind::faults),
               "vec3 v; glint0_v(0,a = v[glint0_i(1,i,3)]);");
 }

@@ -54,11 +54,8 @@ protected:
             for (const std::string& why : words)
                 std::cout << (file == twin ? "TWIN   " : "found  ") << one.name << ": " << why
                           << '\n';
-        // Not found yet: 0/0 that a driver's clamp makes a number.
-        static const std::set<std::string> kMissed = {"hidden/zero_by_zero"};
         if (!failed.contains(fault)) std::cout << "MISSED " << one.name << '\n';
-        EXPECT_TRUE(failed.contains(fault) || kMissed.contains(one.name))
-            << one.name << ": " << one.fault;
+        EXPECT_TRUE(failed.contains(fault)) << one.name << ": " << one.fault;
         EXPECT_FALSE(failed.contains(twin)) << one.name << ": " << one.twin;
     }
 };

@@ -60,6 +60,22 @@ inline void add_corners(std::vector<Planted>& list) {
     add("components", "uniform vec2 v; //@ 0.5, 0.5 [0, 1]\n", "0.93 - (v.x - v.y)");
 }
 
+// Within a range, where neither its ends nor points that spread ever are.
+inline void add_zeros(std::vector<Planted>& list) {
+    const auto add = [&](const char* name, const std::string& tweaks, const char* fault,
+                         const char* twin) {
+        const auto text = [&](const char* x) {
+            return tweaks + image(fmt::format("c = vec4(0.5 + 0.4 * vec3({}), 1.0);", x));
+        };
+        list.push_back({std::string("zero/") + name, text(fault), text(twin)});
+    };
+    const std::string v = "uniform vec3 v; //@ (0.0, 1.0, 0.0) [-0.3, 1]\n";
+    add("direction", v, "normalize(v)", "v / max(length(v), 1e-6)");
+    add("sine", "uniform float a; //@ 1.0 [-2, 3]\n", "sin(a) / a", "a == 0.0 ? 1.0 : sin(a) / a");
+    add("both", "uniform float a; //@ 1.0 [-2, 3]\nuniform float b; //@ 1.0 [-1, 1]\n",
+        "min(a * a / (a * a + b * b), 0.9)", "min(a * a / (a * a + b * b + 1e-6), 0.9)");
+}
+
 inline void add_balls(std::vector<Planted>& list) {
     struct Ball {
         const char *name, *centre, *use;
@@ -186,6 +202,12 @@ inline void add_growth(std::vector<Planted>& list) {
                    "size=8x8 step=1/60", std::string(kA) + kB);
     };
     list.push_back({"growth/at_a_corner", corner("1.001"), corner("0.9999")});
+    const auto at_an_end = [](const char* most) {
+        return fed("c = min(s * k + 0.01 * step(distance(p, vec2(4.0)), 2.0), 6e4);",
+                   "size=8x8 step=1/60",
+                   fmt::format("uniform float k; //@ 0.98 [0.9, {}]\n", most));
+    };
+    list.push_back({"growth/fed_at_an_end", at_an_end("1.004"), at_an_end("0.999")});
     add("beside_noise",
         "c = iFrame == 0 ? vec4(3.0) : s * 1.0003;"
         " c.w = fract(sin(dot(p, vec2(12.9, 78.2)) + iTime) * 43.0);",
@@ -240,6 +262,19 @@ inline void add_explosions(std::vector<Planted>& list) {
     add("late", "uniform float k; //@ 0.0 [0, 1]\n",
         "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(min(y * (1.0 + 0.01 * k), 5e4));",
         "float y = s.w == 0.0 ? 1.0 : s.x; c = vec4(min(mix(y, 2.0, 0.01 * k), 5e4));");
+    // At one corner of two tweaks, its sign after each frame's two steps the same.
+    const auto corner = [&](const char* heavier) {
+        return fed(fmt::format("float h = 1.0 / 120.0; vec2 y = s.w == 0.0 ? vec2(0.5, 0.0) : s.xy;"
+                               " float v = y.y - h * stiff / (0.05 * mass + {}) * y.x;"
+                               " c = vec4(20.0 * tanh((y.x + h * v) / 20.0), 400.0 * tanh(v / "
+                               "400.0), 0.0, 1.0);",
+                               heavier),
+                   "size=8x8 step=1/120",
+                   "uniform float stiff; //@ 30 [1, 900] log\n"
+                   "uniform float mass; //@ 1 [0.05, 5] log\n",
+                   picture);
+    };
+    list.push_back({"explosion/of_two_steps", corner("0.0"), corner("1.0")});
 }
 
 inline void add_poison(std::vector<Planted>& list) {
@@ -513,6 +548,7 @@ inline void add_invariants(std::vector<Planted>& list) {
 inline std::vector<Planted> planted_faults() {
     std::vector<Planted> list;
     planting::add_corners(list);
+    planting::add_zeros(list);
     planting::add_balls(list);
     planting::add_times_and_mice(list);
     planting::add_sizes(list);
@@ -549,6 +585,10 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
              "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
              "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
         {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
+        {"trail", fed("vec2 at = 0.5 + 0.4 * vec2(cos(" + std::string(kTurn) + "), sin(" + kTurn +
+                          ")); c = max(s * exp(-1.5 * iTimeDelta), vec4(smoothstep(0.2, 0.0, "
+                          "distance(p / iResolution.xy, at))));",
+                      "", "", "c = texelFetch(state, ivec2(p), 0);")},
         {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
     };
 }

@@ -34,7 +34,7 @@ struct Check {
     CheckSubject& subject;
     Effort effort;
     Stopwatch begun{};               // with the first of its cases
-    double pace = 1.0;               // less than 1 for a scene whose frames take long
+    double pace = 1.0;               // 0.1 to 1, less for a scene whose frames take long
     std::filesystem::path folder{};  // for pictures of failures; made when there is one
     int birthplaces = 3;  // how many failures may still be led back to the operation they came from
     std::optional<Motion> young{};

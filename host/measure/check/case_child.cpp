@@ -4,6 +4,7 @@
 #include "base/launch.h"
 #include "base/terminal.h"
 #include "measure/check/budget.h"
+#include "measure/check/loops.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -64,16 +65,33 @@ private:
     Stopwatch since_told_;
 };
 
+constexpr double kLeastPace = 0.1;
+
+// With an effort no clock may tell: a scene gets fewer frames where its loops take so many turns
+// for each of the picture's pixels that a frame takes long anywhere.
+double pace_by_turns(CheckSubject& subject) {
+    constexpr double kMany = 16384.0;
+    if (!subject.is_short()) return 1.0;  // counting would take a minute to compile
+    try {
+        LoopTurns turns(subject);
+        turns.count(subject.frame_at(subject.preset.time, 1.0 / 60, 0));
+        return turns.a_pixel() > kMany ? kLeastPace : 1.0;
+    } catch (const ProbeRefused&) {
+        return 1.0;
+    }
+}
+
 // How much of the usual number of frames a scene can afford. Beyond 20 ms a frame the usual number,
 // some 3000, takes more than a minute.
 double pace_of(CheckSubject& subject, const Effort& effort) {
-    constexpr double kQuick = 20.0, kLeast = 0.1;
+    constexpr double kQuick = 20.0;
+    if (effort.tries) return pace_by_turns(subject);
     if (effort.seconds == 0.0) return 1.0;
     subject.draw_blindly(subject.frame_at(0.0, 1.0 / 60, 0));  // compiles to machine code
     const WorkClock clock(subject.context());
     subject.draw_blindly(subject.frame_at(1.0 / 60, 1.0 / 60, 1));
     subject.draw_blindly(subject.frame_at(2.0 / 60, 1.0 / 60, 2));
-    return std::clamp(kQuick / std::max(clock.ms() / 2.0, kQuick), kLeast, 1.0);
+    return std::clamp(kQuick / std::max(clock.ms() / 2.0, kQuick), kLeastPace, 1.0);
 }
 
 // A scene under check in two forms: as its preset specialises it, and, for cases that change

@@ -44,6 +44,15 @@ std::optional<double> steady_factor(std::span<const double> values) {
     return (least + most) / 2.0;
 }
 
+// The same of the values whose squares these are. With what is added in every frame it is they that
+// grow steadily, and with a state of many parts their squares.
+std::optional<double> factor_of_values(std::span<const double> squares) {
+    if (const auto factor = steady_factor(squares)) return std::sqrt(*factor);
+    std::vector<double> roots(squares.begin(), squares.end());
+    for (double& value : roots) value = std::sqrt(value);
+    return steady_factor(roots);
+}
+
 // Without the frames in which nothing has changed yet.
 std::span<const double> without_start(std::span<const double> values) {
     constexpr double kSame = 1e-7;
@@ -94,31 +103,42 @@ std::string StateCurves::growth(std::size_t from) const {
     for (const Curve& curve : curves_) {
         const auto values = without_start(std::span(curve.means).subspan(std::min(from, frames())));
         if (values.size() < kLeastOfGrowth) continue;
-        const auto factor = steady_factor(values);
+        const auto factor = factor_of_values(values);
         if (!factor) continue;
-        // Of squares; of the values half of it.
-        const double frame = std::log(*factor) / 2.0 / static_cast<double>(values.size() / kParts);
+        const double frame = std::log(*factor) / static_cast<double>(values.size() / kParts);
         return fmt::format("{} grows steadily, by {:.2g} % a frame", curve.name, 100.0 * frame);
     }
     return "";
 }
 
+// Of the frames of the last quarter, those whose largest value is that of the frame before.
+std::size_t StateCurves::unchanged() const {
+    std::size_t same = 0;
+    for (std::size_t k = frames() - frames() / 4 + 1; k < frames(); ++k)
+        same += largest_[k] == largest_[k - 1];
+    return same;
+}
+
+bool StateCurves::stands_beyond(float usual) const {
+    constexpr float kFactor = 4.0f;
+    const std::size_t steps = frames() / 4;
+    return usual > 0.0f && largest() >= kFactor * usual && steps > 4 &&
+           4 * unchanged() >= 3 * (steps - 1);
+}
+
 // An unstable step that is clamped: in the last quarter the largest value is mostly the same, but
 // for its sign.
 bool StateCurves::chatters() const {
-    const std::size_t from = frames() - frames() / 4;
-    std::size_t same = 0, turned = 0;
-    for (std::size_t k = from + 1; k < frames(); ++k) {
-        same += largest_[k] == largest_[k - 1];
-        turned += signed_[k] == -signed_[k - 1] && signed_[k] != 0.0f;
-    }
     const std::size_t steps = frames() / 4;
-    return steps > 4 && 4 * same >= 3 * (steps - 1) && 4 * turned >= steps;
+    std::size_t turned = 0;
+    for (std::size_t k = frames() - steps + 1; k < frames(); ++k)
+        turned += signed_[k] == -signed_[k - 1] && signed_[k] != 0.0f;
+    return steps > 4 && 4 * unchanged() >= 3 * (steps - 1) && 4 * turned >= steps;
 }
 
 bool StateCurves::explodes(float usual) const {
     constexpr float kFactor = 4.0f, kBeyondUsual = 8.0f, kLeast = 10.0f;
-    if (largest() >= kFactor * usual && usual > 0.0f && chatters()) return true;
+    if (stands_beyond(usual) && chatters()) return true;
     constexpr double kLonger = 1.5;  // of x^n the second factor takes 4^(1/n) times as long
     if (largest() < std::max(kLeast, kBeyondUsual * usual)) return false;
     for (std::size_t a = 0; a < largest_.size(); ++a) {

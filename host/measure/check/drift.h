@@ -20,13 +20,17 @@ public:
     // Whether the largest value rose faster than any power of time, beyond `usual` by far; or
     // stands beyond it at a limit, its sign to and fro.
     bool explodes(float usual) const;
+    // Whether it has come to stand beyond `usual`, by far, as what a clamp holds there; and whether
+    // its sign goes to and fro meanwhile.
+    bool stands_beyond(float usual) const;
+    bool chatters() const;
     float largest() const;
     float largest_from(std::size_t frame) const;
     float largest_before(std::size_t frame) const;
     std::size_t frames() const { return largest_.size(); }
 
 private:
-    bool chatters() const;
+    std::size_t unchanged() const;
 
     struct Curve {
         std::string name;           // of what: "waves.x", "waves"

@@ -34,14 +34,32 @@ bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants
     return true;
 }
 
+// An unstable step turns the sign with every step, of which nothing is seen where a frame has two:
+// so what stands at a limit plays on with a frame a step.
+bool chatters_by_steps(const Check& check, const StateCurves& curves, float usual) {
+    constexpr int kSteps = 32;
+    CheckSubject& subject = check.subject;
+    double fps = 60.0;
+    for (const GraphPass& pass : subject.renderer().graph().passes)
+        if (pass.pass != kImagePass && subject.scene().passes[pass.pass].step)
+            fps = std::max(fps, 1.0 / subject.scene().passes[pass.pass].step.seconds());
+    if (fps == 60.0 || !curves.stands_beyond(usual)) return false;
+    const auto first = static_cast<int>(static_cast<double>(curves.frames()) / 60.0 * fps);
+    StateCurves stepped;
+    for (int k = first; k < first + kSteps && subject.play_frames(k, k + 1, fps); ++k)
+        stepped.add(subject);
+    return stepped.frames() == kSteps && stepped.chatters();
+}
+
 // What begins as a growth may come to rest, as that of a population does: then it goes on.
 std::string why_not(const Check& check, StateCurves& curves, Invariants& invariants, float usual) {
     if (!check.subject.observed().is_finite()) return "";
-    if (curves.explodes(usual))
+    if (curves.explodes(usual) || chatters_by_steps(check, curves, usual))
         return fmt::format("the state explodes to {:.3g} (with the preset's values {:.3g})",
                            curves.largest(), usual);
-    const std::string growth = curves.growth();
     const std::size_t seen = curves.frames();
+    std::string growth = curves.growth();
+    if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
     if (growth.empty() || !play_curves(check, kConfirmed, curves, invariants))
         return invariants.broken();
     const bool goes_on = curves.frames() == seen || !curves.growth(seen).empty() ||

@@ -173,8 +173,10 @@ void run_search(Check& check, CaseResult& result) {
     Hunter hunter(check, keys_that_matter(check));
     const Space& space = hunter.space();
     Search search(space.usual(), space.rare());
-    const int wanted = (space.usual().size() == space.rare() ? kOfSizes : kEvaluations) *
-                       check.effort.tries.value_or(1);
+    const int one = space.usual().size() == space.rare() ? kOfSizes : kEvaluations;
+    const int wanted = check.effort.tries ? check.paced(one * *check.effort.tries, 1) : one;
+    const std::vector<Point> zeros = space.zeros();
+    if (!zeros.empty() && hunter(zeros[0]).fails) return report(hunter, check, zeros[0], result);
     int done = 0;
     for (; done < wanted; ++done) {
         if (clock.is_over(kHuntShare)) break;
@@ -183,6 +185,8 @@ void run_search(Check& check, CaseResult& result) {
         if (trial.fails) return report(hunter, check, point, result);
         search.tell(point, trial);
     }
+    for (std::size_t i = 1; i < zeros.size() && !clock.is_over(kHuntShare); ++i)
+        if (hunter(zeros[i]).fails) return report(hunter, check, zeros[i], result);
     result.note =
         fmt::format("{}{} points{}", done, done < wanted ? fmt::format(" of {}", wanted) : "",
                     hunter.is_guided() ? "" : ", without a guide");

@@ -1,8 +1,9 @@
 // Loops of one software renderer share 65,535 turns a pixel, then end without a word.
+#include "measure/check/loops.h"
+
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/space.h"
-#include "measure/probe/probe.h"
 
 #include <fmt/format.h>
 
@@ -22,52 +23,62 @@ std::vector<std::vector<TweakValue>> values_to_try(const CheckSubject& subject) 
 
 void run_loops(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    const auto& passes = subject.renderer().graph().passes;
-    std::uint32_t most = 0;
-    std::string pass;
-    std::vector<Probe> probes;
+    std::optional<LoopTurns> turns;
     try {
-        for (const GraphPass& one : passes) {
-            probes.emplace_back(subject.opened(), one.pass,
-                                ProgramOptions{.specialise = subject.specialised()},
-                                ProbeWish{.kind = ProbeKind::cost});
-            if (subject.after_frame) subject.after_frame();  // compiling is no hang
-        }
+        turns.emplace(subject);
     } catch (const ProbeRefused& refused) {
         result.verdict = CaseVerdict::skip;
         result.note = fmt::format("left out: {}", refused.what());
         return;
     }
     const Frame frame = subject.frame_at(subject.preset.time, 1.0 / 60, 0);
-    subject.renderer().before_pass = [&](std::size_t index) {
-        if (probes[index].probed().sites.empty()) return;
-        for (const ProbeCell& cell : probes[index].map(subject.renderer(), frame, 0, 0)) {
-            if (cell.kept[0] <= most) continue;
-            most = cell.kept[0];
-            pass = pass_name(subject.scene(), passes[index].pass);
-        }
-    };
     const CaseClock clock(check);
     for (const auto& values : values_to_try(subject)) {
         subject.restore();
         subject.preset.values = values;
-        subject.renderer().redraw();
-        if (!subject.draw(frame) || most >= kNearly) break;
+        if (!turns->count(frame) || turns->most() >= kNearly) break;
         if (clock.is_over(0.03)) break;
     }
-    subject.renderer().before_pass = nullptr;
-    result.note = fmt::format("at most {} turns in a pixel{}", most,
+    result.note = fmt::format("at most {} turns in a pixel{}", turns->most(),
                               subject.specialised() && !subject.preset.values.empty()
                                   ? ", with the preset's values"
                                   : "");
-    if (most >= kNearly)
+    if (turns->most() >= kNearly)
         result.fail(
             fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel, then end "
                         "silently; split the work over passes, frames or --tile",
-                        pass, kBudget));
+                        turns->pass(), kBudget));
 }
 
 }  // namespace
+
+LoopTurns::LoopTurns(CheckSubject& subject) : subject_(subject) {
+    for (const GraphPass& one : subject.renderer().graph().passes) {
+        probes_.emplace_back(subject.opened(), one.pass,
+                             ProgramOptions{.specialise = subject.specialised()},
+                             ProbeWish{.kind = ProbeKind::cost});
+        if (subject.after_frame) subject.after_frame();  // compiling is no hang
+    }
+}
+
+bool LoopTurns::count(const Frame& frame) {
+    Renderer& renderer = subject_.renderer();
+    turns_ = 0.0;
+    pixels_ = static_cast<double>(subject_.preset.size.x) * subject_.preset.size.y;
+    renderer.before_pass = [&](std::size_t index) {
+        if (probes_[index].probed().sites.empty()) return;
+        for (const ProbeCell& cell : probes_[index].map(renderer, frame, 0, 0)) {
+            turns_ += cell.kept[0];
+            if (cell.kept[0] <= most_) continue;
+            most_ = cell.kept[0];
+            pass_ = pass_name(subject_.scene(), renderer.graph().passes[index].pass);
+        }
+    };
+    renderer.redraw();
+    const bool is_finite = subject_.draw(frame);
+    renderer.before_pass = nullptr;
+    return is_finite;
+}
 
 void add_loop_case(std::vector<Case>& list, const CheckSubject& subject) {
     const std::string& text = subject.scene().text;

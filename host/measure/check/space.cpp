@@ -39,7 +39,8 @@ std::optional<Range> range_of(const Tweak& tweak) {
 
 double at_share(const Tweak& tweak, const Range& range, double share) {
     if (is_logarithmic(tweak, range)) return range.min * std::pow(range.max / range.min, share);
-    return std::lerp(range.min, range.max, share);
+    const double value = std::lerp(range.min, range.max, share);
+    return std::abs(value) < 1e-12 * (range.max - range.min) ? 0.0 : value;
 }
 
 Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
@@ -50,6 +51,9 @@ Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
         const auto count = static_cast<std::size_t>(component_count(tweaks[i].type));
         for (std::size_t c = 0; range && c < count; ++c) {
             axes_.push_back({Axis::Of::tweak, i, c});
+            zero_.emplace_back();
+            if (range->min < 0.0 && range->max > 0.0)
+                zero_.back() = share_of(tweaks[i], *range, 0.0);
             usual_.push_back(share_of(tweaks[i], *range, subject.opened().values[i][c]));
         }
     }
@@ -71,6 +75,19 @@ Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
         axes_.push_back({Axis::Of::size, 0, static_cast<std::size_t>(c)});
         usual_.push_back(std::min(usual_size_[c] / kLongestSide, 1.0));
     }
+}
+
+std::vector<Point> Space::zeros() const {
+    std::vector<Point> points;
+    Point all = usual_;
+    for (std::size_t i = 0; i < zero_.size(); ++i) {
+        if (!zero_[i]) continue;
+        const bool is_next = i == 0 || axes_[i].index != axes_[i - 1].index;
+        if (is_next) points.push_back(usual_);
+        points.back()[i] = all[i] = *zero_[i];
+    }
+    if (points.size() > 1) points.insert(points.begin(), all);
+    return points;
 }
 
 glm::ivec2 Space::size_at(const Point& point) const {

@@ -27,6 +27,9 @@ public:
     explicit Space(const CheckSubject& subject, const std::vector<int>& keys = {});
     // The preset's own.
     const Point& usual() const { return usual_; }
+    // Each tweak at 0 whose range has that within, and all of those: directions and lengths have
+    // none there, and neither ends nor a sequence meet it.
+    std::vector<Point> zeros() const;
     // How many of the last ranges are dear to change: those of the size.
     std::size_t rare() const { return 2; }
     // Sets tweaks, events and size; gives the time.
@@ -43,6 +46,7 @@ private:
     glm::ivec2 size_at(const Point& point) const;
 
     std::vector<Axis> axes_;
+    std::vector<std::optional<double>> zero_;  // the share at which a tweak is 0
     Point usual_;
     glm::ivec2 usual_size_;
 };

@@ -1,5 +1,6 @@
 // How far a simulation's step is from where it explodes, and of which order it is: told, not
 // judged.
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/space.h"
 
@@ -19,6 +20,8 @@ constexpr double kCompared = 0.5;     // s, after which states of halved steps a
 constexpr double kMostTimes = 64.0;   // the step in use
 constexpr long kParts = 64;           // of a step; how finely it is told
 constexpr double kLeastOrder = 0.25;
+constexpr std::size_t kStiffEnds = 9;            // sets of tweaks
+constexpr double kStiffShare = 0.1;              // of the seconds
 constexpr float kBeyond = 16.0f, kLeast = 1.0f;  // the largest value, beside the step in use
 
 using StepKey = std::pair<long, long>;
@@ -97,6 +100,13 @@ std::vector<TweakValue> all_at(const CheckSubject& subject, bool to_max) {
     return values;
 }
 
+// Of a long text two sets, since a step of it takes long.
+std::vector<std::vector<TweakValue>> values_at(const CheckSubject& subject) {
+    if (subject.scene().tweaks.empty()) return {};
+    if (subject.is_short()) return values_at_ends(subject, kStiffEnds);
+    return {all_at(subject, false), all_at(subject, true)};
+}
+
 // How many times the step in use is stable, with each of these values; by doubling, then halving.
 double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
     const float usual = stepped.largest_with(kParts, values);
@@ -139,9 +149,11 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
     result.verdict = CaseVerdict::report;
     Stepped stepped(subject, step);  // what fails at a longer step is no failure
     double least = largest_stable(stepped, subject.opened().values);
-    if (!subject.scene().tweaks.empty())
-        for (const bool to_max : {false, true})
-            least = std::min(least, largest_stable(stepped, all_at(subject, to_max)));
+    const CaseClock clock(check);
+    for (const auto& values : values_at(subject)) {
+        if (clock.is_over(kStiffShare)) break;
+        least = std::min(least, largest_stable(stepped, values));
+    }
     result.note =
         fmt::format("{} up to {:.3g} times the step in use, {:.3g} s, over the ranges' ends; {}",
                     least >= kMostTimes ? "stable at least" : "stable", least,

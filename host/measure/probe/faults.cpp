@@ -79,7 +79,7 @@ void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
     switch (site.kind) {
         case SiteKind::division:
             fault.what = "division by zero";
-            fault.operands = {a};
+            fault.operands = {std::isnan(a) ? 0.0 : a};  // NaN: of 0/0, what comes of it
             return;
         case SiteKind::index:
             fault.operands = {whole(0), whole(1)};
@@ -270,8 +270,9 @@ bool is_another(const ProbeCell& a, const ProbeCell& b) {
 }
 
 // What no program may do, whether or not it shows.
-bool is_never_right(const ProbeSite& site) {
-    return site.kind == SiteKind::division ||
+bool is_never_right(const ProbeSite& site, const ProbeCell& cell) {
+    const bool is_whole = !std::isnan(as_float(cell.kept[3]));
+    return (site.kind == SiteKind::division && is_whole) ||
            (site.kind == SiteKind::index && !site.name.starts_with("texelFetch"));
 }
 
@@ -305,7 +306,7 @@ void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<Probe
         const bool is_told = cells[at].told[2] != 0;
         const std::size_t number = cells[at].told[is_told ? 2 : 1] - 1;
         const ProbeSite& site = probe.probed().sites[number];
-        if (!shown[at] && !(is_told && is_never_right(site))) continue;
+        if (!shown[at] && !(is_told && is_never_right(site, cells[at]))) continue;
         const ProbeValue row = probe.row(number);
         fault_ = ProbeFault{.file = row.file,
                             .line = row.line,
