@@ -223,7 +223,7 @@ bool Window::shows(const Colour& colour, glm::ivec2 at, double seconds) const {
 }
 
 void Window::settle() const {
-    constexpr int kLooks = 50, kMostLooks = 600;  // 4 s with its turn, 42 s in all
+    constexpr int kLooks = 50, kMostLooks = 120;  // 4 s with its turn, 8 s in all
     constexpr double kMostWaited = 0.02;          // s between two looks
     auto before = screen_->picture({0, 0}, screen_size_);
     const auto waited_seconds = [&] {
