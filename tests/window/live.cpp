@@ -223,18 +223,15 @@ bool Window::shows(const Colour& colour, glm::ivec2 at, double seconds) const {
 }
 
 void Window::settle() const {
-    constexpr int kLooks = 50, kMostLooks = 120;  // 4 s with its turn, 8 s in all
-    constexpr double kMostWaited = 0.02;          // s between two looks
+    constexpr int kLooks = 50, kMostLooks = 80;
+    constexpr double kMostWaited = 0.02;  // s between two looks
     auto before = screen_->picture({0, 0}, screen_size_);
-    const auto waited_seconds = [&] {
-        return time_of(screen_->process()).waited + (glint_ ? glint_->waited_seconds() : 0.0);
-    };
-    double waited = waited_seconds();
+    double waited = glint_ ? glint_->waited_seconds() : 0.0;
     for (int still = 0, i = 0, all = 0; still < 3 && i < kLooks && all < kMostLooks; ++all) {
         std::this_thread::sleep_for(std::chrono::milliseconds(70));
         auto now = screen_->picture({0, 0}, screen_size_);
         const double waited_before = waited;
-        waited = waited_seconds();
+        waited = glint_ ? glint_->waited_seconds() : 0.0;
         // What is not let run changes nothing, and is not settled.
         const bool had_its_turn = waited - waited_before < kMostWaited;
         if (had_its_turn) ++i;

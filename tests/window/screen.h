@@ -37,8 +37,7 @@ public:
     Screen& operator=(const Screen&) = delete;
 
     const std::string& name() const { return name_; }  // for $DISPLAY
-    pid_t process() const { return process_; }
-    void kill();  // as when the power goes
+    void kill();                                       // as when the power goes
 
     Colour pixel(glm::ivec2 at) const;
     // Rows top down, 0x00rrggbb.
