@@ -61,6 +61,9 @@ TEST_F(SamePicture, RunsThreadsAndCachesGiveTheSameBytes) {
         const std::string first = "first" + kind, again = "again" + kind;
         still({"scene.frag", "-o", first, "--time", "0.5"});
         for (const auto& environment : environments) {
+            // What the driver does is the same whatever the picture becomes.
+            const bool of_driver = !environment.empty() && environment[0].first != "LC_ALL";
+            if (of_driver && kind != ".png") continue;
             SCOPED_TRACE(kind + " " + (environment.empty() ? "" : environment[0].first));
             Command command = this->command(
                 {"still", "scene.frag", "-o", again, "--time", "0.5", "--size", "64x36"});
