@@ -132,7 +132,9 @@ struct Bench {
         places = Finder(original).find();
         glint.emplace(
             screen.name(), folder.path(),
-            std::vector<std::string>{(folder.path() / "presets" / (name + ".toml")).string()});
+            std::vector<std::string>{(folder.path() / "presets" / (name + ".toml")).string()},
+            // Its own: the one that tests share may hold these very edits, from another call.
+            Environment{{"MESA_SHADER_CACHE_DIR", (folder.path() / "shaders").string()}});
         if (!eventually([&] { return screen.window() != 0; }, 60.0)) fail("no window");
         screen.resize_window(kSize);
         if (!glint->says(": shown", 1, 300.0)) fail(glint->errors());
