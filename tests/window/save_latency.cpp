@@ -208,6 +208,7 @@ struct Bench {
             if (places.in_helper) save("helper", number_text(original, *places.in_helper, i));
             move("Control_L+g");
             move("Control_L+z");
+            save("back", original);  // so that it is one line that differs
             save("line", line(2 * i));
             panels_during(line(2 * i + 1));
             save("back", original);

@@ -255,6 +255,7 @@ private:
     void start_sketch();
     RefineOrder order_of(Preset preset) const;
     void give_buffers(RefineOrder& order, SharedMemory& shared, std::optional<std::size_t> reader);
+    std::size_t filled_by(std::size_t index);
     bool awaits_text() const {
         return reloader_.state() == ReloadState::trying_text || reloader_.has_unseen();
     }

@@ -95,6 +95,15 @@ RefineOrder Playground::probe_order(std::size_t pass, SharedMemory& memory) {
     return order;
 }
 
+// Of the text that would fill this buffer as it stands: fed programs stand for it, too.
+std::size_t Playground::filled_by(std::size_t index) {
+    const PassProgram& program = renderer_->scene().programs[index];
+    if (!is_specialised())
+        return sketch_hash(pass_text(current_preset(), program.pass, kSketched).text);
+    const std::string* text = programs_.shelf().text_of(program.id);
+    return text ? sketch_hash(*text) : 0;
+}
+
 // All, or those that one pass reads.
 void Playground::give_buffers(RefineOrder& order, SharedMemory& shared,
                               std::optional<std::size_t> reader) {
@@ -102,7 +111,6 @@ void Playground::give_buffers(RefineOrder& order, SharedMemory& shared,
     std::size_t bytes = 0;
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const BufferShape& shape = renderer_->buffer(i).shape();
-        const std::string* text = programs_.shelf().text_of(renderer_->scene().programs[i].id);
         if (!fills_a_buffer(passes[i].pass) || shape.cube) continue;
         const auto reading = std::ranges::find(passes, reader.value_or(0), &GraphPass::pass);
         if (reader && (reading == passes.end() ||
@@ -110,7 +118,7 @@ void Playground::give_buffers(RefineOrder& order, SharedMemory& shared,
             continue;
         order.given.push_back({.pass = passes[i].pass,
                                .feeds_state = passes[i].feeds_state,
-                               .text_hash = text ? sketch_hash(*text) : 0,
+                               .text_hash = reader ? 0 : filled_by(i),
                                .reads = passes[i].reads,
                                .size = shape.size,
                                .outputs = shape.outputs,
