@@ -130,13 +130,13 @@ using Scenes = std::vector<std::unique_ptr<MeasuredScene>>;  // by row; null whe
 constexpr const char* kDoesNotCompile = "it does not compile";
 constexpr int kWarmUp = 3;  // frames: the driver compiles to machine code at the first draw
 
-// One row: drawn and compared. `previous` is the picture of the row before. The scene stands ready
-// to be timed.
+// One row: drawn, as `picture`, and compared. `previous` is the picture of the row before. The
+// scene stands ready to be timed.
 StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& value,
-                     const Reference* reference, const StudyKey& key, std::vector<float>& previous,
+                     const Reference* reference, const StudyKey& key,
+                     const std::vector<float>& previous, std::vector<float>& picture,
                      std::unique_ptr<MeasuredScene>& scene) {
     StudyRow row{.value = value.text, .work = value.work};
-    std::vector<float> picture;
     try {
         scene = std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context,
                                                 scenery.how);
@@ -162,8 +162,21 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         row.map = scenery.store.keep_map(key, picture, reference->picture, scenery.size, encoded);
         row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
     }
-    if (!value.is_between) previous = std::move(picture);
     return row;
+}
+
+// How far the pictures of each two rows are from each other.
+void tell_apart(const Scenery& scenery, const std::vector<std::vector<float>>& pictures,
+                Study& study) {
+    const std::size_t count = pictures.size();
+    for (StudyRow& row : study.rows) row.apart.assign(count, 0.0);
+    for (std::size_t a = 0; a < count; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            if (pictures[a].empty() || pictures[b].empty()) continue;
+            const double rmse = difference(pictures[a], pictures[b], is_encoded(scenery)).rmse;
+            study.rows[a].apart[b] = study.rows[b].apart[a] = rmse;
+        }
+    }
 }
 
 // Makes ready to be timed what an earlier call has drawn.
@@ -188,6 +201,7 @@ void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* refere
     // An error depends on the reference, and how far a row is from the one before on that one.
     std::string before;
     std::vector<float> previous;
+    std::vector<std::vector<float>> pictures;
     Progress progress(fmt::format("{} {}", scenery.name, knob.name),
                       static_cast<long>(knob.values.size()));
     for (const KnobValue& value : knob.values) {
@@ -195,23 +209,24 @@ void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* refere
             fmt::format("row{}\n{}", before, reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
         std::unique_ptr<MeasuredScene>& scene = scenes.emplace_back();
+        std::vector<float>& picture = pictures.emplace_back();
         if (auto kept = scenery.store.row(key, scenery.size)) {
-            if (!value.is_between) {
-                previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
-            }
+            picture = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
             study.rows.push_back(std::move(*kept));
         } else {
             study.rows.push_back(
-                measure_row(scenery, knob, value, reference, key, previous, scene));
+                measure_row(scenery, knob, value, reference, key, previous, picture, scene));
             scenery.store.keep(key, study.rows.back());
             if (scene) warm_up(*scene, study.rows.back());
         }
         study.rows.back().is_preset = value.setting == own_setting(scenery.preset, knob);
         study.rows.back().is_between = value.is_between;
         if (!value.is_between) before = " after " + value.text;
+        if (!value.is_between && !picture.empty()) previous = picture;
         progress.update(static_cast<long>(study.rows.size()));
         tell(scenery, knob, study);
     }
+    if (reference) tell_apart(scenery, pictures, study);
 }
 
 StudyKey key_of_times(const Scenery& scenery, const Knob& knob) {
