@@ -29,6 +29,7 @@ constexpr std::size_t kWinners = 8;   // that are measured well
 constexpr std::size_t kKept = 6;      // programs
 constexpr double kMostOrder = 4.0;    // that three pictures are believed to show
 constexpr double kMatters = 0.1;      // of the difference: less needs no order
+constexpr double kAsGood = 1.01;      // times the preset's own error: nobody would tell
 
 // By what a search goes within this limit.
 double error_of(const Difference& off, const Limit& limit) {
@@ -274,7 +275,7 @@ private:
     Budget budget() {
         if (limit_.of == Limit::Of::ms)
             return {.ms = limit_.number.value_or(base_ms_), .error = {}};
-        return {.ms = {}, .error = limit_.number ? *limit_.number : measure(own()).error};
+        return {.ms = {}, .error = limit_.number ? *limit_.number : kAsGood * measure(own()).error};
     }
 
     const Preset& preset_;
@@ -333,7 +334,7 @@ void choose_best(Study& study, const Limit& limit) {
     study.is_joint = true;
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
     const bool any = own != study.rows.end(), by_time = limit.of == Limit::Of::ms;
-    const double own_error = any && own->error ? error_of(*own->error, limit) : 0.0;
+    const double own_error = any && own->error ? kAsGood * error_of(*own->error, limit) : 0.0;
     const double most = limit.number.value_or(by_time && any ? own->ms.median : own_error);
     // What a budget limits, and what is the least within it.
     const auto limited = [&](const StudyRow& row) {
