@@ -24,7 +24,9 @@ namespace {
 
 constexpr int kTries = 160;           // joint settings that are tried quickly
 constexpr double kSearchShare = 4.0;  // of --seconds, for all of them
-constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's own
+constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's own, at least
+constexpr int kMostQuick = 15;        // where they are so short
+constexpr double kQuickMs = 60.0;     // that all of each take no longer
 constexpr std::size_t kWinners = 8;   // that are measured well
 constexpr std::size_t kKept = 6;      // programs
 constexpr double kMostOrder = 4.0;    // that three pictures are believed to show
@@ -254,6 +256,8 @@ private:
                                           {.seconds = 0.0, .on_software = context_.is_software()});
         const Clock clock = best_clock(rounds.rows, context_.is_software());
         base_ms_ = median_of(times_by(clock, rounds.rows.front()));
+        quick_frames_ = static_cast<int>(
+            std::clamp(kQuickMs / base_ms_, double{kQuickFrames}, double{kMostQuick}));
     }
 
     Tried measure(const Stand& at) {
@@ -264,7 +268,7 @@ private:
         if (limit_.of == Limit::Of::flip)
             off.flip = mean(flip_map(picture, truth_, size_, {.encoded = encoded}));
         std::vector<double> ratios;
-        for (int i = 0; i < kQuickFrames; ++i)
+        for (int i = 0; i < quick_frames_; ++i)
             ratios.push_back(time(tried.time_frame()) / time(base_->time_frame()));
         const bool failed = off.not_finite > 0;
         return {.at = at,
@@ -297,6 +301,7 @@ private:
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;
+    int quick_frames_ = kQuickFrames;
     double compiling_ms_ = 0.0;
     Stopwatch clock_;
 };
