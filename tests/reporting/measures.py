@@ -35,8 +35,10 @@ TRUTHS = {"analytic": ["antialiasing=256", "bounces=96", "shadowSamples=2"],
           "water": ["antialias=128"]}
 TRUTHS_ALONE = {"analytic": ["antialiasing=256"], "boat": ["antialias=64"], "caustics": ["settle=63"],
                 "deep_ocean": ["antialias=64"], "water": ["antialias=128"]}
-# What a search turns where that is not all of it: the loop of `periodic` is made for half a minute at each try.
-TURNED = {"caustics": ["method=vertical,snell,area,photons", "cells", "shaftSamples"]}
+# What a search turns where that is not all of it. The loop of `periodic` is made for half a minute at each try, and each
+# method is compiled for seconds; to be as near as `area`, no other comes into question ("methods" has them all).
+TURNED = {"joint": {"caustics": ["method=snell,area", "cells", "shaftSamples"]},
+          "near": {"caustics": ["method=area", "cells", "shaftSamples"]}}
 
 
 def scenes(folder, names):
@@ -178,7 +180,7 @@ class Kept:
         truth, alone = ([f"--reference={item}" for item in list_.get(name, [])] for list_ in (TRUTHS, TRUTHS_ALONE))
         if step != "features" and not any(tweak.get("quality") for tweak in self.tweaks(file)):
             return None
-        turned = [f"--vary={item}" for item in TURNED.get(name, [])]
+        turned = [f"--vary={item}" for item in TURNED.get(step, {}).get(name, [])]
         if step == "joint":
             return self.words(JOINT) + truth + turned
         if step == "near":
