@@ -165,6 +165,10 @@ TEST(StudyTimes, WhatWasToldApartStaysSoAfterManyRoundsOfOthers) {
     times[6].assign(15, 6.0);
     EXPECT_EQ(TimeVerdicts(times, 0).of(6, 0), TimeVerdict::slower);
     EXPECT_EQ(TimeVerdicts(times, 6).of(6, 0), TimeVerdict::slower);
+    // Six rounds, 12, 24, 48 and 70: the last look was cut short.
+    times.assign(7, std::vector<double>(70, 5.0));
+    times[6].assign(12, 6.0);
+    EXPECT_EQ(TimeVerdicts(times, 4).of(6, 0), TimeVerdict::slower);
 }
 
 TEST(StudyTimes, AnErrorThatIsNotToldApartIsNoReasonForMoreTime) {

@@ -23,7 +23,7 @@ FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
 # all settings, such as maps and simulations.
 LARGE = {"--size": "320x180", "--seconds": "6"}
 SETTING = "--quality="   # of these, the first of which is the preset's own
-MOST_SECONDS = 400   # of one step of a scene; only caustics over all its presets takes longer, and goes on at the next call
+MOST_SECONDS = 400   # of one step of a scene, which then goes on at the next call; on two idle cores none takes half of that
 # Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
 # times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
 # loops of a pixel after 65,535 turns together, which all references at once would need.
@@ -35,6 +35,7 @@ TRUTHS = {"analytic": ["antialiasing=256", "bounces=96", "shadowSamples=2"],
           "water": ["antialias=128"]}
 TRUTHS_ALONE = {"analytic": ["antialiasing=256"], "boat": ["antialias=64"], "caustics": ["settle=63"],
                 "deep_ocean": ["antialias=64"], "water": ["antialias=128"]}
+TRUTHS_OVER = {**TRUTHS, "caustics": ["settle=31"]}   # five of them
 # What a search turns where that is not all of it. The loop of `periodic` is made for half a minute at each try, and each
 # method is compiled for seconds; to be as near as `area`, no other comes into question ("methods" has them all).
 TURNED = {"joint": {"caustics": ["method=snell,area", "cells", "shaftSamples"]},
@@ -177,7 +178,8 @@ class Kept:
 
     def options(self, name, file, step, found):
         """What a step of a scene is measured with, or None where there is nothing to measure."""
-        truth, alone = ([f"--reference={item}" for item in list_.get(name, [])] for list_ in (TRUTHS, TRUTHS_ALONE))
+        truth, alone, all_ = ([f"--reference={item}" for item in list_.get(name, [])]
+                              for list_ in (TRUTHS, TRUTHS_ALONE, TRUTHS_OVER))
         if step != "features" and not any(tweak.get("quality") for tweak in self.tweaks(file)):
             return None
         turned = [f"--vary={item}" for item in TURNED.get(step, {}).get(name, [])]
@@ -189,7 +191,7 @@ class Kept:
             return self.words(ALONE) + alone
         if step == "over":
             few = [f"--vary={item}" for item in few_settings(found)]
-            return self.words(OVER) + truth + few if few else None
+            return self.words(OVER) + all_ + few if few else None
         if step == "large":
             settings = [f"{SETTING}{value}" for value in winners(found)]
             return self.words(LARGE) + settings if len(settings) > 1 else None

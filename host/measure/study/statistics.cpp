@@ -109,7 +109,8 @@ TimeVerdicts::TimeVerdicts(std::span<const std::vector<double>> times, int look,
     std::size_t most = 1;
     for (const Pair& pair : pairs) most = std::max(most, pair.rounds);
     const auto share = [&](const Pair& pair) {
-        const std::size_t since = std::bit_width(most / std::max<std::size_t>(pair.rounds, 1)) - 1;
+        // Rounds double from look to look, but for the last, which may end early.
+        const auto since = std::bit_width((most - 1) / std::max<std::size_t>(pair.rounds, 1));
         const int told_at = std::max(look - static_cast<int>(since), 0);
         return pair.chance() * std::pow(2.0, told_at + 1);
     };
