@@ -98,7 +98,10 @@ StudyKey key_of_reference(const Scenery& scenery, const Knob& knob, const KnobVa
     return key_of(scenery, knob, value, kind);
 }
 
-Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value) {
+// `shared`: what drew an earlier reference of the knob, and draws this one, too, if all that is
+// constant in it is the same: of joint settings, whose references share their menus.
+Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value,
+                         std::unique_ptr<MeasuredScene>& shared) {
     Reference result{.key = key_of_reference(scenery, knob, value), .picture = {}, .file = {}};
     const auto kept = scenery.store.picture(result.key, scenery.size);
     if (kept) {
@@ -111,8 +114,13 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
         how.specialise = false;
         how.constants = *knob.constants;
     }
-    MeasuredScene scene(scenery.preset, value.setting, scenery.context, how);
-    result.picture = scene.draw_picture();
+    if (shared && knob.constants) {
+        shared->set(value.setting);
+    } else {
+        shared =
+            std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context, how);
+    }
+    result.picture = shared->draw_picture();
     result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
     return result;
 }
@@ -288,7 +296,10 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
 // The reference, and what it is measured by; none where only times are wanted.
 std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Study& study) {
     if (study.time_only) return std::nullopt;
-    const auto draw = [&](const KnobValue& value) { return draw_reference(scenery, knob, value); };
+    std::unique_ptr<MeasuredScene> shared;
+    const auto draw = [&](const KnobValue& value) {
+        return draw_reference(scenery, knob, value, shared);
+    };
     const auto apart = [&](const Reference& a, const Reference& b) {
         Difference between = difference(a.picture, b.picture, is_encoded(scenery));
         between.flip =
