@@ -458,6 +458,9 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             studies.push_back(study_knob(own, knob));
         } else {
             studies.push_back(over_all(views, seen));
+            std::vector<StudyRow>& rows = studies.back().rows;  // views have quality of their own
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                rows[i].is_preset = knob.values[i].setting == own_setting(preset, knob);
             judge(studies.back(), knob, context.is_software());
         }
         if (limit) {
