@@ -57,6 +57,7 @@ Study study() {
                       .flip_map = "pictures/a-flip.png",
                       .ms = {4.0 / 3, 1.1, 1.9, 1.0 / 7, 5.0 / 3},
                       .verdict = TimeVerdict::slower,
+                      .nearer = true,
                       .pareto = true,
                       .near_reference = true},
                      {.value = "8", .failed = "diverged: 3 pixels are not finite"}},

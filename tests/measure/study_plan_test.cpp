@@ -66,6 +66,27 @@ TEST(StudyList, GoesOnByTheRatioBeforeTheDotsOrIsDoubled) {
     EXPECT_EQ(parse_list("off,traced"), (Values{"off", "traced"}));
 }
 
+// A budget of what the preset takes is filled by less than a whole step.
+TEST(StudyValues, OfABudgetLieHalfwayToTheNextOfThePresetsOwn) {
+    const Planned planned(
+        "uniform int a; //@ 10 [1, 48] log quality\n"
+        "uniform int b; //@ 1 [1, 4] quality\n"
+        "uniform float c; //@ 1 [1, 16] log quality\n"
+        "uniform int d; //@ 1 {off, on} quality\n");
+    const StudyPlan plan = planned.plan({.ms_budget = "own"});
+    ASSERT_EQ(plan.knobs.size(), 4u);
+    const auto texts = [&](std::size_t knob) {
+        Values list;
+        for (const KnobValue& value : plan.knobs[knob].values) list.push_back(value.text);
+        return list;
+    };
+    EXPECT_EQ(texts(0), (Values{"1", "2", "4", "8", "9", "10", "13", "16", "32", "48"}));
+    EXPECT_EQ(texts(1), (Values{"1", "2", "3", "4"})) << "nothing lies between 1 and 2";
+    EXPECT_EQ(texts(2), (Values{"1", "1.5", "2", "4", "8", "16"}));
+    EXPECT_EQ(texts(3), (Values{"off", "on"}));
+    EXPECT_EQ(planned.plan().knobs[0].values.size(), 8u) << "no budget, no half steps";
+}
+
 TEST(StudyValues, ARangeIsSpreadByItsKind) {
     const struct {
         const char* declaration;
@@ -253,6 +274,8 @@ TEST(StudyReference, OfAMethodThatAccumulatesHasSettled) {
     EXPECT_EQ(knob.second->text, "noisy, twice the frames");
     EXPECT_EQ(knob.second->setting.settle, 513);
     EXPECT_EQ(knob.notes, (Values{"the reference, noisy, accumulates 256 more frames"}));
+    const Knob fewer = planned.only({.reference = {"settle=63"}});
+    EXPECT_EQ(fewer.reference.setting.settle, 63) << "as many as are named";
 }
 
 const std::string kWaves =

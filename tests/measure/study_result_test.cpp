@@ -1,8 +1,11 @@
 #include "measure/study/result.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace {
 
@@ -53,6 +56,51 @@ TEST(StudyOwnError, OfAnOrderIsWhatTheSecondsStepLeaves) {
     EXPECT_DOUBLE_EQ(own_error(15.0 / 16, {SecondWork::Kind::more, 2.0}, 4.0), 1.0);
     EXPECT_DOUBLE_EQ(own_error(1.0, {SecondWork::Kind::more, 0.5}, 1.0), 1.0) << "of half the work";
     EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::more, 2.0}, {}), 1.0) << "as of order 1";
+}
+
+// The preset's own row and another, each so far from the reference, which claims to be off by
+// `own`.
+bool is_told_nearer(double row_error, double own_error, double own, std::vector<double> apart) {
+    glint::Study study;
+    study.rows = {row(1.0, 1.0), row(1.0, 1.0)};
+    study.rows[0].is_preset = true;
+    study.rows[0].error = glint::Difference{.rmse = own_error};
+    study.rows[1].error = glint::Difference{.rmse = row_error};
+    study.rows[1].apart = std::move(apart);
+    study.reference_error = glint::Difference{.rmse = own};
+    glint::judge(study, {.second_work = {SecondWork::Kind::another, 1.0}}, true);
+    return study.rows[1].nearer;
+}
+
+TEST(StudyNearer, IsToldOfPicturesThatDifferByLessThanTheReferenceMayHide) {
+    EXPECT_FALSE(is_told_nearer(1.4, 1.7, 0.7, {})) << "each may be off by all of it";
+    EXPECT_FALSE(is_told_nearer(1.4, 1.7, 0.7, {1.6, 0.0})) << "they have little in common";
+    EXPECT_TRUE(is_told_nearer(1.4, 1.7, 0.7, {0.6, 0.0})) << "most of their errors is the same";
+    EXPECT_FALSE(is_told_nearer(1.7, 1.4, 0.7, {0.6, 0.0}));
+    EXPECT_TRUE(is_told_nearer(1.4, 1.7, 0.0, {3.1, 0.0})) << "to the truth itself";
+}
+
+// The worst truth for the verdict: the reference is off along what the two pictures differ by.
+TEST(StudyNearer, IsNeverWrongWhereverTheTruthLiesWithinTheReferencesError) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    int told = 0, told_apart_from_errors_alone = 0;
+    for (int i = 0; i < 2000; ++i) {
+        // Two pictures of which much is the same, as seen from the reference.
+        const glm::dvec3 shared(normal(random), normal(random), normal(random));
+        const glm::dvec3 a = shared + 0.2 * glm::dvec3(normal(random), normal(random), 0.0);
+        const glm::dvec3 b = shared + 0.2 * glm::dvec3(normal(random), normal(random), 0.0);
+        const double off = 0.1 + 0.1 * (i % 10);
+        const glm::dvec3 truth = off * glm::normalize(a - b);
+        const bool nearer =
+            is_told_nearer(glm::length(a), glm::length(b), off, {glm::distance(a, b), 0.0});
+        told += nearer;
+        told_apart_from_errors_alone += is_told_nearer(glm::length(a), glm::length(b), off, {});
+        if (!nearer) continue;
+        ASSERT_LT(glm::distance(a, -truth), glm::distance(b, -truth)) << i;
+        ASSERT_LT(glm::distance(a, truth), glm::distance(b, truth)) << i;
+    }
+    EXPECT_GT(told, 3 * told_apart_from_errors_alone);
 }
 
 // What several views have in common is judged again.

@@ -121,8 +121,8 @@ TEST(StudyTimes, RanksAreCountedExactly) {
 
 // A study of rows whose errors halve, as one that was run on this machine would be judged.
 std::vector<bool> frontier(const std::vector<double>& true_ms, const std::vector<double>& errors,
-                           std::uint64_t seed, double own_error) {
-    const Timed run = timed(true_ms, seed, 30.0);
+                           std::uint64_t seed, double own_error, double seconds = 30.0) {
+    const Timed run = timed(true_ms, seed, seconds);
     // By a second seed, of which each has its part.
     Study study{.reference_error = Difference{.rmse = own_error * std::numbers::sqrt2},
                 .look = run.rounds.look};
@@ -144,6 +144,31 @@ TEST(StudyTimes, FrontiersOfRepeatedRunsAgree) {
     for (std::uint64_t seed = 0; seed < 100; ++seed)
         agree += frontier(ms, errors, seed, 1e-4) == truth;
     EXPECT_GE(agree, 95);
+}
+
+// 1.8 % are told where there is time enough, and not where there is little.
+TEST(StudyTimes, AStepThatNobodyAsksForGivesNoStarHoweverLongItIsTimed) {
+    for (const double seconds : {3.0, 30.0, 300.0}) {
+        int agree = 0;
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const std::vector<bool> stars =
+                frontier({5.0, 5.09}, {0.02, 0.01}, seed, 1e-4, seconds);
+            agree += stars == std::vector<bool>{false, true};
+        }
+        EXPECT_GE(agree, 19) << seconds << " s";
+    }
+}
+
+// Each later look asks for more.
+TEST(StudyTimes, WhatWasToldApartStaysSoAfterManyRoundsOfOthers) {
+    std::vector<std::vector<double>> times(7, std::vector<double>(960, 5.0));
+    times[6].assign(15, 6.0);
+    EXPECT_EQ(TimeVerdicts(times, 0).of(6, 0), TimeVerdict::slower);
+    EXPECT_EQ(TimeVerdicts(times, 6).of(6, 0), TimeVerdict::slower);
+    // Six rounds, 12, 24, 48 and 70: the last look was cut short.
+    times.assign(7, std::vector<double>(70, 5.0));
+    times[6].assign(12, 6.0);
+    EXPECT_EQ(TimeVerdicts(times, 4).of(6, 0), TimeVerdict::slower);
 }
 
 TEST(StudyTimes, AnErrorThatIsNotToldApartIsNoReasonForMoreTime) {

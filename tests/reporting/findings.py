@@ -2,7 +2,7 @@
 import math
 import statistics
 
-from measures import as_fast, chosen, compared, enlarged, own_row, quickest
+from measures import chosen, compared, enlarged, nearest, own_row, quickest
 
 
 def number(value):
@@ -52,11 +52,9 @@ def gains(found):
         all_.append(name)
         if own["pareto"]:
             stars.append(name)
-        best, (share, quick) = as_fast(study, own), quickest(found[name])
-        if best and not is_slower_large(found[name], best):
-            fast[name] = best["rmse"] / own["rmse"], turned(best, own)
-        if quick and not is_slower_large(found[name], quick):
-            near[name] = share, turned(quick, own)
+        for ways, (share, row, _) in ((fast, nearest(found[name])), (near, quickest(found[name]))):
+            if row and not is_slower_large(found[name], row):
+                ways[name] = share, turned(row, own)
     yield (f"Of {len(all_)} scenes, {len(stars)} ship with a setting on the joint frontier of their quality tweaks"
            + (f": {listed(stars, 9)}." if stars else "."))
     for ratios, what, of in ((fast, "an error that is told to be less, in a time that is not told to be more", "error"),

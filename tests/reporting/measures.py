@@ -1,4 +1,5 @@
-"""What the report measures, and how it is kept: a step that was measured of the same texts is not measured again."""
+"""What the report measures, and how it is kept: a step that was measured by the same program of the same texts is not
+measured again."""
 import datetime
 import hashlib
 import json
@@ -14,7 +15,7 @@ REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 # Modest: nine scenes are to be done within 40 minutes of two idle cores. Errors do not depend on how many
 # frames are timed, and hardly on the size. Seconds are of timing a tweak; a search has four times as many.
 JOINT = {"--ms": "own", "--size": "96x54", "--seconds": "5"}
-NEAR = {"--rmse": "own", "--size": "96x54", "--seconds": "3"}
+NEAR = {"--flip": "own", "--size": "96x54", "--seconds": "4"}   # FLIP tells apart what RMSE does not, and hardly the reverse
 OVER = {"--ms": "own", "--over": "presets", "--size": "96x54", "--seconds": "2"}
 ALONE = {"--size": "96x54", "--seconds": "2"}
 FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
@@ -22,17 +23,25 @@ FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
 # all settings, such as maps and simulations.
 LARGE = {"--size": "320x180", "--seconds": "6"}
 SETTING = "--quality="   # of these, the first of which is the preset's own
-MOST_SECONDS = 400   # of one step of a scene; only caustics over all its presets takes longer, and goes on at the next call
+MOST_SECONDS = 400   # of one step of a scene, which then goes on at the next call; on two idle cores none takes half of that
 # Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
 # times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
 # loops of a pixel after 65,535 turns together, which all references at once would need.
 TRUTHS = {"analytic": ["antialiasing=256", "bounces=96", "shadowSamples=2"],
           "boat": ["antialias=96", "sunSamples=2", "substeps=16"],
+          "caustics": ["settle=63"],   # frames of photons, of which each takes eight times that of any other method
           "christmas": ["mirrorBlur=10000"],   # never
           "deep_ocean": ["antialias=64", "shaftSamples=64"],
           "water": ["antialias=128"]}
-TRUTHS_ALONE = {"analytic": ["antialiasing=256"], "boat": ["antialias=64"], "deep_ocean": ["antialias=64"],
-                "water": ["antialias=128"]}
+TRUTHS_ALONE = {"analytic": ["antialiasing=256"], "boat": ["antialias=64"], "caustics": ["settle=63"],
+                "deep_ocean": ["antialias=64"], "water": ["antialias=128"]}
+# Under caustics' low sun a frame of photons takes four seconds. Every setting that is compared there is one of `area`, whose
+# own limit is the truth of its cells and samples; beside photons it stands alone.
+TRUTHS_OVER = {**TRUTHS, "caustics": ["method=area"]}
+# What a search turns where that is not all of it. The loop of `periodic` is made for half a minute at each try, and each
+# method is compiled for seconds; to be as near as `area`, no other comes into question ("methods" has them all).
+TURNED = {"joint": {"caustics": ["method=snell,area", "cells", "shaftSamples"]},
+          "near": {"caustics": ["method=area", "cells", "shaftSamples"]}}
 
 
 def scenes(folder, names):
@@ -47,13 +56,30 @@ def scenes(folder, names):
             yield file.stem, preset if preset.exists() else file
 
 
+MEASURED = ["host", "fragments", "presets"]   # what figures hang on
+UNSEEN = "host/window"                        # but for this
+
+
+def git(*words):
+    try:
+        return subprocess.run(["git", "-C", REPOSITORY, *words], capture_output=True, text=True).stdout.strip()
+    except FileNotFoundError:   # a machine without git
+        return ""
+
+
 def commit():
     """What is measured, "+" where it is not committed as it stands."""
-    command = ["git", "-C", REPOSITORY, "describe", "--always", "--exclude=*", "--dirty=+"]
-    try:
-        return subprocess.run(command, capture_output=True, text=True).stdout.strip() or "unknown"
-    except FileNotFoundError:   # a machine without git
-        return "unknown"
+    return (git("rev-parse", "--short", "HEAD") or "unknown") + ("+" if git("status", "--porcelain", "--", *MEASURED) else "")
+
+
+def program(repository=REPOSITORY):
+    """A digest of the program's text, which figures hang on as well: the commit alone would say that they are old
+    when a page was edited."""
+    digest = hashlib.sha256()
+    for file in sorted((repository / "host").rglob("*")):
+        if file.is_file() and repository / UNSEEN not in file.parents:
+            digest.update(file.relative_to(repository).as_posix().encode() + b"\n" + file.read_bytes())
+    return digest.hexdigest()[:12]
 
 
 def processor_since(before):
@@ -62,17 +88,17 @@ def processor_since(before):
 
 
 class Kept:
-    """A folder of what was measured. Each step of a scene stands in a file of its own, whole or not at all; within a
-    step `glint study -o` goes on where it was stopped. `more`: options that win over those of a step. After so many
-    `minutes` nothing more is begun."""
+    """A folder of what was measured, with one in it for each program, so that no report is of two. Each step of a scene
+    stands in a file of its own, whole or not at all; within a step `glint study -o` goes on where it was stopped. `more`:
+    options that win over those of a step. After so many `minutes` nothing more is begun."""
 
     def __init__(self, folder, glint, tree, more=None, minutes=math.inf):
-        self.folder, self.glint, self.tree, self.more, self.commit = folder, glint, tree, more or {}, commit()
+        self.folder, self.glint, self.tree, self.more = folder / program(), glint, tree, more or {}
         self.end = time.monotonic() + 60 * minutes
-        folder.mkdir(parents=True, exist_ok=True)
+        self.folder.mkdir(parents=True, exist_ok=True)
 
     def texts(self, name):
-        """All that a scene's figures hang on, but for the program: its text and its presets."""
+        """What a scene's figures hang on, beside the program: its text and its presets."""
         presets = sorted((self.tree / "presets").glob(name + "*.toml"))
         return b"".join(file.read_bytes() for file in [self.tree / "fragments" / (name + ".frag"), *presets])
 
@@ -91,7 +117,7 @@ class Kept:
             return None
         print(f"{name}, {step}", flush=True)
         folder = self.folder / f"{name}-{'joint' if step in ('near', 'over') else step}"   # one truth
-        found = {"key": key, "commit": self.commit, "date": str(datetime.date.today()), "options": options,
+        found = {"key": key, "date": str(datetime.date.today()), "options": options,
                  **(self.enlarged if step == "large" else self.measure)(folder, file, options)}
         if "failed" not in found:
             being_written = kept.with_suffix(".part")
@@ -154,18 +180,20 @@ class Kept:
 
     def options(self, name, file, step, found):
         """What a step of a scene is measured with, or None where there is nothing to measure."""
-        truth, alone = ([f"--reference={item}" for item in list_.get(name, [])] for list_ in (TRUTHS, TRUTHS_ALONE))
+        truth, alone, all_ = ([f"--reference={item}" for item in list_.get(name, [])]
+                              for list_ in (TRUTHS, TRUTHS_ALONE, TRUTHS_OVER))
         if step != "features" and not any(tweak.get("quality") for tweak in self.tweaks(file)):
             return None
+        turned = [f"--vary={item}" for item in TURNED.get(step, {}).get(name, [])]
         if step == "joint":
-            return self.words(JOINT) + truth
+            return self.words(JOINT) + truth + turned
         if step == "near":
-            return self.words(NEAR) + truth
+            return self.words(NEAR) + truth + turned
         if step == "alone":
             return self.words(ALONE) + alone
         if step == "over":
             few = [f"--vary={item}" for item in few_settings(found)]
-            return self.words(OVER) + truth + few if few else None
+            return self.words(OVER) + all_ + few if few else None
         if step == "large":
             settings = [f"{SETTING}{value}" for value in winners(found)]
             return self.words(LARGE) + settings if len(settings) > 1 else None
@@ -176,7 +204,7 @@ class Kept:
         return [word for pair in {**options, **self.more}.items() for word in pair]
 
 
-STEPS = ["joint", "alone", "over", "near", "large", "features"]   # what is worth most for its time is measured first, of all scenes
+STEPS = ["joint", "near", "alone", "over", "large", "features"]   # what is worth most for its time is measured first, of all scenes
 
 
 def measured(kept, names, only_kept):
@@ -203,11 +231,6 @@ def compared(study):
     return [row for row in study["rows"] if row["rmse"] is not None]
 
 
-def is_nearer(study, row, than):
-    """Whether its error is told to be less: each may be off by what the truth is."""
-    return row["rmse"] + study["own_error"] < than["rmse"] - study["own_error"]
-
-
 def is_no_farther(row, than, *measures):
     """Whether nobody would tell it from the other by these errors, or it has less: 1 % is nothing to see."""
     return all(row[measure] <= 1.01 * than[measure] for measure in measures)
@@ -216,7 +239,7 @@ def is_no_farther(row, than, *measures):
 def as_fast(study, own):
     """The least error, told to be less and to the eye no more, that is not told to take longer than the preset's own
     setting."""
-    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and is_nearer(study, row, own)
+    rows = [row for row in compared(study) if row["verdict"] in ("faster", "not told apart") and row["nearer"]
             and is_no_farther(row, own, "flip")]
     return min(rows, key=lambda row: (row["rmse"], row["ms"]), default=None)
 
@@ -227,11 +250,22 @@ def as_near(study, own):
     return min(rows, key=lambda row: row["ms"], default=None)
 
 
+def best_of(steps, choose, what):
+    """The row that `choose` takes, of either search, with the least share of what the preset's own setting has in the
+    same one; that share, and that own row."""
+    found = [(row[what] / own[what], row, own) for step in ("joint", "near") for study in steps.get(step, {}).get("studies", [])
+             for own in [own_row(study)] if own for row in [choose(study, own)] if row]
+    return min(found, key=lambda one: one[0], default=(1.0, None, None))
+
+
+def nearest(steps):
+    """The least share of the preset's own error that comes in its time, by either search: as best_of()."""
+    return best_of(steps, as_fast, "rmse")
+
+
 def quickest(steps):
-    """What has no more error than the preset's own setting in the least share of its time, by either search; that share."""
-    found = [(row["ms"] / own["ms"], row) for step in ("joint", "near") for study in steps.get(step, {}).get("studies", [])
-             for own in [own_row(study)] if own for row in [as_near(study, own)] if row]
-    return min(found, key=lambda one: one[0], default=(1.0, None))
+    """The least share of the preset's own time that has its error, by either search: as best_of()."""
+    return best_of(steps, as_near, "ms")
 
 
 def chosen(study):
@@ -244,7 +278,7 @@ def winners(found):
     """The preset's own setting, as its rows say it, and those that beat it."""
     study = next(iter(found.get("joint", {}).get("studies", [])), None)
     own = own_row(study) if study else None
-    rows = [own, as_fast(study, own), quickest(found)[1]] if own else []
+    rows = [own, nearest(found)[1], quickest(found)[1]] if own else []
     return list(dict.fromkeys(row["value"] for row in rows if row))
 
 
@@ -269,7 +303,7 @@ def few_settings(found):
     if not own:
         return []
     values = {}
-    for row in (own, as_fast(study, own) or as_near(study, own)):
+    for row in (own, nearest(found)[1] or quickest(found)[1]):
         for part in (row["value"].split() if row else []):
             name, value = part.split("=")
             values.setdefault(name, [])

@@ -50,6 +50,7 @@ Json to_json(const StudyRow& row) {
     const bool compared = row.error && row.failed.empty();
     const Json error = compared ? glint::to_json(*row.error) : Json::object();
     for (const char* key : kErrorKeys) json[key] = compared ? error.at(key) : Json();
+    json["nearer"] = row.nearer;
     json["pareto"] = row.pareto;
     json["near_reference"] = row.near_reference;
     json["is_reference"] = row.is_reference;
@@ -81,6 +82,7 @@ StudyRow row_from(const Json& json) {
                  .flip_map = json.value("flip_map", ""),
                  .ms = timing("ms"),
                  .verdict = verdict_from(json.at("verdict")),
+                 .nearer = json.value("nearer", false),
                  .pareto = json.at("pareto"),
                  .near_reference = json.at("near_reference")};
     row.ms.min = timing("ms_min").median;

@@ -56,6 +56,7 @@ struct StudyRow {
     // To the row before, in the order of values: do the values converge, wherever to? Not in JSON.
     std::optional<double> rmse_to_previous{};
     std::optional<WorstView> worst{};
+    std::vector<double> apart{};   // RMSE to each row of the study; empty: not known. Not in JSON
     std::string failed{};          // why there is no picture to compare
     bool is_preset = false;        // the preset's own value
     bool is_between = false;       // as in KnobValue; not in JSON
@@ -67,6 +68,7 @@ struct StudyRow {
     Timing ms{};  // by the clock of the study
     std::optional<TimeVerdict>
         verdict{};                // beside the preset's own value; else beside the first row
+    bool nearer = false;          // is told to have less error than the preset's own value
     bool pareto = false;          // no other row is told to be better in one, and worse in none
     bool near_reference = false;  // within ten times of the reference's own error
 };

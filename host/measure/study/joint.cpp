@@ -24,11 +24,14 @@ namespace {
 
 constexpr int kTries = 160;           // joint settings that are tried quickly
 constexpr double kSearchShare = 4.0;  // of --seconds, for all of them
-constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's own
+constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's own, at least
+constexpr int kMostQuick = 15;        // where they are so short
+constexpr double kQuickMs = 60.0;     // that all of each take no longer
 constexpr std::size_t kWinners = 8;   // that are measured well
 constexpr std::size_t kKept = 6;      // programs
 constexpr double kMostOrder = 4.0;    // that three pictures are believed to show
 constexpr double kMatters = 0.1;      // of the difference: less needs no order
+constexpr double kAsGood = 1.01;      // times the preset's own error: nobody would tell
 
 // By what a search goes within this limit.
 double error_of(const Difference& off, const Limit& limit) {
@@ -253,6 +256,8 @@ private:
                                           {.seconds = 0.0, .on_software = context_.is_software()});
         const Clock clock = best_clock(rounds.rows, context_.is_software());
         base_ms_ = median_of(times_by(clock, rounds.rows.front()));
+        quick_frames_ = static_cast<int>(
+            std::clamp(kQuickMs / base_ms_, double{kQuickFrames}, double{kMostQuick}));
     }
 
     Tried measure(const Stand& at) {
@@ -263,7 +268,7 @@ private:
         if (limit_.of == Limit::Of::flip)
             off.flip = mean(flip_map(picture, truth_, size_, {.encoded = encoded}));
         std::vector<double> ratios;
-        for (int i = 0; i < kQuickFrames; ++i)
+        for (int i = 0; i < quick_frames_; ++i)
             ratios.push_back(time(tried.time_frame()) / time(base_->time_frame()));
         const bool failed = off.not_finite > 0;
         return {.at = at,
@@ -274,7 +279,7 @@ private:
     Budget budget() {
         if (limit_.of == Limit::Of::ms)
             return {.ms = limit_.number.value_or(base_ms_), .error = {}};
-        return {.ms = {}, .error = limit_.number ? *limit_.number : measure(own()).error};
+        return {.ms = {}, .error = limit_.number ? *limit_.number : kAsGood * measure(own()).error};
     }
 
     const Preset& preset_;
@@ -296,6 +301,7 @@ private:
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;
+    int quick_frames_ = kQuickFrames;
     double compiling_ms_ = 0.0;
     Stopwatch clock_;
 };
@@ -333,7 +339,7 @@ void choose_best(Study& study, const Limit& limit) {
     study.is_joint = true;
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
     const bool any = own != study.rows.end(), by_time = limit.of == Limit::Of::ms;
-    const double own_error = any && own->error ? error_of(*own->error, limit) : 0.0;
+    const double own_error = any && own->error ? kAsGood * error_of(*own->error, limit) : 0.0;
     const double most = limit.number.value_or(by_time && any ? own->ms.median : own_error);
     // What a budget limits, and what is the least within it.
     const auto limited = [&](const StudyRow& row) {

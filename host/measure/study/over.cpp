@@ -122,6 +122,7 @@ StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& stud
     row.all_passes_ms = 0.0;
     row.failed.clear();
     std::vector<const Difference*> errors;
+    for (double& apart : row.apart) apart = 0.0;
     double to_previous = 0.0;
     for (std::size_t v = 0; v < studies.size(); ++v) {
         const StudyRow& one = studies[v].rows[index];
@@ -131,6 +132,9 @@ StudyRow row_over(const std::vector<View>& views, const std::vector<Study>& stud
         row.all_passes_ms += share * one.all_passes_ms;
         row.is_reference &= one.is_reference;
         row.resumed &= one.resumed;
+        row.apart.resize(std::min(row.apart.size(), one.apart.size()));
+        for (std::size_t k = 0; k < row.apart.size(); ++k)
+            row.apart[k] = std::hypot(row.apart[k], std::sqrt(share) * one.apart[k]);
         to_previous += share * std::pow(one.rmse_to_previous.value_or(0.0), 2.0);
         if (!one.failed.empty()) row.failed = fmt::format("{}: {}", views[v].name, one.failed);
         if (!one.error) continue;

@@ -24,7 +24,7 @@ h1, h2 { font-weight: 600; overflow-wrap: anywhere; } h2 { margin-top: 2.5em; bo
 .table { overflow-x: auto; margin: 1em 0; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .15em .8em; text-align: right; border-bottom: 1px solid #eee; } th { color: #666; font-weight: 500; }
-td, th { white-space: nowrap; } td.words { white-space: normal; min-width: 16em; }
+td, th { white-space: nowrap; } td:first-child { white-space: normal; min-width: 12em; } td.words { white-space: normal; min-width: 16em; }
 td.text, th.text, td.words { text-align: left; } tr.pareto td, .pareto { background: #fff6e0; } tr.failed td { color: #a02020; }
 .finding { color: #a02020; font-weight: 600; } .note, .facts { color: #666; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 1em; }

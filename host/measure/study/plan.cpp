@@ -163,8 +163,9 @@ void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
 // A method that accumulates, of a scene that otherwise does not, is the truth only after it has.
 void Planner::settle_accumulating(KnobValue& truth, Knob& knob) const {
     if (facts_.accumulates(preset_.values) || !facts_.accumulates(truth.setting.values)) return;
+    const auto named = said(options_.reference, kSettle, "--reference");
     int& settle = truth.setting.settle;
-    settle = std::max(settle, kSettleReference);
+    settle = std::max(settle, named ? frames(*named) : kSettleReference);
     knob.notes.push_back(
         fmt::format("the reference, {}, accumulates {} more frames", truth.text, settle));
 }
@@ -386,15 +387,45 @@ std::vector<TweakValue> values_of(const Tweak& tweak) {
     return spread_values(tweak, *tweak.min, *tweak.max);
 }
 
+// With the values halfway to the next of each side, since a budget that the preset just keeps is
+// filled by less than a whole step.
+std::vector<TweakValue> with_half_steps(const Tweak& tweak, std::vector<TweakValue> list,
+                                        double own) {
+    double below = -HUGE_VAL, above = HUGE_VAL;
+    for (const TweakValue& value : list) {
+        if (value[0] < own) below = std::max(below, value[0]);
+        if (value[0] > own) above = std::min(above, value[0]);
+    }
+    for (const double next : {below, above}) {
+        if (!std::isfinite(next)) continue;
+        const double half = 0.5 * (own + next);
+        list.push_back({tweak.type == TweakType::int1 ? std::floor(half) : half});
+    }
+    std::ranges::sort(list, {}, [](const TweakValue& value) { return value[0]; });
+    const auto again = std::ranges::unique(list);
+    list.erase(again.begin(), again.end());
+    return list;
+}
+
+// Those that a study takes of this tweak.
+std::vector<TweakValue> studied_values(const Tweak& tweak, const Preset& preset,
+                                       const StudyOptions& options) {
+    std::vector<TweakValue> list = values_of(tweak);
+    const bool has_budget = options.ms_budget || options.rmse_budget || options.flip_budget;
+    if (!has_budget || list.empty() || !is_number(tweak)) return list;
+    const auto index = static_cast<std::size_t>(&tweak - preset.scene.tweaks.data());
+    return with_half_steps(tweak, std::move(list), preset.values[index][0]);
+}
+
 // A knob with its own values: those that it takes where nobody names any.
 Knob named_knob(const Planner& planner, const Preset& preset, const SceneFacts& facts,
-                const std::string& name) {
+                const StudyOptions& options, const std::string& name) {
     const Tweak* tweak = find_tweak(preset.scene, name);
     if (!tweak && name == kSettle && facts.accumulates(preset.values))
         return planner.settle_and_own(kSettleValues);
     if (!tweak && names_a_format(name)) return planner.format_knob(name, {});
     if (!tweak) throw UsageError("--vary: " + no_such_tweak(preset.scene, name));
-    const std::vector<TweakValue> values = values_of(*tweak);
+    const std::vector<TweakValue> values = studied_values(*tweak, preset, options);
     if (values.empty()) {
         throw UsageError(
             fmt::format("--vary {}: it has neither a range nor a menu; name its values with "
@@ -529,14 +560,14 @@ StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyO
     for (const std::string& text : options.vary) {
         const bool only_named = text.find('=') == std::string::npos;
         plan.knobs.push_back(only_named
-                                 ? named_knob(planner, preset, facts, text)
+                                 ? named_knob(planner, preset, facts, options, text)
                                  : varied_knob(planner, preset, facts, split(text, "--vary")));
     }
     if (!plan.knobs.empty()) return plan;
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
         const Tweak& tweak = preset.scene.tweaks[i];
         if (!tweak.quality) continue;
-        const std::vector<TweakValue> values = values_of(tweak);
+        const std::vector<TweakValue> values = studied_values(tweak, preset, options);
         if (!facts.read[i]) {
             plan.left_out.push_back(tweak.name + ": nothing reads it");
         } else if (values.empty()) {

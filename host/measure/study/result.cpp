@@ -62,10 +62,21 @@ void take_times(Study& study, bool on_software) {
     }
 }
 
-TimeVerdicts verdicts_of(const Study& study) {
+TimeVerdicts verdicts_of(const Study& study, double least) {
     std::vector<std::vector<double>> times;
     for (const StudyRow& row : study.rows) times.push_back(times_by(study.clock, row.times));
-    return TimeVerdicts(times, study.look);
+    return TimeVerdicts(times, study.look, least);
+}
+
+// Whether the row is nearer to the truth, wherever that lies within the reference's own error of
+// the reference. Where it lies off by d, the difference of the two squared errors is another by
+// twice d . (row - than), at most twice |d| |row - than|: by what two pictures have in common they
+// are off alike. How far apart they are, if nobody knows, is at most both errors together.
+bool is_nearer(const Study& study, std::size_t row, std::size_t than) {
+    const double a = study.rows[row].error->rmse, b = study.rows[than].error->rmse;
+    const std::vector<double>& apart = study.rows[row].apart;
+    const double between = than < apart.size() ? apart[than] : a + b;
+    return b * b - a * a > 2.0 * study.reference_rmse() * between;
 }
 
 void tell_verdicts(Study& study, const TimeVerdicts& verdicts) {
@@ -76,6 +87,8 @@ void tell_verdicts(Study& study, const TimeVerdicts& verdicts) {
         StudyRow& row = study.rows[i];
         row.verdict.reset();
         if (i != than && !row.times.wall.empty()) row.verdict = verdicts.of(i, than);
+        row.nearer = i != than && own != study.rows.end() && has_error(row) && has_error(*own) &&
+                     is_nearer(study, i, than);
     }
 }
 
@@ -84,11 +97,6 @@ void mark_near_reference(Study& study) {
         row.near_reference = has_error(row) && !row.is_reference &&
                              row.error->rmse < kNearFactor * study.reference_rmse();
     }
-}
-
-// Whether the errors to the truth are told apart: each may be off by what the reference is.
-bool is_nearer(const Study& study, const StudyRow& row, const StudyRow& than) {
-    return row.error->rmse + study.reference_rmse() < than.error->rmse - study.reference_rmse();
 }
 
 // Rows that can be compared in both, the fastest first; none that the reference itself is too far
@@ -117,7 +125,7 @@ void mark_pareto(Study& study, const TimeVerdicts& verdicts) {
             const bool less = other.error->rmse < row.error->rmse;
             if (less) return verdicts.of(k, i) != TimeVerdict::slower;
             return other.pareto && verdicts.of(k, i) == TimeVerdict::faster &&
-                   !is_nearer(study, row, other);
+                   !is_nearer(study, i, k);
         });
     }
 }
@@ -330,9 +338,10 @@ void judge(Study& study, const Knob& knob, bool on_software) {
         find_wrong_reference(study, steps);
         find_what_looks_wrong(study);
     }
-    const TimeVerdicts verdicts = verdicts_of(study);
-    tell_verdicts(study, verdicts);
-    mark_pareto(study, verdicts);
+    tell_verdicts(study, verdicts_of(study, kAlike));
+    // By what anybody asks for: a step between what is told and what matters would have its star or
+    // not by how long it was timed.
+    mark_pareto(study, verdicts_of(study, kEnough));
 }
 
 std::string to_table(const Study& study) {

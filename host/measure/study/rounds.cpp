@@ -65,7 +65,7 @@ std::vector<std::size_t> open_rows(const Rounds& rounds, bool on_software) {
     const Clock clock = best_clock(rounds.rows, on_software);
     std::vector<std::vector<double>> times;
     for (const FrameTimes& row : rounds.rows) times.push_back(times_by(clock, row));
-    const TimeVerdicts verdicts(times, rounds.look);
+    const TimeVerdicts verdicts(times, rounds.look, kEnough);
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < times.size(); ++i)
         if (verdicts.is_open(i)) open.push_back(i);

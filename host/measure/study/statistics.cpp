@@ -3,6 +3,7 @@
 #include "base/median.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -10,9 +11,7 @@
 namespace glint {
 namespace {
 
-constexpr double kErrors = 0.05;   // studies that may have a wrong verdict
-constexpr double kAlike = 0.01;    // by which the same work differs from call to call
-constexpr double kEnough = 0.025;  // nearer than this, nobody asks which is faster
+constexpr double kErrors = 0.05;  // studies that may have a wrong verdict
 constexpr int kResamples = 1000;
 constexpr std::size_t kExact = 40;  // values, beyond which the normal distribution will do
 
@@ -38,13 +37,14 @@ double normal_chance(std::size_t count, std::size_t sum) {
 }
 
 struct Pair {
-    std::size_t a, b;
+    std::size_t a, b, rounds;
     double faster, slower;  // chances of this if a were not faster than b, or not slower
     bool alike;
     double chance() const { return std::min(1.0, 2.0 * std::min(faster, slower)); }
 };
 
-Pair compare(std::span<const std::vector<double>> times, std::size_t a, std::size_t b) {
+Pair compare(std::span<const std::vector<double>> times, std::size_t a, std::size_t b,
+             double least) {
     // Loads come and go for both, as factors.
     std::vector<double> ratios;
     for (std::size_t i = 0; i < std::min(times[a].size(), times[b].size()); ++i) {
@@ -58,8 +58,9 @@ Pair compare(std::span<const std::vector<double>> times, std::size_t a, std::siz
     };
     return {.a = a,
             .b = b,
-            .faster = chance_below(ratios, -kAlike),
-            .slower = above(kAlike),
+            .rounds = ratios.size(),
+            .faster = chance_below(ratios, -least),
+            .slower = above(least),
             .alike = chance_below(ratios, kEnough) < kErrors && above(-kEnough) < kErrors};
 }
 
@@ -96,20 +97,28 @@ double chance_below(std::span<const double> values, double centre) {
                                 : normal_chance(off.size(), above);
 }
 
-TimeVerdicts::TimeVerdicts(std::span<const std::vector<double>> times, int look)
+TimeVerdicts::TimeVerdicts(std::span<const std::vector<double>> times, int look, double least)
     : rows_(times.size()),
       verdicts_(rows_ * rows_, TimeVerdict::not_told_apart),
       open_(rows_, false) {
     std::vector<Pair> pairs;
     for (std::size_t a = 0; a < rows_; ++a)
-        for (std::size_t b = a + 1; b < rows_; ++b) pairs.push_back(compare(times, a, b));
-    // Holm's bound for all pairs; each look has half of what the one before had.
-    std::ranges::sort(pairs, {}, &Pair::chance);
-    const double allowed = kErrors * std::pow(0.5, look + 1);
+        for (std::size_t b = a + 1; b < rows_; ++b) pairs.push_back(compare(times, a, b, least));
+    // Holm's bound for all pairs; each look has half of what the one before had. A pair that was
+    // told apart at an earlier one, and has had no rounds since, is judged by that.
+    std::size_t most = 1;
+    for (const Pair& pair : pairs) most = std::max(most, pair.rounds);
+    const auto share = [&](const Pair& pair) {
+        // Rounds double from look to look, but for the last, which may end early.
+        const auto since = std::bit_width((most - 1) / std::max<std::size_t>(pair.rounds, 1));
+        const int told_at = std::max(look - static_cast<int>(since), 0);
+        return pair.chance() * std::pow(2.0, told_at + 1);
+    };
+    std::ranges::sort(pairs, {}, share);
     bool is_told = true;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Pair& pair = pairs[i];
-        is_told &= pair.chance() * static_cast<double>(pairs.size() - i) <= allowed;
+        is_told &= share(pair) * static_cast<double>(pairs.size() - i) <= kErrors;
         if (is_told) {
             const bool faster = pair.faster < pair.slower;
             verdicts_[pair.a * rows_ + pair.b] = faster ? TimeVerdict::faster : TimeVerdict::slower;

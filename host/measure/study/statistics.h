@@ -19,13 +19,17 @@ Interval median_interval(std::span<const double> values);
 // signed-rank test, one-sided.
 double chance_below(std::span<const double> values, double centre);
 
+constexpr double kAlike = 0.01;    // by which the same work differs from call to call
+constexpr double kEnough = 0.025;  // nearer than this, nobody asks which is faster
+
 // Which row is faster than which, out of times that were taken in rounds: the i-th of each row in
 // the i-th round. Rows may end early.
 class TimeVerdicts {
 public:
     // `look`, from 0: the how manieth time it is asked, as rounds are added. Over all pairs and all
-    // looks together at most one study in twenty has a wrong faster or slower.
-    TimeVerdicts(std::span<const std::vector<double>> times, int look);
+    // looks together at most one study in twenty has a wrong faster or slower. These are told by
+    // more than `least`, a share of the time.
+    TimeVerdicts(std::span<const std::vector<double>> times, int look, double least = kAlike);
 
     // What `row` is beside `than`.
     TimeVerdict of(std::size_t row, std::size_t than) const {

@@ -98,7 +98,10 @@ StudyKey key_of_reference(const Scenery& scenery, const Knob& knob, const KnobVa
     return key_of(scenery, knob, value, kind);
 }
 
-Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value) {
+// `shared`: what drew an earlier reference of the knob, and draws this one, too, if all that is
+// constant in it is the same: of joint settings, whose references share their menus.
+Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value,
+                         std::unique_ptr<MeasuredScene>& shared) {
     Reference result{.key = key_of_reference(scenery, knob, value), .picture = {}, .file = {}};
     const auto kept = scenery.store.picture(result.key, scenery.size);
     if (kept) {
@@ -111,8 +114,13 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
         how.specialise = false;
         how.constants = *knob.constants;
     }
-    MeasuredScene scene(scenery.preset, value.setting, scenery.context, how);
-    result.picture = scene.draw_picture();
+    if (shared && knob.constants) {
+        shared->set(value.setting);
+    } else {
+        shared =
+            std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context, how);
+    }
+    result.picture = shared->draw_picture();
     result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
     return result;
 }
@@ -130,13 +138,13 @@ using Scenes = std::vector<std::unique_ptr<MeasuredScene>>;  // by row; null whe
 constexpr const char* kDoesNotCompile = "it does not compile";
 constexpr int kWarmUp = 3;  // frames: the driver compiles to machine code at the first draw
 
-// One row: drawn and compared. `previous` is the picture of the row before. The scene stands ready
-// to be timed.
+// One row: drawn, as `picture`, and compared. `previous` is the picture of the row before. The
+// scene stands ready to be timed.
 StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& value,
-                     const Reference* reference, const StudyKey& key, std::vector<float>& previous,
+                     const Reference* reference, const StudyKey& key,
+                     const std::vector<float>& previous, std::vector<float>& picture,
                      std::unique_ptr<MeasuredScene>& scene) {
     StudyRow row{.value = value.text, .work = value.work};
-    std::vector<float> picture;
     try {
         scene = std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context,
                                                 scenery.how);
@@ -162,8 +170,21 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         row.map = scenery.store.keep_map(key, picture, reference->picture, scenery.size, encoded);
         row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
     }
-    if (!value.is_between) previous = std::move(picture);
     return row;
+}
+
+// How far the pictures of each two rows are from each other.
+void tell_apart(const Scenery& scenery, const std::vector<std::vector<float>>& pictures,
+                Study& study) {
+    const std::size_t count = pictures.size();
+    for (StudyRow& row : study.rows) row.apart.assign(count, 0.0);
+    for (std::size_t a = 0; a < count; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            if (pictures[a].empty() || pictures[b].empty()) continue;
+            const double rmse = difference(pictures[a], pictures[b], is_encoded(scenery)).rmse;
+            study.rows[a].apart[b] = study.rows[b].apart[a] = rmse;
+        }
+    }
 }
 
 // Makes ready to be timed what an earlier call has drawn.
@@ -188,6 +209,7 @@ void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* refere
     // An error depends on the reference, and how far a row is from the one before on that one.
     std::string before;
     std::vector<float> previous;
+    std::vector<std::vector<float>> pictures;
     Progress progress(fmt::format("{} {}", scenery.name, knob.name),
                       static_cast<long>(knob.values.size()));
     for (const KnobValue& value : knob.values) {
@@ -195,23 +217,24 @@ void draw_rows(const Scenery& scenery, const Knob& knob, const Reference* refere
             fmt::format("row{}\n{}", before, reference ? reference->key.text : "");
         const StudyKey key = key_of(scenery, knob, value, kind);
         std::unique_ptr<MeasuredScene>& scene = scenes.emplace_back();
+        std::vector<float>& picture = pictures.emplace_back();
         if (auto kept = scenery.store.row(key, scenery.size)) {
-            if (!value.is_between) {
-                previous = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
-            }
+            picture = scenery.store.picture(key, scenery.size).value_or(std::vector<float>());
             study.rows.push_back(std::move(*kept));
         } else {
             study.rows.push_back(
-                measure_row(scenery, knob, value, reference, key, previous, scene));
+                measure_row(scenery, knob, value, reference, key, previous, picture, scene));
             scenery.store.keep(key, study.rows.back());
             if (scene) warm_up(*scene, study.rows.back());
         }
         study.rows.back().is_preset = value.setting == own_setting(scenery.preset, knob);
         study.rows.back().is_between = value.is_between;
         if (!value.is_between) before = " after " + value.text;
+        if (!value.is_between && !picture.empty()) previous = picture;
         progress.update(static_cast<long>(study.rows.size()));
         tell(scenery, knob, study);
     }
+    if (reference) tell_apart(scenery, pictures, study);
 }
 
 StudyKey key_of_times(const Scenery& scenery, const Knob& knob) {
@@ -273,7 +296,10 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
 // The reference, and what it is measured by; none where only times are wanted.
 std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Study& study) {
     if (study.time_only) return std::nullopt;
-    const auto draw = [&](const KnobValue& value) { return draw_reference(scenery, knob, value); };
+    std::unique_ptr<MeasuredScene> shared;
+    const auto draw = [&](const KnobValue& value) {
+        return draw_reference(scenery, knob, value, shared);
+    };
     const auto apart = [&](const Reference& a, const Reference& b) {
         Difference between = difference(a.picture, b.picture, is_encoded(scenery));
         between.flip =
@@ -432,6 +458,9 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             studies.push_back(study_knob(own, knob));
         } else {
             studies.push_back(over_all(views, seen));
+            std::vector<StudyRow>& rows = studies.back().rows;  // views have quality of their own
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                rows[i].is_preset = knob.values[i].setting == own_setting(preset, knob);
             judge(studies.back(), knob, context.is_software());
         }
         if (limit) {
