@@ -116,12 +116,14 @@ const float kBow = 2.30, kStern = -2.10;   // m, z at the ends of the hull
 const float kDeckEnd = 1.25, kAfterDeck = -1.66, kBottom = -0.12;   // m, the well: z, z, y
 const float kMastAt = 0.46, kMastTop = 4.15;            // m, z and y
 const float kTack = 0.95, kHead = 3.95, kChord = 1.95;  // m, the sail: y, y, length along the boom
+const float kRoomNear = 0.10, kRoomFar = 0.35;          // m, how far off room is looked for
 const int   kWater = -1, kNone = 0, kPlanks = 1, kWell = 2, kDeck = 3, kRail = 4, kThwart = 5;
 const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
 // Slopes of the eight long waves at steepness 1; with their harmonics they sum to 0.95 at most.
 const float kSteep[8] = float[8](0.072, 0.090, 0.102, 0.102, 0.102, 0.096, 0.090, 0.076);
 
-struct Hit { float t; int part; vec3 nor, q; };   // q: in the boat's frame
+// q: in the boat's frame; room: before it, 2 where nothing is near.
+struct Hit { float t; int part; vec3 nor, q; float room; };
 // spread: lost slope variance xx, zz, xz; tails: how much longer than a Gaussian's its tails are.
 struct Sea { float height; vec2 slope; vec3 spread; float tails; };
 struct Eye { vec3 pos, right, up, forward; float lens; };
@@ -624,6 +626,9 @@ float boatField(vec3 p, out int part) {
     if (sail) keepNearest(clothField(q), kCloth, best, part);
     return best;
 }
+vec3 corner(int k) {   // of a tetrahedron
+    return vec3((k + 3 >> 1) & 1, k >> 1, k & 1) * 2.0 - 1.0;
+}
 vec3 toBoat(vec3 p) { return (p - vec3(0.0, gHeave, 0.0)) * gAxes; }
 // Where a ray in the boat's frame may meet her; nothing when y < x.
 vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
@@ -636,35 +641,38 @@ vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
     vec3 n = min(a, b), f = max(a, b);
     return vec2(max(maxComponent(n), 0.0), min(f.x, min(f.y, f.z)));
 }
-// The boat on a ray before tMax. Nothing is found for tMax 0.
+// The boat on a ray before tMax; nothing for tMax 0. When the march is over, the same loop turns
+// six times more: four corners of a tetrahedron tell the normal, two looks along it how much room
+// there is. So the field is called in one place: a driver compiles a copy for each.
 Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
-    vec3 o = toBoat(ro), d = rd * gAxes;
+    vec3 o = toBoat(ro), d = rd * gAxes, aside = vec3(0.0), g = vec3(0.0), nor = g;
     vec2 span = boatSpan(o, d, 0.0);
     span.y = min(span.y, tMax);
-    float t = span.x, f = 1.0;
-    int part = kNone;
-    bool ahead = span.x < span.y;
-    for (int k = 0; k < boatSteps && ahead; ++k) {
-        f = boatField(o + t * d, part);
-        bool met = f < 4e-4 + 0.15 * pixel * t;
-        if (!met) t += f;
-        ahead = !met && t < span.y;
+    float t = span.x, w = 0.0, room = 0.0;
+    int part = kNone, looks = 0;   // looks: those done and the next, 0 on the way
+    bool open = span.x < span.y;
+    for (int k = 0; k < boatSteps + 6 && open; ++k) {
+        int its;
+        float f = boatField(o + t * d + aside, its);
+        if (looks == 0) {
+            bool met = f < 4e-4 + 0.15 * pixel * t, last = met || k == boatSteps - 1;
+            if (!met) t += f;
+            open = t < span.y && (!last || f <= 0.02);   // or out of steps far from her
+            part = its;
+            w = 0.0015 + 0.2 * pixel * min(t, 100.0);
+            if (last) looks = 1;
+        } else {
+            if (looks < 5) g += corner(looks - 1) * f;
+            else room += f / (looks == 5 ? kRoomNear : kRoomFar);
+            open = looks < 6;
+            ++looks;
+            nor = gAxes * (g * inversesqrt(max(dot(g, g), 1e-20)));
+        }
+        float far = looks == 5 ? kRoomNear : kRoomFar;
+        if (looks > 0) aside = looks < 5 ? w * corner(looks - 1) : (nor * far) * gAxes;
     }
-    Hit h = Hit(t, part, vec3(0.0, 1.0, 0.0), o + t * d);
-    if (!(t < span.y) || f > 0.02) {   // or out of steps far from her
-        h.part = kNone;
-        h.t = kFar;
-    }
-    float w = 0.0015 + 0.2 * pixel * min(t, 100.0);
-    vec3 g = vec3(0.0);
-    int corners = h.part == kNone ? 0 : 4;   // not a constant: a loop may end early, code cannot
-    for (int k = 0; k < corners; ++k) {
-        vec3 e = vec3((k + 3 >> 1) & 1, k >> 1, k & 1) * 2.0 - 1.0;
-        int other;
-        g += e * boatField(h.q + w * e, other);
-    }
-    h.nor = gAxes * (g * inversesqrt(max(dot(g, g), 1e-20)));
-    return h;
+    bool hit = looks > 6;
+    return Hit(hit ? t : kFar, hit ? part : kNone, nor, o + t * d, room);
 }
 // Share of the sun that a point sees past the boat; rim: slope of the sun's disc. The narrowest
 // gap between the ray and her, against the cone's width there, tells how much of it is hidden.
@@ -787,13 +795,7 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     vec3 nor = h.nor, sun = sunDirection();
     vec4 stuff = paintOf(h.part, h.q, w, nor);
     if (dot(nor, d) > 0.0) nor = normalize(nor - 1.02 * dot(nor, d) * d);
-    float room = 0.0;
-    int looks = h.part == kNone ? 0 : 2, other;
-    for (int k = 0; k < looks; ++k) {
-        float far = k == 0 ? 0.10 : 0.35;
-        room += boatField(h.q + (h.nor * far) * gAxes, other) / far;
-    }
-    float open = 0.25 + 0.75 * smoothstep(0.0, 1.5, room);
+    float open = 0.25 + 0.75 * smoothstep(0.0, 1.5, h.room);
     vec3 up = mirroredSky(vec3(nor.x, max(nor.y, 0.0) + 0.35, nor.z), 1.2);
     vec3 below = bodyLight(1.0) + 0.10 * gAmbient;
     bool outside = h.part == kPlanks || h.part == kRudder || h.part == kRail;
