@@ -623,6 +623,28 @@ vec3 wallLight(vec3 p, vec3 nor, float w) {
 
 // A ray in the air and one in the water that belong to one pixel, and what they carry.
 struct Pair { vec3 airO, airD, air, wetO, wetD, wet; };
+// Where both meet land before their ends: how far off, and the light from there; in the air only
+// if exact. A loop takes one after the other, for a driver compiles a copy of a function for each
+// place that calls it.
+struct Ends { float air, wet; vec3 lit, bed; };
+Ends endsOnLand(Pair r, float airEnd, float wetEnd, float angle, float far, bool exact) {
+    Ends e = Ends(kFar, kFar, vec3(0.0), vec3(0.0));
+    for (int way = exact ? 0 : 1; way < 2; ++way) {
+        bool wet = way == 1;
+        vec3 ro = wet ? r.wetO : r.airO, rd = wet ? r.wetD : r.airD;
+        float met = meetLand(ro, rd, 0.0, wet ? wetEnd : airEnd);
+        float gone = wet ? min(met, wetEnd) : met;
+        vec3 light = landLight(ro + gone * rd, rd, angle * (far + gone), wet);
+        if (wet) {
+            e.wet = met;
+            e.bed = light;
+        } else {
+            e.air = met;
+            e.lit = light;
+        }
+    }
+    return e;
+}
 // What both find. width: angle that the ray in the air averages; angle: of a pixel; far: m to here.
 // Each turn ends the ray in the air, in the sky or, if exact, on land. The ray in the water ends on
 // the bed; or at a face, and there it hands on: with Fresnel's share F, 1 - F of what it carries
@@ -631,23 +653,21 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
     vec3 sum = vec3(0.0), loss = waterLoss(), entered;
     bool open = true;
     for (int k = 0; k < bends && open; ++k) {
-        float airEnd = exact ? blockSpan(r.airO, r.airD, entered).y : 0.0, met = kFar;
-        if (exact) met = meetLand(r.airO, r.airD, 0.0, maxComponent(r.air) > 0.0 ? airEnd : 0.0);
-        vec3 beyond = background(r.airD, width, disc);
-        if (exact && met < kFar)
-            beyond = landLight(r.airO + met * r.airD, r.airD, angle * (far + met), false);
-        sum += r.air * beyond;
-
+        float airEnd = exact ? blockSpan(r.airO, r.airD, entered).y : 0.0;
+        if (maxComponent(r.air) <= 0.0) airEnd = 0.0;
         vec3 inverse = safeInverse(r.wetD), edge = sign(r.wetD) * kHalf;
         vec3 sides = (edge - r.wetO) * inverse;
         float level = r.wetD.y > 0.0 ? (waterLevel - r.wetO.y) * inverse.y : kFar;
         float end = maxComponent(r.wet) > 0.0 ? max(min(min(sides.x, sides.z), level), 0.0) : 0.0;
-        float t = meetLand(r.wetO, r.wetD, 0.0, end), run = min(t, end);
+        Ends e = endsOnLand(r, airEnd, end, angle, far, exact);
+        float run = min(e.wet, end);
+        vec3 beyond = e.air < kFar ? e.lit : background(r.airD, width, disc);
+        sum += r.air * beyond;
         sum += r.wet * lakeGlow(waterLevel - r.wetO.y, r.wetD.y, run);
         r.wet *= exp(-loss * run);
         vec3 p = r.wetO + run * r.wetD;
         far += run;
-        if (t < kFar) sum += r.wet * landLight(p, r.wetD, angle * far, true);
+        if (e.wet < kFar) sum += r.wet * e.bed;
         vec3 face = level <= min(sides.x, sides.z) ? vec3(0.0, 1.0, 0.0)
             : sides.x < sides.z ? vec3(sign(r.wetD.x), 0.0, 0.0) : vec3(0.0, 0.0, sign(r.wetD.z));
         vec3 nor = -face;
@@ -657,10 +677,10 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
             if (dot(nor, r.wetD) > -0.02) nor = -face;
         }
         float share = fresnel(clamp(-dot(nor, r.wetD), 0.0, 1.0), 1.0 / kIorWater);
-        r.air = t < kFar ? vec3(0.0) : (1.0 - share) * r.wet;
+        r.air = e.wet < kFar ? vec3(0.0) : (1.0 - share) * r.wet;
         r.airO = p;
         r.airD = refractExactly(r.wetD, nor, kIorWater);
-        r.wet *= t < kFar ? 0.0 : share;
+        r.wet *= e.wet < kFar ? 0.0 : share;
         r.wetO = p - 1e-4 * face;
         r.wetD = reflect(r.wetD, nor);
         if (face.y > 0.0) r.wetD.y = min(r.wetD.y, -0.01);
