@@ -116,7 +116,6 @@ const float kBow = 2.30, kStern = -2.10;   // m, z at the ends of the hull
 const float kDeckEnd = 1.25, kAfterDeck = -1.66, kBottom = -0.12;   // m, the well: z, z, y
 const float kMastAt = 0.46, kMastTop = 4.15;            // m, z and y
 const float kTack = 0.95, kHead = 3.95, kChord = 1.95;  // m, the sail: y, y, length along the boom
-const float kRoomNear = 0.10, kRoomFar = 0.35;          // m, how far off room is looked for
 const int   kWater = -1, kNone = 0, kPlanks = 1, kWell = 2, kDeck = 3, kRail = 4, kThwart = 5;
 const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
 // Slopes of the eight long waves at steepness 1; with their harmonics they sum to 0.95 at most.
@@ -626,9 +625,6 @@ float boatField(vec3 p, out int part) {
     if (sail) keepNearest(clothField(q), kCloth, best, part);
     return best;
 }
-vec3 corner(int k) {   // of a tetrahedron
-    return vec3((k + 3 >> 1) & 1, k >> 1, k & 1) * 2.0 - 1.0;
-}
 vec3 toBoat(vec3 p) { return (p - vec3(0.0, gHeave, 0.0)) * gAxes; }
 // Where a ray in the boat's frame may meet her; nothing when y < x.
 vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
@@ -641,38 +637,50 @@ vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
     vec3 n = min(a, b), f = max(a, b);
     return vec2(max(maxComponent(n), 0.0), min(f.x, min(f.y, f.z)));
 }
-// The boat on a ray before tMax; nothing for tMax 0. When the march is over, the same loop turns
-// six times more: four corners of a tetrahedron tell the normal, two looks along it how much room
-// there is. So the field is called in one place: a driver compiles a copy for each.
+// The boat on a ray before tMax, without a normal. Nothing is found for tMax 0.
 Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
-    vec3 o = toBoat(ro), d = rd * gAxes, aside = vec3(0.0), g = vec3(0.0), nor = g;
+    vec3 o = toBoat(ro), d = rd * gAxes;
     vec2 span = boatSpan(o, d, 0.0);
     span.y = min(span.y, tMax);
-    float t = span.x, w = 0.0, room = 0.0;
-    int part = kNone, looks = 0;   // looks: those done and the next, 0 on the way
-    bool open = span.x < span.y;
-    for (int k = 0; k < boatSteps + 6 && open; ++k) {
-        int its;
-        float f = boatField(o + t * d + aside, its);
-        if (looks == 0) {
-            bool met = f < 4e-4 + 0.15 * pixel * t, last = met || k == boatSteps - 1;
-            if (!met) t += f;
-            open = t < span.y && (!last || f <= 0.02);   // or out of steps far from her
-            part = its;
-            w = 0.0015 + 0.2 * pixel * min(t, 100.0);
-            if (last) looks = 1;
-        } else {
-            if (looks < 5) g += corner(looks - 1) * f;
-            else room += f / (looks == 5 ? kRoomNear : kRoomFar);
-            open = looks < 6;
-            ++looks;
-            nor = gAxes * (g * inversesqrt(max(dot(g, g), 1e-20)));
-        }
-        float far = looks == 5 ? kRoomNear : kRoomFar;
-        if (looks > 0) aside = looks < 5 ? w * corner(looks - 1) : (nor * far) * gAxes;
+    float t = span.x, f = 1.0;
+    int part = kNone;
+    bool ahead = span.x < span.y;
+    for (int k = 0; k < boatSteps && ahead; ++k) {
+        f = boatField(o + t * d, part);
+        bool met = f < 4e-4 + 0.15 * pixel * t;
+        if (!met) t += f;
+        ahead = !met && t < span.y;
     }
-    bool hit = looks > 6;
-    return Hit(hit ? t : kFar, hit ? part : kNone, nor, o + t * d, room);
+    Hit h = Hit(t, part, vec3(0.0, 1.0, 0.0), o + t * d, 0.0);
+    if (!(t < span.y) || f > 0.02) {   // or out of steps far from her
+        h.part = kNone;
+        h.t = kFar;
+    }
+    return h;
+}
+// The normals of what two rays met, from the field at the corners of a tetrahedron, and the room
+// before what the first met, from two looks along its normal: all in one loop, for a driver
+// compiles a copy of the field for each place that calls it.
+void feelBoat(float pixel, inout Hit shown, inout Hit below) {
+    vec3 g = vec3(0.0);
+    int last = below.part == kNone ? 6 : 10;
+    for (int k = shown.part == kNone ? 6 : 0; k < last; ++k) {
+        bool first = k < 6, looks = k == 4 || k == 5;
+        int corner = first ? k : k - 6, other;
+        vec3 e = vec3((corner + 3 >> 1) & 1, corner >> 1, corner & 1) * 2.0 - 1.0;
+        float w = 0.0015 + 0.2 * pixel * min(first ? shown.t : below.t, 100.0);
+        float far = k == 4 ? 0.10 : 0.35;
+        vec3 aside = looks ? (shown.nor * far) * gAxes : w * e;
+        float f = boatField((first ? shown.q : below.q) + aside, other);
+        if (looks) shown.room += f / far;
+        else g += e * f;
+        vec3 nor = gAxes * (g * inversesqrt(max(dot(g, g), 1e-20)));
+        if (k == 3) {
+            shown.nor = nor;
+            g = vec3(0.0);
+        }
+        if (k == 9) below.nor = nor;
+    }
 }
 // Share of the sun that a point sees past the boat; rim: slope of the sun's disc. The narrowest
 // gap between the ray and her, against the cone's width there, tells how much of it is hidden.
@@ -1018,6 +1026,7 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
     below.part = kNone;
     if (wet) boatFromWater(s, angle, m, below);
     bool shown = m.part != kNone;
+    feelBoat(angle, m, below);
     vec3 q = (wet ? s.p : e.pos) + min(m.t, 1e3) * distant;
     vec3 low = sunDirection();
     low.y = max(low.y, 0.01);
