@@ -857,19 +857,18 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
 // From what never changes to what always does: noise, land, its pyramid, sky and light are drawn
 // once per look; waves and the picture's geometry every frame.
 
-// A tile of noise: x and y are about 0 to 1; zw is a noise's slope, about -1 to 1.
+// A tile of noise: x and y are about 0 to 1; zw is a noise's slope, about -1 to 1. Six octaves of
+// x, from 4 cells on, six of y, from 8, three of zw, from 16.
 void mainTile(out vec4 colour, in vec2 pixel) {
     vec2 p = pixel / iResolution.xy;
     colour = vec4(0.5, 0.5, 0.0, 0.0);
-    for (int k = 0; k < 6; ++k) {
-        int cells = 4 << k;
-        float gain = 0.72 * exp2(-float(k));
-        colour.x += gain * perlinPlane(p * float(cells), 2 + k, cells - 1).z;
-        colour.y += gain * perlinPlane(p * float(2 * cells), 12 + k, 2 * cells - 1).z;
-    }
-    for (int k = 0; k < 3; ++k) {
-        int cells = 16 << k;
-        colour.zw += 0.5 * perlinPlane(p * float(cells), 22 + k, cells - 1).xy;
+    for (int k = 0; k < 15; ++k) {
+        int what = k / 6, octave = k - 6 * what, cells = 4 << what + octave;
+        vec3 n = perlinPlane(p * float(cells), 2 + 10 * what + octave, cells - 1);
+        float gain = 0.72 * exp2(-float(octave));
+        if (what == 0) colour.x += gain * n.z;
+        else if (what == 1) colour.y += gain * n.z;
+        else colour.zw += 0.5 * n.xy;
     }
 }
 // A tile of clouds: x thickness, about 0 to 1, y how much the sun's side of a bump is lit.
