@@ -121,7 +121,8 @@ const int   kSpar = 6, kCloth = 7, kRudder = 8, kSand = 9;
 // Slopes of the eight long waves at steepness 1; with their harmonics they sum to 0.95 at most.
 const float kSteep[8] = float[8](0.072, 0.090, 0.102, 0.102, 0.102, 0.096, 0.090, 0.076);
 
-struct Hit { float t; int part; vec3 nor, q; };   // q: in the boat's frame
+// q: in the boat's frame; room: before it, 2 where nothing is near.
+struct Hit { float t; int part; vec3 nor, q; float room; };
 // spread: lost slope variance xx, zz, xz; tails: how much longer than a Gaussian's its tails are.
 struct Sea { float height; vec2 slope; vec3 spread; float tails; };
 struct Eye { vec3 pos, right, up, forward; float lens; };
@@ -636,7 +637,7 @@ vec2 boatSpan(vec3 ro, vec3 rd, float grow) {
     vec3 n = min(a, b), f = max(a, b);
     return vec2(max(maxComponent(n), 0.0), min(f.x, min(f.y, f.z)));
 }
-// The boat on a ray before tMax. Nothing is found for tMax 0.
+// The boat on a ray before tMax, without a normal. Nothing is found for tMax 0.
 Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
     vec3 o = toBoat(ro), d = rd * gAxes;
     vec2 span = boatSpan(o, d, 0.0);
@@ -650,21 +651,36 @@ Hit hitBoat(vec3 ro, vec3 rd, float pixel, float tMax) {
         if (!met) t += f;
         ahead = !met && t < span.y;
     }
-    Hit h = Hit(t, part, vec3(0.0, 1.0, 0.0), o + t * d);
+    Hit h = Hit(t, part, vec3(0.0, 1.0, 0.0), o + t * d, 0.0);
     if (!(t < span.y) || f > 0.02) {   // or out of steps far from her
         h.part = kNone;
         h.t = kFar;
     }
-    float w = 0.0015 + 0.2 * pixel * min(t, 100.0);
-    vec3 g = vec3(0.0);
-    int corners = h.part == kNone ? 0 : 4;   // not a constant: a loop may end early, code cannot
-    for (int k = 0; k < corners; ++k) {
-        vec3 e = vec3((k + 3 >> 1) & 1, k >> 1, k & 1) * 2.0 - 1.0;
-        int other;
-        g += e * boatField(h.q + w * e, other);
-    }
-    h.nor = gAxes * (g * inversesqrt(max(dot(g, g), 1e-20)));
     return h;
+}
+// The normals of what two rays met, from the field at the corners of a tetrahedron, and the room
+// before what the first met, from two looks along its normal: all in one loop, for a driver
+// compiles a copy of the field for each place that calls it.
+void feelBoat(float pixel, inout Hit shown, inout Hit below) {
+    vec3 g = vec3(0.0);
+    int last = below.part == kNone ? 6 : 10;
+    for (int k = shown.part == kNone ? 6 : 0; k < last; ++k) {
+        bool first = k < 6, looks = k == 4 || k == 5;
+        int corner = first ? k : k - 6, other;
+        vec3 e = vec3((corner + 3 >> 1) & 1, corner >> 1, corner & 1) * 2.0 - 1.0;
+        float w = 0.0015 + 0.2 * pixel * min(first ? shown.t : below.t, 100.0);
+        float far = k == 4 ? 0.10 : 0.35;
+        vec3 aside = looks ? (shown.nor * far) * gAxes : w * e;
+        float f = boatField((first ? shown.q : below.q) + aside, other);
+        if (looks) shown.room += f / far;
+        else g += e * f;
+        vec3 nor = gAxes * (g * inversesqrt(max(dot(g, g), 1e-20)));
+        if (k == 3) {
+            shown.nor = nor;
+            g = vec3(0.0);
+        }
+        if (k == 9) below.nor = nor;
+    }
 }
 // Share of the sun that a point sees past the boat; rim: slope of the sun's disc. The narrowest
 // gap between the ray and her, against the cone's width there, tells how much of it is hidden.
@@ -787,13 +803,7 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
     vec3 nor = h.nor, sun = sunDirection();
     vec4 stuff = paintOf(h.part, h.q, w, nor);
     if (dot(nor, d) > 0.0) nor = normalize(nor - 1.02 * dot(nor, d) * d);
-    float room = 0.0;
-    int looks = h.part == kNone ? 0 : 2, other;
-    for (int k = 0; k < looks; ++k) {
-        float far = k == 0 ? 0.10 : 0.35;
-        room += boatField(h.q + (h.nor * far) * gAxes, other) / far;
-    }
-    float open = 0.25 + 0.75 * smoothstep(0.0, 1.5, room);
+    float open = 0.25 + 0.75 * smoothstep(0.0, 1.5, h.room);
     vec3 up = mirroredSky(vec3(nor.x, max(nor.y, 0.0) + 0.35, nor.z), 1.2);
     vec3 below = bodyLight(1.0) + 0.10 * gAmbient;
     bool outside = h.part == kPlanks || h.part == kRudder || h.part == kRail;
@@ -1016,6 +1026,7 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
     below.part = kNone;
     if (wet) boatFromWater(s, angle, m, below);
     bool shown = m.part != kNone;
+    feelBoat(angle, m, below);
     vec3 q = (wet ? s.p : e.pos) + min(m.t, 1e3) * distant;
     vec3 low = sunDirection();
     low.y = max(low.y, 0.01);

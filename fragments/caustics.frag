@@ -836,13 +836,16 @@ float sandHeight(vec2 u) {   // m, on a torus
 }
 // Slopes along x and z, tone.
 void mainSand(out vec4 colour, in vec2 pixel) {
-    vec2 u = pixel / 512.0, e = vec2(0.5 / 512.0, 0.0);
-    vec2 rise = vec2(sandHeight(u + e.xy) - sandHeight(u - e.xy),
-                     sandHeight(u + e.yx) - sandHeight(u - e.yx));
+    vec2 u = pixel / 512.0, rise = vec2(0.0);
+    for (int k = 0; k < 4; ++k) {   // heights to both sides, along x and y
+        float way = float(k & 1) * 2.0 - 1.0;
+        vec2 aside = k < 2 ? vec2(way, 0.0) : vec2(0.0, way);
+        rise += aside * sandHeight(u + aside / 1024.0);
+    }
     float tone = 0.5 + 0.35 * (tiledNoise(u, ivec2(256, 255), 6) - 0.5)
         + 0.4 * (tiledNoise(u, ivec2(80, 77), 7) - 0.5)
         + 0.4 * (tiledNoise(u, ivec2(9, 10), 8) - 0.5);
-    colour = vec4(rise / (2.0 * e.x * kSandTile), clamp(tone, 0.0, 1.0), 1.0);
+    colour = vec4(rise / (kSandTile / 512.0), clamp(tone, 0.0, 1.0), 1.0);
 }
 
 void mainSurface(out vec4 colour, in vec2 pixel) {

@@ -115,6 +115,7 @@ const float kSplatSteps = 340.0;           // a texel, of what `splat` keeps in 
 const float kGravity = 9.81;               // m/s^2
 const vec3  kWreckAt = vec3(0.0, -1.25, 0.0);            // m, the keel amidships
 const float kPitch = 0.07;                 // rad, of the ship, stern down
+const int   kHullSteps = 90;               // of a ray to the hull
 const float kStrakes = 15.0;               // planks from keel to rail
 const float kFrames = 0.75, kBeams = 1.5;  // m, between frames, between beams
 const int   kSpars = 10, kShrouds = 12, kStays = 5, kSails = 5;
@@ -387,27 +388,31 @@ vec2 map(vec3 p) {
         : shell < timber ? vec2(shell, kPlank) : vec2(timber, kTimber);
 }
 
-// Both in the wreck's frame. What is hit, or 0.
-int hitHull(vec3 ro, vec3 rd, float pixel, float tMax, out float t) {
+// In the wreck's frame. What is hit, or 0. When the march is over, the same loop turns four times
+// more, at the corners of a tetrahedron, for the normal: so the map is called in one place, for a
+// driver compiles a copy for each.
+int hitHull(vec3 ro, vec3 rd, float pixel, float tMax, out float t, out vec3 nor) {
     vec2 span = hullSpan(ro, rd);
     t = span.x;
+    nor = vec3(0.0, 1e-6, 0.0);
     float end = min(span.y, tMax);
-    int kind = 0;
-    for (int k = 0; k < 90 && kind == 0 && t < end; ++k) {
-        vec2 d = map(ro + t * rd);
-        if (d.x < 0.4 * pixel * t + 1e-3) kind = int(d.y);
-        else t += d.x;
+    vec3 aside = vec3(0.0);
+    int kind = 0, corner = -1;   // -1 on the way
+    bool open = t < end;
+    for (int k = 0; k < kHullSteps + 4 && open; ++k) {
+        vec2 d = map(ro + t * rd + aside);
+        nor += aside * d.x;
+        if (kind == 0) {
+            if (d.x < 0.4 * pixel * t + 1e-3) kind = int(d.y);
+            else t += d.x;
+        }
+        if (kind > 0) ++corner;
+        open = kind > 0 ? corner < 4 : t < end && k < kHullSteps - 1;
+        vec3 e = vec3((corner + 3 >> 1) & 1, corner >> 1, corner & 1) * 2.0 - 1.0;
+        if (kind > 0) aside = 0.015 * e;
     }
+    nor = unit(nor);
     return kind;
-}
-vec3 hullNormal(vec3 p, bool wanted) {
-    vec2 e = vec2(1.0, -1.0) * 0.015;
-    vec3 n = vec3(0.0, 1e-6, 0.0);
-    for (int k = 0; k < (wanted ? 4 : 0); ++k) {
-        vec3 d = k == 0 ? e.xyy : k == 1 ? e.yyx : k == 2 ? e.yxy : e.xxx;
-        n += d * map(p + d).x;
-    }
-    return unit(n);
 }
 // Part of the sun that is seen past the hull; the surface spreads its light by `blur` rad.
 float besideHull(vec3 p, vec3 towards, float blur) {
@@ -1002,9 +1007,9 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
     if (wreck) {
         vec3 so = toWreck(ro - kWreckAt), sd = toWreck(rd);
         float s;
-        int kind = hitHull(so, sd, pixel, solid.t, s);
-        vec3 nor = fromWreck(hullNormal(so + s * sd, kind > 0));
-        if (kind > 0) solid = Layer(s, 1.0, kind, nor);
+        vec3 nor;
+        int kind = hitHull(so, sd, pixel, solid.t, s, nor);
+        if (kind > 0) solid = Layer(s, 1.0, kind, fromWreck(nor));
         meetRig(so, sd, pixel, solid.t);
         for (int i = 0; i < kLayers; ++i)   // those so far are in the wreck's frame
             layers[i].nor = fromWreck(layers[i].nor);
@@ -1097,13 +1102,17 @@ float grainHeight(vec2 u) {   // 0 to 1, on a torus
     }
     return clamp(0.5 + 0.85 * sum, 0.0, 1.0);
 }
-// Height, its square, slopes a tile.
+// Height, its square, slopes a tile: the height here and to both sides of it, along x and y.
 void mainGrain(out vec4 colour, in vec2 pixel) {
-    vec2 u = pixel / 256.0, e = vec2(1.0 / 256.0, 0.0);
-    float here = grainHeight(u);
-    vec2 rise = vec2(grainHeight(u + e.xy) - grainHeight(u - e.xy),
-                     grainHeight(u + e.yx) - grainHeight(u - e.yx));
-    colour = vec4(here, here * here, rise * 128.0);
+    vec2 rise = vec2(0.0);
+    for (int k = 0; k < 5; ++k) {
+        float way = float(k & 1) * 2.0 - 1.0;
+        vec2 aside = k == 0 ? vec2(0.0) : k < 3 ? vec2(way, 0.0) : vec2(0.0, way);
+        float height = grainHeight((pixel + aside) / 256.0);
+        if (k == 0) colour = vec4(height, height * height, 0.0, 0.0);
+        rise += aside * height;
+    }
+    colour.zw = rise * 128.0;
 }
 // Both ends of spars and ropes, with their radius.
 void mainRig(out vec4 colour, in vec2 pixel) {

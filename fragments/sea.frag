@@ -103,6 +103,7 @@ const float kNear = 0.05;                  // m, depth of the near plane of scre
 const int   kSky = 0, kWater = 1, kGlass = 2, kGilt = 3, kRing = 4, kFur = 5, kBack = 6;
 const float kGlow = 1.5;                   // of crests before the sun
 const float kRim = 1.0;                    // of fur before the sun
+const float kSeenDeep = 6.0;               // m, along a ray, that things are seen through water
 const int   kTraceSteps = 72;              // for one cluster of things
 const vec3  kMirrorAt = vec3(1.12, 0.0, 0.35);           // m
 const float kBevel = 0.10;                 // m, the ground edge of the glass, half under the frame
@@ -122,6 +123,7 @@ const vec4 kWaveSteep[6] = vec4[6](
 const int kMovers = 2;                     // groups that move the surface, of four waves each
 
 struct Hit { float t; int id; vec3 nor; };
+const Hit kNothing = Hit(0.0, kSky, vec3(0.0, 1.0, 0.0));
 // spread: lost slope variance xx, zz, xz; tails: how much longer than a Gaussian's its tails are.
 struct Sea { float height; vec2 slope; vec3 spread; float tails; };
 struct Eye { vec3 pos, right, up, forward; float lens; };
@@ -1064,13 +1066,6 @@ vec3 blurredRay(vec3 away, vec3 nor, float k, vec2 start) {
     away += r * (cos(a) * u + sin(a) * cross(u, away));
     return normalize(away - min(2.0 * dot(away, nor), 0.0) * nor);
 }
-// The reference for screen-space rays: what a ray meets, exactly.
-Hit hitAll(vec3 ro, vec3 rd, float pixel, bool withSea, bool none) {
-    float wet = hitSea(ro, rd, pixel, withSea ? kFar : 0.0);
-    Hit h = hitThings(ro, rd, pixel, none ? 0.0 : wet > 0.0 ? wet : kFar);
-    if (h.id == kSky && wet > 0.0) h.id = kWater;
-    return h;
-}
 
 // Things: the light from them; water: in w the share of the sun that it sees.
 void mainLight(out vec4 colour, in vec2 pixel) {
@@ -1152,14 +1147,47 @@ struct Met {
     float far;     // m
     vec3 glass;    // normal of a glass, 0 for none
 };
-Met metExactly(Surface u, vec3 from, vec3 away, float angle, float cone, float chance) {
-    Hit h = hitAll(from, away, angle, u.id == kGlass, u.id == kSky || u.id > kGlass);
-    vec3 q = from + min(h.t, 1e4) * away, upWeight;
-    vec4 stuff = paint(h.id, q, angle * u.t + (angle + cone) * h.t);
-    float share = sunlight(q, h.nor, chance);
-    vec3 thing = thingLight(h.id, q, h.nor, away, stuff, share, roomAround(q, h.nor), upWeight);
-    thing += rimLight(h.id, h.nor, away, stuff, share) + upWeight * ambientLight(h.nor) / kPi;
-    return Met(thing, h.id > kGlass ? 1.0 : 0.0, h.id == kWater, h.t,
+// The two rays of a pixel that are traced: one mirrored (above), where the picture does not tell
+// what it meets, and, of a pixel of water, one that goes on down into it (below). Loops over both
+// trace and light them: a driver compiles a copy of a function for each place that calls it.
+struct Traced { vec3 from, way; float end; Hit hit; vec3 light; };
+void traceThings(float angle, int first, int last, inout Traced above, inout Traced below) {
+    for (int k = first; k <= last; ++k) {
+        vec3 ro = k == 0 ? above.from : below.from, rd = k == 0 ? above.way : below.way;
+        Hit h = hitThings(ro, rd, angle, k == 0 ? above.end : below.end);
+        if (k == 0) above.hit = h;
+        else below.hit = h;
+    }
+}
+void lightThings(Surface u, float angle, float cone, float chance, int first, int last,
+                 inout Traced above, inout Traced below) {
+    vec3 p = above.from + min(above.hit.t, 1e4) * above.way, upWeight;
+    float share = 1.0, open = 0.8;
+    // No `if`: a driver that draws eight pixels in step runs both sides of one for all of them, and
+    // throws away what was not wanted. A loop ends when none of them is left in it: where no pixel
+    // is in doubt, nothing is traced.
+    while (first == 0) {
+        share = sunlight(p, above.hit.nor, chance);
+        open = roomAround(p, above.hit.nor);
+        break;
+    }
+    for (int k = first; k <= last; ++k) {
+        Hit h = k == 0 ? above.hit : below.hit;
+        vec3 q = k == 0 ? p : u.pos + h.t * below.way, rd = k == 0 ? above.way : below.way;
+        vec4 stuff = paint(h.id, q, angle * u.t + (k == 0 ? (angle + cone) * h.t : 0.0));
+        float sunny = k == 0 ? share : 1.0, around = k == 0 ? open : 0.8;
+        vec3 light = thingLight(h.id, q, h.nor, rd, stuff, sunny, around, upWeight);
+        if (k == 0)
+            above.light = light + rimLight(h.id, h.nor, rd, stuff, share)
+                + upWeight * ambientLight(h.nor) / kPi;
+        else
+            below.light = light;
+    }
+}
+// By the traced ray. wet: where it meets the sea, if it does.
+Met metExactly(Traced above, float wet) {
+    Hit h = above.hit;
+    return Met(above.light, h.id > kGlass ? 1.0 : 0.0, h.id == kSky && wet > 0.0, h.t,
                h.id == kGlass ? h.nor : vec3(0.0));
 }
 // By the pixel that shows it. s: the sea where the ray comes to it; the picture's own, where that
@@ -1180,8 +1208,10 @@ void metInPicture(vec2 found, bool onGlass, inout Met m, inout Sea s) {
     if (id <= kGlass) m.sure = 0.0;
 }
 
-// Light along one mirrored ray, or from the open sky along the view's own. cone: of it, rad.
-vec3 mirroredLight(Eye e, Surface u, vec3 away, float angle, float cone, vec2 chance) {
+// Light along one mirrored ray, or from the open sky along the view's own. cone: of it, rad; below:
+// the ray that goes down into water.
+vec3 mirroredLight(Eye e, Surface u, vec3 away, float angle, float cone, vec2 chance,
+                   inout Traced below) {
     bool onSea = u.id == kWater, onGlass = u.id == kGlass, exact = reflections == 3;
     vec3 from = u.pos + 0.002 * u.nor, light = vec3(0.0), upWeight = vec3(1.0);
     Met m = Met(vec3(0.0), 0.0, onGlass && away.y < -1e-3 && u.pos.y > 0.0,
@@ -1189,13 +1219,13 @@ vec3 mirroredLight(Eye e, Surface u, vec3 away, float angle, float cone, vec2 ch
     vec2 found = vec2(0.0), leaning;
     if (reflections == 1 || reflections == 2)
         m.sure = walkScreen(e, from, away, chance.x, onSea || onGlass, found, exact);
-    // No `if`: a driver that draws eight pixels in step runs both sides of one for all of them, and
-    // throws away what was not wanted. A loop ends when none of them is left in it: where no pixel
-    // is in doubt, nothing is traced.
-    while (exact) {
-        m = metExactly(u, from, away, angle, cone, chance.y);
-        break;
-    }
+    // Glass mirrors the sea, too; waves only what stands in it.
+    float wet = hitSea(from, away, angle, exact && onGlass ? kFar : 0.0);
+    Traced above = Traced(from, away, wet > 0.0 ? wet : kFar, kNothing, vec3(0.0));
+    int first = exact && (onSea || onGlass) ? 0 : 1, last = onSea ? 1 : 0;
+    traceThings(angle, first, last, above, below);
+    lightThings(u, angle, cone, chance.y, first, last, above, below);
+    if (exact) m = metExactly(above, wet);
     m.far = min(m.far, 1e5);
     vec3 q = u.pos + m.far * away;
     Sea s = sea(q.xz, seaFootprint(away, angle * u.t + (angle + cone) * m.far));
@@ -1214,18 +1244,18 @@ vec3 mirroredLight(Eye e, Surface u, vec3 away, float angle, float cone, vec2 ch
     return mix(light, m.thing, m.sure);
 }
 
+vec3 refracted(vec3 rd, vec3 nor) {   // into the water
+    float eta = 1.0 / kIorWater, c = clamp(-dot(rd, nor), 0.0, 1.0);
+    float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * c);
+    return normalize(eta * rd + (eta * c - sqrt(k2)) * nor);
+}
 // What is seen through the water: rabbits and frame below the waterline, or the deep. Light is lost
 // on the way up to the eye, and on its own way down.
-vec3 throughSea(Surface u, vec3 rd, float angle) {
-    float eta = 1.0 / kIorWater, c = clamp(-dot(rd, u.nor), 0.0, 1.0);
-    float k2 = (1.0 - eta) * (1.0 + eta) + square(eta * c);
-    vec3 down = normalize(eta * rd + (eta * c - sqrt(k2)) * u.nor), upWeight;
-    Hit h = hitThings(u.pos + 1e-4 * down, down, angle, u.id == kWater ? 6.0 : 0.0);
-    vec3 q = u.pos + h.t * down;
-    vec4 stuff = paint(h.id, q, angle * u.t);
-    vec3 left = exp(-kAbsorption / clarity * (h.t + 1.5 * max(-q.y, 0.0)));
-    vec3 below = thingLight(h.id, q, h.nor, down, stuff, 1.0, 0.8, upWeight);
-    return mix(deepLight(), below, h.id > kGlass ? left : vec3(0.0));
+vec3 throughSea(Surface u, Traced below) {
+    Hit h = below.hit;
+    float sunk = -(u.pos + h.t * below.way).y;
+    vec3 left = exp(-kAbsorption / clarity * (h.t + 1.5 * max(sunk, 0.0)));
+    return mix(deepLight(), below.light, h.id > kGlass ? left : vec3(0.0));
 }
 
 // Light through a crest: the sun behind it goes a short way through the water at its top, and comes
@@ -1273,7 +1303,8 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     float angle = 1.0 / (e.lens * iResolution.y);
     Surface u = surfaceAt(e, rd, ivec2(fragCoord));
     vec4 lit = texelFetch(lightBuffer, ivec2(fragCoord), 0);
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0), down = refracted(rd, u.nor);
+    Traced below = Traced(u.pos + 1e-4 * down, down, kSeenDeep, kNothing, vec3(0.0));
     bool blurred = u.id == kGlass && mirrorBlur > 0.0;
     int rays = blurred ? mirrorRays : 1;
     float cone = blurred ? 1.4 * mirrorBlur * inversesqrt(float(rays)) : 0.0;   // of one ray, rad
@@ -1282,12 +1313,11 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     for (int k = 0; k < rays; ++k) {
         vec3 away = u.away;
         if (blurred) away = blurredRay(away, u.nor, float(k), vec2(spin, chance.z));
-        sum += u.mirrored / float(rays) * mirroredLight(e, u, away, angle, cone, chance.xy);
+        sum += u.mirrored / float(rays) * mirroredLight(e, u, away, angle, cone, chance.xy, below);
     }
     if (u.id > kGlass) sum = lit.rgb;
-    vec3 below = throughSea(u, rd, angle);
     if (u.id == kWater) {
-        sum += (1.0 - u.mirrored) * (below + crestGlow(u, rd));
+        sum += (1.0 - u.mirrored) * (throughSea(u, below) + crestGlow(u, rd));
         vec2 slope;
         sum += sunBeam() * (lit.w * seaGlitter(rd, u.sea, shownSlope(rd, u.sea, slope)));
         float lit1 = lit.w * max(dot(u.nor, sunDirection()), 0.0);

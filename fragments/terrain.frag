@@ -571,13 +571,27 @@ vec3 landColour(vec3 p, float up, float tree, vec4 n, vec4 fine, float w) {
     leaves = mix(leaves, vec3(0.8, 0.84, 0.9), 0.75 * cold * smoothstep(0.2, 0.6, up));
     return mix(c, leaves, smoothstep(0.04, 0.16, tree));
 }
-// Light from a point of land against d. wet: it may be under water.
-vec3 landLight(vec3 p, vec3 d, float w, bool wet) {
-    vec4 g = textureLod(land, landUv(p.xz), 0.0), lit = textureLod(lightMap, landUv(p.xz), 0.0);
+// Land at a point, or over a point of a wall: slope, height and tree, noise, y of its normal.
+struct Ground { vec4 g, fine; float up; vec3 colour; };
+// wall: normal of the block's side or bottom, whose noise lies in its plane; 0 on land itself.
+Ground groundAt(vec3 p, vec3 wall, float w) {
+    bool cut = wall != vec3(0.0), under = wall.y < 0.0;
+    Ground s;
+    s.g = textureLod(land, landUv(p.xz), 0.0);
+    vec2 side = vec2(p.x + p.z, p.y);   // goes on round every corner
+    vec2 at = !cut ? p.zx / 9.0 : under ? p.xz / 103.0 + 0.2 : side / 17.0;
+    s.fine = textureLod(tile, at, lodOf(!cut ? w / 9.0 : under ? w / 103.0 : w / 17.0));
     vec4 n = textureLod(tile, p.xz / 41.0, lodOf(w / 41.0));
-    vec4 fine = textureLod(tile, p.zx / 9.0, lodOf(w / 9.0));
-    float up = inversesqrt(1.0 + dot(g.xy, g.xy));
-    vec3 c = landColour(p, up, g.w, n, fine, w);
+    s.up = inversesqrt(1.0 + dot(s.g.xy, s.g.xy));
+    vec3 top = cut ? vec3(p.x, s.g.z, p.z) : p;
+    s.colour = landColour(top, s.up, s.g.w, cut ? s.fine : n, s.fine, w);
+    return s;
+}
+// Light from a point of land against d. wet: it may be under water.
+vec3 landLight(Ground s, vec3 p, vec3 d, bool wet) {
+    vec4 g = s.g, fine = s.fine, lit = textureLod(lightMap, landUv(p.xz), 0.0);
+    float up = s.up;
+    vec3 c = s.colour;
     float stony = (1.0 - smoothstep(0.7, 0.9, up)) * step(g.w, 0.02);
     vec2 slope = g.xy + (0.10 + 0.55 * stony) * fine.zw;
     vec3 nor = normalize(vec3(-slope, 1.0).xzy), sun = sunDirection();
@@ -598,12 +612,10 @@ vec3 landLight(vec3 p, vec3 d, float w, bool wet) {
     return (c * (sunny * max(dot(nor, sun), 0.0) + around) + shine * sunny) / kPi;
 }
 // Light from the block's sides and bottom: earth in layers under a fringe of grass.
-vec3 wallLight(vec3 p, vec3 nor, float w) {
-    float along = p.x + p.z;   // goes on round every corner
-    vec4 g = textureLod(land, landUv(p.xz), 0.0);
+vec3 wallLight(Ground s, vec3 p, vec3 nor, float w) {
+    float along = p.x + p.z;
+    vec4 fine = s.fine;
     bool under = nor.y < 0.0;   // cut like an agate
-    vec2 at = under ? p.xz / 103.0 + 0.2 : vec2(along, p.y) / 17.0;
-    vec4 fine = textureLod(tile, at, lodOf(under ? w / 103.0 : w / 17.0));
     float wavy = 2.2 * sin((p.x + 0.7 * p.z) / 13.0 + 2.0 * sin((p.x - p.z) / 29.0)) + 0.7 * fine.x;
     float bent = p.y + (under ? 34.0 * fine.x - 10.0 : wavy), stretched = under ? 0.0 : along;
     vec4 layer = textureLod(tile, vec2(stretched / 700.0, bent / 34.0), lodOf(w / 34.0));
@@ -611,11 +623,9 @@ vec3 wallLight(vec3 p, vec3 nor, float w) {
     vec3 c = mix(vec3(0.20, 0.105, 0.058), vec3(0.56, 0.37, 0.21), smoothstep(0.30, 0.70, layer.y));
     c = mix(c, vec3(0.27, 0.24, 0.23), 0.85 - 0.85 * smoothstep(-17.0, -11.0, bent));
     c *= (0.50 + 0.95 * smoothstep(0.30, 0.70, seam.x)) * (0.90 + 0.20 * fine.y);
-    float deep = under ? 30.0 : max(g.z - p.y, 0.0);
+    float deep = under ? 30.0 : max(s.g.z - p.y, 0.0);
     c = mix(vec3(0.055, 0.034, 0.022), c, smoothstep(0.5, 2.0, deep + 1.2 * (fine.x - 0.5)));
-    float up = inversesqrt(1.0 + dot(g.xy, g.xy));
-    vec3 top = landColour(vec3(p.x, g.z, p.z), up, g.w, fine, fine, w);
-    c = mix(top, c, smoothstep(0.1, 0.45 + w, deep + 0.5 * (fine.y - 0.5)));
+    c = mix(s.colour, c, smoothstep(0.1, 0.45 + w, deep + 0.5 * (fine.y - 0.5)));
     nor = normalize(nor + 0.06 * (under ? vec3(fine.z, 0.0, fine.w)
         : fine.z * vec3(nor.z, 0.0, -nor.x) + vec3(0.0, fine.w, 0.0)));
     return c / kPi * (sunBeam() * max(dot(nor, sunDirection()), 0.0) + ambientLight(nor));
@@ -623,6 +633,29 @@ vec3 wallLight(vec3 p, vec3 nor, float w) {
 
 // A ray in the air and one in the water that belong to one pixel, and what they carry.
 struct Pair { vec3 airO, airD, air, wetO, wetD, wet; };
+// Where both meet land before their ends: how far off, and the light from there; in the air only
+// if exact. A loop takes one after the other, for a driver compiles a copy of a function for each
+// place that calls it.
+struct Ends { float air, wet; vec3 lit, bed; };
+Ends endsOnLand(Pair r, float airEnd, float wetEnd, float angle, float far, bool exact) {
+    Ends e = Ends(kFar, kFar, vec3(0.0), vec3(0.0));
+    for (int way = exact ? 0 : 1; way < 2; ++way) {
+        bool wet = way == 1;
+        vec3 ro = wet ? r.wetO : r.airO, rd = wet ? r.wetD : r.airD;
+        float met = meetLand(ro, rd, 0.0, wet ? wetEnd : airEnd);
+        float gone = wet ? min(met, wetEnd) : met;
+        vec3 p = ro + gone * rd;
+        vec3 light = landLight(groundAt(p, vec3(0.0), angle * (far + gone)), p, rd, wet);
+        if (wet) {
+            e.wet = met;
+            e.bed = light;
+        } else {
+            e.air = met;
+            e.lit = light;
+        }
+    }
+    return e;
+}
 // What both find. width: angle that the ray in the air averages; angle: of a pixel; far: m to here.
 // Each turn ends the ray in the air, in the sky or, if exact, on land. The ray in the water ends on
 // the bed; or at a face, and there it hands on: with Fresnel's share F, 1 - F of what it carries
@@ -631,23 +664,21 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
     vec3 sum = vec3(0.0), loss = waterLoss(), entered;
     bool open = true;
     for (int k = 0; k < bends && open; ++k) {
-        float airEnd = exact ? blockSpan(r.airO, r.airD, entered).y : 0.0, met = kFar;
-        if (exact) met = meetLand(r.airO, r.airD, 0.0, maxComponent(r.air) > 0.0 ? airEnd : 0.0);
-        vec3 beyond = background(r.airD, width, disc);
-        if (exact && met < kFar)
-            beyond = landLight(r.airO + met * r.airD, r.airD, angle * (far + met), false);
-        sum += r.air * beyond;
-
+        float airEnd = exact ? blockSpan(r.airO, r.airD, entered).y : 0.0;
+        if (maxComponent(r.air) <= 0.0) airEnd = 0.0;
         vec3 inverse = safeInverse(r.wetD), edge = sign(r.wetD) * kHalf;
         vec3 sides = (edge - r.wetO) * inverse;
         float level = r.wetD.y > 0.0 ? (waterLevel - r.wetO.y) * inverse.y : kFar;
         float end = maxComponent(r.wet) > 0.0 ? max(min(min(sides.x, sides.z), level), 0.0) : 0.0;
-        float t = meetLand(r.wetO, r.wetD, 0.0, end), run = min(t, end);
+        Ends e = endsOnLand(r, airEnd, end, angle, far, exact);
+        float run = min(e.wet, end);
+        vec3 beyond = e.air < kFar ? e.lit : background(r.airD, width, disc);
+        sum += r.air * beyond;
         sum += r.wet * lakeGlow(waterLevel - r.wetO.y, r.wetD.y, run);
         r.wet *= exp(-loss * run);
         vec3 p = r.wetO + run * r.wetD;
         far += run;
-        if (t < kFar) sum += r.wet * landLight(p, r.wetD, angle * far, true);
+        if (e.wet < kFar) sum += r.wet * e.bed;
         vec3 face = level <= min(sides.x, sides.z) ? vec3(0.0, 1.0, 0.0)
             : sides.x < sides.z ? vec3(sign(r.wetD.x), 0.0, 0.0) : vec3(0.0, 0.0, sign(r.wetD.z));
         vec3 nor = -face;
@@ -657,10 +688,10 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
             if (dot(nor, r.wetD) > -0.02) nor = -face;
         }
         float share = fresnel(clamp(-dot(nor, r.wetD), 0.0, 1.0), 1.0 / kIorWater);
-        r.air = t < kFar ? vec3(0.0) : (1.0 - share) * r.wet;
+        r.air = e.wet < kFar ? vec3(0.0) : (1.0 - share) * r.wet;
         r.airO = p;
         r.airD = refractExactly(r.wetD, nor, kIorWater);
-        r.wet *= t < kFar ? 0.0 : share;
+        r.wet *= e.wet < kFar ? 0.0 : share;
         r.wetO = p - 1e-4 * face;
         r.wetD = reflect(r.wetD, nor);
         if (face.y > 0.0) r.wetD.y = min(r.wetD.y, -0.01);
@@ -826,19 +857,18 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
 // From what never changes to what always does: noise, land, its pyramid, sky and light are drawn
 // once per look; waves and the picture's geometry every frame.
 
-// A tile of noise: x and y are about 0 to 1; zw is a noise's slope, about -1 to 1.
+// A tile of noise: x and y are about 0 to 1; zw is a noise's slope, about -1 to 1. Six octaves of
+// x, from 4 cells on, six of y, from 8, three of zw, from 16.
 void mainTile(out vec4 colour, in vec2 pixel) {
     vec2 p = pixel / iResolution.xy;
     colour = vec4(0.5, 0.5, 0.0, 0.0);
-    for (int k = 0; k < 6; ++k) {
-        int cells = 4 << k;
-        float gain = 0.72 * exp2(-float(k));
-        colour.x += gain * perlinPlane(p * float(cells), 2 + k, cells - 1).z;
-        colour.y += gain * perlinPlane(p * float(2 * cells), 12 + k, 2 * cells - 1).z;
-    }
-    for (int k = 0; k < 3; ++k) {
-        int cells = 16 << k;
-        colour.zw += 0.5 * perlinPlane(p * float(cells), 22 + k, cells - 1).xy;
+    for (int k = 0; k < 15; ++k) {
+        int what = k / 6, octave = k - 6 * what, cells = 4 << what + octave;
+        vec3 n = perlinPlane(p * float(cells), 2 + 10 * what + octave, cells - 1);
+        float gain = 0.72 * exp2(-float(octave));
+        if (what == 0) colour.x += gain * n.z;
+        else if (what == 1) colour.y += gain * n.z;
+        else colour.zw += 0.5 * n.xy;
     }
 }
 // A tile of clouds: x thickness, about 0 to 1, y how much the sun's side of a bump is lit.
@@ -1036,16 +1066,16 @@ void mainGBuffer(out vec4 colour, out vec4 normal, in vec2 pixel) {
     normal = vec4(0.0, 1.0, 0.0, kFar);
     if (h.id == kSky) return;
     normal = vec4(0.01 * h.nor, h.t * axis);
+    Ground ground = groundAt(p, h.id == kWall || h.id == kBottom ? h.nor : vec3(0.0), w);
     if (h.id == kLand) {
-        colour.rgb = landLight(p, rd, w, false);
-        vec2 slope = textureLod(land, landUv(p.xz), 0.0).xy;
-        normal.xyz = normalize(vec3(-slope, 1.0).xzy) * (depthOfLand(p, rd) * axis);
+        colour.rgb = landLight(ground, p, rd, false);
+        normal.xyz = normalize(vec3(-ground.g.xy, 1.0).xzy) * (depthOfLand(p, rd) * axis);
     } else if (h.id == kWater) {
         Sea s = lakeAt(p.xz, rd, w);
         colour.rgb = s.spread;
         normal.xyz = 0.01 * normalize(vec3(-s.slope, 1.0).xzy);
     } else if (h.id != kSide) {
-        colour.rgb = wallLight(p, h.nor, w);
+        colour.rgb = wallLight(ground, p, h.nor, w);
     }
 }
 

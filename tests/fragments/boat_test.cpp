@@ -403,10 +403,9 @@ TEST_F(BoatScene, RaysMeetTheBoatWhereTheyShould) {
         "    vec3 ro = vec3(6.0 * cos(turn), 0.3 + 3.0 * r.y, 6.0 * sin(turn));\n"
         "    vec3 to = vec3(1.6, 3.0, 3.6) * (s - vec3(0.5, 0.12, 0.5));\n"
         "    vec3 rd = normalize(gAxes * to + vec3(0.0, gHeave, 0.0) - ro);\n";
-    const auto marched =
-        texels(boat_picture(ray + "    Hit h = hitBoat(ro, rd, 0.0, kFar);\n"
-                                  "    c = vec4(h.t, h.part, dot(h.nor, rd), 1.0);\n"),
-               "", 1.0, {64, 40});
+    const auto marched = texels(boat_picture(ray + "    Hit h = hitBoat(ro, rd, 0.0, kFar);\n"
+                                                   "    c = vec4(h.t, h.part, 0.0, 1.0);\n"),
+                                "", 1.0, {64, 40});
     const auto walked =
         texels(boat_picture(ray + "    vec3 o = toBoat(ro), d = rd * gAxes;\n"
                                   "    vec2 span = boatSpan(o, d, 0.0);\n"

@@ -79,7 +79,10 @@ private:
     // Where the exact ray meets something: its pixel, its depth, what the picture has there.
     Player truth_{
         sea_picture(
-            "    Hit h = hitAll(from, u.away, angle, u.id == kGlass, !mirrors);\n"
+            "    float sea = hitSea(from, u.away, angle, u.id == kGlass ? kFar : 0.0);\n"
+            "    float end = !mirrors ? 0.0 : sea > 0.0 ? sea : kFar;\n"
+            "    Hit h = hitThings(from, u.away, angle, end);\n"
+            "    if (h.id == kSky && sea > 0.0) h.id = kWater;\n"
             "    vec3 v = toView(e, from + min(h.t, 1e5) * u.away);\n"
             "    vec2 at = toPixel(e, v);\n"
             "    bool inside = v.z > kNear && clamp(at, vec2(0.0), iResolution.xy - 0.01) == at;\n"
