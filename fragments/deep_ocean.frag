@@ -85,7 +85,7 @@ uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D ground;      //@ pass mainGround size=1024x1024 format=rg32f wrap=repeat
 uniform sampler2D relief;      //@ pass mainRelief size=1024x1024 wrap=repeat filter=mipmap
-uniform sampler2D tops;        //@ pass mainTops size=128x128 format=rg32f filter=nearest
+uniform sampler2D tops;        //@ pass mainTops size=128x128 filter=nearest
 uniform sampler2D summits;     //@ pass mainSummits size=32x32 format=r32f filter=nearest
 uniform sampler2D shade;       //@ pass mainShade size=256x256 format=rg32f wrap=repeat
 uniform sampler2D grain;       //@ pass mainGrain size=256x256 wrap=repeat filter=mipmap
@@ -251,12 +251,13 @@ float groundHeight(vec2 p) { return textureLod(ground, p / kTile, 0.0).x; }
 int seabedEvaluations = 0;   // of a ray's height over the floor, for measurements
 
 // Where a ray from above meets the floor, or -1. pixel: angle of a pixel, rad. Cells whose highest
-// point lies below the ray are crossed in one step; elsewhere no step is longer than the cell's
-// steepest slope allows, but none is shorter than `least`. The last few go to where a line through
-// both ends is 0, and halve the gap at the end that stayed (after Illinois).
+// point lies below the ray are crossed in one step; elsewhere no step is longer than the steepest
+// rise allows that the cell has in the ray's direction, but none is shorter than `least`. The last
+// few go to where a line through both ends is 0, and halve the gap at the end that stayed (after
+// Illinois).
 float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     seabedEvaluations = 0;
-    float level = length(rd.xz), t = 0.0, least = 12.0 / float(marchSteps);   // m
+    float level = length(rd.xz), t = 0.0, least = 9.0 / float(marchSteps);   // m
     vec2 inverse = safeInverse(vec3(rd.xz, 1.0)).xy, far = step(0.0, rd.xz);
     vec2 nudge = 1e-3 * sign(rd.xz), above = vec2(0.0), below = vec2(-1.0, 0.0);
     if (rd.y > 0.0) tMax = min(tMax, (depth - kClearance - ro.y) / rd.y);
@@ -268,14 +269,15 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         float tLarge = max(min(leaveLarge.x, leaveLarge.y), t);
         float tCell = max(min(leave.x, leave.y), t);
         float topLarge = texelFetch(summits, ivec2(large) & 31, 0).x;
-        vec2 top = texelFetch(tops, ivec2(cell) & 127, 0).xy;
+        vec4 top = texelFetch(tops, ivec2(cell) & 127, 0);
         bool overLarge = march == 0 && min(p.y, ro.y + tLarge * rd.y) > topLarge;
         bool over = overLarge || (march == 0 && min(p.y, ro.y + tCell * rd.y) > top.x);
         float next = overLarge ? tLarge : tCell;
         if (over) above = vec2(t, p.y - top.x);   // or higher
         if (!over) {
             float f = p.y - groundHeight(p.xz);
-            next = min(t + f / max(top.y * level - rd.y, 1e-3), tCell);
+            float closing = dot(top.yz, rd.xz) + top.w * level - rd.y;
+            next = min(t + f / max(closing, 1e-3), tCell);
             if (f <= 0.0) below = vec2(t, f);
             else above = vec2(t, f);
         }
@@ -284,9 +286,10 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         t = march == 0 ? max(next, t + least + 0.3 * pixel * t) : t + even;
     }
     if (below.x < 0.0) return -1.0;
-    for (int k = 0; k < 4; ++k) {
+    float f = 1.0;
+    for (int k = 0; k < 4 && abs(f) > 1e-5; ++k) {   // m
         float s = mix(above.x, below.x, above.y / max(above.y - below.y, 1e-20));
-        float f = ro.y + s * rd.y - groundHeight(ro.xz + s * rd.xz);
+        f = ro.y + s * rd.y - groundHeight(ro.xz + s * rd.xz);
         if (f > 0.0) {
             above = vec2(s, f);
             below.y *= 0.5;
@@ -1062,19 +1065,24 @@ void mainRelief(out vec4 colour, in vec2 pixel) {
     vec2 here = groundTexel(i);
     colour = vec4(here.x, rise * (0.5 * float(kGround) / kTile), here.y);
 }
-// Highest point and steepest slope of what the filter makes of a cell's texels.
+// Of what the filter makes of a cell's texels: highest point, and the disc in which all slopes lie.
+vec2 groundSlope(ivec2 i) {   // eastward between i and its neighbour, northward likewise
+    return (vec2(groundTexel(i + ivec2(1, 0)).x, groundTexel(i + ivec2(0, 1)).x)
+        - groundTexel(i).x) * (float(kGround) / kTile);
+}
 void mainTops(out vec4 colour, in vec2 pixel) {
-    int side = int(kCell / kTile * float(kGround));
-    ivec2 first = ivec2(pixel) * side - 1, e = ivec2(1, 0);
-    vec2 steep = vec2(0.0);
+    int side = int(kCell / kTile * float(kGround)) + 2;
+    ivec2 first = ivec2(pixel) * (side - 2) - 1;
+    vec2 least = vec2(kFar), most = vec2(-kFar);
     float top = -kFar;
-    for (int k = 0; k < (side + 2) * (side + 2); ++k) {
-        ivec2 i = first + ivec2(k % (side + 2), k / (side + 2));
-        float here = groundTexel(i).x;
-        top = max(top, here);
-        steep = max(steep, abs(vec2(groundTexel(i + e.xy).x, groundTexel(i + e.yx).x) - here));
+    for (int k = 0; k < side * side; ++k) {
+        ivec2 i = first + ivec2(k % side, k / side);
+        vec2 slope = groundSlope(i);
+        top = max(top, groundTexel(i).x);
+        least = min(least, slope);
+        most = max(most, slope);
     }
-    colour = vec4(top, length(steep) * float(kGround) / kTile, 0.0, 1.0);
+    colour = vec4(top, 0.5 * (least + most), 0.5 * length(most - least));
 }
 void mainSummits(out vec4 colour, in vec2 pixel) {
     colour = vec4(-kFar);

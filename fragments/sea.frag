@@ -835,7 +835,8 @@ bool plotCourse(Eye e, vec3 ro, vec3 rd, out Course c) {
 }
 
 // Steps along the line until the depth of one step's ends spans what a pixel shows. rough: the ends
-// of the last step. doubtful: the ray was close before a thing, and there that ends, or the line.
+// of the last step. doubtful: the ray was close before a thing, and there that ends, or the line, or
+// what the ray comes from is shown between them.
 // What faces as the ray's start does (cosine 0.999), or along the ray (0.7), is never met.
 bool marchCourse(Course c, vec3 rd, inout vec2 rough, inout bool doubtful) {
     float s = rough.y, before = rough.x, edge = kFar;
@@ -853,7 +854,8 @@ bool marchCourse(Course c, vec3 rd, inout vec2 rough, inout bool doubtful) {
             && facing && dot(texel.xyz, rd) < 0.7 * deep;
         float least = abs(z.y - z.x) + (rd.y < 0.0 ? 0.05 * z.y : 0.0);   // m, over water
         bool close = texel.w - z.y < (facing && deep < 10.0 ? 0.3 : least);
-        doubtful = doubtful || !hit && (texel.w > edge || s >= c.inside && close);
+        bool between = edge < kFar && !close && !facing && deep < 10.0 && texel.w - z.y < 0.15;
+        doubtful = doubtful || !hit && (texel.w > edge || between || s >= c.inside && close);
         edge = close && deep < 10.0 ? texel.w + 0.1 : kFar;
         open = !hit && s < c.inside;
         if (open) {

@@ -775,9 +775,10 @@ void stepOn(Track k, inout Step s) {
     s.at = mix(k.start, k.inside, s.walked);
 }
 // Steps until land lies between the depths of a step's ends. close: it was just above land, or
-// below it by less than the land may be deep.
-bool walkOn(Track k, inout Step s, inout bool open, inout bool close) {
-    bool hit = false;
+// below it by less than the land may be deep; past: and was so no more, so that what stands between
+// two steps may have been met.
+bool walkOn(Track k, inout Step s, inout bool open, inout bool close, inout bool past) {
+    bool hit = false, near = false;
     for (int n = 0; n < reflectionSteps && open; ++n) {
         float z = onLine(k.l, s.at).z, zBefore = onLine(k.l, s.before).z;
         vec4 texel = texelFetch(normalDepth, ivec2(onLine(k.l, s.at).xy), 0);
@@ -786,8 +787,10 @@ bool walkOn(Track k, inout Step s, inout bool open, inout bool close) {
         hit = deep > 0.02 && max(z, zBefore) > texel.w
             && min(z, zBefore) - texel.w < deep + abs(z - zBefore);
         float over = texel.w - max(z, zBefore), slack = abs(z - zBefore);
-        close = close || !hit && deep > 0.02 && over < 0.5 * slack
-            && over > -2.0 * deep - 2.0 * slack;
+        bool was = near;
+        near = !hit && deep > 0.02 && over < 0.6 * slack && over > -2.0 * deep - 2.0 * slack;
+        close = close || near;
+        past = past || was && !near && !hit;
         open = !hit && s.at < k.inside;
         if (open) stepOn(k, s);
     }
@@ -809,7 +812,7 @@ bool holds(Track k, Step s, bool hit, out vec2 at, out bool vague) {
     float behind = q.z - texel.w, deep = length(texel.xyz);
     float rise = abs(texelFetch(normalDepth, ivec2(on.xy), 0).w - texel.w);
     at = q.xy;
-    vague = behind > 0.02 + 0.5 * rise || on.z - texel.w < 2.0 * rise;
+    vague = behind > 0.02 + 0.5 * rise || on.z - texel.w < 1.6 * rise;
     return hit && behind > -0.01 && behind < deep && deep > 0.02;
 }
 
@@ -826,15 +829,15 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
     if (!wanted || !layTrack(e, ro, rd, reach, k)) return 0.0;
     float sure = 0.0;
     Step s = Step(k.start, mix(k.start, k.inside, k.perStep), k.perStep);
-    bool open = k.start < k.inside, close = false;
+    bool open = k.start < k.inside, close = false, past = false;
     for (int attempt = 0; attempt < 3 && open; ++attempt) {   // again where a hit does not hold
         vec2 at;
-        bool vague, hit = walkOn(k, s, open, close);
+        bool vague, hit = walkOn(k, s, open, close, past);
         if (holds(k, s, hit, at, vague)) {
             found = at;
             sure = 1.0;
         }
-        doubtful = doubtful || hit && (sure == 0.0 || vague);
+        doubtful = doubtful || hit && (sure == 0.0 || vague || past);
         open = hit && sure == 0.0 && s.at < k.inside;
         stepOn(k, s);
     }

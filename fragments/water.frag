@@ -93,7 +93,7 @@ uniform sampler2D pondNorth;   //@ pass mainPond size=64x384 step=1/240
 uniform sampler2D relief;      //@ pass mainRelief size=256x384
 uniform sampler2D bend;        //@ pass mainRelief
 uniform sampler2D heights;     //@ pass mainHeights size=256x384 format=r32f
-uniform sampler2D peaks;       //@ pass mainPeaks size=16x24 format=rg32f
+uniform sampler2D peaks;       //@ pass mainPeaks size=32x48
 uniform sampler2D crest;       //@ pass mainCrest size=1x1 format=rg32f
 uniform sampler2D floats;      //@ pass mainFloats size=8x1
 uniform sampler2D dudv;        //@ pass mainDudv size=256x384 filter=mipmap
@@ -110,7 +110,7 @@ const float kGravity = 9.81;                  // m/s2
 const float kIorWater = 1.333;                // visible light, 20 C
 const float kLeastCarry = 0.004;              // a path that carries less is over
 const vec2  kPool = vec2(4.0, 6.0);           // m, half width and half length
-const float kPatch = 0.5;                     // m, of the pool, whose crests are known
+const float kPatch = 0.25;                    // m, of the pool, whose crests are known
 const float kDeck = 0.14;                     // m, the paving's height over the water
 const float kBrim = -0.4;                     // m, one sees over the far wall
 const float kTerrace = 13.0;                  // m, half size of the paving
@@ -122,7 +122,7 @@ const vec3  kBeamHalf = vec3(0.22, 0.19, 4.2);           // m
 const vec4  kBallPlace = vec4(-0.60, 0.10, -1.0, 0.55);  // m: centre, radius
 const float kCeiling = 0.3;                   // m, no ring is higher: they break
 const float kMargin = 1.12;                   // planar pictures show this much more
-const int   kCells = 16;                      // cells of the pond along one texel of `peaks`
+const int   kCells = 8;                       // cells of the pond along one texel of `peaks`
 const int   kSky = 0, kFloor = 1, kWall = 2, kStep = 3, kPaving = 4, kStone = 5, kColumn = 6;
 const int   kBall = 7, kLantern = 8;          // and on
 
@@ -303,11 +303,12 @@ float stepOverRings(vec3 ro, vec3 rd, vec3 inv, float t, float gap, float side, 
     vec3 p = ro + t * rd;
     vec2 at = (p.xz + nudge + kPool) / kPatch;
     vec2 c = clamp(floor(at), vec2(0.0), 2.0 * kPool / kPatch - 1.0);
-    vec2 most = texelFetch(peaks, ivec2(c), 0).xy;
+    vec3 most = texelFetch(peaks, ivec2(c), 0).xyz;
+    float top = gCrests + (side > 0.0 ? most.x : most.y);
     vec2 sides = ((c + ahead) * kPatch - kPool - ro.xz) * inv.xz;
     float leave = max(min(sides.x, sides.y) - t, 0.0);
-    float over = min(side * p.y, side * (p.y + leave * rd.y)) - gCrests - most.x;
-    float near = overstep * gap / max(steep + most.y * length(rd.xz), 1e-6);
+    float over = min(side * p.y, side * (p.y + leave * rd.y)) - top;
+    float near = overstep * gap / max(steep + most.z * length(rd.xz), 1e-6);
     return over > 0.0 ? leave : min(near, leave);
 }
 // Between a point above the water and one below it (x: t, y: gap): where a line through both gaps
@@ -361,7 +362,7 @@ float marchWater(vec3 ro, vec3 rd, float tMax, bool wet, out int evaluations) {
         gapBefore = gap;
         float far = overstep * gap / closing;
         if (ripples) far = max(far, stepOverRings(ro, rd, inv, t, gap, side, steep));
-        t += max(far, (overstep - 1.0) * least * (0.05 + 0.01 * t) + 1e-4);
+        t += max(far, (overstep - 1.0) * least * (0.03 + 0.006 * t) + 1e-4);
         t = min(t, end);
     }
     if (gap > 0.0) return t >= end ? kFar : t;   // out of steps: nearly there
@@ -1251,7 +1252,7 @@ void mainPond(out vec4 high, out vec4 wentEast, out vec4 wentNorth, in vec2 pixe
 }
 
 // The surface between the cells: a cubic B-spline of heights, for smooth derivatives. x height,
-// y z slope, w a bound of slope; then second derivatives xx, xz, zz.
+// y z slope; then second derivatives xx, xz, zz.
 void mainRelief(out vec4 shape, out vec4 second, in vec2 pixel) {
     ivec2 last = textureSize(pond, 0) * ivec2(4, 1) - 1;
     float cell = 2.0 * kPool.x / float(last.x + 1);
@@ -1265,9 +1266,7 @@ void mainRelief(out vec4 shape, out vec4 second, in vec2 pixel) {
     vec3 column = vec3(dot(a, weight), dot(b, weight), dot(d, weight));
     shape.x = dot(row, weight);
     shape.yz = vec2(row.z - row.x, column.z - column.x) / (2.0 * cell);
-    float most = 0.0;
-    for (int i = 0; i < 9; ++i) most = max(most, abs(h[i] - h[4]));
-    shape.w = 1.5 * most / cell;
+    shape.w = 0.0;
     second = vec4(row.x - 2.0 * row.y + row.z, 0.25 * (h[8] - h[6] - h[2] + h[0]),
                   column.x - 2.0 * column.y + column.z, 0.0) / (cell * cell);
 }
@@ -1275,22 +1274,29 @@ void mainRelief(out vec4 shape, out vec4 second, in vec2 pixel) {
 void mainHeights(out vec4 colour, in vec2 pixel) {
     colour = vec4(texelFetch(relief, ivec2(pixel), 0).x);
 }
+// Of what the filter makes of the heights of a patch: how high, how deep, how steep at most.
 void mainPeaks(out vec4 colour, in vec2 pixel) {
-    ivec2 c = ivec2(pixel) * kCells;
-    vec2 most = vec2(0.0);
-    for (int j = -1; j <= kCells; ++j)   // with what the filter mixes in at its edges
+    ivec2 first = ivec2(pixel) * kCells, last = textureSize(heights, 0) - 1;
+    vec2 most = vec2(-1.0), steep = vec2(0.0);
+    for (int j = -1; j <= kCells; ++j) {
+        float here = texelFetch(heights, clamp(first + ivec2(-1, j), ivec2(0), last), 0).x;
         for (int i = -1; i <= kCells; ++i) {
-            ivec2 at = clamp(c + ivec2(i, j), ivec2(0), textureSize(relief, 0) - 1);
-            most = max(most, abs(texelFetch(relief, at, 0).xw));
+            ivec2 at = first + ivec2(i, j);
+            float east = texelFetch(heights, clamp(at + ivec2(1, 0), ivec2(0), last), 0).x;
+            float north = texelFetch(heights, clamp(at + ivec2(0, 1), ivec2(0), last), 0).x;
+            most = max(most, vec2(here, -here));
+            steep = max(steep, abs(vec2(east, north) - here));
+            here = east;
         }
-    colour = vec4(most, 0.0, 0.0);
+    }
+    colour = vec4(most, length(steep) * float(last.x + 1) / (2.0 * kPool.x), 0.0);
 }
 void mainCrest(out vec4 colour, in vec2 pixel) {
-    vec2 most = vec2(0.0);
-    for (int j = 0; j < 24; ++j)
-        for (int i = 0; i < 16; ++i)
-            most = max(most, texelFetch(peaks, ivec2(i, j), 0).xy);
-    colour = vec4(most, 0.0, 0.0);
+    vec3 most = vec3(0.0);
+    for (int j = 0; j < 48; ++j)
+        for (int i = 0; i < 32; ++i)
+            most = max(most, texelFetch(peaks, ivec2(i, j), 0).xyz);
+    colour = vec4(max(most.x, most.y), most.z, 0.0, 0.0);
 }
 
 // The lanterns, each on a small round of its own, afloat: centre, radius.

@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-constexpr long kBlock = long{kSoundBlockWidth} * kSoundBlockRows;  // samples
+constexpr long kBlock = SoundRenderer::kBlock;
 
 // What is not a number is silence.
 float audible(float value) {
@@ -36,14 +36,22 @@ SoundRenderer::SoundRenderer(const Preset& preset, bool specialise)
     load_inputs(preset, renderer_);
 }
 
-std::vector<float> SoundRenderer::block(long index) {
+Frame SoundRenderer::frame_of(long index) const {
     Frame frame;
     frame.time = static_cast<double>(index * kBlock) / kSampleRate;
     frame.frame = static_cast<int>(index);
     frame.date = shadertoy_date(preset_.date, 0.0);
+    return frame;
+}
+
+std::vector<float> SoundRenderer::drawn(const Frame& frame) {
     renderer_.redraw();
     renderer_.draw(frame);
-    const std::vector<float> rgba = renderer_.read_floats();
+    return renderer_.read_floats();
+}
+
+std::vector<float> SoundRenderer::block(long index) {
+    const std::vector<float> rgba = drawn(frame_of(index));
     std::vector<float> pairs;
     pairs.reserve(2 * kBlock);
     for (std::size_t i = 0; i < rgba.size(); i += 4) {

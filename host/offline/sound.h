@@ -3,6 +3,7 @@
 
 #include "base/temporary_file.h"
 #include "offline/common.h"
+#include "scene/passes.h"
 
 #include <filesystem>
 
@@ -19,8 +20,15 @@ public:
     // The preset must outlive this. Throws Stop when it does not compile.
     SoundRenderer(const Preset& preset, bool specialise);
 
-    // The 8192 samples from `index` times that on: left and right in turn, from -1 to 1.
+    static constexpr long kBlock = long{kSoundBlockWidth} * kSoundBlockRows;  // samples
+
+    // The kBlock samples from `index` times that on: left and right in turn, from -1 to 1.
     std::vector<float> block(long index);
+
+    // The same as the scene gives them, RGBA: beyond -1 and 1, or no numbers at all.
+    std::vector<float> drawn(const Frame& frame);
+    Frame frame_of(long index) const;
+    Renderer& renderer() { return renderer_; }
 
 private:
     const Preset& preset_;

@@ -83,8 +83,7 @@ const std::vector<Field> kFields = {
      .steps = "marchSteps",
      .finish = 0.0,
      .tweaks = {"wideRelief", "fineRelief", "cliff", "depth", "ripples"},
-     .worst = "wideRelief=20.7 fineRelief=40 cliff=2.8 depth=33.2 ripples=1.84",
-     .worst_time = 0.21,
+     .worst = "wideRelief=7.766 fineRelief=40 cliff=0 depth=16 ripples=1.901",
      .longest_time = 1.0},
     {.scene = "water",
      .height = "float height(vec2 q) { return waterHeight(q); }\n",
@@ -99,9 +98,9 @@ const std::vector<Field> kFields = {
      .finish = 0.0,
      .tweaks = {"waveHeight", "longestWave", "windAngle", "windSpread", "depth", "rain", "dropSize",
                 "dropForce", "waveSpeed", "damping"},
-     .worst = "waveHeight=0.0706 longestWave=0.6 windAngle=-180 windSpread=49.1 depth=3.73 "
-              "rain=35.5 dropSize=0.435 dropForce=2 waveSpeed=0.2008 damping=0.531",
-     .worst_time = 0.2453,
+     .worst = "waveHeight=0.09572 longestWave=0.8214 windAngle=4.978 windSpread=171.2 depth=2.046 "
+              "rain=51.38 dropSize=0.169 dropForce=2.72 waveSpeed=0.8008 damping=0.06749",
+     .worst_time = 0.340442,
      .longest_time = 0.5},
 };
 

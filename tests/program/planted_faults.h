@@ -543,6 +543,22 @@ inline void add_invariants(std::vector<Planted>& list) {
                     fed(grows, "size=8x8 bounded=[0, 2]", tweak + " safe=[0, 0.8]\n")});
 }
 
+// Sound is a pass of its own, whose time runs by samples.
+inline void add_sounds(std::vector<Planted>& list) {
+    const auto sound = [](const std::string& value) {
+        return "uniform float pitch; //@ 440 [0, 880]\n"
+               "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n"
+               "vec2 mainSound(int samp, float time) {\n"
+               "    float tone = sin(6.2831853 * fract(pitch * time));\n"
+               "    return vec2(tone, " +
+               value + ");\n}\n";
+    };
+    list.push_back({"sound/late", sound("tone * sqrt(1.0 - 0.1 * mod(time, 11.0))"),
+                    sound("tone * sqrt(1.0 - 0.1 * mod(time, 10.0))")});
+    list.push_back({"sound/at_an_end", sound("tone * (pitch / pitch)"),
+                    sound("tone * (pitch / max(pitch, 1e-3))")});
+}
+
 }  // namespace planting
 
 inline std::vector<Planted> planted_faults() {
@@ -562,35 +578,8 @@ inline std::vector<Planted> planted_faults() {
     planting::add_loops(list);
     planting::add_alpha_and_hidden(list);
     planting::add_invariants(list);
+    planting::add_sounds(list);
     return list;
-}
-
-// Scenes that look suspicious and are sound.
-inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
-    using namespace planting;
-    return {
-        {"progressive_average", fed("vec4 now = vec4(fract(sin(dot(p, vec2(12.9, 78.2)) + "
-                                    "float(iFrame) * 1.7) * 43758.5));"
-                                    " float n = iFrame == 0 ? 0.0 : s.w; c = vec4(mix(s.xyz, "
-                                    "now.xyz, 1.0 / (n + 1.0)), n + 1.0);",
-                                    "", "", "c = vec4(texelFetch(state, ivec2(p), 0).xyz, 1.0);")},
-        {"counted_average", fed("float n = iFrame == 0 ? 0.0 : s.w; c = vec4(mix(s.xyz, vec3(0.5), "
-                                "1.0 / (n + 1.0)), n "
-                                "+ 1.0);")},
-        {"population", fed("c = s + 0.004 * s * (1.0 - s); if (s.x == 0.0) c = vec4(0.01);",
-                           "size=8x8 step=1/60")},
-        {"oscillator",
-         fed("float w = sqrt(k), h = 1.0 / 60.0; vec2 y = s.xy == vec2(0.0) ? vec2(1.0, "
-             "0.0) : s.xy; c = vec4(y.x * cos(w * h) + y.y / w * sin(w * h), y.y * cos(w "
-             "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
-             "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
-        {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
-        {"trail", fed("vec2 at = 0.5 + 0.4 * vec2(cos(" + std::string(kTurn) + "), sin(" + kTurn +
-                          ")); c = max(s * exp(-1.5 * iTimeDelta), vec4(smoothstep(0.2, 0.0, "
-                          "distance(p / iResolution.xy, at))));",
-                      "", "", "c = texelFetch(state, ivec2(p), 0);")},
-        {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
-    };
 }
 
 }  // namespace glint::cli

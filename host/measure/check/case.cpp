@@ -210,6 +210,7 @@ std::vector<Case> all_cases(const CheckSubject& subject, const Effort& effort) {
     add_other_cases(list, subject);
     add_unset_case(list, subject);
     add_assertion_case(list, subject);
+    add_sound_case(list, subject);
     end_group();
     add_step_cases(list, subject);
     add_frame_rate_case(list, subject);

@@ -79,6 +79,7 @@ void add_flash_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_stiffness_cases(std::vector<Case>& list, const CheckSubject& subject);
 void add_conditioning_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_rounding_case(std::vector<Case>& list);
+void add_sound_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_loop_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_key_case(std::vector<Case>& list, const CheckSubject& subject);
 void add_search_case(std::vector<Case>& list, const CheckSubject& subject);

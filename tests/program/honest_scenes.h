@@ -1,0 +1,36 @@
+// Scenes in which `glint check` has to find nothing, beside the twins of planted_faults.h.
+#pragma once
+
+#include "planted_faults.h"
+
+namespace glint::cli {
+
+// Scenes that look suspicious and are sound.
+inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
+    using namespace planting;
+    return {
+        {"progressive_average", fed("vec4 now = vec4(fract(sin(dot(p, vec2(12.9, 78.2)) + "
+                                    "float(iFrame) * 1.7) * 43758.5));"
+                                    " float n = iFrame == 0 ? 0.0 : s.w; c = vec4(mix(s.xyz, "
+                                    "now.xyz, 1.0 / (n + 1.0)), n + 1.0);",
+                                    "", "", "c = vec4(texelFetch(state, ivec2(p), 0).xyz, 1.0);")},
+        {"counted_average", fed("float n = iFrame == 0 ? 0.0 : s.w; c = vec4(mix(s.xyz, vec3(0.5), "
+                                "1.0 / (n + 1.0)), n "
+                                "+ 1.0);")},
+        {"population", fed("c = s + 0.004 * s * (1.0 - s); if (s.x == 0.0) c = vec4(0.01);",
+                           "size=8x8 step=1/60")},
+        {"oscillator",
+         fed("float w = sqrt(k), h = 1.0 / 60.0; vec2 y = s.xy == vec2(0.0) ? vec2(1.0, "
+             "0.0) : s.xy; c = vec4(y.x * cos(w * h) + y.y / w * sin(w * h), y.y * cos(w "
+             "* h) - y.x * w * sin(w * h), 0.0, 1.0);",
+             "size=8x8 step=1/60", "uniform float k; //@ 4.0 [1, 40]\n")},
+        {"sum_of_steps", fed("c = s + 0.001;", "size=8x8 step=1/60")},
+        {"trail", fed("vec2 at = 0.5 + 0.4 * vec2(cos(" + std::string(kTurn) + "), sin(" + kTurn +
+                          ")); c = max(s * exp(-1.5 * iTimeDelta), vec4(smoothstep(0.2, 0.0, "
+                          "distance(p / iResolution.xy, at))));",
+                      "", "", "c = texelFetch(state, ivec2(p), 0);")},
+        {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
+    };
+}
+
+}  // namespace glint::cli
