@@ -1065,11 +1065,11 @@ void mainRelief(out vec4 colour, in vec2 pixel) {
     vec2 here = groundTexel(i);
     colour = vec4(here.x, rise * (0.5 * float(kGround) / kTile), here.y);
 }
-// Of what the filter makes of a cell's texels: highest point, and the disc in which all slopes lie.
 vec2 groundSlope(ivec2 i) {   // eastward between i and its neighbour, northward likewise
     return (vec2(groundTexel(i + ivec2(1, 0)).x, groundTexel(i + ivec2(0, 1)).x)
         - groundTexel(i).x) * (float(kGround) / kTile);
 }
+// Of what the filter makes of a cell's texels: highest point, and the disc in which all slopes lie.
 void mainTops(out vec4 colour, in vec2 pixel) {
     int side = int(kCell / kTile * float(kGround)) + 2;
     ivec2 first = ivec2(pixel) * (side - 2) - 1;
