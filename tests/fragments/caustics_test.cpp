@@ -163,9 +163,9 @@ Map photons(const Look& look, const std::vector<Wave>& waves, int side, unsigned
 }
 
 // Calm water: the one point whose light lands in the middle of a texel's part, by Newton's steps
-// with differences, and the flux over the determinant there; 3 x 3 parts a texel.
+// with differences, and the flux over the determinant there; 2 x 2 parts a texel.
 Map inverse(const Look& look, const std::vector<Wave>& waves) {
-    constexpr int kParts = 3;
+    constexpr int kParts = 2;
     const auto lands = [&](glm::dvec2 u) {
         const auto [height, slope] = water(waves, u);
         return land(look, u, height, slope);
