@@ -34,6 +34,9 @@ struct OiioModule {
 };
 
 OiioModule load_module() {
+    // Of the 260, GDAL and what it needs look up most symbols. Opened by itself it looks for them
+    // among its own libraries and not among all: half of the work. Where it is absent, so be it.
+    ::dlopen("libgdal.so.32", RTLD_LAZY | RTLD_LOCAL);
     void* module = open_module("glint-oiio.so", "image");
     return {.begin = find_function<GlintOiioBegin>(module, "glint_oiio_begin"),
             .write = find_function<GlintOiioWrite>(module, "glint_oiio_write"),

@@ -52,6 +52,7 @@ constexpr double kShare = 0.0005;
 TEST_F(SamePicture, RunsThreadsAndCachesGiveTheSameBytes) {
     const std::vector<std::pair<std::string, std::string>> environments[] = {
         {},
+        {{"LP_NUM_THREADS", "0"}},
         {{"LP_NUM_THREADS", "1"}},
         {{"LP_NUM_THREADS", "2"}},
         {{"MESA_SHADER_CACHE_DISABLE", "true"}},

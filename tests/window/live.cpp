@@ -38,6 +38,7 @@ double cpu_seconds_of(const std::string& process) {
 [[noreturn]] void become(const std::string& display, const fs::path& folder, const fs::path& errors,
                          std::vector<std::string> words, const Environment& environment) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves nothing behind
+    for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_DFL);  // nohup, or a shell's &
     const std::string home = (folder / "home").string();
     ::setenv("DISPLAY", display.c_str(), 1);
     ::setenv("HOME", home.c_str(), 1);
