@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string_view>
 #include <unordered_set>
 
@@ -370,6 +371,21 @@ std::string numbers_uniform(const std::vector<float>& numbers) {
     return fmt::format("uniform vec4 {}[{}];\n", kNumbers, (numbers.size() + 3) / 4);
 }
 
+// Passes of a text are asked for one after the other, and reading it is half of the work. A text
+// without a part for one pass alone reads the same for all.
+const Reading& reading_for(const Scene& scene, std::size_t pass) {
+    struct Last {
+        std::string text;
+        Reading reading;
+    };
+    thread_local std::unique_ptr<Last> last;
+    const bool has_parts = scene.text.find(kPassPrefix) != std::string::npos;
+    if (last && last->text == scene.text && !has_parts) return last->reading;
+    last = std::make_unique<Last>(Last{.text = scene.text, .reading = {}});
+    last->reading = read_glsl(last->text, known_of_pass(output_names(scene, pass)));
+    return last->reading;
+}
+
 }  // namespace
 
 std::string named_tweak(std::size_t tweak) {
@@ -393,7 +409,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const Scene& scene = preset.scene;
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
     const bool plain_main = image && scene.image_entry == "main";
-    const Reading reading = read_glsl(scene.text, known_of_pass(output_names(scene, pass)));
+    const Reading& reading = reading_for(scene, pass);
     Edits edits(reading);
     const bool is_lean = options.lean && can_be_lean(reading);
     std::vector<bool> reached;

@@ -15,7 +15,13 @@ constexpr std::size_t kHeard = 5, kLeast = 3;
 constexpr double kAim = 0.9, kRoom = 0.75;
 // A step down that brings less than this was not worth it: the cost is not in the pixels.
 constexpr double kWorth = 0.85;
-constexpr int kPatience = 20, kMostPatience = 640, kSoon = 60;  // frames
+// ... until frames take so much longer than they did then.
+constexpr double kWorse = 1.5;
+// Part of a frame is not in its pixels, and a busy machine looks like that. So below this part of
+// the wanted time a larger share is tried even if it should be too slow by its pixels; again only
+// once frames take so much less than before the last try.
+constexpr double kTry = 0.6, kBetter = 0.8;
+constexpr int kPatience = 12, kMostPatience = 640, kSoon = 60;  // frames
 
 }  // namespace
 
@@ -32,6 +38,7 @@ void HeldRate::want(double wanted_ms) {
     if (wanted_ms == wanted_ms_) return;
     wanted_ms_ = wanted_ms;
     lowest_ = kShares.size() - 1;
+    refused_ms_ = {};
     patience_ = kPatience;
     roomy_ = 0;
 }
@@ -62,12 +69,31 @@ bool HeldRate::go(std::size_t to) {
 }
 
 bool HeldRate::go_down(double median_ms) {
-    if (came_up_ && frames_ < kSoon) patience_ = std::min(2 * patience_, kMostPatience);
+    if (came_up_ && frames_ < kSoon) {
+        patience_ = std::min(2 * patience_, kMostPatience);
+        refused_ms_[came_from_] = came_from_ms_;
+    }
     std::size_t to = at_;
     while (to < lowest_ && (to == at_ || predicted(median_ms, to) > kAim * wanted_ms_)) ++to;
     before_at_ = at_;
     before_ms_ = median_ms;
     return go(to);
+}
+
+// As many steps at once as are sure to have room; one to try, if none is.
+std::size_t HeldRate::place_above(double median_ms) const {
+    std::size_t to = at_;
+    while (to > 0 && predicted(median_ms, to - 1) <= kRoom * wanted_ms_) --to;
+    const double refused_ms = refused_ms_[at_];
+    const bool may_try =
+        median_ms <= kTry * wanted_ms_ && (refused_ms == 0.0 || median_ms < kBetter * refused_ms);
+    return to == at_ && at_ > 0 && may_try ? at_ - 1 : to;
+}
+
+bool HeldRate::go_up(double median_ms) {
+    came_from_ = at_;
+    came_from_ms_ = median_ms;
+    return go(place_above(median_ms));
 }
 
 bool HeldRate::hear(double frame_ms) {
@@ -77,14 +103,16 @@ bool HeldRate::hear(double frame_ms) {
     if (heard_.size() < kLeast) return false;
     const double ms = median_of(heard_);
     if (ms > wanted_ms_ && before_ms_ > 0.0 && ms > kWorth * before_ms_) {
+        lowest_ms_ = before_ms_;
         before_ms_ = 0.0;
         lowest_ = before_at_;
         return go(before_at_);
     }
     before_ms_ = 0.0;
+    if (ms > kWorse * lowest_ms_) lowest_ = kShares.size() - 1;
     if (ms > wanted_ms_) return go_down(ms);
-    roomy_ = at_ > 0 && predicted(ms, at_ - 1) <= kRoom * wanted_ms_ ? roomy_ + 1 : 0;
-    return roomy_ >= patience_ && go(at_ - 1);
+    roomy_ = place_above(ms) < at_ ? roomy_ + 1 : 0;
+    return roomy_ >= patience_ && go_up(ms);
 }
 
 }  // namespace glint

@@ -1,8 +1,9 @@
 // Holds a frame rate by the resolution: which share of its full size a picture is drawn at.
 //
 // A pure machine, fed with the times of frames. The cost of a frame is taken to go with its pixels;
-// where that turns out wrong, a lower resolution is given up again. Shares are few, so that the
-// picture does not breathe, and going up asks for more room than staying.
+// where that turns out wrong, a lower resolution is given up again. Upwards, where part of it goes
+// with something else, the next share is tried. Shares are few, so that the picture does not
+// breathe, and a share that was tried in vain is not tried again before frames have grown quicker.
 #pragma once
 
 #include <array>
@@ -35,6 +36,8 @@ public:
 private:
     bool go(std::size_t to);
     bool go_down(double median_ms);
+    bool go_up(double median_ms);
+    std::size_t place_above(double median_ms) const;
     double predicted(double ms, std::size_t at) const;
     std::size_t place_for(double full_ms) const;
 
@@ -42,12 +45,17 @@ private:
     std::size_t at_ = 0, lowest_ = kShares.size() - 1;
     std::vector<double> heard_;  // ms, the last few frames at this share
     int frames_ = 0;             // at this share
-    int roomy_ = 0;              // frames in a row with room for the next share
-    int patience_ = 20;          // such frames before going up
+    int roomy_ = 0;              // frames in a row with room for a larger share
+    int patience_ = 12;          // such frames before going up
     bool came_up_ = false;
+    // Before the last step up: there it took so long. What came back soon is noted by share (ms).
+    std::size_t came_from_ = 0;
+    double came_from_ms_ = 0.0;
+    std::array<double, kShares.size()> refused_ms_{};
     // Before the last step down: there it took so long.
     std::size_t before_at_ = 0;
     double before_ms_ = 0.0;
+    double lowest_ms_ = 0.0;  // what it took where lower shares were given up
     double expected_full_ms_ = 0.0;
 };
 

@@ -254,8 +254,10 @@ private:
     bool may_sketch() const;
     void start_sketch();
     RefineOrder order_of(Preset preset) const;
-    void give_buffers(RefineOrder& order, SharedMemory& shared, std::optional<std::size_t> reader);
-    std::size_t filled_by(std::size_t index);
+    void prepare_sketch();
+    std::vector<GivenBuffer> standing_buffers(const std::vector<std::size_t>& indices);
+    void note_texts(std::vector<GivenBuffer>& list);
+    void read_buffers(std::vector<GivenBuffer>& list, SharedMemory& shared);
     bool awaits_text() const {
         return reloader_.state() == ReloadState::trying_text || reloader_.has_unseen();
     }
@@ -294,6 +296,7 @@ private:
     Watcher watcher_;
     LivePrograms programs_;
     Sketcher sketcher_;
+    std::vector<GivenBuffer> known_to_sketch_;  // to the process at hand
     std::unique_ptr<Buffer> sketch_;
     std::optional<double> sketch_ms_;
     bool wants_sketch_ = false;

@@ -52,7 +52,7 @@ bool Playground::follow_sketch() {
         sketch_.reset();
         wants_sketch_ = false;
         const bool is_quiet = has_picture_ && reloader_.state() == ReloadState::idle;
-        if (is_quiet && context_.is_software() && is_heavy) sketcher_.prepare();
+        if (is_quiet && context_.is_software() && is_heavy) prepare_sketch();
     }
     if (wants_sketch_ && (is_heavy || since_trial_.ms() > kSoonMs)) {
         wants_sketch_ = false;
@@ -64,9 +64,27 @@ bool Playground::follow_sketch() {
     return true;
 }
 
+// Maps take long to read, to send and to make smaller ones of, and stay as they are.
+void Playground::prepare_sketch() {
+    if (!sketcher_.prepare()) return;
+    RefineOrder order = order_of(current_preset());
+    order.samples = 0;
+    order.given = standing_buffers(renderer_->maps());
+    note_texts(order.given);
+    read_buffers(order.given, sketcher_.memory());
+    sketcher_.make_ready(order);
+    known_to_sketch_ = order.given;
+}
+
 void Playground::start_sketch() {
     RefineOrder order = order_of(programs_.tried());
-    give_buffers(order, sketcher_.memory(), {});
+    std::vector<std::size_t> all = renderer_->maps();  // first, where they stood before
+    for (std::size_t i = 0; i < renderer_->graph().passes.size(); ++i)
+        if (std::ranges::find(all, i) == all.end()) all.push_back(i);
+    order.given = standing_buffers(all);
+    note_texts(order.given);
+    if (sketcher_.process() != 0) note_known(order.given, known_to_sketch_);
+    read_buffers(order.given, sketcher_.memory());
     sketcher_.start(order);
 }
 
@@ -91,43 +109,57 @@ RefineOrder Playground::probe_order(std::size_t pass, SharedMemory& memory) {
     preset.time = preset_->time;
     RefineOrder order = order_of(std::move(preset));
     order.specialise = is_specialised();
-    give_buffers(order, memory, pass);
+    const auto& passes = renderer_->graph().passes;
+    const auto reader = std::ranges::find(passes, pass, &GraphPass::pass);
+    std::vector<std::size_t> read;
+    for (std::size_t i = 0; i < passes.size() && reader != passes.end(); ++i)
+        if (std::ranges::find(reader->reads, passes[i].pass) != reader->reads.end())
+            read.push_back(i);
+    order.given = standing_buffers(read);
+    read_buffers(order.given, memory);
     return order;
 }
 
-// Of the text that would fill this buffer as it stands: fed programs stand for it, too.
-std::size_t Playground::filled_by(std::size_t index) {
-    const PassProgram& program = renderer_->scene().programs[index];
-    if (!is_specialised())
-        return sketch_hash(pass_text(current_preset(), program.pass, kSketched).text);
-    const std::string* text = programs_.shelf().text_of(program.id);
-    return text ? sketch_hash(*text) : 0;
-}
-
-// All, or those that one pass reads.
-void Playground::give_buffers(RefineOrder& order, SharedMemory& shared,
-                              std::optional<std::size_t> reader) {
-    const auto& passes = renderer_->graph().passes;
+// What stands in the buffers of these passes (places in the graph), and room for it in memory.
+std::vector<GivenBuffer> Playground::standing_buffers(const std::vector<std::size_t>& indices) {
+    std::vector<GivenBuffer> list;
     std::size_t bytes = 0;
-    for (std::size_t i = 0; i < passes.size(); ++i) {
+    for (const std::size_t i : indices) {
+        const GraphPass& pass = renderer_->graph().passes[i];
         const BufferShape& shape = renderer_->buffer(i).shape();
-        if (!fills_a_buffer(passes[i].pass) || shape.cube) continue;
-        const auto reading = std::ranges::find(passes, reader.value_or(0), &GraphPass::pass);
-        if (reader && (reading == passes.end() ||
-                       std::ranges::find(reading->reads, passes[i].pass) == reading->reads.end()))
-            continue;
-        order.given.push_back({.pass = passes[i].pass,
-                               .feeds_state = passes[i].feeds_state,
-                               .text_hash = reader ? 0 : filled_by(i),
-                               .reads = passes[i].reads,
-                               .size = shape.size,
-                               .outputs = shape.outputs,
-                               .begin = bytes});
+        if (!fills_a_buffer(pass.pass) || shape.cube) continue;
+        list.push_back({.pass = pass.pass,
+                        .feeds_state = pass.feeds_state,
+                        .reads = pass.reads,
+                        .size = shape.size,
+                        .outputs = shape.outputs,
+                        .begin = bytes});
         bytes += bytes_of_output(shape.size) * static_cast<std::size_t>(shape.outputs);
     }
+    return list;
+}
+
+// By which texts, which a sketch asks for.
+void Playground::note_texts(std::vector<GivenBuffer>& list) {
+    const Preset drawn = current_preset();
+    for (GivenBuffer& given : list) {
+        const std::size_t index = renderer_->graph_index(given.pass);
+        const std::string* constants =
+            is_specialised() ? programs_.shelf().text_of(renderer_->scene().programs[index].id)
+                             : nullptr;
+        if (!given.feeds_state) given.text_hash = filling_hash(drawn, given.pass, constants);
+    }
+}
+
+// Into memory, but for those that are known; none where there is no room.
+void Playground::read_buffers(std::vector<GivenBuffer>& list, SharedMemory& shared) {
+    std::size_t bytes = 0;
+    for (const GivenBuffer& given : list)
+        bytes += bytes_of_output(given.size) * static_cast<std::size_t>(given.outputs);
     const std::span<std::byte> memory = shared.room(bytes);
-    if (memory.size() < bytes) order.given.clear();
-    for (const GivenBuffer& given : order.given) {
+    if (memory.size() < bytes) list.clear();
+    for (const GivenBuffer& given : list) {
+        if (given.is_known) continue;
         const std::size_t index = renderer_->graph_index(given.pass);
         const std::size_t size = bytes_of_output(given.size);
         for (std::size_t output = 0; output < static_cast<std::size_t>(given.outputs); ++output)

@@ -8,7 +8,7 @@ namespace {
 // Of a kept picture; larger ones are made smaller.
 constexpr int kLongestSide = 1920;  // pixels
 // Of the sides: a picture that was held below this does not replace a better one.
-constexpr double kCoarse = 0.24;
+constexpr double kCoarse = 0.3;
 // How old the picture may be that a window leaves which is killed.
 constexpr double kKeepPicturePeriod = 60.0;  // s
 // A picture that is read sooner is there before the ground could be seen.

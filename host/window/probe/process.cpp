@@ -62,7 +62,8 @@ public:
         if (instant_ == order.instant) return;
         instant_ = order.instant;
         const SeenMemory memory;
-        hand_over(pictures_, memory.bytes(), *renderer_);
+        SentPictures none;
+        hand_over(pictures_, memory.bytes(), none, *renderer_);
         if (renderer_->graph().passes.size() > 1) renderer_->draw(frame_);
     }
 

@@ -1,6 +1,7 @@
 #include "window/trial/given_buffers.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace glint {
 namespace {
@@ -10,6 +11,15 @@ bool is_read(const CompiledScene& scene, std::size_t sampler) {
         return std::ranges::find(program.samplers, sampler, &SamplerUniform::sampler) !=
                program.samplers.end();
     });
+}
+
+PixelView view_of(const GivenPicture& picture, std::span<const std::byte> memory) {
+    const glm::ivec2 size = picture.given.size;
+    const std::size_t bytes =
+        static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4 * sizeof(float);
+    return {.size = size,
+            .floats = true,
+            .data = memory.subspan(picture.given.begin + picture.output * bytes, bytes)};
 }
 
 }  // namespace
@@ -27,18 +37,28 @@ std::vector<GivenPicture> as_pictures(Preset& preset, const std::vector<GivenBuf
     return pictures;
 }
 
+SentPictures send_ahead(const Preset& preset, const std::vector<GivenPicture>& pictures,
+                        std::span<const std::byte> memory) {
+    SentPictures sent;
+    for (const GivenPicture& picture : pictures) {
+        const PixelView view = view_of(picture, memory);
+        const bool mipmaps = sampler_at(preset, picture.sampler).filter == Filter::mipmap;
+        sent.try_emplace(picture.sampler, view, mipmaps).first->second.send(view, view.size.y);
+    }
+    return sent;
+}
+
 void hand_over(const std::vector<GivenPicture>& pictures, std::span<const std::byte> memory,
-               Renderer& renderer) {
+               SentPictures& sent, Renderer& renderer) {
     for (const GivenPicture& picture : pictures) {
         if (!is_read(renderer.scene(), picture.sampler)) continue;
-        const glm::ivec2 size = picture.given.size;
-        const std::size_t bytes =
-            static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 4 * sizeof(float);
-        renderer.set_image(
-            picture.sampler,
-            {.size = size,
-             .floats = true,
-             .data = memory.subspan(picture.given.begin + picture.output * bytes, bytes)});
+        if (!picture.given.is_known) {
+            renderer.set_image(picture.sampler, view_of(picture, memory));
+            continue;
+        }
+        const auto known = sent.find(picture.sampler);
+        if (known == sent.end()) throw std::runtime_error("A map was not given.");
+        renderer.set_image(picture.sampler, known->second);
     }
 }
 

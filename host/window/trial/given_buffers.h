@@ -5,6 +5,7 @@
 #include "window/trial/refiner.h"
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,13 @@ struct GivenPicture {
 // Whoever reads such a buffer in this preset reads a picture from now on, and nobody draws it.
 std::vector<GivenPicture> as_pictures(Preset& preset, const std::vector<GivenBuffer>& buffers);
 
-// Those that something reads.
+// Those that are sent to the driver before a scene is there to read them, by their samplers.
+using SentPictures = std::map<std::size_t, PictureUpload>;
+SentPictures send_ahead(const Preset& preset, const std::vector<GivenPicture>& pictures,
+                        std::span<const std::byte> memory);
+
+// Those that something reads. Throws std::runtime_error where one is known that was not sent.
 void hand_over(const std::vector<GivenPicture>& pictures, std::span<const std::byte> memory,
-               Renderer& renderer);
+               SentPictures& sent, Renderer& renderer);
 
 }  // namespace glint

@@ -88,8 +88,8 @@ void members(const auto& all, Is<PassState> auto& value) {
     all(pass, shape, steps_done, bytes);
 }
 void members(const auto& all, Is<GivenBuffer> auto& value) {
-    auto& [pass, feeds_state, text_hash, reads, size, outputs, begin] = value;
-    all(pass, feeds_state, text_hash, reads, size, outputs, begin);
+    auto& [pass, feeds_state, text_hash, reads, size, outputs, begin, is_known] = value;
+    all(pass, feeds_state, text_hash, reads, size, outputs, begin, is_known);
 }
 void members(const auto& all, Is<RefineOrder> auto& value) {
     auto& [preset, specialise, samples, time, time_delta, frame_rate, frame, date, input, state,

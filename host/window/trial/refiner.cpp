@@ -20,10 +20,15 @@ Refiner::Refiner(std::string device, std::filesystem::path program, std::string 
       verb_(std::move(verb)),
       output_(output) {}
 
-void Refiner::prepare() {
-    if (is_running() || is_refused_) return;
+bool Refiner::prepare() {
+    if (is_running() || is_refused_) return false;
     process_.start(program_, verb_, device_, 0, output_);
     of_ = done_ = 0;
+    return is_running();
+}
+
+void Refiner::make_ready(const RefineOrder& order) {
+    process_.send(pack(order));
 }
 
 void Refiner::start(const RefineOrder& order) {

@@ -21,6 +21,7 @@ struct GivenBuffer {
     glm::ivec2 size{0};
     int outputs = 1;
     std::size_t begin = 0;  // in shared memory, RGBA in floats, an output after the other
+    bool is_known = false;  // given before, and the same since: not in memory any more
 };
 
 // What is to be drawn. Text, values and what the scene has simulated are sent as they stand here;
@@ -28,7 +29,7 @@ struct GivenBuffer {
 struct RefineOrder {
     Preset preset;  // whose size is the picture's
     bool specialise = true;
-    int samples = 64;
+    int samples = 64;  // 0: what is given is only to be made ready, for the order that follows
     // The frame that stands.
     double time = 0.0, time_delta = 1.0 / 60, frame_rate = 60.0;
     int frame = 0;
@@ -47,8 +48,10 @@ public:
     explicit Refiner(std::string device, std::filesystem::path program = "/proc/self/exe",
                      std::string verb = "refine", int output = kNothing);
 
-    // Has a process at hand, unless one runs or cannot.
-    void prepare();
+    // Has a process at hand, unless one runs or cannot. Whether it is a new one.
+    bool prepare();
+    // Sends the one at hand what it needs to be ready: an order for no sample.
+    void make_ready(const RefineOrder& order);
 
     // Instead of what may still run. Does not wait.
     void start(const RefineOrder& order);

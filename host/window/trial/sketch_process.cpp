@@ -60,13 +60,20 @@ void run_sketch(const std::string& device) {
     const auto context = make_egl_context(device);
     warm_up(*context);
     RefineOrder order = receive_refine_order();
+    SentPictures sent;
+    if (order.samples == 0) {
+        const std::vector<GivenPicture> maps = as_pictures(order.preset, order.given);
+        sent = send_ahead(order.preset, maps, SeenMemory().bytes());
+        context->finish();
+        order = receive_refine_order();
+    }
     const std::vector<GivenPicture> pictures = as_pictures(order.preset, still_right(order));
     CompiledScene scene = compiled(order.preset);
     // What is simulated begins where it stands, which only the window knows.
     if (scene.graph.stateful) throw std::runtime_error("What is simulated was not given.");
     Renderer renderer(order.preset, std::move(scene), {.size = order.preset.size});
     const SeenMemory memory;
-    hand_over(pictures, memory.bytes(), renderer);
+    hand_over(pictures, memory.bytes(), sent, renderer);
     load_inputs(order.preset, renderer);
     renderer.draw(frame_of(order));
     context->finish();

@@ -3,7 +3,7 @@
 //
 // Only drivers that draw in software have such a mode. Buffers that the edit leaves as they are
 // lie in memory that both processes see, so that neither their passes are compiled there nor their
-// simulations played.
+// simulations played. Maps, which stay as they are for long, are given before anybody edits.
 #pragma once
 
 #include "window/trial/refiner.h"
@@ -19,6 +19,11 @@ namespace glint {
 std::size_t sketch_hash(const std::string& pass_text);
 // The programs that a sketch is drawn with.
 inline constexpr ProgramOptions kSketched{.specialise = true, .lean = true};
+// Of the text that would fill a pass's buffer as it was drawn: with constants, whose text it is, or
+// by programs that were fed with `drawn`'s values (null), for which constants stand as well.
+std::size_t filling_hash(const Preset& drawn, std::size_t pass, const std::string* constants);
+// Those of a later order that were given before and are the same since are known.
+void note_known(std::vector<GivenBuffer>& later, const std::vector<GivenBuffer>& before);
 
 class Sketcher {
 public:
@@ -26,7 +31,10 @@ public:
                       const std::filesystem::path& program = "/proc/self/exe");
 
     // Has a process at hand: its driver takes longer to start than a small text to be drawn.
-    void prepare() { process_.prepare(); }
+    // Whether it is a new one, which knows nothing yet.
+    bool prepare() { return process_.prepare(); }
+    // To the process at hand: what the order gives, for the one that follows.
+    void make_ready(const RefineOrder& order) { process_.make_ready(order); }
 
     // For what the order gives.
     SharedMemory& memory() { return memory_; }

@@ -107,6 +107,64 @@ TEST_F(Sketch, WhereTheSimulationIsNotGivenThereIsNone) {
     EXPECT_EQ(channel(0), -1);
 }
 
+TEST_F(Sketch, WhatWasGivenBeforeAnEditIsTakenFromThere) {
+    give(0, 0.4f, {0});
+    give(1, 0.8f);
+    sketcher_.prepare();
+    RefineOrder before = order_;
+    before.samples = 0;
+    before.given = {order_.given[1]};
+    sketcher_.make_ready(before);
+    note_known(order_.given, before.given);
+    EXPECT_FALSE(order_.given[0].is_known);
+    EXPECT_TRUE(order_.given[1].is_known);
+    EXPECT_FALSE(sketcher_.is_drawing());
+    edit("1);\n}", "1); c.a = 1.0;\n}");
+    ASSERT_EQ(channel(0), 102);
+    EXPECT_EQ(sketcher_.picture().pixels[1], std::byte{204});
+}
+
+TEST_F(Sketch, AMapIsKnownAsLongAsItsTextAndThoseOfWhatItReadsStay) {
+    const std::vector<GivenBuffer> before = {{.pass = 2, .text_hash = 5},
+                                             {.pass = 3, .text_hash = 6, .reads = {2}}};
+    const auto known = [&](std::size_t first, std::size_t last) {
+        std::vector<GivenBuffer> later = before;
+        later[0].text_hash = first;
+        later[1].text_hash = last;
+        note_known(later, before);
+        return std::pair(later[0].is_known, later[1].is_known);
+    };
+    EXPECT_EQ(known(5, 6), std::pair(true, true));
+    EXPECT_EQ(known(5, 7), std::pair(true, false));
+    EXPECT_EQ(known(4, 6), std::pair(false, false)) << "what it reads is another";
+}
+
+// After a slider was moved; until the tweaks rest, and compiled constants say the same.
+TEST_F(Sketch, WhatFedProgramsHaveDrawnIsTakenForTheSameValues) {
+    const TestFolder folder;
+    Preset drawn = std::move(read_preset(folder.write("scene.frag", R"(
+uniform float level;    //@ 0.5 [0, 1]
+uniform sampler2D kept; //@ pass mainKept size=1x1
+void mainKept(out vec4 c, in vec2 p) { c = vec4(level); }
+void mainImage(out vec4 c, in vec2 p) { c = texelFetch(kept, ivec2(0), 0); }
+)"))
+                                 .preset)
+                       .value();
+    drawn.values[0] = {0.25};
+    const std::string constants = pass_text(drawn, 0, kSketched).text;
+    EXPECT_EQ(filling_hash(drawn, 0, nullptr), sketch_hash(constants));
+    EXPECT_EQ(filling_hash(drawn, 0, &constants), sketch_hash(constants));
+    order_.preset = drawn;
+    order_.preset.size = {8, 8};
+    give(0, 0.8f);
+    order_.given[0].feeds_state = false;
+    order_.given[0].text_hash = filling_hash(drawn, 0, nullptr);
+    edit("0); }", "0) + 0.0; }");
+    EXPECT_EQ(channel(0), 204);
+    order_.preset.values[0] = {0.75};
+    EXPECT_EQ(channel(0), 191) << "its value has moved since";
+}
+
 TEST_F(Sketch, TheProcessAtHandDrawsAndSoDoesTheNext) {
     give(0, 0.4f, {0});
     for (int i = 0; i < 2; ++i) {
