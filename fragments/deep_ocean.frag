@@ -1271,7 +1271,8 @@ void mainCaustics(out vec4 colour, in vec2 pixel) {
 
 // ---- Image --------------------------------------------------------------------------------------
 // A pixel's noise moves the samples of the shafts; it is the finest grain, which the eye averages.
-// Half a step of dither, of the 255 that a display has, hides the bands of dark water.
+// Half a step of dither, of the 255 that a display has, hides the bands of dark water: the same for
+// all samples of a pixel, whose mean is rounded, for the mean of many would be none.
 
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
@@ -1285,19 +1286,18 @@ vec3 display(vec3 light) {
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     Eye e = camera();
-    vec3 sum = vec3(0.0), dither = vec3(0.0);
+    vec3 sum = vec3(0.0), chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 5));
     float order = shuffledQuarters(ivec2(fragCoord));
     for (int k = 0; k < antialias; ++k) {   // an R2 sequence over the pixel
         vec2 at = fragCoord;
         if (antialias > 1) at += fract(0.5 + float(k) * vec2(0.7548777, 0.5698403)) - 0.5;
         vec2 uv = (at - 0.5 * iResolution.xy) / iResolution.y;
         vec3 rd = normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
-        vec3 chance = random3(ivec3(ivec2(at * 16.0), 5));
         float jitter = fract(order + at.x);   // evenly apart among the samples of a pixel, too
         float falloff = square(dot(rd, e.forward));   // half of a simple lens's cos^4
         vec3 light = render(e.pos, rd, 1.0 / (e.lens * iResolution.y), jitter);
         sum += falloff * light / float(antialias);
-        dither += (chance + chance.yzx - 1.0) * (0.5 / 255.0 / float(antialias));
     }
+    vec3 dither = (chance + chance.yzx - 1.0) * (0.5 / 255.0);
     fragColor = vec4(display(exp2(exposure) * sum) + dither, 1.0);
 }
