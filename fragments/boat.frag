@@ -403,12 +403,51 @@ float moversHeight(Movers m, float t) {
     vec4 c = cos(m.start + m.rate * t);
     return dot(m.a, c + crest() * (2.0 * c * c - 1.0));
 }
+// Spray: wind shears drops off the steepest crests and throws them ahead, where they hang for a
+// moment at the crest's height. So it is as dense at a point as the crest kFling upwind of it is
+// high, and thins with the height over that crest. A ray keeps the densest that it passes at the
+// steps that it takes anyway, which are short where it comes close to a crest.
+const float kFling = 1.8;          // m
+const float kSprayHeight = 1.0;    // m, over the crest, where the last drops are
+vec2 gSpray;   // before what the last ray over the sea met: the densest, 0 to 1, and where, m
+float gale() { return smoothstep(0.5, 0.9, steepness) * foam; }
+// How far kFling takes the four longest waves on: cosine and sine of their phases' differences.
+mat2x4 flung() {
+    float a = radians(windAngle);
+    vec4 fling = kFling * (gKx[0] * sin(a) - gKz[0] * cos(a));
+    return mat2x4(cos(fling), sin(fling));
+}
+// c, n: cosine and sine of their phases below a point of height y.
+void passSpray(Movers m, mat2x4 far, vec4 c, vec4 n, float y, float t) {
+    vec4 upwind = c * far[0] + n * far[1];
+    float top = dot(m.a, upwind + crest() * (2.0 * upwind * upwind - 1.0));
+    float steep = smoothstep(0.25, 0.70, top / max(dot(m.a, vec4(1.0)), 1e-3));
+    float dense = steep * square(clamp(1.0 - (y - top) / kSprayHeight, 0.0, 1.0));
+    dense *= clamp(0.25 * t - 2.25, 0.0, 1.0);   // none before the eye
+    if (dense > gSpray.x) gSpray = vec2(dense, t);
+}
+// Where a height over the waves is 0, between two places of a ray and their heights: a line through
+// both ends tells the next one, and the end that stays halves its gap (Illinois).
+float crossing(Movers m0, Movers m1, float from, float fall, vec2 above, vec2 below) {
+    float t = below.x;
+    for (int k = 0; k < 4; ++k) {
+        t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
+        float f = from + t * fall - moversHeight(m0, t) - moversHeight(m1, t);
+        if (f > 0.0) {
+            above = vec2(t, f);
+            below.y *= 0.5;
+        } else {
+            below = vec2(t, f);
+            above.y *= 0.5;
+        }
+    }
+    return t;
+}
 // Where a ray from above meets the sea, or -1. pixel: angle of a pixel, rad. The four longest waves
 // have a known slope here and a bounded curvature; the next four are as steep or as high as they
 // can be. With a gap f that closes at the speed c and bends by at most b, nothing is met before
 // 2 f / (c + sqrt(c^2 + 2 b f)); all waves are rarely at their worst at once, and a fifth more is
-// stepped. None is shorter than `least`, which may cut crests that are lower than a millimetre. The
-// last few go where a line through both ends is 0; the end that stays halves its gap (Illinois).
+// stepped. None is shorter than `least`, which may cut crests that are lower than a millimetre.
 float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
     seaEvaluations = 0;
     float reach = pixel * max(ro.y, 0.0) / max(-rd.y, 1e-4);
@@ -424,12 +463,15 @@ float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
     float t = enter, least = min(0.004 + 0.004 * enter, most) + 0.5 * pixel * enter;   // m
     vec2 above = vec2(t, 0.0), below = vec2(-1.0, 0.0);
     bool ahead = enter < leave && (slope < 0.0 || ro.y < top);
+    gSpray = vec2(0.0);
+    mat2x4 far4 = gale() > 0.0 ? flung() : mat2x4(0.0);
     for (int k = 0; k < seaSteps && ahead; ++k) {
         vec4 phase = m0.start + m0.rate * t, c = cos(phase), n = sin(phase);
         float f0 = ro.y + t * rd.y - dot(m0.a, c + crest() * (2.0 * c * c - 1.0));
         float close0 = -rd.y - dot(m0.a * m0.rate, n * (1.0 + 4.0 * crest() * c));
         float f = f0 - moversHeight(m1, t), close = close0 + steep1, over = max(f0 - top1, 0.0);
         ++seaEvaluations;
+        if (gale() > 0.0) passSpray(m0, far4, c, n, ro.y + t * rd.y, t);
         if (f <= 0.0) below = vec2(t, f);
         else above = vec2(t, f);
         ahead = f > 0.0 && t < leave;
@@ -439,18 +481,7 @@ float hitWaves(vec3 ro, vec3 rd, float pixel, float tMax) {
         t = min(t + max(max(far, far0), least), leave);
     }
     if (below.x < 0.0) return ahead ? above.x : -1.0;   // out of steps: nearly there
-    for (int k = 0; k < 4; ++k) {
-        t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
-        float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
-        if (f > 0.0) {
-            above = vec2(t, f);
-            below.y *= 0.5;
-        } else {
-            below = vec2(t, f);
-            above.y *= 0.5;
-        }
-    }
-    return t;
+    return crossing(m0, m1, ro.y, rd.y, above, below);
 }
 
 // Mean of max(0, X) for X normal with mean m and deviation s: the area that a rough surface shows.
@@ -824,15 +855,20 @@ vec3 boatLight(Hit h, vec3 p, vec3 d, float share, float w) {
 float foamCover(vec2 p, float amount, float w) {
     vec2 unit = (p + gPlace) / kWorld;
     float a = radians(windAngle), lod = log2(max(w * 102.4, 1e-3));
-    float gale = smoothstep(0.3, 0.8, steepness);
+    float drawn = smoothstep(0.3, 0.8, steepness);
     vec2 along = vec2(sin(a), -cos(a)), across = vec2(along.y, -along.x);
-    vec2 wide1 = floor(104.0 * across + 0.5), long1 = floor(mix(96.0, 30.0, gale) * along + 0.5);
-    vec2 wide2 = floor(43.0 * across + 0.5), long2 = floor(mix(38.0, 17.0, gale) * along + 0.5);
+    vec2 wide1 = floor(104.0 * across + 0.5), long1 = floor(mix(96.0, 30.0, drawn) * along + 0.5);
+    vec2 wide2 = floor(43.0 * across + 0.5), long2 = floor(mix(38.0, 7.0, gale()) * along + 0.5);
     float fine = textureLod(motif, vec2(dot(wide1, unit), dot(long1, unit)), lod).g;
     float large = textureLod(motif, vec2(dot(wide2, unit), dot(long2, unit)), lod - 1.3).g;
     float lace = 0.65 * fine + 0.6 * large - 0.12, soft = 0.14 + 0.05 * clamp(lod, 0.0, 6.0);
     float torn = smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace);
-    return min(1.2 * amount, 1.0) * torn * (0.35 + 0.65 * min(lace, 1.0));
+    float cover = min(1.2 * amount, 1.0) * torn * (0.35 + 0.65 * min(lace, 1.0));
+    if (gale() <= 0.0) return cover;
+    // A gale thins the patches out, and draws what is old in long rows down the wind.
+    float rows = large * (0.45 + 0.9 * fine);
+    cover *= mix(1.0, 0.4 + 0.9 * fine, gale());
+    return mix(cover, 1.0, 0.5 * gale() * smoothstep(0.55 - soft, 0.95 + soft, rows));
 }
 // Streaks of rain on three shells round the eye; w: angle of a pixel.
 float rainStreaks(vec3 rd, float w) {
@@ -980,14 +1016,34 @@ vec3 throughWater(Water s, Sunken g, Hit below, float path, float angle, vec4 sh
     vec3 through = albedo * lit * left + body * (1.0 - exp(-0.6 * (sigma + 0.08) * path));
     return mix(body, through, hull ? 1.0 : floorShare);
 }
+// In a trough between steep waves what a low ray would mirror is the next wave's face, not the sky.
+float inTrough(Water s) {
+    float top = 0.6 * dot(gHeight[0], vec4(1.0));
+    return 0.7 * gale() * clamp(0.5 - 0.5 * s.p.y / max(top, 1e-3), 0.0, 1.0)
+        * (1.0 - smoothstep(0.1, 0.8, s.away.y));
+}
 // Foam where crests of several waves come together, and in the wake. seen: of the sun.
 vec3 underFoam(Water s, vec3 light, float angle, float seen) {
     float breaking = smoothstep(0.20, 0.52, s.white.x + 0.16 * (foam - 0.5));
     float amount = foam * breaking + s.white.y;
     float cover = foamCover(s.p.xz, min(amount, 1.0), angle * s.t);
     float facing = max(dot(s.facet, sunDirection()), 0.0);
-    vec3 snow = 0.75 * (gAmbient + sunLight() * (facing * seen));
+    vec3 snow = mix(0.75, 0.9, gale()) * (gAmbient + sunLight() * (facing * seen));
     return mix(light, snow, cover);
+}
+// Spray before what a ray meets at `reach`, torn into wisps that fly with the wind.
+vec3 throughSpray(vec3 light, Eye e, vec3 rd, float angle, float reach) {
+    float t = gSpray.y, a = radians(windAngle);
+    if (gSpray.x < 0.004 || t > reach) return light;
+    vec3 p = e.pos + t * rd;
+    vec2 unit = (p.xz + gPlace) / kWorld, along = vec2(sin(a), -cos(a));
+    vec2 across = vec2(along.y, -along.x);
+    vec2 at = vec2(dot(floor(30.0 * across + 0.5), unit) + 0.25 * p.y,
+                   dot(floor(9.0 * along + 0.5), unit) - cycles(0.2));
+    float wisps = textureLod(motif, at, log2((0.1 + angle * t) * 32.0)).g;
+    float cover = 0.9 * gale() * gSpray.x * smoothstep(0.1, 0.6, wisps);
+    cover *= exp(-min(square(t / 60.0), 20.0));   // far off they are haze
+    return mix(light, 0.95 * (gAmbient + 0.3 * sunLight()), cover);
 }
 // The sun's disc and the glow round it; clear: how clear the sky before it is.
 vec3 sunSeen(vec3 rd, float angle, float clear) {
@@ -1035,6 +1091,7 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
     vec4 share = sunShares(s, g, q, m.nor, low, bvec2(wet, shown), chance);
 
     float before = wet ? t : 0.0;
+    if (wet && gale() > 0.0) light = mix(light, 0.5 * bodyLight(share.x), inTrough(s));
     if (shown) light = boatLight(m, q, distant, share.y, angle * (before + min(m.t, 1e3)));
     if (wet) {
         vec3 through = throughWater(s, g, below, path, angle, share, low);
@@ -1044,7 +1101,9 @@ vec3 render(Eye e, vec3 rd, float angle, float chance) {
     } else if (!shown) {
         light += sunSeen(rd, angle, far.a);
     }
-    return throughAir(light, rd, angle, wet ? t : shown ? m.t : kFar, !wet && !shown);
+    float reach = wet ? t : shown ? m.t : kFar;
+    if (gale() > 0.0) light = throughSpray(light, e, rd, angle, reach);
+    return throughAir(light, rd, angle, reach, !wet && !shown);
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
@@ -1375,7 +1434,8 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
 
 // ---- Image --------------------------------------------------------------------------------------
 // The eye stands in `poses`; here are only its rays, spread over the pixel.
-// Dither of one step of 255 hides the bands of an evening sky.
+// Dither of one step of 255 hides the bands of an evening sky. All samples of a pixel have the same:
+// their mean is rounded to one of the 255, and of many different ones nothing would be left by then.
 
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
@@ -1399,6 +1459,6 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         vec3 rd = viewRay(e, fragCoord + aside);
         sum += render(e, rd, 1.0 / (e.lens * iResolution.y), fract(chance.x + float(i) * kGolden));
     }
-    vec3 dither = (chance + chance.yzx - 1.0) / 255.0;
+    vec3 one = random3(ivec3(16 * ivec2(fragCoord) + 8, 3)), dither = (one + one.yzx - 1.0) / 255.0;
     fragColor = vec4(display(exp2(exposure) * sum / float(antialias)) + 0.5 * dither, 1.0);
 }

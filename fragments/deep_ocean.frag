@@ -127,7 +127,9 @@ const vec4  kYardTo[kSails] = vec4[kSails](
     vec4(8.9, 9.8, 2.9, 1.0), vec4(7.9, 13.2, 2.0, 0.85), vec4(2.9, 9.2, 3.1, 0.7),
     vec4(1.7, 16.2, 2.2, 0.55), vec4(6.6, 15.2, 0.0, 0.8));
 const int   kSand = 1, kPlank = 2, kTimber = 3, kSpar = 4, kRope = 5, kSail = 6, kWeed = 7;
-const float kRim = 3.5;                    // of wood before the sun, of the field's light
+const float kRim = 5.0;                    // of wood before the sun, of the field's light
+const float kLap = 2.2;                    // slope of a strake from its middle to its edges
+const float kSandBack = 0.8, kSandReach = 6.0;   // share of light that sand throws up; m
 const int   kLayers = 4;                   // things in front of each other that are kept
 const float kSpeckCell = 0.8;              // m, one speck in each; repeats after 32
 
@@ -799,17 +801,34 @@ vec3 woodColour(vec3 q, int kind, float w, out vec3 bump) {
     vec4 grown = textureLod(grain, vec2(q.x, q.y + q.z) / vec2(5.0, 2.0), floor(lod + 0.5));
     vec4 crust = textureLod(grain, vec2(q.x + 0.4 * q.z, q.y) / vec2(2.6, 1.3), floor(lod + 1.1));
     bump = vec3(grown.z + crust.z, grown.w + crust.w, grown.w - 0.6 * crust.z);
+    if (kind == kPlank)   // strakes are worn round: each is light above and dark below
+        bump.y -= 2.0 * kLap * apart * (strake - floor(strake) - 0.5);
     vec3 wood = mix(vec3(0.17, 0.115, 0.075), vec3(0.34, 0.26, 0.18), mix(0.5, r, apart));
     wood = mix(wood, vec3(0.20, 0.24, 0.11), smoothstep(0.42, 0.72, grown.x));
     float patches = smoothstep(0.56, 0.74, 0.6 * grown.x + 0.4 * crust.x);
-    wood = mix(wood * (0.55 + 0.9 * grown.x), vec3(0.50, 0.47, 0.38), 0.55 * patches);
+    wood = mix(wood * (0.55 + 0.9 * grown.x), vec3(0.62, 0.58, 0.46), 0.75 * patches);
     return wood * (1.0 - 0.85 * seam);
 }
 
+// What the ship and the rock leave at q, in the wreck's frame, of the light: of the sun, and of the
+// field, which corners see less of.
+vec2 leftOfLight(Layer l, vec3 p, vec3 q, vec3 nor, Medium m) {
+    vec3 towards = toWreck(m.towards), shipNor = toWreck(nor);
+    vec2 left = vec2(besideRock(p + 0.2 * nor, 0.1), 1.0);
+    if (wreck) {
+        left.x *= besideHull(q + 0.05 * shipNor, towards, 0.12);
+        if (sailCloth > 0.0 && l.kind <= kTimber)
+            left.x *= besideSails(q, towards, 0.1);
+        vec2 here = hullSpan(q - vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0));
+        if (here.x < 2.0 && here.x < here.y)
+            left.y = clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0);
+    }
+    return left;
+}
 // Light from a surface to the eye.
 vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     vec3 p = ro + l.t * rd, nor = l.nor, q = toWreck(p - kWreckAt), albedo = vec3(0.0);
-    float w = pixel * l.t, through = 0.0, open = 1.0;
+    float w = pixel * l.t, through = 0.0;
     bool wooden = l.kind >= kPlank && l.kind <= kSpar;
     if (l.kind == kSand)
         albedo = floorColour(p, nor, w, clamp(-rd.y, 0.04, 1.0));
@@ -822,29 +841,24 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     if (l.kind == kSail) albedo = vec3(0.62, 0.58, 0.47);
     if (l.kind == kWeed) albedo = vec3(0.17, 0.18, 0.04);
     if (l.kind >= kSail) through = 0.75;
-    // What the ship and the rock leave of the light.
-    vec3 towards = toWreck(m.towards), shipNor = toWreck(nor);
-    float seen = besideRock(p + 0.2 * nor, 0.1);
-    if (wreck) {
-        seen *= besideHull(q + 0.05 * shipNor, towards, 0.12);
-        if (sailCloth > 0.0 && l.kind <= kTimber)
-            seen *= besideSails(q, towards, 0.1);
-        vec2 here = hullSpan(q - vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0));
-        if (here.x < 2.0 && here.x < here.y)
-            open = clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0);
-    }
+    vec2 left = leftOfLight(l, p, q, nor, m);
     float below = max(depth - p.y, 0.0), facing = dot(nor, m.towards);
     facing = max(facing, 0.0) + through * max(-facing, 0.0);
     // Slime on wood glows at its outline, where the sun stands behind.
     float edge = wooden ? square(1.0 - min(abs(dot(l.nor, rd)), 1.0)) : 0.0;
     float rim = edge * edge * max(dot(rd, m.towards), 0.0);
     vec3 net = 1.0 + vec3(0.85, 1.0, 1.1) * (netAt(p, m, w) - 1.0);
-    vec3 sum = m.sun * exp(-m.extinction * below / m.towards.y) * (facing * seen)
+    vec3 sum = m.sun * exp(-m.extinction * below / m.towards.y) * (facing * left.x)
         * max(net, 0.0);
     vec3 above = unit(vec3(0.0, 1.0, 0.0) + 0.8 * m.towards);   // where the field is strongest
     float spread = wooden ? 0.72 + 0.5 * dot(nor, above) : 0.55 + 0.45 * nor.y;
-    sum += open * exp(-m.diffuse * below) * fieldLight(m)
+    sum += left.y * exp(-m.diffuse * below) * fieldLight(m)
         * (max(spread, 0.0) * (1.0 + 0.5 * through) + kRim * rim);
+    // The sand throws sunlight back, net and all, at what hangs over it: so the side of the wreck that
+    // is turned from the sun is not lost. Biased: as if the wreck shaded none of that sand.
+    if (wooden)
+        sum += left.y * kSandBack * m.sun * exp(-m.extinction * depth / m.towards.y)
+            * (m.towards.y * (0.6 - 0.4 * nor.y) * exp(-max(p.y, 0.0) / kSandReach)) * net;
     // The jellyfish light what is near them.
     float near = 0.0;
     for (int k = 0; k < (jellyLamps ? jellyfish : 0); ++k) {
@@ -1257,7 +1271,8 @@ void mainCaustics(out vec4 colour, in vec2 pixel) {
 
 // ---- Image --------------------------------------------------------------------------------------
 // A pixel's noise moves the samples of the shafts; it is the finest grain, which the eye averages.
-// Half a step of dither, of the 255 that a display has, hides the bands of dark water.
+// Half a step of dither, of the 255 that a display has, hides the bands of dark water: the same for
+// all samples of a pixel, whose mean is rounded, for the mean of many would be none.
 
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
@@ -1271,19 +1286,18 @@ vec3 display(vec3 light) {
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     Eye e = camera();
-    vec3 sum = vec3(0.0), dither = vec3(0.0);
+    vec3 sum = vec3(0.0), chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 5));
     float order = shuffledQuarters(ivec2(fragCoord));
     for (int k = 0; k < antialias; ++k) {   // an R2 sequence over the pixel
         vec2 at = fragCoord;
         if (antialias > 1) at += fract(0.5 + float(k) * vec2(0.7548777, 0.5698403)) - 0.5;
         vec2 uv = (at - 0.5 * iResolution.xy) / iResolution.y;
         vec3 rd = normalize(uv.x * e.right + uv.y * e.up + e.lens * e.forward);
-        vec3 chance = random3(ivec3(ivec2(at * 16.0), 5));
         float jitter = fract(order + at.x);   // evenly apart among the samples of a pixel, too
         float falloff = square(dot(rd, e.forward));   // half of a simple lens's cos^4
         vec3 light = render(e.pos, rd, 1.0 / (e.lens * iResolution.y), jitter);
         sum += falloff * light / float(antialias);
-        dither += (chance + chance.yzx - 1.0) * (0.5 / 255.0 / float(antialias));
     }
+    vec3 dither = (chance + chance.yzx - 1.0) * (0.5 / 255.0);
     fragColor = vec4(display(exp2(exposure) * sum) + dither, 1.0);
 }

@@ -1027,13 +1027,13 @@ float ridge(float turns, int seed) {   // smooth noise round the horizon
 // wind. An octave fades as a row of the picture, dv of v, comes to span its cells.
 float windStreaks(vec3 rd, float v) {
     float up = v * v, weight = 0.5, sum = 0.0, dv = 2.0 / iResolution.y;
-    vec2 q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.016, 0.055) + 0.5;
+    vec2 q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.013, 0.060) + 0.5;
     float row = 0.055 * 2.0 * abs(v) * dv / square(up + 0.004);
     for (int i = 0; i < 6; ++i) {
         float keep = clamp(1.4 - row * float(6 << i), 0.0, 1.0);
         sum += weight * keep * (tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 50 + i) - 0.5);
         q += 0.04 * sum;
-        weight *= 0.62;
+        weight *= 0.8;
     }
     return sum;
 }
@@ -1043,10 +1043,10 @@ float windStreaks(vec3 rd, float v) {
 vec3 farSea(vec3 rd, float v, float turned, vec3 sun, vec3 night) {
     float up = v * v, streak = windStreaks(rd, v);
     vec3 above = texture(air, vec2(turned, sqrt(min(up + 0.16, 1.0)))).rgb + night;
-    float mirrored = (0.12 + 0.55 * exp(-9.0 * up)) * (1.0 + 1.5 * streak);
+    float mirrored = (0.12 + 0.55 * exp(-9.0 * up)) * (1.0 + 2.2 * streak);
     vec3 light = above * mirrored;
     vec3 down = sunColour() * max(sun.y, 0.0) + texture(air, vec2(turned, 0.75)).rgb;
-    light += down * vec3(0.008, 0.060, 0.085) * (1.0 - exp(-6.0 * up)) * (1.0 - 0.8 * streak);
+    light += down * vec3(0.008, 0.060, 0.085) * (1.0 - exp(-6.0 * up)) * (1.0 - 1.1 * streak);
     light += sunColour() * vec3(0.0003, 0.001, 0.0014);
     vec2 off = normalize(rd.xz + 1e-6) - normalize(sun.xz + 1e-6);
     light += 0.55 * sunColour() * (1.0 + 1.6 * streak)
