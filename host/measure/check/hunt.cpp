@@ -168,8 +168,8 @@ std::vector<int> keys_named(const CheckSubject& subject) {
     return named;
 }
 
-// Keys that change the picture or what is kept, each alone and with the preset's values; then those
-// that the text names, which may do so together.
+// Keys that change the picture or what is kept, each alone and with the preset's values; where
+// none does, those that the text names, which may do so together.
 std::vector<int> keys_that_matter(Check& check) {
     std::vector<int> keys;
     CheckSubject& subject = check.subject;
@@ -192,9 +192,8 @@ std::vector<int> keys_that_matter(Check& check) {
         if (clock.is_over(0.03)) break;
         if (seen(key) != usual) keys.push_back(key);
     }
-    for (const int key : keys_named(subject))
-        if (keys.size() < kMostKeys && std::ranges::find(keys, key) == keys.end())
-            keys.push_back(key);
+    if (keys.empty()) keys = keys_named(subject);
+    keys.resize(std::min(keys.size(), kMostKeys));
     return keys;
 }
 
