@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <optional>
 #include <string_view>
 
 namespace glint {
@@ -141,6 +143,18 @@ bool is_computed(const Reading& reading, TokenRange range) {
         if (std::ranges::find(kComputing, reading.tokens[at].text) != std::end(kComputing))
             return true;
     return false;
+}
+
+bool is_in_order(const Reading& reading, TokenRange low, TokenRange high) {
+    const auto number = [&](TokenRange range) -> std::optional<double> {
+        const bool is_negative = !range.empty() && reading.tokens[range.begin].is("-");
+        if (is_negative) ++range.begin;
+        if (range.size() != 1 || reading.tokens[range.begin].kind != TokenKind::number) return {};
+        const double value = std::strtod(reading.spelled(range).c_str(), nullptr);
+        return is_negative ? -value : value;
+    };
+    const auto a = number(low), b = number(high);
+    return a && b && *a < *b;
 }
 
 // Up to the comma, semicolon, colon or bracket that ends it.

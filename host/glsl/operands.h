@@ -27,6 +27,9 @@ std::vector<TokenRange> sides_of_sum(const Reading& reading, std::uint32_t at, T
 // Whether it has an operation that rounds.
 bool is_computed(const Reading& reading, TokenRange range);
 
+// Whether both are numbers that are spelled out, and the latter is the larger.
+bool is_in_order(const Reading& reading, TokenRange low, TokenRange high);
+
 // The comma, semicolon, colon or bracket that ends what begins at `at`.
 std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop);
 

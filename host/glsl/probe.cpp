@@ -21,9 +21,11 @@ constexpr std::array<std::string_view, 11> kReads = {
     "texture",     "textureLod",      "texelFetch",     "textureGrad",
     "textureProj", "textureOffset",   "textureProjLod", "textureLodOffset",
     "texture2D",   "texture2DLodEXT", "textureCube"};
-constexpr std::array<std::string_view, 11> kDomains = {"sqrt",  "inversesqrt", "log",      "log2",
-                                                       "pow",   "acos",        "asin",     "acosh",
-                                                       "atanh", "mod",         "normalize"};
+constexpr std::array<std::string_view, 8> kWhole = {"int",  "ivec2", "ivec3", "ivec4",
+                                                    "uint", "uvec2", "uvec3", "uvec4"};
+constexpr std::array<std::string_view, 12> kDomains = {
+    "sqrt", "inversesqrt", "log",   "log2", "pow",       "acos",
+    "asin", "acosh",       "atanh", "mod",  "normalize", "inverse"};
 
 class Instrumenter {
 public:
@@ -162,6 +164,9 @@ private:
     void over_index(std::uint32_t at);
     void over_sum(std::uint32_t at, TokenRange room);
     void over_call(const Call& call);
+    bool is_site_of_its_own(const Call& call, SiteKind& kind) const;
+    void over_conversion(const Call& call);
+    void over_shift(std::uint32_t at, TokenRange room);
     void over_loop(std::uint32_t index);
     std::vector<TokenRange> outs_of(const Call& call, bool& gives_nothing) const;
     void over_outs(const Call& call, bool is_statement);
@@ -270,6 +275,8 @@ void Instrumenter::over_tokens(TokenRange range) {
         if (wish_.kind != ProbeKind::faults) continue;
         if (token(at).is("/") || token(at).is("%") || token(at).is("/=") || token(at).is("%="))
             over_division(at, range);
+        if (token(at).is("<<") || token(at).is(">>") || token(at).is("<<=") || token(at).is(">>="))
+            over_shift(at, range);
         if (token(at).is("[")) over_index(at);
     }
     if (wish_.kind != ProbeKind::values) return;
@@ -436,17 +443,56 @@ void Instrumenter::over_call(const Call& call) {
     const std::string_view name = reading_.word(call.name);
     if (wish_.kind == ProbeKind::cost && is_one_of(name, kReads))
         return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint0_n");
-    if (wish_.kind == ProbeKind::faults && name == "texelFetch") return over_fetch(call);
-    const bool is_known = is_one_of(name, kDomains) || (name == "atan" && call.arity == 2);
-    if (wish_.kind != ProbeKind::faults || !is_known) return;
+    if (wish_.kind != ProbeKind::faults) return;
+    if (name == "texelFetch") return over_fetch(call);
+    if (is_one_of(name, kWhole)) return over_conversion(call);
+    SiteKind kind = SiteKind::domain;
+    if (!is_site_of_its_own(call, kind)) return;
     if (!edits_.takes_replacement(call.name) || !edits_.takes_after(call.brackets.begin)) return;
-    const auto site = add_site(SiteKind::domain, close_spelling(reading_, whole), call.name);
+    const auto site = add_site(kind, close_spelling(reading_, whole), call.name);
     if (!site) return;
     words_.push_back({call.name,
                       Words::Where::instead,
                       {call.name, call.name + 1},
                       fmt::format("glint0_{}", name)});
     words_.push_back({call.brackets.begin, Words::Where::after, whole, fmt::format("{},", *site)});
+}
+
+// Of an operation that may have no result.
+bool Instrumenter::is_site_of_its_own(const Call& call, SiteKind& kind) const {
+    const std::string_view name = reading_.word(call.name);
+    if (is_one_of(name, kDomains)) return true;
+    if (name == "atan") return call.arity == 2;
+    if ((name != "clamp" && name != "smoothstep") || call.arity != 3) return false;
+    kind = SiteKind::bounds;
+    const std::vector<TokenRange> arguments = reading_.arguments_of(call);
+    const std::size_t low = name == "clamp" ? 1 : 0;
+    return arguments.size() == 3 && !is_in_order(reading_, arguments[low], arguments[low + 1]);
+}
+
+// `uint(x)`: of what a whole number cannot hold, it is what a driver likes.
+void Instrumenter::over_conversion(const Call& call) {
+    const TokenRange what = {call.brackets.begin + 1, call.brackets.end - 1};
+    if (call.arity != 1 || what.empty()) return;
+    if (what.size() == 1 && token(what.begin).kind == TokenKind::number) return;
+    const bool is_unsigned = reading_.word(call.name).starts_with("u");
+    hand_through(SiteKind::whole, close_spelling(reading_, {call.name, call.brackets.end}),
+                 call.name, what, is_unsigned ? "glint0_to_uint" : "glint0_to_int");
+}
+
+// `1 << n`, where nothing binds `n` more closely.
+void Instrumenter::over_shift(std::uint32_t at, TokenRange room) {
+    const bool assigns = token(at).text.size() == 3;
+    const std::uint32_t end = assigns ? expression_end(reading_, at + 1, room.end)
+                                      : operand_end(reading_, at + 1, room.end);
+    const TokenRange by = {at + 1, end};
+    if (by.empty() || (by.size() == 1 && token(at + 1).kind == TokenKind::number)) return;
+    const std::string_view next = end < room.end ? token(end).text : ";";
+    if (!assigns && next.size() == 1 &&
+        std::string_view("+-*/%").find(next[0]) != std::string_view::npos)
+        return;
+    const std::uint32_t begin = operand_begin(reading_, at, room.begin);
+    hand_through(SiteKind::whole, close_spelling(reading_, {begin, end}), begin, by, "glint0_s");
 }
 
 // `texelFetch(buffer, at, 0)` of a sampler that has a name, and a level that is a number.

@@ -39,6 +39,8 @@ enum class SiteKind : std::uint8_t {
     sum,         // what is added or subtracted
     division,
     domain,  // of sqrt, log, …
+    bounds,  // of clamp and smoothstep
+    whole,   // a float that becomes a whole number, or by how many bits one is shifted
     index,
 };
 

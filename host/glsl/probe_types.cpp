@@ -307,6 +307,25 @@ ivec2 glint0_t(int i, ivec2 at, ivec2 size) {
     return glint0_mends ? clamp(at, ivec2(0), size - 1) : at;
 }
 ivec3 glint0_t(int i, ivec3 at, ivec3 size) { return at; }
+float glint0_to_int(int i, float v) {
+    bool is_out = !(abs(v) < 2147483648.0);
+    glint0_f(i, is_out, v);
+    glint0_u(i, is_out, v, 2147483648.0 - abs(v));
+    return glint0_mends && is_out ? min(glint0_scale, 2e9) : v;
+}
+float glint0_to_uint(int i, float v) {
+    bool is_out = !(v > -1.0 && v < 4294967296.0);
+    glint0_f(i, is_out, v);
+    glint0_u(i, is_out, v, min(v + 1.0, 4294967296.0 - v));
+    return glint0_mends && is_out ? min(glint0_scale, 2e9) : v;
+}
+int glint0_s(int i, int n) {
+    bool is_out = n < 0 || n > 31;
+    glint0_f(i, is_out, float(n));
+    glint0_u(i, is_out, float(n), min(float(n) + 1.0, 32.0 - float(n)));
+    return glint0_mends && is_out ? int(min(glint0_scale, 31.0)) : n;
+}
+uint glint0_s(int i, uint n) { return uint(glint0_s(i, n > 2147483647u ? 2147483647 : int(n))); }
 )";
 
 // A result that is rounded may as well be the next float above or below. What ends in twelve zeros,
@@ -360,9 +379,12 @@ constexpr std::array<Domain, 8> kOne = {
      {"atanh", "abs(a) >= 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
       "v - (v - glint0_inside) * step(1.0, abs(v))"}}};
 constexpr std::array<Domain, 3> kTwo = {
-    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0", "a", "max(v, -glint0_scale * v), w"},
+    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0 || (a == 0.0 && b == 0.0)", "a",
+      "max(v, -glint0_scale * v) + glint0_scale * (1.0 - step(1e-30, abs(v) + abs(w))), "
+      "w + (1.0 - step(1e-30, abs(v) + abs(w)))"},
      {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + 1.0"},
-     {"atan", "a == 0.0 && b == 0.0", "false", "3e38", "v, w"}}};
+     {"atan", "a == 0.0 && b == 0.0", "a == 0.0 && b == 0.0", "3e38",
+      "v + glint0_scale, w + 1.0"}}};
 
 // What is done for each component of a vector.
 std::string for_each(int length, const std::string& call) {
@@ -374,14 +396,56 @@ std::string for_each(int length, const std::string& call) {
     return text;
 }
 
-// What is no float is handed through as it is, but for whole divisors.
+// Bounds may not be reversed; of smoothstep they may be what everybody means by it, but not the
+// same. What comes of others is one of the two, in the order in which a driver compares them.
+std::string faults_of_bounds(const std::string& type, const std::string& bound, int length) {
+    const bool has_parts = bound.find("vec") != bound.npos;
+    const auto each = [&](const char* call) {
+        std::string text;
+        for (int c = 0; c < (has_parts ? length : 1); ++c)
+            text += fmt::format(fmt::runtime(call),
+                                has_parts ? fmt::format(".{}", "xyzw"[c]) : std::string());
+        return text;
+    };
+    std::string text = fmt::format(
+        "{0} glint0_clamp(int i, {0} v, {1} low, {1} high) {{ bool was = glint0_worst != 0; "
+        "{2}if (!glint0_mends || was || glint0_worst != i + 1) return clamp(v, low, high); "
+        "return glint0_scale < 1.0 ? min(max(v, low), high) : max(min(v, high), low); }}\n",
+        type, bound,
+        each("glint0_f(i, low{0} > high{0}, float(low{0}), float(high{0})); glint0_u(i, low{0} > "
+             "high{0}, float(low{0}), float(high{0}) - float(low{0})); "));
+    if (type.find("vec") == 0 || type == "float")
+        text += fmt::format(
+            "{0} glint0_smoothstep(int i, {1} low, {1} high, {0} v) {{ bool was = glint0_worst != "
+            "0; {2}return glint0_mends && !was && glint0_worst == i + 1 ? v * 0.0 + "
+            "clamp(glint0_inside, 0.0, 1.0) : smoothstep(low, high, v); }}\n",
+            type, bound,
+            each("glint0_f(i, low{0} == high{0}, low{0}, high{0}); glint0_u(i, low{0} == high{0}, "
+                 "low{0}, abs(high{0} - low{0})); "));
+    return text;
+}
+
+std::string faults_of_all_bounds() {
+    std::string text;
+    for (const char* kind : {"", "i", "u"})
+        for (int n = 1; n <= 4; ++n) {
+            const std::string one = *kind == 'i' ? "int" : *kind == 'u' ? "uint" : "float";
+            const std::string type = n == 1 ? one : fmt::format("{}vec{}", kind, n);
+            text += faults_of_bounds(type, type, n);
+            if (n > 1) text += faults_of_bounds(type, one, n);
+        }
+    return text;
+}
+
+// What is no float is handed through as it is, but for whole divisors and shifts.
 std::string faults_of_other_types() {
     std::string text;
     for (std::size_t i = 4; i < kTypes.size(); ++i)
-        text += fmt::format(
-            "{0} glint0_v(int i, {0} v) {{ return v; }}\n{0} glint0_q(int i, {0} v) {{ return v; "
-            "}}\n",
-            kTypes[i]);
+        for (const char* name : {"v", "q", "to_int", "to_uint"})
+            text += fmt::format("{0} glint0_{1}(int i, {0} v) {{ return v; }}\n", kTypes[i], name);
+    for (const char* type : {"ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4"})
+        text += fmt::format("{0} glint0_s(int i, {0} v) {{ {1}return v; }}\n", type,
+                            for_each(type[4] - '0', "v{of} = glint0_s(i, v{of}); "));
     for (const char* type : {"ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4"}) {
         const int n = type[4] - '0';
         text += fmt::format("{0} glint0_d(int i, {0} v) {{ {1}return v; }}\n", type,
@@ -403,7 +467,7 @@ std::string faults_functions() {
     for (int n = 1; n <= 4; ++n) {
         const std::string type = kTypes[static_cast<std::size_t>(n) - 1];
         if (n > 1) {
-            for (const char* name : {"v", "d", "q"})
+            for (const char* name : {"v", "d", "q", "to_int", "to_uint"})
                 text += fmt::format(
                     "{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
                     for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));
@@ -440,7 +504,13 @@ std::string faults_functions() {
             "v); }}\n",
             type);
     }
-    return text + faults_of_other_types();
+    for (const char* matrix : {"mat2", "mat3", "mat4"})
+        text += fmt::format(
+            "{0} glint0_inverse(int i, {0} v) {{ float a = determinant(v); glint0_f(i, a == 0.0, "
+            "a); glint0_u(i, a == 0.0, a, abs(a)); return inverse(glint0_mends && a == 0.0 ? v + "
+            "{0}(glint0_scale) : v); }}\n",
+            matrix);
+    return text + faults_of_all_bounds() + faults_of_other_types();
 }
 
 constexpr std::string_view kMain = R"(void main() {{

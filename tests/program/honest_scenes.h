@@ -29,6 +29,11 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
                           ")); c = max(s * exp(-1.5 * iTimeDelta), vec4(smoothstep(0.2, 0.0, "
                           "distance(p / iResolution.xy, at))));",
                       "", "", "c = texelFetch(state, ivec2(p), 0);")},
+        {"polar",
+         image("vec2 d = (p - 0.5 * iResolution.xy) / iResolution.y; c = vec4(0.5 + atan(d.y, d.x) "
+               "/ 6.3, length(d), 0.5, 1.0);")},
+        {"reversed_edges",
+         image("c = vec4(smoothstep(0.32, 0.3, distance(q, vec2(0.5))), 0.0, 0.0, 1.0);")},
         {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
     };
 }

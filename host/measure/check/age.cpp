@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace glint {
 namespace {
@@ -27,6 +28,8 @@ constexpr double kTickPeriod = 65536;  // s
 // this much more uneven. A float iTime is twice below and beyond both after a day.
 constexpr double kLeastMoving = 0.75, kLeastFinelyMoving = 0.5;
 constexpr double kBeats = 2.0;  // frames: what beats slowly has one more or less, now and then
+// A change a frame that is lost in a colour's last digits, as where something slows down for good.
+constexpr double kHardly = 1e-6;
 constexpr double kUnevennessFactor = 2.0, kUnevennessAllowed = 0.1;
 // The same phase: where a display shows a difference.
 constexpr double kLeastPsnr = 55.0, kMostOff = 0.0005;
@@ -96,6 +99,11 @@ std::vector<double> changes(AgedClock& clock, CheckSubject& subject, double from
     return list;
 }
 
+double mean_of(const std::vector<double>& list) {
+    const double sum = std::accumulate(list.begin(), list.end(), 0.0);
+    return sum / std::max(static_cast<double>(list.size()), 1.0);
+}
+
 double share_moving(const std::vector<double>& list) {
     const auto moving = std::ranges::count_if(list, [](double d) { return d > 0; });
     return static_cast<double>(moving) / std::max(static_cast<double>(list.size()), 1.0);
@@ -122,6 +130,7 @@ Motion motion_at(const Check& check, double age) {
     return {.moving = share_moving(coarse),
             .finely_moving = share_moving(fine),
             .unevenness = unevenness(coarse),
+            .mean = mean_of(coarse),
             .frame = 1.0 / frames,
             .fine_frame = 1.0 / fine_frames};
 }
@@ -133,6 +142,7 @@ Motion young_motion(Check& check) {
         check.young = {.moving = std::min(at_1.moving, at_60.moving),
                        .finely_moving = std::min(at_1.finely_moving, at_60.finely_moving),
                        .unevenness = std::max(at_1.unevenness, at_60.unevenness),
+                       .mean = std::max(at_1.mean, at_60.mean),
                        .frame = at_1.frame,
                        .fine_frame = at_1.fine_frame};
     }
@@ -178,6 +188,8 @@ void run_age(const Age& age, Check& check, CaseResult& result) {
     if (!subject.observed().is_finite()) return;
     if (young.moving == 0.0)
         result.note = "comes to rest within its first minute";
+    else if (old.mean > 0.0 && old.mean < kHardly && old.mean < young.mean)
+        result.note = "hardly moves any more";
     else
         judge_motion(young, old, result);
 }

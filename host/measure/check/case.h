@@ -19,6 +19,7 @@ struct Motion {
     double moving = 0.0;         // share of frames at 60 Hz that differ from the one before
     double finely_moving = 0.0;  // of frames 1/960 s apart
     double unevenness = 0.0;     // of the change from frame to frame
+    double mean = 0.0;           // change of a frame at 60 Hz, root mean square over the picture
     double frame = 0.0, fine_frame = 0.0;  // one of those, as a share
 };
 

@@ -8,19 +8,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <memory>
 
 namespace glint {
 namespace {
 
-constexpr int kHuntedFrames = 8;     // of a simulation, at each point
-constexpr int kSmallest = 160;       // trials for the smallest reproducer
-constexpr double kHuntShare = 0.12;  // of the seconds, that a search may take
-constexpr int kEvaluations = 256;    // of one effort
-constexpr int kOfSizes = 192;        // where there is nothing but the size to change
-constexpr int kMostKeys = 6;         // that the search presses
-constexpr int kSmallestLong = 16;    // trials, each a long run
-constexpr double kLongText = 5e3;    // ms that instrumented programs of a long text may take
+constexpr int kHuntedFrames = 8;      // of a simulation, at each point
+constexpr int kSmallest = 160;        // trials for the smallest reproducer
+constexpr double kHuntShare = 0.12;   // of the seconds, that a search may take
+constexpr int kEvaluations = 256;     // of one effort
+constexpr int kOfSizes = 192;         // where there is nothing but the size to change
+constexpr std::size_t kMostKeys = 6;  // that the search presses
+constexpr int kSmallestLong = 16;     // trials, each a long run
+constexpr double kLongText = 5e3;     // ms that instrumented programs of a long text may take
 
 // A subject that is brought to points, its operations watched where they can be.
 class Hunter {
@@ -142,7 +143,33 @@ void endure_worst(const Hunter& hunter, Check& check, CaseResult& result) {
 
 std::vector<int> keys_in_order();
 
-// Keys that change the picture or what is kept, each alone and with the preset's values.
+// Of a name or a fraction.
+bool is_in_a_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+}
+
+// Numbers of the text that may be keys.
+std::vector<int> keys_named(const CheckSubject& subject) {
+    constexpr int kLeast = 8;  // below are no keys, but many numbers
+    std::vector<int> named;
+    std::string_view text = subject.scene().text;
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (!is_digit(text[at])) continue;
+        const std::size_t begin = at;
+        int number = 0;
+        while (at < text.size() && is_digit(text[at]))
+            number = std::min(1000, 10 * number + text[at++] - '0');
+        const bool is_alone = (begin == 0 || !is_in_a_word(text[begin - 1])) &&
+                              (at == text.size() || !is_in_a_word(text[at]));
+        const bool is_key = is_alone && number >= kLeast && number < kKeyCount;
+        if (is_key && std::ranges::find(named, number) == named.end()) named.push_back(number);
+    }
+    return named;
+}
+
+// Keys that change the picture or what is kept, each alone and with the preset's values; where
+// none does, those that the text names, which may do so together.
 std::vector<int> keys_that_matter(Check& check) {
     std::vector<int> keys;
     CheckSubject& subject = check.subject;
@@ -165,6 +192,8 @@ std::vector<int> keys_that_matter(Check& check) {
         if (clock.is_over(0.03)) break;
         if (seen(key) != usual) keys.push_back(key);
     }
+    if (keys.empty()) keys = keys_named(subject);
+    keys.resize(std::min(keys.size(), kMostKeys));
     return keys;
 }
 

@@ -9,13 +9,26 @@
 namespace glint {
 namespace {
 
-constexpr double kLongest = 60.0;  // s; a scene without a state is seen at any time up to this
+// A scene without a state is seen at any time up to an hour, mostly within its first minute.
+constexpr double kMinute = 60.0, kLongest = 3600.0;  // s
+constexpr double kInMinute = 0.75;                   // of the range; behind it, by logarithms
 constexpr double kLongestSide = 1920.0;
 // The usual number of pixels. The shorter side gives way, so that no point is dearer than others.
 constexpr double kMostPixels = 3.0;
 
 bool is_logarithmic(const Tweak& tweak, const Range& range) {
     return tweak.log && range.min > 0.0;
+}
+
+double time_at(double share) {
+    if (share <= kInMinute) return kMinute * share / kInMinute;
+    return kMinute * std::pow(kLongest / kMinute, (share - kInMinute) / (1.0 - kInMinute));
+}
+
+double share_of_time(double time) {
+    if (time <= kMinute) return std::max(time, 0.0) / kMinute * kInMinute;
+    const double behind = std::log(time / kMinute) / std::log(kLongest / kMinute);
+    return std::min(kInMinute + (1.0 - kInMinute) * behind, 1.0);
 }
 
 double share_of(const Tweak& tweak, const Range& range, double value) {
@@ -59,7 +72,7 @@ Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
     }
     if (!subject.stateful() && subject.moves()) {
         axes_.push_back({Axis::Of::time, 0, 0});
-        usual_.push_back(std::clamp(subject.opened().time / kLongest, 0.0, 1.0));
+        usual_.push_back(share_of_time(subject.opened().time));
     }
     if (subject.renderer().reads_mouse()) {
         for (const std::size_t c : {0u, 1u}) {
@@ -115,7 +128,7 @@ double Space::apply(const Point& point, CheckSubject& subject) const {
         if (point[i] == usual_[i]) continue;  // what the preset has, to the last digit
         const Axis& axis = axes_[i];
         if (axis.of == Axis::Of::time) {
-            time = std::round(point[i] * kLongest * 60.0) / 60.0;
+            time = std::round(time_at(point[i]) * 60.0) / 60.0;
         } else if (axis.of == Axis::Of::mouse) {
             mouse[static_cast<int>(axis.component)] = point[i];
             is_moved = true;
@@ -147,7 +160,7 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         if (point[i] == usual_[i]) continue;
         const Axis& axis = axes_[i];
-        if (axis.of == Axis::Of::time) add(fmt::format("time {:.4g}", point[i] * kLongest));
+        if (axis.of == Axis::Of::time) add(fmt::format("time {:.4g}", time_at(point[i])));
         if (axis.of == Axis::Of::mouse) {
             mouse[static_cast<int>(axis.component)] = point[i];
             is_moved = true;

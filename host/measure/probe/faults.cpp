@@ -45,15 +45,24 @@ std::vector<Span> parts_of(const Preset& preset, const std::vector<ProbeSite>& s
     return parts;
 }
 
-// What may have no result at all, where all operations are too many at once; else all. Few of a
+// Where all operations are too many at once, those without what is wrong rarely: bounds, and what
+// becomes a whole number; where these are too many, too, what may have no result at all. Few of a
 // long text do, and where something is not finite, one of them is mostly why.
 std::vector<Span> likely(const Preset& preset, const std::vector<ProbeSite>& sites) {
     if (parts_of(preset, sites).size() <= 1) return {};
-    std::vector<Span> only{{0, 0}};  // empty would be all
-    for (const ProbeSite& site : sites)
-        if (site.kind == SiteKind::domain && !site.name.starts_with("normalize"))
-            only.push_back({site.at, site.at + 1});
-    return only;
+    const auto only = [&](const auto& is_wanted) {
+        std::vector<Span> places{{0, 0}};  // empty would be all
+        for (const ProbeSite& site : sites)
+            if (is_wanted(site)) places.push_back({site.at, site.at + 1});
+        return places;
+    };
+    const std::vector<Span> often = only([](const ProbeSite& site) {
+        return site.kind != SiteKind::bounds && site.kind != SiteKind::whole;
+    });
+    if (often.size() <= kMostAtOnce + 1) return often;
+    return only([](const ProbeSite& site) {
+        return site.kind == SiteKind::domain && !site.name.starts_with("normalize");
+    });
 }
 
 // The first fault of the fragment, if any, is of an operation that had no result.
@@ -67,6 +76,12 @@ std::size_t site_of(const ProbeCell& cell) {
 
 double as_float(std::uint32_t bits) {
     return static_cast<double>(std::bit_cast<float>(bits));
+}
+
+// `uint(x)`, not `1 << n`.
+bool is_conversion(const ProbeSite& site) {
+    return site.name.starts_with("int(") || site.name.starts_with("uint(") ||
+           site.name.starts_with("ivec") || site.name.starts_with("uvec");
 }
 
 // What is wrong, in words, with its operands.
@@ -94,6 +109,16 @@ void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
             } else if (name == "normalize") {
                 fault.what = "normalize of a vector of length 0";
             }
+            return;
+        case SiteKind::bounds:
+            fault.operands = {a, b};
+            fault.what = name == "clamp" ? "clamp between reversed bounds"
+                                         : "smoothstep between equal edges";
+            return;
+        case SiteKind::whole:
+            fault.operands = {a};
+            fault.what = is_conversion(site) ? fmt::format("{}({:.7g})", name, a)
+                                             : fmt::format("shift({:.0f})", a);
             return;
         case SiteKind::assertion:
             fault.what = "does not hold";
@@ -276,6 +301,13 @@ bool is_never_right(const ProbeSite& site, const ProbeCell& cell) {
            (site.kind == SiteKind::index && !site.name.starts_with("texelFetch"));
 }
 
+// The middle of polar coordinates, one pixel at odd sizes: every other scene of rings has one.
+bool is_lone_angle(const ProbeSite& site, const std::vector<ProbeCell>& cells, std::size_t number) {
+    return site.name.starts_with("atan(") &&
+           std::ranges::count_if(
+               cells, [&](const ProbeCell& cell) { return cell.told[2] == number + 1; }) == 1;
+}
+
 // What is undefined, or, in the picture's alpha, which the plain picture has not, no number.
 bool is_undefined(const ProbeCell& cell) {
     return cell.told[2] != 0 || (cell.told[1] != 0 && !is_finite(cell));
@@ -307,6 +339,7 @@ void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<Probe
         const std::size_t number = cells[at].told[is_told ? 2 : 1] - 1;
         const ProbeSite& site = probe.probed().sites[number];
         if (!shown[at] && !(is_told && is_never_right(site, cells[at]))) continue;
+        if (is_lone_angle(site, cells, number)) continue;
         const ProbeValue row = probe.row(number);
         fault_ = ProbeFault{.file = row.file,
                             .line = row.line,

@@ -49,6 +49,10 @@ const char* kind_of(SiteKind kind) {
             return "division";
         case SiteKind::domain:
             return "domain";
+        case SiteKind::bounds:
+            return "bounds";
+        case SiteKind::whole:
+            return "whole";
         case SiteKind::index:
             return "index";
     }

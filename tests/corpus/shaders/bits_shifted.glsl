@@ -1,6 +1,6 @@
 // What a shift keeps: the sign of an int, zeros of a uint, and nothing that falls off.
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    int s = int(fragCoord.x) / 4, row = int(fragCoord.y) / 12;
+    int s = min(int(fragCoord.x) / 4, 31), row = int(fragCoord.y) / 12;
     int i = -123456789;
     uint u = 4171510507u;
     int v = row == 0 ? i >> s : row == 1 ? int(u >> uint(s)) : row == 2 ? i << s

@@ -1,0 +1,138 @@
+// More faults that `glint check` has to find, as those who did not write it would plant them.
+#pragma once
+
+#include "planted_faults.h"
+
+namespace glint::cli {
+
+namespace planting {
+
+// What GLSL leaves open without a NaN in sight: one driver says this, another that.
+inline void add_open(std::vector<Planted>& list) {
+    const auto add = [&](const char* name, const std::string& tweaks, const char* fault,
+                         const char* twin) {
+        list.push_back({std::string("open/") + name, tweaks + image(fault), tweaks + image(twin)});
+    };
+    add("negative_to_unsigned", "",
+        "uint n = uint(q.x * 10.0 - 3.0); c = vec4(float(n & 7u) / 8.0);",
+        "uint n = uint(q.x * 10.0); c = vec4(float(n & 7u) / 8.0);");
+    add("too_large_for_int", "", "ivec2 n = ivec2(q * 1e10); c = vec4(float(n.x & 255) / 256.0);",
+        "ivec2 n = ivec2(q * 1e9); c = vec4(float(n.x & 255) / 256.0);");
+    add("shift", "", "int n = int(q.x * 40.0); c = vec4(float((3 << n) >> 5 & 255) / 256.0);",
+        "int n = int(q.x * 30.0); c = vec4(float((3 << n) >> 5 & 255) / 256.0);");
+    add("equal_edges", kA, "c = vec4(smoothstep(0.5078125 - a, 0.5078125 + a, q.x));",
+        "c = vec4(smoothstep(0.5 - a, 0.51 + a, q.x));");
+    const std::string ab = "uniform float a; //@ 0.2 [0, 1]\nuniform float b; //@ 0.8 [0, 1]\n";
+    add("reversed_clamp", ab, "c = vec4(clamp(q.x, a, b));",
+        "c = vec4(clamp(q.x, min(a, b), max(a, b)));");
+    add("reversed_clamp_of_whole_numbers", "uniform int n; //@ 3 [0, 9]\n",
+        "c = vec4(float(clamp(int(p.x) % 7, 2, n)) / 9.0);",
+        "c = vec4(float(clamp(int(p.x) % 7, min(2, n), n)) / 9.0);");
+    add("angle_of_nothing", "",
+        "vec2 d = floor(q * 3.0) - 1.0; c = vec4(0.5 + atan(d.y, d.x) / 6.3);",
+        "vec2 d = floor(q * 3.0) - 1.0; c = vec4(d == vec2(0.0) ? 0.5 : 0.5 + atan(d.y, d.x) / "
+        "6.3);");
+    add("zero_to_the_zero", kA, "c = vec4(pow(floor(q.x * 2.0), a));",
+        "c = vec4(pow(floor(q.x * 2.0), a + 0.01));");
+    const std::string of = "uniform float a; //@ 0.9 [0, 1]\nuniform float b; //@ 0.1 [0, 1]\n";
+    add("inverse", of,
+        "mat2 m = inverse(mat2(a, b, b, a)); c = vec4(clamp(m * q, 0.0, 1.0), 0.0, 1.0);",
+        "mat2 m = inverse(mat2(a + 1.1, b, b, a + 1.1)); c = vec4(clamp(m * q, 0.0, 1.0), 0.0, "
+        "1.0);");
+}
+
+// What an outsider would think of: each at a place where few look.
+inline void add_far_places(std::vector<Planted>& list) {
+    const auto add = [&](const char* name, const std::string& head, const std::string& fault,
+                         const std::string& twin) {
+        list.push_back({std::string("far/") + name, head + image(fault), head + image(twin)});
+    };
+    const auto keys = [](const char* kept) {
+        return fmt::format(
+            "float k = texelFetch(keys, ivec2(37, 0), 0).x * texelFetch(keys, ivec2(32, 0), 0).x "
+            "* step(20.0, iTime); c = vec4(q, sqrt({} - k), 1.0);",
+            kept);
+    };
+    add("keys_and_time", "uniform sampler2D keys; //@ keyboard\n", keys("0.5"), keys("1.5"));
+    const auto minute = [](const char* off) {
+        return fmt::format(
+            "c = vec4(q, min(sqrt(abs(float(iTick >> 16) - 150.0) - {}), 1.0), 1.0);", off);
+    };
+    add("third_minute", "", minute("20.0"), minute("0.0"));
+    const auto drag = [](const char* most) {
+        return fmt::format(
+            "vec2 d = (iMouse.xy - abs(iMouse.zw)) / iResolution.xy;"
+            " c = vec4(q, iMouse.z > 0.0 ? sqrt({} - length(d)) : 0.5, 1.0);",
+            most);
+    };
+    add("drag", "", drag("0.3"), drag("9.0"));
+    const auto released = [](const char* sign) {
+        return fmt::format(
+            "c = vec4(q, iMouse.z < 0.0 ? sqrt(9.0 {} (iMouse.x / iResolution.x + "
+            "8.5)) : 0.5, 1.0);",
+            sign);
+    };
+    add("released", "", released("-"), released("+"));
+    const std::string far = std::string(kA) + "uniform float far; //@ 1.0 [0.1, 3000] log\n";
+    add("cancelling", far,
+        "c = vec4(q, sqrt((far + a) * (far + a) - far * far - 2.0 * far * a), 1.0);",
+        "c = vec4(q, a, 1.0);");
+    const auto endless = [](const char* step) {
+        return fmt::format(
+            "float t = 0.0; for (int i = 0; t < 1.0; i++) t += 0.1 * {}; c = vec4(0.3 * t);", step);
+    };
+    add("endless_loop", kA, endless("a"), endless("max(a, 0.01)"));
+    const auto unit = [](const char* cosine) {
+        return fmt::format("vec3 n = normalize(vec3(q, 0.3)); c = vec4(acos({}));", cosine);
+    };
+    add("beyond_one_by_rounding", "", unit("dot(n, n)"), unit("min(dot(n, n), 1.0)"));
+    add("midnight", "", "c = vec4(q, 0.2 + 0.05 * log(iDate.w), 1.0);",
+        "c = vec4(q, 0.2 + 0.05 * log(iDate.w + 1.0), 1.0);");
+    const auto mirror = [](const char* width) {
+        return fmt::format(
+            "uniform sampler2D state; //@ pass mainState\n"
+            "void mainState(out vec4 c, in vec2 p) {{ c = vec4(p / iResolution.xy, 0.5, 1.0); }}\n"
+            "void mainImage(out vec4 c, in vec2 p) {{\n    ivec2 n = ivec2(iResolution.xy);\n"
+            "    c = texelFetch(state, {} - 1 - ivec2(p), 0);\n}}\n",
+            width);
+    };
+    list.push_back({"far/mirror_at_odd_sizes", mirror("(n + 1) / 2 * 2"), mirror("n")});
+    const auto helper = [](const char* x) {
+        return fmt::format(
+            "uniform float a; //@ 0.5 [0, 1]\n"
+            "uniform sampler2D state; //@ pass mainState size=16x16\n"
+            "float shaped(float x) {{ return pow({}, 0.7); }}\n"
+            "void mainState(out vec4 c, in vec2 p) {{\n"
+            "    c = vec4(clamp(shaped(0.97 - a * p.x / 15.5), 0.0, 1.0));\n}}\n"
+            "void mainImage(out vec4 c, in vec2 p) {{\n"
+            "    c = texelFetch(state, ivec2(p) % 16, 0) * shaped(p.x / iResolution.x);\n}}\n",
+            x);
+    };
+    list.push_back({"far/helper_of_two_passes", helper("x"), helper("max(x, 0.0)")});
+    const auto handed_out = [](const char* first) {
+        return fmt::format("void paint(float x, out float y) {{ {}if (x > 0.7) y = x; }}\n",
+                           first) +
+               image("float y; paint(q.x, y); c = vec4(y);");
+    };
+    list.push_back({"far/out_parameter", handed_out(""), handed_out("y = 0.0; ")});
+    list.push_back({"far/growth_of_a_twentieth_per_mille",
+                    fed("c = s.w == 0.0 ? vec4(1.0) : min(s * 1.00005, 6e4);"),
+                    fed("c = s.w == 0.0 ? vec4(1.0) : s;")});
+}
+
+}  // namespace planting
+
+inline std::vector<Planted> outside_faults() {
+    std::vector<Planted> list;
+    planting::add_open(list);
+    planting::add_far_places(list);
+    return list;
+}
+
+inline std::vector<Planted> all_planted_faults() {
+    std::vector<Planted> list = planted_faults();
+    for (Planted& one : outside_faults()) list.push_back(std::move(one));
+    return list;
+}
+
+}  // namespace glint::cli
