@@ -283,8 +283,9 @@ void compare_folded(const Look& look) {
     const Error self = compare(first, second);
     fmt::print("depth {} m against photons, whose halves differ by relMSE {:.1e}:\n", look.depth,
                self.relative);
-    EXPECT_LE(self.relative / 4.0, 2e-3) << "the mean's own noise, a fifth of the bar, which counts "
-                                            "against the scene";
+    EXPECT_LE(self.relative / 4.0, 2e-3)
+        << "the mean's own noise, a fifth of the bar, which counts "
+           "against the scene";
     for (const char* cells : {"64", "128"})
         of_method(look, reference, fmt::format("cells = {}\n", cells));
     for (const char* tweaks : {"method = \"area\"\n", "cells = 256\n"}) {

@@ -113,7 +113,8 @@ private:
 
     [[noreturn]] void become(const Command& command, char* const* words) const {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves nothing behind
-        for (const int signal : {SIGINT, SIGHUP}) ::signal(signal, SIG_DFL);  // nohup, or a shell's &
+        for (const int signal : {SIGINT, SIGHUP})
+            ::signal(signal, SIG_DFL);  // nohup, or a shell's &
         for (const auto& [name, value] : command.environment) {
             ::setenv(name.c_str(), value.c_str(), 1);
         }

@@ -74,8 +74,8 @@ constexpr std::string_view kEveryKind =
     "    c = vec4(uvec4(all, all >> 8u, all >> 16u, 255) & 255u) / 255.0;\n"
     "}\n";
 
-// One buffer that counts, for what is no question of kinds: each pass of the scene above costs every
-// run some 20 ms.
+// One buffer that counts, for what is no question of kinds: each pass of the scene above costs
+// every run some 20 ms.
 constexpr std::string_view kOneKind =
     "uniform sampler2D a; //@ pass mainA size=33x17\n"
     "uniform float rate; //@ 0.5 [0, 1]\n"
