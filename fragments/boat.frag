@@ -77,7 +77,7 @@ uniform float steadiness;      //@ 0.5 [0, 1] "of the head at the helm; 0 moves 
 uniform float focalLength;     //@ 28 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ -0.8 [-6, 6] unit=stop "before the display curve"
 //@ group Quality
-uniform int   integrator; //@ 2 {explicit, semi-implicit, exact} quality reference=2 second=semi-implicit,substeps=64 "of the float"
+uniform int   integrator; //@ 2 {explicit, semi-implicit, exact} safe=[2, 2] quality reference=2 second=semi-implicit,substeps=64 "of the float"
 uniform int   substeps;        //@ 1 [1, 64] log quality reference=64 "of the float in 1/240 s"
 uniform int   seaSteps;        //@ 192 [8, 512] log quality reference=512 "of a ray to the sea"
 uniform int   boatSteps;       //@ 128 [16, 256] log quality reference=256 "of a ray to the boat"

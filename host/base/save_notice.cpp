@@ -9,8 +9,9 @@ using namespace std::chrono_literals;
 
 // A write with no close behind it: an editor that keeps the file open, or a save in two chunks.
 constexpr auto kWriteQuiet = 5ms;
-// An empty file is one that was just cut off, far more often than one that shall be empty.
-constexpr auto kEmptyQuiet = 20ms;
+// An empty file is one that was just cut off, far more often than one that shall be empty; who cut
+// it off may have to wait for a processor.
+constexpr auto kEmptyQuiet = 100ms;
 // Nothing there: deleted, to be created again.
 constexpr auto kGoneQuiet = 100ms;
 // A file that is written to all the time is reported this often all the same.

@@ -41,6 +41,7 @@ struct TweakParser {
     void check();
     std::optional<TweakValue> resolve(const Written& written, std::string_view what);
     bool in_range(const TweakValue& value) const;
+    bool is_safe_within() const;
 };
 
 const std::vector<std::string> kTweakWords = {"log",      "unit",      "step",   "group", "quality",
@@ -205,6 +206,14 @@ bool TweakParser::in_range(const TweakValue& value) const {
     return !tweak.min || clamp_to_range(tweak, value) == value;
 }
 
+// Of a menu the names are counted from 0, as its default is.
+bool TweakParser::is_safe_within() const {
+    const auto [first, last] = *tweak.safe;
+    if (tweak.names.empty()) return tweak.min && first >= *tweak.min && last <= *tweak.max;
+    return first >= 0.0 && last < static_cast<double>(tweak.names.size()) &&
+           first == std::floor(first) && last == std::floor(last);
+}
+
 void TweakParser::check() {
     if (tweak.min && !is_number_type()) {
         words.complain(range_at, "a range is for numbers; take it out of this bool or menu");
@@ -213,9 +222,11 @@ void TweakParser::check() {
     if (tweak.min && tweak.type == TweakType::int1 &&
         (*tweak.min != std::floor(*tweak.min) || *tweak.max != std::floor(*tweak.max)))
         words.complain(range_at, "the range of an int is two whole numbers");
-    if (tweak.safe &&
-        (!tweak.min || (*tweak.safe)[0] < *tweak.min || (*tweak.safe)[1] > *tweak.max))
-        words.complain(safe_at, "safe is a part of the range; write it within [min, max]");
+    if (tweak.safe && !is_safe_within())
+        words.complain(safe_at, tweak.names.empty()
+                                    ? "safe is a part of the range; write it within [min, max]"
+                                    : "safe is a part of the menu; write safe=[0, 1] for the first "
+                                      "two of its names");
     if (tweak.log && !is_number_type())
         words.complain(log_at, "log is for numbers; take it out of this bool or menu");
     else if (tweak.log && (!tweak.min || *tweak.min <= 0.0))

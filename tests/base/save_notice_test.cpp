@@ -58,14 +58,14 @@ TEST(SaveNotice, TellsAtOnceWhatIsWholeAndWaitsForWhatMayGoOn) {
         {"renamed over twice within a millisecond",
          {{1ms, moved_in, kWhole}, {1ms, moved_in, kWhole}},
          {1}},
-        {"renamed over by an empty one", {{1ms, moved_in, kEmpty}}, {21}},
+        {"renamed over by an empty one", {{1ms, moved_in, kEmpty}}, {101}},
         {"two saves, a millisecond between",
          {{1ms, closed, kWhole}, {2ms, closed, kWhole}},
          {1, 2}},
         {"cut off, and written later",
          {{1ms, written, kEmpty}, {2ms, closed, kEmpty}, {10ms, closed, kWhole}},
          {10}},
-        {"cut off for good", {{1ms, closed, kEmpty}}, {21}},
+        {"cut off for good", {{1ms, closed, kEmpty}}, {101}},
         {"deleted and created again",
          {{1ms, went, kGone}, {3ms, came, kEmpty}, {4ms, closed, kWhole}},
          {4}},
@@ -124,7 +124,7 @@ TEST(SaveNotice, WhatIsOnlySeenByLookingIsLookedAtTwice) {
     SaveNotice empty, gone;
     empty.found(kEmpty, kStart);
     gone.found(kGone, kStart);
-    EXPECT_EQ(empty.due(), kStart + 20ms);
+    EXPECT_EQ(empty.due(), kStart + 100ms);
     EXPECT_EQ(gone.due(), kStart + 100ms);
 }
 

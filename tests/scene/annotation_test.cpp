@@ -197,6 +197,12 @@ TEST(TweakAnnotation, SaysWhereItIsSafe) {
     for (const char* wrong : {"0.5 [0, 1] safe=0.8", "0.5 [0, 1] safe=[0.8, 0]",
                               "0.5 [0, 1] safe=[0, 2]", "0.5 safe=[0, 1]"})
         EXPECT_EQ(tweak(TweakType::float1, wrong).complaints.size(), 1u) << wrong;
+    const ReadTweak menu = tweak(TweakType::int1, "2 {explicit, implicit, exact} safe=[1, 2]");
+    EXPECT_EQ(all(menu.complaints), "");
+    EXPECT_EQ(menu.tweak.safe, (std::array{1.0, 2.0}));
+    for (const char* wrong :
+         {"0 {a, b} safe=[0, 2]", "0 {a, b} safe=[-1, 1]", "0 {a, b} safe=[0, 0.5]"})
+        EXPECT_EQ(tweak(TweakType::int1, wrong).complaints.size(), 1u) << wrong;
 }
 
 TEST(GroupAnnotation, HeadsWhatFollows) {

@@ -172,9 +172,7 @@ void add_tweak_cases(std::vector<Case>& list, const CheckSubject& subject) {
             add_extreme(list, tweaks[i], i, range->min);
             add_extreme(list, tweaks[i], i, range->max);
         } else {
-            for (std::size_t k = 0; k < tweaks[i].names.size(); ++k) {
-                add_extreme(list, tweaks[i], i, static_cast<double>(k));
-            }
+            for (double k = range->min; k <= range->max; ++k) add_extreme(list, tweaks[i], i, k);
         }
     }
 }

@@ -43,9 +43,9 @@ double share_of(const Tweak& tweak, const Range& range, double value) {
 }  // namespace
 
 std::optional<Range> range_of(const Tweak& tweak) {
+    if (tweak.safe) return Range{(*tweak.safe)[0], (*tweak.safe)[1]};
     if (!tweak.names.empty()) return Range{0.0, static_cast<double>(tweak.names.size() - 1)};
     if (tweak.type == TweakType::bool1 || tweak.is_colour) return Range{0.0, 1.0};
-    if (tweak.safe) return Range{(*tweak.safe)[0], (*tweak.safe)[1]};
     if (tweak.min && tweak.max) return Range{*tweak.min, *tweak.max};
     return std::nullopt;
 }
