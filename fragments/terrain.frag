@@ -1174,7 +1174,7 @@ vec3 throughLens(vec2 pixel) {
 }
 
 // What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is
-// the same for all samples of a pixel: their mean is rounded, and of many different ones none is left.
+// the same for all samples of a pixel: their mean is rounded, and of many none would be left.
 vec3 dither(vec2 fragCoord) {
     vec3 chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 3));
     return (chance + chance.yzx - 1.0) * (0.5 / 255.0);
