@@ -128,6 +128,19 @@ bool robust = true;            // which formulas this pixel uses
 float worldScale = 1.0;        // world units in one metre of the studio
 vec3 worldPlace = vec3(0.0);   // where the studio's origin lies
 
+uvec3 hash3(ivec3 q) {
+    uvec3 v = uvec3(q) * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
+}
+vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 
@@ -1055,6 +1068,13 @@ vec3 display(vec3 light) {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
+// What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is
+// the same for all samples of a pixel: their mean is rounded, and of many none would be left.
+vec3 dither(vec2 fragCoord) {
+    vec3 chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 3));
+    return (chance + chance.yzx - 1.0) * (0.5 / 255.0);
+}
+
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     robust = intersector == 1 || (intersector == 2 && fragCoord.x >= wipe * iResolution.x);
     worldScale = magnify == 1 ? magnitude : 1.0;
@@ -1084,5 +1104,6 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         sum += view == 1 ? errorView(toWorld(ro), rd, uv) : lightAlong(toWorld(ro), rd, pixel);
     }
     float gain = view == 1 ? 1.0 : exp2(exposure);
-    fragColor = vec4(display(gain * sum / float(antialiasing)), 1.0);
+    vec3 shown = display(gain * sum / float(antialiasing));
+    fragColor = vec4(shown + (view == 1 ? vec3(0.0) : dither(fragCoord)), 1.0);
 }

@@ -1131,6 +1131,13 @@ vec2 mainSound(int samp, float time) {
 // else: one ray is sent on (several, where the glass blurs), and what it meets is mixed over the
 // sky.
 
+// What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is
+// the same for all samples of a pixel: their mean is rounded, and of many none would be left.
+vec3 dither(vec2 fragCoord) {
+    vec3 chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 3));
+    return (chance + chance.yzx - 1.0) * (0.5 / 255.0);
+}
+
 // Light to display: clamped first, then the largest channel rolls off, the others keep their ratio
 // to it, with a little white at the top as on film; then sRGB. NaN and negatives 0, infinity 1.
 vec3 display(vec3 light) {
@@ -1328,6 +1335,5 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         vec3 level = normalize(vec3(rd.x, 1e-3, rd.z));   // the air in between
         sum = mix(clearSky(level), sum, exp(-4e-5 * haze * u.t));
     }
-    vec3 dither = (chance + chance.yzx - 1.0) / 255.0;
-    fragColor = vec4(display(exp2(exposure) * sum) + 0.5 * dither, 1.0);
+    fragColor = vec4(display(exp2(exposure) * sum) + dither(fragCoord), 1.0);
 }

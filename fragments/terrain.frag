@@ -1173,11 +1173,16 @@ vec3 throughLens(vec2 pixel) {
     return sum.rgb / sum.w;
 }
 
+// What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is
+// the same for all samples of a pixel: their mean is rounded, and of many none would be left.
+vec3 dither(vec2 fragCoord) {
+    vec3 chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 3));
+    return (chance + chance.yzx - 1.0) * (0.5 / 255.0);
+}
+
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec4 sharp = vec4(0.0);
     for (int k = tiltShift > 0.0 ? 1 : 0; k < 1; ++k) pictureAt(sharp, fragCoord);
     vec3 light = tiltShift > 0.0 ? throughLens(fragCoord) : sharp.rgb;
-    vec3 chance = random3(ivec3(ivec2(fragCoord * 16.0), 3));
-    vec3 dither = (chance + chance.yzx - 1.0) / 255.0;
-    fragColor = vec4(display(exp2(exposure) * light) + 0.5 * dither, 1.0);
+    fragColor = vec4(display(exp2(exposure) * light) + dither(fragCoord), 1.0);
 }
