@@ -257,6 +257,25 @@ TEST_F(Check, NanThatSpreadsSlowlyIsFound) {
     EXPECT_NE(outcome.out.find("fail    NaN in smoke"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Check, ASampleThatIsNoNumberIsToldWithItsOperation) {
+    write("scene.frag",
+          "uniform float pitch; //@ 440 [0, 880]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }\n"
+          "vec2 mainSound(int samp, float time) {\n"
+          "    float tone = sin(6.2831853 * fract(pitch * time));\n"
+          "    return vec2(tone, tone * sqrt(1.0 - 0.1 * time));\n}\n");
+    const Json report = report_of(glint({"check", "scene.frag", "--json", "--case", "sound"}), 6);
+    const Json found = case_of(report, "sound");
+    const auto note = found["note"].get<std::string>();
+    // 10 s are 441,000 samples; 1 - 0.1 time is a rounding below 0 some samples later.
+    EXPECT_TRUE(note.starts_with("NaN in the right channel at 10.000")) << note;
+    EXPECT_NE(note.find("; born at scene.frag:5: sqrt"), std::string::npos) << note;
+    EXPECT_EQ(found["where"]["line"], 5) << found;
+    EXPECT_EQ(found["where"]["function"], "mainSound") << found;
+    ASSERT_EQ(found["where"]["operands"].size(), 1u) << found;
+    EXPECT_LT(found["where"]["operands"][0].get<double>(), 0.0);
+}
+
 TEST_F(Check, ASizeOfOneColumnIsTried) {
     EXPECT_EQ(failed(check("planted_bad_size", {}, 6)),
               (std::set<std::string>{"search", "size 1x1", "size 1x512"}));

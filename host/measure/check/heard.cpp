@@ -3,6 +3,7 @@
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/space.h"
+#include "measure/probe/faults.h"
 #include "offline/sound.h"
 
 #include <fmt/format.h>
@@ -51,7 +52,8 @@ public:
     // False once a sample was no number.
     bool hears(long index, const std::vector<TweakValue>& values) {
         sound_.renderer().set_values(values);
-        const std::vector<float> rgba = sound_.drawn(sound_.frame_of(index));
+        const Frame frame = sound_.frame_of(index);
+        const std::vector<float> rgba = sound_.drawn(frame);
         if (subject_.after_frame) subject_.after_frame();
         for (std::size_t i = 0; i < rgba.size(); i += 4) {
             const bool left = !std::isfinite(rgba[i]);
@@ -61,12 +63,29 @@ public:
                 "{} in the {} channel at {:.5f} s, sample {}{}",
                 std::isnan(rgba[i + (left ? 0 : 1)]) ? "NaN" : "Inf", left ? "left" : "right",
                 static_cast<double>(sample) / kSampleRate, sample, tweak_words(subject_, values)));
+            find_birth(frame);
             return false;
         }
         return true;
     }
 
 private:
+    // The operation at which it came about, where the probe can tell.
+    void find_birth(const Frame& frame) {
+        try {
+            FaultWatch watch(subject_.opened(), sound_.renderer(), {.specialise = false});
+            watch.after_program = subject_.after_frame;  // compiling is no hang
+            watch.begin(frame);
+            sound_.drawn(frame);
+            const auto& fault = watch.first();
+            if (!fault) return;
+            result_.where = place_of(*fault);  // its pixel is a sample
+            result_.note += fmt::format("; born at {}:{}: {}: {}", fault->file, fault->line,
+                                        fault->expression, fault->what);
+        } catch (const ProbeRefused&) {  // the case has failed all the same
+        }
+    }
+
     CheckSubject& subject_;
     CaseResult& result_;
     SoundRenderer sound_;
