@@ -76,14 +76,11 @@ TEST(Refiner, WhatItEndsWithIsTheStillOfAsManySamples) {
     order.preset.values = {TweakValue{0.8}};
     Refiner refiner("", GLINT_BINARY);
     refiner.start(order);
-    std::set<int> counts;
     ASSERT_TRUE(eventually([&] {
         refiner.update();
-        counts.insert(refiner.done());
         return refiner.done() == 64 && !refiner.is_running();
     }));
     EXPECT_EQ(refiner.of(), 64);
-    EXPECT_GT(counts.size(), 2u) << "it tells how far it is";
     const int code = wait_for(
         launch({.words = {GLINT_BINARY, "still", file.string(), "-o", still.string(), "--size",
                           "160x90", "--samples", "64", "--time", "0.7", "--tweak", "level=0.8"}})
@@ -119,13 +116,18 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(texelFetch(count, ivec2(0), 0).
     EXPECT_NEAR(static_cast<int>(refiner.picture().pixels[0]), 128, 1);
 }
 
-TEST(Refiner, OneThatIsStoppedIsGoneAtOnceAndBeginsAnew) {
+TEST(Refiner, TellsHowFarItIsAndOneThatIsStoppedIsGoneAtOnceAndBeginsAnew) {
     const TestFolder folder;
     RefineOrder order{.preset = preset_of(folder.write("scene.frag", kScene)), .samples = 4000};
     order.preset.size = {640, 360};
     Refiner refiner("", GLINT_BINARY);
     refiner.start(order);
-    ASSERT_TRUE(eventually([&] { return refiner.update() && refiner.done() > 0; }));
+    std::set<int> counts;  // with far too many samples for a busy machine to miss them all
+    ASSERT_TRUE(eventually([&] {
+        refiner.update();
+        counts.insert(refiner.done());
+        return counts.size() > 2;
+    }));
     refiner.stop();
     EXPECT_EQ(refiner.done(), 0);
     EXPECT_EQ(refiner.descriptor(), -1);
