@@ -1183,7 +1183,10 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     for (int i = 0; i < 3; ++i) {   // each range nearer and darker than the one behind
         float n = float(i), land = (0.085 - 0.026 * n) * ridge(fract(uv.x + 0.31 * n), 1 + i)
             + 0.020 * ridge(fract(3.0 * uv.x), 5 + i) + 0.007 * ridge(fract(9.0 * uv.x), 9 + i);
-        float there = smoothstep(-0.0010, 0.0010, shore * land - 0.018 - up);
+        // A texel is 0.18 degrees wide and far less high: a steep edge is as soft as it is wide, or
+        // large pictures show its steps.
+        float over = shore * land - 0.018 - up, soft = max(fwidth(over), 0.0010);
+        float there = smoothstep(-soft, soft, over);
         there *= exp(-min((9.0 - 3.0 * n) * 500.0 / visibility, 60.0));
         light = mix(light, light * (vec3(0.60, 0.70, 0.80) - vec3(0.09, 0.07, 0.09) * n), there);
         hills = max(hills, there);

@@ -1008,6 +1008,13 @@ vec3 display(vec3 light) {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
+// What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is
+// the same for all samples of a pixel: their mean is rounded, and of many none would be left.
+vec3 dither(vec2 fragCoord) {
+    vec3 chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 3));
+    return (chance + chance.yzx - 1.0) * (0.5 / 255.0);
+}
+
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
@@ -1027,5 +1034,5 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     // Evenly apart among the samples of a pixel, too.
     float jitter = fract(shuffledQuarters(ivec2(fragCoord)) + fragCoord.x);
     vec3 light = render(ro, rd, 1.0 / (lens * iResolution.y), jitter);
-    fragColor = vec4(display(exp2(exposure) * falloff * light), 1.0);
+    fragColor = vec4(display(exp2(exposure) * falloff * light) + dither(fragCoord), 1.0);
 }

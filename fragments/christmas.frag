@@ -975,6 +975,13 @@ vec3 display(vec3 light) {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
+// What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is
+// the same for all samples of a pixel: their mean is rounded, and of many none would be left.
+vec3 dither(vec2 fragCoord) {
+    vec3 chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 3));
+    return (chance + chance.yzx - 1.0) * (0.5 / 255.0);
+}
+
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
@@ -990,5 +997,5 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec3 rd = normalize(uv.x * right + uv.y * up + lens * forward);
     float falloff = square(dot(rd, forward));   // half of a simple lens's cos^4
     vec3 light = radiance(ro, rd, 1.0 / (lens * iResolution.y));
-    fragColor = vec4(display(exp2(exposure) * falloff * light), 1.0);
+    fragColor = vec4(display(exp2(exposure) * falloff * light) + dither(fragCoord), 1.0);
 }

@@ -819,9 +819,11 @@ vec2 leftOfLight(Layer l, vec3 p, vec3 q, vec3 nor, Medium m) {
         left.x *= besideHull(q + 0.05 * shipNor, towards, 0.12);
         if (sailCloth > 0.0 && l.kind <= kTimber)
             left.x *= besideSails(q, towards, 0.1);
-        vec2 here = hullSpan(q - vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0));
-        if (here.x < 2.0 && here.x < here.y)
-            left.y = clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0);
+        // Nothing far from her box asks; over the first metre beside it corners fade, or its edge
+        // would be seen on the sand.
+        float past = max(max(abs(q.x - 0.3) - 12.6, abs(q.z) - 3.4), 0.0);   // m
+        if (past < 1.0 && q.y < 8.0)
+            left.y = mix(clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0), 1.0, past);
     }
     return left;
 }

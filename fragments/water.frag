@@ -1342,6 +1342,13 @@ vec3 display(vec3 light) {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
+// What hides the bands of a smooth picture of 255 steps: half a step, up or down by chance. It is
+// the same for all samples of a pixel: their mean is rounded, and of many none would be left.
+vec3 dither(vec2 fragCoord) {
+    vec3 chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 3));
+    return (chance + chance.yzx - 1.0) * (0.5 / 255.0);
+}
+
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     loadAll();
     vec3 sum = vec3(0.0);
@@ -1354,5 +1361,5 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         if (pooled) pooled = intersect(r.o, r.d, false).t > t;
         sum += pooled ? planarWater(r, t) : render(r, water == 0, reach);
     }
-    fragColor = vec4(display(exp2(exposure) * sum / float(antialias)), 1.0);
+    fragColor = vec4(display(exp2(exposure) * sum / float(antialias)) + dither(fragCoord), 1.0);
 }
