@@ -1081,7 +1081,9 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     light = mix(light, around + lit * (1.0 - 0.55 * thick), 0.85 * thick);
     float shore = smoothstep(0.04, 0.12, abs(uv.x - 0.5));
     float land = shore * (0.095 * ridge(uv.x, 1) + 0.03 * ridge(fract(uv.x * 3.0), 2));
-    float hills = smoothstep(-0.0015, 0.0015, land - up);
+    // A texel is far wider than high: a steep edge is as soft as it is wide, or large pictures show
+    // its steps.
+    float over = land - up, soft = max(fwidth(over), 0.0015), hills = smoothstep(-soft, soft, over);
     vec3 far = light * mix(vec3(0.20, 0.24, 0.32), vec3(1.0), 0.35);
     light = mix(light, far, hills);
     if (v < 0.0) {
