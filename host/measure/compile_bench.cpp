@@ -111,6 +111,29 @@ double median_of(const std::vector<Json>& rounds, std::size_t pass, const char* 
     return glint::median_of(values);
 }
 
+// All passes together: the median of the rounds' sums, each of them one process.
+double total_of(const std::vector<Json>& rounds, const char* key) {
+    std::vector<double> sums;
+    for (const Json& round : rounds) {
+        double& sum = sums.emplace_back(0.0);
+        for (const Json& pass : round["passes"]) sum += pass[key].get<double>();
+    }
+    return glint::median_of(sums);
+}
+
+Json total_json(const Json& passes, const std::vector<Json>& cold, const std::vector<Json>& warm) {
+    std::size_t words = 0;
+    for (const Json& pass : passes)
+        if (pass["words"].is_number()) words += pass["words"].get<std::size_t>();
+    const bool all = std::all_of(passes.begin(), passes.end(),
+                                 [](const Json& pass) { return pass["words"].is_number(); });
+    return {{"cold_ms", total_of(cold, "compile_ms")},
+            {"warm_ms", total_of(warm, "compile_ms")},
+            {"first_draw_ms", total_of(cold, "first_draw_ms")},
+            {"first_draw_warm_ms", total_of(warm, "first_draw_ms")},
+            {"words", all ? Json(words) : Json()}};
+}
+
 Json passes_json(const Preset& preset, bool specialise, const std::vector<Json>& cold,
                  const std::vector<Json>& warm) {
     Json list = Json::array();
@@ -131,6 +154,14 @@ Json passes_json(const Preset& preset, bool specialise, const std::vector<Json>&
     return list;
 }
 
+void print_row(const std::string& name, const Json& times) {
+    const Json& words = times["words"];
+    say_result("{:<22} {:>7.1f} ms {:>8.1f} ms {:>7.1f} ms {:>8.1f} ms {:>10}\n", name,
+               times["cold_ms"].get<double>(), times["first_draw_ms"].get<double>(),
+               times["warm_ms"].get<double>(), times["first_draw_warm_ms"].get<double>(),
+               words.is_null() ? "-" : fmt::format("{}", words.get<std::size_t>()));
+}
+
 void print_compile_table(const Json& json) {
     say_result("{}, {}, {}, medians of {} rounds\n", json["renderer"].get<std::string>(),
                json["size"].get<std::string>(), json["specialised"] ? "specialised" : "uniform-fed",
@@ -138,14 +169,8 @@ void print_compile_table(const Json& json) {
     say_result("{:<22} {:>22} {:>22} {:>10}\n", "", "cache empty", "cache full", "");
     say_result("{:<22} {:>10} {:>11} {:>10} {:>11} {:>10}\n", "pass", "compile", "first draw",
                "compile", "first draw", "words");
-    for (const Json& pass : json["passes"]) {
-        const Json& words = pass["words"];
-        say_result("{:<22} {:>7.1f} ms {:>8.1f} ms {:>7.1f} ms {:>8.1f} ms {:>10}\n",
-                   pass["name"].get<std::string>(), pass["cold_ms"].get<double>(),
-                   pass["first_draw_ms"].get<double>(), pass["warm_ms"].get<double>(),
-                   pass["first_draw_warm_ms"].get<double>(),
-                   words.is_null() ? "-" : fmt::format("{}", words.get<std::size_t>()));
-    }
+    for (const Json& pass : json["passes"]) print_row(pass["name"].get<std::string>(), pass);
+    print_row("all passes", json["total"]);
 }
 
 }  // namespace
@@ -180,12 +205,14 @@ void run_compile_bench(const BenchOptions& options) {
         warm.push_back(measure(preset, options, cache.string()));
         progress.update(round + 1);
     }
+    const Json passes = passes_json(preset, options.view.specialise, cold, warm);
     const Json json = {{"scene", options.view.file.string()},
                        {"renderer", cold.front()["renderer"]},
                        {"size", options.view.size.empty() ? kSize : options.view.size},
                        {"rounds", kRounds},
                        {"specialised", options.view.specialise},
-                       {"passes", passes_json(preset, options.view.specialise, cold, warm)}};
+                       {"passes", passes},
+                       {"total", total_json(passes, cold, warm)}};
     if (options.view.json)
         say_result("{}\n", json_text(json));
     else

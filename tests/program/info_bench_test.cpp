@@ -307,6 +307,20 @@ TEST_F(InfoAndBench, CompileTellsOfEveryPassWithTheCacheEmptyAndFull) {
     EXPECT_GT(bench["rounds"].get<int>(), 0);
 }
 
+// A median of sums is no less than the median of any part, which is all that is certain of clocks.
+TEST_F(InfoAndBench, CompileTellsOfAllPassesTogether) {
+    const Json bench = json({"bench", "scene.frag", "--compile", "--size", "32x18"});
+    std::size_t words = 0;
+    for (const Json& pass : bench["passes"]) {
+        for (const char* key : {"cold_ms", "warm_ms", "first_draw_ms", "first_draw_warm_ms"})
+            EXPECT_GE(bench["total"][key].get<double>(), pass[key].get<double>()) << key;
+        if (counts_words()) words += pass["words"].get<std::size_t>();
+    }
+    EXPECT_EQ(bench["total"]["words"], counts_words() ? Json(words) : Json());
+    const Outcome table = glint({"bench", "scene.frag", "--compile", "--size", "32x18"});
+    EXPECT_NE(table.out.find("\nall passes "), std::string::npos) << table.out;
+}
+
 TEST_F(InfoAndBench, CompileSaysOnceWhatDoesNotCompile) {
     write("wrong.frag", "void mainImage(out vec4 c, in vec2 p) { c = wrong; }\n");
     const Outcome outcome = glint({"bench", "wrong.frag", "--compile"});
