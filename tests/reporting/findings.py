@@ -2,7 +2,7 @@
 import math
 import statistics
 
-from measures import chosen, compared, enlarged, nearest, own_row, quickest
+from measures import chosen, compared, enlarged, is_idle, nearest, own_row, quickest
 
 
 def number(value):
@@ -35,10 +35,9 @@ def alone(found):
             yield name, study
 
 
-def is_idle(study):
-    """Whether no value of the tweak changes the picture."""
-    rows = compared(study)
-    return bool(rows) and all(row["max"] == 0 for row in rows)
+def changed_by(steps, knob):
+    """The views, beside the main preset's, that an idle tweak changes."""
+    return steps.get("elsewhere", {}).get("changes", {}).get(knob, [])
 
 
 def is_slower_large(steps, row):
@@ -90,9 +89,11 @@ def truth(found):
     studies = list(alone(found))
     if not studies:
         return
-    idle = [f"{name}'s {study['knob']}" for name, study in studies if is_idle(study)]
-    yield (f"Of {len(studies)} quality tweaks, {len(idle)} change nothing in the picture of the main preset"
-           + (f": {listed(idle, 12)}." if idle else "."))
+    idle = [(name, study["knob"]) for name, study in studies if is_idle(study)]
+    nowhere = [(name, knob) for name, knob in idle if not changed_by(found[name], knob)]
+    yield (f"Of {len(studies)} quality tweaks, {len(idle)} change nothing in the picture of the main preset, and "
+           f"{len(nowhere)} in no other view that was tried"
+           + (f": {listed(f'{name} by {knob}' for name, knob in nowhere)}." if nowhere else "."))
     rivals = [(name, study) for name, study in studies if study["rival"]]
     wrong = [f"{name}'s {study['knob']}" for name, study in rivals if study["rival"]["disagrees"]]
     yield (f"Tweaks with a second, independent way to their truth: {len(rivals)}; of these, {len(wrong)} have two that differ "

@@ -22,6 +22,9 @@ FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
 # What beats a preset in a small picture, beside it in a larger one: there less of a frame is work that is the same for
 # all settings, such as maps and simulations.
 LARGE = {"--size": "320x180", "--seconds": "6"}
+# Where else a tweak changes the picture that changes none of the main preset's. In a small picture a march meets the same
+# pixels whatever its stride is.
+ELSEWHERE = {"--metric": "error", "--size": "320x180"}
 SETTING = "--quality="   # of these, the first of which is the preset's own
 MOST_SECONDS = 400   # of one step of a scene, which then goes on at the next call; on two idle cores none takes half of that
 # Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
@@ -87,6 +90,15 @@ def processor_since(before):
     return sum(os.times()[2:4]) - sum(before[2:4])
 
 
+def taken(before, began):
+    """What a step took since then, and beside what."""
+    return {"load": os.getloadavg()[0], "wall_s": time.monotonic() - began, "processor_s": processor_since(before)}
+
+
+def failed(reason):
+    return {"failed": reason, "studies": [], "svgs": []}
+
+
 class Kept:
     """A folder of what was measured, with one in it for each program, so that no report is of two. Each step of a scene
     stands in a file of its own, whole or not at all; within a step `glint study -o` goes on where it was stopped. `more`:
@@ -118,29 +130,31 @@ class Kept:
         print(f"{name}, {step}", flush=True)
         folder = self.folder / f"{name}-{'joint' if step in ('near', 'over') else step}"   # one truth
         found = {"key": key, "date": str(datetime.date.today()), "options": options,
-                 **(self.enlarged if step == "large" else self.measure)(folder, file, options)}
+                 **{"large": self.enlarged, "elsewhere": self.elsewhere}.get(step, self.measure)(folder, file, options)}
         if "failed" not in found:
             being_written = kept.with_suffix(".part")
             being_written.write_text(json.dumps(found))
             being_written.replace(kept)
         return found
 
+    def study(self, *words):
+        """What `glint study` tells of these, and why it tells nothing."""
+        try:
+            result = subprocess.run([self.glint, "study", *words, "--json"], capture_output=True, text=True, timeout=MOST_SECONDS)
+        except subprocess.TimeoutExpired:
+            return None, f"ended after {MOST_SECONDS} s; another call goes on from there"
+        if result.returncode != 0:
+            return None, (result.stderr.strip().splitlines() or ["no reason is given"])[-1]
+        return json.loads(result.stdout), None
+
     def measure(self, folder, file, options):
         before, began = os.times(), time.monotonic()
-        try:
-            result = subprocess.run([self.glint, "study", file, "--json", "-o", folder, *options],
-                                    capture_output=True, text=True, timeout=MOST_SECONDS)
-        except subprocess.TimeoutExpired:
-            return {"failed": f"ended after {MOST_SECONDS} s; another call goes on from there", "studies": [], "svgs": []}
-        wall, processor = time.monotonic() - began, processor_since(before)
-        if result.returncode != 0:
-            reason = result.stderr.strip().splitlines() or ["no reason is given"]
-            return {"failed": reason[-1], "studies": [], "svgs": []}
-        studies = json.loads(result.stdout)["studies"]
+        told, reason = self.study(file, "-o", folder, *options)
+        if reason:
+            return failed(reason)
         sections = re.split(r"<h2 id=s\d+>", (folder / "index.html").read_text())[1:]
         svgs = [re.search(r"<svg.*?</svg>", section, re.S) for section in sections]
-        return {"studies": studies, "svgs": [svg and svg.group() for svg in svgs], "load": os.getloadavg()[0],
-                "wall_s": wall, "processor_s": processor}
+        return {"studies": told["studies"], "svgs": [svg and svg.group() for svg in svgs], **taken(before, began)}
 
     def enlarged(self, folder, file, options):
         """The times of settings beside the preset's own, by setting."""
@@ -152,13 +166,34 @@ class Kept:
         for setting in settings[1:]:
             other = folder / "other.toml"
             other.write_text(with_setting(file, setting))
-            result = subprocess.run([self.glint, "study", own, other, "--quality", "measured", "--json", *options],
-                                    capture_output=True, text=True, timeout=MOST_SECONDS)
-            if result.returncode != 0:
-                return {"failed": (result.stderr.strip().splitlines() or ["no reason is given"])[-1], "studies": [], "svgs": []}
-            times[setting] = json.loads(result.stdout)
-        return {"studies": [], "svgs": [], "times": times, "load": os.getloadavg()[0],
-                "wall_s": time.monotonic() - began, "processor_s": processor_since(before)}
+            times[setting], reason = self.study(own, other, "--quality", "measured", *options)
+            if reason:
+                return failed(reason)
+        return {"studies": [], "svgs": [], "times": times, **taken(before, began)}
+
+    def elsewhere(self, _, file, options):
+        """Where tweaks change the picture, by tweak: presets of the scene, or, where no preset does, menus of the main one."""
+        changes, before, began = {}, os.times(), time.monotonic()
+        for views in (self.other_presets(file), self.other_menus(file)):
+            left = [word for word in options if word.split("=")[0] != "--vary" or word.split("=")[1] not in changes]
+            for view, words in views if any(word.startswith("--vary=") for word in left) else []:
+                told, reason = self.study(*words, *left)
+                if reason:
+                    return failed(reason)
+                for study in told["studies"]:
+                    if not is_idle(study):
+                        changes.setdefault(study["knob"], []).append(view)
+        return {"studies": [], "svgs": [], "changes": changes, **taken(before, began)}
+
+    def other_presets(self, file):
+        """(name, words for study) of the scene's presets but the main one."""
+        return [(preset.stem, [preset]) for preset in sorted((self.tree / "presets").glob(file.stem + "*.toml")) if preset != file]
+
+    def other_menus(self, file):
+        """As other_presets() of the main preset with another value of one menu of its quality."""
+        return [(f"{tweak['name']}={name}", [file, f"--tweak={tweak['name']}={name}"])
+                for tweak in self.tweaks(file) if tweak.get("quality")
+                for value, name in enumerate(tweak.get("names") or []) if value != tweak["value"]]
 
     def tweaks(self, file):
         info = subprocess.run([self.glint, "info", file, "--json"], capture_output=True, text=True, check=True)
@@ -197,6 +232,9 @@ class Kept:
         if step == "large":
             settings = [f"{SETTING}{value}" for value in winners(found)]
             return self.words(LARGE) + settings if len(settings) > 1 else None
+        if step == "elsewhere":
+            idle = [f"--vary={item}" for item in idle_tweaks(found)]
+            return self.words(ELSEWHERE) + idle if idle else None
         off = [f"--vary={item}" for item in self.off(file)]
         return self.words(FEATURES) + off if off else None
 
@@ -204,7 +242,7 @@ class Kept:
         return [word for pair in {**options, **self.more}.items() for word in pair]
 
 
-STEPS = ["joint", "near", "alone", "over", "large", "features"]   # what is worth most for its time is measured first, of all scenes
+STEPS = ["joint", "near", "alone", "over", "large", "elsewhere", "features"]   # what is worth most for its time is measured first, of all scenes
 
 
 def measured(kept, names, only_kept):
@@ -229,6 +267,20 @@ def own_row(study):
 
 def compared(study):
     return [row for row in study["rows"] if row["rmse"] is not None]
+
+
+def is_idle(study):
+    """Whether no value of the tweak changes the picture."""
+    rows = compared(study)
+    return bool(rows) and all(row["max"] == 0 for row in rows)
+
+
+def idle_tweaks(found):
+    """The least and the most of each tweak that is idle in the main preset, as "NAME=a,b"."""
+    for study in found.get("alone", {}).get("studies", []):
+        if is_idle(study):
+            rows = compared(study)
+            yield f"{study['knob']}={rows[0]['value']},{rows[-1]['value']}"
 
 
 def is_no_farther(row, than, *measures):

@@ -3,8 +3,8 @@ import pathlib
 import re
 
 from findings import alone as studies_alone
-from findings import is_idle, joints, number, turned
-from measures import chosen, commit, compared, enlarged, nearest, own_row, quickest
+from findings import changed_by, joints, number, turned
+from measures import chosen, commit, compared, enlarged, is_idle, nearest, own_row, quickest
 
 DIAGRAMS = pathlib.Path("pictures/studies")   # as pages link to it
 CLEAR = 0.02   # of a frame's time: what a quiet machine's median wavers by from call to call
@@ -120,15 +120,21 @@ def alone(page, found):
                     "on the frontier", "order"], rows)
 
 
+def told_times(study):
+    """The values that are told to take another time than the preset's own."""
+    told = [f"{row['value']} is {row['verdict']}" for row in compared(study) if row["verdict"] in ("faster", "slower")]
+    return ", ".join(told) or "not told apart"
+
+
 def idle(page, found):
-    rows = {}
-    for name, study in studies_alone(found):
-        if is_idle(study):
-            rows.setdefault(name, []).append(f"{study['knob']} ({', '.join(row['value'] for row in compared(study))})")
+    rows = [[name, study["knob"], ", ".join(row["value"] for row in compared(study)), told_times(study),
+             ", ".join(changed_by(found[name], study["knob"])) if "elsewhere" in found[name] else "not measured"]
+            for name, study in studies_alone(found) if is_idle(study)]
     if rows:
         page.heading("Tweaks that change nothing here")
-        page.text("None of these values changes a pixel of the main preset's picture; other presets are what they are for.")
-        page.table(["scene", "tweaks and their values"], [[name, "; ".join(list_)] for name, list_ in rows.items()])
+        page.text("None of these values changes a pixel of the main preset's picture; what may change is its time. The last column is "
+                  "where they do: other presets of the scene, or else the main one with another value of a menu.")
+        page.table(["scene", "tweak", "values", "time", "changes the picture of"], rows)
 
 
 def nearest_other(studies):
