@@ -91,6 +91,57 @@ TEST(StudySearch, ComesToAnotherMethod) {
     EXPECT_EQ(best_within(tried, {.ms = 9.0, .error = {}}).at, (Stand{1, 4}));
 }
 
+// One number has nearly all the error and is dear; six others have next to none, and take most of
+// the time. None of them alone is worth a step, by what the error says of it.
+struct Hidden {
+    std::mt19937_64 random{7};
+    double noise = 0.0;  // of a time, as a share of it
+    static constexpr std::size_t kTop = 6;
+
+    Tried operator()(const Stand& at) {
+        double ms = 20.0 * std::pow(2.0, static_cast<double>(at[0]));
+        double squares = std::pow(0.1 / std::pow(2.0, static_cast<double>(at[0])), 2.0);
+        for (std::size_t i = 1; i < at.size(); ++i) {
+            const double work = std::pow(2.0, static_cast<double>(at[i]));
+            ms += 0.1 * work;
+            squares += std::pow(0.05 / (work * work), 2.0);
+        }
+        const double wavers = noise * (2.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 1.0);
+        return {.at = at, .ms = ms * (1.0 + wavers), .error = std::sqrt(squares)};
+    }
+};
+
+TEST(StudySearch, GoesDownWhereWhatOneIsOffHidesTheOthers) {
+    const std::vector<Dial> dials(7, Dial{.count = 7});
+    const Stand own = {0, 6, 6, 6, 6, 6, 6};
+    for (const double noise : {0.0, 0.05}) {
+        Hidden known{.noise = noise};
+        const double error = 1.01 * known(own).error;
+        const auto tried = search(dials, own, {.ms = {}, .error = error}, 60,
+                                  [&](const Stand& at) { return std::optional(known(at)); });
+        const Tried best = best_within(tried, {.ms = {}, .error = error});
+        Hidden exact;
+        EXPECT_LT(exact(best.at).ms, 0.5 * exact(own).ms) << "noise " << noise;
+    }
+}
+
+// Whatever is turned down costs error, and whatever is turned up costs time.
+TEST(StudySearch, FindsNothingWhereThereIsNothing) {
+    const std::vector<Dial> dials(3, Dial{.count = 7});
+    const auto measure = [](const Stand& at) {
+        double ms = 0.0, error = 0.0;
+        for (const std::size_t v : at) {
+            ms += std::pow(2.0, static_cast<double>(v));
+            error += std::pow(4.0, -static_cast<double>(v));
+        }
+        return std::optional(Tried{.at = at, .ms = ms, .error = error});
+    };
+    const Stand own = {3, 3, 3};
+    const double error = 1.01 * measure(own)->error;
+    const auto tried = search(dials, own, {.ms = {}, .error = error}, 160, measure);
+    EXPECT_EQ(best_within(tried, {.ms = {}, .error = error}).at, own);
+}
+
 TEST(StudySearch, EndsWhereNoMoreMayBeMeasured) {
     int left = 10;
     const World known = world(1);

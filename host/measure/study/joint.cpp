@@ -31,10 +31,13 @@ constexpr std::size_t kWinners = 8;   // that are measured well
 constexpr std::size_t kKept = 6;      // programs
 constexpr double kMostOrder = 4.0;    // that three pictures are believed to show
 constexpr double kMatters = 0.1;      // of the difference: less needs no order
-constexpr double kAsGood = 1.01;      // times the preset's own error: nobody would tell
 
-// By what a search goes within this limit.
-double error_of(const Difference& off, const Limit& limit) {
+// Within what the preset itself takes, by what is the larger share of its own, so that nothing is
+// gained by the one measure and lost by the other; else by the one that limits.
+double error_of(const Difference& off, const Limit& limit, const Difference* own) {
+    if (!limit.number && own)
+        return std::max(off.rmse / std::max(own->rmse, kLeastRmse),
+                        off.flip / std::max(own->flip, kLeastRmse));
     return limit.of == Limit::Of::flip ? off.flip : off.rmse;
 }
 
@@ -265,21 +268,22 @@ private:
         const bool encoded = how_.pass == kImagePass;
         const std::vector<float> picture = tried.draw_picture();
         Difference off = difference(picture, truth_, encoded);
-        if (limit_.of == Limit::Of::flip)
+        if (limit_.of == Limit::Of::flip || !limit_.number)
             off.flip = mean(flip_map(picture, truth_, size_, {.encoded = encoded}));
         std::vector<double> ratios;
         for (int i = 0; i < quick_frames_; ++i)
             ratios.push_back(time(tried.time_frame()) / time(base_->time_frame()));
         const bool failed = off.not_finite > 0;
+        if (!own_error_) own_error_ = off;  // the preset's own is the first
         return {.at = at,
                 .ms = base_ms_ * median_of(ratios),
-                .error = failed ? 1e9 : error_of(off, limit_)};
+                .error = failed ? 1e9 : error_of(off, limit_, &*own_error_)};
     }
 
-    Budget budget() {
+    Budget budget() const {
         if (limit_.of == Limit::Of::ms)
             return {.ms = limit_.number.value_or(base_ms_), .error = {}};
-        return {.ms = {}, .error = limit_.number ? *limit_.number : kAsGood * measure(own()).error};
+        return {.ms = {}, .error = limit_.number.value_or(kAsGood)};
     }
 
     const Preset& preset_;
@@ -301,6 +305,7 @@ private:
     std::map<std::vector<double>, std::unique_ptr<MeasuredScene>> scenes_;  // by menus
     std::unique_ptr<MeasuredScene> base_;
     double base_ms_ = 0.0;
+    std::optional<Difference> own_error_;
     int quick_frames_ = kQuickFrames;
     double compiling_ms_ = 0.0;
     Stopwatch clock_;
@@ -338,12 +343,13 @@ Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limi
 void choose_best(Study& study, const Limit& limit) {
     study.is_joint = true;
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
-    const bool any = own != study.rows.end(), by_time = limit.of == Limit::Of::ms;
-    const double own_error = any && own->error ? kAsGood * error_of(*own->error, limit) : 0.0;
-    const double most = limit.number.value_or(by_time && any ? own->ms.median : own_error);
+    const bool any = own != study.rows.end() && own->error, by_time = limit.of == Limit::Of::ms;
+    const Difference* own_error = any ? &*own->error : nullptr;
+    const double own_most = by_time ? any ? own->ms.median : 0.0 : kAsGood;
+    const double most = limit.number.value_or(own_most);
     // What a budget limits, and what is the least within it.
     const auto limited = [&](const StudyRow& row) {
-        return by_time ? row.ms.median : error_of(*row.error, limit);
+        return by_time ? row.ms.median : error_of(*row.error, limit, own_error);
     };
     const auto wanted = [&](const StudyRow& row) {
         return by_time ? row.error->rmse : row.ms.median;
@@ -353,9 +359,12 @@ void choose_best(Study& study, const Limit& limit) {
         const StudyRow& row = study.rows[i];
         if (!row.error || !row.failed.empty()) continue;
         least = std::min(least.value_or(limited(row)), limited(row));
-        // What is not told to take longer than the preset's own does not.
-        const bool is_within =
-            by_time && !limit.number ? row.verdict != TimeVerdict::slower : limited(row) <= most;
+        // What is not told to take longer than the preset's own does not, and what is nearer is not
+        // to seem farther.
+        const bool is_within = by_time && !limit.number
+                                   ? row.verdict != TimeVerdict::slower &&
+                                         (!any || row.error->flip <= kAsGood * own_error->flip)
+                                   : limited(row) <= most;
         if (is_within && (!study.best || wanted(row) < wanted(study.rows[*study.best])))
             study.best = i;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace glint {
@@ -53,6 +54,26 @@ public:
         return true;
     }
 
+    // Each number as far down as the error stays within `most`, those first that save most alone;
+    // false where no more may be measured.
+    bool descend(Stand at, double most) {
+        std::vector<std::pair<double, std::size_t>> order;  // ms of the least of a number alone
+        for (std::size_t d = 0; d < dials_.size(); ++d) {
+            const auto least = dials_[d].is_menu ? at : least_within(at, d, most);
+            if (!least) return false;
+            if (*least != at) order.emplace_back(tried(*least).ms, d);
+        }
+        std::ranges::sort(order);
+        for (const auto& [ms, dial] : order) {
+            const auto least = least_within(at, dial, most);
+            if (!least) return false;
+            at = *least;
+        }
+        return true;
+    }
+
+    const Tried& tried(const Stand& at) const { return tried_[known_.at(at)]; }
+
     void run() {
         while (const auto place = next_place())
             if (!look_round(tried_[*place])) return;
@@ -61,6 +82,24 @@ public:
     std::vector<Tried> take() { return std::move(tried_); }
 
 private:
+    // The least value of one number with an error of at most so much, by bisection: an error grows
+    // as the work goes down. Nothing where no more may be measured.
+    std::optional<Stand> least_within(Stand at, std::size_t dial, double most) {
+        std::size_t below = 0;  // not known to be within
+        for (std::size_t within = at[dial]; below < within;) {
+            Stand middle = at;
+            middle[dial] = std::midpoint(below, within);
+            if (!add(middle)) return std::nullopt;
+            if (tried(middle).error <= most) {
+                within = middle[dial];
+                at = middle;
+            } else {
+                below = middle[dial] + 1;
+            }
+        }
+        return at;
+    }
+
     std::optional<std::size_t> next_place() const {
         std::optional<std::size_t> next;
         for (const Tried& one : frontier(tried_)) {
@@ -137,8 +176,10 @@ std::vector<Tried> search(const std::vector<Dial>& dials, const Stand& own, cons
                           int tries,
                           const std::function<std::optional<Tried>(const Stand&)>& measure) {
     Search search(dials, budget, tries, measure);
+    if (!search.add(own)) return search.take();
+    const double most = budget.error.value_or(kAsGood * search.tried(own).error);
     // From two sides: what stands, and the least of all.
-    if (search.add(own) && search.add(Stand(dials.size(), 0))) search.run();
+    if (search.descend(own, most) && search.add(Stand(dials.size(), 0))) search.run();
     return search.take();
 }
 
