@@ -2,7 +2,7 @@
 import math
 import statistics
 
-from measures import chosen, compared, enlarged, is_idle, nearest, own_row, quickest
+from measures import chosen, compared, is_idle, nearest, own_row, quickest
 
 
 def number(value):
@@ -40,11 +40,6 @@ def changed_by(steps, knob):
     return steps.get("elsewhere", {}).get("changes", {}).get(knob, [])
 
 
-def is_slower_large(steps, row):
-    large = enlarged(steps, row)
-    return bool(large) and large["verdict"] == "slower"
-
-
 def gains(found):
     fast, near, stars, all_ = {}, {}, [], []
     for name, study, own in joints(found):
@@ -52,7 +47,7 @@ def gains(found):
         if own["pareto"]:
             stars.append(name)
         for ways, (share, row, _) in ((fast, nearest(found[name])), (near, quickest(found[name]))):
-            if row and not is_slower_large(found[name], row):
+            if row:
                 ways[name] = share, turned(row, own)
     yield (f"Of {len(all_)} scenes, {len(stars)} ship with a setting on the joint frontier of their quality tweaks"
            + (f": {listed(stars, 9)}." if stars else "."))

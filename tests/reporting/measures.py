@@ -14,18 +14,16 @@ import time
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 # Modest: nine scenes are to be done within 40 minutes of two idle cores. Errors do not depend on how many
 # frames are timed, and hardly on the size. Seconds are of timing a tweak; a search has four times as many.
-JOINT = {"--ms": "own", "--size": "96x54", "--seconds": "5"}
-NEAR = {"--flip": "own", "--size": "96x54", "--seconds": "4"}   # FLIP tells apart what RMSE does not, and hardly the reverse
+# What is to beat a preset is sought in a picture that is large enough: in a small one most of a frame is work that is the
+# same for all settings, such as maps and simulations, and what is found there is slower where it is used.
+JOINT = {"--ms": "own", "--size": "320x180", "--seconds": "5"}
+NEAR = {"--flip": "own", "--size": "320x180", "--seconds": "4"}   # from the same truth: the least time
 OVER = {"--ms": "own", "--over": "presets", "--size": "96x54", "--seconds": "2"}
 ALONE = {"--size": "96x54", "--seconds": "2"}
 FEATURES = {"--metric": "time", "--size": "96x54", "--seconds": "1"}
-# What beats a preset in a small picture, beside it in a larger one: there less of a frame is work that is the same for
-# all settings, such as maps and simulations.
-LARGE = {"--size": "320x180", "--seconds": "6"}
 # Where else a tweak changes the picture that changes none of the main preset's. In a small picture a march meets the same
 # pixels whatever its stride is.
 ELSEWHERE = {"--metric": "error", "--size": "320x180"}
-SETTING = "--quality="   # of these, the first of which is the preset's own
 MOST_SECONDS = 400   # of one step of a scene, which then goes on at the next call; on two idle cores none takes half of that
 # Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
 # times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
@@ -130,7 +128,7 @@ class Kept:
         print(f"{name}, {step}", flush=True)
         folder = self.folder / f"{name}-{'joint' if step in ('near', 'over') else step}"   # one truth
         found = {"key": key, "date": str(datetime.date.today()), "options": options,
-                 **{"large": self.enlarged, "elsewhere": self.elsewhere}.get(step, self.measure)(folder, file, options)}
+                 **(self.elsewhere if step == "elsewhere" else self.measure)(folder, file, options)}
         if "failed" not in found:
             being_written = kept.with_suffix(".part")
             being_written.write_text(json.dumps(found))
@@ -155,21 +153,6 @@ class Kept:
         sections = re.split(r"<h2 id=s\d+>", (folder / "index.html").read_text())[1:]
         svgs = [re.search(r"<svg.*?</svg>", section, re.S) for section in sections]
         return {"studies": told["studies"], "svgs": [svg and svg.group() for svg in svgs], **taken(before, began)}
-
-    def enlarged(self, folder, file, options):
-        """The times of settings beside the preset's own, by setting."""
-        settings = [word.removeprefix(SETTING) for word in options if word.startswith(SETTING)]
-        options = [word for word in options if not word.startswith(SETTING)]
-        folder.mkdir(exist_ok=True)
-        own, times, before, began = folder / "own.toml", {}, os.times(), time.monotonic()
-        own.write_text(with_setting(file, settings[0]))
-        for setting in settings[1:]:
-            other = folder / "other.toml"
-            other.write_text(with_setting(file, setting))
-            times[setting], reason = self.study(own, other, "--quality", "measured", *options)
-            if reason:
-                return failed(reason)
-        return {"studies": [], "svgs": [], "times": times, **taken(before, began)}
 
     def elsewhere(self, _, file, options):
         """Where tweaks change the picture, by tweak: presets of the scene, or, where no preset does, menus of the main one."""
@@ -229,9 +212,6 @@ class Kept:
         if step == "over":
             few = [f"--vary={item}" for item in few_settings(found)]
             return self.words(OVER) + all_ + few if few else None
-        if step == "large":
-            settings = [f"{SETTING}{value}" for value in winners(found)]
-            return self.words(LARGE) + settings if len(settings) > 1 else None
         if step == "elsewhere":
             idle = [f"--vary={item}" for item in idle_tweaks(found)]
             return self.words(ELSEWHERE) + idle if idle else None
@@ -242,7 +222,7 @@ class Kept:
         return [word for pair in {**options, **self.more}.items() for word in pair]
 
 
-STEPS = ["joint", "near", "alone", "over", "large", "elsewhere", "features"]   # what is worth most for its time is measured first, of all scenes
+STEPS = ["joint", "near", "alone", "over", "elsewhere", "features"]   # what is worth most for its time is measured first, of all scenes
 
 
 def measured(kept, names, only_kept):
@@ -324,28 +304,6 @@ def chosen(study):
     """The row that a budget of the own time has chosen, if any."""
     best = study.get("best")
     return study["rows"][best["row"]] if best else None
-
-
-def winners(found):
-    """The preset's own setting, as its rows say it, and those that beat it."""
-    study = next(iter(found.get("joint", {}).get("studies", [])), None)
-    own = own_row(study) if study else None
-    rows = [own, nearest(found)[1], quickest(found)[1]] if own else []
-    return list(dict.fromkeys(row["value"] for row in rows if row))
-
-
-def enlarged(steps, row):
-    """What the setting of this row takes beside the preset's own in a larger picture, if that was measured."""
-    return steps.get("large", {}).get("times", {}).get(row["value"])
-
-
-def with_setting(file, setting):
-    """The preset's text, to stand anywhere, with "NAME=a NAME=b" as a quality."""
-    text = file.read_text() if file.suffix == ".toml" else f'scene = "{file.name}"\n'
-    text = re.sub(r'(?m)^scene = "([^"]*)"', lambda found: f'scene = "{(file.parent / found[1]).resolve()}"', text, count=1)
-    values = (part.split("=") for part in setting.split())
-    return text + "\n[quality.measured]\n" + "".join(
-        f"{name} = {value if re.fullmatch(r'[-+.e0-9]+', value) else json.dumps(value)}\n" for name, value in values)
 
 
 def few_settings(found):

@@ -4,12 +4,12 @@ import re
 
 from findings import alone as studies_alone
 from findings import changed_by, joints, number, turned
-from measures import chosen, commit, compared, enlarged, is_idle, nearest, own_row, quickest
+from measures import chosen, commit, compared, is_idle, nearest, own_row, quickest
 
 DIAGRAMS = pathlib.Path("pictures/studies")   # as pages link to it
 CLEAR = 0.02   # of a frame's time: what a quiet machine's median wavers by from call to call
 SHOWN = ["caustics-quality", "magic-quality", "terrain-quality", "deep_ocean-quality"]
-BUDGETS = ["scene", "own: ms", "RMSE", "FLIP", "beaten", "ms", "time", "RMSE", "FLIP", "by", "in a larger picture", "over all presets"]
+BUDGETS = ["scene", "own: ms", "RMSE", "FLIP", "beaten", "ms", "time", "RMSE", "FLIP", "by", "over all presets"]
 
 
 def interval(row):
@@ -248,13 +248,6 @@ def over_line(name, study):
     return f"{turned(best, own)}: {best['rmse'] / own['rmse']:.0%} of the error"
 
 
-def large_line(steps, row):
-    """Its share of the own setting's time in a larger picture."""
-    large = enlarged(steps, row)
-    return (f"{large['verdict']}: {large['ms_ratio']:.0%} of the time ({large['ms_ratio_low']:.0%} – {large['ms_ratio_high']:.0%})"
-            if large else "")
-
-
 def why_not(steps, own):
     """Why nothing beats the preset's own setting, as far as the figures tell."""
     alone_ = [(row["rmse"], study, row) for study in steps.get("alone", {}).get("studies", []) for row in [own_row(study)] if row]
@@ -275,8 +268,7 @@ def budget_lines(found):
                 for what, (share, row, own) in (("error", nearest(found[name])), ("time", quickest(found[name]))) if row]
         for how, row, own in ways or [(why_not(found[name], joint_own), None, joint_own)]:
             begin = [name, f"{own['ms']:.3g}", number(own["rmse"]), number(own["flip"]), how]
-            told = [f"{row['ms']:.3g}", row["verdict"], number(row["rmse"]), number(row["flip"]), turned(row, own),
-                    large_line(found[name], row)] if row else [""] * 6
+            told = [f"{row['ms']:.3g}", row["verdict"], number(row["rmse"]), number(row["flip"]), turned(row, own)] if row else [""] * 5
             yield [*begin, *told, over]
 
 
@@ -289,8 +281,7 @@ def beaten(page, found):
               "be less (wherever the truth lies within its own error: by what two settings have in common both are off "
               "alike), and no more FLIP, in a time that is not told to be more, or in a time that is told to be less with "
               "the same error, to 1% of RMSE and of FLIP; “no”: none of those that were tried does, with what the figures "
-              "say of it. Both are then timed beside each other in a larger picture, where less of a frame is the same for "
-              "all settings: slower there, it beats nothing. The last column is what has the least error over all presets "
+              "say of it. The last column is what has the least error over all presets "
               "of the scene in no more time, of the own setting and those that beat it.")
     page.table(BUDGETS, lines)
 
