@@ -2,6 +2,7 @@
 #include "live.h"
 
 #include <csignal>
+#include <regex>
 #include <string>
 
 namespace glint::window::file_test {
@@ -35,6 +36,13 @@ protected:
     bool becomes_unsaved(bool unsaved) const {
         return eventually([&] { return screen_->title().ends_with(" * - Glint") == unsaved; });
     }
+    // Key by key, each when what the one before has brought is there.
+    void answer(const std::vector<std::string>& keys) {
+        for (const std::string& key : keys) {
+            settle();
+            screen_->tap(key);
+        }
+    }
     Colour change() {
         screen_->tap("Control_L+g");
         EXPECT_TRUE(eventually([&] { return pixel().g != 51; }));
@@ -60,6 +68,17 @@ TEST_F(File, IsSavedWithItsCommentsAndWithoutTheTimeAndRevertedUndoably) {
     EXPECT_NE(saved.find("# not too much\n"), std::string::npos) << saved;
     EXPECT_NE(saved.find("other = 0."), std::string::npos) << saved;
     EXPECT_EQ(saved.find("time"), std::string::npos) << saved;
+}
+
+TEST_F(File, TheTimeIsWrittenWhereAPersonAsksForItAndRounded) {
+    open_look();
+    screen_->tap("Control_L+space");  // or nothing would come to rest
+    const fs::path copy = folder_->path() / "look-2.toml";
+    answer({"Control_L+Shift_L+s", "Down", "space", "Down", "Return"});
+    ASSERT_TRUE(eventually([&] { return fs::exists(copy); })) << glint_->errors();
+    const std::string saved = read(copy);
+    EXPECT_TRUE(std::regex_search(saved, std::regex("\ntime = [0-9]+(\\.[0-9]{1,3})?\n"))) << saved;
+    EXPECT_EQ(read(look()), kLook);
 }
 
 TEST_F(File, SaveAsGoesOnWithUndoLocksAndTheFrame) {
@@ -101,6 +120,15 @@ TEST_F(File, ThatWasChangedMeanwhileIsNotSavedOverUnasked) {
     EXPECT_TRUE(eventually([&] { return pixel().b == 255; }));
     EXPECT_EQ(read(look()), theirs);
     EXPECT_TRUE(eventually([&] { return pixel().g == 230; })) << "it is read, and stands here";
+}
+
+TEST_F(File, AQuestionIsAnsweredByTheArrowKeysAndReturn) {
+    open_look();
+    change();
+    screen_->tap("Control_L+space");             // or nothing would come to rest
+    answer({"Control_L+q", "Right", "Return"});  // discard, not save, which Return is else
+    EXPECT_EQ(glint_->wait().code, 0);
+    EXPECT_EQ(read(look()), kLook);
 }
 
 TEST_F(File, ChanceLeavesAloneWhatSaysNorandomTheCameraAndQuality) {

@@ -4,6 +4,7 @@
 #include "window/ui/widgets.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -39,6 +40,13 @@ bool pressed(ImGuiKey key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
 }
 
+// Enter presses what the arrow keys have gone to.
+bool button(const char* text) {
+    const bool clicked = ImGui::Button(text);
+    const bool is_reached = !GImGui->NavDisableHighlight && ImGui::IsItemFocused();
+    return clicked || (is_reached && pressed(ImGuiKey_Enter));
+}
+
 // A heading, and a field below it that is ready to be typed into. True when Enter is pressed there.
 bool path_field(const Theme& theme, const char* heading, std::string& path) {
     text_in(colours::kText, heading, theme.bold);
@@ -65,9 +73,9 @@ void ask_path(Build& build, SavingState& state) {
     const double start = build.facts.start_time.value_or(shown_time(build));
     ImGui::Checkbox(fmt::format("start at {} s, the time that is shown###time", start).c_str(),
                     &state.keeps_time);
-    const bool save = ImGui::Button(exists ? "Replace" : "Save") || entered;
+    const bool save = button(exists ? "Replace" : "Save") || entered;
     ImGui::SameLine();
-    const bool cancel = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
+    const bool cancel = button("Cancel") || pressed(ImGuiKey_Escape);
     if (save && !path.empty()) {
         build.wishes.save_as = path;
         build.wishes.start_time = StartTime();
@@ -110,21 +118,22 @@ void ask_new_scene(Build& build, NewSceneState& state) {
     text_in(exists ? colours::kWarning : colours::kDim,
             exists ? "This file is there already; name another." : "It is written, and opened.");
     ImGui::BeginDisabled(exists);
-    const bool create = (ImGui::Button("Create") || entered) && !exists && path.has_filename();
+    const bool create = (button("Create") || entered) && !exists && path.has_filename();
     ImGui::EndDisabled();
     ImGui::SameLine();
-    const bool cancel = ImGui::Button("Cancel") || pressed(ImGuiKey_Escape);
+    const bool cancel = button("Cancel") || pressed(ImGuiKey_Escape);
     if (create && state.from < build.facts.templates.size())
         build.wishes.new_scene = {path, std::string(build.facts.templates[state.from])};
     if (create || cancel) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
-// A button that Enter or Esc presses too; that of Enter is lit.
+// A button that Enter or Esc presses too, wherever no other is reached; that of Enter is lit.
 bool choice(const char* text, ImGuiKey key = ImGuiKey_COUNT) {
     const ImU32 rest = ImGui::GetColorU32(ImGuiCol_Button);
     ImGui::PushStyleColor(ImGuiCol_Button, key == ImGuiKey_Enter ? colours::kAccentFill : rest);
-    const bool chosen = ImGui::Button(text) || (key != ImGuiKey_COUNT && pressed(key));
+    const bool is_free = key == ImGuiKey_Escape || GImGui->NavDisableHighlight;
+    const bool chosen = button(text) || (key != ImGuiKey_COUNT && is_free && pressed(key));
     ImGui::PopStyleColor();
     ImGui::SameLine();
     return chosen;

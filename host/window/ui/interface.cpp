@@ -69,15 +69,16 @@ void outline(const Theme& theme) {
 }  // namespace
 
 // The scene has the keyboard until a person gives it to the panels, and after Esc or a click on the
-// picture again.
+// picture again. A dialog has it as long as it waits for an answer.
 void Interface::follow_keys(PanelSettings& settings) {
     ImGuiIO& io = ImGui::GetIO();
-    const bool had = io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard;
+    const bool had = had_keys_;
     const bool escapes = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
     const bool clicks_scene = io.MouseClicked[0] && !GImGui->HoveredWindow;
     if ((had && escapes && !is_busy_) || clicks_scene || !settings.visible) settings.keys = false;
     keys_moved_ = settings.keys != had || settings.next_panel != 0;
-    if (settings.keys)
+    had_keys_ = settings.keys;
+    if (settings.keys || ImGui::GetTopMostPopupModal())
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     else
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;

@@ -171,6 +171,7 @@ private:
     float notice_age_ = 1e9f;  // s
     bool is_busy_ = false;     // Esc has something to end before it gives the keyboard back
     bool keys_moved_ = false;  // to the panels, from one to another, or back to the scene
+    bool had_keys_ = false;    // the panels, in the frame before
 };
 
 }  // namespace glint
