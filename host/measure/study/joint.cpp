@@ -345,8 +345,8 @@ void choose_best(Study& study, const Limit& limit) {
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
     const bool any = own != study.rows.end() && own->error, by_time = limit.of == Limit::Of::ms;
     const Difference* own_error = any ? &*own->error : nullptr;
-    const double own_most = by_time ? any ? own->ms.median : 0.0 : kAsGood;
-    const double most = limit.number.value_or(own_most);
+    const double own_most = by_time && any ? own->ms.median : kAsGood;
+    const double most = limit.number.value_or(any ? own_most : 0.0);
     // What a budget limits, and what is the least within it.
     const auto limited = [&](const StudyRow& row) {
         return by_time ? row.ms.median : error_of(*row.error, limit, own_error);
