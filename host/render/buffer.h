@@ -44,6 +44,10 @@ public:
     // What was drawn into the target becomes what readers see, with its mipmaps.
     void finish_draw();
 
+    // A part of what readers see was drawn anew; mipmaps follow with the last, by finish_draw().
+    // Without feedback alone.
+    void finish_part() { ++version_; }
+
     // Everything to 0.
     void clear();
 

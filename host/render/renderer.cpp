@@ -249,6 +249,7 @@ void Renderer::resize(glm::ivec2 size) {
 void Renderer::run(const Frame& frame, bool state_only) {
     set_instant(frame);
     root_drawn_ = false;
+    if (!state_only) draw_maps(frame);
     std::vector<Step> stepped;
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
         const GraphPass& pass = scene_.graph.passes[i];
@@ -260,7 +261,7 @@ void Renderer::run(const Frame& frame, bool state_only) {
             run_steps(frame, step);
         } else if (average_ && i == scene_.root) {
             run_averaged(frame);
-        } else {
+        } else if (!goes_in_parts(i)) {
             run_pass(i, {.frame = frame}, force_root_ && i == scene_.root);
         }
     }
@@ -338,6 +339,7 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     Buffer& buffer = *buffers_[index];
     const bool new_uniforms = update_uniforms(index, inputs);
     const bool new_buffers = update_versions(index);
+    force |= drawn_[index].is_due;
     if (!new_uniforms && !new_buffers && !force && drawn_[index].ever) return;
     drawn_[index].ever = true;
     if (!force && holds(index)) return;
@@ -367,6 +369,8 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     if (!averaged) buffer.finish_draw();
     draw_call_seconds += std::chrono::duration<double>(Clock::now() - start).count();
     if (root) root_drawn_ = true;
+    drawn_[index].rows = 0;
+    drawn_[index].is_due = drawn_[index].is_due_again = false;
     note_content(index);
     if (after_pass) after_pass(index);
 }
@@ -517,6 +521,8 @@ void Renderer::forget_drawn(std::size_t index) {
     const PassProgram& program = scene_.programs[index];
     Drawn& drawn = drawn_[index];
     drawn.ever = drawn.is_fed = false;
+    drawn.rows = 0;
+    drawn.is_due = drawn.is_due_again = false;
     drawn.content.reset();
     drawn.builtins.assign(program.builtins.size(), {});
     drawn.tweaks.assign(program.tweaks.size(), {});

@@ -122,6 +122,14 @@ public:
     // constants have drawn is good for fed programs, not the other way round. In the order of the
     // graph.
     std::vector<std::size_t> maps() const;
+    // How long, in seconds, one draw may spend on maps that stood before for other values of the
+    // tweaks: they are drawn in parts from then on, which the picture shows as they come. At 0, as
+    // at first, all are drawn whole, for a picture that is right at once.
+    void set_map_seconds(double seconds) { map_seconds_ = seconds; }
+    // Whether such parts are left for the next draw.
+    bool has_maps_left() const { return has_maps_left_; }
+    // True while a part of this map is of older values.
+    bool is_mixed_map(std::size_t graph_index) const;
     // What they hold, one after the other, for a later run; nothing unless each has been drawn with
     // the values of the preset, as constants.
     std::optional<std::vector<std::byte>> map_bytes() const;
@@ -191,6 +199,7 @@ private:
     struct Content {
         std::vector<TweakValue> values;  // it was drawn with these, or some that make it no other
         bool is_exact = true;            // by constants
+        bool is_whole = true;            // no part is of other values
         // Drawn here; by somebody else, and not asked for yet; found to hold here, too.
         enum class From { here, offered, held } from = From::here;
     };
@@ -204,6 +213,11 @@ private:
         std::vector<std::optional<std::size_t>> versions;
         std::optional<Content> content;
         int strip_rows = 32;  // that take about kStripSeconds; the first are a guess
+        // Of a map that is drawn in parts: rows from the bottom up that are there, whether it is to
+        // be drawn, and whether once more, since something changed on the way.
+        int rows = 0;
+        bool is_due = false, is_due_again = false;
+        double row_seconds = 0.0;  // 0: not known
     };
 
     static void start_context();
@@ -219,6 +233,10 @@ private:
     bool is_fed(std::size_t index) const;
     bool has_values_of(std::size_t index, const std::vector<TweakValue>& values) const;
     bool holds(std::size_t index);
+    bool goes_in_parts(std::size_t index) const;
+    bool is_due(std::size_t index, const Frame& frame);
+    void draw_maps(const Frame& frame);
+    bool draw_rows(std::size_t index, const Frame& frame, double end_seconds);
     void note_content(std::size_t index);
     void offer_maps();
     std::optional<Content> content_for(const Renderer& next, std::size_t index) const;
@@ -257,6 +275,9 @@ private:
     VertexArray vertex_array_;
     bool force_root_ = false;
     bool root_drawn_ = false;
+    double map_seconds_ = 0.0;
+    std::size_t map_at_ = 0;  // whose turn it is; all have theirs, however fast a tweak moves
+    bool has_maps_left_ = false;
     const Frame* drawing_ = nullptr;  // within before_pass: the frame, or step of a simulation
     // The tile that is drawn, and where in it the one that was asked for begins: quads of four
     // pixels, in which derivatives are taken, stand where they stand in the whole picture.

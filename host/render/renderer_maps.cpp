@@ -3,8 +3,18 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 namespace glint {
+namespace {
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+}  // namespace
 
 bool Renderer::is_map(std::size_t index) const {
     const PassProgram& program = scene_.programs[index];
@@ -53,6 +63,7 @@ void Renderer::note_content(std::size_t index) {
 void Renderer::offer_maps() {
     for (Drawn& drawn : drawn_) {
         drawn.ever = false;
+        drawn.rows = 0;
         if (drawn.content) drawn.content->from = Content::From::offered;
     }
 }
@@ -61,7 +72,7 @@ void Renderer::offer_maps() {
 bool Renderer::holds(std::size_t index) {
     using enum Content::From;
     std::optional<Content>& content = drawn_[index].content;
-    if (!content || content->from != offered || !is_map(index)) return false;
+    if (!content || content->from != offered || !content->is_whole || !is_map(index)) return false;
     if (!content->is_exact && !is_fed(index)) return false;
     const bool has_values =
         is_fed() ? has_values_of(index, content->values) : content->values == built_values_;
@@ -74,6 +85,87 @@ bool Renderer::holds(std::size_t index) {
     if (!has_values || !has_inputs) return false;
     content->from = held;
     return true;
+}
+
+// A map of which there is something to be seen, if only for other values.
+bool Renderer::goes_in_parts(std::size_t index) const {
+    return map_seconds_ > 0.0 && drawn_[index].content && !buffers_[index]->shape().cube &&
+           is_map(index);
+}
+
+bool Renderer::is_mixed_map(std::size_t graph_index) const {
+    return drawn_[graph_index].content && !drawn_[graph_index].content->is_whole;
+}
+
+// Looks at what it is to be drawn with, which is sent; a change on the way counts for what is left
+// of it, and has it drawn once more.
+bool Renderer::is_due(std::size_t index, const Frame& frame) {
+    Drawn& drawn = drawn_[index];
+    const bool new_uniforms = update_uniforms(index, {.frame = frame});
+    const bool new_buffers = update_versions(index);
+    const bool is_new = new_uniforms || new_buffers || !drawn.ever;
+    drawn.ever = true;
+    if (!is_new || (!drawn.is_due && holds(index))) return drawn.is_due;
+    drawn.is_due_again |= drawn.rows > 0;
+    drawn.is_due = true;
+    return true;
+}
+
+// In turn, each to its end, until time is over.
+void Renderer::draw_maps(const Frame& frame) {
+    has_maps_left_ = false;
+    const double end = seconds_now() + map_seconds_;
+    for (std::size_t idle = 0; idle < scene_.programs.size(); ++idle) {
+        if (goes_in_parts(map_at_) && is_due(map_at_, frame)) {
+            idle = 0;
+            has_maps_left_ = !draw_rows(map_at_, frame, end) || seconds_now() > end;
+            if (drawn_[map_at_].rows > 0) return;
+        }
+        map_at_ = (map_at_ + 1) % scene_.programs.size();
+        if (has_maps_left_) return;
+    }
+    map_at_ = 0;  // those that others read go first
+}
+
+// From where it was left; false while rows are left.
+bool Renderer::draw_rows(std::size_t index, const Frame& frame, double end_seconds) {
+    Drawn& drawn = drawn_[index];
+    Buffer& buffer = *buffers_[index];
+    const glm::ivec2 size = buffer.shape().size;
+    drawing_ = &frame;
+    if (before_pass) before_pass(index);
+    drawing_ = nullptr;
+    glUseProgram(scene_.programs[index].id);
+    bind_samplers(scene_.programs[index]);
+    glBindFramebuffer(GL_FRAMEBUFFER, buffer.target());
+    glViewport(0, 0, size.x, size.y);
+    glEnable(GL_SCISSOR_TEST);
+    for (double now = seconds_now(), last = now; drawn.rows < size.y; last = now) {
+        const double fit =
+            drawn.row_seconds > 0.0 ? (end_seconds - now) / drawn.row_seconds : size.y / 32.0;
+        const int rows = std::clamp(static_cast<int>(std::min(fit, 1e6)), 1, size.y - drawn.rows);
+        glScissor(0, drawn.rows, size.x, rows);
+        draw_once(index);
+        glFinish();
+        now = seconds_now();
+        drawn.row_seconds = (now - last) / rows;
+        drawn.rows += rows;
+        if (now > end_seconds) break;
+    }
+    glDisable(GL_SCISSOR_TEST);
+    drawn.content->from = Content::From::here;
+    drawn.content->is_whole = false;
+    const bool is_whole = drawn.rows == size.y;
+    if (is_whole) {
+        buffer.finish_draw();
+        drawn.rows = 0;
+        drawn.is_due = std::exchange(drawn.is_due_again, false);
+        if (!drawn.is_due) note_content(index);
+    } else {
+        buffer.finish_part();
+    }
+    if (after_pass) after_pass(index);
+    return is_whole;
 }
 
 // What stands here, in the words of another text.
@@ -92,7 +184,10 @@ std::optional<Renderer::Content> Renderer::content_for(const Renderer& next,
     const std::vector<TweakValue>& values = holds_now ? values_ : content->values;
     if (values.size() != preset_.scene.tweaks.size()) return std::nullopt;
     if (next.values_.size() != next.preset_.scene.tweaks.size()) return std::nullopt;
-    Content told{.values = {}, .is_exact = content->is_exact, .from = Content::From::offered};
+    Content told{.values = {},
+                 .is_exact = content->is_exact,
+                 .is_whole = content->is_whole,
+                 .from = Content::From::offered};
     for (const Tweak& tweak : next.preset_.scene.tweaks) {
         const auto same = std::ranges::find_if(preset_.scene.tweaks, [&](const Tweak& mine) {
             return mine.name == tweak.name && mine.type == tweak.type;
@@ -139,8 +234,8 @@ std::optional<std::vector<std::byte>> Renderer::map_bytes() const {
     std::vector<std::byte> all;
     for (const std::size_t index : maps()) {
         const std::optional<Content>& content = drawn_[index].content;
-        if (!content || !drawn_[index].ever || !content->is_exact || is_fed() ||
-            content->values != built_values_)
+        if (!content || !drawn_[index].ever || !content->is_exact || !content->is_whole ||
+            is_fed() || content->values != built_values_)
             return std::nullopt;
         const std::vector<std::byte> bytes = buffers_[index]->bytes();
         all.insert(all.end(), bytes.begin(), bytes.end());
@@ -156,8 +251,7 @@ bool Renderer::set_map_bytes(std::span<const std::byte> bytes) {
         const std::size_t count = buffers_[index]->byte_count();
         buffers_[index]->set_bytes(bytes.first(count));
         bytes = bytes.subspan(count);
-        drawn_[index].content = {
-            .values = built_values_, .is_exact = true, .from = Content::From::offered};
+        drawn_[index].content = {.values = built_values_, .from = Content::From::offered};
     }
     return true;
 }

@@ -151,5 +151,101 @@ TEST_F(Maps, AreTakenBackFromBytesOfAnEarlierRun) {
     EXPECT_FALSE(fed.renderer->map_bytes()) << "their last digits may be others";
 }
 
+// Every call draws at least one part, so a time that is over at once shows how few.
+constexpr double kNoTime = 1e-9;  // s
+
+// A fed scene whose tweak has been moved, drawn with hardly any time for maps.
+struct Moved : Drawn {
+    explicit Moved(const TestFolder& folder, float height = 0.25f) : Drawn(folder, kFed) {
+        draw();
+        move(height);
+        renderer->set_map_seconds(kNoTime);
+    }
+    void move(float height) {
+        std::vector<TweakValue> values = preset.values;
+        values[0][0] = height;
+        renderer->set_values(values);
+    }
+    // How often it has to be drawn until nothing is left.
+    int draw_to_the_end() {
+        int frames = 0;
+        do draw(), ++frames;
+        while (renderer->has_maps_left() && frames < 100);
+        return frames;
+    }
+};
+
+TEST_F(Maps, AreDrawnInPartsWhereTimeIsShortAndEndAsIfDrawnAtOnce) {
+    Moved scene(folder_);
+    Drawn whole(folder_, kFed, {}, 0.25f);
+    whole.draw();
+    EXPECT_GT(scene.draw_to_the_end(), 8) << "one row of eight and of four at a time";
+    EXPECT_EQ(scene.renderer->read_bytes(), whole.renderer->read_bytes());
+    for (const std::size_t map : {0u, 1u})
+        EXPECT_EQ(scene.renderer->read_buffer(map, 0), whole.renderer->read_buffer(map, 0));
+    EXPECT_EQ(scene.draw(2.0), kRest) << "nothing is left";
+}
+
+TEST_F(Maps, ThePictureShowsThePartsAsTheyCome) {
+    Moved scene(folder_);
+    const auto before = scene.renderer->read_bytes();
+    scene.draw();
+    EXPECT_TRUE(scene.renderer->has_maps_left());
+    const auto land = scene.renderer->read_buffer(0, 0);
+    EXPECT_FLOAT_EQ(land[0], 0.25f * 0.5f / 8.5f) << "the first row is new";
+    EXPECT_FLOAT_EQ(land[4 * 8 * 7], 0.5f * 0.5f / 8.5f) << "the last is not";
+    while (scene.renderer->read_bytes() == before && scene.renderer->has_maps_left()) scene.draw();
+    EXPECT_TRUE(scene.renderer->has_maps_left()) << "it was seen before all was drawn";
+}
+
+TEST_F(Maps, ThatReadOthersHaveTheirTurnWhileATweakMovesOn) {
+    Moved scene(folder_);
+    const auto light = [&] { return scene.renderer->read_buffer(1, 0); };
+    const auto before = light();
+    for (int frame = 0; frame < 40; ++frame) {
+        scene.draw();
+        scene.move(0.25f + 0.005f * static_cast<float>(frame));
+    }
+    EXPECT_NE(light(), before);
+    scene.move(0.75f);
+    scene.draw_to_the_end();
+    Drawn whole(folder_, kFed, {}, 0.75f);
+    whole.draw();
+    EXPECT_EQ(light(), whole.renderer->read_buffer(1, 0));
+    EXPECT_EQ(scene.renderer->read_bytes(), whole.renderer->read_bytes());
+}
+
+TEST_F(Maps, OfWhichAPartIsOldAreTakenForNothing) {
+    Moved scene(folder_, 0.75f);
+    scene.draw();
+    ASSERT_TRUE(scene.renderer->has_maps_left());
+    EXPECT_TRUE(scene.renderer->is_mixed_map(0));
+    Drawn next(folder_, kFed, {}, 0.75f), whole(folder_, kFed, {}, 0.75f);
+    EXPECT_EQ(next.draw_after(scene), kAll);
+    whole.draw();
+    EXPECT_EQ(next.renderer->read_bytes(), whole.renderer->read_bytes());
+}
+
+TEST_F(Maps, ThatWereBegunAreDrawnWholeOnceThereIsTime) {
+    Moved scene(folder_);
+    Drawn whole(folder_, kFed, {}, 0.25f);
+    whole.draw();
+    scene.draw();
+    scene.renderer->set_map_seconds(0.0);
+    scene.draw();
+    EXPECT_FALSE(scene.renderer->has_maps_left());
+    EXPECT_EQ(scene.renderer->read_bytes(), whole.renderer->read_bytes());
+}
+
+TEST_F(Maps, OfANewTextAreDrawnWhole) {
+    Drawn before(folder_, kFed), anew(folder_, kFed, {{"8.5", "9.5"}}),
+        alone(folder_, kFed, {{"8.5", "9.5"}});
+    before.draw();
+    alone.draw();
+    anew.renderer->set_map_seconds(kNoTime);
+    anew.draw_after(before);
+    EXPECT_EQ(anew.renderer->read_buffer(0, 0), alone.renderer->read_buffer(0, 0));
+}
+
 }  // namespace
 }  // namespace glint::maps_test

@@ -245,6 +245,7 @@ private:
     void lay_fills_over(Preset& candidate);
     void heard(bool is_read);
     void forget_slowness();
+    double map_seconds() const;
     void start_trial(const Preset& candidate, Programs programs, bool is_text);
     TweakValues tweaks_with(const Preset& text) const;
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);

@@ -27,7 +27,7 @@ bool Playground::wants_frame() const {
     if (!renderer_) return false;
     const bool settles = !transport_.playing() && extra_frames_ < preset_->settle;
     const bool time_moves = transport_.playing() ? follows_time() : transport_.wants_frame();
-    return touched_ || replay_at_ >= 0 || settles || time_moves;
+    return touched_ || replay_at_ >= 0 || settles || time_moves || renderer_->has_maps_left();
 }
 
 bool Playground::follows_time() const {
@@ -136,6 +136,7 @@ bool Playground::draw(double wall_seconds) {
             pass_times_[pass] = {.ms = watch.restart(), .drawn = true};
         };
     }
+    renderer_->set_map_seconds(map_seconds());
     const bool drawn = renderer_->draw(frame);
     has_picture_ |= drawn;
     if (drawn) ++pictures_;
@@ -148,6 +149,14 @@ bool Playground::draw(double wall_seconds) {
     reloader_.drawn(clock.ms());
     keep_live_state();
     return drawn;
+}
+
+// A new text is shown once it is right as a whole. While a tweak moves, the picture is to follow it;
+// once it rests, what is left of the maps is to come soon.
+double Playground::map_seconds() const {
+    constexpr double kWhileMoving = 0.02, kMoves = 0.15, kAtRest = 0.1;  // s
+    if (!has_picture_ || reloader_.has_unseen() || replay_at_ >= 0) return 0.0;
+    return since_tweak_.ms() < 1e3 * kMoves ? kWhileMoving : kAtRest;
 }
 
 // The trial warned of a frame of the full size; several in a row, at the size that is held, tell

@@ -21,7 +21,8 @@ Image Playground::still() {
     std::vector<std::byte> pixels;
     const glm::ivec2 size = still_size();
     const bool has_values = constants_ && *constants_ == tweaks.values();
-    const bool as_it_is = (has_values || !options_.specialise) && size == size_;
+    const bool as_it_is =
+        (has_values || !options_.specialise) && size == size_ && !renderer_->has_maps_left();
     const Preset now = current_preset();
     const ProgramOptions still_options{.specialise = still_programs() == Programs::constants,
                                        .lean = true};

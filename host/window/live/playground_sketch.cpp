@@ -147,7 +147,8 @@ void Playground::note_texts(std::vector<GivenBuffer>& list) {
         const std::string* constants =
             is_specialised() ? programs_.shelf().text_of(renderer_->scene().programs[index].id)
                              : nullptr;
-        if (!given.feeds_state) given.text_hash = filling_hash(drawn, given.pass, constants);
+        if (!given.feeds_state && !renderer_->is_mixed_map(index))
+            given.text_hash = filling_hash(drawn, given.pass, constants);
     }
 }
 
