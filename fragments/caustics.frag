@@ -308,10 +308,10 @@ vec2 photonStart(ivec2 cell, int number) {
 }
 
 // A box, in tiles from the cell's corner, round the landings of its corners or of its photon.
-vec4 landingBox(sampler2D at, sampler2D pairs, ivec2 cell, ivec2 origin, int count) {
+vec4 landingBox(sampler2D at, sampler2D pairs, ivec2 cell, ivec2 origin, int count, vec2 start,
+                int corners) {
     vec4 box = vec4(1e3, 1e3, -1e3, -1e3);
-    vec2 start = method == kPhotons ? photonStart(cell, photonPass()) : vec2(0.0);
-    for (int k = 0; k < (method == kPhotons ? 1 : 4); ++k) {
+    for (int k = 0; k < corners; ++k) {
         ivec2 corner = ivec2(k & 1, k >> 1), place = origin + (cell + corner) % count;
         vec2 home = (vec2(corner) + start) / float(count);
         vec4 middle = texelFetch(at, place, 0), pair = middle.xyxy;
@@ -872,7 +872,10 @@ void mainLanding(out vec4 middle, out vec4 pair, in vec2 pixel) {
     landingOf((vec2(cell) + start) / float(meshCells()), true, 0, middle, pair);
 }
 void mainCells(out vec4 colour, in vec2 pixel) {
-    colour = landingBox(landing, split, ivec2(pixel), ivec2(0), meshCells());
+    bool lone = method == kPhotons;
+    ivec2 cell = ivec2(pixel);
+    vec2 start = lone ? photonStart(cell, photonPass()) : vec2(0.0);
+    colour = landingBox(landing, split, cell, ivec2(0), meshCells(), start, lone ? 1 : 4);
 }
 void mainQuads(out vec4 colour, in vec2 pixel) {
     colour = boxOf(cellBoxes, ivec2(pixel) * 2, 2, 1.0 / float(meshCells()));
@@ -912,7 +915,7 @@ void mainFrameLanding(out vec4 middle, out vec4 pair, in vec2 pixel) {
 }
 void mainFrameCells(out vec4 colour, in vec2 pixel) {
     ivec2 at = ivec2(pixel), cell = at % kFrameCells;
-    colour = landingBox(frameLanding, frameSplit, cell, at - cell, kFrameCells);
+    colour = landingBox(frameLanding, frameSplit, cell, at - cell, kFrameCells, vec2(0.0), 4);
 }
 void mainFrameQuads(out vec4 colour, in vec2 pixel) {
     colour = boxOf(frameCells, ivec2(pixel) * 2, 2, 1.0 / float(kFrameCells));

@@ -122,13 +122,13 @@ public:
     // constants have drawn is good for fed programs, not the other way round. In the order of the
     // graph.
     std::vector<std::size_t> maps() const;
-    // How long, in seconds, one draw may spend on maps that stood before for other values of the
-    // tweaks: they are drawn in parts from then on, which the picture shows as they come. At 0, as
-    // at first, all are drawn whole, for a picture that is right at once.
+    // How long, in seconds, one draw may spend on maps: they are drawn in parts from then on, which
+    // the picture shows as they come. At 0, as at first, all are drawn whole, for a picture that is
+    // right at once.
     void set_map_seconds(double seconds) { map_seconds_ = seconds; }
     // Whether such parts are left for the next draw.
     bool has_maps_left() const { return has_maps_left_; }
-    // True while a part of this map is of older values.
+    // Whether this is a map that does not stand as a whole, for the same values everywhere.
     bool is_mixed_map(std::size_t graph_index) const;
     // What they hold, one after the other, for a later run; nothing unless each has been drawn with
     // the values of the preset, as constants.

@@ -87,14 +87,13 @@ bool Renderer::holds(std::size_t index) {
     return true;
 }
 
-// A map of which there is something to be seen, if only for other values.
 bool Renderer::goes_in_parts(std::size_t index) const {
-    return map_seconds_ > 0.0 && drawn_[index].content && !buffers_[index]->shape().cube &&
-           is_map(index);
+    return map_seconds_ > 0.0 && !buffers_[index]->shape().cube && is_map(index);
 }
 
 bool Renderer::is_mixed_map(std::size_t graph_index) const {
-    return drawn_[graph_index].content && !drawn_[graph_index].content->is_whole;
+    const std::optional<Content>& content = drawn_[graph_index].content;
+    return is_map(graph_index) && !(content && content->is_whole);
 }
 
 // Looks at what it is to be drawn with, which is sent; a change on the way counts for what is left
@@ -153,8 +152,7 @@ bool Renderer::draw_rows(std::size_t index, const Frame& frame, double end_secon
         if (now > end_seconds) break;
     }
     glDisable(GL_SCISSOR_TEST);
-    drawn.content->from = Content::From::here;
-    drawn.content->is_whole = false;
+    drawn.content = {.values = {}, .is_whole = false};
     const bool is_whole = drawn.rows == size.y;
     if (is_whole) {
         buffer.finish_draw();

@@ -237,14 +237,19 @@ TEST_F(Maps, ThatWereBegunAreDrawnWholeOnceThereIsTime) {
     EXPECT_EQ(scene.renderer->read_bytes(), whole.renderer->read_bytes());
 }
 
-TEST_F(Maps, OfANewTextAreDrawnWhole) {
-    Drawn before(folder_, kFed), anew(folder_, kFed, {{"8.5", "9.5"}}),
-        alone(folder_, kFed, {{"8.5", "9.5"}});
-    before.draw();
-    alone.draw();
-    anew.renderer->set_map_seconds(kNoTime);
-    anew.draw_after(before);
-    EXPECT_EQ(anew.renderer->read_buffer(0, 0), alone.renderer->read_buffer(0, 0));
+TEST_F(Maps, ThatTheProgramsBeforeDidNotReadComeInPartsToo) {
+    // What constants switch off is there in fed programs, and waits for nobody.
+    const std::vector<std::pair<std::string, std::string>> off{
+        {"texture(light, p / 8.0)", "(height > 0.4 ? vec4(0.0) : texture(light, p / 8.0))"}};
+    Drawn constants(folder_, kConstants, off), fed(folder_, kFed, off), whole(folder_, kFed, off);
+    EXPECT_EQ(constants.draw(), kRest);
+    fed.renderer->adopt(*constants.renderer);
+    fed.renderer->set_map_seconds(kNoTime);
+    fed.draw();
+    EXPECT_TRUE(fed.renderer->has_maps_left());
+    for (int frame = 0; frame < 100 && fed.renderer->has_maps_left(); ++frame) fed.draw();
+    whole.draw();
+    EXPECT_EQ(fed.renderer->read_buffer(1, 0), whole.renderer->read_buffer(1, 0));
 }
 
 }  // namespace
