@@ -261,7 +261,7 @@ void Renderer::run(const Frame& frame, bool state_only) {
             run_steps(frame, step);
         } else if (average_ && i == scene_.root) {
             run_averaged(frame);
-        } else if (!goes_in_parts(i)) {
+        } else if (state_only || !goes_in_parts(i)) {
             run_pass(i, {.frame = frame}, force_root_ && i == scene_.root);
         }
     }

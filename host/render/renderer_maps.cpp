@@ -19,8 +19,9 @@ double seconds_now() {
 bool Renderer::is_map(std::size_t index) const {
     const PassProgram& program = scene_.programs[index];
     const GraphPass& pass = scene_.graph.passes[index];
-    if (index == scene_.root || !fills_a_buffer(program.pass) || is_kept(index)) return false;
-    if (pass.feedback || pass.runs != Runs::on_change) return false;
+    if (index == scene_.root || !fills_a_buffer(program.pass)) return false;
+    if (pass.feedback || pass.previous || pass.carries || pass.runs != Runs::on_change)
+        return false;
     // With a size of its own, its resolution is that.
     const bool asks_for_more = std::ranges::any_of(program.builtins, [](const BuiltinUniform& one) {
         return one.builtin != Builtin::resolution && one.builtin != Builtin::resolution_2d;

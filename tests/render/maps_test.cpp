@@ -252,5 +252,26 @@ TEST_F(Maps, ThatTheProgramsBeforeDidNotReadComeInPartsToo) {
     EXPECT_EQ(fed.renderer->read_buffer(1, 0), whole.renderer->read_buffer(1, 0));
 }
 
+// The bed of a pool, which a tweak shapes and a simulation reads.
+TEST_F(Maps, ThatASimulationReadsAreWholeWhereItIsPlayedUpToATime) {
+    const std::vector<std::pair<std::string, std::string>> pool{
+        {"vec4(iTime * 0.125)",
+         "texelFetch(clouds, ivec2(0), 0) + texelFetch(land, ivec2(0, 7), 0)"}};
+    Drawn scene(folder_, kFed, pool), whole(folder_, kFed, pool, 0.25f);
+    scene.draw();
+    scene.draw();
+    std::vector<TweakValue> values = scene.preset.values;
+    values[0][0] = 0.25;
+    scene.renderer->set_values(values);
+    scene.renderer->set_map_seconds(kNoTime);
+    scene.draw();
+    EXPECT_TRUE(scene.renderer->is_mixed_map(0));
+    scene.renderer->before_pass = nullptr;
+    scene.renderer->advance({});
+    EXPECT_FALSE(scene.renderer->is_mixed_map(0));
+    whole.draw();
+    EXPECT_EQ(scene.renderer->read_buffer(0, 0), whole.renderer->read_buffer(0, 0));
+}
+
 }  // namespace
 }  // namespace glint::maps_test

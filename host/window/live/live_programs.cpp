@@ -13,7 +13,7 @@ const Verdict kRunning{.state = TrialState::running, .passes = {}, .diagnostics 
 
 // The other process has linked every pass and drawn one: what it linked lies where the driver keeps
 // programs, and is taken up from there while it draws the others.
-bool is_compiled(const Verdict& verdict) {
+bool is_linked(const Verdict& verdict) {
     return verdict.state == TrialState::running && !verdict.passes.empty() &&
            verdict.passes.front().first_ms > 0.0;
 }
@@ -100,7 +100,10 @@ const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
     if (known_) return follow_known();
     const Verdict& verdict = (tried_by_standby_ ? standby_->trial() : trial_).poll();
     const bool has_passed = verdict.state == TrialState::passed;
-    if (!is_awaited || tried_by_standby_ || (!has_passed && !is_compiled(verdict))) return verdict;
+    // Programs for a picture that stands are warmed up by drawing, which would compile here what
+    // the other process has not drawn yet.
+    const bool may_link = has_passed || (tried_is_text_ && is_linked(verdict));
+    if (!is_awaited || tried_by_standby_ || !may_link) return verdict;
     if (!std::exchange(tried_is_linking_, true)) {
         const auto programs = standby_ ? Programs::constants : Programs::uniforms_for_good;
         loader_.start(*tried_, options(programs), verdict.passes);

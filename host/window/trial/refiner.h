@@ -16,7 +16,7 @@ namespace glint {
 struct GivenBuffer {
     std::size_t pass = 0;              // of the scene
     bool feeds_state = false;          // as it is, whatever its text says by now
-    std::size_t text_hash = 0;         // of the text that it was drawn with
+    std::size_t text_hash = 0;         // of the text that it was drawn with; 0: of no one text
     std::vector<std::size_t> reads{};  // passes
     glm::ivec2 size{0};
     int outputs = 1;

@@ -21,7 +21,8 @@ void note_known(std::vector<GivenBuffer>& later, const std::vector<GivenBuffer>&
     };
     for (GivenBuffer& given : later) {
         const auto same = std::ranges::find(before, given.pass, &GivenBuffer::pass);
-        given.is_known = same != before.end() && same->text_hash == given.text_hash &&
+        given.is_known = same != before.end() && given.text_hash != 0 &&
+                         same->text_hash == given.text_hash &&
                          std::ranges::all_of(given.reads, known);
     }
 }

@@ -137,6 +137,9 @@ TEST_F(Sketch, AMapIsKnownAsLongAsItsTextAndThoseOfWhatItReadsStay) {
     EXPECT_EQ(known(5, 6), std::pair(true, true));
     EXPECT_EQ(known(5, 7), std::pair(true, false));
     EXPECT_EQ(known(4, 6), std::pair(false, false)) << "what it reads is another";
+    std::vector<GivenBuffer> mixed = {{.pass = 2}};  // of no one text, then as now
+    note_known(mixed, {{.pass = 2}});
+    EXPECT_FALSE(mixed[0].is_known);
 }
 
 // After a slider was moved; until the tweaks rest, and compiled constants say the same.
