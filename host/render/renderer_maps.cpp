@@ -115,14 +115,13 @@ bool Renderer::is_due(std::size_t index, const Frame& frame) {
 void Renderer::draw_maps(const Frame& frame) {
     has_maps_left_ = false;
     const double end = seconds_now() + map_seconds_;
-    for (std::size_t idle = 0; idle < scene_.programs.size(); ++idle) {
-        if (goes_in_parts(map_at_) && is_due(map_at_, frame)) {
-            idle = 0;
-            has_maps_left_ = !draw_rows(map_at_, frame, end) || seconds_now() > end;
-            if (drawn_[map_at_].rows > 0) return;
-        }
+    for (std::size_t idle = 0; idle < scene_.programs.size();) {
+        const bool is_drawn = goes_in_parts(map_at_) && is_due(map_at_, frame);
+        if (is_drawn) has_maps_left_ = !draw_rows(map_at_, frame, end) || seconds_now() > end;
+        if (drawn_[map_at_].rows > 0) return;
         map_at_ = (map_at_ + 1) % scene_.programs.size();
         if (has_maps_left_) return;
+        idle = is_drawn ? 0 : idle + 1;
     }
     map_at_ = 0;  // those that others read go first
 }

@@ -215,6 +215,18 @@ TEST_F(Maps, ThatReadOthersHaveTheirTurnWhileATweakMovesOn) {
     EXPECT_EQ(scene.renderer->read_bytes(), whole.renderer->read_bytes());
 }
 
+TEST_F(Maps, ThatChangedWhileTheyWereDrawnAreDrawnOnceMore) {
+    Moved scene(folder_);
+    scene.draw();
+    scene.move(0.75f);
+    scene.renderer->set_map_seconds(60.0);  // for all that is left
+    scene.draw();
+    EXPECT_FALSE(scene.renderer->has_maps_left());
+    Drawn whole(folder_, kFed, {}, 0.75f);
+    whole.draw();
+    EXPECT_EQ(scene.renderer->read_bytes(), whole.renderer->read_bytes());
+}
+
 TEST_F(Maps, OfWhichAPartIsOldAreTakenForNothing) {
     Moved scene(folder_, 0.75f);
     scene.draw();

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <optional>
 #include <thread>
 
@@ -175,6 +176,30 @@ TEST_F(Drag, ASaveInTheMiddleOfADragDoesNotTakeTheSliderAway) {
     screen_->tap("Control_L+z");
     settle();
     EXPECT_EQ(value(), before);  // one entry of the undo list
+}
+
+// A map that takes half a second: its first rows are new on the screen before its last.
+TEST_F(Drag, AMapThatTakesLongFollowsInPartsAndEndsWhole) {
+    open(
+        "uniform float value; //@ 0.25 [0, 1]\n"
+        "uniform sampler2D slow; //@ pass mainSlow size=64x512 filter=nearest\n"
+        "void mainSlow(out vec4 c, in vec2 p) {\n"
+        "    float x = value;\n"
+        "    for (int i = 0; i < 20000; ++i) x = fract(1.7 * x + 0.1);\n"
+        "    c = vec4(vec3(value + 1e-6 * x), 1);\n}\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = texelFetch(slow, ivec2(1, 512.0 * p.y / iResolution.y), 0);\n}\n");
+    screen_->tap("Control_L+space");
+    settle();
+    // The first rows are the lowest ones.
+    const auto first = [&] { return screen_->pixel({3, 550}).r; };
+    const auto last = [&] { return screen_->pixel({3, 120}).r; };
+    const int before = last();
+    screen_->drag(kControl + glm::ivec2(15, 0), kControl + glm::ivec2(120, 0));
+    EXPECT_TRUE(eventually([&] { return last() == before && std::abs(first() - last()) > 8; }));
+    EXPECT_TRUE(eventually([&] { return last() != before && first() == last(); }));
+    settle();
+    EXPECT_EQ(first(), last());
 }
 
 }  // namespace

@@ -184,6 +184,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
         return {{.place = {.file = reloader_.file().string()}, .text = error.what()}};
     }
     touched_ |= constants_ && *constants_ != preset->values;
+    touched_ |= renderer_ && renderer_->has_maps_left();
     programs_.note_drawn(programs, is_text, renderer_.get(), !constants_);
     renderer_ = std::move(renderer);
     preset_ = std::move(preset);

@@ -151,11 +151,12 @@ bool Playground::draw(double wall_seconds) {
     return drawn;
 }
 
-// A new text is shown once it is right as a whole. While a tweak moves, the picture is to follow
-// it; once it rests, what is left of the maps is to come soon.
+// A new text is shown once it is right as a whole, unless it differs by a number, which is like a
+// tweak. While one moves, the picture is to follow it; once it rests, the maps are to be whole soon.
 double Playground::map_seconds() const {
     constexpr double kWhileMoving = 0.02, kMoves = 0.15, kAtRest = 0.1;  // s
-    if (!has_picture_ || reloader_.has_unseen() || replay_at_ >= 0) return 0.0;
+    const bool is_other_text = reloader_.has_unseen() && reloader_.programs() != Programs::uniforms;
+    if (!has_picture_ || is_other_text || replay_at_ >= 0) return 0.0;
     return since_tweak_.ms() < 1e3 * kMoves ? kWhileMoving : kAtRest;
 }
 
