@@ -21,6 +21,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <thread>
 
 namespace glint::window {
@@ -30,6 +31,7 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr glm::ivec2 kSize{320, 180};
+constexpr glm::ivec2 kMiddle{80, 45};  // of the picture, where no notice stands
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -85,7 +87,6 @@ public:
             longest = one.body.size();
             places.in_helper = place;
         }
-        if (!places.in_main) places.in_main = places.in_helper;
         return places;
     }
 
@@ -107,13 +108,11 @@ private:
     Reading reading_;
 };
 
-std::string number_text(const std::string& text, Place place, int i) {
+// A number that differs by its share of a thousandth: the more often, the more.
+std::string changed_number(const std::string& text, Place place, int times) {
     const double value =
         std::strtod(text.substr(place.begin, place.end - place.begin).c_str(), nullptr);
-    std::string changed = text;
-    changed.replace(place.begin, place.end - place.begin,
-                    fmt::format("{:.7f}", value * (1.0 + 0.0005 * (i + 1))));
-    return changed;
+    return fmt::format("{:.7f}", value * (1.0 + 0.0005 * times));
 }
 
 struct Bench {
@@ -171,14 +170,15 @@ struct Bench {
     // All sliders at once, by the key that rolls a random look; and back.
     void move(const char* chord) {
         wait_until_quiet();
-        const auto before = screen.picture({0, 0}, kSize);
+        const auto before = screen.picture(kMiddle, kSize / 2);
         const auto start = Clock::now();
         screen.tap(chord);
-        const bool seen = eventually([&] { return screen.picture({0, 0}, kSize) != before; }, 60.0);
+        const bool seen =
+            eventually([&] { return screen.picture(kMiddle, kSize / 2) != before; }, 60.0);
         if (seen) add("slider", ms_since(start));
     }
 
-    // From a key to the panels, while a save that differs by a line is compiled.
+    // From a key to the panels, while a save that differs by a line is compiled and shown.
     void panels_during(const std::string& text) {
         wait_until_quiet();
         const int shown = glint->count(": shown;");
@@ -195,23 +195,35 @@ struct Bench {
         glint->says(": shown;", shown + 1, 300.0);
     }
 
-    std::string line(int i) const {
+    // The text with all edits so far.
+    std::string edited() const {
+        std::map<std::size_t, std::pair<std::size_t, std::string>> edits;  // begin, end, text
+        const auto change = [&](const std::optional<Place>& place, int times) {
+            if (place && times > 0)
+                edits[place->begin] = {place->end, changed_number(original, *place, times)};
+        };
+        change(places.in_main, main_edits);
+        change(places.in_helper, helper_edits);
+        std::string more;
+        for (int i = 0; i < lines; ++i)
+            more += fmt::format("    {}.x += {:.7f};\n", places.colour, 1e-5 * (i + 1));
+        edits[places.end_of_main] = {places.end_of_main, more};
         std::string text = original;
-        text.insert(places.end_of_main,
-                    fmt::format("    {}.x += {:.7f};\n", places.colour, 1e-4 * (i + 1)));
+        for (const auto& [begin, edit] : edits | std::views::reverse)
+            text.replace(begin, edit.first - begin, edit.second);
         return text;
     }
 
+    // Each edit is made to the one before.
     void run() {
+        constexpr int kPanels = 4;  // rounds for one look at the panels, which takes eight
         for (int i = 0; i < rounds; ++i) {
-            if (places.in_main) save("main", number_text(original, *places.in_main, i));
-            if (places.in_helper) save("helper", number_text(original, *places.in_helper, i));
+            if (places.in_main) save("main", (++main_edits, edited()));
+            if (places.in_helper) save("helper", (++helper_edits, edited()));
             move("Control_L+g");
             move("Control_L+z");
-            save("back", original);  // so that it is one line that differs
-            save("line", line(2 * i));
-            panels_during(line(2 * i + 1));
-            save("back", original);
+            save("line", (++lines, edited()));
+            if (i % kPanels == 0) panels_during((++lines, edited()));
         }
     }
 
@@ -231,6 +243,7 @@ struct Bench {
     fs::path file;
     std::string original;
     Places places;
+    int main_edits = 0, helper_edits = 0, lines = 0;
     std::optional<Glint> glint;
     std::map<std::string, std::vector<double>> times;
 };

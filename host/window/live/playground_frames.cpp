@@ -152,7 +152,8 @@ bool Playground::draw(double wall_seconds) {
 }
 
 // A new text is shown once it is right as a whole, unless it differs by a number, which is like a
-// tweak. While one moves, the picture is to follow it; once it rests, the maps are to be whole soon.
+// tweak. While one moves, the picture is to follow it; once it rests, the maps are to be whole
+// soon.
 double Playground::map_seconds() const {
     constexpr double kWhileMoving = 0.02, kMoves = 0.15, kAtRest = 0.1;  // s
     const bool is_other_text = reloader_.has_unseen() && reloader_.programs() != Programs::uniforms;

@@ -167,6 +167,8 @@ private:
     bool shows_clock() const;
     double clock_tick() const;  // s
     void draw_frame();
+    bool answers_first();
+    void draw_scene();
     void follow_sound(double at);  // s of the clock
     void show_picture();
     bool show_sketch(const BufferView& view);
@@ -264,7 +266,8 @@ private:
     std::size_t printed_reports_ = 0;
     std::string notice_, title_, last_reload_;
     float content_scale_ = window_.content_scale();
-    bool dirty_ = true;  // the screen is behind what it should show
+    bool dirty_ = true;                               // the screen is behind what it should show
+    bool was_told_ = false, answered_first_ = false;  // by events since it was drawn; by panels
     bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
     glm::dvec2 mouse_{0.0};
     std::uint32_t random_seed_ = 0;

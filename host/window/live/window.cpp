@@ -197,19 +197,34 @@ ScreenArea PlaygroundWindow::view_area() const {
     return {.origin = {0, 0}, .size = window_.size()};
 }
 
+// Where frames take long, panels answer a person before the next of them, and never twice in a row:
+// what was moved is in that frame already, and time goes on under a hand that does not rest.
+bool PlaygroundWindow::answers_first() {
+    constexpr double kLongMs = 25.0;
+    const bool is_long = playground_.has_picture() && playground_.wants_frame() &&
+                         playground_.frame_ms() > kLongMs && !settings_.wipe;
+    answered_first_ = is_long && was_told_ && !answered_first_;
+    was_told_ = false;
+    return answered_first_;
+}
+
+void PlaygroundWindow::draw_scene() {
+    choose_resolution();
+    playground_.measure_passes(settings_.visible && settings_.passes);
+    const double elapsed = since_draw_.restart() / 1000.0;
+    frame_due_ = 1.0 / window_.refresh_rate();
+    const double drawn_at = clock_seconds();
+    if (playground_.draw(elapsed)) hold_rate();
+    follow_sound(drawn_at);
+}
+
 void PlaygroundWindow::draw_frame() {
     if (content_scale_ != window_.content_scale()) {
         content_scale_ = window_.content_scale();  // another monitor
         panels_.rescale(content_scale_);
     }
-    choose_resolution();
-    playground_.measure_passes(settings_.visible && settings_.passes);
-    const double elapsed = since_draw_.restart() / 1000.0;
-    frame_due_ = 1.0 / window_.refresh_rate();
     dirty_ = false;
-    const double drawn_at = clock_seconds();
-    if (playground_.draw(elapsed)) hold_rate();
-    follow_sound(drawn_at);
+    if (!answers_first()) draw_scene();
     show_picture();
     const Wishes wishes =
         panels_.update(facts(), playground_.tweaks, playground_.transport(), settings_);

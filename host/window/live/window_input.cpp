@@ -28,7 +28,7 @@ bool PlaygroundWindow::is_on_picture(glm::dvec2 position) const {
 }
 
 void PlaygroundWindow::handle(const WindowEvent& event) {
-    dirty_ = true;
+    dirty_ = was_told_ = true;
     switch (event.kind) {
         case WindowEvent::Kind::key:
             handle_key(event);
