@@ -1,4 +1,5 @@
 // The search over joint settings, on costs and errors that are known.
+#include "measure/study/joint.h"
 #include "measure/study/search.h"
 
 #include <gtest/gtest.h>
@@ -163,6 +164,29 @@ TEST(StudySearch, KeepsTheBestAboutTheBudget) {
     ASSERT_EQ(best.size(), 2u);
     EXPECT_EQ(best[0].at, Stand{1}) << "the fastest first; what is beaten is left out";
     EXPECT_EQ(best[1].at, Stand{3});
+}
+
+StudyRow measured(const char* value, double ms, double rmse, double flip, TimeVerdict verdict) {
+    StudyRow row{.value = value, .error = Difference{}, .verdict = verdict};
+    row.ms.median = ms;
+    row.error->rmse = rmse;
+    row.error->flip = flip;
+    return row;
+}
+
+// A machine that is so busy that nothing is told apart.
+TEST(StudyBudget, OfThePresetsOwnTimeTakesNothingWhoseMedianIsLonger) {
+    const auto busy = TimeVerdict::not_told_apart;
+    Study study;
+    study.rows = {measured("own", 75.0, 0.010, 0.020, busy),
+                  measured("near", 76.5, 0.008, 0.018, busy),
+                  measured("longer", 102.0, 0.004, 0.010, busy),
+                  measured("seems farther", 70.0, 0.005, 0.030, busy),
+                  measured("slower", 76.0, 0.003, 0.010, TimeVerdict::slower)};
+    study.rows[0].is_preset = true;
+    choose_best(study, {.of = Limit::Of::ms});
+    ASSERT_TRUE(study.best);
+    EXPECT_EQ(study.rows[*study.best].value, "near");
 }
 
 }  // namespace

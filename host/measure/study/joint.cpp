@@ -359,11 +359,12 @@ void choose_best(Study& study, const Limit& limit) {
         const StudyRow& row = study.rows[i];
         if (!row.error || !row.failed.empty()) continue;
         least = std::min(least.value_or(limited(row)), limited(row));
-        // What is not told to take longer than the preset's own does not, and what is nearer is not
-        // to seem farther.
+        // What is not told to take longer than the preset's own does not, unless its median says
+        // so: on a busy machine hardly anything is told. And what is nearer is not to seem farther.
+        const bool is_as_good = !any || (row.ms.median <= (1.0 + kEnough) * own->ms.median &&
+                                         row.error->flip <= kAsGood * own_error->flip);
         const bool is_within = by_time && !limit.number
-                                   ? row.verdict != TimeVerdict::slower &&
-                                         (!any || row.error->flip <= kAsGood * own_error->flip)
+                                   ? row.verdict != TimeVerdict::slower && is_as_good
                                    : limited(row) <= most;
         if (is_within && (!study.best || wanted(row) < wanted(study.rows[*study.best])))
             study.best = i;
