@@ -213,9 +213,9 @@ struct Bench {
     // The text with all edits so far.
     std::string edited() const {
         std::map<std::size_t, std::pair<std::size_t, std::string>> edits;  // begin, end, text
-        const auto change = [&](const std::optional<Place>& place, int times) {
-            if (place && times > 0)
-                edits[place->begin] = {place->end, changed_number(original, *place, times)};
+        const auto change = [&](const std::optional<Place>& place, int often) {
+            if (place && often > 0)
+                edits[place->begin] = {place->end, changed_number(original, *place, often)};
         };
         change(places.in_main, main_edits);
         change(places.in_helper, helper_edits);

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
-#include <future>
 #include <stdexcept>
 
 namespace glint {
@@ -35,8 +33,8 @@ std::vector<GivenBuffer> still_right(const RefineOrder& order) {
     return list;
 }
 
-CompiledScene compiled(const Preset& preset, ProgramShelf* shelf = nullptr) {
-    CompileResult result = compile_scene(preset, {.program = kSketched}, nullptr, nullptr, shelf);
+CompiledScene compiled(const Preset& preset) {
+    CompileResult result = compile_scene(preset, {.program = kSketched});
     if (!result.scene) throw std::runtime_error("The text does not compile.");
     return std::move(*result.scene);
 }
@@ -69,12 +67,8 @@ void run_sketch(const std::string& device) {
         context->finish();
         order = receive_refine_order();
     }
-    // The picture's pass is compiled whatever is given.
-    auto right = std::async(std::launch::async, still_right, std::cref(order));
-    ProgramShelf shelf;
-    compile_pass(order.preset, kImagePass, kSketched, &shelf);
-    const std::vector<GivenPicture> pictures = as_pictures(order.preset, right.get());
-    CompiledScene scene = compiled(order.preset, &shelf);
+    const std::vector<GivenPicture> pictures = as_pictures(order.preset, still_right(order));
+    CompiledScene scene = compiled(order.preset);
     // What is simulated begins where it stands, which only the window knows.
     if (scene.graph.stateful) throw std::runtime_error("What is simulated was not given.");
     Renderer renderer(order.preset, std::move(scene), {.size = order.preset.size});
