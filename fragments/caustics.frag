@@ -544,10 +544,17 @@ vec2 objectSpan(vec3 ro, vec3 rd) {
     vec3 a = (lo - ro) * inverse, b = (hi - ro) * inverse, n = min(a, b), f = max(a, b);
     return vec2(max(maxComponent(n), 0.0), min(f.x, min(f.y, f.z)));
 }
-vec3 objectNormal(vec3 p) {
-    vec2 e = vec2(1.0, -1.0) * 0.002;
-    vec3 n = e.xyy * map(p + e.xyy, true).x + e.yyx * map(p + e.yyx, true).x
-        + e.yxy * map(p + e.yxy, true).x + e.xxx * map(p + e.xxx, true).x;
+// The normal, from the corners of a tetrahedron, and which object it is: in a loop, for a driver
+// compiles a copy of the map for each place that calls it.
+vec3 objectNormal(vec3 p, out float id) {
+    vec3 n = vec3(0.0);
+    for (int k = 0; k < 5; ++k) {
+        vec3 e = vec3((k + 3 >> 1) & 1, k >> 1, k & 1) * 2.0 - 1.0;
+        if (k == 4) e = vec3(0.0);
+        vec2 d = map(p + 0.002 * e, true);
+        n += e * d.x;
+        id = d.y;
+    }
     return n * inversesqrt(max(dot(n, n), 1e-20));
 }
 float intersectObjects(vec3 ro, vec3 rd, float pixel) {
@@ -559,15 +566,22 @@ float intersectObjects(vec3 ro, vec3 rd, float pixel) {
     }
     return kFar;
 }
-// Part of the sun that is seen past the objects; the surface spreads its light by `blur` rad.
-float sunSeen(vec3 p, vec3 towards, float blur) {
-    vec2 span = objectSpan(p, towards);
+// Part of the sun that a face sees past the objects; the surface spreads its light by `blur` rad.
+// open: how little they close it in, from the room in front of it.
+float sunSeen(vec3 p, vec3 nor, vec3 towards, float blur, out float open) {
+    vec3 start = p + 0.004 * nor;
+    vec2 span = objectSpan(start, towards);
     float seen = 1.0;
+    open = 1.0;
     span.x = max(span.x, 0.01);
-    for (int i = 0; i < 16 && span.x < span.y && seen > 0.0; ++i) {
-        float d = map(p + span.x * towards, false).x;
-        seen = min(seen, 0.5 + 0.5 * d / (blur * span.x));
-        span.x += clamp(d, 0.03, 0.7);
+    for (int i = objects > 0 ? -1 : 0; i < 16 && (i < 0 || span.x < span.y && seen > 0.0); ++i) {
+        float d = map(i < 0 ? p + 0.25 * nor : start + span.x * towards, false).x;
+        if (i < 0) {
+            open = clamp(0.3 + 2.8 * d, 0.0, 1.0);
+        } else {
+            seen = min(seen, 0.5 + 0.5 * d / (blur * span.x));
+            span.x += clamp(d, 0.03, 0.7);
+        }
     }
     seen = max(seen, 0.0);
     return seen * seen * (3.0 - 2.0 * seen);
@@ -696,15 +710,13 @@ vec3 objectColour(float id, vec3 p) {
 
 // Light from a matt face to the eye.
 vec3 mattLight(vec3 p, vec3 nor, vec3 albedo, float w, Medium m) {
-    float below = max(depth - p.y, 0.0), blur = 0.03 + 0.3 * waveSlope;
-    float seen = sunSeen(p + 0.004 * nor, m.towards, blur), facing = max(dot(nor, m.towards), 0.0);
+    float below = max(depth - p.y, 0.0), blur = 0.03 + 0.3 * waveSlope, open;
+    float seen = sunSeen(p, nor, m.towards, blur, open), facing = max(dot(nor, m.towards), 0.0);
     if (ground == 1) {   // the rim of the pool
         vec2 entry = abs(p.xz + m.towards.xz / m.towards.y * below) - kPool;
         float soft = blur * below + 0.01;
         seen *= 1.0 - smoothstep(-soft, soft, max(entry.x, entry.y));
     }
-    float open = 1.0;
-    if (objects > 0) open = clamp(0.3 + 2.8 * map(p + 0.25 * nor, false).x, 0.0, 1.0);
     vec3 sum = m.sun * exp(-m.extinction * below / m.towards.y) * facing * seen
         * causticAt(p, m, w);
     sum += open * exp(-m.diffuse * below) * (0.5 + 0.4 * nor.y)
@@ -734,8 +746,9 @@ vec3 solidLight(vec3 p, vec3 rd, vec3 nor, bool hit, float w, Medium m) {
     float grazing = max(abs(dot(rd, nor)), 0.02);
     vec3 albedo;
     if (hit) {
-        nor = objectNormal(p);
-        albedo = objectColour(map(p, false).y, p);
+        float id;
+        nor = objectNormal(p, id);
+        albedo = objectColour(id, p);
         grazing = 1.0;
     } else if (ground == 1) {
         albedo = mosaicColour(p, nor, min(vec2(w, w / grazing), 1.0));

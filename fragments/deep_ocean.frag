@@ -310,18 +310,18 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
 // and kept below it; planks, frames, beams and the hole are cut and joined by max and min. A ray
 // steps by that field and cannot pass through (sphere tracing, Hart).
 
-vec3 toWreck(vec3 v) {
-    v.xz = turn(v.xz, radians(wreckAngle));
-    v.xy = turn(v.xy, kPitch);
-    v.yz = turn(v.yz, radians(heel));
-    return v;
+mat3 gWreck;   // her axes in the world, as columns
+void readWreck() {
+    for (int i = 0; i < 3; ++i) {
+        vec3 v = vec3(i == 0, i == 1, i == 2);
+        v.yz = turn(v.yz, -radians(heel));
+        v.xy = turn(v.xy, -kPitch);
+        v.xz = turn(v.xz, -radians(wreckAngle));
+        gWreck[i] = v;
+    }
 }
-vec3 fromWreck(vec3 v) {
-    v.yz = turn(v.yz, -radians(heel));
-    v.xy = turn(v.xy, -kPitch);
-    v.xz = turn(v.xz, -radians(wreckAngle));
-    return v;
-}
+vec3 toWreck(vec3 v) { return v * gWreck; }
+vec3 fromWreck(vec3 v) { return gWreck * v; }
 // Where a ray is in a box.
 vec2 boxSpan(vec3 ro, vec3 rd, vec3 lo, vec3 hi) {
     vec3 inverse = safeInverse(rd), a = (lo - ro) * inverse, b = (hi - ro) * inverse;
@@ -419,14 +419,21 @@ int hitHull(vec3 ro, vec3 rd, float pixel, float tMax, out float t, out vec3 nor
     nor = unit(nor);
     return kind;
 }
-// Part of the sun that is seen past the hull; the surface spreads its light by `blur` rad.
-float besideHull(vec3 p, vec3 towards, float blur) {
-    vec2 span = hullSpan(p, towards);
+// Part of the sun that a face sees past the hull; the surface spreads its light by `blur` rad. Where
+// it is near her, open tells from the room in front of it how little she closes it in.
+float besideHull(vec3 p, vec3 nor, vec3 towards, float blur, bool near, out float open) {
+    vec3 start = p + 0.05 * nor;
+    vec2 span = hullSpan(start, towards);
     float seen = 1.0, t = max(span.x, 0.03);
-    for (int k = 0; k < 14 && t < span.y && seen > 0.0; ++k) {
-        float d = map(p + t * towards).x;
-        seen = min(seen, 0.5 + 0.5 * d / (blur * t));
-        t += clamp(d, 0.06, 1.5);
+    open = 1.0;
+    for (int k = near ? -1 : 0; k < 14 && (k < 0 || t < span.y && seen > 0.0); ++k) {
+        float d = map(k < 0 ? p + 0.8 * nor : start + t * towards).x;
+        if (k < 0) {
+            open = clamp(0.25 + 0.9 * d, 0.0, 1.0);
+        } else {
+            seen = min(seen, 0.5 + 0.5 * d / (blur * t));
+            t += clamp(d, 0.06, 1.5);
+        }
     }
     seen = max(seen, 0.0);
     return seen * seen * (3.0 - 2.0 * seen);
@@ -816,14 +823,14 @@ vec2 leftOfLight(Layer l, vec3 p, vec3 q, vec3 nor, Medium m) {
     vec3 towards = toWreck(m.towards), shipNor = toWreck(nor);
     vec2 left = vec2(besideRock(p + 0.2 * nor, 0.1), 1.0);
     if (wreck) {
-        left.x *= besideHull(q + 0.05 * shipNor, towards, 0.12);
-        if (sailCloth > 0.0 && l.kind <= kTimber)
-            left.x *= besideSails(q, towards, 0.1);
         // Nothing far from her box asks; over the first metre beside it corners fade, or its edge
         // would be seen on the sand.
-        float past = max(max(abs(q.x - 0.3) - 12.6, abs(q.z) - 3.4), 0.0);   // m
-        if (past < 1.0 && q.y < 8.0)
-            left.y = mix(clamp(0.25 + 0.9 * map(q + 0.8 * shipNor).x, 0.0, 1.0), 1.0, past);
+        float past = max(max(abs(q.x - 0.3) - 12.6, abs(q.z) - 3.4), 0.0), open;   // m
+        bool near = past < 1.0 && q.y < 8.0;
+        left.x *= besideHull(q, shipNor, towards, 0.12, near, open);
+        if (near) left.y = mix(open, 1.0, past);
+        if (sailCloth > 0.0 && l.kind <= kTimber)
+            left.x *= besideSails(q, towards, 0.1);
     }
     return left;
 }
@@ -1140,6 +1147,7 @@ void mainGrain(out vec4 colour, in vec2 pixel) {
 }
 // Both ends of spars and ropes, with their radius.
 void mainRig(out vec4 colour, in vec2 pixel) {
+    readWreck();
     // Foremast, mainmast, stump of the mizzen, bowsprit, four yards, a fallen yard, a fallen spar.
     const vec4 from[kSpars] = vec4[kSpars](
         vec4(5.6, 0.4, 0.0, 0.24), vec4(-0.8, 0.4, 0.0, 0.28), vec4(-7.4, 0.6, 0.0, 0.22),
@@ -1287,6 +1295,7 @@ vec3 display(vec3 light) {
 }
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
+    readWreck();
     Eye e = camera();
     vec3 sum = vec3(0.0), chance = random3(ivec3(16 * ivec2(fragCoord) + 8, 5));
     float order = shuffledQuarters(ivec2(fragCoord));

@@ -527,9 +527,22 @@ Hit hitThings(vec3 ro, vec3 rd, float pixel, float tMax) {
     return h;
 }
 
+// A look round from a point on a thing, to tell how open its surroundings are: how far the nearer
+// rabbit's cluster is from a point along the normal.
+struct Look { bool due; int c; vec3 at; float far; };
+Look lookFrom(vec3 p, vec3 nor) {
+    bool first = distance(p, frames[0].at) < distance(p, frames[1].at);
+    vec3 q = p + 0.13 * nor;
+    return Look(true, first ? 0 : 1, first ? (q - frames[0].at) * frames[0].axes
+                                           : (q - frames[1].at) * frames[1].axes, 0.0);
+}
+float openness(Look look) { return 0.35 + 0.65 * smoothstep(0.0, 0.8, look.far / 0.13); }
+
 // Share of the sun that a point sees; rim: slope of the sun's disc. The narrowest gap between the
-// ray and a thing, against the cone's width there, tells how much of the disc is hidden.
-float sunShare(vec3 ro, vec3 rd, float rim) {
+// ray and a thing, against the cone's width there, tells how much of the disc is hidden. A look that
+// is due is the first turn of the same loop: a driver compiles a copy of the field for each place
+// that calls it.
+float sunShare(vec3 ro, vec3 rd, float rim, inout Look look) {
     Walk w = walkClusters(ro, rd, 0.03, kFar);
     float t = -w.o[2].z / (abs(w.d[2].z) < 1e-6 ? 1e-6 : w.d[2].z);
     float end = 0.0, gap = 1.0, pane = 1.0;
@@ -538,29 +551,40 @@ float sunShare(vec3 ro, vec3 rd, float rim) {
     w.span[2].y = -1.0;
     int c = -1;
     bool more = onward(w, c, t, end);
-    for (int k = 0; k < 64 && more; ++k) {
+    for (int k = look.due ? -1 : 0; k < 64 && (k < 0 || more); ++k) {
         int id;
         t = max(t, 0.01);
-        vec4 f = clusterField(c, c == 0 ? w.o[0] + t * w.d[0] : w.o[1] + t * w.d[1], id);
-        gap = min(gap, f.w * inversesqrt(max(dot(f.xyz, f.xyz), 1e-4)) / (rim * t + 1e-4));
-        t += max(f.w, 0.004 + 0.3 * rim * t);
-        if (t >= end) more = onward(w, c, t, end);
-        more = more && gap > -1.0;
+        vec3 q = c == 0 ? w.o[0] + t * w.d[0] : w.o[1] + t * w.d[1];
+        vec4 f = clusterField(k < 0 ? look.c : c, k < 0 ? look.at : q, id);
+        if (k < 0) {
+            look.far = f.w;
+            look.due = false;
+        } else {
+            gap = min(gap, f.w * inversesqrt(max(dot(f.xyz, f.xyz), 1e-4)) / (rim * t + 1e-4));
+            t += max(f.w, 0.004 + 0.3 * rim * t);
+            if (t >= end) more = onward(w, c, t, end);
+            more = more && gap > -1.0;
+        }
     }
     gap = max(gap, -1.0);
     return 0.0625 * square(1.0 + gap) * (2.0 - gap) * square(1.0 + pane) * (2.0 - pane);
 }
-float sunlight(vec3 p, vec3 nor, float seed) {
+float sunlight(vec3 p, vec3 nor, float seed, inout Look look) {
     vec3 rd = sunDirection();
     float rim = tan(radians(sunSize));
-    if (shadows == 0) return 1.0;
-    if (shadows == 1) return sunShare(p + 0.004 * nor, rd, rim);
+    if (shadows == 0) {
+        int id;
+        look.far = clusterField(look.c, look.at, id).w;
+        return 1.0;
+    }
+    if (shadows == 1) return sunShare(p + 0.004 * nor, rd, rim, look);
     vec3 u = normalize(cross(rd, vec3(0.0, 0.0, 1.0) + 0.01 * rd.zxy)), v = cross(u, rd);
     float sum = 0.0;
     for (int k = 0; k < sunSamples; ++k) {
         float a = 2.0 * kPi * (kGolden * float(k) + seed);
         float r = rim * sqrt((float(k) + 0.5) / float(sunSamples));
-        sum += sunShare(p + 0.004 * nor, normalize(rd + r * (u * cos(a) + v * sin(a))), 1e-4);
+        vec3 towards = normalize(rd + r * (u * cos(a) + v * sin(a)));
+        sum += sunShare(p + 0.004 * nor, towards, 1e-4, look);
     }
     return sum / float(sunSamples);
 }
@@ -697,16 +721,6 @@ vec3 ambientLight(vec3 nor) {   // from all around, on a surface that faces nor
         sum += texelFetch(ambient, ivec2(face, 0), 0).rgb * square(nor[k]);
     }
     return sum;
-}
-
-// How open the surroundings of a point on a thing are, from the room along its normal.
-float roomAround(vec3 p, vec3 nor) {
-    bool first = distance(p, frames[0].at) < distance(p, frames[1].at);
-    vec3 q = p + 0.13 * nor;
-    int id;
-    float f = clusterField(first ? 0 : 1, first ? (q - frames[0].at) * frames[0].axes
-                                                : (q - frames[1].at) * frames[1].axes, id).w;
-    return 0.35 + 0.65 * smoothstep(0.0, 0.8, f / 0.13);
 }
 
 // Light from a point of a thing against d; upWeight: of what its gloss mirrors. stuff: paint.
@@ -1081,8 +1095,9 @@ void mainLight(out vec4 colour, in vec2 pixel) {
     vec3 nor = normalize(facing.xyz), p = e.pos + rd * (min(facing.w, 1e4) / dot(rd, e.forward));
     float behind = id == kFur && dot(nor, sunDirection()) < 0.0 ? max(stuff.w, 0.0) : 0.0;
     float chance = random3(ivec3(ivec2(pixel * 16.0), 5)).x;
-    float share = sunlight(p + 0.1 * behind * sunDirection(), nor, chance);
-    vec3 light = thingLight(id, p, nor, rd, stuff, share, roomAround(p, nor), upWeight);
+    Look look = lookFrom(p, nor);
+    float share = sunlight(p + 0.1 * behind * sunDirection(), nor, chance, look);
+    vec3 light = thingLight(id, p, nor, rd, stuff, share, openness(look), upWeight);
     light += upWeight * mirrorSky(reflect(rd, nor), 0.05, false);
     light += rimLight(id, nor, rd, stuff, share);
     colour = vec4(light, share);
@@ -1176,8 +1191,9 @@ void lightThings(Surface u, float angle, float cone, float chance, int first, in
     // throws away what was not wanted. A loop ends when none of them is left in it: where no pixel
     // is in doubt, nothing is traced.
     while (first == 0) {
-        share = sunlight(p, above.hit.nor, chance);
-        open = roomAround(p, above.hit.nor);
+        Look look = lookFrom(p, above.hit.nor);
+        share = sunlight(p, above.hit.nor, chance, look);
+        open = openness(look);
         break;
     }
     for (int k = first; k <= last; ++k) {
@@ -1298,7 +1314,10 @@ float lapping(Surface u, float w) {
     float far = max(toThings(u.pos), 0.0);
     if (far > 0.16) return 0.0;
     vec2 at = 42.0 * u.pos.xz + vec2(2.0 * sin(2.0 * kPi * cycles(0.125)), 512.0);
-    float lace = 0.6 * cloudNoise(at, 1024, 61) + 0.4 * cloudNoise(2.3 * at, 4096, 62);
+    float lace = 0.0;
+    for (int k = 0; k < 2; ++k)
+        lace += (k == 0 ? 0.6 : 0.4)
+            * cloudNoise((k == 0 ? 1.0 : 2.3) * at, k == 0 ? 1024 : 4096, 61 + k);
     float amount = 0.60 * exp(-far / 0.025), soft = 0.08 + 4.0 * w;
     float torn = smoothstep(1.0 - amount - soft, 1.0 - amount + soft, lace + 0.2);
     float rim = 1.0 - smoothstep(0.0, 0.008 + w, far);
