@@ -27,33 +27,55 @@ constexpr double kStripSeconds = 0.1;
 
 }  // namespace
 
-Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options)
+Renderer::Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options,
+                   Renderer* previous)
     : preset_(preset),
       built_values_(preset.values),
       values_(preset.values),
       scene_(std::move(scene)),
       options_(options),
       channels_(preset),
+      buffers_(scene_.programs.size()),
       drawn_(scene_.programs.size()),
       steps_done_(scene_.programs.size(), 0),
       vertex_array_(make_vertex_array()) {
+    if (previous) options_.size = previous->options_.size;
+    make_buffers(previous);
+    start_context();
+    for (std::size_t i = 0; i < scene_.programs.size(); ++i) forget_drawn(i);
+    if (previous) adopt(*previous);
+}
+
+// Those that the other one does not have.
+void Renderer::make_buffers(const Renderer* previous) {
+    std::vector<std::size_t> indices;
     std::vector<WantedBuffer> wanted;
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
-        wanted.push_back({pass_name(preset.scene, scene_.programs[i].pass), wanted_shape(i)});
+        const WantedBuffer one{pass_name(preset_.scene, scene_.programs[i].pass), wanted_shape(i)};
+        if (previous && previous->has_buffer(one.name, one.shape)) continue;
+        indices.push_back(i);
+        wanted.push_back(one);
     }
-    const WantedBuffer sum{"the sum of the samples", {.size = wanted[scene_.root].shape.size}};
-    if (options.samples > 1) wanted.push_back(sum);
+    const WantedBuffer sum{"the sum of the samples", {.size = wanted_shape(scene_.root).size}};
+    if (options_.samples > 1) wanted.push_back(sum);
     require_memory(wanted);
-    for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
-        buffers_.push_back(std::make_unique<Buffer>(wanted[i].shape));
-        require_room(*buffers_.back(), wanted[i].name);
-        forget_drawn(i);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        buffers_[indices[i]] = std::make_unique<Buffer>(wanted[i].shape);
+        require_room(*buffers_[indices[i]], wanted[i].name);
     }
-    if (options.samples > 1) {
+    if (options_.samples > 1) {
         average_ = std::make_unique<Average>(sum.shape.size);
         require_room(average_->sum(), sum.name);
     }
-    start_context();
+}
+
+// Drawn or parked.
+bool Renderer::has_buffer(const std::string& name, const BufferShape& shape) const {
+    for (std::size_t i = 0; i < scene_.programs.size(); ++i)
+        if (pass_name(preset_.scene, scene_.programs[i].pass) == name)
+            return buffers_[i] && buffers_[i]->shape() == shape;
+    const auto parked = parked_.find(name);
+    return parked != parked_.end() && parked->second.buffer->shape() == shape;
 }
 
 // GL keeps a deleted program for as long as it is current, and it vanishes under whoever wants to

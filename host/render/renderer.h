@@ -35,8 +35,10 @@ struct PassState {
 class Renderer {
 public:
     // Keeps references: preset must outlive the renderer. Throws std::runtime_error when the
-    // buffers do not fit (render/room.h).
-    Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options);
+    // buffers do not fit (render/room.h). Adopts the previous one, unless it throws, and makes
+    // only what that one does not have.
+    Renderer(const Preset& preset, CompiledScene scene, const RenderOptions& options,
+             Renderer* previous = nullptr);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -221,6 +223,8 @@ private:
     };
 
     static void start_context();
+    void make_buffers(const Renderer* previous);
+    bool has_buffer(const std::string& name, const BufferShape& shape) const;
     void compile_by_drawing(std::size_t index);
     void run(const Frame& frame, bool state_only);
     void run_steps(const Frame& frame, Step step);

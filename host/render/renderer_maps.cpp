@@ -274,8 +274,9 @@ void Renderer::adopt(Renderer& previous) {
             const auto content =
                 std::ranges::find(contents, kept->first, &decltype(contents)::value_type::first);
             if (content != contents.end()) drawn_[i].content = std::move(content->second);
-        } else if (!buffers_[i] || buffers_[i]->shape() != shape || kept != parked_.end()) {
-            buffers_[i] = std::make_unique<Buffer>(shape);
+        } else {
+            if (!buffers_[i] || buffers_[i]->shape() != shape)
+                buffers_[i] = std::make_unique<Buffer>(shape);
             if (kept != parked_.end()) buffers_[i]->copy_from(*kept->second.buffer);
         }
         if (kept == parked_.end()) continue;

@@ -44,6 +44,12 @@ struct Drawn {
         renderer->draw(frame);
         return names;
     }
+    // Instead of the renderer at hand.
+    void make_after(Drawn& before) {
+        CompiledScene scene = renderer->take_scene();
+        renderer.emplace(preset, std::move(scene), RenderOptions{.size = preset.size},
+                         &*before.renderer);
+    }
     Names draw_after(Drawn& before) {
         renderer->adopt(*before.renderer);
         return draw();
@@ -84,6 +90,22 @@ TEST_F(Maps, StandInAnotherRendererWhoseTextSaysTheSameOfThem) {
             EXPECT_EQ(anew.renderer->read_bytes(), alone.renderer->read_bytes());
         }
     }
+}
+
+// Large ones would take longer to make than a frame.
+TEST_F(Maps, OfTheOneBeforeAreTakenInsteadOfMadeAnew) {
+    Drawn before(folder_, kConstants), after(folder_, kFed, {{"size=8x8", "size=16x8"}});
+    before.draw();
+    std::vector<GLuint> textures;
+    for (std::size_t i = 0; i < kAll.size(); ++i)
+        textures.push_back(before.renderer->buffer(i).texture(0));
+    after.make_after(before);
+    for (std::size_t i = 0; i < kAll.size(); ++i) {
+        const bool has_another_size = kAll[i] == "land";
+        EXPECT_EQ(after.renderer->buffer(i).texture(0) == textures[i], !has_another_size)
+            << kAll[i];
+    }
+    EXPECT_EQ(after.draw(), kAll);
 }
 
 TEST_F(Maps, AreDrawnForTweaksThatTheyReadAlone) {

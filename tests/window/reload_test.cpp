@@ -138,6 +138,7 @@ TEST_F(Reload, ATextThatIsCompiledForLongIsSketchedFirst) {
     EXPECT_TRUE(shows({200, 0, 0}, kMargin));
     const std::string said = glint_->errors();
     EXPECT_EQ(glint_->count("sketched"), 1);
+    EXPECT_EQ(glint_->count("sketched at 640x360"), 1) << "half as wide and high: " << said;
     EXPECT_LT(said.find("sketched"), said.rfind(": shown;")) << said;
 }
 

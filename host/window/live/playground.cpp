@@ -146,7 +146,7 @@ void Playground::notice_saves() {
 
 std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset,
                                                     const ProgramOptions& options,
-                                                    Diagnostics& why_not) {
+                                                    Renderer* previous, Diagnostics& why_not) {
     CompileResult compiled =
         compile_scene(preset, {.program = options}, nullptr, nullptr, &programs_.shelf());
     if (!compiled.scene) {
@@ -155,7 +155,7 @@ std::unique_ptr<Renderer> Playground::make_renderer(const Preset& preset,
     }
     return std::make_unique<Renderer>(
         preset, std::move(*compiled.scene),
-        RenderOptions{.size = size_, .picture_format = picture_format()});
+        RenderOptions{.size = size_, .picture_format = picture_format()}, previous);
 }
 
 // In one step, or all is left as it was.
@@ -166,13 +166,13 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     TweakValues next = is_text ? tweaks_with(candidate) : tweaks;
     // For the compiler and the renderer alone. A tweak that moved since is followed at once.
     preset->values = is_constant ? programs_.tried().values : next.values();
+    const bool is_same_file = (preset_ && written) || !is_text;
+    Renderer* previous = is_same_file ? renderer_.get() : nullptr;
     std::unique_ptr<Renderer> renderer;
     try {
         Diagnostics why_not;
-        renderer = make_renderer(*preset, programs_.options(programs), why_not);
+        renderer = make_renderer(*preset, programs_.options(programs), previous, why_not);
         if (!renderer) return why_not;
-        const bool same_file = preset_ && written;
-        if (renderer_ && (same_file || !is_text)) renderer->adopt(*renderer_);
         // What cannot be opened keeps the scene before; what cannot be decoded is told later.
         for (const std::size_t sampler : renderer->inputs_needed())
             for (const auto& file : sampler_at(*preset, sampler).files) require_readable(file);
@@ -180,7 +180,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     } catch (const ContextLost&) {
         throw;
     } catch (const std::runtime_error& error) {
-        if (renderer && renderer_) renderer_->adopt(*renderer);
+        if (renderer && previous) previous->adopt(*renderer);
         return {{.place = {.file = reloader_.file().string()}, .text = error.what()}};
     }
     touched_ |= constants_ && *constants_ != preset->values;
@@ -236,9 +236,8 @@ void Playground::leave_constants() {
     if (!scene) return;
     auto renderer = std::make_unique<Renderer>(
         *preset_, std::move(*scene),
-        RenderOptions{.size = size_, .picture_format = picture_format()});
+        RenderOptions{.size = size_, .picture_format = picture_format()}, renderer_.get());
     renderer->set_values(tweaks.values());
-    renderer->adopt(*renderer_);
     renderer_ = std::move(renderer);
     forget_states();
     constants_.reset();

@@ -288,7 +288,7 @@ private:
     bool states_depend_on_size() const;
     bool follows_time() const;
     std::unique_ptr<Renderer> make_renderer(const Preset& preset, const ProgramOptions& options,
-                                            Diagnostics& why_not);
+                                            Renderer* previous, Diagnostics& why_not);
 
     Context& context_;
     PlaygroundOptions options_;

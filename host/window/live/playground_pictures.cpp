@@ -27,10 +27,10 @@ Image Playground::still() {
     const ProgramOptions still_options{.specialise = still_programs() == Programs::constants,
                                        .lean = true};
     Diagnostics why_not;
-    const auto special = as_it_is ? nullptr : make_renderer(now, still_options, why_not);
+    const auto special =
+        as_it_is ? nullptr : make_renderer(now, still_options, renderer_.get(), why_not);
     for (const Diagnostic& diagnostic : why_not) reloader_.tell(diagnostic);
     if (special) {
-        special->adopt(*renderer_);
         touched_ = true;
         try {
             special->resize(size);

@@ -14,6 +14,11 @@ namespace {
 // A text that is compiled within this time needs none.
 constexpr double kSoonMs = 60.0;
 
+// A sketch has this share of the picture's width and height, and no fewer pixels than the least:
+// it is seen for less than a second, and code that is not optimised draws slowly.
+constexpr float kSketchShare = 0.5f;
+constexpr int kLeastPixels = 160 * 90;
+
 // Wherever it stands in the text.
 auto declared(const Sampler& s) {
     return std::tie(s.name, s.tab, s.type, s.source, s.filter, s.wrap, s.vflip, s.pass, s.output,
@@ -27,6 +32,20 @@ auto declared(const Pass& p) {
 bool same_declared(const auto& a, const auto& b) {
     return std::ranges::equal(
         a, b, [](const auto& x, const auto& y) { return declared(x) == declared(y); });
+}
+
+// What was drawn in the picture's size is read in no other.
+bool has_picture_size(const Scene& scene, const std::vector<GivenBuffer>& given) {
+    return std::ranges::any_of(
+        given, [&](const GivenBuffer& one) { return !scene.passes[one.pass].size; });
+}
+
+void draw_coarsely(RefineOrder& order) {
+    const glm::ivec2 size(kSketchShare * glm::vec2(order.preset.size));
+    if (size.x * size.y < kLeastPixels || has_picture_size(order.preset.scene, order.given)) return;
+    const glm::vec2 ratio = glm::vec2(size) / glm::vec2(order.preset.size);
+    order.input.mouse *= glm::vec4(ratio, ratio);
+    order.preset.size = size;
 }
 
 std::size_t bytes_of_output(glm::ivec2 size) {
@@ -83,6 +102,7 @@ void Playground::start_sketch() {
         if (std::ranges::find(all, i) == all.end()) all.push_back(i);
     order.given = standing_buffers(all);
     note_texts(order.given);
+    draw_coarsely(order);
     if (sketcher_.process() != 0) note_known(order.given, known_to_sketch_);
     read_buffers(order.given, sketcher_.memory());
     sketcher_.start(order);

@@ -230,8 +230,11 @@ void PlaygroundWindow::draw_frame() {
         panels_.update(facts(), playground_.tweaks, playground_.transport(), settings_);
     panels_.draw();
     window_.swap();
-    if (const auto ms = playground_.sketch() ? playground_.take_sketch_ms() : std::nullopt)
-        say("{}: sketched after {:.1f} ms\n", file_.filename().string(), *ms);
+    if (const auto ms = playground_.sketch() ? playground_.take_sketch_ms() : std::nullopt) {
+        const glm::ivec2 size = playground_.sketch()->shape().size;
+        say("{}: sketched at {}x{} after {:.1f} ms\n", file_.filename().string(), size.x, size.y,
+            *ms);
+    }
     print_reports();
     grant(wishes);
 }

@@ -141,7 +141,9 @@ TEST(HeldRate, WhenACompilerIsDoneTheLargestShareIsBackWithinTwoSeconds) {
         double ms = 0.0;
         for (; ms < 2000.0; ms += alone(rate.share())) rate.hear(alone(rate.share()));
         for (const double share : HeldRate::kShares)
-            if (share > rate.share()) EXPECT_GT(alone(share), 0.75 * kWanted);
+            if (share > rate.share()) {
+                EXPECT_GT(alone(share), 0.75 * kWanted);
+            }
         EXPECT_LE(alone(rate.share()), kWanted);
     }
 }
