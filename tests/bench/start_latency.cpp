@@ -60,7 +60,7 @@ std::optional<double> key_to_panel(Screen& screen) {
 class Starts {
 public:
     explicit Starts(const std::string& scene)
-        : preset_((fs::path(GLINT_REPOSITORY) / "presets" / (scene + ".toml")).string()) {}
+        : preset_((repository() / "presets" / (scene + ".toml")).string()) {}
 
     // `times`: null for a run that does not count. Keys are pressed in runs of their own.
     void run(bool cold, bool with_keys, Times* times) {

@@ -65,6 +65,12 @@ double cpu_seconds_of(const std::string& process) {
     ::_exit(127);
 }
 
+// Another build, to compare with, where one is named.
+std::string program() {
+    const char* benched = std::getenv("GLINT_BENCHED");
+    return benched ? benched : GLINT_BINARY;
+}
+
 }  // namespace
 
 void write(const fs::path& file, std::string_view text) {
@@ -98,11 +104,15 @@ std::string flat(const Colour& colour) {
         colour.r, colour.g, colour.b);
 }
 
+fs::path repository() {
+    const fs::path folder = fs::path(program()) / "../../../..";  // of build/release/host/glint
+    return fs::weakly_canonical(folder);
+}
+
 Glint::Glint(const std::string& display, const fs::path& folder, std::vector<std::string> arguments,
              const Environment& environment)
     : errors_(folder / "stderr.txt") {
-    const char* benched = std::getenv("GLINT_BENCHED");  // another build, to compare with
-    arguments.insert(arguments.begin(), benched ? benched : GLINT_BINARY);
+    arguments.insert(arguments.begin(), program());
     process_ = ::fork();
     if (process_ < 0) throw std::runtime_error("no process");
     if (process_ == 0) become(display, folder, errors_, std::move(arguments), environment);

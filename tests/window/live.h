@@ -29,6 +29,9 @@ std::string read(const fs::path& file);
 // What a PNG says of itself under `key`, "glint:time" for one; empty where it says nothing.
 std::string text_in(const fs::path& png, std::string_view key);
 
+// The checkout that the program to run was built in, whose scenes it draws.
+fs::path repository();
+
 // A scene in one colour, 0 to 255.
 std::string flat(const Colour& colour);
 

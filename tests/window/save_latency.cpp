@@ -135,7 +135,7 @@ struct Bench {
     Bench(std::string program, std::string scene, int count)
         : name(std::move(scene)), rounds(count) {
         ::setenv("GLINT_BENCHED", program.c_str(), 1);
-        const fs::path here = GLINT_REPOSITORY;
+        const fs::path here = repository();
         // Alone: the window draws small pictures of what else lies there.
         for (const std::string& part :
              {"fragments/" + name + ".frag", "presets/" + name + ".toml"}) {
