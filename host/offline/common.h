@@ -1,12 +1,12 @@
 // What the verbs share: exit codes, opening a preset, playing it to a time, progress.
 #pragma once
 
+#include "base/stopwatch.h"
 #include "media/image.h"
 #include "offline/options.h"
 #include "render/renderer.h"
 #include "scene/preset.h"
 
-#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
@@ -53,23 +53,6 @@ struct UsageError : std::runtime_error {
 struct Stop : std::exception {
     explicit Stop(ExitCode exit_code) : code(exit_code) {}
     ExitCode code;
-};
-
-// Milliseconds since it was made or restarted.
-class Stopwatch {
-public:
-    double ms() const {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-    }
-    double restart() {
-        const double elapsed = ms();
-        start_ = Clock::now();
-        return elapsed;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
 };
 
 // A bar on stderr with the rate and the time left, when that is a terminal and the work takes

@@ -1,6 +1,7 @@
 // A compiled scene and a frame become pixels, in textures of our own.
 #pragma once
 
+#include "base/stopwatch.h"
 #include "render/average.h"
 #include "render/buffer.h"
 #include "render/channels.h"
@@ -240,7 +241,7 @@ private:
     bool goes_in_parts(std::size_t index) const;
     bool is_due(std::size_t index, const Frame& frame);
     void draw_maps(const Frame& frame);
-    bool draw_rows(std::size_t index, const Frame& frame, double end_seconds);
+    bool draw_rows(std::size_t index, const Frame& frame, const Stopwatch& clock);
     void note_content(std::size_t index);
     void offer_maps();
     std::optional<Content> content_for(const Renderer& next, std::size_t index) const;

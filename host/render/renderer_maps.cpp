@@ -3,18 +3,9 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace glint {
-namespace {
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
-}  // namespace
 
 bool Renderer::is_map(std::size_t index) const {
     const PassProgram& program = scene_.programs[index];
@@ -114,10 +105,11 @@ bool Renderer::is_due(std::size_t index, const Frame& frame) {
 // In turn, each to its end, until time is over.
 void Renderer::draw_maps(const Frame& frame) {
     has_maps_left_ = false;
-    const double end = seconds_now() + map_seconds_;
+    const Stopwatch clock;
     for (std::size_t idle = 0; idle < scene_.programs.size();) {
         const bool is_drawn = goes_in_parts(map_at_) && is_due(map_at_, frame);
-        if (is_drawn) has_maps_left_ = !draw_rows(map_at_, frame, end) || seconds_now() > end;
+        if (is_drawn)
+            has_maps_left_ = !draw_rows(map_at_, frame, clock) || clock.seconds() > map_seconds_;
         if (drawn_[map_at_].rows > 0) return;
         map_at_ = (map_at_ + 1) % scene_.programs.size();
         if (has_maps_left_) return;
@@ -127,7 +119,7 @@ void Renderer::draw_maps(const Frame& frame) {
 }
 
 // From where it was left; false while rows are left.
-bool Renderer::draw_rows(std::size_t index, const Frame& frame, double end_seconds) {
+bool Renderer::draw_rows(std::size_t index, const Frame& frame, const Stopwatch& clock) {
     Drawn& drawn = drawn_[index];
     Buffer& buffer = *buffers_[index];
     const glm::ivec2 size = buffer.shape().size;
@@ -139,17 +131,17 @@ bool Renderer::draw_rows(std::size_t index, const Frame& frame, double end_secon
     glBindFramebuffer(GL_FRAMEBUFFER, buffer.target());
     glViewport(0, 0, size.x, size.y);
     glEnable(GL_SCISSOR_TEST);
-    for (double now = seconds_now(), last = now; drawn.rows < size.y; last = now) {
+    for (double now = clock.seconds(), last = now; drawn.rows < size.y; last = now) {
         const double fit =
-            drawn.row_seconds > 0.0 ? (end_seconds - now) / drawn.row_seconds : size.y / 32.0;
+            drawn.row_seconds > 0.0 ? (map_seconds_ - now) / drawn.row_seconds : size.y / 32.0;
         const int rows = std::clamp(static_cast<int>(std::min(fit, 1e6)), 1, size.y - drawn.rows);
         glScissor(0, drawn.rows, size.x, rows);
         draw_once(index);
         glFinish();
-        now = seconds_now();
+        now = clock.seconds();
         drawn.row_seconds = (now - last) / rows;
         drawn.rows += rows;
-        if (now > end_seconds) break;
+        if (now > map_seconds_) break;
     }
     glDisable(GL_SCISSOR_TEST);
     drawn.content = {.values = {}, .is_whole = false};

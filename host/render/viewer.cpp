@@ -1,5 +1,7 @@
 #include "render/viewer.h"
 
+#include "render/plain_draw.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -147,6 +149,7 @@ void Viewer::show(const Buffer& buffer, const BufferView& view, const ScreenArea
     glBindTextureUnit(0, buffer.texture(view.output));
     // Enlarged pixels are shown as they are; a reduced resolution is smoothed over.
     glBindSampler(0, view.zoom >= 1.0 ? nearest_.id() : linear_.id());
+    const PlainDraw plain;
     draw_triangle();
 }
 

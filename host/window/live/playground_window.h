@@ -159,6 +159,7 @@ private:
     void begin_start();
     bool follow_start();
     bool show_start_picture();
+    void show_start_alone();
     void keep_picture();
     void tell_start(Facts& facts) const;
 

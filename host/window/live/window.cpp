@@ -103,7 +103,10 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
 
 int PlaygroundWindow::run() {
     // However soon the trial is over: what follows then takes its time.
-    if (awaits_first_frame()) draw_frame();
+    if (awaits_first_frame()) {
+        show_start_alone();
+        draw_frame();
+    }
     while (!window_.should_close() && end_signals_.arrived() == 0) {
         std::vector<int> descriptors = playground_.descriptors();
         descriptors.push_back(study_.process().descriptor());

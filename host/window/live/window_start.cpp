@@ -42,6 +42,13 @@ bool PlaygroundWindow::show_start_picture() {
     return true;
 }
 
+// A driver that has kept nothing compiles what panels are drawn with for longer than the picture.
+void PlaygroundWindow::show_start_alone() {
+    if (!start_picture_.buffer()) return;
+    show_picture();
+    window_.swap();
+}
+
 // What is on the screen, for the next time that this file is opened.
 void PlaygroundWindow::keep_picture() {
     if (!values_known_ || !playground_.has_picture()) return;
