@@ -1,4 +1,4 @@
-// A file written beside its final name and renamed when whole.
+// A file that gets its final name when whole.
 #include "base/temporary_file.h"
 
 #include <fcntl.h>
@@ -120,15 +120,18 @@ void TemporaryFile::fail(int error) noexcept {
     if (error_ == 0) error_ = error;
 }
 
-// A rename can replace a file, a link cannot, so the link gets a name of its own first.
+// A new file is given its own name at once, so that whoever is killed leaves nothing else behind.
+// A rename can replace a file, a link cannot: where there is one, the link is named beside it
+// first.
 void TemporaryFile::give_name() {
     const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
-    const fs::path name = name_beside(target_);
-    if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-        temporary_ = name;
-    } else {
-        fail(errno);
+    for (const fs::path& name : {target_, name_beside(target_)}) {
+        if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+            temporary_ = name;
+            return;
+        }
     }
+    fail(errno);
 }
 
 void TemporaryFile::commit() {
@@ -137,7 +140,10 @@ void TemporaryFile::commit() {
     if (error_ == 0 && temporary_.empty()) give_name();
     if (::close(descriptor_) != 0) fail(errno);  // a network's file system reports here
     descriptor_ = -1;
-    if (error_ == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    if (error_ == 0 && temporary_ != target_ &&
+        ::rename(temporary_.c_str(), target_.c_str()) != 0) {
+        fail(errno);
+    }
     if (error_ != 0) throw cannot_write(named_, cause_of(error_));
     temporary_.clear();
 }

@@ -1,4 +1,4 @@
-// A file written beside its final name and renamed when whole.
+// A file that gets its final name when whole.
 #pragma once
 
 #include <cstddef>
@@ -53,7 +53,7 @@ private:
 
     std::filesystem::path named_;      // as the caller named it, for messages
     std::filesystem::path target_;     // with symbolic links resolved
-    std::filesystem::path temporary_;  // the name beside it; empty while it has none
+    std::filesystem::path temporary_;  // the name it has; empty while it has none
     std::vector<std::byte> buffer_;
     int descriptor_ = -1;
     int error_ = 0;
