@@ -143,6 +143,8 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+// 0, which compilers cannot know: a loop that starts there is not unrolled, and compiled sooner.
+int loopStart() { return min(0, int(iSampleRate)); }
 
 vec2 turn(vec2 p, float angle) {
     float c = cos(angle), s = sin(angle);
@@ -713,14 +715,14 @@ float besideRing(vec3 ro, vec3 rd, float rim, float tMax) {
     float w2 = reach * reach - dot(ro, ro) + t0 * t0;
     if (w2 <= 0.0 || t0 + sqrt(w2) <= 0.0) return 1.0;
     float h = sqrt(w2) / 6.0, best = t0, least = 1e9;
-    for (int k = -5; k <= 5; k += 2) {   // the nearest of six points, then parabolas through three
+    for (int k = loopStart() - 5; k <= 5; k += 2) {   // the nearest of six, then parabolas
         float d2 = ringDistance2(ro + (t0 + h * float(k)) * rd);
         if (d2 < least) {
             least = d2;
             best = t0 + h * float(k);
         }
     }
-    for (int k = 0; k < 3; ++k) {
+    for (int k = loopStart(); k < 3; ++k) {
         float a = ringDistance2(ro + (best - h) * rd), b = ringDistance2(ro + (best + h) * rd);
         float bend = a - 2.0 * least + b, shift = bend > 1e-9 ? 0.5 * h * (a - b) / bend : 0.0;
         float next = clamp(best + shift, best - h, best + h);

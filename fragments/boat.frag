@@ -142,6 +142,8 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+// 0, which compilers cannot know: a loop that starts there is not unrolled, and compiled sooner.
+int loopStart() { return min(0, int(iSampleRate)); }
 
 vec2 turn(vec2 p, float angle) {
     float c = cos(angle), s = sin(angle);
@@ -430,7 +432,7 @@ void passSpray(Movers m, mat2x4 far, vec4 c, vec4 n, float y, float t) {
 // both ends tells the next one, and the end that stays halves its gap (Illinois).
 float crossing(Movers m0, Movers m1, float from, float fall, vec2 above, vec2 below) {
     float t = below.x;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = loopStart(); k < 4; ++k) {
         t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
         float f = from + t * fall - moversHeight(m0, t) - moversHeight(m1, t);
         if (f > 0.0) {
@@ -1163,7 +1165,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     vec3 clear = texture(air, vec2(turned, 0.75)).rgb, low = texture(air, vec2(turned, 0.2)).rgb;
     vec2 q = turn(rd.xz / (up + 0.05), 0.5) * vec2(0.055, 0.10) + 0.5;
     float sum = 0.0, weight = 0.5;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = loopStart(); i < 6; ++i) {
         sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
         q += 0.05 * sum;   // curls
         weight *= 0.55;
@@ -1180,7 +1182,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     light = mix(light, lid * (1.0 - 0.55 * smoothstep(0.42, 0.72, sum)), overcast);
     float shore = smoothstep(0.06, 0.16, abs(fract(uv.x - sunAngle / 360.0) - 0.5));
     float hills = 0.0;
-    for (int i = 0; i < 3; ++i) {   // each range nearer and darker than the one behind
+    for (int i = loopStart(); i < 3; ++i) {   // each range nearer and darker than the one behind
         float n = float(i), land = (0.085 - 0.026 * n) * ridge(fract(uv.x + 0.31 * n), 1 + i)
             + 0.020 * ridge(fract(3.0 * uv.x), 5 + i) + 0.007 * ridge(fract(9.0 * uv.x), 9 + i);
         // A texel is 0.18 degrees wide and far less high: a steep edge is as soft as it is wide, or
@@ -1203,14 +1205,14 @@ void mainSky(out vec4 colour, in vec2 pixel) {
 void mainMotif(out vec4 colour, in vec2 pixel) {
     vec2 unit = pixel / 512.0;
     float sum = 0.0, gain = 0.5, lace = 0.0;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = loopStart(); k < 6; ++k) {
         sum += gain * tiledNoise(unit, ivec2(4 << k), 81 + k);
         gain *= 0.5;
     }
-    for (int k = 0; k < 3; ++k) {   // walls between the cells of scattered points
+    for (int k = loopStart(); k < 3; ++k) {   // walls between the cells of scattered points
         int n = 14 << k;
         vec2 at = unit * float(n) + 1.2 * (sum - 0.5), c = floor(at), best = vec2(9.0);
-        for (int j = 0; j < 9; ++j) {
+        for (int j = loopStart(); j < 9; ++j) {
             ivec2 cell = ivec2(c) + ivec2(j % 3 - 1, j / 3 - 1);
             vec2 d = vec2(cell) + random3(ivec3((cell + n) % n, 91 + k)).xy - at;
             float far = length(d);
@@ -1235,7 +1237,7 @@ vec3 hullTarget(vec2 place, float heading, float back) {
         float hz = waveHz(w.xy), kept = floor(hz * animation * 65536.0) / 65536.0;
         float phase = worldPhase(w.xy, place) + fract(float(i) * 0.7548777) - cycles(hz);
         phase += kept * back;
-        for (int j = 0; j < 9; ++j) {
+        for (int j = loopStart(); j < 9; ++j) {
             vec2 at = vec2(float(j % 3 - 1) * 0.50, float(j / 3 - 1) * 1.35);
             float c = cos(2.0 * kPi * phase + dot(w.xy, at.x * port + at.y * ahead));
             float h = w.z * (c + crest() * (2.0 * c * c - 1.0)) / 9.0;
@@ -1378,7 +1380,7 @@ void mainWavelets(out vec4 colour, in vec2 pixel) {
     bool lens = pixel.x > 20.0;
     int group = lens ? int(pixel.x) - 20 : int(pixel.x) >> 2, kind = int(pixel.x) & 3;
     vec2 place = previousFrame(texelFetch(boat, ivec2(0), 0)).xy;
-    for (int c = 0; c < 4; ++c) {
+    for (int c = loopStart(); c < 4; ++c) {
         int i = 4 * group + c;
         vec3 w = waveOf(i);
         float phase = worldPhase(w.xy, place) + fract(float(i) * 0.7548777) - cycles(waveHz(w.xy));

@@ -153,12 +153,15 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 
+// 0, which compilers cannot know: a loop that starts there is not unrolled, and compiled sooner.
+int loopStart() { return min(0, int(iSampleRate)); }
+
 // A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8
 // ... pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020).
 // What it leaves of an error is the finest grain, and no net as of a lattice.
 float shuffledQuarters(ivec2 p) {
     float sum = 0.0, part = 0.25;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = loopStart(); k < 6; ++k) {
         uvec3 r = hash3(ivec3(p >> 1, 60 + k)) >> 8u;   // one of the 24 orders of four
         int a = p.x & 1, b = p.y & 1, kind = int(r.x % 3u);
         int high = kind == 0 ? a : kind == 1 ? b : a ^ b, low = kind == 0 ? b : a;
@@ -233,7 +236,7 @@ float smoothMax(float a, float b, float k) {
 // Height of the floor at (x, z) from the wreck, -kTile / 2 to kTile / 2, and how much it is rock.
 vec2 floorShape(vec2 p) {
     float wide = 0.5 * wideRelief * floorNoise(p, 64.0, 1), fine = 0.0, gain = 0.5 * fineRelief;
-    for (int k = 0; k < 5; ++k) {   // down to four texels
+    for (int k = loopStart(); k < 5; ++k) {   // down to four texels
         fine += gain * floorNoise(p, 16.0 * exp2(float(-k)), 2 + k);
         gain *= 0.42;
     }
@@ -289,7 +292,7 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
     }
     if (below.x < 0.0) return -1.0;
     float f = 1.0;
-    for (int k = 0; k < 4 && abs(f) > 1e-5; ++k) {   // m
+    for (int k = loopStart(); k < 4 && abs(f) > 1e-5; ++k) {   // m
         float s = mix(above.x, below.x, above.y / max(above.y - below.y, 1e-20));
         f = ro.y + s * rd.y - groundHeight(ro.xz + s * rd.xz);
         if (f > 0.0) {
@@ -606,7 +609,7 @@ float plantCover(float u, float v, float tall, float swing, float seed, float w)
     u -= swing * up * sqrt(max(up, 0.0)) + 0.12 * sin(2.1 * v + seed) * up;
     sum = overlap(u, w, -0.022, 0.022) * step(v, tall);
     float keep = clamp(2.0 - w / gapV, 0.0, 1.0);   // far off blades become an even veil
-    for (int k = 0; k < 4; ++k) {
+    for (int k = loopStart(); k < 4; ++k) {
         float blade = floor(rows) - float(k), y = (rows - blade) * gapV, size = 1.35 - 0.6 * up;
         float s = clamp(y / size, 0.0, 1.0), side = mod(blade, 2.0) * 2.0 - 1.0;
         float at = side * (0.55 * s * (1.35 - 0.5 * s)
@@ -887,7 +890,7 @@ vec3 bellLight(vec3 f, vec3 d, vec3 rd, vec4 jelly, vec2 size, float t0, float p
     vec3 light = vec3(0.0), closest = f + t0 * d;
     float reach2 = dot(d, d), depth2 = 1.0 - dot(closest, closest);
     float w = pixel * max(t0, 0.0), part = w / jelly.w;   // of the bell in a pixel
-    for (int j = -1; j < 2; j += 2) {
+    for (int j = loopStart() - 1; j < 2; j += 2) {
         float t = t0 + float(j) * sqrt(max(depth2, 0.0) / reach2);
         vec3 q = f + t * d;
         float rim = smoothstep(-0.03 - part, 0.03 + part,
@@ -910,7 +913,7 @@ vec3 bellLight(vec3 f, vec3 d, vec3 rd, vec4 jelly, vec2 size, float t0, float p
 // pixel, m.
 float armsCover(int k, vec4 jelly, float u, float s, float wide, float squeeze) {
     float strands = 0.0;
-    for (int j = 0; j < 10; ++j) {
+    for (int j = loopStart(); j < 10; ++j) {
         bool arm = j < 4;
         float place = arm ? 0.16 * (float(j) - 1.5) : 0.28 * (float(j - 4) - 2.5);
         float tall = arm ? 2.6 : 4.6 + 1.1 * sin(2.3 * float(j + k));

@@ -143,6 +143,8 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+// 0, which compilers cannot know: a loop that starts there is not unrolled, and compiled sooner.
+int loopStart() { return min(0, int(iSampleRate)); }
 
 vec2 turn(vec2 p, float angle) {
     float c = cos(angle), s = sin(angle);
@@ -296,7 +298,7 @@ float hitSea(vec3 ro, vec3 rd, float pixel, float tMax) {
         t = min(t + (march == 0 ? max(max(far, far0), least) : even), leave);
     }
     if (below.x < 0.0) return ahead ? above.x : -1.0;   // out of steps: nearly there
-    for (int k = 0; k < 4; ++k) {
+    for (int k = loopStart(); k < 4; ++k) {
         t = mix(above.x, below.x, clamp(above.y / max(above.y - below.y, 1e-20), 0.02, 0.98));
         float f = ro.y + t * rd.y - moversHeight(m0, t) - moversHeight(m1, t);
         if (f > 0.0) {
@@ -653,7 +655,7 @@ vec3 airExtinction(vec3 density) {
 vec3 airTransmittance(float y0, float s, int steps) {
     float far = airLength(y0, s);
     vec3 sum = vec3(0.0);
-    for (int k = 0; k < steps; ++k) {   // finer near the start, where air is dense
+    for (int k = loopStart(); k < steps; ++k) {   // finer near the start, where air is dense
         float a = square(float(k) / float(steps)), b = square(float(k + 1) / float(steps));
         sum += airExtinction(airDensity(max(airHeight(y0, s, 0.5 * (a + b) * far), 0.0))) * (b - a);
     }
@@ -679,7 +681,7 @@ float cloudCover(vec3 rd, float width) {
     float y = max(rd.y, 0.01) + 0.04, w = 1.6 * width / (y * sqrt(y));   // both axes' mean
     vec2 p = rd.xz / y * vec2(1.1, 2.2) + vec2(256.0 * cycles(0.0003), 64.0);
     float sum = 0.0, gain = 0.5;
-    for (int k = 0; k < 5; ++k) {
+    for (int k = loopStart(); k < 5; ++k) {
         float keep = clamp(1.3 - w * exp2(float(k)), 0.0, 1.0);
         if (keep <= 0.0) {   // the rest averages to half
             sum += gain;

@@ -147,6 +147,8 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+// 0, which compilers cannot know: a loop that starts there is not unrolled, and compiled sooner.
+int loopStart() { return min(0, int(iSampleRate)); }
 
 vec2 turn(vec2 p, float angle) {
     float c = cos(angle), s = sin(angle);
@@ -514,14 +516,14 @@ vec3 background(vec3 rd, float cone) {
 float besideAll(vec3 p, vec3 rd, float tMax, float spread, bool high) {
     float free = 1.0, across = max(dot(rd.xz, rd.xz), 1e-6);
     if (columns)
-        for (int i = 0; i < 6; ++i) {
+        for (int i = loopStart(); i < 6; ++i) {
             vec2 to = columnPlace(i) - p.xz;
             float t = dot(to, rd.xz) / across, soft = max(spread * t, 0.003), y = p.y + t * rd.y;
             float away = length(to - t * rd.xz) - (y < kFootTop ? kFoot : kShaft);
             if (t > 0.0 && t < tMax && y < kColumnTop) free *= smoothstep(-soft, soft, away);
         }
     if (columns && high)
-        for (int i = 0; i < 2; ++i) {   // the ray at their height
+        for (int i = loopStart(); i < 2; ++i) {   // the ray at their height
             float t = (kColumnTop + kBeamHalf.y - p.y) / max(rd.y, 1e-3), soft = spread * t;
             vec2 q = abs(p.xz + t * rd.xz - vec2(columnPlace(i).x, columnPlace(2).y));
             vec2 reach = kBeamHalf.xz + kBeamHalf.y * abs(rd.xz) / max(rd.y, 0.05);
@@ -556,7 +558,7 @@ float gathered(vec2 p, float down, vec3 light, mat2 byslope, out vec2 entry) {
     vec2 calm = light.xz / -light.y;
     entry = p - down * calm;
     if (caustics <= 0.0) return 1.0;
-    for (int i = 0; i < 2; ++i) entry = p - down * (calm + byslope * waterSlope(entry));
+    for (int i = loopStart(); i < 2; ++i) entry = p - down * (calm + byslope * waterSlope(entry));
     vec3 second = waterBend(entry);
     mat2 j = mat2(1.0) + down * byslope * mat2(second.xy, second.yz);
     float area = abs(j[0][0] * j[1][1] - j[0][1] * j[1][0]);
@@ -1029,7 +1031,7 @@ float windStreaks(vec3 rd, float v) {
     float up = v * v, weight = 0.5, sum = 0.0, dv = 2.0 / iResolution.y;
     vec2 q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.013, 0.060) + 0.5;
     float row = 0.055 * 2.0 * abs(v) * dv / square(up + 0.004);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = loopStart(); i < 6; ++i) {
         float keep = clamp(1.4 - row * float(6 << i), 0.0, 1.0);
         sum += weight * keep * (tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 50 + i) - 0.5);
         q += 0.04 * sum;
@@ -1067,7 +1069,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     // Clouds on a flat layer, drawn out along the wind.
     vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
     float sum = 0.0, weight = 0.5;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = loopStart(); i < 6; ++i) {
         sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
         q += 0.05 * sum;   // curls
         weight *= 0.55;
@@ -1311,7 +1313,7 @@ void mainFloats(out vec4 colour, in vec2 pixel) {
     float a = 2.0 * kPi * (r.y + cycles(0.015625) * (k % 3 == 0 ? -1.0 : 1.0));
     vec2 p = home + 0.16 * vec2(sin(a), cos(a));
     float radius = mix(0.13, 0.19, r.z), height = 0.0;
-    for (int i = 0; i < 4; ++i)   // it does not follow what is shorter than itself
+    for (int i = loopStart(); i < 4; ++i)   // it does not follow what is shorter than itself
         height += 0.25 * waterHeight(p + radius * vec2((i & 1) * 2 - 1, (i & 2) - 1));
     colour = vec4(p.x, height + 0.45 * radius, p.y, radius);
 }
