@@ -84,16 +84,32 @@ Renderer::~Renderer() {
     glUseProgram(0);
 }
 
-BufferShape Renderer::wanted_shape(std::size_t index) const {
-    const std::size_t wanted = scene_.programs[index].pass;
+bool Renderer::make_ahead(const CompiledScene& other) {
+    for (std::size_t i = 0; i < other.programs.size(); ++i) {
+        const std::size_t pass = other.programs[i].pass;
+        const std::string name = pass_name(preset_.scene, pass);
+        const auto is_same = [&](const PassProgram& own) { return own.pass == pass; };
+        if (parked_.contains(name) || std::ranges::any_of(scene_.programs, is_same)) continue;
+        const WantedBuffer wanted{name, wanted_shape(other, i)};
+        require_memory({&wanted, 1});
+        auto buffer = std::make_unique<Buffer>(wanted.shape);
+        require_room(*buffer, name);
+        parked_[name] = {std::move(buffer), 0};
+        return true;
+    }
+    return false;
+}
+
+BufferShape Renderer::wanted_shape(const CompiledScene& scene, std::size_t index) const {
+    const std::size_t wanted = scene.programs[index].pass;
     const bool whole = options_.tile == glm::ivec2(0);
     BufferShape shape{.size = whole ? options_.size : options_.tile + 2,  // 2: see set_tile()
                       .format = options_.picture_format};
     if (fills_a_buffer(wanted)) {
         shape = shape_of(preset_.scene.passes[wanted], options_.size,
-                         scene_.graph.passes[index].feedback);
+                         scene.graph.passes[index].feedback);
     }
-    for (const PassProgram& reader : scene_.programs) {
+    for (const PassProgram& reader : scene.programs) {
         for (const SamplerUniform& uniform : reader.samplers) {
             const Sampler& sampler = sampler_at(preset_, uniform.sampler);
             shape.mipmaps |= sampler.source == Source::buffer && sampler.pass == wanted &&

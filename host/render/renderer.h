@@ -115,6 +115,10 @@ public:
     // images, so that a reload loses nothing. Buffers that this scene does not draw are kept for
     // one that does. `previous` may draw again only after it has adopted them back.
     void adopt(Renderer& previous);
+    // Makes a buffer that other programs of the same text fill and those here do not, for a
+    // renderer of theirs that takes over from this one. False when there is none left to make.
+    // Throws std::runtime_error where there is no room for it.
+    bool make_ahead(const CompiledScene& other);
 
     // What it drew, for another one: nothing is drawn here any more.
     CompiledScene take_scene() { return std::move(scene_); }
@@ -260,7 +264,8 @@ private:
     Value channel_value(const BuiltinUniform& uniform, std::size_t pass, double time) const;
     glm::ivec3 channel_size(std::size_t pass, int channel) const;
     float channel_time(std::size_t pass, int channel, double time) const;
-    BufferShape wanted_shape(std::size_t index) const;
+    BufferShape wanted_shape(std::size_t index) const { return wanted_shape(scene_, index); }
+    BufferShape wanted_shape(const CompiledScene& scene, std::size_t index) const;
 
     const Preset& preset_;
     std::vector<TweakValue> built_values_, values_;  // those of the constants; now

@@ -108,6 +108,19 @@ TEST_F(Maps, OfTheOneBeforeAreTakenInsteadOfMadeAnew) {
     EXPECT_EQ(after.draw(), kAll);
 }
 
+TEST_F(Maps, OfFedProgramsAreMadeAheadWhereConstantsHaveNoUseForThem) {
+    const std::vector<std::pair<std::string, std::string>> edits{
+        {"tint * texture(clouds, p)", "(tint < 0.5 ? vec4(tint) : texture(clouds, p))"}};
+    Drawn before(folder_, kConstants, edits), after(folder_, kFed, edits);
+    EXPECT_EQ(before.draw(), (Names{"land", "light", "image"}));
+    EXPECT_TRUE(before.renderer->make_ahead(after.renderer->scene()));
+    EXPECT_FALSE(before.renderer->make_ahead(after.renderer->scene()));
+    const Texture made_later = make_texture_2d(GL_R8, {1, 1});
+    after.make_after(before);
+    EXPECT_LT(after.renderer->buffer(2).texture(0), made_later.id());
+    EXPECT_EQ(after.draw(), kRest);
+}
+
 TEST_F(Maps, AreDrawnForTweaksThatTheyReadAlone) {
     Drawn constants(folder_, kConstants), fed(folder_, kFed);
     constants.draw();

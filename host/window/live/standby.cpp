@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ranges>
+#include <stdexcept>
 
 namespace glint {
 namespace {
@@ -57,6 +58,7 @@ void Standby::follow(ProgramShelf& shelf, Renderer& shown) {
             refuse();
         }
     }
+    if (state_ == State::ready && scene_ && !has_buffers_) return make_buffer(shown);
     if (state_ != State::loading) return;
     if (loader_.is_loading()) return loader_.step(shelf, &shown);
     CompileResult compiled =
@@ -64,6 +66,15 @@ void Standby::follow(ProgramShelf& shelf, Renderer& shown) {
     if (!compiled.scene) return refuse();
     scene_ = std::move(*compiled.scene);
     state_ = State::ready;
+    has_buffers_ = false;
+}
+
+void Standby::make_buffer(Renderer& shown) {
+    try {
+        has_buffers_ = !shown.make_ahead(*scene_);
+    } catch (const std::runtime_error&) {
+        has_buffers_ = true;  // whoever draws them is told
+    }
 }
 
 bool Standby::draws(const Preset& preset, const ProgramShelf& shelf) const {

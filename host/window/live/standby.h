@@ -56,6 +56,7 @@ public:
 private:
     void start();
     void refuse();
+    void make_buffer(Renderer& shown);
 
     enum class State { none, compiling, loading, ready, refused };
     State state_ = State::none;
@@ -67,6 +68,7 @@ private:
     double time_ = 0.0;
     std::vector<PassTrial> passes_;  // that they draw
     std::optional<CompiledScene> scene_;
+    bool has_buffers_ = false;  // those that it fills and the shown one does not
 };
 
 }  // namespace glint
