@@ -136,13 +136,15 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
+// 0, which compilers cannot know: a loop that starts there is not unrolled, and compiled sooner.
+int loopStart() { return min(0, int(iSampleRate)); }
 
 // A number from 0 to 1 for each pixel, nearly evenly apart among those of every square of 2, 4, 8
 // ... pixels: quarters of quarters in an order by chance (Ahmed and Wonka, ACM TOG 39(6), 2020).
 // What it leaves of an error is the finest grain, and no net as of a lattice.
 float shuffledQuarters(ivec2 p) {
     float sum = 0.0, part = 0.25;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = loopStart(); k < 6; ++k) {
         uvec3 r = hash3(ivec3(p >> 1, 60 + k)) >> 8u;   // one of the 24 orders of four
         int a = p.x & 1, b = p.y & 1, kind = int(r.x % 3u);
         int high = kind == 0 ? a : kind == 1 ? b : a ^ b, low = kind == 0 ? b : a;
