@@ -1165,7 +1165,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     vec3 clear = texture(air, vec2(turned, 0.75)).rgb, low = texture(air, vec2(turned, 0.2)).rgb;
     vec2 q = turn(rd.xz / (up + 0.05), 0.5) * vec2(0.055, 0.10) + 0.5;
     float sum = 0.0, weight = 0.5;
-    for (int i = loopStart(); i < 6; ++i) {
+    for (int i = 0; i < 6; ++i) {
         sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
         q += 0.05 * sum;   // curls
         weight *= 0.55;
@@ -1182,7 +1182,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     light = mix(light, lid * (1.0 - 0.55 * smoothstep(0.42, 0.72, sum)), overcast);
     float shore = smoothstep(0.06, 0.16, abs(fract(uv.x - sunAngle / 360.0) - 0.5));
     float hills = 0.0;
-    for (int i = loopStart(); i < 3; ++i) {   // each range nearer and darker than the one behind
+    for (int i = 0; i < 3; ++i) {   // each range nearer and darker than the one behind
         float n = float(i), land = (0.085 - 0.026 * n) * ridge(fract(uv.x + 0.31 * n), 1 + i)
             + 0.020 * ridge(fract(3.0 * uv.x), 5 + i) + 0.007 * ridge(fract(9.0 * uv.x), 9 + i);
         // A texel is 0.18 degrees wide and far less high: a steep edge is as soft as it is wide, or
@@ -1205,14 +1205,14 @@ void mainSky(out vec4 colour, in vec2 pixel) {
 void mainMotif(out vec4 colour, in vec2 pixel) {
     vec2 unit = pixel / 512.0;
     float sum = 0.0, gain = 0.5, lace = 0.0;
-    for (int k = loopStart(); k < 6; ++k) {
+    for (int k = 0; k < 6; ++k) {
         sum += gain * tiledNoise(unit, ivec2(4 << k), 81 + k);
         gain *= 0.5;
     }
-    for (int k = loopStart(); k < 3; ++k) {   // walls between the cells of scattered points
+    for (int k = 0; k < 3; ++k) {   // walls between the cells of scattered points
         int n = 14 << k;
         vec2 at = unit * float(n) + 1.2 * (sum - 0.5), c = floor(at), best = vec2(9.0);
-        for (int j = loopStart(); j < 9; ++j) {
+        for (int j = 0; j < 9; ++j) {
             ivec2 cell = ivec2(c) + ivec2(j % 3 - 1, j / 3 - 1);
             vec2 d = vec2(cell) + random3(ivec3((cell + n) % n, 91 + k)).xy - at;
             float far = length(d);

@@ -236,7 +236,7 @@ float smoothMax(float a, float b, float k) {
 // Height of the floor at (x, z) from the wreck, -kTile / 2 to kTile / 2, and how much it is rock.
 vec2 floorShape(vec2 p) {
     float wide = 0.5 * wideRelief * floorNoise(p, 64.0, 1), fine = 0.0, gain = 0.5 * fineRelief;
-    for (int k = loopStart(); k < 5; ++k) {   // down to four texels
+    for (int k = 0; k < 5; ++k) {   // down to four texels
         fine += gain * floorNoise(p, 16.0 * exp2(float(-k)), 2 + k);
         gain *= 0.42;
     }

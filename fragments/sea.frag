@@ -655,7 +655,7 @@ vec3 airExtinction(vec3 density) {
 vec3 airTransmittance(float y0, float s, int steps) {
     float far = airLength(y0, s);
     vec3 sum = vec3(0.0);
-    for (int k = loopStart(); k < steps; ++k) {   // finer near the start, where air is dense
+    for (int k = 0; k < steps; ++k) {   // finer near the start, where air is dense
         float a = square(float(k) / float(steps)), b = square(float(k + 1) / float(steps));
         sum += airExtinction(airDensity(max(airHeight(y0, s, 0.5 * (a + b) * far), 0.0))) * (b - a);
     }

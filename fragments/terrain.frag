@@ -142,8 +142,6 @@ uvec3 hash3(ivec3 q) {
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
-// 0, which compilers cannot know: a loop that starts there is not unrolled, and compiled sooner.
-int loopStart() { return min(0, int(iSampleRate)); }
 vec2 turn(vec2 p, float angle) {
     float c = cos(angle), s = sin(angle);
     return vec2(c * p.x + s * p.y, c * p.y - s * p.x);
@@ -221,7 +219,7 @@ vec3 bareLand(vec2 p) {
     vec2 acrossX = vec2(1.0 + bx.x / 31.0, bz.x / 31.0);
     vec2 acrossZ = vec2(bx.y / 31.0, 1.0 + bz.y / 31.0);
     vec3 hills = vec3(0.0, 0.0, -12.5);
-    for (int k = loopStart(); k < 8; ++k) {
+    for (int k = 0; k < 8; ++k) {
         vec3 chance = random3(ivec3(k, landscape, 9));
         vec4 hill = kHills[k];
         if (landscape > 0) hill.xy = 2.2 * chance.xy - 1.1;
@@ -397,7 +395,7 @@ vec3 airExtinction(vec3 density) {
 vec3 airTransmittance(float y0, float s, int steps) {
     float far = airLength(y0, s);
     vec3 sum = vec3(0.0);
-    for (int k = loopStart(); k < steps; ++k) {   // finer near the start, where air is dense
+    for (int k = 0; k < steps; ++k) {   // finer near the start, where air is dense
         float a = square(float(k) / float(steps)), b = square(float(k + 1) / float(steps));
         sum += airExtinction(airDensity(max(airHeight(y0, s, 0.5 * (a + b) * far), 0.0))) * (b - a);
     }

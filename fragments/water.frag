@@ -1031,7 +1031,7 @@ float windStreaks(vec3 rd, float v) {
     float up = v * v, weight = 0.5, sum = 0.0, dv = 2.0 / iResolution.y;
     vec2 q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.013, 0.060) + 0.5;
     float row = 0.055 * 2.0 * abs(v) * dv / square(up + 0.004);
-    for (int i = loopStart(); i < 6; ++i) {
+    for (int i = 0; i < 6; ++i) {
         float keep = clamp(1.4 - row * float(6 << i), 0.0, 1.0);
         sum += weight * keep * (tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 50 + i) - 0.5);
         q += 0.04 * sum;
@@ -1069,7 +1069,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     // Clouds on a flat layer, drawn out along the wind.
     vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
     float sum = 0.0, weight = 0.5;
-    for (int i = loopStart(); i < 6; ++i) {
+    for (int i = 0; i < 6; ++i) {
         sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
         q += 0.05 * sum;   // curls
         weight *= 0.55;
