@@ -419,7 +419,9 @@ vec3 cellColours(sampler2D at, sampler2D pairs, float size, vec2 cell, vec2 fram
     vec2 home0 = wrapped(cell, count), aside = vec2(0.0);
     vec2 home1 = home0 + 1.0 - count * step(count, home0 + 1.0);
     if (method == kPhotons) aside = texels / count * photonStart(ivec2(home0), number);
-    for (int j = 0; j < (method == kPhotons ? 1 : 4); ++j) {
+    // Of photons the first alone counts; but in a loop of a length that is not known, the arrays would
+    // stand in memory instead of registers, at twice the time of a frame whose tweaks are fed.
+    for (int j = 0; j < 4; ++j) {
         vec2 corner = vec2(j & 1, j >> 1), from = mix(home0, home1, corner) + count * frame;
         vec2 place = ((cell + corner) * texels - spot * count) / count + aside;   // exact
         middle[j] = fetch(at, from, size);
