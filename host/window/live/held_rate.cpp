@@ -110,6 +110,8 @@ bool HeldRate::hear(double frame_ms) {
     }
     before_ms_ = 0.0;
     if (ms > kWorse * lowest_ms_) lowest_ = kShares.size() - 1;
+    // Slow here, too: what spoilt the step up is a busy machine, not the share.
+    if (ms > kWorse * refused_ms_[at_]) refused_ms_[at_] = 0.0;
     if (ms > wanted_ms_) return go_down(ms);
     roomy_ = place_above(ms) < at_ ? roomy_ + 1 : 0;
     return roomy_ >= patience_ && go_up(ms);

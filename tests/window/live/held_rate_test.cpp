@@ -148,6 +148,21 @@ TEST(HeldRate, WhenACompilerIsDoneTheLargestShareIsBackWithinTwoSeconds) {
     }
 }
 
+// Deep_ocean: somebody took a screenshot just after a step up, and it stayed at an eighth.
+TEST(HeldRate, AStepUpThatABusyMachineSpoiltIsTakenAgain) {
+    HeldRate rate;
+    rate.begin(450.0, 0.0, kWanted);
+    const auto alone = [](double share) { return 15.0 + 360.0 * share * share; };
+    const auto busy = [&](double share) { return 2.0 * alone(share) + 20.0; };
+    play(rate, 20, [&](double share) { return alone(share) + 45.0; });
+    EXPECT_EQ(rate.share(), HeldRate::kShares.back());
+    while (rate.share() == HeldRate::kShares.back()) rate.hear(alone(rate.share()));
+    play(rate, 20, busy);
+    EXPECT_EQ(rate.share(), HeldRate::kShares.back());
+    play(rate, 200, alone);
+    EXPECT_EQ(rate.share(), 0.25);
+}
+
 TEST(HeldRate, PixelsThatWereGivenUpCountAgainWhenFramesGrowSlower) {
     HeldRate rate;
     rate.begin(0.0, 0.0, kWanted);
