@@ -12,8 +12,10 @@
 namespace glint {
 namespace {
 
-constexpr const char* kShow = R"(#version 300 es
-precision highp float;
+// llvmpipe takes every branch: a view that changes nothing has a program without them.
+constexpr const char* kPlain = "#version 300 es\n#define PLAIN\n";
+constexpr const char* kAnyView = "#version 300 es\n";
+constexpr const char* kShow = R"(precision highp float;
 uniform highp sampler2D shown;
 uniform vec4 area;      // origin and size of the picture on the screen, pixels
 uniform int channel;
@@ -31,6 +33,9 @@ void main() {
         return;
     }
     vec4 v = texture(shown, uv);
+#ifdef PLAIN
+    colour = vec4(v.rgb, 1.0);
+#else
     if (markNotFinite) {
         vec4 exact = texelFetch(shown, ivec2(uv * vec2(textureSize(shown, 0))), 0);
         if (isNotFinite(exact.r) || isNotFinite(exact.g) || isNotFinite(exact.b) || isNotFinite(exact.a)) {
@@ -42,8 +47,15 @@ void main() {
     c *= gain;
     if (toneCurve) c = max(c, 0.0) / (1.0 + max(c, 0.0));
     colour = vec4(c, 1.0);
+#endif
 }
 )";
+
+Program make_show(const char* kind) {
+    LinkedProgram linked = make_program(kind + std::string(kShow));
+    if (!linked.program) throw std::runtime_error("The viewer's shader fails: " + linked.log);
+    return std::move(linked.program);
+}
 
 SamplerObject make_sampler(GLint filter) {
     GLuint id = 0;
@@ -110,11 +122,8 @@ glm::vec4 displayed(const BufferView& view, const glm::vec4& value) {
 Viewer::Viewer()
     : vertex_array_(make_vertex_array()),
       nearest_(make_sampler(GL_NEAREST)),
-      linear_(make_sampler(GL_LINEAR)) {
-    LinkedProgram linked = make_program(kShow);
-    if (!linked.program) throw std::runtime_error("The viewer's shader fails: " + linked.log);
-    program_ = std::move(linked.program);
-}
+      linear_(make_sampler(GL_LINEAR)),
+      plain_(make_show(kPlain)) {}
 
 glm::dvec2 Viewer::fraction_at(glm::dvec2 point, glm::ivec2 buffer_size, const BufferView& view,
                                const ScreenArea& area) {
@@ -132,13 +141,16 @@ void Viewer::show(const Buffer& buffer, const BufferView& view, const ScreenArea
     }
     if (buffer.shape().cube) return;  // no plane to show
     const Placed placed = place(size, view, area);
+    // Most windows never need it.
+    if (!view.is_plain() && !any_view_) any_view_ = make_show(kAnyView);
+    const Program& program = view.is_plain() ? plain_ : any_view_;
     const auto location = [&](const char* name) {
-        return glGetUniformLocation(program_.id(), name);
+        return glGetUniformLocation(program.id(), name);
     };
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(area.origin.x, area.origin.y, area.size.x, area.size.y);
     glBindVertexArray(vertex_array_.id());
-    glUseProgram(program_.id());
+    glUseProgram(program.id());
     glUniform4f(location("area"), static_cast<float>(placed.origin.x),
                 static_cast<float>(placed.origin.y), static_cast<float>(placed.size.x),
                 static_cast<float>(placed.size.y));

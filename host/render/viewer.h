@@ -60,9 +60,9 @@ public:
                                   const ScreenArea& area);
 
 private:
-    Program program_;
     VertexArray vertex_array_;
     SamplerObject nearest_, linear_;
+    Program plain_, any_view_;  // the second once a view is not plain
 };
 
 }  // namespace glint
