@@ -12,10 +12,8 @@
 namespace glint {
 namespace {
 
-// llvmpipe takes every branch: a view that changes nothing has a program without them.
-constexpr const char* kPlain = "#version 300 es\n#define PLAIN\n";
-constexpr const char* kAnyView = "#version 300 es\n";
-constexpr const char* kShow = R"(precision highp float;
+constexpr const char* kShow = R"(#version 300 es
+precision highp float;
 uniform highp sampler2D shown;
 uniform vec4 area;      // origin and size of the picture on the screen, pixels
 uniform int channel;
@@ -33,9 +31,6 @@ void main() {
         return;
     }
     vec4 v = texture(shown, uv);
-#ifdef PLAIN
-    colour = vec4(v.rgb, 1.0);
-#else
     if (markNotFinite) {
         vec4 exact = texelFetch(shown, ivec2(uv * vec2(textureSize(shown, 0))), 0);
         if (isNotFinite(exact.r) || isNotFinite(exact.g) || isNotFinite(exact.b) || isNotFinite(exact.a)) {
@@ -47,12 +42,11 @@ void main() {
     c *= gain;
     if (toneCurve) c = max(c, 0.0) / (1.0 + max(c, 0.0));
     colour = vec4(c, 1.0);
-#endif
 }
 )";
 
-Program make_show(const char* kind) {
-    LinkedProgram linked = make_program(kind + std::string(kShow));
+Program make_show() {
+    LinkedProgram linked = make_program(kShow);
     if (!linked.program) throw std::runtime_error("The viewer's shader fails: " + linked.log);
     return std::move(linked.program);
 }
@@ -67,12 +61,15 @@ SamplerObject make_sampler(GLint filter) {
     return SamplerObject(id);
 }
 
+}  // namespace
+
 // Where the whole buffer lies on the screen, perhaps beyond the area: origin and size, pixels.
-struct Placed {
+struct Viewer::Placed {
     glm::dvec2 origin, size;
 };
 
-Placed place(glm::ivec2 buffer_size, const BufferView& view, const ScreenArea& area) {
+Viewer::Placed Viewer::place(glm::ivec2 buffer_size, const BufferView& view,
+                             const ScreenArea& area) {
     const glm::dvec2 room(area.size), pixels(buffer_size);
     const double zoom =
         view.zoom > 0.0 ? view.zoom : std::min(room.x / pixels.x, room.y / pixels.y);
@@ -80,8 +77,6 @@ Placed place(glm::ivec2 buffer_size, const BufferView& view, const ScreenArea& a
     const glm::dvec2 centre = view.zoom > 0.0 ? view.centre : glm::dvec2(0.5);
     return {glm::dvec2(area.origin) + room * 0.5 - centre * size, size};
 }
-
-}  // namespace
 
 BufferStatistics statistics(std::span<const float> rgba) {
     BufferStatistics result;
@@ -122,8 +117,7 @@ glm::vec4 displayed(const BufferView& view, const glm::vec4& value) {
 Viewer::Viewer()
     : vertex_array_(make_vertex_array()),
       nearest_(make_sampler(GL_NEAREST)),
-      linear_(make_sampler(GL_LINEAR)),
-      plain_(make_show(kPlain)) {}
+      linear_(make_sampler(GL_LINEAR)) {}
 
 glm::dvec2 Viewer::fraction_at(glm::dvec2 point, glm::ivec2 buffer_size, const BufferView& view,
                                const ScreenArea& area) {
@@ -132,25 +126,33 @@ glm::dvec2 Viewer::fraction_at(glm::dvec2 point, glm::ivec2 buffer_size, const B
 }
 
 void Viewer::show(const Buffer& buffer, const BufferView& view, const ScreenArea& area) {
-    const glm::ivec2 size = buffer.shape().size;
-    if (view.is_plain() && view.output == 0 && size == area.size && !buffer.shape().cube) {
-        glBlitNamedFramebuffer(buffer.front_framebuffer(), 0, 0, 0, size.x, size.y, area.origin.x,
-                               area.origin.y, area.origin.x + size.x, area.origin.y + size.y,
-                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        return;
-    }
     if (buffer.shape().cube) return;  // no plane to show
-    const Placed placed = place(size, view, area);
-    // Most windows never need it.
-    if (!view.is_plain() && !any_view_) any_view_ = make_show(kAnyView);
-    const Program& program = view.is_plain() ? plain_ : any_view_;
+    const Placed placed = place(buffer.shape().size, view, area);
+    if (view.is_plain() && view.output == 0)
+        copy(buffer, placed);
+    else
+        draw(buffer, view, area, placed);
+}
+
+// A reduced resolution is smoothed over.
+void Viewer::copy(const Buffer& buffer, const Placed& placed) const {
+    const glm::ivec2 size = buffer.shape().size;
+    const glm::ivec2 from(glm::round(placed.origin)), to(glm::round(placed.origin + placed.size));
+    glBlitNamedFramebuffer(buffer.front_framebuffer(), 0, 0, 0, size.x, size.y, from.x, from.y,
+                           to.x, to.y, GL_COLOR_BUFFER_BIT,
+                           to - from == size ? GL_NEAREST : GL_LINEAR);
+}
+
+void Viewer::draw(const Buffer& buffer, const BufferView& view, const ScreenArea& area,
+                  const Placed& placed) {
+    if (!program_) program_ = make_show();  // most windows never need it
     const auto location = [&](const char* name) {
-        return glGetUniformLocation(program.id(), name);
+        return glGetUniformLocation(program_.id(), name);
     };
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(area.origin.x, area.origin.y, area.size.x, area.size.y);
     glBindVertexArray(vertex_array_.id());
-    glUseProgram(program.id());
+    glUseProgram(program_.id());
     glUniform4f(location("area"), static_cast<float>(placed.origin.x),
                 static_cast<float>(placed.origin.y), static_cast<float>(placed.size.x),
                 static_cast<float>(placed.size.y));

@@ -60,9 +60,15 @@ public:
                                   const ScreenArea& area);
 
 private:
+    struct Placed;
+    static Placed place(glm::ivec2 buffer_size, const BufferView& view, const ScreenArea& area);
+    void copy(const Buffer& buffer, const Placed& placed) const;
+    void draw(const Buffer& buffer, const BufferView& view, const ScreenArea& area,
+              const Placed& placed);
+
     VertexArray vertex_array_;
     SamplerObject nearest_, linear_;
-    Program plain_, any_view_;  // the second once a view is not plain
+    Program program_;  // once a view is not plain
 };
 
 }  // namespace glint

@@ -36,11 +36,14 @@ protected:
     bool becomes_unsaved(bool unsaved) const {
         return eventually([&] { return screen_->title().ends_with(" * - Glint") == unsaved; });
     }
-    // Key by key, each when what the one before has brought is there.
+    // The first key opens a dialog; then key by key, each when what the one before has brought is
+    // there.
     void answer(const std::vector<std::string>& keys) {
-        for (const std::string& key : keys) {
+        screen_->tap(keys.front());
+        EXPECT_TRUE(eventually([&] { return pixel().b < 255; })) << "a dialog dims the picture";
+        for (std::size_t i = 1; i < keys.size(); ++i) {
             settle();
-            screen_->tap(key);
+            screen_->tap(keys[i]);
         }
     }
     Colour change() {

@@ -21,17 +21,31 @@ constexpr double kWorse = 1.5;
 // the wanted time a larger share is tried even if it should be too slow by its pixels; again only
 // once frames take so much less than before the last try.
 constexpr double kTry = 0.6, kBetter = 0.8;
+// Of the wanted time, what a scene always has: below it, fewer pixels help a large window no more.
+constexpr double kLeastRoom = 0.2;
 constexpr int kPatience = 12, kMostPatience = 640, kSoon = 60;  // frames
+
+void keep_last(std::vector<double>& heard, double ms) {
+    heard.push_back(ms);
+    if (heard.size() > kHeard) heard.erase(heard.begin());
+}
 
 }  // namespace
 
-void HeldRate::begin(double full_ms, double last_share, double wanted_ms) {
+void HeldRate::begin(Cost full, double last_share, double wanted_ms) {
     *this = {};
     wanted_ms_ = wanted_ms;
-    expected_full_ms_ = full_ms;
+    expected_full_ms_ = full.scene;
+    beside_ = {full.beside};
     const auto last = std::ranges::find(kShares, last_share);
     at_ = last != kShares.end() ? static_cast<std::size_t>(last - kShares.begin())
-                                : place_for(full_ms);
+                                : place_for(full.scene);
+}
+
+// Of a frame, for the scene.
+double HeldRate::room_ms() const {
+    const double beside_ms = beside_.empty() ? 0.0 : median_of(beside_);
+    return std::max(wanted_ms_ - beside_ms, kLeastRoom * wanted_ms_);
 }
 
 void HeldRate::want(double wanted_ms) {
@@ -46,8 +60,8 @@ void HeldRate::want(double wanted_ms) {
 // The largest share that holds the rate.
 std::size_t HeldRate::place_for(double full_ms) const {
     std::size_t at = 0;
-    while (at < lowest_ && full_ms * kShares[at] * kShares[at] > kAim * wanted_ms_) ++at;
-    return full_ms <= wanted_ms_ ? 0 : at;
+    while (at < lowest_ && full_ms * kShares[at] * kShares[at] > kAim * room_ms()) ++at;
+    return full_ms <= room_ms() ? 0 : at;
 }
 
 double HeldRate::predicted(double ms, std::size_t at) const {
@@ -69,12 +83,13 @@ bool HeldRate::go(std::size_t to) {
 }
 
 bool HeldRate::go_down(double median_ms) {
+    std::size_t to = at_;
+    while (to < lowest_ && (to == at_ || predicted(median_ms, to) > kAim * room_ms())) ++to;
+    if (to == at_) return false;
     if (came_up_ && frames_ < kSoon) {
         patience_ = std::min(2 * patience_, kMostPatience);
         refused_ms_[came_from_] = came_from_ms_;
     }
-    std::size_t to = at_;
-    while (to < lowest_ && (to == at_ || predicted(median_ms, to) > kAim * wanted_ms_)) ++to;
     before_at_ = at_;
     before_ms_ = median_ms;
     return go(to);
@@ -83,10 +98,10 @@ bool HeldRate::go_down(double median_ms) {
 // As many steps at once as are sure to have room; one to try, if none is.
 std::size_t HeldRate::place_above(double median_ms) const {
     std::size_t to = at_;
-    while (to > 0 && predicted(median_ms, to - 1) <= kRoom * wanted_ms_) --to;
+    while (to > 0 && predicted(median_ms, to - 1) <= kRoom * room_ms()) --to;
     const double refused_ms = refused_ms_[at_];
     const bool may_try =
-        median_ms <= kTry * wanted_ms_ && (refused_ms == 0.0 || median_ms < kBetter * refused_ms);
+        median_ms <= kTry * room_ms() && (refused_ms == 0.0 || median_ms < kBetter * refused_ms);
     return to == at_ && at_ > 0 && may_try ? at_ - 1 : to;
 }
 
@@ -96,13 +111,13 @@ bool HeldRate::go_up(double median_ms) {
     return go(place_above(median_ms));
 }
 
-bool HeldRate::hear(double frame_ms) {
+bool HeldRate::hear(Cost cost) {
     if (++frames_ <= kUnsettled) return false;
-    heard_.push_back(frame_ms);
-    if (heard_.size() > kHeard) heard_.erase(heard_.begin());
+    keep_last(heard_, cost.scene);
+    keep_last(beside_, cost.beside);
     if (heard_.size() < kLeast) return false;
     const double ms = median_of(heard_);
-    if (ms > wanted_ms_ && before_ms_ > 0.0 && ms > kWorth * before_ms_) {
+    if (ms > room_ms() && before_ms_ > 0.0 && ms > kWorth * before_ms_) {
         lowest_ms_ = before_ms_;
         before_ms_ = 0.0;
         lowest_ = before_at_;
@@ -112,7 +127,7 @@ bool HeldRate::hear(double frame_ms) {
     if (ms > kWorse * lowest_ms_) lowest_ = kShares.size() - 1;
     // Slow here, too: what spoilt the step up is a busy machine, not the share.
     if (ms > kWorse * refused_ms_[at_]) refused_ms_[at_] = 0.0;
-    if (ms > wanted_ms_) return go_down(ms);
+    if (ms > room_ms()) return go_down(ms);
     roomy_ = place_above(ms) < at_ ? roomy_ + 1 : 0;
     return roomy_ >= patience_ && go_up(ms);
 }

@@ -146,6 +146,7 @@ private:
     glm::ivec2 full_size() const;  // pixels of the picture
     void choose_resolution();
     void begin_resolution();
+    void measure_beside(const Stopwatch& clock);
     void hold_rate();
     void keep_resolution() const;
     bool shows_refined() const;
@@ -169,7 +170,7 @@ private:
     double clock_tick() const;  // s
     void draw_frame();
     bool answers_first();
-    void draw_scene();
+    bool draw_scene();
     void follow_sound(double at);  // s of the clock
     void show_picture();
     bool show_sketch(const BufferView& view);
@@ -216,6 +217,7 @@ private:
     HeldRate held_rate_;
     bool resolution_begun_ = false;  // of the file that was opened
     bool is_held_ = true;            // the setting as it was when the resolution was chosen
+    double beside_ms_ = 0.0;         // to show a picture, and the panels
     // What is refined: the picture and the size that it was about, and the best so far.
     std::size_t refined_picture_ = 0;
     glm::ivec2 refined_size_{0};

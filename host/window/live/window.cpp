@@ -211,14 +211,16 @@ bool PlaygroundWindow::answers_first() {
     return answered_first_;
 }
 
-void PlaygroundWindow::draw_scene() {
+// True when there is a new picture.
+bool PlaygroundWindow::draw_scene() {
     choose_resolution();
     playground_.measure_passes(settings_.visible && settings_.passes);
     const double elapsed = since_draw_.restart() / 1000.0;
     frame_due_ = 1.0 / window_.refresh_rate();
     const double drawn_at = clock_seconds();
-    if (playground_.draw(elapsed)) hold_rate();
+    const bool drawn = playground_.draw(elapsed);
     follow_sound(drawn_at);
+    return drawn;
 }
 
 void PlaygroundWindow::draw_frame() {
@@ -227,11 +229,14 @@ void PlaygroundWindow::draw_frame() {
         panels_.rescale(content_scale_);
     }
     dirty_ = false;
-    if (!answers_first()) draw_scene();
+    const bool drawn = !answers_first() && draw_scene();
+    const Stopwatch clock;
     show_picture();
     const Wishes wishes =
         panels_.update(facts(), playground_.tweaks, playground_.transport(), settings_);
     panels_.draw();
+    measure_beside(clock);
+    if (drawn) hold_rate();
     window_.swap();
     if (const auto ms = playground_.sketch() ? playground_.take_sketch_ms() : std::nullopt) {
         const glm::ivec2 size = playground_.sketch()->shape().size;

@@ -1,8 +1,12 @@
 // How many pixels the picture has: a share of the full size that holds a frame rate while something
 // moves, and more and more of it when nothing does.
+#include "gl/context.h"
 #include "window/live/playground_window.h"
 
+#include <epoxy/gl.h>
 #include <glm/common.hpp>
+
+#include <algorithm>
 
 namespace glint {
 namespace {
@@ -38,14 +42,23 @@ void PlaygroundWindow::begin_resolution() {
     settings_.refine = !kept || kept->refines;
     // One that is not mended later is not held to what an older text took.
     const bool is_last_known = kept && !playground_.keeps_size();
-    held_rate_.begin(playground_.expected_ms(), is_last_known ? kept->share : 0.0,
+    held_rate_.begin({playground_.expected_ms(), beside_ms_}, is_last_known ? kept->share : 0.0,
                      1000.0 / static_cast<double>(settings_.frame_rate));
 }
 
-// After each frame that was drawn.
+// Not the swap, which waits for the screen. A GPU is not waited for either: it takes next to no
+// time for this.
+void PlaygroundWindow::measure_beside(const Stopwatch& clock) {
+    if (draws_in_software()) glFinish();
+    const double ms = clock.ms();
+    // A compiler that is at work until the first frame makes it seem more than it is.
+    beside_ms_ = awaits_first_frame() && beside_ms_ > 0.0 ? std::min(beside_ms_, ms) : ms;
+}
+
+// After each frame of the scene, which the rest of the window took so long to show.
 void PlaygroundWindow::hold_rate() {
     if (!is_held_ || playground_.keeps_size() || playground_.replayed() < 1.0) return;
-    if (held_rate_.hear(playground_.frame_ms())) dirty_ = true;
+    if (held_rate_.hear({playground_.frame_ms(), beside_ms_})) dirty_ = true;
 }
 
 void PlaygroundWindow::keep_resolution() const {
