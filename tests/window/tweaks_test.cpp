@@ -89,6 +89,7 @@ TEST_P(Tweaks, TheMouseMovesItAReloadKeepsItUndoTakesItBack) {
     EXPECT_EQ(margin(), moved);
     write(scene(), flat({1, 2, 3}));
     ASSERT_TRUE(shows({1, 2, 3}, {3, 300}));
+    ASSERT_TRUE(glint_->says(": shown", 3)) << "a sketch shows it sooner";
     write(scene(), text());
     ASSERT_TRUE(glint_->says(": shown", 4));
     settle();
