@@ -132,7 +132,8 @@ bool Playground::update() {
     const bool may_follow = is_specialised() || programs_.has_fed();
     if (constants_ && *constants_ != tweaks.values() && may_follow) leave_constants();
     specialise_at_rest();
-    return reports != report_count() || was_loading != is_loading() || touched_ || is_sketched;
+    const bool is_behind = touched_ && renderer_;  // without one there is nothing to draw anew
+    return reports != report_count() || was_loading != is_loading() || is_behind || is_sketched;
 }
 
 void Playground::notice_saves() {
