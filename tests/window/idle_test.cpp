@@ -87,6 +87,22 @@ TEST_F(Idle, AnErrorOnTheScreenCostsNothing) {
     EXPECT_TRUE(uses_at_most(1.0, "paused with an error"));
 }
 
+// Nothing is held at standby yet: the process that would make it ready says so, and nobody asks.
+TEST_F(Idle, ASceneThatIsWrongFromTheStartCostsNothing) {
+    write(scene(), "void mainImage(out vec4 c, in vec2 p) { c = }\n");
+    start({scene().string()});
+    ASSERT_TRUE(glint_->says("error:"));
+    wait_for_rest();
+    EXPECT_TRUE(uses_at_most(1.0, "nothing was ever right"));
+}
+
+TEST_F(Idle, NothingOpenCostsNothing) {
+    fs::create_directory(folder_->path() / "empty");
+    start({(folder_->path() / "empty").string()});
+    wait_for_rest();
+    EXPECT_TRUE(uses_at_most(1.0, "a folder without scenes"));
+}
+
 // The process that takes the place of the one that hung says that it is ready, and nobody has
 // asked.
 TEST_F(Idle, AHangThatWasRefusedCostsNothing) {

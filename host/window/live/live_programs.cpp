@@ -96,7 +96,6 @@ std::string LivePrograms::work() const {
 
 // Standby's programs are here already.
 const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
-    trial_.poll();
     if (known_) return follow_known();
     const Verdict& verdict = (tried_by_standby_ ? standby_->trial() : trial_).poll();
     const bool has_passed = verdict.state == TrialState::passed;

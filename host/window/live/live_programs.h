@@ -87,6 +87,13 @@ public:
         return {trial_.descriptor(), standby_ ? standby_->descriptor() : -1};
     }
 
+    // What the processes say that nobody has asked, such as that they are ready: unheard, it would
+    // wake the window for ever.
+    void hear() {
+        trial_.poll();
+        if (standby_) standby_->trial().poll();
+    }
+
 private:
     Candidate candidate() const;
     const Verdict& follow_known();

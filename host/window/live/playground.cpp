@@ -124,6 +124,7 @@ bool Playground::update() {
     const std::size_t reports = report_count();
     const bool was_loading = is_loading();
     notice_saves();
+    programs_.hear();
     if (reloader_.follow()) load_missing_inputs();
     follow_inputs();
     const bool is_sketched = follow_sketch();
