@@ -13,12 +13,20 @@ namespace {
 constexpr double kNanosecond = 1e-9;
 constexpr double kMostPatience = 15.0;  // times the limit
 
+double ms_on(clockid_t clock) {
+    timespec time{};
+    ::clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
 }  // namespace
 
 double own_processor_ms() {
-    timespec time{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+    return ms_on(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+double own_thread_ms() {
+    return ms_on(CLOCK_THREAD_CPUTIME_ID);
 }
 
 // "schedstat" of each thread: ns on a processor, ns in the queue for one, and how many times.

@@ -13,6 +13,8 @@ struct ProcessTime {
 
 // Milliseconds that the processors have spent on this process, in all threads, gone ones too.
 double own_processor_ms();
+// Those on the calling thread.
+double own_thread_ms();
 
 // 0 of a process that is gone, and where the kernel does not count.
 ProcessTime time_of(pid_t process);

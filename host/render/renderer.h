@@ -150,8 +150,11 @@ public:
     // Where the driver compiles on the processor inside the first draw, and has not kept what it
     // compiled before: has it compile now, on several processors. Nothing elsewhere. Draws no
     // pixel; to be called once the inputs are there. Passes that linked in less than this are not
-    // worth a thread, or the driver had them.
-    void compile_ahead(double worth_ms = 60.0);
+    // worth a thread, or the driver had them. `works_on` hears, on one of the threads at a time, of
+    // the pass (as in graph().passes) that has been compiled for the longest whenever that is
+    // another one. Gives the processor's milliseconds for each; none where nothing was done.
+    std::vector<double> compile_ahead(const std::function<void(std::size_t)>& works_on = nullptr,
+                                      double worth_ms = 60.0);
 
     // Draws another program for one of the passes into a framebuffer of one's own, of this size in
     // pixels, with all that the pass itself would read: called by before_pass, what it is about to

@@ -1,4 +1,5 @@
 // Drivers finish compiling inside the first draw: draws for nobody, ahead of it.
+#include "base/process_time.h"
 #include "gl/context_beside.h"
 #include "render/plain_draw.h"
 #include "render/renderer.h"
@@ -6,9 +7,11 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <deque>
+#include <functional>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 namespace glint {
 
@@ -71,17 +74,63 @@ void Renderer::compile_by_drawing(std::size_t index) {
     glUseProgram(0);
 }
 
+namespace {
+
+// Passes that several threads work on: each is taken once, and a driver that never comes back is
+// in the one that was begun first.
+class SharedPasses {
+public:
+    SharedPasses(std::size_t count, const std::function<void(std::size_t)>& works_on)
+        : taken_(count), ms_(count), works_on_(works_on) {}
+
+    void compile(std::size_t index, const std::function<void(std::size_t)>& by_drawing) {
+        if (!begin(index)) return;
+        const double began_ms = own_thread_ms();
+        by_drawing(index);
+        const std::lock_guard lock(mutex_);
+        ms_[index] = own_thread_ms() - began_ms;
+        const bool was_oldest = begun_.front() == index;
+        std::erase(begun_, index);
+        if (was_oldest) tell();
+    }
+    std::vector<double> ms() const { return ms_; }
+
+private:
+    bool begin(std::size_t index) {
+        const std::lock_guard lock(mutex_);
+        if (taken_[index]) return false;
+        taken_[index] = true;
+        begun_.push_back(index);
+        if (begun_.size() == 1) tell();
+        return true;
+    }
+    void tell() const {
+        if (works_on_ && !begun_.empty()) works_on_(begun_.front());
+    }
+
+    std::mutex mutex_;
+    std::vector<bool> taken_;
+    std::vector<double> ms_;
+    std::vector<std::size_t> begun_;  // and not done, the oldest first
+    const std::function<void(std::size_t)>& works_on_;
+};
+
+}  // namespace
+
 // llvmpipe compiles on the thread that draws. Threads beside this one draw with contexts of their
 // own, from the picture's pass on, this one from the other end; what they compiled is then in the
 // driver's cache.
-void Renderer::compile_ahead(double worth_ms) {
+std::vector<double> Renderer::compile_ahead(const std::function<void(std::size_t)>& works_on,
+                                            double worth_ms) {
     const unsigned threads = std::min(std::thread::hardware_concurrency(), kMostTraps);
     const std::size_t passes = scene_.programs.size();
-    if (!draws_in_software() || threads < 2 || passes < 2 || scene_.compile_ms < worth_ms) return;
+    if (!draws_in_software() || threads < 2 || passes < 2 || scene_.compile_ms < worth_ms)
+        return {};
     // What is made when it is first bound is there before others look.
     for (const PassProgram& program : scene_.programs) bind_samplers(program);
     glFinish();
-    std::deque<std::atomic_flag> taken(passes);
+    SharedPasses shared(passes, works_on);
+    const auto compile = [this](std::size_t index) { compile_by_drawing(index); };
     std::deque<ContextBeside> contexts;
     std::vector<std::jthread> others;
     for (unsigned i = 1; i < threads; ++i) {
@@ -90,14 +139,14 @@ void Renderer::compile_ahead(double worth_ms) {
             const auto current = context.make_current();
             if (!current) return;
             start_context();
-            for (std::size_t index = passes; index-- > 0;)
-                if (!taken[index].test_and_set()) compile_by_drawing(index);
+            for (std::size_t index = passes; index-- > 0;) shared.compile(index, compile);
             glFinish();
         });
     }
-    if (others.empty()) return;
-    for (std::size_t index = 0; index < passes; ++index)
-        if (!taken[index].test_and_set()) compile_by_drawing(index);
+    if (others.empty()) return {};
+    for (std::size_t index = 0; index < passes; ++index) shared.compile(index, compile);
+    others.clear();  // waits for them
+    return shared.ms();
 }
 
 }  // namespace glint

@@ -1,7 +1,8 @@
 #include "window/live/live_programs.h"
 
+#include "base/process_time.h"
+
 #include <algorithm>
-#include <ctime>
 #include <iterator>
 #include <utility>
 
@@ -24,13 +25,6 @@ double compile_ms_of(const Verdict& verdict) {
     return sum;
 }
 
-// On a processor: other programs may have it meanwhile.
-double ms_of_this_thread() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
 }  // namespace
 
 LivePrograms::LivePrograms(const std::string& device, bool specialise, KeptVerdicts verdicts)
@@ -49,7 +43,8 @@ Candidate LivePrograms::candidate() const {
             .size = tried_size_,
             .time = tried_time_,
             .images = {},
-            .is_text = tried_is_text_};
+            .is_text = tried_is_text_,
+            .is_first = tried_is_text_ && longest_compile_ms_ == 0.0};
 }
 
 void LivePrograms::start_trial(Preset preset, Programs programs, bool is_text, glm::ivec2 size,
@@ -73,10 +68,10 @@ void LivePrograms::start_trial(Preset preset, Programs programs, bool is_text, g
 // left to the other process.
 const Verdict& LivePrograms::follow_known() {
     if (!loader_.is_loading()) return *known_;
-    constexpr double kFromCache = 60.0;  // ms, by far
-    const double began_ms = ms_of_this_thread();
+    constexpr double kFromCache = 60.0;  // ms of a processor, by far
+    const double began_ms = own_thread_ms();
     loader_.step(shelf_, nullptr);
-    if (ms_of_this_thread() - began_ms > kFromCache) {
+    if (own_thread_ms() - began_ms > kFromCache) {
         known_.reset();
         loader_.stop();
         trial_.start(candidate());

@@ -75,8 +75,9 @@ void members(const auto& all, Is<CompileOptions> auto& value) {
     all(root, program);
 }
 void members(const auto& all, Is<TrialOrder> auto& value) {
-    auto& [number, preset, compile, size, picture_format, time, slow_ms, images, is_text] = value;
-    all(number, preset, compile, size, picture_format, time, slow_ms, images, is_text);
+    auto& [number, preset, compile, size, picture_format, time, slow_ms, images, is_text,
+           is_first] = value;
+    all(number, preset, compile, size, picture_format, time, slow_ms, images, is_text, is_first);
 }
 void members(const auto& all, Is<TrialAnswer> auto& value) {
     auto& [number, stage, text, size, verdict] = value;
@@ -193,7 +194,7 @@ std::string pack(std::uint64_t number, const Candidate& candidate, double slow_m
     // As the members of TrialOrder, but without a copy of the preset.
     return packed({number, candidate.preset, candidate.compile, candidate.size,
                    candidate.picture_format, candidate.time, slow_ms, candidate.images,
-                   candidate.is_text});
+                   candidate.is_text, candidate.is_first});
 }
 
 std::string pack(const TrialAnswer& answer) {
