@@ -75,8 +75,10 @@ const Verdict& LivePrograms::follow_known() {
         known_.reset();
         loader_.stop();
         trial_.start(candidate());
+        return kRunning;
     }
-    return kRunning;
+    // Once it is done nothing else calls again soon.
+    return loader_.is_loading() ? kRunning : *known_;
 }
 
 void LivePrograms::keep_verdict() {
@@ -105,7 +107,7 @@ const Verdict& LivePrograms::follow_trial(bool is_awaited, Renderer* drawn) {
     if (has_passed) longest_compile_ms_ = std::max(longest_compile_ms_, compile_ms_of(verdict));
     if (!loader_.is_loading()) return verdict;
     loader_.step(shelf_, tried_is_text_ ? nullptr : drawn);
-    return kRunning;
+    return loader_.is_loading() ? kRunning : verdict;
 }
 
 void LivePrograms::prepare(const Preset& shown, glm::ivec2 size, double time) {
