@@ -828,18 +828,19 @@ void mainDirections(out vec4 colour, in vec2 pixel) {
         narrow = min(narrow, dot(middle, fromOctahedron(low + side * vec2(j & 1, j >> 1))));
     float own = acos(clamp(narrow, -1.0, 1.0)) + 0.002, wide = 0.01;
     if (map < kEye) wide += lampRadius;
+    float cosine = cos(own), sine = sin(own), gainCosine = cos(atan(kGainTan) + own);
     ivec3 masks = ivec3(0);
     for (int id = 0; id < kLamps; ++id) {
         vec4 c = thing(id);
         vec3 f = c.xyz - at;
         float far = max(length(f), 1e-6), size = (id < kCubes ? abs(c.w) : boundOf(id)) + wide;
-        float sine = min(size / far, 1.0), along = dot(f, middle) / far;   // of its half angle
+        float its = min(size / far, 1.0), along = dot(f, middle) / far;   // sine of its half angle
         // Nearer to the cell's middle than both half angles together: cos a cos b - sin a sin b.
-        if (along > cos(own) * sqrt(1.0 - sine * sine) - sin(own) * sine) {
+        if (along > cosine * sqrt(1.0 - its * its) - sine * its) {
             if (id < kCubes) masks.x |= 1 << id;
             else masks.y |= 1 << (id - kCubes);
         }
-        if (id < kBalls && c.w < 0.0 && along > cos(atan(kGainTan) + own)) masks.z |= 1 << id;
+        if (id < kBalls && c.w < 0.0 && along > gainCosine) masks.z |= 1 << id;
     }
     colour = vec4(masks, 0.0);
 }
