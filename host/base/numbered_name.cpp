@@ -46,4 +46,14 @@ std::optional<NumberedName> numbered_name(const std::string& text) {
                         .digits = digits.empty() ? 0 : std::stoi(digits)};
 }
 
+std::filesystem::path free_picture_name(const std::filesystem::path& file) {
+    for (int number = 1;; ++number) {
+        const std::filesystem::path name =
+            fmt::format("{}-{:04}.png", file.stem().string(), number);
+        // One that cannot even be asked for is refused, with the reason, where it is written.
+        std::error_code error;
+        if (!std::filesystem::exists(name, error)) return name;
+    }
+}
+
 }  // namespace glint

@@ -21,4 +21,7 @@ struct NumberedName {
 // Nothing unless the text has exactly one "%d", "%4d" or "%04d" and no other "%".
 std::optional<NumberedName> numbered_name(const std::string& text);
 
+// In the folder at hand: FILE-0001.png with the file's stem, or the first such name that is free.
+std::filesystem::path free_picture_name(const std::filesystem::path& file);
+
 }  // namespace glint

@@ -1,5 +1,6 @@
 // `glint open`: the window, or where there is no display, a still.
 
+#include "base/numbered_name.h"
 #include "base/say.h"
 #include "offline/examples.h"
 #include "offline/import.h"
@@ -33,7 +34,10 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     if (browses) return say_first_commands(options.file);
     StillOptions still;
     still.view = options;
+    // Nobody named it, so nothing that is there goes.
     still.output = options.file.stem().string() + ".png";
+    if (std::filesystem::exists(std::filesystem::symlink_status(still.output, error)))
+        still.output = free_picture_name(options.file);
     say("There is no display; the picture goes to {}.\n", still.output.string());
     run_still(still, since_start);
 }

@@ -10,6 +10,7 @@
 #include "measure/probe/session.h"
 #include "measure/probe/watches.h"
 #include "offline/frames.h"
+#include "offline/named_files.h"
 #include "scene/passes.h"
 
 #include <fmt/format.h>
@@ -255,6 +256,8 @@ void probe_faults(ProbeSession& session, const ProbeOptions& options, const Prob
 void run_probe(const ProbeOptions& options) {
     require_sense(options);
     ProbeSession session(options);
+    if (!options.map.empty())
+        require_apart({{"--map", options.map.string()}}, files_read_for(session.preset()));
     const ProbePlace place = session.place(options);
     Probing found;
     try {

@@ -1,6 +1,7 @@
 #include "window/live/window.h"
 
 #include "base/canonical_name.h"
+#include "base/numbered_name.h"
 #include "base/say.h"
 #include "base/terminal.h"
 #include "media/image.h"
@@ -34,16 +35,6 @@ fs::path home_folder(const char* variable, const char* fallback) {
     if (value && *value) return fs::path(value) / "glint";
     const char* home = std::getenv("HOME");
     return fs::path(home && *home ? home : "/tmp") / fallback / "glint";
-}
-
-// NAME-0001.png, or the first such name that is free.
-fs::path free_picture_name(const fs::path& file) {
-    for (int number = 1;; ++number) {
-        const fs::path name = fmt::format("{}-{:04}.png", file.stem().string(), number);
-        // One that cannot even be asked for is refused, with the reason, where it is written.
-        std::error_code error;
-        if (!fs::exists(name, error)) return name;
-    }
 }
 
 // What the preset or the options say. What is wrong with the file is told once it is open; what is
