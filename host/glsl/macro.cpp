@@ -256,7 +256,9 @@ std::vector<Token> Expander::substituted(const Use& use,
         if (!may_grow(arguments[index].size(), use.name.begin)) break;
         const std::size_t first = result.size();
         result.insert(result.end(), arguments[index].begin(), arguments[index].end());
-        if (result.size() > first) result[first].space_before = token.space_before;
+        if (result.size() == first) continue;
+        result[first].space_before = token.space_before;
+        result[first].begins_line = false;  // which the body, not the text, says of it
     }
     may_grow(macro.body.size(), use.name.begin);
     for (Token& token : result) {

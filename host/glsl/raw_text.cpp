@@ -61,7 +61,7 @@ CleanText clean_text(std::string_view raw) {
             line_begin = text.size();
             if (c == '\r' && i + 1 < raw.size() && raw[i + 1] == '\n') ++i;
         } else if (length == 0) {
-            text += '?';
+            text += "\uFFFD";
         } else {
             text.append(raw, i, length);
         }

@@ -23,7 +23,7 @@ struct CleanText {
 };
 
 // Takes off a byte order mark, makes every line end '\n' and every byte printable in a message:
-// what is not UTF-8 (an old comment in Latin-1) becomes '?', a byte for a byte.
+// what is not UTF-8 (an old comment in Latin-1) becomes U+FFFD, a character for a byte.
 CleanText clean_text(std::string_view raw);
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include "glsl/finding.h"
 #include "glsl/parser.h"
 #include "glsl/preprocess.h"
+#include "scene/builtin.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,9 @@
 
 namespace glint {
 namespace {
+
+constexpr std::string_view kCandidates = "; candidates are:";
+constexpr std::string_view kInMacro = " (in what ";
 
 // Where a complaint stands in the text that the driver read.
 struct Spot {
@@ -42,8 +46,10 @@ public:
     // Where a name stands first; the file alone where it does not.
     Place first(std::string_view name) const;
 
-    // "; did you mean 'density'?" of a name that is not declared, or "".
-    std::string meant_by(std::string_view mistyped) const;
+    // "; did you mean 'density'?" of a name that is not declared, or "". Nor are the `unknown`
+    // ones.
+    std::string meant_by(std::string_view mistyped,
+                         const std::set<std::string, std::less<>>& unknown) const;
 
 private:
     void find_lines();
@@ -131,9 +137,11 @@ Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_
     if (column == 0) where.column = 0;
     if (spot.use != kNone && pass_.origin(spot.defined)) {
         const Place defined = place(spot.defined);
-        words += fmt::format(" (in what {} stands for, {}:{}:{})",
-                             read_.macros[read_.uses[spot.use].macro].name, defined.file,
-                             defined.line, defined.column);
+        const std::string what = fmt::format("{}{} stands for, {}:{}:{})", kInMacro,
+                                             read_.macros[read_.uses[spot.use].macro].name,
+                                             defined.file, defined.line, defined.column);
+        words.insert(
+            words.ends_with(kCandidates) ? words.size() - kCandidates.size() : words.size(), what);
     }
     return {severity, where, std::move(words)};
 }
@@ -144,18 +152,25 @@ Place ReadText::first(std::string_view name) const {
     return Place{scene_.files.front().string()};
 }
 
-std::string ReadText::meant_by(std::string_view mistyped) const {
+std::string ReadText::meant_by(std::string_view mistyped,
+                               const std::set<std::string, std::less<>>& unknown) const {
+    if (mistyped.size() < 2) return {};  // any other letter is as near
     const std::size_t most_letters_apart = (mistyped.size() + 2) / 3;
     std::set<std::string, std::less<>> names;
     const auto add = [&](std::string_view name) {
         const std::size_t longer = std::max(name.size(), mistyped.size());
         const bool is_near = longer - std::min(name.size(), mistyped.size()) <= most_letters_apart;
-        if (is_near && name != mistyped && !is_keyword(name) && !name.starts_with("glint_"))
-            names.emplace(name);
+        const bool is_name = !is_keyword(name) && name != "highp" && name != "precision";
+        if (is_near && is_name && !unknown.contains(name)) names.emplace(name);
     };
-    for (const Token& token : read_.tokens)
-        if (token.is_word()) add(token.text);
-    for (const Macro& macro : read_.macros) add(macro.name);
+    // Of the host's part, what a scene may use.
+    for (const Token& token : read_.tokens) {
+        if (token.text == kPlainColour) add("gl_FragColor");
+        if (pass_.origin(token.begin) ? token.is_word() : find_builtin(token.text) != nullptr)
+            add(token.text);
+    }
+    for (const Macro& macro : read_.macros)
+        if (macro.definition.end > 0 && pass_.origin(macro.definition.begin)) add(macro.name);
     std::ranges::for_each(built_in_functions(), add);
     return did_you_mean(mistyped, std::vector<std::string>(names.begin(), names.end()));
 }
@@ -186,8 +201,6 @@ std::vector<std::string> lines_of(const std::string& log) {
     return lines;
 }
 
-constexpr std::string_view kCandidates = "candidates are:";
-
 // The type of the first of what stands between brackets: `texture(sampler2D, vec3)'.
 std::string_view first_type(std::string_view call) {
     const std::size_t open = std::min(call.find('('), call.size() - 1);
@@ -214,18 +227,32 @@ Diagnostics with_candidates_joined(Diagnostics list) {
         const bool any_fits = std::any_of(begin, end, fits);
         joined.push_back(std::move(list[call]));
         for (auto one = begin; one != end; ++one)
-            if (!any_fits || fits(*one)) joined.back().text += "\n    " + one->text;
+            if (!any_fits || fits(*one))
+                joined.back().text += "\n    " + one->text.substr(0, one->text.find(kInMacro));
     }
     return joined;
 }
 
+constexpr std::size_t kLongestComplaint = 200;  // that names something
+
 // The name that a complaint does not know, or "".
 std::string unknown_name(const std::string& complaint) {
     static const std::regex mesa(R"(^(?:`(\w+)' undeclared|no function with name '(\w+)')$)");
-    constexpr std::size_t kLongest = 200;
     std::smatch m;
-    if (complaint.size() > kLongest || !std::regex_match(complaint, m, mesa)) return {};
+    if (complaint.size() > kLongestComplaint || !std::regex_match(complaint, m, mesa)) return {};
     return m[1].matched ? m[1] : m[2];
+}
+
+// All that a log does not know: of two mistyped names one does not mean the other.
+std::set<std::string, std::less<>> unknown_names(const std::string& log) {
+    static const std::regex said(R"(`(\w+)' undeclared|no function with name '(\w+)')");
+    std::set<std::string, std::less<>> names;
+    for (const std::string& line : lines_of(log)) {
+        std::smatch m;
+        if (line.size() <= kLongestComplaint && std::regex_search(line, m, said))
+            names.insert(m[1].matched ? m[1] : m[2]);
+    }
+    return names;
 }
 
 // The f of "function `float f(float)' has static recursion", which Mesa says of line 0.
@@ -236,16 +263,18 @@ std::string recursive_name(const std::string& complaint) {
 }
 
 // Mesa gives what it does not understand no type, and then complains of each expression round it,
-// all of which stand behind that complaint and begin no later in its line.
+// all of which stand behind that complaint and begin no later in the text.
 bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
     static const std::regex words(
         "^operands to |^type mismatch$|^cannot construct |^condition of |condition must be scalar|"
         "[(, ]error[,)]|of type error$|with wrong type error,");
     const Place &at = one.place, &before = cause.place;
-    const bool encloses = at.file == before.file && at.line == before.line && at.column > 0 &&
-                          at.column <= before.column;
+    const bool encloses =
+        at.file == before.file && at.column > 0 &&
+        (at.line < before.line || (at.line == before.line && at.column <= before.column));
     return one.severity == Severity::error && encloses &&
-           std::regex_search(one.text.substr(0, one.text.find('\n')), words);
+           std::regex_search(
+               one.text.substr(0, std::min(one.text.find('\n'), one.text.find(kInMacro))), words);
 }
 
 // Of a text with an error Mesa also warns that what should hold its value has none.
@@ -284,11 +313,13 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
     static const std::regex total(R"(^ERROR: .*\d+ compilation errors?\..*$)");
     Diagnostics list;
     std::optional<ReadText> read;  // most texts compile
+    const auto unknown = unknown_names(log);
     const auto add = [&](bool is_error, const std::string& line, int column, bool is_expanded,
                          std::string words) {
+        if (words.starts_with("Error: ")) words.erase(0, 7);  // which it is anyway
         if (!read) read.emplace(scene, text);
         if (const std::string name = unknown_name(words); !name.empty())
-            words += read->meant_by(name);
+            words += read->meant_by(name, unknown);
         if (const std::string name = recursive_name(words); !name.empty()) {
             list.push_back({Severity::error, read->first(name),
                             name + " calls itself, at once or by way of others; GLSL has no "

@@ -187,9 +187,11 @@ std::string about_strange(const Token& token) {
     if (token.text == "`")
         return "GLSL has no `; take out what a text had round it where it was copied";
     const auto lead = static_cast<unsigned char>(token.text.front());
+    if (lead < 0x20) return fmt::format("GLSL has no control character {}; take it out", lead);
     if (lead < 0x80) return fmt::format("GLSL has no {}; take it out", in_quotes(token.text));
     char32_t code = lead & (0x7F >> token.text.size());
     for (const char c : token.text.substr(1)) code = code << 6 | (c & 0x3F);
+    if (code == U'\uFFFD') return "this byte is not UTF-8; save the file as UTF-8";
     return fmt::format(
         "GLSL has no {} (U+{:04X}) but in comments; write a plain space, a plain "
         "letter, or nothing here",
