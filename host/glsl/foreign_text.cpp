@@ -113,6 +113,7 @@ private:
     void add_buffers(const fs::path& file, const ForeignChannels& channels, int line,
                      std::set<fs::path>& known);
     void add_text(const std::string& own_buffer);
+    void add_entry(const ForeignFile& text, int line);
     void add_uniform(const Directive& directive, int number);
     void add_channel(std::size_t index, const std::string& own_buffer);
     void add_keyboard(int number);
@@ -163,10 +164,12 @@ ForeignText Rewriter::root() {
         add("#endif", 1);
         add(fmt::format("#ifdef PASS_{}", name), 1);
         add_text(name);
+        add_entry(text_, text_.line_count());
         add("#endif", text_.line_count());
     } else {
         if (is_tab) add("#ifdef PASS_image", 1);
         add_text({});
+        if (is_tab) add_entry(text_, text_.line_count());
         if (is_tab) add("#endif", text_.line_count());
     }
     return std::move(result_);
@@ -187,17 +190,16 @@ void Rewriter::add_buffers(const fs::path& file, const ForeignChannels& channels
         const int at = file == file_ ? channel.line : line;
         std::string why_not;
         const auto bytes = read_bytes(path, why_not);
-        if (bytes) {
-            const ForeignFile other(clean_text(*bytes).text, known_);
-            asks_for_releases_ |= other.mentions("isKeyReleased");
-            add_buffers(path, other.channels(), at, known);
-        }
+        const ForeignFile other(bytes ? clean_text(*bytes).text : "", known_);
+        asks_for_releases_ |= other.mentions("isKeyReleased");
+        add_buffers(path, other.channels(), at, known);
         const std::string name = buffer_name(path);
         add(fmt::format("uniform sampler2D {0};  //@ pass main_{0}", name), at);
         add(fmt::format("#ifdef PASS_{}", name), at);
         add(fmt::format("#include \"{}\"",
                         path.lexically_proximate(file_.parent_path()).generic_string()),
             at);
+        add_entry(other, at);
         add("#endif", at);
     }
 }
@@ -220,6 +222,13 @@ void Rewriter::add_text(const std::string& own_buffer) {
         else
             add(text_.line(number), number);
     }
+}
+
+// Where a text with a main() is one of several, each is drawn by its mainImage.
+void Rewriter::add_entry(const ForeignFile& text, int line) {
+    if (text.mentions("gl_FragColor") && !text.mentions("mainImage"))
+        add("void mainImage(out vec4 color, in vec2 coord) { main(); color = gl_FragColor; }",
+            line);
 }
 
 // A colour's components as an annotation has them.

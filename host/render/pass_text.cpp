@@ -22,7 +22,6 @@ uniform float iFrameRate;
 uniform int iFrame;
 uniform vec4 iDate;
 uniform float iSampleRate;
-uniform uint iTick;
 uniform float iChannelTime[4];
 uniform vec3 iChannelResolution[4];
 )";
@@ -51,6 +50,12 @@ bool declares(const Reading& reading, std::string_view name) {
     return reading.find_global(name) || reading.defines_macro(name);
 }
 
+bool defines_struct(const Reading& reading, std::string_view name) {
+    return std::ranges::any_of(reading.structs, [&](const Struct& structure) {
+        return reading.word(structure.name) == name;
+    });
+}
+
 std::string channel_declarations(const Preset& preset, std::size_t pass, const Reading& reading) {
     const Scene& scene = preset.scene;
     std::string text;
@@ -72,10 +77,16 @@ std::string channel_declarations(const Preset& preset, std::size_t pass, const R
     return text;
 }
 
-// A name that older pastes still use.
-std::string old_names(const Reading& reading) {
-    const bool is_wanted = reading.mentions("iGlobalTime") && !declares(reading, "iGlobalTime");
-    return is_wanted ? "uniform float iGlobalTime;\n" : "";
+// Names that the site does not have, or no more: a text may mean something of its own.
+std::string other_names(const Reading& reading) {
+    constexpr std::pair<std::string_view, std::string_view> kOthers[] = {{"float", "iGlobalTime"},
+                                                                         {"uint", "iTick"}};
+    std::string text;
+    for (const auto& [type, name] : kOthers)
+        if (reading.mentions(name) && !declares(reading, name) &&
+            reading.functions_named(name).empty() && !defines_struct(reading, name))
+            text += fmt::format("uniform {} {};\n", type, name);
+    return text;
 }
 
 // The site has none of these in a sound, so that texts for it may use the names themselves; other
@@ -173,22 +184,48 @@ std::string image_main(const char* out, const ProgramOptions& options) {
     return text + "    glint_out0 = vec4(color.rgb, 1.0);\n}\n";
 }
 
-void put_in_place_of(std::string_view theirs, const char* ours, const Reading& reading,
+void put_in_place_of(std::string_view theirs, std::string_view ours, const Reading& reading,
                      Edits& edits) {
     for (const Token& token : reading.written)
-        if (token.is(theirs)) edits.replace_bytes(token.span(), ours);
+        if (token.is(theirs)) edits.replace_bytes(token.span(), std::string(ours));
 }
 
-// A text with a main() of its own, for GLSL of the web, is called from the site's mainImage. Names
-// of GLSL itself cannot be macros; others stand for them.
+// What a text with a main() of its own, GLSL ES 1.00 of the web, may count on. Names of GLSL itself
+// cannot be macros; others stand for them. Of GLSL ES 3.00 it may define functions itself.
+std::string before_own_main(const Reading& reading) {
+    constexpr std::array<std::string_view, 13> kNewerFunctions = {
+        "round", "roundEven", "trunc", "sinh",  "cosh", "tanh",        "asinh",
+        "acosh", "atanh",     "isnan", "isinf", "modf", "outerProduct"};
+    constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
+        {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
+    std::string text = fmt::format("vec4 {} = vec4(0.0);\n", kPlainColour);
+    for (const auto& [name, sampler, place] : kOlderTextures) {
+        if (declares(reading, name) || !reading.functions_named(name).empty()) continue;
+        if (!declares(reading, "texture")) {
+            text += fmt::format("#define {} texture\n", name);
+            continue;
+        }
+        // A name of the text's hides the function behind it.
+        text += fmt::format(
+            "vec4 glint_{0}({1} s, {2} p) {{ return texture(s, p); }}\n"
+            "vec4 glint_{0}({1} s, {2} p, float bias) {{ return texture(s, p, bias); }}\n"
+            "#define {0} glint_{0}\n",
+            name, sampler, place);
+    }
+    for (const std::string_view name : kNewerFunctions)
+        if (!reading.functions_named(name).empty())
+            text += fmt::format("#define {0} glint_{0}\n", name);
+    return text + "#define main glint_main\n";
+}
+
+// Where nothing else draws the picture, it is called from the site's mainImage.
 constexpr std::string_view kBeforePlainMain =
-    "#undef glFragCoord_\n"
-    "vec4 glFragColor_ = vec4(0.0), glFragCoord_ = vec4(0.0);\n"
-    "#define texture2D texture\n#define textureCube texture\n#define main glint_main\n";
+    "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n";
 constexpr std::string_view kBehindPlainMain =
-    "void mainImage(inout vec4 color, in vec2 coord) {\n"
-    "    glFragColor_ = color;\n    glFragCoord_ = vec4(coord, gl_FragCoord.zw);\n"
-    "    main();\n    color = glFragColor_;\n}\n";
+    "void mainImage(inout vec4 glint_color, in vec2 glint_coord) {\n"
+    "    glFragColor_ = glint_color;\n"
+    "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n"
+    "    main();\n    glint_color = glFragColor_;\n}\n";
 
 std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions& options) {
     std::string parameters, outputs, variables, arguments, results;
@@ -351,7 +388,7 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     text += kPrecision;
     text += picture_uniforms(reading, sound);
     text += kUniforms;
-    text += old_names(reading);
+    text += other_names(reading);
     text += channel_declarations(preset, pass, reading);
     std::string main = sound                     ? sound_main(reading)
                        : image                   ? image_main(out, options)
@@ -410,6 +447,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const bool image = pass == kImagePass, sound = pass == kSoundPass;
     const bool plain_main = image && scene.image_entry == "main";
     const Reading& reading = reading_for(scene, pass);
+    const bool has_main = !reading.functions_named("main").empty();
     Edits edits(reading);
     const bool is_lean = options.lean && can_be_lean(reading);
     std::vector<bool> reached;
@@ -422,7 +460,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         specialise(preset, options, unused, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
-    if (plain_main) put_in_place_of("gl_FragColor", "glFragColor_", reading, edits);
+    if (has_main) put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
     else if (probe)
@@ -442,6 +480,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.text = prologue(preset, pass, options, probe, reading, defined);
     result.text += numbers_uniform(result.numbers);
     if (plain_main) result.text += kBeforePlainMain;
+    if (has_main) result.text += before_own_main(reading);
     result.user_begin = result.text.size();
     EditedText edited = edits.apply();
     result.text += edited.text;

@@ -42,6 +42,9 @@ std::string named_tweak(std::size_t tweak);
 inline constexpr const char* kNumbers = "glint_numbers";
 
 // The GLSL ES 3.00 text that the driver sees for one pass.
+// What stands for gl_FragColor in a text with a main() of its own, as long as that.
+inline constexpr std::string_view kPlainColour = "glFragColor_";
+
 struct PassText {
     std::string text;
     std::size_t user_begin = 0, user_end = 0;  // bytes of it that are the user's

@@ -4,6 +4,7 @@
 #include "glsl/loops.h"
 #include "render/driver_log.h"
 #include "scene/blame.h"
+#include "scene/builtin.h"
 
 #include <fmt/format.h>
 
@@ -17,14 +18,15 @@ namespace {
 struct BuiltinName {
     std::string_view name;
     Builtin builtin;
+    GLenum type = GL_NONE;  // where the scene declares it, and may declare another one by that name
 };
 constexpr std::array kBuiltinNames = {
     BuiltinName{"iResolution", Builtin::resolution},
     BuiltinName{"iTime", Builtin::time},
-    BuiltinName{"iGlobalTime", Builtin::time},
-    BuiltinName{"u_time", Builtin::time},
-    BuiltinName{"u_resolution", Builtin::resolution_2d},
-    BuiltinName{"u_mouse", Builtin::mouse_2d},
+    BuiltinName{"iGlobalTime", Builtin::time, GL_FLOAT},
+    BuiltinName{"u_time", Builtin::time, GL_FLOAT},
+    BuiltinName{"u_resolution", Builtin::resolution_2d, GL_FLOAT_VEC2},
+    BuiltinName{"u_mouse", Builtin::mouse_2d, GL_FLOAT_VEC2},
     BuiltinName{"iTimeDelta", Builtin::time_delta},
     BuiltinName{"iFrameRate", Builtin::frame_rate},
     BuiltinName{"iFrame", Builtin::frame},
@@ -38,9 +40,11 @@ constexpr std::array kBuiltinNames = {
 };
 
 // "iCh2.size" is a member of channel 2; "iChannelTime[0]" an array of four.
-std::optional<BuiltinUniform> builtin_uniform(const std::string& name, GLint location) {
+std::optional<BuiltinUniform> builtin_uniform(const std::string& name, GLenum type,
+                                              GLint location) {
     for (const BuiltinName& known : kBuiltinNames) {
-        if (name == known.name) return BuiltinUniform{known.builtin, name, 0, location};
+        if (name == known.name && (known.type == GL_NONE || known.type == type))
+            return BuiltinUniform{known.builtin, name, 0, location};
     }
     if (name.starts_with("iChannelTime")) {
         return BuiltinUniform{Builtin::channel_time, name, 0, location};
@@ -125,7 +129,7 @@ void find_uniforms(const Preset& preset, PassProgram& pass) {
                                             [&](const Tweak& t) { return t.name == name; });
             if (tweak != tweaks.end()) {
                 pass.tweaks.push_back({static_cast<std::size_t>(tweak - tweaks.begin()), location});
-            } else if (auto builtin = builtin_uniform(name, location)) {
+            } else if (auto builtin = builtin_uniform(name, type, location)) {
                 pass.builtins.push_back(std::move(*builtin));
             }
         }
@@ -155,7 +159,7 @@ namespace {
 Diagnostics empty_channels(const Preset& preset, const PassProgram& program) {
     Diagnostics list;
     for (const UnfilledSampler& unfilled : program.unfilled) {
-        if (!unfilled.name.starts_with("iChannel") || !unfilled.type) continue;
+        if (!find_builtin(unfilled.name) || !unfilled.type) continue;
         const std::string pass = pass_name(preset.scene, program.pass);
         list.push_back(
             {Severity::warning, reading_place(preset.scene, pass, unfilled.name),

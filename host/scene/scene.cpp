@@ -204,8 +204,15 @@ void Builder::add_declaration(const Uniform& declaration, std::size_t next_begin
 
 void Builder::warn_unannotated(const Uniform& declaration) {
     for (const UniformName& declarator : declaration.names) {
-        if (find_builtin(declarator.name) || is_old_name(declaration.type, declarator.name))
+        if (find_builtin(declarator.name)) continue;
+        if (declarator.has_initial && !declaration.is_block) {
+            error(declarator.span.begin,
+                  fmt::format("GLSL ES gives uniforms no value here; write the default behind: "
+                              "uniform {} {}; //@ DEFAULT",
+                              declaration.type, declarator.name));
             continue;
+        }
+        if (is_old_name(declaration.type, declarator.name) && !declarator.is_array) continue;
         const bool is_sampler = declaration.type.find("sampler") != std::string_view::npos;
         warning(declarator.span.begin,
                 fmt::format("{} has no annotation, so it stays 0; say what fills it, such as {}",
