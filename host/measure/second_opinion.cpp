@@ -36,7 +36,6 @@ uniform float iTime, iGlobalTime, iTimeDelta, iFrameRate, iSampleRate, iChannelT
 uniform vec4 iMouse, iDate;
 uniform vec3 iChannelResolution[4];
 uniform int iFrame;
-uniform uint iTick;
 void st_assert(bool condition, int colour) {}
 void st_assert(bool condition) {}
 )";
@@ -69,6 +68,8 @@ std::string before(const Preset& preset, std::size_t pass, const Reading& readin
                 "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
                 type, i);
     }
+    if (!reading.find_global("iTick") && reading.functions_named("iTick").empty())
+        text += "uniform uint iTick;\n";
     return text + own_overloads(reading);
 }
 

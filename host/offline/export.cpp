@@ -8,6 +8,7 @@
 #include "offline/named_files.h"
 #include "offline/page.h"
 #include "offline/site_text.h"
+#include "scene/builtin.h"
 #include "scene/scene_text.h"
 
 #include <fmt/format.h>
@@ -32,6 +33,10 @@ class Exporter {
 public:
     explicit Exporter(const Preset& preset)
         : preset_(preset), scene_(preset.scene), compiled_(compile_or_stop(preset, {})) {
+        if (scene_.image_entry == "main")
+            throw UsageError(
+                "The site takes no text with a main() of its own. Write void mainImage(out vec4 "
+                "fragColor, in vec2 fragCoord), and these two for gl_FragColor and gl_FragCoord.");
         if (scene_.has_sound) sound_ = compile_or_stop(preset, {.root = kSoundPass, .program = {}});
         find_tabs();
     }
@@ -45,6 +50,8 @@ private:
     std::string tab_text(const Tab& tab);
     std::string unread_defines(const Reading& body,
                                const std::array<std::optional<std::size_t>, 4>& channels) const;
+    std::string unfilled_defines(const Tab& tab,
+                                 const std::array<std::optional<std::size_t>, 4>& channels);
     std::string entry_text(const Tab& tab) const;
     std::string limits_text(const Tab& tab);
     std::string source_words(const Tab& tab, const Sampler& sampler);
@@ -233,6 +240,25 @@ std::string Exporter::unread_defines(
     return defines;
 }
 
+// What nothing fills is 0 here, and there a channel to which nothing is bound.
+std::string Exporter::unfilled_defines(const Tab& tab,
+                                       const std::array<std::optional<std::size_t>, 4>& channels) {
+    std::string defines;
+    for (const UnfilledSampler& unfilled : program_of(tab).unfilled) {
+        if (find_builtin(unfilled.name)) continue;
+        const auto free = std::ranges::find(channels, std::optional<std::size_t>());
+        if (free == channels.end() || unfilled.type != SamplerType::sampler2D)
+            throw UsageError(
+                fmt::format("Pass {} reads {}, which nothing fills, and the site has no "
+                            "channel for it.",
+                            pass_name(scene_, tab.pass), unfilled.name));
+        warn(fmt::format("{}: nothing fills {}; a channel without an input stands for it", tab.name,
+                         unfilled.name));
+        defines += fmt::format("#define {} iChannel{}\n", unfilled.name, free - channels.begin());
+    }
+    return defines;
+}
+
 std::string Exporter::tab_text(const Tab& tab) {
     std::string head, defines;
     const auto channels = channels_of(tab);
@@ -248,6 +274,7 @@ std::string Exporter::tab_text(const Tab& tab) {
     const std::string body = site_text(preset_, tab.pass).text;
     const Reading reading = read_glsl(body, known_of_pass(output_names(scene_, tab.pass)));
     defines += unread_defines(reading, channels);
+    defines += unfilled_defines(tab, channels);
     if (speaks_of(reading, "iTick")) {
         // A float's steps are below 1/65536 s for 256 s.
         defines += "#define iTick uint(iTime * 65536.0)\n";

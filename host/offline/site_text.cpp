@@ -2,6 +2,7 @@
 
 #include "glsl/reachable.h"
 #include "render/pass_text.h"
+#include "scene/builtin.h"
 #include "scene/scene_text.h"
 
 #include <ranges>
@@ -20,18 +21,52 @@ void make_notes_plain(const Reading& reading, Edits& edits) {
     }
 }
 
+// What the site's names are for those of other programs, which the text declares.
+std::string_view name_there(std::string_view type, const Declarator& declarator,
+                            const Reading& reading) {
+    const std::string_view name = reading.word(declarator.name);
+    if (!is_old_name(type, name) || !declarator.array.empty()) return {};
+    return name == "u_resolution" ? "(iResolution.xy)"
+           : name == "u_mouse"    ? "(iMouse.xy)"
+                                  : "iTime";
+}
+
+// Uniforms that nothing fills are 0. So are the site's globals without a value: browsers see to it.
+EditedText without_own_uniforms(const Reading& reading) {
+    Edits edits(reading);
+    for (const Declaration& declaration : reading.declarations) {
+        const std::string_view type = reading.word(declaration.type);
+        if (!declaration.is_uniform || declaration.is_block || type.starts_with("sampler"))
+            continue;
+        const TokenRange words = declaration.qualifiers;
+        for (std::uint32_t at = words.begin; at < words.end; ++at)
+            if (reading.tokens[at].is("uniform")) edits.replace({at, at + 1}, "");
+        const Span place = reading.place(declaration.tokens);
+        for (const Declarator& declarator : declaration.names) {
+            const std::string_view theirs = name_there(type, declarator, reading);
+            if (theirs.empty()) continue;
+            for (const Token& token : reading.written)
+                if (token.is(reading.word(declarator.name)) &&
+                    (token.begin < place.begin || token.begin >= place.end))
+                    edits.replace_bytes(token.span(), std::string(theirs));
+        }
+    }
+    return edits.apply();
+}
+
 }  // namespace
 
 SiteText site_text(const Preset& preset, std::size_t pass) {
     const Known known = known_of_pass(output_names(preset.scene, pass));
     const EditedText constant = specialised_text(preset);
+    const EditedText own = without_own_uniforms(read_glsl(constant.text, known));
     const EditedText reached =
-        reachable_text(read_glsl(constant.text, known), entry_of(preset.scene, pass), kPassPrefix);
+        reachable_text(read_glsl(own.text, known), entry_of(preset.scene, pass), kPassPrefix);
     const Reading reading = read_glsl(reached.text, known);
     Edits edits(reading);
     make_notes_plain(reading, edits);
     EditedText plain = edits.apply();
-    return {std::move(plain.text), {constant.map, reached.map, std::move(plain.map)}};
+    return {std::move(plain.text), {constant.map, own.map, reached.map, std::move(plain.map)}};
 }
 
 std::size_t SiteText::origin(std::size_t at) const {

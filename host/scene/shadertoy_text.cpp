@@ -1,8 +1,10 @@
 // A shader of the site as a scene file.
 #include "base/words.h"
 #include "glsl/raw_text.h"
+#include "glsl/reading.h"
 #include "scene/annotation.h"
 #include "scene/scene.h"
+#include "scene/scene_text.h"
 #include "scene/shadertoy.h"
 
 #include <fmt/format.h>
@@ -133,11 +135,36 @@ std::string comment_line(std::string text) {
     return std::string(trimmed(text));
 }
 
+// A text may use the names that buffers get here for something of its own.
+Shadertoy with_free_names(Shadertoy shader) {
+    const auto is_used = [&](const std::string& name) {
+        return std::ranges::any_of(shader.tabs, [&](const ShadertoyTab& tab) {
+            return read_glsl(tab.code, known_of_scene()).mentions(name);
+        });
+    };
+    for (const char* name : {"bufferA", "bufferB", "bufferC", "bufferD", "cubeA"}) {
+        const bool is_there =
+            std::ranges::find(shader.tabs, name, &ShadertoyTab::name) != shader.tabs.end();
+        if (!is_there || !is_used(name)) continue;
+        const std::string free = std::string(name) + "Tab";
+        for (ShadertoyTab& tab : shader.tabs) {
+            if (tab.name == name) tab.name = free;
+            for (ShadertoyInput& input : tab.inputs)
+                if (input.buffer == name) input.buffer = free;
+        }
+    }
+    return shader;
+}
+
+bool is_cube(const ShadertoyTab& tab) {
+    return tab.name.starts_with("cubeA");
+}
+
 class Writer {
 public:
-    Writer(const Shadertoy& shader, const fs::path& from, const fs::path& folder,
-           Diagnostics& diagnostics, bool anywhere)
-        : shader_(shader),
+    Writer(Shadertoy shader, const fs::path& from, const fs::path& folder, Diagnostics& diagnostics,
+           bool anywhere)
+        : shader_(std::move(shader)),
           from_(from),
           folder_(folder),
           diagnostics_(diagnostics),
@@ -160,7 +187,7 @@ private:
         diagnostics_.push_back({Severity::warning, {from_.string()}, text});
     }
 
-    const Shadertoy& shader_;
+    const Shadertoy shader_;
     const fs::path& from_;
     const fs::path& folder_;
     Diagnostics& diagnostics_;
@@ -197,9 +224,9 @@ void Writer::write_header() {
 // The site draws in the order of the letters, whatever the order of the tabs.
 void Writer::write_passes() {
     for (const ShadertoyTab& tab : shader_.tabs) {
-        if (!tab.name.starts_with("buffer") && tab.name != "cubeA") continue;
+        if (!tab.name.starts_with("buffer") && !is_cube(tab)) continue;
         text_ += fmt::format("uniform {} {};  //@ pass main{}{}\n",
-                             tab.name == "cubeA" ? "samplerCube" : "sampler2D", tab.name,
+                             is_cube(tab) ? "samplerCube" : "sampler2D", tab.name,
                              static_cast<char>(tab.name[0] - 'a' + 'A'), tab.name.substr(1));
     }
 }
@@ -323,7 +350,7 @@ void Writer::write_tab(const ShadertoyTab& tab) {
 
 std::string scene_text(const Shadertoy& shader, const fs::path& from, const fs::path& folder,
                        Diagnostics& diagnostics, bool anywhere) {
-    return Writer(shader, from, folder, diagnostics, anywhere).text();
+    return Writer(with_free_names(shader), from, folder, diagnostics, anywhere).text();
 }
 
 }  // namespace glint
