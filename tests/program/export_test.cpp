@@ -50,6 +50,29 @@ TEST_F(Export, WhatComesBackDrawsTheSameBytes) {
     EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
 }
 
+// What nothing fills is 0 there, too, and the site's names stand for those of other programs.
+TEST_F(Export, UniformsWithoutAnAnnotationComeBack) {
+    write("a.frag",
+          "uniform vec2 u_resolution;\nuniform float u_time, gain, list[3];\n"
+          "uniform struct Lamp { vec3 at; } lamp;\nuniform sampler2D nothing;\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(p / u_resolution, u_time, 1) + gain + list[1] + lamp.at.x;\n"
+          "    c.r += texture(nothing, p).r;\n}\n");
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("nothing fills nothing"), std::string::npos) << made.err;
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+}
+
+TEST_F(Export, ATextWithAMainOfItsOwnIsRefused) {
+    write("a.frag", "void main() { gl_FragColor = vec4(1.0); }\n");
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    EXPECT_EQ(made.code, 2);
+    EXPECT_NE(made.err.find("Write void mainImage("), std::string::npos) << made.err;
+    EXPECT_FALSE(fs::exists(folder() / "out"));
+}
+
 TEST_F(Export, ATabHoldsOnlyWhatItsPassNeedsAndTweaksAreConstants) {
     write("a.frag", kScene);
     ASSERT_EQ(glint({"export", "a.frag", "-o", "out", "--tweak", "level=0.75"}).code, 0);

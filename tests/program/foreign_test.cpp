@@ -187,6 +187,79 @@ TEST_F(Foreign, AMainOfTheBookOfShadersDraws) {
               std::string::npos);
 }
 
+// 1.00 of GLSL ES has fewer names than 3.00, and lets a text use them.
+TEST_F(Foreign, AMainMayUseWhatItsGlslLeavesFree) {
+    const std::string end = "    gl_FragColor = vec4(0.4, 0.8, 0.2, 1.0);\n}\n";
+    const std::pair<const char*, std::string> texts[] = {
+        {"macros of the host's words",
+         "#define color vec4(0.4, 0.8, 0.2, 1.0)\n#define coord 1\n"
+         "void main() { gl_FragColor = color; }\n"},
+        {"a texture2D of its own",
+         "vec4 texture2D(vec2 p) { return vec4(p, 0.2, 1.0); }\n"
+         "void main() { gl_FragColor = texture2D(vec2(0.4, 0.8)); }\n"},
+        {"a macro texture2D",
+         "#define texture2D(a) vec4(a, 0.2, 1.0)\n"
+         "void main() { gl_FragColor = texture2D(vec2(0.4, 0.8)); }\n"},
+        {"a sampler called texture",
+         "uniform sampler2D texture;\n"
+         "void main() { gl_FragColor = vec4(0.4, 0.8, 0.2, 1) + texture2D(texture, vec2(0.5)); "
+         "}\n"},
+        {"a function round",
+         "float round(float x) { return floor(x + 0.5) * 0.4; }\n"
+         "void main() { gl_FragColor = vec4(round(1.2), 0.8, 0.2, 1); }\n"},
+        {"a mainImage that it calls",
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.4, 0.8, 0.2, 1); }\n"
+         "void main() { mainImage(gl_FragColor, gl_FragCoord.xy); }\n"},
+        {"a buffer",
+         "uniform sampler2D half_of; //@ pass mainHalf\n"
+         "void mainHalf(out vec4 c, in vec2 p) { c = vec4(0.2, 0.4, 0.1, 1); }\n"
+         "void main() { gl_FragColor = 2.0 * texture2D(half_of, vec2(0.5)); }\n"},
+        {"a picture that reads itself",
+         "#iChannel0 \"self\"\nvoid main() {\n    vec4 old = texture2D(iChannel0, vec2(0.5));\n" +
+             end},
+        {"a file with a main(), too",
+         "#iChannel0 \"b.glsl\"\n"
+         "void main() { gl_FragColor = texture2D(iChannel0, vec2(0.5)); }\n"},
+    };
+    write("b.glsl", "void main() {\n" + end);
+    for (const auto& [what, text] : texts) {
+        SCOPED_TRACE(what);
+        write("a.glsl", text);
+        EXPECT_EQ(draw({"--frame", "2"}), (std::array{102, 204, 51})) << errors_;
+    }
+    write("a.glsl", "vec2 mainSound(int s, float t) { return vec2(0.5); }\nvoid main() {\n" + end);
+    EXPECT_EQ(glint({"sound", "a.glsl", "-o", "a.wav", "--seconds", "1"}).code, 0);
+}
+
+// Fed as they are elsewhere; a text may declare another thing by the name.
+TEST_F(Foreign, OldNamesOfOtherTypesAreUniformsThatNothingFills) {
+    for (const char* declaration : {"vec3 u_resolution", "vec4 u_mouse", "int u_time",
+                                    "vec2 iGlobalTime", "float u_time[2]"}) {
+        const std::string name =
+            std::string(declaration).substr(std::string(declaration).find(' ') + 1);
+        write("a.glsl",
+              std::string("uniform ") + declaration +
+                  ";\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(" +
+                  (name.ends_with(']') ? "u_time[1]" : name + (name == "u_time" ? "" : ".x")) +
+                  ") + 0.4; }\n");
+        EXPECT_EQ(draw({"--time", "3"})[0], 102) << declaration;
+        EXPECT_NE(errors_.find("has no annotation, so it stays 0"), std::string::npos) << errors_;
+    }
+}
+
+TEST_F(Foreign, ATickOfItsOwnIsTheTexts) {
+    for (const char* text :
+         {"float iTick = 0.4;\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(iTick); }\n",
+          "float iTick() { return 0.4; }\nvoid mainImage(out vec4 c, in vec2 p) { c = "
+          "vec4(iTick()); }\n",
+          "struct iTick { float a; };\n"
+          "void mainImage(out vec4 c, in vec2 p) { iTick t = iTick(0.4); c = vec4(t.a); }\n"}) {
+        write("a.glsl", text);
+        EXPECT_EQ(draw()[0], 102) << text << errors_;
+        EXPECT_EQ(errors_, "");
+    }
+}
+
 TEST_F(Foreign, AnEmptyChannelIsToldOnceWithItsLine) {
     write(
         "a.glsl",

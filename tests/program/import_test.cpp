@@ -59,6 +59,17 @@ protected:
     }
 };
 
+TEST_F(Import, AFunctionMayBearTheNameOfABuffer) {
+    Json passes = chain(257, 258, 37);
+    passes[3]["code"] =
+        "float bufferA() { return 0.4; }\nfloat shared_green() { return bufferA(); }";
+    write("a.json",
+          Json{{"Shader", {{"ver", "0.1"}, {"info", Json::object()}, {"renderpass", passes}}}}
+              .dump());
+    ASSERT_EQ(glint({"import", "a.json", "-o", "a.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag", 3)[1], 102);
+}
+
 TEST_F(Import, BothDialectsDrawTheSame) {
     write("api.json", Json{{"Shader",
                             {{"ver", "0.1"},

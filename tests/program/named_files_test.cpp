@@ -83,6 +83,8 @@ TEST_F(NamedFiles, WhatIsReadIsNotWrittenOver) {
              "still look.toml --size 8x8 -o a.png --save-state look.toml",
              "sequence s.frag --size 8x8 --frames 0:2 -o link%d.png",
              "sound tune.frag --seconds 1 -o tune.wav",
+             "probe s.frag --size 8x8 --expr p.x@3 --map wood.png",
+             "probe s.frag --size 8x8 --cost --map wood.png",
              "export image.glsl -o .",
          }) {
         expect_refused(line);

@@ -221,6 +221,20 @@ TEST_F(Usage, AloneAndWithoutADisplayItNamesThreeCommandsThatWork) {
     EXPECT_TRUE(names().contains("rings.frag"));
 }
 
+TEST_F(Usage, WithoutADisplayNoPictureThatIsThereGoes) {
+    write("rings.frag", kGradient);
+    write("rings.png", "precious");
+    Command open = command({"rings.frag", "--size", "64x36"});
+    open.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}};
+    for (const char* name : {"rings-0001.png", "rings-0002.png"}) {
+        const Outcome outcome = run(open);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
+        EXPECT_TRUE(fs::exists(folder() / name));
+    }
+    EXPECT_EQ(bytes("rings.png"), "precious");
+}
+
 TEST_F(Usage, AFolderWithoutADisplayIsToldWithAFileOfIts) {
     write("looks/rings.frag", kGradient);
     Command folder = command({"looks"});

@@ -284,6 +284,61 @@ TEST_F(Complaints, OfACallNameTheFunctionsOfItsSamplerAlone) {
         << to_text(others);
 }
 
+TEST_F(Complaints, OfACallWithinAMacroAreOneError) {
+    const Diagnostics unknown = complaints(
+        "#define BIGGER(a, b) max(a, b)\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(BIGGER(0.1, nothing));\n}\n");
+    ASSERT_EQ(unknown.size(), 1u) << to_text(unknown);
+    EXPECT_EQ(unknown[0].place.line, 3);
+    const Diagnostics none = complaints(
+        "#define S(a, b, c) smoothstep(a, b, c)\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(S(0.1, p, 0.2));\n}\n");
+    ASSERT_EQ(none.size(), 1u) << to_text(none);
+    EXPECT_NE(none[0].text.find("(in what S stands for, "), std::string::npos) << none[0].text;
+    EXPECT_NE(none[0].text.find("candidates are:\n    float smoothstep(float, float, float)\n"),
+              std::string::npos)
+        << none[0].text;
+}
+
+TEST_F(Complaints, OfAnArgumentOnALineOfItsOwnStandThere) {
+    const Diagnostics macro = complaints(
+        "#define SUM(a, b) (a + b)\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(SUM(0.1,\n        nothing));\n}\n");
+    ASSERT_EQ(macro.size(), 1u) << to_text(macro);
+    EXPECT_EQ(macro[0].place.line, 4) << to_text(macro);
+    EXPECT_EQ(macro[0].place.column, 9) << to_text(macro);
+    // What encloses it begins a line earlier, and fails for its sake alone.
+    const Diagnostics call = complaints(
+        "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(max(0.1,\n        nothing));\n}\n");
+    ASSERT_EQ(call.size(), 1u) << to_text(call);
+    EXPECT_EQ(call[0].place.line, 3) << to_text(call);
+}
+
+TEST_F(Complaints, MeanOnlyNamesThatAreThere) {
+    const struct {
+        std::string code, meant;  // "": nothing is as near
+    } cases[] = {
+        {"c = vec4(densty);", "density"},
+        {"c = vec4(iTme);", "iTime"},
+        {"c = vec4(colour);", ""},  // `color` is the host's
+        {"c = vec4(light);", ""},   // as is `highp`
+        {"c = vec4(y);", ""},       // any letter is as near
+        {"c = vec4(bad1 + bad2);", ""},
+    };
+    for (const auto& c : cases) {
+        const Diagnostics list = complaints(
+            "precision highp float;\nfloat density = 1.0;\n"
+            "void mainImage(out vec4 c, in vec2 p) { " +
+            c.code + " }\n");
+        ASSERT_FALSE(list.empty()) << c.code;
+        const std::string words = "; did you mean '" + c.meant;
+        EXPECT_EQ(list[0].text.find(words.substr(0, c.meant.empty() ? 14 : words.npos)) !=
+                      std::string::npos,
+                  !c.meant.empty())
+            << to_text(list);
+    }
+}
+
 TEST_F(Complaints, ComeOnceHoweverManyPassesShareTheText) {
     // Of a text that its cache on disk has, Mesa does not warn: this one is new each time.
     const Diagnostics list =

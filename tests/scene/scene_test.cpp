@@ -297,6 +297,7 @@ TEST(Scene, SaysWhatIsWrongAndWhere) {
         {"uniform Light { vec3 l; }; //@ 1", "1:1: error: an annotation is for one plain uniform"},
         {"uniform struct L { vec3 l; } a; //@ 1", "1:1: error: an annotation is for one plain"},
         {"uniform float a, b; //@ 1", "1:18: error: an annotation is for one uniform"},
+        {"uniform float a = 1.0;", "1:15: error: GLSL ES gives uniforms no value here"},
         {"uniform float a = 1.0; //@ 1", "1:15: error: GLSL ES gives uniforms no value here"},
         {"uniform float a //@ 1\nuniform float b; //@ 2", "1:1: error: this declaration is not"},
         {"uniform mat3 a; //@ 1", "1:9: error: 'mat3' cannot be annotated"},

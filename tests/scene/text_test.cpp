@@ -77,6 +77,8 @@ TEST(OddText, ACharacterThatGlslDoesNotHaveIsAnErrorAtItsPlace) {
          "a.frag:1:13: error: GLSL has no '\U0001F384' (U+1F384)"},
         {"```glsl\n", "a.frag:1:1: error: GLSL has no `"},
         {"float $a;\n", "a.frag:1:7: error: GLSL has no '$'"},
+        {"float gr\xFC = 1.0;\n", "a.frag:1:9: error: this byte is not UTF-8"},
+        {"float a = 1.0;\x1A\n", "a.frag:1:15: error: GLSL has no control character 26"},
     };
     for (const auto& c : cases) {
         const ReadScene result = read(c.text + kImage);
