@@ -387,6 +387,12 @@ TEST_F(Study, AReferenceThatIsNotFiniteIsToldAndBlamesNoRow) {
     EXPECT_EQ(findings(budget).find("nothing that was tried"), std::string::npos);
 }
 
+TEST_F(Study, SecondsMayBeAFractionOfOne) {
+    const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
+                                   "--vary", "steps=1,2", "--seconds", "0.2"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST_F(Study, CostOverSizeNeedsNoReference) {
     // Large enough that the steps, not the frame, are what is timed.
     const Json json = study("quadrature", {"--metric", "time", "--vary", "steps=8,\u2026,64"});
