@@ -393,6 +393,15 @@ TEST_F(Study, SecondsMayBeAFractionOfOne) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
+TEST_F(Study, AReferenceIsNotMeasuredByItself) {
+    const Outcome outcome = glint(
+        {"study", known_scene("quadrature").string(), "--second", "steps=4096", "--seconds", "0"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("--second steps=4096: that is the reference itself"),
+              std::string::npos)
+        << outcome.err;
+}
+
 TEST_F(Study, CostOverSizeNeedsNoReference) {
     // Large enough that the steps, not the frame, are what is timed.
     const Json json = study("quadrature", {"--metric", "time", "--vary", "steps=8,\u2026,64"});
