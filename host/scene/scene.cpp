@@ -316,7 +316,13 @@ void Builder::check_seconds() {
         const auto tweak = std::ranges::find(scene_.tweaks, name, &Tweak::name);
         if (tweak == scene_.tweaks.end()) continue;
         std::string wrong;
-        turned_values(scene_.tweaks, *tweak, tweak->second, wrong);
+        const auto turned = turned_values(scene_.tweaks, *tweak, tweak->second, wrong);
+        const bool is_own = turned.size() == 1 && &scene_.tweaks[turned[0].tweak] == &*tweak;
+        if (is_own && tweak->reference == turned[0].value)
+            wrong = fmt::format(
+                "{}: that is the reference itself, which tells nothing of its own error; name "
+                "another value",
+                tweak->second);
         if (!wrong.empty()) error(at, "second=" + wrong);
     }
 }

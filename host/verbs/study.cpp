@@ -35,7 +35,7 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->check(from(15, 100'000));
     verb.add_option("--seconds", study.seconds,
                     "of timing a tweak, after which no verdict is waited for")
-        ->check(from(0, 1'000'000));
+        ->check(from(0.0, 1e6));
     verb.add_option("--over", study.over,
                     "presets: errors over all of the scene's; or time=A:B:STEP: over these");
     CLI::Option* ms = verb.add_option("--ms", study.ms_budget,

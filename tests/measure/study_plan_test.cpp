@@ -226,6 +226,19 @@ TEST(StudyReference, IsJudgedByAnotherTweakWhereThatIsNamed) {
     EXPECT_EQ(both.knobs[0].second_work.ratio, 0.5);
 }
 
+TEST(StudyReference, IsNotJudgedByItself) {
+    const Planned planned(
+        "uniform int k; //@ 8 [1, 256] quality reference=256\n"
+        "uniform int method; //@ 0 {none, sum} quality reference=1\n"
+        "uniform int other; //@ 8 [1, 128] quality reference=256 second=128\n");
+    EXPECT_THROW(planned.plan({.second = {"k=256"}}), UsageError);
+    EXPECT_THROW(planned.plan({.reference = {"k=64"}, .second = {"k=64"}}), UsageError);
+    EXPECT_THROW(planned.plan({.second = {"method=sum"}}), UsageError);
+    EXPECT_EQ(planned.plan({.second = {"k=255"}}).knobs[0].second->text, "255");
+    const StudyPlan turned = planned.plan({.reference = {"other=128"}});
+    EXPECT_EQ(turned.knobs[2].second->text, "256") << "what the scene names is the reference now";
+}
+
 TEST(StudyReference, OfAMethodHasTheRivalThatTheSceneNames) {
     const Planned planned(
         "uniform int a; //@ 1 {cheap, sums, photons} quality reference=2 second=sums,cells=64\n"

@@ -103,6 +103,45 @@ TEST(StudyNearer, IsNeverWrongWhereverTheTruthLiesWithinTheReferencesError) {
     EXPECT_GT(told, 3 * told_apart_from_errors_alone);
 }
 
+// Four rows of order one beside a reference of which so many pixels are no numbers.
+glint::Study beside_reference(std::size_t not_finite) {
+    glint::Study study{.reference = "4096", .second = "8192"};
+    for (const double work : {1.0, 2.0, 4.0, 8.0}) {
+        study.rows.push_back(row(work, work));
+        study.rows.back().work = work;
+        study.rows.back().error = glint::Difference{.rmse = 0.1 / work, .max = 0.1};
+    }
+    study.reference_not_finite = not_finite;
+    if (not_finite == 0) study.reference_error = glint::Difference{.rmse = 1e-5, .max = 1e-5};
+    glint::judge(study, {.second_work = glint::kTwiceTheWork}, true);
+    return study;
+}
+
+TEST(StudyReferenceThatIsNotFinite, IsToldAndNothingIsJudgedByIt) {
+    const glint::Study sound = beside_reference(0), broken = beside_reference(7);
+    EXPECT_TRUE(sound.converges && sound.order && sound.findings.empty());
+    EXPECT_FALSE(broken.converges);
+    EXPECT_FALSE(broken.order);
+    ASSERT_EQ(broken.findings.size(), 1u);
+    EXPECT_NE(broken.findings[0].find("4096, is not finite in 7 pixels"), std::string::npos);
+    for (const glint::StudyRow& one : broken.rows) {
+        EXPECT_TRUE(one.failed.empty());
+        EXPECT_FALSE(one.pareto || one.nearer || one.near_reference);
+    }
+    EXPECT_NE(glint::to_table(broken).find("own error is not known: 7 of its pixels"),
+              std::string::npos);
+}
+
+TEST(StudyReferenceThatIsNotFinite, IsNoneToMeasureAnotherBy) {
+    glint::Study study = beside_reference(0);
+    study.reference_error = glint::Difference{.rmse = 0.0, .not_finite = 5};
+    glint::judge(study, {.second_work = glint::kTwiceTheWork}, true);
+    EXPECT_TRUE(study.converges) << "the rows near a reference that is finite";
+    EXPECT_EQ(study.own_error, 0.0);
+    ASSERT_EQ(study.findings.size(), 1u);
+    EXPECT_NE(study.findings[0].find("8192, is not finite in 5 pixels"), std::string::npos);
+}
+
 // What several views have in common is judged again.
 TEST(StudyNotes, StandOnceHoweverOftenAStudyIsJudged) {
     glint::Study study;

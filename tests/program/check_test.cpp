@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <sstream>
 
@@ -118,6 +119,49 @@ TEST_F(Check, WhatABufferPromisesIsDrawnOverTheFramesHeldOrBroken) {
 }
 
 // 1.28 Hz: three of 64 frames differ from the one before, or two, as the phase will have it.
+// Euler's step of h s grows where (1 - h / 4)^2 + (h^2) (9 - 1/16) > 1: from 1/18 s, 6.67 steps.
+TEST_F(Check, AStepIsToldStableUpToWhereAStateBeginsToGrow) {
+    const auto told = [&](const std::string& guard) {
+        write("spring.frag",
+              "uniform sampler2D spring; //@ pass mainSpring size=2x2 step=1/120\n"
+              "void mainSpring(out vec4 c, in vec2 p) {\n"
+              "    vec2 y = texelFetch(spring, ivec2(p), 0).xy;\n"
+              "    if (iFrame == 0" +
+                  guard +
+                  ") y = vec2(1, 0);\n"
+                  "    y += iTimeDelta * vec2(y.y, -9.0 * y.x - 0.5 * y.y);\n"
+                  "    c = vec4(y, 0, 1);\n"
+                  "}\n"
+                  "void mainImage(out vec4 c, in vec2 p) {\n"
+                  "    c = vec4(0.4 + 0.2 * texelFetch(spring, ivec2(0), 0).xy, 0.5, 1);\n"
+                  "}\n");
+        const Outcome outcome =
+            glint({"check", "spring.frag", "--size", "16x9", "--json", "--case", "step 1/120 s"});
+        const std::string note = case_of(report_of(outcome), "step 1/120 s")["note"];
+        EXPECT_TRUE(note.starts_with("stable up to ")) << note;
+        return std::atof(note.c_str() + std::strlen("stable up to "));
+    };
+    EXPECT_NEAR(told(""), 6.67, 0.3 * 6.67);
+    EXPECT_NEAR(told(" || !(dot(y, y) < 100.0)"), 6.67, 0.3 * 6.67) << "what is set back has grown";
+}
+
+TEST_F(Check, AStepThatIsExactIsToldToBeSo) {
+    write("turn.frag",
+          "uniform float speed; //@ 1 [0, 4]\n"
+          "uniform sampler2D turn; //@ pass mainTurn size=2x2 step=1/240 filter=nearest\n"
+          "void mainTurn(out vec4 c, in vec2 p) {\n"
+          "    float x = texelFetch(turn, ivec2(p), 0).x;\n"
+          "    if (!(x >= 0.0 && x < 1.0)) x = 0.0;\n"
+          "    c = vec4(fract(x + speed * iTimeDelta), 0, 0, 1);\n"
+          "}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(turn, ivec2(0), 0); }\n");
+    const Outcome outcome = glint({"check", "turn.frag", "--size", "16x9", "--json", "--effort",
+                                   "1", "--case", "step 1/240 s"});
+    const std::string note = case_of(report_of(outcome), "step 1/240 s")["note"];
+    EXPECT_NE(note.find("stable at least up to 64 times"), std::string::npos) << note;
+    EXPECT_NE(note.find("exact to rounding"), std::string::npos) << note;
+}
+
 TEST_F(Check, WhatBlinksSlowlyAndRightAtEveryAgeStandsStillAtNone) {
     write("scene.frag",
           "void mainImage(out vec4 c, in vec2 p) {\n"

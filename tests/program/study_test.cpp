@@ -1,6 +1,7 @@
 // `glint study` on scenes whose error is known, and on planted faults.
 #include "report.h"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -349,6 +350,56 @@ TEST_F(Study, ADivergedPointIsListed) {
     const Outcome table =
         glint({"study", known_scene("planted_diverged").string(), "--size", "64x36"});
     EXPECT_NE(table.out.find("diverged: 2304 pixels"), std::string::npos) << table.out;
+}
+
+// Beyond 1000 steps it is a square root of what is negative, and with `half` only on the left.
+TEST_F(Study, AReferenceThatIsNotFiniteIsToldAndBlamesNoRow) {
+    const auto told = [&](const char* half, std::vector<std::string> more = {}) {
+        write("s.frag", std::string("uniform int n; //@ 8 [1, 256] quality reference=4096\n"
+                                    "void mainImage(out vec4 c, in vec2 p) {\n"
+                                    "    vec2 q = p / iResolution.xy;\n"
+                                    "    float s = sqrt(float(1000 - (") +
+                            half +
+                            " ? n : 1)));\n"
+                            "    c = vec4(vec3(0.02 * s / float(n)) + 0.1 * q.x, 1);\n"
+                            "}\n");
+        std::vector<std::string> arguments = {"study",  "s.frag",    "--size", "16x8",
+                                              "--json", "--seconds", "0"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return report_of(glint(arguments));
+    };
+    for (const auto& [half, pixels] : {std::pair{"true", 128}, std::pair{"q.x < 0.5", 64}}) {
+        const Json json = told(half);
+        EXPECT_EQ(json["reference_not_finite"], pixels);
+        EXPECT_TRUE(json["own_error"].is_null() && json["reference_error"].is_null()) << json;
+        EXPECT_EQ(json["converges"], false);
+        ASSERT_EQ(json["findings"].size(), 1u) << findings(json);
+        EXPECT_NE(findings(json).find(fmt::format("is not finite in {} pixels", pixels)),
+                  std::string::npos);
+        for (const Json& row : json["rows"]) {
+            EXPECT_FALSE(row.contains("failed") || row["pareto"].get<bool>()) << row;
+            EXPECT_EQ(row["rmse"].is_null(), pixels == 128) << "what can be compared is";
+        }
+    }
+    const Json budget = told("true", {"--ms", "5"});
+    EXPECT_TRUE(budget["best"].is_null());
+    EXPECT_NE(findings(budget).find("is not finite in 128 pixels"), std::string::npos);
+    EXPECT_EQ(findings(budget).find("nothing that was tried"), std::string::npos);
+}
+
+TEST_F(Study, SecondsMayBeAFractionOfOne) {
+    const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
+                                   "--vary", "steps=1,2", "--seconds", "0.2"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST_F(Study, AReferenceIsNotMeasuredByItself) {
+    const Outcome outcome = glint(
+        {"study", known_scene("quadrature").string(), "--second", "steps=4096", "--seconds", "0"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("--second steps=4096: that is the reference itself"),
+              std::string::npos)
+        << outcome.err;
 }
 
 TEST_F(Study, CostOverSizeNeedsNoReference) {

@@ -327,6 +327,22 @@ TEST(Scene, SaysWhatIsWrongAndWhere) {
     }
 }
 
+TEST(Scene, AReferenceMeasuredByItselfIsAnErrorWhereItIsWritten) {
+    const auto told = [](const char* line) { return all(read(line + kImage).diagnostics); };
+    EXPECT_NE(told("uniform int k; //@ 8 [1, 256] quality reference=256 second=256\n")
+                  .find("a.frag:1:53: error: second=256: that is the reference itself"),
+              std::string::npos)
+        << told("uniform int k; //@ 8 [1, 256] quality reference=256 second=256\n");
+    EXPECT_NE(told("uniform int m; //@ 0 {a, b} quality reference=b second=m=b\n")
+                  .find("error: second=m=b: that is the reference itself"),
+              std::string::npos);
+    EXPECT_EQ(told("uniform int k; //@ 8 [1, 256] quality reference=256 second=128\n"), "");
+    EXPECT_EQ(told("uniform int m; //@ 0 {a, b} quality reference=b second=b,k=9\n"
+                   "uniform int k; //@ 8 [1, 256]\n"),
+              "")
+        << "with more work, it is another picture";
+}
+
 TEST(Scene, ReportsEveryError) {
     const ReadScene result = read(
         "uniform float a; //@ x\nuniform float b; //@ 1 y\n"

@@ -5,6 +5,7 @@
 #include "measure/rows/difference.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
@@ -109,6 +110,27 @@ void poison(const Buffer& buffer, glm::ivec2 texel, float value) {
         } else {
             glTextureSubImage2D(texture, 0, texel.x, texel.y, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
         }
+        if (buffer.shape().mipmaps) glGenerateTextureMipmap(texture);
+    }
+}
+
+void exchange(const CheckSubject& subject, std::size_t index, const std::vector<glm::ivec2>& texels,
+              int round, int times) {
+    const Buffer& buffer = subject.renderer().buffer(index);
+    const glm::ivec2 size = buffer.shape().size, away = glm::max(times * size / 4, glm::ivec2(1));
+    for (std::size_t output = 0; output < static_cast<std::size_t>(buffer.shape().outputs);
+         ++output) {
+        const std::vector<float> values = subject.renderer().read_buffer(index, output);
+        const GLuint texture = buffer.texture(output);
+        const auto put = [&](glm::ivec2 at) {
+            const glm::ivec2 from = (at + away) % size;
+            const auto first = 4 * static_cast<std::size_t>(from.x + from.y * size.x);
+            glTextureSubImage2D(texture, 0, at.x, at.y, 1, 1, GL_RGBA, GL_FLOAT, &values[first]);
+        };
+        for (const glm::ivec2 texel : texels)
+            for (int y = texel.y - round; y <= texel.y + round; ++y)
+                for (int x = texel.x - round; x <= texel.x + round; ++x)
+                    put((glm::ivec2(x, y) + round * size) % size);
         if (buffer.shape().mipmaps) glGenerateTextureMipmap(texture);
     }
 }

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <limits>
 
 namespace glint {
@@ -21,6 +23,9 @@ constexpr int kEndured = 600, kLeastEndured = 30;  // at each end of a tweak
 constexpr int kConfirmed = 2000;                   // before a growth is told
 constexpr float kFar = 1000.0f;
 constexpr int kBefore = 30, kAfter = 120;  // frames round a poisoning
+constexpr int kExchanges = 3,
+              kRound = 2;           // sound disturbances, and texels round each that they move
+constexpr std::size_t kChance = 3;  // times what these leave standing is no chance any more
 
 // Frames at 60 Hz, as many as a share of the seconds allows. False when one was not finite.
 bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants& invariants) {
@@ -94,18 +99,15 @@ float largest_of(const std::vector<float>& values) {
     return largest;
 }
 
-// With its texels poisoned after some frames, or left alone.
-std::optional<Seen> play_on(Check& check, std::size_t index, int after, bool poisoned) {
+// Disturbed after some frames, if at all.
+std::optional<Seen> play_on(Check& check, std::size_t index, int after,
+                            const std::function<void()>& disturb = nullptr) {
     CheckSubject& subject = check.subject;
     subject.renderer().reset();
     Seen seen;
     std::vector<float> values;
     for (int k = 0; k < kBefore + 2 + after; ++k) {
-        if (k == kBefore && poisoned) {
-            for (const glm::ivec2 texel : texels_to_poison(subject, index, check.effort.inject))
-                poison(subject.renderer().buffer(index), texel,
-                       std::numeric_limits<float>::quiet_NaN());
-        }
+        if (k == kBefore && disturb) disturb();
         const Playback endless{.end = 1e6, .fps = 60.0};
         subject.draw_blindly(endless.frame(subject.preset, k));
         if (k < kBefore + 2) continue;
@@ -126,26 +128,88 @@ std::optional<Seen> play_on(Check& check, std::size_t index, int after, bool poi
     return seen;
 }
 
-// How many values stand still that would move, far from where these are.
-std::size_t count_stuck(const Seen& poisoned, const Seen& clean) {
+// Whether a value stands still that would move, far from where it is.
+bool is_stuck(const Seen& disturbed, const Seen& clean, std::size_t i) {
+    const bool stands = disturbed.at_middle[i] == disturbed.at_late[i] &&
+                        disturbed.at_late[i] == disturbed.at_end[i];
+    const bool would_move =
+        clean.at_middle[i] != clean.at_late[i] && clean.at_late[i] != clean.at_end[i];
+    return stands && would_move &&
+           std::abs(disturbed.at_end[i] - clean.at_end[i]) > 0.05f * clean.all;
+}
+
+// The texels and those round them, as they are elsewhere in the buffer: how many values stand still
+// in spite of that, away from them. None, but where the least change has all go another way, as on
+// a board of cells: some rest where they would not have.
+std::size_t stuck_by_exchange(Check& check, std::size_t index, int after, const Seen& clean,
+                              int times) {
+    std::vector<glm::ivec2> texels;
+    const auto seen = play_on(check, index, after, [&] {
+        texels = texels_to_poison(check.subject, index, check.effort.inject);
+        exchange(check.subject, index, texels, kRound, times);
+    });
+    if (!seen) return 0;
+    const int width = check.subject.renderer().buffer(index).shape().size.x;
     std::size_t count = 0;
     for (std::size_t i = 0; i < clean.at_end.size(); ++i) {
-        const bool stands = poisoned.at_middle[i] == poisoned.at_late[i] &&
-                            poisoned.at_late[i] == poisoned.at_end[i];
-        const bool would_move =
-            clean.at_middle[i] != clean.at_late[i] && clean.at_late[i] != clean.at_end[i];
-        const float off = std::abs(poisoned.at_end[i] - clean.at_end[i]);
-        count += stands && would_move && off > 0.05f * clean.all;
+        const auto texel = static_cast<int>(i / 4);
+        const bool is_near = std::ranges::any_of(texels, [&](glm::ivec2 at) {
+            return std::abs(texel % width - at.x) <= kRound + 1 &&
+                   std::abs(texel / width - at.y) <= kRound + 1;
+        });
+        count += !is_near && is_stuck(*seen, clean, i);
     }
     return count;
 }
 
+// The least and the largest value of a channel, wherever.
+std::pair<float, float> range_of(const Seen& seen, std::size_t channel) {
+    std::pair<float, float> range(INFINITY, -INFINITY);
+    for (const auto* values : {&seen.at_middle, &seen.at_late, &seen.at_end}) {
+        for (std::size_t i = channel; i < values->size(); i += 4) {
+            range.first = std::min(range.first, (*values)[i]);
+            range.second = std::max(range.second, (*values)[i]);
+        }
+    }
+    return range;
+}
+
+// Whether any stands at what no value of its channel comes to without NaN.
+bool stands_at_a_value_of_its_own(const Seen& poisoned, const Seen& clean) {
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        const auto [least, most] = range_of(clean, channel);
+        const float beyond = 0.05f * clean.all;
+        for (std::size_t i = channel; i < clean.at_end.size(); i += 4) {
+            const float value = poisoned.at_end[i];
+            const bool is_own = value < least - beyond || value > most + beyond;
+            if (is_own && is_stuck(poisoned, clean, i)) return true;
+        }
+    }
+    return false;
+}
+
+// How many values stand still for NaN's sake.
+std::size_t count_stuck(Check& check, std::size_t index, int after, const Seen& poisoned,
+                        const Seen& clean) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < clean.at_end.size(); ++i) count += is_stuck(poisoned, clean, i);
+    if (count == 0 || stands_at_a_value_of_its_own(poisoned, clean)) return count;
+    std::size_t by_chance = 0;
+    for (int times = 1; times <= kExchanges; ++times)
+        by_chance = std::max(by_chance, stuck_by_exchange(check, index, after, clean, times));
+    return count > kChance * by_chance ? count : 0;
+}
+
 void run_after_poison(std::size_t index, Check& check, CaseResult& result) {
     const int after = check.paced(kAfter, 24);
-    const auto clean = play_on(check, index, after, false);
-    const auto poisoned = play_on(check, index, after, true);
+    const auto clean = play_on(check, index, after);
+    const auto poisoned = play_on(check, index, after, [&] {
+        for (const glm::ivec2 texel : texels_to_poison(check.subject, index, check.effort.inject))
+            poison(check.subject.renderer().buffer(index), texel,
+                   std::numeric_limits<float>::quiet_NaN());
+    });
     if (!clean || !poisoned) return;
-    const std::size_t stuck = count_stuck(*poisoned, *clean);
+    const std::size_t stuck = count_stuck(check, index, after, *poisoned, *clean);
     constexpr float kMost = 2.0f, kFading = 0.95f;
     if (poisoned->end > kMost * clean->all + 1e-3f && poisoned->end > kFading * poisoned->middle) {
         result.fail(

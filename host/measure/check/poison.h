@@ -12,4 +12,10 @@ namespace glint {
 std::vector<glm::ivec2> texels_to_poison(const CheckSubject& subject, std::size_t index, int count);
 void poison(const Buffer& buffer, glm::ivec2 texel, float value);
 
+// Puts into each of these texels, and into those so many texels round it, what stands elsewhere in
+// the buffer: `times` a quarter of its size away. A state as sound as any, of a buffer that is no
+// cube.
+void exchange(const CheckSubject& subject, std::size_t index, const std::vector<glm::ivec2>& texels,
+              int round, int times);
+
 }  // namespace glint

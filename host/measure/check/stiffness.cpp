@@ -1,5 +1,6 @@
-// How far a simulation's step is from where it explodes, and of which order it is: told, not
-// judged.
+// How far a simulation's step is from where the state explodes or grows for good, and of which
+// order it is: told, not judged.
+#include "base/median.h"
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/space.h"
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -15,14 +18,20 @@
 namespace glint {
 namespace {
 
-constexpr double kStiffPlayed = 4.0;  // s, after which an unstable step has shown itself
-constexpr double kCompared = 0.5;     // s, after which states of halved steps are compared
-constexpr double kMostTimes = 64.0;   // the step in use
-constexpr long kParts = 64;           // of a step; how finely it is told
+constexpr int kStiffPlayed = 4;      // s, after which a step that explodes has
+constexpr int kGrowthPlayed = 16;    // s, after which one that only grows has shown itself
+constexpr int kLooks = 10;           // a second, at the largest value
+constexpr double kCompared = 0.5;    // s, after which states of halved steps are compared
+constexpr double kMostTimes = 64.0;  // the step in use
+constexpr long kParts = 64;          // of a step; how finely it is told
 constexpr double kLeastOrder = 0.25;
 constexpr std::size_t kStiffEnds = 9;            // sets of tweaks
 constexpr double kStiffShare = 0.1;              // of the seconds
 constexpr float kBeyond = 16.0f, kLeast = 1.0f;  // the largest value, beside the step in use
+
+// A growth is told that goes on from second to second, faster than the usual step's, to where that
+// never comes. What a limit holds or a guard sets back has grown before.
+constexpr float kGrows = 1.03f, kFarther = 1.25f;
 
 using StepKey = std::pair<long, long>;
 
@@ -34,6 +43,31 @@ std::set<StepKey> steps_of(const CheckSubject& subject) {
         if (step) steps.insert({step.numerator, step.denominator});
     }
     return steps;
+}
+
+// What a step makes of the state: the largest value that is kept in each second, and at last.
+struct Course {
+    std::vector<float> peaks;
+    float end = 0.0f;  // infinite where it was not finite
+
+    float peak() const { return std::ranges::max(peaks); }
+    // From a second to the next, as it mostly is.
+    double growth() const {
+        std::vector<double> ratios;
+        for (std::size_t i = 1; i < peaks.size(); ++i)
+            ratios.push_back(std::max(peaks[i], 1e-12f) / std::max(peaks[i - 1], 1e-12f));
+        return median_of(ratios);
+    }
+    bool may_grow() const {
+        const auto middle = peaks.begin() + static_cast<std::ptrdiff_t>(peaks.size() / 2);
+        return *std::max_element(middle, peaks.end()) >
+               kGrows * *std::max_element(peaks.begin(), middle);
+    }
+};
+
+bool grows(const Course& course, const Course& usual) {
+    return course.growth() > kGrows * std::max(usual.growth(), 1.0) &&
+           course.peak() > kFarther * usual.peak();
 }
 
 // A subject whose passes of one step have another, until the end of this.
@@ -51,15 +85,32 @@ public:
     Stepped(const Stepped&) = delete;
     Stepped& operator=(const Stepped&) = delete;
 
-    // The largest value that is kept, after some seconds; infinity where it was not finite.
-    float largest_with(long parts, const std::vector<TweakValue>& values) {
+    // From the start, so many seconds.
+    Course play(long parts, const std::vector<TweakValue>& values, int seconds) {
         set(parts, kParts);
         subject_.restore();
         subject_.preset.values = values;
-        const auto frames = static_cast<int>(kStiffPlayed * 60.0);
-        for (int k = 0; k < frames; ++k)
-            if (!subject_.play_frames(k, k + 1, 60.0)) return INFINITY;
-        return subject_.largest_state();
+        Course course;
+        play_on(course, seconds);
+        return course;
+    }
+
+    // What was played last, to so many seconds in all.
+    void play_on(Course& course, int seconds) {
+        constexpr int kApart = 60 / kLooks;
+        while (course.peaks.size() < static_cast<std::size_t>(seconds)) {
+            float peak = 0.0f;
+            const auto begin = static_cast<int>(course.peaks.size()) * 60;
+            for (int k = begin; k < begin + 60; k += kApart) {
+                if (!subject_.play_frames(k, k + kApart, 60.0)) {
+                    course.end = INFINITY;
+                    return;
+                }
+                course.end = subject_.largest_state();
+                peak = std::max(peak, course.end);
+            }
+            course.peaks.push_back(peak);
+        }
     }
 
     // What the passes hold when their step is a part of it.
@@ -109,10 +160,16 @@ std::vector<std::vector<TweakValue>> values_at(const CheckSubject& subject) {
 
 // How many times the step in use is stable, with each of these values; by doubling, then halving.
 double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
-    const float usual = stepped.largest_with(kParts, values);
-    if (!std::isfinite(usual)) return 0.0;
+    const Course usual = stepped.play(kParts, values, kStiffPlayed);
+    if (!std::isfinite(usual.end)) return 0.0;
+    std::optional<Course> usual_for_long;
     const auto is_stable = [&](long parts) {
-        return stepped.largest_with(parts, values) <= std::max(kLeast, kBeyond * usual);
+        Course course = stepped.play(parts, values, kStiffPlayed);
+        if (!(course.end <= std::max(kLeast, kBeyond * usual.end))) return false;
+        if (!course.may_grow() || course.peak() <= kLeast) return true;
+        stepped.play_on(course, kGrowthPlayed);
+        if (!usual_for_long) usual_for_long = stepped.play(kParts, values, kGrowthPlayed);
+        return std::isfinite(course.end) && !grows(course, *usual_for_long);
     };
     long good = kParts;
     while (good < kParts * static_cast<long>(kMostTimes) && is_stable(2 * good)) good *= 2;
@@ -132,12 +189,21 @@ double distance(const std::vector<float>& a, const std::vector<float>& b) {
     return std::sqrt(squares);
 }
 
+// What two states may differ by that are the same but for rounding: half a digit of each value with
+// every step of the shortest, which may all add up.
+double rounding_of(const std::vector<float>& state, double steps) {
+    const double digit = std::numeric_limits<float>::epsilon();
+    return 0.5 * digit * steps * distance(state, std::vector<float>(state.size(), 0.0f));
+}
+
 // By how many powers of two halving the step brings the state nearer to where it converges.
-std::string order_of(Stepped& stepped) {
+std::string order_of(Stepped& stepped, double step_seconds) {
     const auto whole = stepped.state_with_part(1), half = stepped.state_with_part(2),
                quarter = stepped.state_with_part(4);
     const double one = distance(whole, half), next = distance(half, quarter);
     if (!(one > 0.0) || !(next > 0.0)) return "no order: halving it changes nothing";
+    if (std::max(one, next) <= rounding_of(quarter, 4.0 * kCompared / step_seconds))
+        return "exact to rounding: halving it changes no more than last digits";
     const double order = std::log2(one / next);
     // One that does not converge has none: what is added a step is no share of iTimeDelta.
     if (!(order > kLeastOrder)) return "no order: halving it brings the state no nearer to any";
@@ -154,11 +220,11 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
         if (clock.is_over(kStiffShare)) break;
         least = std::min(least, largest_stable(stepped, values));
     }
+    const double seconds = static_cast<double>(step.first) / static_cast<double>(step.second);
     result.note =
         fmt::format("{} up to {:.3g} times the step in use, {:.3g} s, over the ranges' ends; {}",
-                    least >= kMostTimes ? "stable at least" : "stable", least,
-                    static_cast<double>(step.first) / static_cast<double>(step.second) * least,
-                    order_of(stepped));
+                    least >= kMostTimes ? "stable at least" : "stable", least, seconds * least,
+                    order_of(stepped, seconds));
 }
 
 }  // namespace

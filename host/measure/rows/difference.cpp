@@ -32,6 +32,7 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
     for (std::size_t i = 0; i + 3 < std::min(picture.size(), reference.size()); i += 4) {
         if (!is_finite(&picture[i]) || !is_finite(&reference[i])) {
             ++result.not_finite;
+            result.reference_not_finite += !is_finite(&reference[i]);
             continue;
         }
         bool is_off = false;
@@ -57,6 +58,12 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
     result.psnr = byte_squares == 0.0 ? std::numeric_limits<double>::infinity()
                                       : 10.0 * std::log10(255.0 * 255.0 / (byte_squares / values));
     return result;
+}
+
+std::size_t pixels_not_finite(std::span<const float> picture) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 3 < picture.size(); i += 4) count += !is_finite(&picture[i]);
+    return count;
 }
 
 std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,

@@ -8,13 +8,14 @@
 namespace glint {
 
 // Over red, green and blue; alpha means nothing. Pixels where either picture is not finite count in
-// `not_finite` and nowhere else.
+// `not_finite`, those of the second in `reference_not_finite` as well, and nowhere else.
 struct Difference {
     double rmse = 0.0, max = 0.0;
     double relative_mse = 0.0;  // mean of (x - r)^2 / (r^2 + 0.01); r: the second picture
     double psnr = 0.0;          // dB, of 8-bit values; infinite when they are equal
     double share_off = 0.0;     // of pixels with a channel off by more than 1/255, as 8-bit
     std::size_t not_finite = 0;
+    std::size_t reference_not_finite = 0;  // no fault of the first picture
     double flip = 0.0;  // the mean of flip_map(), as far as somebody has asked for it
 };
 
@@ -22,6 +23,9 @@ struct Difference {
 // the values in light: decoded from sRGB, or as they are when they are no colours for a display.
 Difference difference(std::span<const float> picture, std::span<const float> reference,
                       bool encoded = true);
+
+// How many pixels of an RGBA picture have a red, green or blue that is not finite.
+std::size_t pixels_not_finite(std::span<const float> picture);
 
 // Which pixel has the channel that differs most, in light as above; 0 of equal pictures.
 std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,

@@ -401,4 +401,11 @@ double mean(std::span<const float> map) {
                : std::accumulate(map.begin(), map.end(), 0.0) / static_cast<double>(map.size());
 }
 
+double mean_where_finite(std::span<const float> map, std::span<const float> reference) {
+    std::vector<float> kept;
+    for (std::size_t i = 0; i < map.size(); ++i)
+        if (is_finite(&reference[4 * i])) kept.push_back(map[i]);
+    return mean(kept);
+}
+
 }  // namespace glint

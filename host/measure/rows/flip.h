@@ -35,6 +35,8 @@ std::vector<float> flip_map(std::span<const float> picture, std::span<const floa
 
 // The mean of a map, which the papers report as the error of a picture; 0 of an empty one.
 double mean(std::span<const float> map);
+// The same without the pixels where this reference is not finite, for which no picture can help it.
+double mean_where_finite(std::span<const float> map, std::span<const float> reference);
 
 // At which exposures, in stops, HDR-FLIP looks at a picture: from the one that shows its brightest
 // pixel, tone mapped, at 0.85, to the one that shows the median luminance so; as many as there are

@@ -128,6 +128,7 @@ Json to_json(const Difference& d) {
             {"share_off", d.share_off},
             {"relative_mse", d.relative_mse},
             {"not_finite", d.not_finite},
+            {"reference_not_finite", d.reference_not_finite},
             {"flip", d.flip}};
 }
 
@@ -138,6 +139,7 @@ Difference difference_from_json(const Json& json) {
             .psnr = number(json.at("psnr")).value_or(std::numeric_limits<double>::infinity()),
             .share_off = number(json.at("share_off")).value_or(0.0),
             .not_finite = json.value("not_finite", std::size_t{0}),
+            .reference_not_finite = json.value("reference_not_finite", std::size_t{0}),
             .flip = number(json.at("flip")).value_or(0.0)};
 }
 
@@ -197,8 +199,9 @@ Json to_json(const Study& study) {
         {"knob", study.knob},
         {"reference", study.reference},
         {"second_reference", study.second},
+        {"reference_not_finite", study.reference_not_finite},
         {"reference_error", study.reference_error ? to_json(*study.reference_error) : Json()},
-        {"own_error", study.own_error},
+        {"own_error", study.references_are_finite() ? Json(study.own_error) : Json()},
         {"rival", study.rival ? rival_json(*study.rival) : Json()},
         {"converges", study.converges},
         {"renderer", study.renderer},
@@ -226,6 +229,7 @@ Study study_from_json(const Json& json) {
                 .knob = json.at("knob"),
                 .reference = json.at("reference"),
                 .second = json.at("second_reference"),
+                .reference_not_finite = json.value("reference_not_finite", std::size_t{0}),
                 .renderer = json.at("renderer"),
                 .machine = json.at("machine"),
                 .size = {json.at("size").at(0), json.at("size").at(1)},

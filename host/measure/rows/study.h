@@ -82,8 +82,9 @@ struct RivalReference {
 };
 
 struct Study {
-    std::string scene{}, knob{};        // a file; a tweak, or "settle"
-    std::string reference{}, second{};  // values; a second one to judge the first by, or ""
+    std::string scene{}, knob{};           // a file; a tweak, or "settle"
+    std::string reference{}, second{};     // values; a second one to judge the first by, or ""
+    std::size_t reference_not_finite = 0;  // pixels of the reference, by which no error can be told
     std::optional<Difference> reference_error{};  // of the second reference to the first
     // RMSE by which the reference claims to be off, which follows from that; 0: not known.
     double own_error = 0.0;
@@ -107,6 +108,11 @@ struct Study {
     std::vector<std::string> findings{};  // what looks wrong
     std::vector<std::string> notes{};     // what was assumed, and what was left out
     std::string reference_picture{};      // a file, seen from the report; "": none
+
+    // Otherwise the own error is not known, and null in JSON.
+    bool references_are_finite() const {
+        return reference_not_finite == 0 && (!reference_error || reference_error->not_finite == 0);
+    }
 
     // RMSE below which nothing can be told from the reference; 0 where that is not known.
     double reference_rmse() const {

@@ -71,6 +71,11 @@ Knob format_knob(const Preset& preset, const std::vector<bool>& drawn, const For
     knob.reference =
         value(asked.reference ? parse(asked.name, *asked.reference) : PixelFormat::rgba32f);
     if (asked.second) knob.second = value(parse(asked.name, *asked.second));
+    if (knob.second && knob.second->setting == knob.reference.setting)
+        throw UsageError(
+            fmt::format("--second {}={}: that is the reference itself, which tells nothing of its "
+                        "own error; name another format.",
+                        asked.name, *asked.second));
     knob.notes.push_back(fmt::format("{} takes: {}", pass.name, rooms));
     return knob;
 }

@@ -96,11 +96,12 @@ public:
         start();
         const Budget budget = this->budget();
         const double begun = spent_ms();
+        const bool has_truth = pixels_not_finite(truth_) == 0;
         int count = 0;  // the preset's own is measured, however little time there is
         const auto tried =
             search(dials_, own(), budget, kTries, [&](const Stand& at) -> std::optional<Tried> {
                 const bool over = spent_ms() - begun > 1e3 * kSearchShare * seconds_;
-                if (count > 0 && over) return std::nullopt;
+                if (count > 0 && (over || !has_truth)) return std::nullopt;
                 caller_.told(++count, kTries);
                 return measure(at);
             });
@@ -269,11 +270,12 @@ private:
         const std::vector<float> picture = tried.draw_picture();
         Difference off = difference(picture, truth_, encoded);
         if (limit_.of == Limit::Of::flip || !limit_.number)
-            off.flip = mean(flip_map(picture, truth_, size_, {.encoded = encoded}));
+            off.flip =
+                mean_where_finite(flip_map(picture, truth_, size_, {.encoded = encoded}), truth_);
         std::vector<double> ratios;
         for (int i = 0; i < quick_frames_; ++i)
             ratios.push_back(time(tried.time_frame()) / time(base_->time_frame()));
-        const bool failed = off.not_finite > 0;
+        const bool failed = off.not_finite > off.reference_not_finite;
         if (!own_error_) own_error_ = off;  // the preset's own is the first
         return {.at = at,
                 .ms = base_ms_ * median_of(ratios),
@@ -342,6 +344,10 @@ Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limi
 
 void choose_best(Study& study, const Limit& limit) {
     study.is_joint = true;
+    if (study.reference_not_finite > 0) {
+        study.findings.push_back("no setting is chosen, since the reference is not finite");
+        return;
+    }
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);
     const bool any = own != study.rows.end() && own->error, by_time = limit.of == Limit::Of::ms;
     const Difference* own_error = any ? &*own->error : nullptr;

@@ -99,6 +99,7 @@ Difference mean_of(const std::vector<const Difference*>& all) {
         mean.share_off += one->share_off / count;
         mean.flip += one->flip / count;
         mean.not_finite += one->not_finite;
+        mean.reference_not_finite += one->reference_not_finite;
     }
     mean.rmse = std::sqrt(squares);
     mean.psnr = byte_squares > 0.0 ? -10.0 * std::log10(byte_squares)
@@ -178,8 +179,10 @@ Study over_all(const std::vector<View>& views, const std::vector<Study>& studies
     Study all = studies.front();
     std::vector<const Difference*> seconds, rivals;
     double claims = 0.0;
+    all.reference_not_finite = 0;
     for (const Study& study : studies) {
         all.look = std::max(all.look, study.look);
+        all.reference_not_finite += study.reference_not_finite;
         if (study.reference_error) seconds.push_back(&*study.reference_error);
         if (!study.rival) continue;
         rivals.push_back(&study.rival->difference);

@@ -122,14 +122,11 @@ std::string facts(const Study& study) {
                             markup_escaped(fmt::format("{}", fmt::join(study.views, ", "))));
     }
     if (!study.time_only) {
-        text += fmt::format(
-            "<br>Compared: {}. Reference: {}; its own error: {}.",
-            study.pass == "image" ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
-                                  : markup_escaped(study.pass),
-            markup_escaped(study.reference),
-            study.reference_error ? fmt::format("{} by {}", three_digits(study.own_error),
-                                                markup_escaped(study.second))
-                                  : "not known");
+        text += fmt::format("<br>Compared: {}. Reference: {}; its own error {}.",
+                            study.pass == "image"
+                                ? "the picture, decoded from sRGB; PSNR and 1/255 as 8-bit"
+                                : markup_escaped(study.pass),
+                            markup_escaped(study.reference), markup_escaped(own_error_text(study)));
         if (study.rival) {
             text += fmt::format("<br>Second reference: {}; its own error: {}; they differ by {}.",
                                 markup_escaped(study.rival->value),

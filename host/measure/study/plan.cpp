@@ -41,6 +41,15 @@ bool is_number(const Tweak& tweak) {
            (tweak.type == TweakType::float1 || tweak.type == TweakType::int1);
 }
 
+// Of the same picture it would be off by nothing.
+void require_another(const KnobValue& second, const KnobValue& reference, const std::string& said) {
+    if (second.setting == reference.setting)
+        throw UsageError(
+            fmt::format("--second {}: that is the reference itself, which tells nothing of its own "
+                        "error; name another value.",
+                        said));
+}
+
 int frames(const std::string& text) {
     const auto number = parse_number(text);
     if (!number || *number < 0.0 || *number > 1e6 || *number != std::floor(*number)) {
@@ -278,10 +287,15 @@ void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
         const double ratio = v[0] / *knob.reference.work;
         knob.second_work = {SecondWork::Kind::more, knob.more_is_better ? ratio : 1.0 / ratio};
     };
-    if (const auto text = said(options_.second, tweak.name, "--second"))
-        return by_value(parse(tweak, *text, "--second"));
+    if (const auto text = said(options_.second, tweak.name, "--second")) {
+        by_value(parse(tweak, *text, "--second"));
+        return require_another(*knob.second, knob.reference,
+                               fmt::format("{}={}", tweak.name, *text));
+    }
     if ((knob.second = named_second(tweak.name, knob.reference))) return;
-    if (const Named named = named_by_scene(tweak); named.is_own_number)
+    // A reference that another one has taken the place of may be what measures it in the scene.
+    if (const Named named = named_by_scene(tweak);
+        named.is_own_number && named.values[0].value[0] != knob.reference.work)
         return by_value(named.values[0].value);
     knob.more = more_work(tweak, knob, knob.reference);
     knob.second_work = {SecondWork::Kind::seed, 1.0};
@@ -332,6 +346,7 @@ Knob Planner::settle_knob(const std::vector<int>& values) const {
     };
     if (second) {
         more(frames(*second));
+        require_another(*result.second, result.reference, fmt::format("{}={}", kSettle, *second));
     } else if (!(result.second = named_second(kSettle, result.reference))) {
         more(2 * truth + 1);
         result.more = result.second;

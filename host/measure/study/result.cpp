@@ -87,8 +87,8 @@ void tell_verdicts(Study& study, const TimeVerdicts& verdicts) {
         StudyRow& row = study.rows[i];
         row.verdict.reset();
         if (i != than && !row.times.wall.empty()) row.verdict = verdicts.of(i, than);
-        row.nearer = i != than && own != study.rows.end() && has_error(row) && has_error(*own) &&
-                     is_nearer(study, i, than);
+        row.nearer = study.reference_not_finite == 0 && i != than && own != study.rows.end() &&
+                     has_error(row) && has_error(*own) && is_nearer(study, i, than);
     }
 }
 
@@ -236,10 +236,33 @@ void find_convergence(Study& study, const Steps& steps) {
                           three_digits(apart)));
 }
 
+// Of a picture that is no number nothing is the truth, however few of its pixels are not.
+void find_broken_reference(Study& study) {
+    study.converges = false;
+    study.findings.push_back(fmt::format(
+        "the reference, {}, is not finite in {} pixels: no error can be told by it; name another "
+        "with --reference",
+        study.reference, study.reference_not_finite));
+}
+
+void find_broken_second(Study& study) {
+    if (study.references_are_finite()) return;
+    study.findings.push_back(fmt::format(
+        "the second reference, {}, is not finite in {} pixels: the reference's own error is not "
+        "known; name another with --second",
+        study.second, study.reference_error->not_finite));
+}
+
 // What the reference claims, and whether another way to the truth bears it out.
 void compare_references(Study& study, const Knob& knob) {
     if (!study.rival) return;
     RivalReference& rival = *study.rival;
+    if (rival.difference.not_finite > 0) {
+        study.findings.push_back(
+            fmt::format("the reference {} is not finite in {} pixels, so that nothing bears {} out",
+                        rival.value, rival.difference.not_finite, knob.reference.text));
+        return;
+    }
     const double claimed = study.own_error + rival.own_error;
     rival.disagrees = rival.difference.rmse > std::max(claimed, kLeastRmse);
     if (!rival.disagrees) return;
@@ -249,10 +272,13 @@ void compare_references(Study& study, const Knob& knob) {
         three_digits(study.own_error), three_digits(rival.own_error)));
 }
 
-void find_what_looks_wrong(Study& study) {
+void find_failed_rows(Study& study) {
     for (const StudyRow& row : study.rows) {
         if (!row.failed.empty()) study.findings.push_back(row.value + ": " + row.failed);
     }
+}
+
+void find_what_looks_wrong(Study& study) {
     const bool any = std::ranges::any_of(study.rows, has_error);
     const bool nothing = std::ranges::none_of(
         study.rows, [](const StudyRow& row) { return has_error(row) && row.error->max > 0.0; });
@@ -264,6 +290,26 @@ void find_what_looks_wrong(Study& study) {
             fmt::format("{} of {} rows are within ten times of the reference's own error (~)", near,
                         study.rows.size()));
     }
+}
+
+// What the rows tell beside a reference that is finite.
+void compare_with_reference(Study& study, const Knob& knob) {
+    const Steps steps = steps_of(study, knob.more_is_better);
+    find_broken_second(study);
+    find_convergence(study, steps);
+    compare_references(study, knob);
+    mark_near_reference(study);
+    find_wrong_reference(study, steps);
+    find_failed_rows(study);
+    find_what_looks_wrong(study);
+}
+
+// Nothing, where the reference is not finite: neither an order nor which row is nearer.
+void compare_with_none(Study& study) {
+    study.order.reset();
+    study.own_error = 0.0;
+    find_broken_reference(study);
+    find_failed_rows(study);
 }
 
 std::string psnr_text(double psnr) {
@@ -322,7 +368,8 @@ void judge(Study& study, const Knob& knob, bool on_software) {
     take_times(study, on_software);
     study.findings.clear();
     study.notes = knob.notes;  // a study over several views is judged again
-    const double apart = study.reference_error ? study.reference_error->rmse : 0.0;
+    const bool is_measured = study.reference_error && study.references_are_finite();
+    const double apart = is_measured ? study.reference_error->rmse : 0.0;
     // What the order is depends on what can be told from the reference, and that on the order.
     study.order.reset();
     for (int round = 0; round < 2; ++round) {
@@ -330,18 +377,26 @@ void judge(Study& study, const Knob& knob, bool on_software) {
         fit(study, knob.more_is_better);
     }
     study.own_error = own_error(apart, knob.second_work, study.order);
-    if (!study.time_only) {
-        const Steps steps = steps_of(study, knob.more_is_better);
-        find_convergence(study, steps);
-        compare_references(study, knob);
-        mark_near_reference(study);
-        find_wrong_reference(study, steps);
-        find_what_looks_wrong(study);
+    if (study.reference_not_finite > 0) {
+        compare_with_none(study);
+    } else if (!study.time_only) {
+        compare_with_reference(study, knob);
     }
     tell_verdicts(study, verdicts_of(study, kAlike));
     // By what anybody asks for: a step between what is told and what matters would have its star or
     // not by how long it was timed.
     mark_pareto(study, verdicts_of(study, kEnough));
+}
+
+std::string own_error_text(const Study& study) {
+    if (study.reference_not_finite > 0)
+        return fmt::format("is not known: {} of its pixels are not finite",
+                           study.reference_not_finite);
+    if (!study.reference_error) return "is not known: name another method with --second";
+    if (!study.references_are_finite())
+        return fmt::format("is not known: {} pixels of {} are not finite",
+                           study.reference_error->not_finite, study.second);
+    return fmt::format("{} by {}", three_digits(study.own_error), study.second);
 }
 
 std::string to_table(const Study& study) {
@@ -352,10 +407,7 @@ std::string to_table(const Study& study) {
                     study.size.y, study.renderer, to_string(study.clock));
     if (!study.time_only) {
         text +=
-            fmt::format("reference {}; its own error {}\n", study.reference,
-                        study.reference_error
-                            ? fmt::format("{} by {}", three_digits(study.own_error), study.second)
-                            : "is not known: name another method with --second");
+            fmt::format("reference {}; its own error {}\n", study.reference, own_error_text(study));
         if (study.rival) {
             text += fmt::format("second reference {}; its own error {}; they differ by {}\n",
                                 study.rival->value, three_digits(study.rival->own_error),

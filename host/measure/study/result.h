@@ -24,6 +24,9 @@ double own_error(double rmse, const SecondWork& second, const std::optional<doub
 // and of one length.
 std::optional<double> log_slope(std::span<const double> x, std::span<const double> y);
 
+// What the reference is off by, or why that is not known: "0.001 by 8192".
+std::string own_error_text(const Study& study);
+
 // What was judged, as aligned lines that end with findings and notes; for a terminal.
 std::string to_table(const Study& study);
 // Lines of comma-separated values: the names, and a line a row.

@@ -90,6 +90,9 @@ struct Reference {
     StudyKey key;
     std::vector<float> picture;
     std::string file;  // seen from the report
+
+    // Beyond that no row can be compared.
+    bool is_finite_anywhere() const { return pixels_not_finite(picture) < picture.size() / 4; }
 };
 
 StudyKey key_of_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value) {
@@ -157,12 +160,12 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         const bool encoded = is_encoded(scenery);
         row.is_reference = value.setting == knob.reference.setting;
         row.error = difference(picture, reference->picture, encoded);
-        if (row.error->not_finite > 0) {
-            row.failed = fmt::format("diverged: {} pixels are not finite", row.error->not_finite);
-        }
+        const std::size_t own = row.error->not_finite - row.error->reference_not_finite;
+        if (own > 0) row.failed = fmt::format("diverged: {} pixels are not finite", own);
         const std::vector<float> seen =
             flip_map(picture, reference->picture, scenery.size, {.encoded = encoded});
-        row.error->flip = mean(seen);
+        row.error->flip = mean_where_finite(seen, reference->picture);
+        if (!reference->is_finite_anywhere()) row.error.reset();
         if (!previous.empty()) {
             row.rmse_to_previous = difference(picture, previous, encoded).rmse;
         }
@@ -308,6 +311,7 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
     };
     Reference reference = draw(knob.reference);
     study.reference_picture = reference.file;
+    study.reference_not_finite = pixels_not_finite(reference.picture);
     tell(scenery, knob, study);
     // Beside `truth`; of twice the work where another seed changes nothing.
     const auto beside = [&](const Reference& truth, std::optional<KnobValue>& second,
@@ -319,7 +323,8 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
         return apart(draw(*second), truth);
     };
     if (knob.second) {
-        study.reference_error = beside(reference, knob.second, knob.more, knob.second_work);
+        const Difference off = beside(reference, knob.second, knob.more, knob.second_work);
+        if (study.reference_not_finite == 0) study.reference_error = off;
         study.second = knob.second->text;
         tell(scenery, knob, study);
     }
