@@ -30,16 +30,24 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
+// Names of files and what a shader says in #error may hold what a terminal obeys.
+std::string harmless(std::string text, std::string_view kept) {
+    for (char& c : text)
+        if ((static_cast<unsigned char>(c) < 0x20 || c == 0x7F) && kept.find(c) == kept.npos)
+            c = '?';
+    return text;
+}
+
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
     const Place& place = diagnostic.place;
-    std::string where = place.file;
+    std::string where = harmless(place.file, "");
     if (place.line > 0) where += fmt::format(":{}", place.line);
     if (place.line > 0 && place.column > 0) where += fmt::format(":{}", place.column);
     if (!where.empty()) where += ": ";
     const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
-    return fmt::format("{}{}: {}", where, severity, diagnostic.text);
+    return fmt::format("{}{}: {}", where, severity, harmless(diagnostic.text, "\n\t"));
 }
 
 bool has_errors(std::span<const Diagnostic> diagnostics) {

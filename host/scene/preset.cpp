@@ -160,11 +160,16 @@ void Reader::take_scene(Scene scene) {
     for (const Tweak& tweak : preset_.scene.tweaks) preset_.values.push_back(tweak.initial);
 }
 
+// The system would read one with a NUL in it up to there, and open another file.
+bool is_name(const std::optional<std::string>& text) {
+    return text && !text->empty() && text->find('\0') == text->npos;
+}
+
 void Reader::read_scene_key(const toml::table& root) {
     if (known_scene_) return take_scene(*known_scene_);
     const toml::node* node = root.get("scene");
     const auto name = node ? node->value<std::string>() : std::nullopt;
-    if (!name || name->empty()) {
+    if (!is_name(name)) {
         const Place where = node ? place(node->source()) : Place{preset_.file.string(), 1, 1};
         result_.diagnostics.push_back(
             {Severity::error, where,
@@ -409,7 +414,7 @@ void Reader::read_channel_source(Sampler& sampler, std::string_view key, const t
     }
     if (key == "cube" && node.is_array()) return read_cube_files(sampler, *node.as_array());
     const auto text = node.value<std::string>();
-    if (!text || text->empty())
+    if (!is_name(text))
         return warning(node, fmt::format("{} is a text; write {} = \"{}\"", key, key,
                                          key == "image"    ? "wood.png"
                                          : key == "cube"   ? "sky.hdr"
@@ -451,8 +456,7 @@ void Reader::read_cube_files(Sampler& sampler, const toml::array& files) {
     if (!wrong.empty()) return warning(files, wrong);
     for (const toml::node& file : files) {
         const auto name = file.value<std::string>();
-        if (!name || name->empty())
-            return warning(file, "the name of a file is a text; write \"px.png\"");
+        if (!is_name(name)) return warning(file, "the name of a file is a text; write \"px.png\"");
         sampler.files.push_back(preset_.file.parent_path() / *name);
     }
     sampler.type = SamplerType::samplerCube;

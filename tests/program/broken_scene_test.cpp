@@ -59,6 +59,9 @@ TEST_F(BrokenScene, TellsTheLineAndColumnOfASyntaxError) {
          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(bufferA, ivec2(p), 0); }\n"
          "#endif\n",
          3, "scene.frag:3:50: error: `wrong' undeclared"},
+        {"in #error, with what a terminal would obey",
+         "#error \033[2J\033]0;hi\a\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n", 3,
+         "scene.frag:1:1: error: #error ?[2J?]0;hi?"},
         {"in an annotation", std::string_view("uniform float a; //@ 0.5 [1, 0\n"), 3,
          "scene.frag:1:"},
     };

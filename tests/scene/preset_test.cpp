@@ -206,6 +206,21 @@ TEST(Preset, WarningsFollowTheOrderOfTheLines) {
     EXPECT_EQ(lines, (std::vector<int>{2, 3, 5, 6}));
 }
 
+// The system would read the name up to there, and open another file.
+TEST(Preset, ANameWithANulOpensNothing) {
+    const TestFolder folder;
+    folder.write("a.frag", kScene);
+    const ReadPreset scene = read_preset(folder.write("a.toml", "scene = \"a.frag\\u0000.png\"\n"));
+    EXPECT_FALSE(scene.preset);
+    EXPECT_NE(all(scene.diagnostics).find("a.toml:1:9: error: the scene is missing"),
+              std::string::npos)
+        << all(scene.diagnostics);
+    const ReadPreset picture = read_preset(folder.write(
+        "b.toml", "scene = \"a.frag\"\n[channels]\niChannel0 = {image = \"a.png\\u0000.x\"}\n"));
+    EXPECT_NE(all(picture.diagnostics).find("b.toml:3:"), std::string::npos)
+        << all(picture.diagnostics);
+}
+
 TEST(Preset, ASyntaxErrorHasAPlace) {
     for (const char* text : {"scene = \n", "[tweaks\n", "a = 1\na = 2\n", "x = \"\xFF\"\n",
                              "x = [[[[\n", "[#x]\n", "[[#x]]\n", "[a.#]\n", "x = 1979-99-99\n",
