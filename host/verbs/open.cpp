@@ -9,6 +9,10 @@
 #include "verbs/show.h"
 #include "verbs/verb.h"
 
+#include <filesystem>
+#include <fstream>
+#include <string>
+
 namespace glint {
 namespace {
 
@@ -23,6 +27,16 @@ ViewOptions shown_in_window(const ViewOptions& options) {
     return shown;
 }
 
+// Such a PNG says so before its pixels.
+bool is_drawn_by_glint(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return false;
+    std::string head(256, '\0');
+    std::ifstream(file, std::ios::binary)
+        .read(head.data(), static_cast<std::streamsize>(head.size()));
+    return head.starts_with("\x89PNG") && head.find("glint:scene") != head.npos;
+}
+
 void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     std::error_code error;
     const bool browses =
@@ -34,9 +48,10 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     if (browses) return say_first_commands(options.file);
     StillOptions still;
     still.view = options;
-    // Nobody named it, so nothing that is there goes.
+    // Nobody named it, so of what is there only a picture goes that Glint drew.
     still.output = options.file.stem().string() + ".png";
-    if (std::filesystem::exists(std::filesystem::symlink_status(still.output, error)))
+    if (std::filesystem::exists(std::filesystem::symlink_status(still.output, error)) &&
+        !is_drawn_by_glint(still.output))
         still.output = free_picture_name(options.file);
     say("There is no display; the picture goes to {}.\n", still.output.string());
     run_still(still, since_start);

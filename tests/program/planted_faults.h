@@ -297,23 +297,17 @@ inline void add_poison(std::vector<Planted>& list) {
     add("stuck", "if (is_bad(s)) s = -1.0; c = s < 0.0 ? vec4(s) : " + moves + ";", healed);
     add("dead", "if (is_bad(s)) s = 0.0; c = vec4(iFrame == 0 ? 0.1 : s + 0.02 * s * (1.0 - s));",
         "if (is_bad(s) || s == 0.0) s = 0.1; c = vec4(s + 0.02 * s * (1.0 - s));");
-    // A board of cells, of which each is alive again beside NaN: it goes ways of its own, and some
-    // cells rest where others would not have. At its fault one that was NaN never lives again.
+    // Another way after NaN, where some rest that would have moved; or never alive again.
     const auto life = [](const char* bad) {
         return "uniform sampler2D state; //@ pass mainState size=32x32 step=1/20 filter=nearest\n"
-               "uint h(uint x) { x ^= x >> 16; x *= 0x7feb352du; x ^= x >> 15; x *= 0x846ca68bu; "
-               "return x ^ x >> 16; }\n"
+               "uint h(uint x) { return x * x * 0x7feb352du >> 19; }\n"
                "float at(ivec2 i) { return texelFetch(state, (i + 32) % 32, 0).r; }\n"
                "void mainState(out vec4 c, in vec2 p) {\n"
-               "    ivec2 i = ivec2(p);\n"
-               "    int n = 0;\n"
-               "    for (int y = -1; y < 2; y++)\n"
-               "        for (int x = -1; x < 2; x++)\n"
-               "            if (x != 0 || y != 0) n += at(i + ivec2(x, y)) > 0.5 ? 1 : 0;\n"
-               "    float was = at(i);\n"
-               "    bool alive = n == 3 || (was > 0.5 && n == 2);\n"
-               "    if (iFrame == 0) alive = (h(uint(i.x + 32 * i.y)) & 3u) == 0u;\n"
-               "    c = vec4(alive ? 1.0 : 0.0);\n    " +
+               "    ivec2 i = ivec2(p);\n    float was = at(i), n = 0.0;\n"
+               "    for (int k = 0; k < 9; k++)\n"
+               "        n += float(k != 4 && at(i + ivec2(k % 3, k / 3) - 1) > 0.5);\n"
+               "    c = vec4(n == 3.0 || (was > 0.5 && n == 2.0));\n"
+               "    if (iFrame == 0) c = vec4((h(uint(i.x + 32 * i.y)) & 3u) == 0u);\n    " +
                std::string(bad) + "\n}\n" +
                image("c = vec4(0.3 + 0.2 * texture(state, q).rrr, 1.0);");
     };

@@ -311,33 +311,6 @@ TEST_F(Study, ASecondReferenceMayTurnAnotherTweak) {
     EXPECT_TRUE(any);
 }
 
-TEST_F(Study, TwoReferencesThatDifferByMoreThanBothClaimAreTold) {
-    const auto scene = [](const char* other) {
-        return std::string(
-                   "uniform int method; //@ 0 {none, sum, other} quality reference=1 second=other\n"
-                   "uniform int steps; //@ 16 [1, 64] log quality\n"
-                   "void mainImage(out vec4 c, in vec2 p) {\n"
-                   "    float x = p.x / iResolution.x, sum = 0.0;\n"
-                   "    for (int i = 0; i < steps; ++i)\n"
-                   "        sum += exp(-x * (float(i) + (method == 1 ? 0.5 : 0.0)) / "
-                   "float(steps));\n"
-                   "    c = vec4(vec3(method == 0 ? 0.5 : 0.5 * sum / float(steps)), 1);\n") +
-               other + "}\n";
-    };
-    const std::vector<std::string> arguments = {"study", "s.frag", "--size", "32x18", "--seconds",
-                                                "0",     "--json", "--vary", "method"};
-    write("s.frag", scene(""));
-    const Json agrees = report_of(glint(arguments));
-    EXPECT_EQ(agrees["rival"]["value"], "other");
-    EXPECT_EQ(agrees["rival"]["disagrees"], false) << agrees["rival"];
-    EXPECT_GT(agrees["rival"]["own_error"].get<double>(), 1e-3) << "half a step";
-    EXPECT_EQ(agrees["findings"], Json::array());
-    write("s.frag", scene("    if (method == 2) c.rgb *= 0.9;\n"));
-    const Json differs = report_of(glint(arguments));
-    EXPECT_EQ(differs["rival"]["disagrees"], true);
-    EXPECT_NE(findings(differs).find("more than both claim"), std::string::npos);
-}
-
 TEST_F(Study, ADivergedPointIsListed) {
     const Json json = study("planted_diverged");
     ASSERT_EQ(json["rows"].size(), 5u);
@@ -353,53 +326,10 @@ TEST_F(Study, ADivergedPointIsListed) {
 }
 
 // Beyond 1000 steps it is a square root of what is negative, and with `half` only on the left.
-TEST_F(Study, AReferenceThatIsNotFiniteIsToldAndBlamesNoRow) {
-    const auto told = [&](const char* half, std::vector<std::string> more = {}) {
-        write("s.frag", std::string("uniform int n; //@ 8 [1, 256] quality reference=4096\n"
-                                    "void mainImage(out vec4 c, in vec2 p) {\n"
-                                    "    vec2 q = p / iResolution.xy;\n"
-                                    "    float s = sqrt(float(1000 - (") +
-                            half +
-                            " ? n : 1)));\n"
-                            "    c = vec4(vec3(0.02 * s / float(n)) + 0.1 * q.x, 1);\n"
-                            "}\n");
-        std::vector<std::string> arguments = {"study",  "s.frag",    "--size", "16x8",
-                                              "--json", "--seconds", "0"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return report_of(glint(arguments));
-    };
-    for (const auto& [half, pixels] : {std::pair{"true", 128}, std::pair{"q.x < 0.5", 64}}) {
-        const Json json = told(half);
-        EXPECT_EQ(json["reference_not_finite"], pixels);
-        EXPECT_TRUE(json["own_error"].is_null() && json["reference_error"].is_null()) << json;
-        EXPECT_EQ(json["converges"], false);
-        ASSERT_EQ(json["findings"].size(), 1u) << findings(json);
-        EXPECT_NE(findings(json).find(fmt::format("is not finite in {} pixels", pixels)),
-                  std::string::npos);
-        for (const Json& row : json["rows"]) {
-            EXPECT_FALSE(row.contains("failed") || row["pareto"].get<bool>()) << row;
-            EXPECT_EQ(row["rmse"].is_null(), pixels == 128) << "what can be compared is";
-        }
-    }
-    const Json budget = told("true", {"--ms", "5"});
-    EXPECT_TRUE(budget["best"].is_null());
-    EXPECT_NE(findings(budget).find("is not finite in 128 pixels"), std::string::npos);
-    EXPECT_EQ(findings(budget).find("nothing that was tried"), std::string::npos);
-}
-
 TEST_F(Study, SecondsMayBeAFractionOfOne) {
     const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
                                    "--vary", "steps=1,2", "--seconds", "0.2"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-}
-
-TEST_F(Study, AReferenceIsNotMeasuredByItself) {
-    const Outcome outcome = glint(
-        {"study", known_scene("quadrature").string(), "--second", "steps=4096", "--seconds", "0"});
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("--second steps=4096: that is the reference itself"),
-              std::string::npos)
-        << outcome.err;
 }
 
 TEST_F(Study, CostOverSizeNeedsNoReference) {
