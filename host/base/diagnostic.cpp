@@ -31,10 +31,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 // Names of files and what a shader says in #error may hold what a terminal obeys.
-std::string harmless(std::string text, std::string_view kept) {
+std::string harmless(std::string text, char instead, std::string_view kept = "") {
     for (char& c : text)
         if ((static_cast<unsigned char>(c) < 0x20 || c == 0x7F) && kept.find(c) == kept.npos)
-            c = '?';
+            c = instead;
     return text;
 }
 
@@ -42,12 +42,12 @@ std::string harmless(std::string text, std::string_view kept) {
 
 std::string to_string(const Diagnostic& diagnostic) {
     const Place& place = diagnostic.place;
-    std::string where = harmless(place.file, "");
+    std::string where = harmless(place.file, '?');
     if (place.line > 0) where += fmt::format(":{}", place.line);
     if (place.line > 0 && place.column > 0) where += fmt::format(":{}", place.column);
     if (!where.empty()) where += ": ";
     const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
-    return fmt::format("{}{}: {}", where, severity, harmless(diagnostic.text, "\n\t"));
+    return fmt::format("{}{}: {}", where, severity, harmless(diagnostic.text, '?', "\n\t"));
 }
 
 bool has_errors(std::span<const Diagnostic> diagnostics) {
@@ -74,9 +74,7 @@ std::string in_quotes(std::string_view words) {
         if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0x80) text.pop_back();
         text += "...";
     }
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    return fmt::format("'{}'", text);
+    return fmt::format("'{}'", harmless(std::move(text), ' '));
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> known) {

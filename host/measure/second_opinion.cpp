@@ -9,6 +9,7 @@
 #include "glsl/finding.h"
 #include "offline/site_text.h"
 #include "render/own_overloads.h"
+#include "render/pass_text.h"
 #include "scene/scene_text.h"
 
 #include <fmt/format.h>
@@ -68,8 +69,7 @@ std::string before(const Preset& preset, std::size_t pass, const Reading& readin
                 "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
                 type, i);
     }
-    if (!reading.find_global("iTick") && reading.functions_named("iTick").empty())
-        text += "uniform uint iTick;\n";
+    if (!means_its_own(reading, "iTick")) text += "uniform uint iTick;\n";
     return text + own_overloads(reading);
 }
 

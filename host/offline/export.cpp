@@ -275,7 +275,7 @@ std::string Exporter::tab_text(const Tab& tab) {
     const Reading reading = read_glsl(body, known_of_pass(output_names(scene_, tab.pass)));
     defines += unread_defines(reading, channels);
     defines += unfilled_defines(tab, channels);
-    if (speaks_of(reading, "iTick")) {
+    if (speaks_of(reading, "iTick") && !means_its_own(reading, "iTick")) {
         // A float's steps are below 1/65536 s for 256 s.
         defines += "#define iTick uint(iTime * 65536.0)\n";
         warn(tab.name + ": iTick becomes uint(iTime * 65536.0), exact for the first 256 s");

@@ -50,12 +50,6 @@ bool declares(const Reading& reading, std::string_view name) {
     return reading.find_global(name) || reading.defines_macro(name);
 }
 
-bool defines_struct(const Reading& reading, std::string_view name) {
-    return std::ranges::any_of(reading.structs, [&](const Struct& structure) {
-        return reading.word(structure.name) == name;
-    });
-}
-
 std::string channel_declarations(const Preset& preset, std::size_t pass, const Reading& reading) {
     const Scene& scene = preset.scene;
     std::string text;
@@ -83,8 +77,7 @@ std::string other_names(const Reading& reading) {
                                                                          {"uint", "iTick"}};
     std::string text;
     for (const auto& [type, name] : kOthers)
-        if (reading.mentions(name) && !declares(reading, name) &&
-            reading.functions_named(name).empty() && !defines_struct(reading, name))
+        if (reading.mentions(name) && !means_its_own(reading, name))
             text += fmt::format("uniform {} {};\n", type, name);
     return text;
 }
@@ -200,7 +193,7 @@ std::string before_own_main(const Reading& reading) {
         {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
     std::string text = fmt::format("vec4 {} = vec4(0.0);\n", kPlainColour);
     for (const auto& [name, sampler, place] : kOlderTextures) {
-        if (declares(reading, name) || !reading.functions_named(name).empty()) continue;
+        if (means_its_own(reading, name)) continue;
         if (!declares(reading, "texture")) {
             text += fmt::format("#define {} texture\n", name);
             continue;
@@ -424,6 +417,13 @@ const Reading& reading_for(const Scene& scene, std::size_t pass) {
 }
 
 }  // namespace
+
+bool means_its_own(const Reading& reading, std::string_view name) {
+    return declares(reading, name) || !reading.functions_named(name).empty() ||
+           std::ranges::any_of(reading.structs, [&](const Struct& structure) {
+               return reading.word(structure.name) == name;
+           });
+}
 
 std::string named_tweak(std::size_t tweak) {
     return fmt::format("glint_tweak{}", tweak);

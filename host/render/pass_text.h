@@ -56,6 +56,10 @@ struct PassText {
     // The byte of Scene::text that one of these stands for; nothing for the host's own text.
     std::optional<std::size_t> origin(std::size_t at) const;
 };
+// Whether a text gives a name a meaning of its own, in all of itself: it declares no uniform of the
+// host's then.
+bool means_its_own(const Reading& reading, std::string_view name);
+
 // With a wish, the text tells what happens in it, in two more outputs (glsl/probe.h).
 PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                    const ProbeWish* probe = nullptr);

@@ -137,10 +137,11 @@ std::string comment_line(std::string text) {
 
 // A text may use the names that buffers get here for something of its own.
 Shadertoy with_free_names(Shadertoy shader) {
-    const auto is_used = [&](const std::string& name) {
-        return std::ranges::any_of(shader.tabs, [&](const ShadertoyTab& tab) {
-            return read_glsl(tab.code, known_of_scene()).mentions(name);
-        });
+    std::vector<Reading> texts;
+    for (const ShadertoyTab& tab : shader.tabs)
+        texts.push_back(read_glsl(tab.code, known_of_scene()));
+    const auto is_used = [&](const char* name) {
+        return std::ranges::any_of(texts, [&](const Reading& text) { return text.mentions(name); });
     };
     for (const char* name : {"bufferA", "bufferB", "bufferC", "bufferD", "cubeA"}) {
         const bool is_there =

@@ -118,7 +118,6 @@ TEST_F(Check, WhatABufferPromisesIsDrawnOverTheFramesHeldOrBroken) {
     }
 }
 
-// 1.28 Hz: three of 64 frames differ from the one before, or two, as the phase will have it.
 // Euler's step of h s grows where (1 - h / 4)^2 + (h^2) (9 - 1/16) > 1: from 1/18 s, 6.67 steps.
 TEST_F(Check, AStepIsToldStableUpToWhereAStateBeginsToGrow) {
     const auto told = [&](const std::string& guard) {
@@ -162,6 +161,7 @@ TEST_F(Check, AStepThatIsExactIsToldToBeSo) {
     EXPECT_NE(note.find("exact to rounding"), std::string::npos) << note;
 }
 
+// 1.28 Hz: three of 64 frames differ from the one before, or two, as the phase will have it.
 TEST_F(Check, WhatBlinksSlowlyAndRightAtEveryAgeStandsStillAtNone) {
     write("scene.frag",
           "void mainImage(out vec4 c, in vec2 p) {\n"

@@ -65,6 +65,16 @@ TEST_F(Export, UniformsWithoutAnAnnotationComeBack) {
     EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
 }
 
+TEST_F(Export, ATickOfTheTextsOwnStaysItsOwn) {
+    write("a.frag",
+          "float iTick = 0.4;\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(iTick); }\n");
+    const Outcome made = glint({"export", "a.frag", "-o", "out"});
+    EXPECT_EQ(made.err, "");
+    ASSERT_EQ(glint({"import", "out/shadertoy.json", "-o", "back.frag"}).code, 0);
+    EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
+    EXPECT_EQ(bytes("out/image.glsl").find("#define"), std::string::npos);
+}
+
 TEST_F(Export, ATextWithAMainOfItsOwnIsRefused) {
     write("a.frag", "void main() { gl_FragColor = vec4(1.0); }\n");
     const Outcome made = glint({"export", "a.frag", "-o", "out"});

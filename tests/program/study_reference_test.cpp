@@ -1,5 +1,4 @@
-// What `glint study` says of its reference: that two differ, that one is not finite, or is no
-// other.
+// What `glint study` says of its reference, and of a second one.
 #include "report.h"
 
 #include <fmt/format.h>
@@ -43,6 +42,7 @@ TEST_F(StudyReference, TwoReferencesThatDifferByMoreThanBothClaimAreTold) {
     EXPECT_NE(findings(differs).find("more than both claim"), std::string::npos);
 }
 
+// Beyond 1000 steps it is a square root of what is negative, and with `half` only on the left.
 TEST_F(StudyReference, AReferenceThatIsNotFiniteIsToldAndBlamesNoRow) {
     const auto told = [&](const char* half, std::vector<std::string> more = {}) {
         write("s.frag", std::string("uniform int n; //@ 8 [1, 256] quality reference=4096\n"

@@ -1,7 +1,6 @@
 // `glint study` on scenes whose error is known, and on planted faults.
 #include "report.h"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -325,7 +324,6 @@ TEST_F(Study, ADivergedPointIsListed) {
     EXPECT_NE(table.out.find("diverged: 2304 pixels"), std::string::npos) << table.out;
 }
 
-// Beyond 1000 steps it is a square root of what is negative, and with `half` only on the left.
 TEST_F(Study, SecondsMayBeAFractionOfOne) {
     const Outcome outcome = glint({"study", known_scene("quadrature").string(), "--size", "16x8",
                                    "--vary", "steps=1,2", "--seconds", "0.2"});
