@@ -48,7 +48,25 @@ std::optional<double> Constants::whole(TokenRange range, int depth) const {
     if (range.empty() || depth > kDeepest) return std::nullopt;
     Cursor cursor{range.begin, range.end, depth};
     const auto result = sum(cursor);
-    return cursor.at == range.end ? result : std::nullopt;
+    return cursor.at == range.end ? result : choice(range, depth);
+}
+
+std::uint32_t Constants::find(std::string_view word, TokenRange range) const {
+    while (range.begin < range.end && !reading_.tokens[range.begin].is(word)) {
+        const std::uint32_t inner = reading_.close_of(range.begin);
+        range.begin = (inner == kNone ? range.begin : inner) + 1;
+    }
+    return std::min(range.begin, range.end);
+}
+
+std::optional<double> Constants::choice(TokenRange range, int depth) const {
+    const std::uint32_t asks = find("?", range);
+    const std::uint32_t colon = find(":", {std::min(asks + 1, range.end), range.end});
+    if (colon == range.end || find("?", {asks + 1, colon}) != colon) return std::nullopt;
+    const auto first = whole({asks + 1, colon}, depth + 1);
+    const auto second = whole({colon + 1, range.end}, depth + 1);
+    if (!first || !second) return std::nullopt;
+    return std::max(*first, *second);
 }
 
 std::optional<double> Constants::sum(Cursor& cursor) const {
@@ -113,11 +131,7 @@ std::optional<double> Constants::call(Cursor& cursor, std::string_view name) con
     if (name == "int" || name == "uint" || name == "float")
         return whole({open + 1, close}, cursor.depth + 1);
     if (name != "min" && name != "max") return std::nullopt;
-    std::uint32_t comma = open + 1;
-    while (comma < close && !reading_.tokens[comma].is(",")) {
-        const std::uint32_t inner = reading_.close_of(comma);
-        comma = (inner == kNone ? comma : inner) + 1;
-    }
+    const std::uint32_t comma = find(",", {open + 1, close});
     if (comma >= close) return std::nullopt;
     const auto first = whole({open + 1, comma}, cursor.depth + 1);
     const auto second = whole({comma + 1, close}, cursor.depth + 1);

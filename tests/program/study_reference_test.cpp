@@ -42,6 +42,81 @@ TEST_F(StudyReference, TwoReferencesThatDifferByMoreThanBothClaimAreTold) {
     EXPECT_NE(findings(differs).find("more than both claim"), std::string::npos);
 }
 
+// llvmpipe ends all loops of a pixel after 65,535 turns, which 256 by 256 are a little more than.
+TEST_F(StudyReference, WhatTheDriverDidNotDrawToItsEndIsNoTruth) {
+    const auto told = [&](const char* range, std::vector<std::string> more = {}) {
+        write("s.frag", std::string("uniform int n; //@ 8 ") + range +
+                            "\n"
+                            "void mainImage(out vec4 c, in vec2 p) {\n"
+                            "    float sum = 0.0, of = float(n * n);\n"
+                            "    for (int i = 0; i < n; ++i)\n"
+                            "        for (int j = 0; j < n; ++j)\n"
+                            "            sum += sin(0.1 * p.x + float(i * j + i) / of) / of;\n"
+                            "    c = vec4(vec3(0.5 + 0.4 * sum), 1);\n"
+                            "}\n");
+        std::vector<std::string> arguments = {"study",  "s.frag",    "--size", "16x8",
+                                              "--json", "--seconds", "0"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return report_of(glint(arguments));
+    };
+    const Json far = told("[1, 64] quality reference=400");
+    EXPECT_EQ(far["reference_cut"], "image");
+    EXPECT_TRUE(far["own_error"].is_null()) << far;
+    ASSERT_EQ(far["findings"].size(), 1u) << findings(far);
+    EXPECT_NE(findings(far).find("the reference, 400, is cut short, for loops of image"),
+              std::string::npos);
+    for (const Json& row : far["rows"]) EXPECT_FALSE(row.contains("failed")) << row;
+
+    const Json second = told("[1, 64] quality reference=160", {"--second", "n=400"});
+    EXPECT_EQ(second["reference_cut"], "");
+    EXPECT_TRUE(second["own_error"].is_null()) << second;
+    EXPECT_NE(findings(second).find("the second reference, 400, is cut short, for loops of image"),
+              std::string::npos);
+
+    const Json row = told("[1, 400] quality", {"--vary", "n=8,64,300", "--reference", "n=128"});
+    EXPECT_TRUE(row["rows"][2]["failed"].is_string()) << row;
+    EXPECT_FALSE(row["rows"][1].contains("failed"));
+
+    const Json sound = told("[1, 64] quality reference=100");
+    EXPECT_EQ(sound["reference_cut"], "");
+    EXPECT_EQ(sound["findings"], Json::array());
+}
+
+// Columns by turns take 60,000 turns in one of two loops; eight pixels together take both.
+TEST_F(StudyReference, TurnsThatNeighboursTakeCountToo) {
+    const auto cut_at = [&](const char* loops) {
+        write("s.frag", std::string("uniform int n; //@ 8 [1, 64] quality reference=300\n"
+                                    "void mainImage(out vec4 c, in vec2 p) {\n"
+                                    "    float sum = 0.0;\n"
+                                    "    bool odd = (int(p.x) & 1) == 1;\n"
+                                    "    for (int i = 0; i < 200; ++i) {\n") +
+                            loops +
+                            "    }\n"
+                            "    c = vec4(vec3(sum / 60000.0), 1);\n"
+                            "}\n");
+        return report_of(glint({"study", "s.frag", "--size", "16x8", "--json", "--seconds", "0",
+                                "--second", "n=200"}))["reference_cut"];
+    };
+    EXPECT_EQ(cut_at("for (int j = 0; j < (odd ? n : 0); ++j) sum += 1.0;\n"
+                     "for (int j = 0; j < (odd ? 0 : n); ++j) sum += 1.0;\n"),
+              "image");
+    EXPECT_EQ(cut_at("for (int j = 0; j < n; ++j) sum += 1.0;\n"), "");
+}
+
+TEST_F(StudyReference, WhatTheDriverDidNotDrawToItsEndIsStillToldWhereAStudyGoesOn) {
+    write("s.frag",
+          "uniform int n; //@ 8 [1, 64] quality reference=400\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float sum = 0.0;\n"
+          "    for (int i = 0; i < n * n; ++i) sum += 1.0 / float(n * n);\n"
+          "    c = vec4(vec3(0.5 * sum), 1);\n"
+          "}\n");
+    const std::vector<std::string> arguments = {"study", "s.frag", "--size",    "16x8", "-o",
+                                                "out",   "--json", "--seconds", "0"};
+    EXPECT_EQ(report_of(glint(arguments))["reference_cut"], "image");
+    EXPECT_EQ(report_of(glint(arguments))["reference_cut"], "image");
+}
+
 // Beyond 1000 steps it is a square root of what is negative, and with `half` only on the left.
 TEST_F(StudyReference, AReferenceThatIsNotFiniteIsToldAndBlamesNoRow) {
     const auto told = [&](const char* half, std::vector<std::string> more = {}) {

@@ -4,7 +4,7 @@
 #include "base/launch.h"
 #include "base/terminal.h"
 #include "measure/check/budget.h"
-#include "measure/check/loops.h"
+#include "measure/probe/loop_turns.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -73,8 +73,10 @@ double pace_by_turns(CheckSubject& subject) {
     constexpr double kMany = 16384.0;
     if (!subject.is_short()) return 1.0;  // counting would take a minute to compile
     try {
-        LoopTurns turns(subject);
-        turns.count(subject.frame_at(subject.preset.time, 1.0 / 60, 0));
+        LoopTurns turns(subject.opened(), subject.renderer(), {.specialise = subject.specialised()},
+                        subject.after_frame);
+        const Frame frame = subject.frame_at(subject.preset.time, 1.0 / 60, 0);
+        turns.count(frame, [&] { subject.draw(frame); });
         return turns.a_pixel() > kMany ? kLeastPace : 1.0;
     } catch (const ProbeRefused&) {
         return 1.0;

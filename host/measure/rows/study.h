@@ -78,6 +78,7 @@ struct RivalReference {
     std::string value{};
     Difference difference{};  // of it to the reference
     double own_error = 0.0;   // RMSE, as it claims
+    std::string cut{};        // as Study's; not in JSON
     bool disagrees = false;   // they differ by more than both claim
 };
 
@@ -85,6 +86,8 @@ struct Study {
     std::string scene{}, knob{};           // a file; a tweak, or "settle"
     std::string reference{}, second{};     // values; a second one to judge the first by, or ""
     std::size_t reference_not_finite = 0;  // pixels of the reference, by which no error can be told
+    // A pass of the reference, and of the second one, whose loops the driver ended early; "": none.
+    std::string reference_cut{}, second_cut{};
     std::optional<Difference> reference_error{};  // of the second reference to the first
     // RMSE by which the reference claims to be off, which follows from that; 0: not known.
     double own_error = 0.0;
@@ -109,9 +112,13 @@ struct Study {
     std::vector<std::string> notes{};     // what was assumed, and what was left out
     std::string reference_picture{};      // a file, seen from the report; "": none
 
+    // What is no number, or was not drawn to its end, is nobody's truth: no error is told by it.
+    bool has_truth() const { return reference_not_finite == 0 && reference_cut.empty(); }
+
     // Otherwise the own error is not known, and null in JSON.
-    bool references_are_finite() const {
-        return reference_not_finite == 0 && (!reference_error || reference_error->not_finite == 0);
+    bool has_own_error() const {
+        return has_truth() && second_cut.empty() &&
+               (!reference_error || reference_error->not_finite == 0);
     }
 
     // RMSE below which nothing can be told from the reference; 0 where that is not known.

@@ -150,8 +150,11 @@ private:
 
     std::vector<float> picture_of(const KnobValue& value) {
         if (auto kept = caller_.find(knob_, value)) return *kept;
-        std::vector<float> picture = scene(value.setting).draw_picture();
-        caller_.keep(knob_, value, picture);
+        MeasuredScene& drawn = scene(value.setting);
+        std::vector<float> picture = drawn.draw_picture();
+        const double begun = spent_ms();
+        caller_.keep(knob_, value, picture, drawn);
+        aside_ms_ += spent_ms() - begun;
         return picture;
     }
 
@@ -230,7 +233,7 @@ private:
         if (!kept) {
             const double begun = spent_ms();
             kept = std::make_unique<MeasuredScene>(preset_, wanted, context_, how_);
-            compiling_ms_ += spent_ms() - begun;
+            aside_ms_ += spent_ms() - begun;
             if (scenes_.size() > kKept)
                 scenes_.erase(scenes_.begin()->first == menus ? std::prev(scenes_.end())
                                                               : scenes_.begin());
@@ -241,11 +244,11 @@ private:
 
     // On the wall; of a software renderer as long as the machine would take were it alone with it,
     // so that what is found does not hang on what else runs. Nor does it on what the driver has
-    // kept of earlier calls: compiling is not counted.
+    // kept of earlier calls: compiling is not counted, nor is keeping.
     double spent_ms() const {
         const unsigned processors = std::max(std::thread::hardware_concurrency(), 1u);
         const double all = context_.is_software() ? own_processor_ms() / processors : clock_.ms();
-        return all - compiling_ms_;
+        return all - aside_ms_;
     }
 
     double time(const FrameTime& frame) const {
@@ -309,7 +312,7 @@ private:
     double base_ms_ = 0.0;
     std::optional<Difference> own_error_;
     int quick_frames_ = kQuickFrames;
-    double compiling_ms_ = 0.0;
+    double aside_ms_ = 0.0;
     Stopwatch clock_;
 };
 
@@ -344,8 +347,8 @@ Knob joint_knob(const Preset& preset, const std::vector<Knob>& knobs, const Limi
 
 void choose_best(Study& study, const Limit& limit) {
     study.is_joint = true;
-    if (study.reference_not_finite > 0) {
-        study.findings.push_back("no setting is chosen, since the reference is not finite");
+    if (!study.has_truth()) {
+        study.findings.push_back("no setting is chosen, since the reference is no truth");
         return;
     }
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);

@@ -20,10 +20,11 @@ struct Limit {
 std::optional<Limit> limit_of(const StudyOptions& options);
 
 // What a search asks of those who want it. Pictures that it judges the truth by are looked for
-// first, and handed on when they are drawn.
+// first, and handed on when they are drawn, with the scene that stands as it drew them.
 struct SearchCaller {
     std::function<std::optional<std::vector<float>>(const Knob&, const KnobValue&)> find;
-    std::function<void(const Knob&, const KnobValue&, const std::vector<float>&)> keep;
+    std::function<void(const Knob&, const KnobValue&, const std::vector<float>&, MeasuredScene&)>
+        keep;
     std::function<void(int tried, int most)> told;  // how many, of how many at most
 };
 

@@ -5,11 +5,14 @@
 #include "measure/study/statistics.h"
 #include "offline/common.h"
 #include "offline/input_files.h"
+#include "scene/lint.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <thread>
 
@@ -142,9 +145,100 @@ Frame MeasuredScene::play_on() {
 }
 
 std::vector<float> MeasuredScene::draw_picture() {
-    renderer_.draw(play_on());
+    last_ = play_on();
+    renderer_.draw(last_);
     context_.finish();
     return renderer_.read_floats(options_.output);
+}
+
+// Eight pixels share the turns, of which a loop takes as many as the one that is in it the longest:
+// together they may run out of them where none does alone.
+std::string MeasuredScene::cut_pass() {
+    constexpr std::uint32_t kFew = kLoopBudget / 4, kMany = kLoopBudget / 2;
+    if (!ends_loops(context_)) return {};
+    const std::vector<PlacedFinding> findings = lint(preset_).findings;
+    const bool may_be_cut = std::ranges::any_of(findings, [](const PlacedFinding& one) {
+        return one.name == "long-loop" || one.name == "loop-without-bound";
+    });
+    if (!may_be_cut) return {};
+    try {
+        if (!renderer_.graph().stateful) {
+            const std::uint32_t most = coarse().most_turns();
+            if (most < kFew) return {};
+            if (differs_alone()) return pass_name(preset_.scene, options_.pass);
+            if (most < kMany) return {};
+        }
+        most_turns();
+        return turns_->is_cut() ? turns_->pass() : "";
+    } catch (const ProbeRefused&) {  // nobody can tell
+        return {};
+    }
+}
+
+// Whether pixels of what is compared come out otherwise where their neighbours do nothing; one in
+// 64 is tried, and none where the text may ask its neighbours.
+bool MeasuredScene::differs_alone() {
+    const auto is_alone = [](int x, int y) {
+        return (x & 7) == (5 * (y >> 3) & 7) && (y & 7) == (3 * (x >> 3) & 7);
+    };
+    constexpr const char* kAlone =
+        "void main() {\n    ivec2 at = ivec2(gl_FragCoord.xy), block = at >> 3;\n"
+        "    if ((at.x & 7) == (5 * block.y & 7) && (at.y & 7) == (3 * block.x & 7)) "
+        "glint0_draw();\n}\n";
+    for (const char* asks : {"dFdx", "dFdy", "fwidth", "texture("})
+        if (preset_.scene.text.find(asks) != std::string::npos) return false;
+    const std::size_t root = renderer_.scene().root;
+    const std::size_t pass = renderer_.scene().programs[root].pass;
+    PassText text = pass_text(preset_, pass, program_options());
+    constexpr std::string_view kMain = "void main()";
+    const std::size_t main = text.text.rfind(kMain);
+    if (main == text.text.npos) return false;
+    text.text.replace(main, kMain.size(), "void glint0_draw()") += kAlone;
+    const CompiledPass compiled = compile_text(preset_, pass, std::move(text));
+    if (!compiled.program) return false;
+    const std::vector<float> together = renderer_.read_buffer(root, 0);
+    const glm::ivec2 size = renderer_.buffer(root).shape().size;
+    const Buffer alone({.size = size, .format = PixelFormat::rgba32f});
+    renderer_.draw_variant(
+        {.program = *compiled.program, .framebuffer = alone.target(), .size = size}, last_);
+    std::vector<float> drawn(together.size());
+    glGetTextureImage(alone.texture(0), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(drawn.size() * sizeof(float)), drawn.data());
+    for (std::size_t i = 0; i < drawn.size(); i += 4) {
+        const auto pixel = static_cast<int>(i / 4);
+        if (is_alone(pixel % size.x, pixel / size.x) &&
+            std::memcmp(&drawn[i], &together[i], 3 * sizeof(float)) != 0)
+            return true;
+    }
+    return false;
+}
+
+ProgramOptions MeasuredScene::program_options() const {
+    return {.specialise = options_.specialise, .constants = options_.constants};
+}
+
+// The same picture with a sixteenth of the pixels, drawn.
+MeasuredScene& MeasuredScene::coarse() {
+    constexpr int kCoarser = 4;
+    const Setting setting{.values = preset_.values, .settle = preset_.settle};
+    if (coarse_) coarse_->set(setting);
+    if (!coarse_) {
+        Preset preset = preset_;
+        preset.size = glm::max(preset.size / kCoarser, 1);
+        coarse_ = std::make_unique<MeasuredScene>(preset, setting, context_, options_);
+    }
+    coarse_->draw_picture();
+    return *coarse_;
+}
+
+// In any pixel of the last picture. Throws ProbeRefused.
+std::uint32_t MeasuredScene::most_turns() {
+    if (!turns_) {
+        turns_ = std::make_unique<LoopTurns>(preset_, renderer_, program_options());
+    }
+    turns_->forget();
+    turns_->count(last_, [&] { renderer_.draw(last_); });
+    return turns_->most();
 }
 
 FrameTime MeasuredScene::time_frame() {

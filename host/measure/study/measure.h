@@ -2,12 +2,14 @@
 #pragma once
 
 #include "gl/context.h"
+#include "measure/probe/loop_turns.h"
 #include "measure/study/plan.h"
 #include "measure/study/rounds.h"
 #include "render/renderer.h"
 #include "scene/passes.h"
 
 #include <deque>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +59,11 @@ public:
     // Plays it to the preset's time and draws: RGBA of what is compared, rows bottom up.
     std::vector<float> draw_picture();
 
+    // The pass whose loops the driver ended early in that picture, "" for none. Looked for where
+    // neither the text says that they are shorter nor, unless it simulates, a sixteenth of the
+    // pixels that they are much shorter. Draws again.
+    std::string cut_pass();
+
     // Another setting, where tweaks are no constants; everything begins anew.
     void set(const Setting& setting);
 
@@ -72,11 +79,19 @@ private:
     Frame next_frame();
     Frame play_on();
     std::string key_of_state() const;
+    MeasuredScene& coarse();
+    bool differs_alone();
+    ProgramOptions program_options() const;
+    std::uint32_t most_turns();
 
     Preset preset_;
     Context& context_;
     MeasureOptions options_;
     Renderer renderer_;
+    Frame last_;  // of the picture
+    // What cut_pass() counts with.
+    std::unique_ptr<MeasuredScene> coarse_;
+    std::unique_ptr<LoopTurns> turns_;
     int drawn_ = 0;
 };
 

@@ -183,9 +183,12 @@ Study over_all(const std::vector<View>& views, const std::vector<Study>& studies
     for (const Study& study : studies) {
         all.look = std::max(all.look, study.look);
         all.reference_not_finite += study.reference_not_finite;
+        if (all.reference_cut.empty()) all.reference_cut = study.reference_cut;
+        if (all.second_cut.empty()) all.second_cut = study.second_cut;
         if (study.reference_error) seconds.push_back(&*study.reference_error);
         if (!study.rival) continue;
         rivals.push_back(&study.rival->difference);
+        if (all.rival->cut.empty()) all.rival->cut = study.rival->cut;
         claims += std::pow(study.rival->own_error, 2.0) / static_cast<double>(studies.size());
     }
     if (!seconds.empty()) all.reference_error = mean_of(seconds);

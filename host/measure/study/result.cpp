@@ -87,8 +87,8 @@ void tell_verdicts(Study& study, const TimeVerdicts& verdicts) {
         StudyRow& row = study.rows[i];
         row.verdict.reset();
         if (i != than && !row.times.wall.empty()) row.verdict = verdicts.of(i, than);
-        row.nearer = study.reference_not_finite == 0 && i != than && own != study.rows.end() &&
-                     has_error(row) && has_error(*own) && is_nearer(study, i, than);
+        row.nearer = study.has_truth() && i != than && own != study.rows.end() && has_error(row) &&
+                     has_error(*own) && is_nearer(study, i, than);
     }
 }
 
@@ -236,31 +236,40 @@ void find_convergence(Study& study, const Steps& steps) {
                           three_digits(apart)));
 }
 
+std::string not_finite_in(std::size_t pixels) {
+    return fmt::format("is not finite in {} pixels", pixels);
+}
+
 // Of a picture that is no number nothing is the truth, however few of its pixels are not.
 void find_broken_reference(Study& study) {
     study.converges = false;
     study.findings.push_back(fmt::format(
-        "the reference, {}, is not finite in {} pixels: no error can be told by it; name another "
-        "with --reference",
-        study.reference, study.reference_not_finite));
+        "the reference, {}, {}: no error can be told by it; name another with --reference",
+        study.reference,
+        study.reference_not_finite > 0 ? not_finite_in(study.reference_not_finite)
+                                       : "is " + loops_cut(study.reference_cut)));
 }
 
 void find_broken_second(Study& study) {
-    if (study.references_are_finite()) return;
+    if (study.has_own_error()) return;
     study.findings.push_back(fmt::format(
-        "the second reference, {}, is not finite in {} pixels: the reference's own error is not "
-        "known; name another with --second",
-        study.second, study.reference_error->not_finite));
+        "the second reference, {}, {}: the reference's own error is not known; name another with "
+        "--second",
+        study.second,
+        study.second_cut.empty() ? not_finite_in(study.reference_error->not_finite)
+                                 : "is " + loops_cut(study.second_cut)));
 }
 
 // What the reference claims, and whether another way to the truth bears it out.
 void compare_references(Study& study, const Knob& knob) {
     if (!study.rival) return;
     RivalReference& rival = *study.rival;
-    if (rival.difference.not_finite > 0) {
+    if (rival.difference.not_finite > 0 || !rival.cut.empty()) {
         study.findings.push_back(
-            fmt::format("the reference {} is not finite in {} pixels, so that nothing bears {} out",
-                        rival.value, rival.difference.not_finite, knob.reference.text));
+            fmt::format("the reference {} {}, so that nothing bears {} out", rival.value,
+                        rival.cut.empty() ? not_finite_in(rival.difference.not_finite)
+                                          : "is " + loops_cut(rival.cut),
+                        knob.reference.text));
         return;
     }
     const double claimed = study.own_error + rival.own_error;
@@ -304,7 +313,7 @@ void compare_with_reference(Study& study, const Knob& knob) {
     find_what_looks_wrong(study);
 }
 
-// Nothing, where the reference is not finite: neither an order nor which row is nearer.
+// Nothing, where the reference is no truth: neither an order nor which row is nearer.
 void compare_with_none(Study& study) {
     study.order.reset();
     study.own_error = 0.0;
@@ -324,6 +333,13 @@ char mark(const Study& study, const StudyRow& row) {
 }
 
 }  // namespace
+
+std::string loops_cut(std::string_view pass) {
+    return fmt::format(
+        "cut short, for loops of {} use all 65,535 turns that llvmpipe has for a pixel and its "
+        "neighbours",
+        pass);
+}
 
 std::string three_digits(double value) {
     return value == 0.0 ? "0" : fmt::format("{:.3g}", value);
@@ -368,7 +384,7 @@ void judge(Study& study, const Knob& knob, bool on_software) {
     take_times(study, on_software);
     study.findings.clear();
     study.notes = knob.notes;  // a study over several views is judged again
-    const bool is_measured = study.reference_error && study.references_are_finite();
+    const bool is_measured = study.reference_error && study.has_own_error();
     const double apart = is_measured ? study.reference_error->rmse : 0.0;
     // What the order is depends on what can be told from the reference, and that on the order.
     study.order.reset();
@@ -377,11 +393,10 @@ void judge(Study& study, const Knob& knob, bool on_software) {
         fit(study, knob.more_is_better);
     }
     study.own_error = own_error(apart, knob.second_work, study.order);
-    if (study.reference_not_finite > 0) {
-        compare_with_none(study);
-    } else if (!study.time_only) {
+    if (study.has_truth() && !study.time_only)
         compare_with_reference(study, knob);
-    }
+    else if (!study.time_only)
+        compare_with_none(study);
     tell_verdicts(study, verdicts_of(study, kAlike));
     // By what anybody asks for: a step between what is told and what matters would have its star or
     // not by how long it was timed.
@@ -392,8 +407,10 @@ std::string own_error_text(const Study& study) {
     if (study.reference_not_finite > 0)
         return fmt::format("is not known: {} of its pixels are not finite",
                            study.reference_not_finite);
+    for (const std::string& cut : {study.reference_cut, study.second_cut})
+        if (!cut.empty()) return "is not known: it is " + loops_cut(cut);
     if (!study.reference_error) return "is not known: name another method with --second";
-    if (!study.references_are_finite())
+    if (!study.has_own_error())
         return fmt::format("is not known: {} pixels of {} are not finite",
                            study.reference_error->not_finite, study.second);
     return fmt::format("{} by {}", three_digits(study.own_error), study.second);

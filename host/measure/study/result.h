@@ -34,6 +34,9 @@ std::string csv_header();
 std::string to_csv(const Study& study);
 
 // A number as tables and pages write it: "0.0123".
+// Of a picture whose loops a driver ended early in this pass.
+std::string loops_cut(std::string_view pass);
+
 std::string three_digits(double value);
 
 }  // namespace glint

@@ -255,6 +255,24 @@ std::string StudyStore::keep_picture(const StudyKey& key, std::span<const float>
     return shown_file(key);
 }
 
+std::optional<std::string> StudyStore::cut_pass(const StudyKey& key) const {
+    if (folder_.empty()) return std::nullopt;
+    const fs::path name = file("data", key, ".cut");
+    return kept(name, [&]() -> std::optional<std::string> {
+        std::string why_not;
+        const Json json = Json::parse(read_bytes(name, why_not).value_or(""));
+        if (json.at("key") != key.text) return std::nullopt;
+        return json.at("cut_pass").get<std::string>();
+    });
+}
+
+void StudyStore::keep_cut_pass(const StudyKey& key, const std::string& pass) const {
+    if (folder_.empty()) return;
+    const Json json = {{"key", key.text}, {"cut_pass", pass}};
+    const std::string text = json_text(json, 1) + "\n";
+    write_whole_file(cleared(file("data", key, ".cut")), std::as_bytes(std::span(text)));
+}
+
 std::string StudyStore::keep_map(const StudyKey& key, std::span<const float> picture,
                                  std::span<const float> reference, glm::ivec2 size,
                                  bool encoded) const {

@@ -46,6 +46,10 @@ public:
     std::string keep_picture(const StudyKey& key, std::span<const float> rgba,
                              glm::ivec2 size) const;
 
+    // A pass of such a picture, or "" for none, that is to be known wherever the picture is.
+    std::optional<std::string> cut_pass(const StudyKey& key) const;
+    void keep_cut_pass(const StudyKey& key, const std::string& pass) const;
+
     // Where the two pictures differ: the largest channel, in light, on a scale of colours from
     // 1/10000 (black) to 1 (white), a decade a step. Not finite: magenta. The file's name.
     std::string keep_map(const StudyKey& key, std::span<const float> picture,

@@ -88,8 +88,9 @@ StudyKey key_of(const Scenery& scenery, const Knob& knob, const KnobValue& value
 // A picture that counts as the truth, from an earlier call or drawn now.
 struct Reference {
     StudyKey key;
-    std::vector<float> picture;
-    std::string file;  // seen from the report
+    std::vector<float> picture{};
+    std::string file{};      // seen from the report
+    std::string cut_pass{};  // as MeasuredScene's
 
     // Beyond that no row can be compared.
     bool is_finite_anywhere() const { return pixels_not_finite(picture) < picture.size() / 4; }
@@ -105,11 +106,13 @@ StudyKey key_of_reference(const Scenery& scenery, const Knob& knob, const KnobVa
 // constant in it is the same: of joint settings, whose references share their menus.
 Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value,
                          std::unique_ptr<MeasuredScene>& shared) {
-    Reference result{.key = key_of_reference(scenery, knob, value), .picture = {}, .file = {}};
+    Reference result{.key = key_of_reference(scenery, knob, value)};
     const auto kept = scenery.store.picture(result.key, scenery.size);
-    if (kept) {
+    const auto cut_pass = scenery.store.cut_pass(result.key);
+    if (kept && cut_pass) {
         result.picture = *kept;
         result.file = scenery.store.shown_file(result.key);
+        result.cut_pass = *cut_pass;
         return result;
     }
     MeasureOptions how = scenery.how;
@@ -124,6 +127,8 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
             std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context, how);
     }
     result.picture = shared->draw_picture();
+    result.cut_pass = shared->cut_pass();
+    scenery.store.keep_cut_pass(result.key, result.cut_pass);
     result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
     return result;
 }
@@ -140,6 +145,10 @@ using Scenes = std::vector<std::unique_ptr<MeasuredScene>>;  // by row; null whe
 
 constexpr const char* kDoesNotCompile = "it does not compile";
 constexpr int kWarmUp = 3;  // frames: the driver compiles to machine code at the first draw
+
+bool works_more(const KnobValue& value, const KnobValue& reference) {
+    return value.work && reference.work && *value.work > *reference.work;
+}
 
 // One row: drawn, as `picture`, and compared. `previous` is the picture of the row before. The
 // scene stands ready to be timed.
@@ -162,6 +171,10 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
         row.error = difference(picture, reference->picture, encoded);
         const std::size_t own = row.error->not_finite - row.error->reference_not_finite;
         if (own > 0) row.failed = fmt::format("diverged: {} pixels are not finite", own);
+        if (!reference->cut_pass.empty() || works_more(value, knob.reference)) {
+            const std::string cut = scene->cut_pass();
+            if (!cut.empty()) row.failed = loops_cut(cut);
+        }
         const std::vector<float> seen =
             flip_map(picture, reference->picture, scenery.size, {.encoded = encoded});
         row.error->flip = mean_where_finite(seen, reference->picture);
@@ -300,8 +313,11 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
 std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Study& study) {
     if (study.time_only) return std::nullopt;
     std::unique_ptr<MeasuredScene> shared;
+    std::string cut;  // of what was drawn last
     const auto draw = [&](const KnobValue& value) {
-        return draw_reference(scenery, knob, value, shared);
+        Reference drawn = draw_reference(scenery, knob, value, shared);
+        cut = drawn.cut_pass;
+        return drawn;
     };
     const auto apart = [&](const Reference& a, const Reference& b) {
         Difference between = difference(a.picture, b.picture, is_encoded(scenery));
@@ -312,6 +328,7 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
     Reference reference = draw(knob.reference);
     study.reference_picture = reference.file;
     study.reference_not_finite = pixels_not_finite(reference.picture);
+    study.reference_cut = cut;
     tell(scenery, knob, study);
     // Beside `truth`; of twice the work where another seed changes nothing.
     const auto beside = [&](const Reference& truth, std::optional<KnobValue>& second,
@@ -325,13 +342,17 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
     if (knob.second) {
         const Difference off = beside(reference, knob.second, knob.more, knob.second_work);
         if (study.reference_not_finite == 0) study.reference_error = off;
+        study.second_cut = cut;
         study.second = knob.second->text;
         tell(scenery, knob, study);
     }
     if (!knob.rival) return reference;
     Rival& named = *knob.rival;
     const Reference rival = draw(named.value);
-    study.rival = {.value = named.value.text, .difference = apart(rival, reference)};
+    study.rival = {.value = named.value.text,
+                   .difference = apart(rival, reference),
+                   .own_error = 0,
+                   .cut = cut};
     tell(scenery, knob, study);
     if (named.second) {
         const double rmse = beside(rival, named.second, named.more, named.work).rmse;
@@ -392,8 +413,11 @@ Knob search_knob(const Scenery& scenery, const std::vector<Knob>& knobs, const L
                 return scenery.store.picture(key_of_reference(scenery, knob, value), scenery.size);
             },
         .keep =
-            [&](const Knob& knob, const KnobValue& value, const std::vector<float>& picture) {
+            [&](const Knob& knob, const KnobValue& value, const std::vector<float>& picture,
+                MeasuredScene& scene) {
+                if (scenery.store.folder().empty()) return;
                 const StudyKey key = key_of_reference(scenery, knob, value);
+                scenery.store.keep_cut_pass(key, scene.cut_pass());
                 scenery.store.keep_picture(key, picture, scenery.size);
             },
         .told =
