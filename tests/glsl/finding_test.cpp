@@ -152,6 +152,11 @@ TEST(LongLoops, AreThoseWhoseTurnsTogetherPassTheBudget) {
               (List{"long-loop 3", "long-loop 4", "long-loop 9"}));
     EXPECT_EQ(found("uniform int n;\nvoid f() { for (int i = 0; i < n; ++i) ; }\n", {{"n", 1e5}}),
               List{"long-loop 2"});
+    EXPECT_EQ(found("void f(bool b) {\n"
+                    "    for (int i = 0; i < (b ? 0 : 70000); ++i) ;\n"
+                    "    for (int i = 0; i < (b ? 0 : 60000); ++i) ;\n"
+                    "}\n"),
+              List{"long-loop 2"});
     EXPECT_EQ(found("void f() {\n for (;;) ;\n}\n"), List{"loop-without-bound 2"});
     EXPECT_EQ(found("void f() { f(); for (int i = 0; i < 3; ++i) f(); }\n"), List{});
 }

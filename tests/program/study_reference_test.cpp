@@ -103,6 +103,23 @@ TEST_F(StudyReference, TurnsThatNeighboursTakeCountToo) {
     EXPECT_EQ(cut_at("for (int j = 0; j < n; ++j) sum += 1.0;\n"), "");
 }
 
+TEST_F(StudyReference, ABudgetIsContentWithAPartOfReferencesThatAreCut) {
+    write("s.frag",
+          "uniform int n; //@ 8 [1, 64] log quality reference=400\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float sum = 0.0;\n"
+          "    for (int i = 0; i < n * n; ++i)\n"
+          "        sum += sin(3.0 * (float(i) + p.x / 16.0) / float(n * n)) / float(n * n);\n"
+          "    c = vec4(vec3(sum), 1);\n"
+          "}\n");
+    const Json json = report_of(
+        glint({"study", "s.frag", "--size", "16x8", "--ms", "50", "--json", "--seconds", "0.5"}));
+    EXPECT_EQ(json["reference"], "0.5 of each reference");
+    EXPECT_EQ(json["reference_cut"], "");
+    EXPECT_FALSE(json["best"].is_null()) << json["findings"];
+    EXPECT_NE(json["notes"].dump().find("with all references it is cut short"), std::string::npos);
+}
+
 TEST_F(StudyReference, WhatTheDriverDidNotDrawToItsEndIsStillToldWhereAStudyGoesOn) {
     write("s.frag",
           "uniform int n; //@ 8 [1, 64] quality reference=400\n"

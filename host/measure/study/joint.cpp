@@ -22,15 +22,16 @@
 namespace glint {
 namespace {
 
-constexpr int kTries = 160;           // joint settings that are tried quickly
-constexpr double kSearchShare = 4.0;  // of --seconds, for all of them
-constexpr int kQuickFrames = 3;       // of each, beside as many of the preset's own, at least
-constexpr int kMostQuick = 15;        // where they are so short
-constexpr double kQuickMs = 60.0;     // that all of each take no longer
-constexpr std::size_t kWinners = 8;   // that are measured well
-constexpr std::size_t kKept = 6;      // programs
-constexpr double kMostOrder = 4.0;    // that three pictures are believed to show
-constexpr double kMatters = 0.1;      // of the difference: less needs no order
+constexpr double kLeastWhole = 0.125;  // of each reference
+constexpr int kTries = 160;            // joint settings that are tried quickly
+constexpr double kSearchShare = 4.0;   // of --seconds, for all of them
+constexpr int kQuickFrames = 3;        // of each, beside as many of the preset's own, at least
+constexpr int kMostQuick = 15;         // where they are so short
+constexpr double kQuickMs = 60.0;      // that all of each take no longer
+constexpr std::size_t kWinners = 8;    // that are measured well
+constexpr std::size_t kKept = 6;       // programs
+constexpr double kMostOrder = 4.0;     // that three pictures are believed to show
+constexpr double kMatters = 0.1;       // of the difference: less needs no order
 
 // Within what the preset itself takes, by what is the larger share of its own, so that nothing is
 // gained by the one measure and lost by the other; else by the one that limits.
@@ -88,9 +89,8 @@ public:
     }
 
     Knob run() {
-        knob_.reference.text = "all references";
+        draw_truth();
         knob_.second->text = "half of each of them";
-        truth_ = picture_of(knob_.reference);
         knob_.second_work = {SecondWork::Kind::share, share_of(*knob_.second)};
         size_ = compared_size(preset_, how_.pass);
         start();
@@ -119,6 +119,20 @@ public:
     }
 
 private:
+    void draw_truth() {
+        knob_.reference.text = "all references";
+        DrawnPicture drawn = picture_of(knob_.reference);
+        while (!drawn.cut_pass.empty() && whole_ > kLeastWhole) {
+            whole_ *= 0.5;
+            knob_.reference = truth(1.0);
+            knob_.second = truth(0.5);
+            knob_.reference.text = fmt::format("{} of each reference", whole_);
+            knob_.notes = {fmt::format("with all references it is {}", loops_cut(drawn.cut_pass))};
+            drawn = picture_of(knob_.reference);
+        }
+        truth_ = std::move(drawn.rgba);
+    }
+
     // All references, with so much of the work, or with so much of that of one knob alone; the one
     // after the last is the frames that settle.
     KnobValue truth(double work, std::optional<std::size_t> only = {}) const {
@@ -130,9 +144,10 @@ private:
             double& number = value.setting.values[tweaks_[i]][0];
             number = reference.values[tweaks_[i]][0];
             value.setting.settle = std::max(value.setting.settle, reference.settle);
-            if (menus_[i] || !turns(i)) continue;
+            const double share = whole_ * (turns(i) ? work : 1.0);
+            if (menus_[i] || share == 1.0) continue;
             const Tweak& tweak = preset_.scene.tweaks[tweaks_[i]];
-            number *= knobs_[i].more_is_better ? work : 1.0 / work;
+            number *= knobs_[i].more_is_better ? share : 1.0 / share;
             if (tweak.type == TweakType::int1) number = std::floor(number);
             if (knobs_[i].more_is_better && tweak.min) number = std::max(number, *tweak.min);
             if (!knobs_[i].more_is_better && tweak.max) number = std::min(number, *tweak.max);
@@ -148,14 +163,15 @@ private:
         return knob < knobs_.size() ? knobs_[knob].name : "settle";
     }
 
-    std::vector<float> picture_of(const KnobValue& value) {
+    DrawnPicture picture_of(const KnobValue& value) {
         if (auto kept = caller_.find(knob_, value)) return *kept;
-        MeasuredScene& drawn = scene(value.setting);
-        std::vector<float> picture = drawn.draw_picture();
+        MeasuredScene& turned = scene(value.setting);
+        DrawnPicture drawn{.rgba = turned.draw_picture()};
         const double begun = spent_ms();
-        caller_.keep(knob_, value, picture, drawn);
+        drawn.cut_pass = turned.cut_pass();
+        caller_.keep(knob_, value, drawn);
         aside_ms_ += spent_ms() - begun;
-        return picture;
+        return drawn;
     }
 
     double apart(const std::vector<float>& a, const std::vector<float>& b) const {
@@ -167,15 +183,15 @@ private:
     // reference. These have causes of their own, so that their squares add up. All halved together
     // would not do: what converges fast would pass for what does not, and the other way round.
     double share_of(const KnobValue& second) {
-        const double between = apart(picture_of(second), truth_);
+        const double between = apart(picture_of(second).rgba, truth_);
         double squares = 0.0, most = 0.0;
         for (std::size_t i = 0; between > 0.0 && i <= knobs_.size(); ++i) {
             const KnobValue half = truth(0.5, i), quarter = truth(0.25, i);
             if (half.setting == truth(1.0).setting) continue;
-            const std::vector<float> picture = picture_of(half);
+            const std::vector<float> picture = picture_of(half).rgba;
             const double last = apart(picture, truth_);
             const bool matters = last > kMatters * between && quarter.setting != half.setting;
-            const double before = matters ? apart(picture_of(quarter), picture) : 0.0;
+            const double before = matters ? apart(picture_of(quarter).rgba, picture) : 0.0;
             const auto order =
                 before > 0.0 ? std::optional(std::log2(before / last)) : std::nullopt;
             const double left =
@@ -313,6 +329,7 @@ private:
     std::optional<Difference> own_error_;
     int quick_frames_ = kQuickFrames;
     double aside_ms_ = 0.0;
+    double whole_ = 1.0;  // of each reference's work, what the truth has
     Stopwatch clock_;
 };
 

@@ -88,12 +88,13 @@ StudyKey key_of(const Scenery& scenery, const Knob& knob, const KnobValue& value
 // A picture that counts as the truth, from an earlier call or drawn now.
 struct Reference {
     StudyKey key;
-    std::vector<float> picture{};
-    std::string file{};      // seen from the report
-    std::string cut_pass{};  // as MeasuredScene's
+    DrawnPicture drawn{};
+    std::string file{};  // seen from the report
 
     // Beyond that no row can be compared.
-    bool is_finite_anywhere() const { return pixels_not_finite(picture) < picture.size() / 4; }
+    bool is_finite_anywhere() const {
+        return pixels_not_finite(drawn.rgba) < drawn.rgba.size() / 4;
+    }
 };
 
 StudyKey key_of_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value) {
@@ -102,17 +103,28 @@ StudyKey key_of_reference(const Scenery& scenery, const Knob& knob, const KnobVa
     return key_of(scenery, knob, value, kind);
 }
 
+// One of an earlier call.
+std::optional<DrawnPicture> kept_picture(const Scenery& scenery, const StudyKey& key) {
+    auto picture = scenery.store.picture(key, scenery.size);
+    auto cut_pass = scenery.store.cut_pass(key);
+    if (!picture || !cut_pass) return std::nullopt;
+    return DrawnPicture{std::move(*picture), std::move(*cut_pass)};
+}
+
+// The name of its file, seen from the report.
+std::string keep(const Scenery& scenery, const StudyKey& key, const DrawnPicture& drawn) {
+    scenery.store.keep_cut_pass(key, drawn.cut_pass);
+    return scenery.store.keep_picture(key, drawn.rgba, scenery.size);
+}
+
 // `shared`: what drew an earlier reference of the knob, and draws this one, too, if all that is
 // constant in it is the same: of joint settings, whose references share their menus.
 Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value,
                          std::unique_ptr<MeasuredScene>& shared) {
     Reference result{.key = key_of_reference(scenery, knob, value)};
-    const auto kept = scenery.store.picture(result.key, scenery.size);
-    const auto cut_pass = scenery.store.cut_pass(result.key);
-    if (kept && cut_pass) {
-        result.picture = *kept;
+    if (auto kept = kept_picture(scenery, result.key)) {
+        result.drawn = std::move(*kept);
         result.file = scenery.store.shown_file(result.key);
-        result.cut_pass = *cut_pass;
         return result;
     }
     MeasureOptions how = scenery.how;
@@ -126,10 +138,9 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
         shared =
             std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context, how);
     }
-    result.picture = shared->draw_picture();
-    result.cut_pass = shared->cut_pass();
-    scenery.store.keep_cut_pass(result.key, result.cut_pass);
-    result.file = scenery.store.keep_picture(result.key, result.picture, scenery.size);
+    result.drawn.rgba = shared->draw_picture();
+    result.drawn.cut_pass = shared->cut_pass();
+    result.file = keep(scenery, result.key, result.drawn);
     return result;
 }
 
@@ -168,22 +179,23 @@ StudyRow measure_row(const Scenery& scenery, const Knob& knob, const KnobValue& 
     if (reference) {
         const bool encoded = is_encoded(scenery);
         row.is_reference = value.setting == knob.reference.setting;
-        row.error = difference(picture, reference->picture, encoded);
+        row.error = difference(picture, reference->drawn.rgba, encoded);
         const std::size_t own = row.error->not_finite - row.error->reference_not_finite;
         if (own > 0) row.failed = fmt::format("diverged: {} pixels are not finite", own);
-        if (!reference->cut_pass.empty() || works_more(value, knob.reference)) {
+        if (!reference->drawn.cut_pass.empty() || works_more(value, knob.reference)) {
             const std::string cut = scene->cut_pass();
             if (!cut.empty()) row.failed = loops_cut(cut);
         }
         const std::vector<float> seen =
-            flip_map(picture, reference->picture, scenery.size, {.encoded = encoded});
-        row.error->flip = mean_where_finite(seen, reference->picture);
+            flip_map(picture, reference->drawn.rgba, scenery.size, {.encoded = encoded});
+        row.error->flip = mean_where_finite(seen, reference->drawn.rgba);
         if (!reference->is_finite_anywhere()) row.error.reset();
         if (!previous.empty()) {
             row.rmse_to_previous = difference(picture, previous, encoded).rmse;
         }
         row.picture = scenery.store.keep_picture(key, picture, scenery.size);
-        row.map = scenery.store.keep_map(key, picture, reference->picture, scenery.size, encoded);
+        row.map =
+            scenery.store.keep_map(key, picture, reference->drawn.rgba, scenery.size, encoded);
         row.flip_map = scenery.store.keep_flip_map(key, seen, scenery.size);
     }
     return row;
@@ -316,18 +328,18 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
     std::string cut;  // of what was drawn last
     const auto draw = [&](const KnobValue& value) {
         Reference drawn = draw_reference(scenery, knob, value, shared);
-        cut = drawn.cut_pass;
+        cut = drawn.drawn.cut_pass;
         return drawn;
     };
     const auto apart = [&](const Reference& a, const Reference& b) {
-        Difference between = difference(a.picture, b.picture, is_encoded(scenery));
-        between.flip =
-            mean(flip_map(a.picture, b.picture, scenery.size, {.encoded = is_encoded(scenery)}));
+        Difference between = difference(a.drawn.rgba, b.drawn.rgba, is_encoded(scenery));
+        between.flip = mean(
+            flip_map(a.drawn.rgba, b.drawn.rgba, scenery.size, {.encoded = is_encoded(scenery)}));
         return between;
     };
     Reference reference = draw(knob.reference);
     study.reference_picture = reference.file;
-    study.reference_not_finite = pixels_not_finite(reference.picture);
+    study.reference_not_finite = pixels_not_finite(reference.drawn.rgba);
     study.reference_cut = cut;
     tell(scenery, knob, study);
     // Beside `truth`; of twice the work where another seed changes nothing.
@@ -410,15 +422,12 @@ Knob search_knob(const Scenery& scenery, const std::vector<Knob>& knobs, const L
     const SearchCaller caller{
         .find =
             [&](const Knob& knob, const KnobValue& value) {
-                return scenery.store.picture(key_of_reference(scenery, knob, value), scenery.size);
+                const StudyKey key = key_of_reference(scenery, knob, value);
+                return kept_picture(scenery, key);
             },
         .keep =
-            [&](const Knob& knob, const KnobValue& value, const std::vector<float>& picture,
-                MeasuredScene& scene) {
-                if (scenery.store.folder().empty()) return;
-                const StudyKey key = key_of_reference(scenery, knob, value);
-                scenery.store.keep_cut_pass(key, scene.cut_pass());
-                scenery.store.keep_picture(key, picture, scenery.size);
+            [&](const Knob& knob, const KnobValue& value, const DrawnPicture& drawn) {
+                keep(scenery, key_of_reference(scenery, knob, value), drawn);
             },
         .told =
             [&](int tried, int most) {
