@@ -137,6 +137,24 @@ TEST_F(PlantedFaults, TheLoopBudgetOfALongTextIsThatOfItsPreset) {
     look_at({"loop_budget/of_a_long_text", scene(70'000), scene(100)}, {"--case", "loop budget"});
 }
 
+// No pixel takes more than 40,100 turns, but eight neighbours share theirs.
+TEST_F(PlantedFaults, TheLoopBudgetIsSharedByNeighbours) {
+    const auto scene = [&](int turns) {
+        return fmt::format(
+            "void mainImage(out vec4 c, in vec2 p) {{\n"
+            "    float s = 0.0;\n"
+            "    bool odd = (int(p.x) & 1) == 1;\n"
+            "    for (int i = 0; i < 100; i++) {{\n"
+            "        for (int k = 0; k < (odd ? {0} : 0); k++) s += 2e-5 * fract(0.7 * float(k));\n"
+            "        for (int k = 0; k < (odd ? 0 : {0}); k++) s += 2e-5 * fract(0.3 * float(k));\n"
+            "    }}\n"
+            "    c = vec4(s);\n"
+            "}}\n",
+            turns);
+    };
+    look_at({"loop_budget/of_neighbours", scene(400), scene(20)}, {"--case", "loop budget"});
+}
+
 TEST_F(PlantedFaults, AreLedBackToTheFewestTweaksAndTheirOperation) {
     const std::string file = written("fault", planted("corner/high_low_high").fault);
     const Outcome outcome =

@@ -22,10 +22,10 @@ std::vector<std::vector<TweakValue>> values_to_try(const CheckSubject& subject) 
 
 void run_loops(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
+    const ProgramOptions program{.specialise = subject.specialised()};
     std::optional<LoopTurns> turns;
     try {
-        turns.emplace(subject.opened(), subject.renderer(),
-                      ProgramOptions{.specialise = subject.specialised()}, subject.after_frame);
+        turns.emplace(subject.opened(), subject.renderer(), program, subject.after_frame);
     } catch (const ProbeRefused& refused) {
         result.verdict = CaseVerdict::skip;
         result.note = fmt::format("left out: {}", refused.what());
@@ -33,23 +33,27 @@ void run_loops(Check& check, CaseResult& result) {
     }
     const Frame frame = subject.frame_at(subject.preset.time, 1.0 / 60, 0);
     const CaseClock clock(check);
+    bool with_neighbours = false;
     for (const auto& values : values_to_try(subject)) {
         subject.restore();
         subject.preset.values = values;
         bool is_finite = false;
         turns->count(frame, [&] { is_finite = subject.draw(frame); });
         if (!is_finite || turns->is_cut()) break;
-        if (clock.is_over(0.03)) break;
+        with_neighbours = turns->most() >= kFewTurns && !subject.stateful() &&
+                          differs_alone(subject.opened(), subject.renderer(), program, frame);
+        if (with_neighbours || clock.is_over(0.03)) break;
     }
     result.note = fmt::format("at most {} turns in a pixel{}", turns->most(),
                               subject.specialised() && !subject.preset.values.empty()
                                   ? ", with the preset's values"
                                   : "");
-    if (turns->is_cut())
+    if (turns->is_cut() || with_neighbours)
         result.fail(
-            fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel, then end "
-                        "silently; split the work over passes, frames or --tile",
-                        turns->pass(), kLoopBudget));
+            fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel{}, then "
+                        "end silently; split the work over passes, frames or --tile",
+                        with_neighbours ? "image" : turns->pass(), kLoopBudget,
+                        with_neighbours ? " and its neighbours" : ""));
 }
 
 }  // namespace

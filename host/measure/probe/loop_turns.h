@@ -1,5 +1,7 @@
 // How many turns the loops of a frame take. Those of llvmpipe share 65,535 a pixel, then end
-// without a word, and what is drawn is not what the text says.
+// without a word, and what is drawn is not what the text says. Eight pixels share them, and a loop
+// takes as many as the one of these that is in it the longest: together they may run out where none
+// would alone.
 #pragma once
 
 #include "measure/probe/probe.h"
@@ -40,6 +42,15 @@ private:
     std::string pass_;
     double turns_ = 0.0, pixels_ = 1.0;
 };
+
+// Where no pixel takes more, its neighbours have not been seen to make it too many.
+inline constexpr std::uint32_t kFewTurns = kLoopBudget / 4;
+
+// Whether pixels of the picture, as the renderer has just drawn it in this frame, come out
+// otherwise where their neighbours do nothing. One in 64 is tried, and none where the text may ask
+// its neighbours, or cannot be compiled so.
+bool differs_alone(const Preset& preset, Renderer& renderer, const ProgramOptions& options,
+                   const Frame& frame);
 
 // Whether the driver ends loops so.
 bool ends_loops(const Context& context);

@@ -12,7 +12,6 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <thread>
 
@@ -151,10 +150,8 @@ std::vector<float> MeasuredScene::draw_picture() {
     return renderer_.read_floats(options_.output);
 }
 
-// Eight pixels share the turns, of which a loop takes as many as the one that is in it the longest:
-// together they may run out of them where none does alone.
 std::string MeasuredScene::cut_pass() {
-    constexpr std::uint32_t kFew = kLoopBudget / 4, kMany = kLoopBudget / 2;
+    constexpr std::uint32_t kMany = kLoopBudget / 2;  // at so few pixels
     if (!ends_loops(context_)) return {};
     const std::vector<PlacedFinding> findings = lint(preset_).findings;
     const bool may_be_cut = std::ranges::any_of(findings, [](const PlacedFinding& one) {
@@ -164,8 +161,9 @@ std::string MeasuredScene::cut_pass() {
     try {
         if (!renderer_.graph().stateful) {
             const std::uint32_t most = coarse().most_turns();
-            if (most < kFew) return {};
-            if (differs_alone()) return pass_name(preset_.scene, options_.pass);
+            if (most < kFewTurns) return {};
+            if (differs_alone(preset_, renderer_, program_options(), last_))
+                return pass_name(preset_.scene, options_.pass);
             if (most < kMany) return {};
         }
         most_turns();
@@ -173,44 +171,6 @@ std::string MeasuredScene::cut_pass() {
     } catch (const ProbeRefused&) {  // nobody can tell
         return {};
     }
-}
-
-// Whether pixels of what is compared come out otherwise where their neighbours do nothing; one in
-// 64 is tried, and none where the text may ask its neighbours.
-bool MeasuredScene::differs_alone() {
-    const auto is_alone = [](int x, int y) {
-        return (x & 7) == (5 * (y >> 3) & 7) && (y & 7) == (3 * (x >> 3) & 7);
-    };
-    constexpr const char* kAlone =
-        "void main() {\n    ivec2 at = ivec2(gl_FragCoord.xy), block = at >> 3;\n"
-        "    if ((at.x & 7) == (5 * block.y & 7) && (at.y & 7) == (3 * block.x & 7)) "
-        "glint0_draw();\n}\n";
-    for (const char* asks : {"dFdx", "dFdy", "fwidth", "texture("})
-        if (preset_.scene.text.find(asks) != std::string::npos) return false;
-    const std::size_t root = renderer_.scene().root;
-    const std::size_t pass = renderer_.scene().programs[root].pass;
-    PassText text = pass_text(preset_, pass, program_options());
-    constexpr std::string_view kMain = "void main()";
-    const std::size_t main = text.text.rfind(kMain);
-    if (main == text.text.npos) return false;
-    text.text.replace(main, kMain.size(), "void glint0_draw()") += kAlone;
-    const CompiledPass compiled = compile_text(preset_, pass, std::move(text));
-    if (!compiled.program) return false;
-    const std::vector<float> together = renderer_.read_buffer(root, 0);
-    const glm::ivec2 size = renderer_.buffer(root).shape().size;
-    const Buffer alone({.size = size, .format = PixelFormat::rgba32f});
-    renderer_.draw_variant(
-        {.program = *compiled.program, .framebuffer = alone.target(), .size = size}, last_);
-    std::vector<float> drawn(together.size());
-    glGetTextureImage(alone.texture(0), 0, GL_RGBA, GL_FLOAT,
-                      static_cast<GLsizei>(drawn.size() * sizeof(float)), drawn.data());
-    for (std::size_t i = 0; i < drawn.size(); i += 4) {
-        const auto pixel = static_cast<int>(i / 4);
-        if (is_alone(pixel % size.x, pixel / size.x) &&
-            std::memcmp(&drawn[i], &together[i], 3 * sizeof(float)) != 0)
-            return true;
-    }
-    return false;
 }
 
 ProgramOptions MeasuredScene::program_options() const {

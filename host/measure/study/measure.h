@@ -80,7 +80,6 @@ private:
     Frame play_on();
     std::string key_of_state() const;
     MeasuredScene& coarse();
-    bool differs_alone();
     ProgramOptions program_options() const;
     std::uint32_t most_turns();
 
