@@ -42,6 +42,7 @@ void run_loops(Check& check, CaseResult& result) {
         if (!is_finite || turns->is_cut()) break;
         with_neighbours = turns->most() >= kFewTurns && !subject.stateful() &&
                           differs_alone(subject.opened(), subject.renderer(), program, frame);
+        if (subject.after_frame) subject.after_frame();  // compiling is no hang
         if (with_neighbours || clock.is_over(0.03)) break;
     }
     result.note = fmt::format("at most {} turns in a pixel{}", turns->most(),

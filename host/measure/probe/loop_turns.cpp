@@ -21,11 +21,16 @@ constexpr const char* kTriedAlone =
     "    if ((at.x & 7) == (5 * block.y & 7) && (at.y & 7) == (3 * block.x & 7)) glint0_draw();\n"
     "}\n";
 
+// What asks neighbours, and what leaves a pixel as it was.
+constexpr const char* kHinders[] = {"dFdx",          "dFdy",      "fwidth",      "texture(",
+                                    "texture (",     "texture2D", "textureCube", "textureProj",
+                                    "textureOffset", "discard"};
+
 // A pass that draws those pixels alone.
 std::optional<PassProgram> compile_alone(const Preset& preset, std::size_t pass,
                                          const ProgramOptions& options) {
-    for (const char* asks : {"dFdx", "dFdy", "fwidth", "texture("})
-        if (preset.scene.text.find(asks) != std::string::npos) return std::nullopt;
+    for (const char* word : kHinders)
+        if (preset.scene.text.find(word) != std::string::npos) return std::nullopt;
     PassText text = pass_text(preset, pass, options);
     constexpr std::string_view kMain = "void main()";
     const std::size_t main = text.text.rfind(kMain);

@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kLoopBudget = 65535;  // LP_MAX_TGSI_LOOP_ITERATI
 
 class LoopTurns {
 public:
-    // Compiles every pass once more; `compiled` is called after each. Both must outlive this.
-    // Throws ProbeRefused.
+    // Compiles every pass once more; `compiled` is called after each. `preset` and `renderer` must
+    // outlive this. Throws ProbeRefused.
     LoopTurns(const Preset& preset, Renderer& renderer, const ProgramOptions& options,
               const std::function<void()>& compiled = {});
 
@@ -48,7 +48,7 @@ inline constexpr std::uint32_t kFewTurns = kLoopBudget / 4;
 
 // Whether pixels of the picture, as the renderer has just drawn it in this frame, come out
 // otherwise where their neighbours do nothing. One in 64 is tried, and none where the text may ask
-// its neighbours, or cannot be compiled so.
+// its neighbours or leave a pixel out, or cannot be compiled so.
 bool differs_alone(const Preset& preset, Renderer& renderer, const ProgramOptions& options,
                    const Frame& frame);
 
