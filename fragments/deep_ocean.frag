@@ -23,7 +23,7 @@
 // Units    1 unit = 1 m, y up from the sand, linear sRGB colour until the display curve. The wreck
 //          has a frame of its own: x to the bow, y up from the keel, z to starboard.
 // Passes   ground to grain, rig, garden: on change of a tweak only. swarm, surface, splat,
-//          caustics: every frame, small.
+//          gathered, caustics: every frame, small.
 // Bounds   The loops of a pixel stay below 30,000 turns with every reference on.
 // Defaults From `glint study presets/deep_ocean.toml`: marchSteps 128 would draw what 1024 do; 256
 //          leave no more than 0.1 % of the rays out of steps over any floor; 12 shaftSamples are
@@ -94,6 +94,7 @@ uniform sampler2D garden;      //@ pass mainGarden size=64x2 filter=nearest
 uniform sampler2D swarm;       //@ pass mainSwarm size=16x1 filter=nearest
 uniform sampler2D surface;     //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
 uniform sampler2D splat;       //@ pass mainSurface size=128x128 wrap=repeat filter=nearest
+uniform sampler2D gathered;    //@ pass mainGathered size=64x64 filter=nearest
 uniform sampler2D caustics;    //@ pass mainCaustics size=128x128 format=r32f wrap=repeat filter=mipmap
 
 // ---- Constants and numbers ----------------------------------------------------------------------
@@ -111,6 +112,7 @@ const float kEvenMarch = 160.0;            // m, of a ray, which even steps shar
 const float kCell = 2.0, kPatch = 8.0;     // m, of the cells of `tops` and of `summits`
 const float kNet = 8.0;                    // m, tile of the waves
 const int   kNetTexels = 128, kWaves = 10, kReach = 8;   // kReach: texels that light moves aside
+const float kOctaves = 0.8493218003;       // exp(-0.5 x^2) is exp2(-square(kOctaves * x))
 const float kSplatSteps = 340.0;           // a texel, of what `splat` keeps in 12 bits
 const float kGravity = 9.81;               // m/s^2
 const vec3  kWreckAt = vec3(0.0, -1.25, 0.0);            // m, the keel amidships
@@ -1239,10 +1241,11 @@ vec4 netWave(int i) {
     return vec4(n, 1.0, max(floor(slow * hz * loopSeconds + 0.5), 1.0));
 }
 // The waves: slopes and their square; where light from a point of the tile lands, in texels from
-// it (two numbers of 12 bits in one), and the inverse covariance of its Gaussian there. J, the
-// derivative of where light lands, takes the step to a neighbour, 1 texel, to how far apart both
-// land: so a round Gaussian of deviation 0.6 texels at the surface, which overlaps its neighbours'
-// evenly, has the covariance 0.36 J J^T on the floor, and no gaps open however light spreads.
+// it (two numbers of 12 bits in one), and the Gaussian that it makes d texels from there, det W
+// exp2(-|W d|^2): W, upper triangular, xx, xz and zz. J, the derivative of where light lands, takes
+// the step to a neighbour, 1 texel, to how far apart both land: so a round Gaussian of deviation
+// 0.6 texels at the surface, which overlaps its neighbours' evenly, has the covariance 0.36 J J^T on
+// the floor, and no gaps open however light spreads.
 void mainSurface(out vec4 slopes, out vec4 landing, in vec2 pixel) {
     vec2 u = pixel / float(kNetTexels), slope = vec2(0.0);
     vec3 curve = vec3(0.0);   // xx, xz, zz
@@ -1264,22 +1267,31 @@ void mainSurface(out vec4 slopes, out vec4 landing, in vec2 pixel) {
     mat2 j = mat2(1.0 - fall * curve.x, -fall * curve.y, -fall * curve.y, 1.0 - fall * curve.z);
     mat2 wide = 0.36 * j * transpose(j) + mat2(0.34);        // the sun's disc blurs by the latter
     float size = max(determinant(wide), 1e-4);
-    landing = vec4(aside.x + 4096.0 * aside.y, vec3(wide[1][1], -wide[0][1], wide[0][0]) / size);
+    vec2 w = vec2(sqrt(wide[1][1] / size), -wide[0][1] * inversesqrt(size * wide[1][1]));
+    landing = vec4(aside.x + 4096.0 * aside.y, kOctaves * vec3(w, inversesqrt(wide[1][1])));
 }
-void mainCaustics(out vec4 colour, in vec2 pixel) {
-    float sum = 0.0;
-    for (int z = -kReach; z <= kReach; ++z) {   // a disc: corners are out of reach
-        int wide = int(sqrt(square(float(kReach) + 1.0) - float(z * z) - 0.5));
-        for (int x = -wide; x <= wide; ++x) {
-            vec4 s = textureLod(splat, (pixel + vec2(x, z)) / float(kNetTexels), 0.0);
+// Light on a square of four texels of the net, in rows: most of the time goes into reading what may
+// land there, and that is read once for all four.
+void mainGathered(out vec4 colour, in vec2 pixel) {
+    vec4 sum = vec4(0.0);
+    vec2 first = 2.0 * pixel - 0.5;
+    for (int z = -kReach; z <= kReach + 1; ++z) {   // a disc: corners are out of reach
+        int away = z > 0 ? z - 1 : z;
+        int wide = int(sqrt(square(float(kReach) + 1.0) - float(away * away) - 0.5));
+        for (int x = -wide; x <= wide + 1; ++x) {
+            vec4 s = textureLod(splat, (first + vec2(x, z)) / float(kNetTexels), 0.0);
             float row = floor(s.x / 4096.0);
             vec2 d = vec2(x, z) + (vec2(s.x - 4096.0 * row, row) - 2048.0) / kSplatSteps;
-            // The height of a Gaussian follows from its width.
-            sum += sqrt(s.y * s.w - s.z * s.z)
-                * exp(-0.5 * (s.y * d.x * d.x + 2.0 * s.z * d.x * d.y + s.w * d.y * d.y));
+            float u = s.y * d.x + s.z * d.y, v = s.w * d.y;
+            vec4 across = u - vec4(0.0, s.y, s.z, s.y + s.z), down = v - vec4(0.0, 0.0, s.w, s.w);
+            sum += s.y * s.w * exp2(-across * across - down * down);
         }
     }
-    colour = vec4(sum / (2.0 * kPi), 0.0, 0.0, 1.0);
+    colour = sum / (2.0 * kPi * kOctaves * kOctaves);
+}
+void mainCaustics(out vec4 colour, in vec2 pixel) {
+    ivec2 at = ivec2(pixel);
+    colour = vec4(texelFetch(gathered, at / 2, 0)[(at.x & 1) + 2 * (at.y & 1)]);
 }
 
 // ---- Image --------------------------------------------------------------------------------------
