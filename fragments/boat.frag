@@ -90,9 +90,9 @@ uniform sampler2D keys;        //@ keyboard
 uniform sampler2D air;         //@ pass mainAir size=64x128
 uniform sampler2D sky; //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D boat;        //@ pass mainBoat size=5x1 step=1/240 filter=nearest
-uniform sampler2D wake;        //@ pass mainWake size=48x192 step=1/240 filter=nearest bounded=[-0.41, 0.41]
-uniform sampler2D wakeRise;    //@ pass mainWake size=48x192 step=1/240 filter=nearest bounded=[-8, 8]
-uniform sampler2D wakeFoam;    //@ pass mainWake size=48x192 step=1/240 filter=nearest bounded=[0, 1]
+uniform sampler2D wake;        //@ pass mainWake size=48x192 step=1/240 wrap=repeat filter=nearest bounded=[-0.41, 0.41]
+uniform sampler2D wakeRise;    //@ pass mainWake size=48x192 step=1/240 wrap=repeat filter=nearest bounded=[-8, 8]
+uniform sampler2D wakeFoam;    //@ pass mainWake size=48x192 step=1/240 wrap=repeat filter=nearest bounded=[0, 1]
 uniform sampler2D wavelets;    //@ pass mainWavelets size=23x1 filter=nearest
 uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D poses;       //@ pass mainPoses size=8x1 filter=nearest
@@ -139,6 +139,11 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
+// price of texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -1316,19 +1321,19 @@ void mainBoat(out vec4 colour, in vec2 pixel) {
 // is the window of 24 m round her. A cell that it leaves on one side is the one that it gains on
 // the other: near the rim all is damped, so it comes in at rest. A texel is four cells in a row,
 // west to east: what steps 240 times a second fetches half as much for a cell so.
-vec4 fourCells(sampler2D of, ivec2 c) {
-    return previousFrame(texelFetch(of, (c + ivec2(48, 192)) % ivec2(48, 192), 0));
-}
+vec4 fourCells(sampler2D of, vec2 place) { return previousFrame(fetch(of, place, vec2(48.0, 192.0))); }
 // The sum of the neighbours of each of four cells.
-vec4 neighbours(sampler2D of, ivec2 c, vec4 here) {
-    return vec4(here.yzw, fourCells(of, c + ivec2(1, 0)).x)
-        + vec4(fourCells(of, c - ivec2(1, 0)).w, here.xyz)
-        + fourCells(of, c + ivec2(0, 1)) + fourCells(of, c - ivec2(0, 1));
+vec4 neighbours(sampler2D of, vec2 place, vec4 here) {
+    vec2 east = vec2(1.0, 0.0), north = vec2(0.0, 1.0);
+    return vec4(here.yzw, fourCells(of, place + east).x)
+        + vec4(fourCells(of, place - east).w, here.xyz)
+        + fourCells(of, place + north) + fourCells(of, place - north);
 }
 vec4 square(vec4 x) { return x * x; }
+vec4 only(int i) { return vec4(equal(ivec4(i), ivec4(0, 1, 2, 3))); }
 void mainWake(out vec4 height, out vec4 rise, out vec4 foamed, in vec2 pixel) {
-    ivec2 c = ivec2(pixel);
     float cell = kWindow / 192.0, dt = iTimeDelta;
+    vec2 c = floor(pixel);
     vec4 place = texelFetch(boat, ivec2(0), 0), here = fourCells(wake, c);
     vec4 sum = neighbours(wake, c, here), white = fourCells(wakeFoam, c);
     vec2 ahead = vec2(sin(place.z), -cos(place.z));
@@ -1363,14 +1368,23 @@ void mainRelief(out vec4 colour, in vec2 pixel) {
     float cell = kWindow / 192.0;
     vec3 row = vec3(0.0), column = vec3(0.0), weight = vec3(1.0, 4.0, 1.0) / 6.0;
     vec2 mean = vec2(0.0);
-    for (int j = 0; j < 3; ++j)
+    int x = int(pixel.x), west = x - 1, east = x + 1;   // three cells in no more than two texels
+    vec4 pick[3] = vec4[3](only(west & 3), only(x & 3), only(east & 3));
+    for (int j = 0; j < 3; ++j) {
+        vec2 left = vec2(west >> 2, int(pixel.y) + j - 1), right = vec2(east >> 2, left.y);
+        vec4 foam[3], high[3];
+        foam[0] = fourCells(wakeFoam, left), foam[2] = fourCells(wakeFoam, right);
+        high[0] = fourCells(wake, left), high[2] = fourCells(wake, right);
+        bool within = (x & 3) == 0;
+        foam[1] = within ? foam[2] : foam[0];
+        high[1] = within ? high[2] : high[0];
         for (int i = 0; i < 3; ++i) {
-            ivec2 c = (ivec2(pixel) + ivec2(i, j) + 191) % 192, four = ivec2(c.x >> 2, c.y);
-            vec2 w = vec2(fourCells(wakeFoam, four)[c.x & 3], fourCells(wake, four)[c.x & 3]);
+            vec2 w = vec2(dot(foam[i], pick[i]), dot(high[i], pick[i]));
             row[i] += weight[j] * w.y;
             column[j] += weight[i] * w.y;
             mean += weight[i] * weight[j] * w;
         }
+    }
     colour = vec4((row.z - row.x) / (2.0 * cell), (column.z - column.x) / (2.0 * cell), mean);
 }
 

@@ -66,7 +66,7 @@ uniform int   shaftSamples;    //@ 16 [1, 256] log quality reference=256 "along 
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D sand;          //@ pass mainSand size=512x512 wrap=repeat filter=mipmap
-uniform sampler2D waves;         //@ pass mainWaves size=16x1
+uniform sampler2D waves;         //@ pass mainWaves size=16x1 filter=nearest
 uniform sampler2D surface;       //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
 uniform sampler2D clock;         //@ pass mainClock size=1x1
 uniform sampler2D landing;       //@ pass mainLanding size=256x256 filter=nearest
@@ -122,6 +122,11 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
+// price of texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -189,9 +194,9 @@ struct Water { float height; vec2 slope; vec3 curve; };   // m; 1; xx, xz and zz
 // The water over a point of the tile, in tiles; now, or in a frame of the loop.
 Water waterAt(vec2 u, bool now, int frame) {
     Water water = Water(0.0, vec2(0.0), vec3(0.0));
-    int count = int(texelFetch(waves, ivec2(kWaves, 0), 0).z);   // a loop that drivers leave one
+    int count = int(fetch(waves, vec2(kWaves, 0), vec2(16.0, 1.0)).z);   // a loop that drivers leave one
     for (int i = 0; i < count; ++i) {
-        vec4 wave = texelFetch(waves, ivec2(i, 0), 0);   // whole waves in the tile, slope, Hz
+        vec4 wave = fetch(waves, vec2(i, 0), vec2(16.0, 1.0));   // whole waves in the tile, slope, Hz
         float turns = now ? cycles(wave.w)
             : fract(max(floor(wave.w * loopSeconds + 0.5), 1.0) * float(frame) / float(kFrames));
         float phase = fract(dot(wave.xy, u) - turns) + fract(kGolden * float(i * i));
@@ -245,7 +250,7 @@ float fluxThrough(vec2 slope) {
 // is above the highest crest, for waves that are steeper than the sun is high.
 float besideWaves(vec2 u, float height, bool now, int frame) {
     vec3 sun = sunAbove();
-    vec2 most = texelFetch(waves, ivec2(kWaves, 0), 0).xy;   // slope and height that no wave passes
+    vec2 most = fetch(waves, vec2(kWaves, 0), vec2(16.0, 1.0)).xy;   // slope and height that no wave passes
     float away = length(sun.xz), rise = sun.y / away, range = (most.y - height) / rise, seen = 1.0;
     for (int k = 0; k < (most.x > rise ? kShadeSteps : 0) && seen > 0.0; ++k) {
         float s = range * (float(k) + 0.5) / float(kShadeSteps);   // m, level
@@ -310,36 +315,33 @@ vec2 photonStart(ivec2 cell, int number) {
     return vec2(bits >> 8u) / 16777216.0;
 }
 
+vec2 wrapped(vec2 i, float period) { return i - period * floor(i / period); }   // whole numbers
 // A box, in tiles from the cell's corner, round the landings of its corners or of its photon.
-vec4 landingBox(sampler2D at, sampler2D pairs, ivec2 cell, ivec2 origin, int count, vec2 start,
+vec4 landingBox(sampler2D at, sampler2D pairs, vec2 cell, vec2 origin, float count, vec2 start,
                 int corners) {
+    vec2 size = vec2(textureSize(at, 0));
     vec4 box = vec4(1e3, 1e3, -1e3, -1e3);
     for (int k = 0; k < corners; ++k) {
-        ivec2 corner = ivec2(k & 1, k >> 1), place = origin + (cell + corner) % count;
-        vec2 home = (vec2(corner) + start) / float(count);
-        vec4 middle = texelFetch(at, place, 0), pair = middle.xyxy;
-        if (dispersion > 0.0) pair = texelFetch(pairs, place, 0);
+        vec2 corner = vec2(k & 1, k >> 1), place = origin + wrapped(cell + corner, count);
+        vec2 home = (corner + start) / count;
+        vec4 middle = fetch(at, place, size), pair = middle.xyxy;
+        if (dispersion > 0.0) pair = fetch(pairs, place, size);
         box.xy = min(box.xy, home + min(middle.xy, min(pair.xy, pair.zw)));
         box.zw = max(box.zw, home + max(middle.xy, max(pair.xy, pair.zw)));
     }
     return box;
 }
 // A box round the boxes of side x side children, each `cell` wide.
-vec4 boxOf(sampler2D children, ivec2 first, int side, float cell) {
+vec4 boxOf(sampler2D children, vec2 first, int side, float cell) {
+    vec2 size = vec2(textureSize(children, 0));
     vec4 box = vec4(1e3, 1e3, -1e3, -1e3);
     for (int k = 0; k < side * side; ++k) {
-        ivec2 child = ivec2(k % side, k / side);
-        vec4 part = texelFetch(children, first + child, 0) + cell * vec2(child).xyxy;
+        vec2 child = vec2(k % side, k / side);
+        vec4 part = fetch(children, first + child, size) + cell * child.xyxy;
         box = vec4(min(box.xy, part.xy), max(box.zw, part.zw));
     }
     return box;
 }
-// A place in a buffer of so many texels a side that `filter=nearest` reads; half the price of
-// texelFetch on llvmpipe.
-vec4 fetch(sampler2D buffer, vec2 place, float texels) {
-    return textureLod(buffer, (place + 0.5) / texels, 0.0);
-}
-vec2 wrapped(vec2 i, float period) { return i - period * floor(i / period); }   // whole numbers
 // Whether light of a box of `side` tiles at `place`, as it lands below `fall` of the depth, meets a
 // square; both in tiles.
 bool boxMeets(vec4 box, vec2 place, float side, float fall, vec4 texel) {
@@ -358,16 +360,16 @@ vec4 quadsThatMeet(sampler2D boxes1, sampler2D boxes2, sampler2D boxes3, vec4 bo
         for (float x = 0.0; x < span.x; x += 1.0) {
             vec2 super = first + vec2(x, y);
             vec2 home = wrapped(super, count / 16.0) + frame * count / 16.0;
-            vec4 box = fetch(boxes3, home, sizes.z);
+            vec4 box = fetch(boxes3, home, vec2(sizes.z));
             int inside = boxMeets(box, super, side, fall, texel) ? 16 : 0;
             for (int k = 0; k < inside; ++k) {
                 vec2 block = vec2(k & 3, k >> 2);
-                box = fetch(boxes2, 4.0 * home + block, sizes.y);
+                box = fetch(boxes2, 4.0 * home + block, vec2(sizes.y));
                 block += 4.0 * super;
                 int within = boxMeets(box, block, blockSide, fall, texel) ? 4 : 0;
                 for (int j = 0; j < within; ++j) {
                     vec2 quad = vec2(j & 1, j >> 1);
-                    box = fetch(boxes1, 8.0 * home + 2.0 * (block - 4.0 * super) + quad, sizes.x);
+                    box = fetch(boxes1, 8.0 * home + 2.0 * (block - 4.0 * super) + quad, vec2(sizes.x));
                     quad += 2.0 * block;
                     if (boxMeets(box, quad, 0.5 * blockSide, fall, texel)) {
                         met = min(met, quad);
@@ -424,9 +426,9 @@ vec3 cellColours(sampler2D at, sampler2D pairs, float size, vec2 cell, vec2 fram
     for (int j = 0; j < 4; ++j) {
         vec2 corner = vec2(j & 1, j >> 1), from = mix(home0, home1, corner) + count * frame;
         vec2 place = ((cell + corner) * texels - spot * count) / count + aside;   // exact
-        middle[j] = fetch(at, from, size);
+        middle[j] = fetch(at, from, vec2(size));
         pair[j] = middle[j].xyxy;
-        if (tinted) pair[j] = fetch(pairs, from, size);
+        if (tinted) pair[j] = fetch(pairs, from, vec2(size));
         middle[j].xy = place + texels * fall * middle[j].xy;
         pair[j] = place.xyxy + texels * fall * pair[j];
     }
@@ -458,7 +460,7 @@ vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, v
         for (; next < min(start + 30, area); ++next) {
             float row = floor((float(next) + 0.5) / quads.z);
             quad = quads.xy + vec2(float(next) - row * quads.z, row);
-            vec4 box = fetch(boxes1, wrapped(quad, 0.5 * count) + 0.5 * count * frame, 0.5 * size);
+            vec4 box = fetch(boxes1, wrapped(quad, 0.5 * count) + 0.5 * count * frame, vec2(0.5 * size));
             if (boxMeets(box, quad, quadSide, fall, texel)) marks |= 1 << (next - start);
         }
         for (; (marks | met) != 0;) {
@@ -467,7 +469,7 @@ vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, v
                 quad = 2.0 * (quads.xy + vec2(i - row * quads.z, row));
                 for (int k = 0; k < 4; ++k) {
                     vec2 cell = quad + vec2(k & 1, k >> 1);
-                    vec4 box = fetch(boxes0, wrapped(cell, count) + count * frame, size);
+                    vec4 box = fetch(boxes0, wrapped(cell, count) + count * frame, vec2(size));
                     if (boxMeets(box, cell, 0.5 * quadSide, fall, texel)) met |= 1 << k;
                 }
             }
@@ -482,7 +484,7 @@ vec3 gather(sampler2D at, sampler2D pairs, sampler2D boxes0, sampler2D boxes1, v
 }
 // The same from the buffers of this moment; tile: where `tiles` keeps the quads of this square.
 vec3 gatherNow(vec2 place, float texels, vec2 tile, float fall, bool tinted) {
-    vec4 quads = fetch(tiles, tile + floor(place / 4.0), 96.0);
+    vec4 quads = fetch(tiles, tile + floor(place / 4.0), vec2(96.0));
     return gather(landing, split, cellBoxes, quadBoxes, quads, vec2(0.0), float(meshCells()), place,
                   texels, fall, tinted);
 }
@@ -893,19 +895,19 @@ void mainCells(out vec4 colour, in vec2 pixel) {
     bool lone = method == kPhotons;
     ivec2 cell = ivec2(pixel);
     vec2 start = lone ? photonStart(cell, photonPass()) : vec2(0.0);
-    colour = landingBox(landing, split, cell, ivec2(0), meshCells(), start, lone ? 1 : 4);
+    colour = landingBox(landing, split, vec2(cell), vec2(0.0), float(meshCells()), start, lone ? 1 : 4);
 }
 void mainQuads(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(cellBoxes, ivec2(pixel) * 2, 2, 1.0 / float(meshCells()));
+    colour = boxOf(cellBoxes, 2.0 * floor(pixel), 2, 1.0 / float(meshCells()));
 }
 void mainBlocks(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(quadBoxes, ivec2(pixel) * 2, 2, 2.0 / float(meshCells()));
+    colour = boxOf(quadBoxes, 2.0 * floor(pixel), 2, 2.0 / float(meshCells()));
 }
 void mainSupers(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(blocks, ivec2(pixel) * 4, 4, 4.0 / float(meshCells()));
+    colour = boxOf(blocks, 4.0 * floor(pixel), 4, 4.0 / float(meshCells()));
 }
 void mainReach(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(supers, ivec2(0), meshCells() / 16, 0.0);
+    colour = boxOf(supers, vec2(0.0), meshCells() / 16, 0.0);
 }
 
 // The quads that may light each square of 4 x 4 texels: of the floor, above them of the two slices.
@@ -932,20 +934,20 @@ void mainFrameLanding(out vec4 middle, out vec4 pair, in vec2 pixel) {
     landingOf(u, false, frame.x + 4 * frame.y, middle, pair);
 }
 void mainFrameCells(out vec4 colour, in vec2 pixel) {
-    ivec2 at = ivec2(pixel), cell = at % kFrameCells;
-    colour = landingBox(frameLanding, frameSplit, cell, at - cell, kFrameCells, vec2(0.0), 4);
+    vec2 at = floor(pixel), cell = wrapped(at, float(kFrameCells));
+    colour = landingBox(frameLanding, frameSplit, cell, at - cell, float(kFrameCells), vec2(0.0), 4);
 }
 void mainFrameQuads(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(frameCells, ivec2(pixel) * 2, 2, 1.0 / float(kFrameCells));
+    colour = boxOf(frameCells, 2.0 * floor(pixel), 2, 1.0 / float(kFrameCells));
 }
 void mainFrameBlocks(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(frameQuads, ivec2(pixel) * 2, 2, 2.0 / float(kFrameCells));
+    colour = boxOf(frameQuads, 2.0 * floor(pixel), 2, 2.0 / float(kFrameCells));
 }
 void mainFrameSupers(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(frameBlocks, ivec2(pixel) * 4, 4, 4.0 / float(kFrameCells));
+    colour = boxOf(frameBlocks, 4.0 * floor(pixel), 4, 4.0 / float(kFrameCells));
 }
 void mainFrameReach(out vec4 colour, in vec2 pixel) {
-    colour = boxOf(frameSupers, ivec2(pixel) * (kFrameCells / 16), kFrameCells / 16, 0.0);
+    colour = boxOf(frameSupers, float(kFrameCells / 16) * floor(pixel), kFrameCells / 16, 0.0);
 }
 void mainFrameTiles(out vec4 colour, in vec2 pixel) {
     vec2 frame = floor(pixel / 64.0), tile = floor(pixel) - 64.0 * frame;
@@ -958,7 +960,7 @@ void mainFrames(out vec4 colour, in vec2 pixel) {
     if (method != kPeriodic) return;
     vec2 frame = floor(pixel / float(kMap)), at = floor(pixel) - float(kMap) * frame;
     colour.rgb = gather(frameLanding, frameSplit, frameCells, frameQuads,
-                        fetch(frameTiles, floor(pixel / 4.0), 256.0), frame, float(kFrameCells),
+                        fetch(frameTiles, floor(pixel / 4.0), vec2(256.0)), frame, float(kFrameCells),
                         at, float(kMap), 1.0, dispersion > 0.0);
 }
 // Five frames of the loop, the next fading in while the oldest fades out. Their weights lag by

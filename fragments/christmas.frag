@@ -68,10 +68,10 @@ uniform int   shadowSamples;   //@ 1 [1, 16] log quality reference=16 "cones to 
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D wood;            //@ pass mainWood size=512x1024 wrap=repeat filter=mipmap
-uniform sampler2D ornamentPlaces;  //@ pass mainPlaces size=64x128
-uniform sampler2D ornamentRanks;   //@ pass mainRanks size=64x64 format=r32f
-uniform sampler2D ornamentTree;    //@ pass mainTree size=64x256
-uniform sampler2D moving;          //@ pass mainMoving size=256x2
+uniform sampler2D ornamentPlaces;  //@ pass mainPlaces size=64x128 filter=nearest
+uniform sampler2D ornamentRanks;   //@ pass mainRanks size=64x64 format=r32f filter=nearest
+uniform sampler2D ornamentTree;    //@ pass mainTree size=64x256 filter=nearest
+uniform sampler2D moving;          //@ pass mainMoving size=256x2 filter=nearest
 
 // ---- Constants and numbers ----------------------------------------------------------------------
 // Lengths are metres; y = 0 is the floor, the tree stands on it at the origin. A hit is told by a
@@ -120,6 +120,11 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
+// price of texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -238,7 +243,8 @@ vec3 fromGift(vec3 v) { return vec3(turn(v.xz, -kGiftTurn), v.y).xzy; }
 // (Laine). It is 1 again when the root is done.
 
 vec4 texelOf(sampler2D buffer, int index, int row) {
-    return texelFetch(buffer, ivec2(index & (kRow - 1), row + (index >> 6)), 0);
+    vec2 place = vec2(index & (kRow - 1), row + (index >> 6));
+    return fetch(buffer, place, vec2(textureSize(buffer, 0)));
 }
 // Corners of a box: on each axis two whole numbers below 4096 share the 24 bits of a float.
 void unpackBox(vec4 texel, out vec3 lo, out vec3 hi) {
@@ -383,7 +389,7 @@ float visibility(vec3 ro, vec3 rd, float rim, float tMax) {
         free *= besideConvex(inner, outer);
     }
     for (int k = 0; k < orbitingBalls; ++k)
-        free *= besideSphere(ro, rd, rim, tMax, texelFetch(moving, ivec2(k, 1), 0));
+        free *= besideSphere(ro, rd, rim, tMax, fetch(moving, vec2(k, 1), vec2(256.0, 2.0)));
     free = besideOrnaments(ro, rd, rim, tMax, free);
     return max(free - kLeastLight, 0.0) / (1.0 - kLeastLight);
 }
@@ -441,7 +447,7 @@ vec3 glow(vec3 ro, vec3 rd, float tMax, float width0, float width, bool mirrored
     float string = 0.0;
     for (int k = 0; k < count; k += 4)
         for (int j = k; j < k + 4; ++j) {   // those past the end are dark
-            vec4 light = texelFetch(moving, ivec2(j, 0), 0);
+            vec4 light = fetch(moving, vec2(j, 0), vec2(256.0, 2.0));
             vec3 f = light.xyz - ro;
             float t = dot(f, rd), seen = max(0.024, 1.2 * (width0 + width * t));
             vec3 l = f - t * rd;
@@ -594,7 +600,7 @@ Hit closestHit(vec3 ro, vec3 rd) {
     Hit h = Hit(kFar, vec4(0.0), kWall);
     hitOrnaments(ro, rd, h);
     for (int k = 0; k < orbitingBalls; ++k) {
-        vec4 s = texelFetch(moving, ivec2(k, 1), 0);
+        vec4 s = fetch(moving, vec2(k, 1), vec2(256.0, 2.0));
         float t = intersectSphere(ro, rd, s.xyz, s.w);
         if (t > 0.0 && t < h.t) {
             h.t = t;
@@ -682,7 +688,7 @@ Surface arrive(Leg leg, Hit h) {
     s.facing = h.face.xyz;
     s.ball = vec4(0.0);
     if (h.id < kFloor) s.ball = texelOf(ornamentTree, h.id, 0);
-    if (h.id >= kBall) s.ball = texelFetch(moving, ivec2(h.id - kBall, 1), 0);
+    if (h.id >= kBall) s.ball = fetch(moving, vec2(h.id - kBall, 1), vec2(256.0, 2.0));
     if (s.ball.w != 0.0) {
         s.facing = normalize(s.p - s.ball.xyz);
         s.p = s.ball.xyz + abs(s.ball.w) * s.facing;

@@ -85,8 +85,8 @@ uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D ground;      //@ pass mainGround size=1024x1024 format=rg32f wrap=repeat
 uniform sampler2D relief;      //@ pass mainRelief size=1024x1024 wrap=repeat filter=mipmap
-uniform sampler2D tops;        //@ pass mainTops size=128x128 filter=nearest
-uniform sampler2D summits;     //@ pass mainSummits size=32x32 format=r32f filter=nearest
+uniform sampler2D tops;        //@ pass mainTops size=128x128 wrap=repeat filter=nearest
+uniform sampler2D summits;     //@ pass mainSummits size=32x32 format=r32f wrap=repeat filter=nearest
 uniform sampler2D shade;       //@ pass mainShade size=256x256 format=rg32f wrap=repeat
 uniform sampler2D grain;       //@ pass mainGrain size=256x256 wrap=repeat filter=mipmap
 uniform sampler2D rig;         //@ pass mainRig size=32x2 filter=nearest
@@ -151,6 +151,11 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
+// price of texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -275,8 +280,8 @@ float hitSeabed(vec3 ro, vec3 rd, float pixel, float tMax) {
         vec2 leave = ((cell + far) * kCell - ro.xz) * inverse;
         float tLarge = max(min(leaveLarge.x, leaveLarge.y), t);
         float tCell = max(min(leave.x, leave.y), t);
-        float topLarge = texelFetch(summits, ivec2(large) & 31, 0).x;
-        vec4 top = texelFetch(tops, ivec2(cell) & 127, 0);
+        float topLarge = fetch(summits, large, vec2(32.0)).x;
+        vec4 top = fetch(tops, cell, vec2(128.0));
         bool overLarge = march == 0 && min(p.y, ro.y + tLarge * rd.y) > topLarge;
         bool over = overLarge || (march == 0 && min(p.y, ro.y + tCell * rd.y) > top.x);
         float next = overLarge ? tLarge : tCell;
@@ -489,7 +494,7 @@ float openTo(float t, float pixel) {
 
 // A tapering pole: the pixel's share of it, where its surface is, its normal; a round end.
 Layer spar(int k, vec3 ro, vec3 rd, float pixel) {
-    vec4 a = texelFetch(rig, ivec2(k, 0), 0), b = texelFetch(rig, ivec2(k, 1), 0);
+    vec4 a = fetch(rig, vec2(k, 0), vec2(32.0, 2.0)), b = fetch(rig, vec2(k, 1), vec2(32.0, 2.0));
     vec3 axis = b.xyz - a.xyz, f = a.xyz - ro;
     float size = dot(axis, axis), lean = dot(axis, rd), fd = dot(f, rd);
     float s = clamp((fd * lean - dot(f, axis)) / max(size - lean * lean, 1e-4 * size), 0.0, 1.0);
@@ -625,7 +630,7 @@ float plantCover(float u, float v, float tall, float swing, float seed, float w)
 }
 // Whether a ray passes over a group of plants no higher than they grow.
 bool meetsGroup(int g, vec3 ro, vec3 rd, float level2) {
-    vec4 bound = texelFetch(garden, ivec2(g, 1), 0);
+    vec4 bound = fetch(garden, vec2(g, 1), vec2(64.0, 2.0));
     vec2 f = bound.xz - ro.xz;
     float t = dot(f, rd.xz) / level2, slack = bound.w + 1.2, part = slack * inversesqrt(level2);
     float low = ro.y + rd.y * (rd.y < 0.0 ? t + part : max(t - part, 0.0));
@@ -634,7 +639,7 @@ bool meetsGroup(int g, vec3 ro, vec3 rd, float level2) {
 }
 // A plant: the pixel's share of it, where its strip is, its normal.
 Layer plantLayer(int k, vec3 ro, vec3 rd, float level2, float pixel) {
-    vec4 plant = texelFetch(garden, ivec2(k, 0), 0);
+    vec4 plant = fetch(garden, vec2(k, 0), vec2(64.0, 2.0));
     vec2 f = plant.xz - ro.xz, across = vec2(rd.z, -rd.x) * inversesqrt(level2);
     float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y, seed = float(k) * 1.7;
     float swing = 0.12 * plant.w * across.x
@@ -652,7 +657,7 @@ void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (; groups != 0; groups &= groups - 1) {
         int first = 5 * lowestBit(groups), marks = 0;
         for (int k = first; k < min(first + 5, kelp); ++k) {
-            vec4 plant = texelFetch(garden, ivec2(k, 0), 0);
+            vec4 plant = fetch(garden, vec2(k, 0), vec2(64.0, 2.0));
             vec2 f = plant.xz - ro.xz;
             float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y;
             bool met = abs(dot(f, across)) < 1.3 + 0.2 * plant.w && v > 0.0 && v < plant.w + 0.5;
@@ -876,7 +881,7 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     // The jellyfish light what is near them.
     float near = 0.0;
     for (int k = 0; k < (jellyLamps ? jellyfish : 0); ++k) {
-        vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
+        vec4 jelly = fetch(swarm, vec2(k, 0), vec2(16.0, 1.0));
         vec3 to = jelly.xyz - p;
         float d2 = dot(to, to) + 0.3;
         near += exp(-m.extinction.g * sqrt(d2)) * (1.2 * jelly.w * jelly.w / d2)
@@ -936,7 +941,7 @@ float halosAlong(vec3 ro, vec3 rd, vec2 across, float tMax, float mean, float di
     float halo = 0.0, level2 = dot(rd.xz, rd.xz);
     marks = 0;
     for (int k = 0; k < jellyfish; ++k) {
-        vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
+        vec4 jelly = fetch(swarm, vec2(k, 0), vec2(16.0, 1.0));
         vec3 f = jelly.xyz - ro;
         float t = dot(f, rd), away = sqrt(max(dot(f, f) - t * t, 0.0) + square(0.6 * jelly.w));
         vec2 ends = vec2(mean - t, t) / away;   // their arcs, about
@@ -961,7 +966,7 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m)
     float halo = halosAlong(ro, rd, across, tMax, mean, dim.g, marks);
     for (; marks != 0; marks &= marks - 1) {
         int k = lowestBit(marks);
-        vec4 jelly = texelFetch(swarm, ivec2(k, 0), 0);
+        vec4 jelly = fetch(swarm, vec2(k, 0), vec2(16.0, 1.0));
         float beat = 2.0 * kPi * (cycles(0.375 + 0.03125 * float(k % 3)) + kGolden * float(k));
         float squeeze = 0.5 + 0.5 * sin(beat + 0.6 * sin(beat));
         vec2 size = jelly.w * vec2(1.0 - 0.17 * squeeze, 0.62 + 0.13 * squeeze);

@@ -79,8 +79,8 @@ uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points al
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D gain;            //@ pass mainGain size=128x64 format=r32f
-uniform sampler2D things;          //@ pass mainThings size=48x2
-uniform sampler2D directions;      //@ pass mainDirections size=64x320
+uniform sampler2D things;          //@ pass mainThings size=48x2 filter=nearest
+uniform sampler2D directions;      //@ pass mainDirections size=64x320 filter=nearest
 
 // ---- Constants and numbers ----------------------------------------------------------------------
 // Sizes and orbits keep all things apart (see Apart above). What moves is known by a number, its
@@ -133,6 +133,11 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
+// price of texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -178,8 +183,8 @@ float fresnel(float cosI, float eta) {
 int lowestBit(int mask) { return (floatBitsToInt(float(mask & -mask)) >> 23) - 127; }
 vec3 spun(vec3 v, vec4 q) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec3 unspun(vec3 v, vec4 q) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) - q.w * v); }
-vec4 thing(int id) { return texelFetch(things, ivec2(id, 0), 0); }
-vec4 attitude(int id) { return texelFetch(things, ivec2(id, 1), 0); }
+vec4 thing(int id) { return fetch(things, vec2(id, 0), vec2(48.0, 2.0)); }
+vec4 attitude(int id) { return fetch(things, vec2(id, 1), vec2(48.0, 2.0)); }
 
 // ---- Geometry -----------------------------------------------------------------------------------
 // A convex solid is where all its half-spaces dot(n, p) <= d overlap, so what a ray has in common
@@ -307,7 +312,7 @@ ivec3 metTowards(int map, vec3 d) {
     ivec2 cell = clamp(ivec2((0.5 + 0.5 * p) * float(kCells)), 0, kCells - 1);
     if (map == kNowhere) return ivec3(((1 << balls) - 1) << kBalls | ((1 << spheres) - 1),
                                       ((1 << cubes) - 1) | 7 << (kBipyramids - kCubes), 0);
-    return ivec3(texelFetch(directions, ivec2(cell.x, cell.y + map * kCells), 0).xyz);
+    return ivec3(fetch(directions, vec2(cell.x, cell.y + map * kCells), vec2(64.0, 320.0)).xyz);
 }
 
 Hit intersect(vec3 ro, vec3 rd, int map) {

@@ -113,6 +113,7 @@ const float kBed = -19.0;                  // m, no land is lower
 const float kSummit = 40.0;                // m, nor higher at relief 1
 const int   kCells = 512;                  // patches along a side
 const float kPerCell = 5.12;               // cells in a metre
+const vec2  kPeaks = vec2(640.0, 512.0);   // texels of the pyramid
 const float kTreeGap = 1.9;                // m
 const int   kWaveCells = 64;               // of time, after which waves begin again
 const int   kSky = 0, kLand = 1, kWall = 2, kBottom = 3, kWater = 4, kSide = 5;
@@ -140,6 +141,11 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
+// price of texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
 vec2 turn(vec2 p, float angle) {
@@ -206,7 +212,7 @@ vec3 perlinPlane(vec2 p, int plane, int wrap) {
 // and not sought. A pyramid holds the greatest height of ever larger squares: a ray above that
 // jumps over the square.
 
-float landTop() { return max(texelFetch(ambient, ivec2(7, 0), 0).x, waterLevel) + 0.1; }
+float landTop() { return max(fetch(ambient, vec2(7, 0), vec2(8.0, 1.0)).x, waterLevel) + 0.1; }
 vec2 landUv(vec2 p) { return ((p + kHalf) * kPerCell + 0.5) / float(kCells + 1); }
 
 // Height without trees, and its slope: vec3(d/dx, d/dz, height).
@@ -258,9 +264,8 @@ vec3 bareLand(vec2 p) {
 // Height of the surface as rays see it: bilinear between the nodes.
 float landHeight(vec2 p) {
     vec2 g = clamp((p + kHalf) * kPerCell, 0.0, float(kCells));
-    ivec2 c = min(ivec2(g), kCells - 1);
-    vec4 h = texelFetch(peaks, c, 0);
-    vec2 u = g - vec2(c);
+    vec2 c = min(floor(g), float(kCells - 1)), u = g - c;
+    vec4 h = fetch(peaks, c, kPeaks);
     return h.x + (h.y - h.x) * u.x + (h.z - h.x) * u.y + (h.x - h.y - h.z + h.w) * u.x * u.y;
 }
 
@@ -285,7 +290,7 @@ float hitLand(vec3 ro, vec3 rd, float t0, float t1) {
         sides = mix(sides, vec2(kFar), equal(edge, ahead * float(kCells)));   // t1 ends the ray
         float leave = min(max(min(sides.x, sides.y), s + 1e-5), end);
         ivec2 shelf = ivec2(level > 0 ? kCells : 0, level == 2 ? 128 : level == 3 ? 160 : 0);
-        vec4 h = texelFetch(peaks, shelf + c, 0);
+        vec4 h = fetch(peaks, vec2(shelf + c), kPeaks);
         ++landTurns;
         float top = max(max(h.x, h.y), max(h.z, h.w)), y = p.y + s * rd.y;
         if (min(y, p.y + leave * rd.y) > top) {
@@ -401,7 +406,7 @@ vec3 airTransmittance(float y0, float s, int steps) {
     }
     return exp(-sum * far);
 }
-vec3 sunBeam() { return texelFetch(ambient, ivec2(6, 0), 0).rgb; }
+vec3 sunBeam() { return fetch(ambient, vec2(6, 0), vec2(8.0, 1.0)).rgb; }
 
 // The clear sky, from its buffer: sine of half the angle from the sun's azimuth, root of height.
 vec3 clearSky(vec3 rd) {
@@ -414,12 +419,12 @@ vec3 ambientLight(vec3 nor) {   // from all around, on a surface that faces nor
     vec3 sum = vec3(0.0);
     for (int k = 0; k < 3; ++k) {
         int face = 2 * k + (nor[k] > 0.0 ? 1 : 0);
-        sum += texelFetch(ambient, ivec2(face, 0), 0).rgb * square(nor[k]);
+        sum += fetch(ambient, vec2(face, 0), vec2(8.0, 1.0)).rgb * square(nor[k]);
     }
     return sum;
 }
 vec3 daylight() {   // on level ground
-    return texelFetch(ambient, ivec2(3, 0), 0).rgb + sunBeam() * sin(radians(sunHeight));
+    return fetch(ambient, vec2(3, 0), vec2(8.0, 1.0)).rgb + sunBeam() * sin(radians(sunHeight));
 }
 
 float lodOf(float w) { return clamp(log2(max(w, 1e-6) * 512.0), 0.0, 9.0); }   // w: in tiles
@@ -439,8 +444,8 @@ vec3 background(vec3 rd, float width, bool disc) {
         float lit = clamp(0.5 + 1.2 * n.y, 0.0, 1.0) * (1.0 - 0.35 * cover);
         float silver = 0.03 + 0.15 * lit + 0.20 / (1.0 + 14.0 * away2);
         vec3 sunny = mix(sunBeam(), vec3(dot(sunBeam(), vec3(1.0 / 3.0))), 0.5);
-        vec3 white = sunny * silver + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.12
-            + texelFetch(ambient, ivec2(3, 0), 0).rgb * 0.12;
+        vec3 white = sunny * silver + fetch(ambient, vec2(2, 0), vec2(8.0, 1.0)).rgb * 0.12
+            + fetch(ambient, vec2(3, 0), vec2(8.0, 1.0)).rgb * 0.12;
         cover *= smoothstep(0.0, 0.16, abs(rd.y)) * 0.9;
         sum = mix(sum, white, cover);
     }
@@ -781,7 +786,7 @@ bool walkOn(Track k, inout Step s, inout bool open, inout bool close, inout bool
     bool hit = false, near = false;
     for (int n = 0; n < reflectionSteps && open; ++n) {
         float z = onLine(k.l, s.at).z, zBefore = onLine(k.l, s.before).z;
-        vec4 texel = texelFetch(normalDepth, ivec2(onLine(k.l, s.at).xy), 0);
+        vec4 texel = textureLod(normalDepth, onLine(k.l, s.at).xy / iResolution.xy, 0.0);
         float deep = length(texel.xyz);
         ++walkFetches;
         hit = deep > 0.02 && max(z, zBefore) > texel.w
@@ -803,7 +808,7 @@ bool holds(Track k, Step s, bool hit, out vec2 at, out bool vague) {
     for (int j = 0; j < 6 && hit; ++j) {
         float m = 0.5 * (low + high);
         vec3 q = onLine(k.l, m);
-        if (q.z > texelFetch(normalDepth, ivec2(q.xy), 0).w) high = m;
+        if (q.z > textureLod(normalDepth, q.xy / iResolution.xy, 0.0).w) high = m;
         else low = m;
         ++walkFetches;
     }

@@ -83,16 +83,17 @@ precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit bu
 uniform sampler2D air;         //@ pass mainAir size=64x128
 uniform sampler2D sky;  //@ pass mainSky size=2048x512 format=rgba16f wrap=repeat filter=mipmap
 uniform sampler2D wavelets;    //@ pass mainWavelets size=8x1
-uniform sampler2D bedEast;     //@ pass mainBed size=64x384
-uniform sampler2D bedNorth;    //@ pass mainBed size=64x384
+uniform sampler2D bedEast;     //@ pass mainBed size=64x384 filter=nearest
+uniform sampler2D bedNorth;    //@ pass mainBed size=64x384 filter=nearest
 uniform sampler2D screen;      //@ pass mainScreen format=r8
 uniform sampler2D pushes;      //@ pass mainPushes size=2x1 step=1/240
-uniform sampler2D pond;        //@ pass mainPond size=64x384 step=1/240 bounded=[-1, 1]
-uniform sampler2D pondEast;    //@ pass mainPond size=64x384 step=1/240
-uniform sampler2D pondNorth;   //@ pass mainPond size=64x384 step=1/240
+uniform sampler2D pond;        //@ pass mainPond size=64x384 step=1/240 bounded=[-1, 1] filter=nearest
+uniform sampler2D pondEast;    //@ pass mainPond size=64x384 step=1/240 filter=nearest
+uniform sampler2D pondNorth;   //@ pass mainPond size=64x384 step=1/240 filter=nearest
 uniform sampler2D relief;      //@ pass mainRelief size=256x384
 uniform sampler2D bend;        //@ pass mainRelief
 uniform sampler2D heights;     //@ pass mainHeights size=256x384 format=r32f
+uniform sampler2D levels;      //@ buffer heights filter=nearest
 uniform sampler2D peaks;       //@ pass mainPeaks size=32x48
 uniform sampler2D crest;       //@ pass mainCrest size=1x1 format=rg32f
 uniform sampler2D floats;      //@ pass mainFloats size=8x1
@@ -122,6 +123,7 @@ const vec3  kBeamHalf = vec3(0.22, 0.19, 4.2);           // m
 const vec4  kBallPlace = vec4(-0.60, 0.10, -1.0, 0.55);  // m: centre, radius
 const float kCeiling = 0.3;                   // m, no ring is higher: they break
 const float kMargin = 1.12;                   // planar pictures show this much more
+const vec2  kPond = vec2(64.0, 384.0);        // texels, of four cells each
 const int   kCells = 8;                       // cells of the pond along one texel of `peaks`
 const int   kSky = 0, kFloor = 1, kWall = 2, kStep = 3, kPaving = 4, kStone = 5, kColumn = 6;
 const int   kBall = 7, kLantern = 8;          // and on
@@ -144,6 +146,11 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
+// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
+// price of texelFetch on llvmpipe.
+vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
+    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+}
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -1182,10 +1189,11 @@ void mainPushes(out vec4 colour, in vec2 pixel) {
 }
 
 // A texel that went bad is level water.
-vec4 heightsAt(ivec2 c) {
-    return clamp(previousFrame(texelFetch(pond, c, 0)), -kCeiling, kCeiling);
+vec4 heightsAt(vec2 place) {
+    return clamp(previousFrame(fetch(pond, place, kPond)), -kCeiling, kCeiling);
 }
 
+vec4 only(int i) { return vec4(equal(ivec4(i), ivec4(0, 1, 2, 3))); }
 // How hard the water is pushed apart, m2/s. By the gradient of exp(-r2/s2) it leaves the middle;
 // the Laplacian of that is a dent and its rim.
 float pushAt(vec2 p, vec4 hand, vec4 drop) {
@@ -1215,27 +1223,25 @@ vec4 crossing(vec4 kept, vec4 drive, vec4 c2, vec4 lower, vec4 upper) {
 // east and north half a step earlier. The water that there is stays, whatever pushes it. Kick, then
 // drift: second order, stable to a Courant number of 0.7; the ranges end at 0.5.
 void mainPond(out vec4 high, out vec4 wentEast, out vec4 wentNorth, in vec2 pixel) {
-    ivec2 c = ivec2(pixel), size = textureSize(pond, 0), last = size - 1;
-    float cell = cellSize(float(size.x));
-    ivec2 atWest = max(c - ivec2(1, 0), 0), atEast = min(c + ivec2(1, 0), last);
-    ivec2 atSouth = max(c - ivec2(0, 1), 0), atNorth = min(c + ivec2(0, 1), last);
-    vec4 here = heightsAt(c), south = heightsAt(atSouth), north = heightsAt(atNorth);
-    vec4 west = vec4(c.x > 0 ? heightsAt(atWest).w : here.x, here.xyz);
-    vec4 east = vec4(here.yzw, c.x < last.x ? heightsAt(atEast).x : here.w);
-    vec4 c2East = texelFetch(bedEast, c, 0), c2North = texelFetch(bedNorth, c, 0);
-    vec4 c2West = vec4(c.x > 0 ? texelFetch(bedEast, atWest, 0).w : 0.0, c2East.xyz);
-    vec4 c2South = c.y > 0 ? texelFetch(bedNorth, atSouth, 0) : vec4(0.0);
-    vec4 keptEast = previousFrame(texelFetch(pondEast, c, 0));
-    vec4 keptNorth = previousFrame(texelFetch(pondNorth, c, 0));
-    vec4 keptWest = vec4(previousFrame(texelFetch(pondEast, atWest, 0)).w, keptEast.xyz);
-    vec4 keptSouth = previousFrame(texelFetch(pondNorth, atSouth, 0));
+    float cell = cellSize(kPond.x);   // beyond the rim the sampler has what stands at it
+    vec2 c = floor(pixel), toWest = c - vec2(1.0, 0.0), toSouth = c - vec2(0.0, 1.0);
+    vec4 here = heightsAt(c), south = heightsAt(toSouth), north = heightsAt(c + vec2(0.0, 1.0));
+    vec4 west = vec4(c.x > 0.0 ? heightsAt(toWest).w : here.x, here.xyz);
+    vec4 east = vec4(here.yzw, c.x < kPond.x - 1.0 ? heightsAt(c + vec2(1.0, 0.0)).x : here.w);
+    vec4 c2East = fetch(bedEast, c, kPond), c2North = fetch(bedNorth, c, kPond);
+    vec4 c2West = vec4(c.x > 0.0 ? fetch(bedEast, toWest, kPond).w : 0.0, c2East.xyz);
+    vec4 c2South = c.y > 0.0 ? fetch(bedNorth, toSouth, kPond) : vec4(0.0);
+    vec4 keptEast = previousFrame(fetch(pondEast, c, kPond));
+    vec4 keptNorth = previousFrame(fetch(pondNorth, c, kPond));
+    vec4 keptWest = vec4(previousFrame(fetch(pondEast, toWest, kPond)).w, keptEast.xyz);
+    vec4 keptSouth = previousFrame(fetch(pondNorth, toSouth, kPond));
     vec4 hand = texelFetch(pushes, ivec2(0), 0), drop = texelFetch(pushes, ivec2(1, 0), 0);
     mat4 push = mat4(0.0);   // beyond the faces, less here: west, east, south, north
     int pushed = drop.w > 0.0 || hand.x < 500.0 ? 4 : -1;   // most steps leave it out
     for (int i = -1; i < pushed; ++i) {
-        vec4 face = vec4(equal(ivec4(i), ivec4(0, 1, 2, 3))), row;
+        vec4 face = only(i), row;
         for (int k = 0; k < 4; ++k) {
-            vec2 p = cellPlace(pixel, vec2(size)) + cell * (vec2(k, 0) + face.yw - face.xz);
+            vec2 p = cellPlace(pixel, kPond) + cell * (vec2(k, 0) + face.yw - face.xz);
             row[k] = pushAt(p, hand, drop);
         }
         push += outerProduct(row, i < 0 ? vec4(-1.0) : face);
@@ -1258,20 +1264,24 @@ void mainPond(out vec4 high, out vec4 wentEast, out vec4 wentNorth, in vec2 pixe
 // The surface between the cells: a cubic B-spline of heights, for smooth derivatives. x height,
 // y z slope; then second derivatives xx, xz, zz.
 void mainRelief(out vec4 shape, out vec4 second, in vec2 pixel) {
-    ivec2 last = textureSize(pond, 0) * ivec2(4, 1) - 1;
-    float cell = 2.0 * kPool.x / float(last.x + 1);
-    float h[9];
-    for (int i = 0; i < 9; ++i) {
-        ivec2 c = clamp(ivec2(pixel) + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
-        h[i] = texelFetch(pond, ivec2(c.x >> 2, c.y), 0)[c.x & 3];
+    int x = int(pixel.x), last = 4 * int(kPond.x) - 1;
+    float cell = 2.0 * kPool.x / float(last + 1);
+    int west = max(x - 1, 0), east = min(x + 1, last);   // no more than two texels of the pond
+    vec4 pickWest = only(west & 3), pick = only(x & 3), pickEast = only(east & 3);
+    vec3 h[3];
+    for (int k = 0; k < 3; ++k) {
+        float y = floor(pixel.y) + float(k - 1);
+        vec4 left = fetch(pond, vec2(west >> 2, y), kPond);
+        vec4 right = fetch(pond, vec2(east >> 2, y), kPond), own = (x & 3) == 0 ? right : left;
+        h[k] = vec3(dot(left, pickWest), dot(own, pick), dot(right, pickEast));
     }
-    vec3 a = vec3(h[0], h[1], h[2]), b = vec3(h[3], h[4], h[5]), d = vec3(h[6], h[7], h[8]);
+    vec3 a = h[0], b = h[1], d = h[2];
     vec3 row = (a + d + 4.0 * b) / 6.0, weight = vec3(1.0, 4.0, 1.0) / 6.0;
     vec3 column = vec3(dot(a, weight), dot(b, weight), dot(d, weight));
     shape.x = dot(row, weight);
     shape.yz = vec2(row.z - row.x, column.z - column.x) / (2.0 * cell);
     shape.w = 0.0;
-    second = vec4(row.x - 2.0 * row.y + row.z, 0.25 * (h[8] - h[6] - h[2] + h[0]),
+    second = vec4(row.x - 2.0 * row.y + row.z, 0.25 * (d.z - d.x - a.z + a.x),
                   column.x - 2.0 * column.y + column.z, 0.0) / (cell * cell);
 }
 // Their heights alone: what rays march over is fetched many times, and so in half the time.
@@ -1280,20 +1290,20 @@ void mainHeights(out vec4 colour, in vec2 pixel) {
 }
 // Of what the filter makes of the heights of a patch: how high, how deep, how steep at most.
 void mainPeaks(out vec4 colour, in vec2 pixel) {
-    ivec2 first = ivec2(pixel) * kCells, last = textureSize(heights, 0) - 1;
+    vec2 first = floor(pixel) * float(kCells), cells = kPond * vec2(4.0, 1.0);
     vec2 most = vec2(-1.0), steep = vec2(0.0);
     for (int j = -1; j <= kCells; ++j) {
-        float here = texelFetch(heights, clamp(first + ivec2(-1, j), ivec2(0), last), 0).x;
+        float here = fetch(levels, first + vec2(-1, j), cells).x;
         for (int i = -1; i <= kCells; ++i) {
-            ivec2 at = first + ivec2(i, j);
-            float east = texelFetch(heights, clamp(at + ivec2(1, 0), ivec2(0), last), 0).x;
-            float north = texelFetch(heights, clamp(at + ivec2(0, 1), ivec2(0), last), 0).x;
+            vec2 at = first + vec2(i, j);
+            float east = fetch(levels, at + vec2(1.0, 0.0), cells).x;
+            float north = fetch(levels, at + vec2(0.0, 1.0), cells).x;
             most = max(most, vec2(here, -here));
             steep = max(steep, abs(vec2(east, north) - here));
             here = east;
         }
     }
-    colour = vec4(most, length(steep) * float(last.x + 1) / (2.0 * kPool.x), 0.0);
+    colour = vec4(most, length(steep) * cells.x / (2.0 * kPool.x), 0.0);
 }
 void mainCrest(out vec4 colour, in vec2 pixel) {
     vec3 most = vec3(0.0);

@@ -28,17 +28,19 @@ MOST_SECONDS = 400   # of one step of a scene, which then goes on at the next ca
 # Rays through a pixel, which are the most of an error at this size, so that the truth needs many: it is to be ten
 # times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
 # loops of a pixel after 65,535 turns together, which all references at once would need.
-TRUTHS = {"analytic": ["antialiasing=128", "bounces=96", "shadowSamples=2"],
+TRUTHS = {"analytic": ["antialiasing=64", "bounces=48", "shadowSamples=2"],
           "boat": ["antialias=96", "sunSamples=2", "substeps=16"],
           "caustics": ["settle=63"],   # frames of photons, of which each takes eight times that of any other method
           "christmas": ["mirrorBlur=10000"],   # never
           "deep_ocean": ["antialias=64", "shaftSamples=64"],
-          "water": ["antialias=128"]}
+          "water": ["antialias=64"]}
 TRUTHS_ALONE = {"analytic": ["antialiasing=128"], "boat": ["antialias=64"], "caustics": ["settle=63"],
                 "deep_ocean": ["antialias=64"], "water": ["antialias=128"]}
 # Under caustics' low sun a frame of photons takes four seconds. Every setting that is compared there is one of `area`, whose
 # own limit is the truth of its cells and samples; beside photons it stands alone.
-TRUTHS_OVER = {**TRUTHS, "caustics": ["method=area"]}
+TRUTHS_OVER = {**TRUTHS, "caustics": ["method=area"],
+               "christmas": ["mirrorBlur=10000", "acceleration=hierarchy"],   # else 1,024 ornaments take all turns
+               "sea": ["mirrorRays=32", "sunSamples=32"]}
 # What a search turns where that is not all of it. The loop of `periodic` is made for half a minute at each try, and each
 # method is compiled for seconds; to be as near as `area`, no other comes into question ("methods" has them all).
 TURNED = {"joint": {"caustics": ["method=snell,area", "cells", "shaftSamples"]},
