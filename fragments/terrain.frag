@@ -212,7 +212,7 @@ vec3 perlinPlane(vec2 p, int plane, int wrap) {
 // and not sought. A pyramid holds the greatest height of ever larger squares: a ray above that
 // jumps over the square.
 
-float landTop() { return max(fetch(ambient, vec2(7, 0), vec2(8.0, 1.0)).x, waterLevel) + 0.1; }
+float landTop() { return max(texelFetch(ambient, ivec2(7, 0), 0).x, waterLevel) + 0.1; }
 vec2 landUv(vec2 p) { return ((p + kHalf) * kPerCell + 0.5) / float(kCells + 1); }
 
 // Height without trees, and its slope: vec3(d/dx, d/dz, height).
@@ -406,7 +406,7 @@ vec3 airTransmittance(float y0, float s, int steps) {
     }
     return exp(-sum * far);
 }
-vec3 sunBeam() { return fetch(ambient, vec2(6, 0), vec2(8.0, 1.0)).rgb; }
+vec3 sunBeam() { return texelFetch(ambient, ivec2(6, 0), 0).rgb; }
 
 // The clear sky, from its buffer: sine of half the angle from the sun's azimuth, root of height.
 vec3 clearSky(vec3 rd) {
@@ -419,12 +419,12 @@ vec3 ambientLight(vec3 nor) {   // from all around, on a surface that faces nor
     vec3 sum = vec3(0.0);
     for (int k = 0; k < 3; ++k) {
         int face = 2 * k + (nor[k] > 0.0 ? 1 : 0);
-        sum += fetch(ambient, vec2(face, 0), vec2(8.0, 1.0)).rgb * square(nor[k]);
+        sum += texelFetch(ambient, ivec2(face, 0), 0).rgb * square(nor[k]);
     }
     return sum;
 }
 vec3 daylight() {   // on level ground
-    return fetch(ambient, vec2(3, 0), vec2(8.0, 1.0)).rgb + sunBeam() * sin(radians(sunHeight));
+    return texelFetch(ambient, ivec2(3, 0), 0).rgb + sunBeam() * sin(radians(sunHeight));
 }
 
 float lodOf(float w) { return clamp(log2(max(w, 1e-6) * 512.0), 0.0, 9.0); }   // w: in tiles
@@ -444,8 +444,8 @@ vec3 background(vec3 rd, float width, bool disc) {
         float lit = clamp(0.5 + 1.2 * n.y, 0.0, 1.0) * (1.0 - 0.35 * cover);
         float silver = 0.03 + 0.15 * lit + 0.20 / (1.0 + 14.0 * away2);
         vec3 sunny = mix(sunBeam(), vec3(dot(sunBeam(), vec3(1.0 / 3.0))), 0.5);
-        vec3 white = sunny * silver + fetch(ambient, vec2(2, 0), vec2(8.0, 1.0)).rgb * 0.12
-            + fetch(ambient, vec2(3, 0), vec2(8.0, 1.0)).rgb * 0.12;
+        vec3 white = sunny * silver + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.12
+            + texelFetch(ambient, ivec2(3, 0), 0).rgb * 0.12;
         cover *= smoothstep(0.0, 0.16, abs(rd.y)) * 0.9;
         sum = mix(sum, white, cover);
     }

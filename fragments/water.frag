@@ -123,7 +123,6 @@ const vec3  kBeamHalf = vec3(0.22, 0.19, 4.2);           // m
 const vec4  kBallPlace = vec4(-0.60, 0.10, -1.0, 0.55);  // m: centre, radius
 const float kCeiling = 0.3;                   // m, no ring is higher: they break
 const float kMargin = 1.12;                   // planar pictures show this much more
-const vec2  kPond = vec2(64.0, 384.0);        // texels, of four cells each
 const int   kCells = 8;                       // cells of the pond along one texel of `peaks`
 const int   kSky = 0, kFloor = 1, kWall = 2, kStep = 3, kPaving = 4, kStone = 5, kColumn = 6;
 const int   kBall = 7, kLantern = 8;          // and on
@@ -1188,9 +1187,10 @@ void mainPushes(out vec4 colour, in vec2 pixel) {
     colour = vec4(at, old.x == 0.0 && old.y == 0.0 || old.x > 500.0 || pressed ? at : old.xy);
 }
 
+vec2 pondSize() { return vec2(textureSize(pond, 0)); }   // texels, of four cells each
 // A texel that went bad is level water.
 vec4 heightsAt(vec2 place) {
-    return clamp(previousFrame(fetch(pond, place, kPond)), -kCeiling, kCeiling);
+    return clamp(previousFrame(fetch(pond, place, pondSize())), -kCeiling, kCeiling);
 }
 
 vec4 only(int i) { return vec4(equal(ivec4(i), ivec4(0, 1, 2, 3))); }
@@ -1223,25 +1223,27 @@ vec4 crossing(vec4 kept, vec4 drive, vec4 c2, vec4 lower, vec4 upper) {
 // east and north half a step earlier. The water that there is stays, whatever pushes it. Kick, then
 // drift: second order, stable to a Courant number of 0.7; the ranges end at 0.5.
 void mainPond(out vec4 high, out vec4 wentEast, out vec4 wentNorth, in vec2 pixel) {
-    float cell = cellSize(kPond.x);   // beyond the rim the sampler has what stands at it
-    vec2 c = floor(pixel), toWest = c - vec2(1.0, 0.0), toSouth = c - vec2(0.0, 1.0);
-    vec4 here = heightsAt(c), south = heightsAt(toSouth), north = heightsAt(c + vec2(0.0, 1.0));
-    vec4 west = vec4(c.x > 0.0 ? heightsAt(toWest).w : here.x, here.xyz);
-    vec4 east = vec4(here.yzw, c.x < kPond.x - 1.0 ? heightsAt(c + vec2(1.0, 0.0)).x : here.w);
-    vec4 c2East = fetch(bedEast, c, kPond), c2North = fetch(bedNorth, c, kPond);
-    vec4 c2West = vec4(c.x > 0.0 ? fetch(bedEast, toWest, kPond).w : 0.0, c2East.xyz);
-    vec4 c2South = c.y > 0.0 ? fetch(bedNorth, toSouth, kPond) : vec4(0.0);
-    vec4 keptEast = previousFrame(fetch(pondEast, c, kPond));
-    vec4 keptNorth = previousFrame(fetch(pondNorth, c, kPond));
-    vec4 keptWest = vec4(previousFrame(fetch(pondEast, toWest, kPond)).w, keptEast.xyz);
-    vec4 keptSouth = previousFrame(fetch(pondNorth, toSouth, kPond));
+    ivec2 c = ivec2(pixel);   // beyond the rim the sampler has what stands at it
+    vec2 size = pondSize(), own = floor(pixel), toWest = own - vec2(1.0, 0.0);
+    vec2 toSouth = own - vec2(0.0, 1.0);
+    float cell = cellSize(size.x);
+    vec4 here = heightsAt(own), south = heightsAt(toSouth), north = heightsAt(own + vec2(0.0, 1.0));
+    vec4 west = vec4(c.x > 0 ? heightsAt(toWest).w : here.x, here.xyz);
+    vec4 east = vec4(here.yzw, float(c.x) < size.x - 1.0 ? heightsAt(own + vec2(1.0, 0.0)).x : here.w);
+    vec4 c2East = fetch(bedEast, own, size), c2North = fetch(bedNorth, own, size);
+    vec4 c2West = vec4(c.x > 0 ? fetch(bedEast, toWest, size).w : 0.0, c2East.xyz);
+    vec4 c2South = c.y > 0 ? fetch(bedNorth, toSouth, size) : vec4(0.0);
+    vec4 keptEast = previousFrame(fetch(pondEast, own, size));
+    vec4 keptNorth = previousFrame(fetch(pondNorth, own, size));
+    vec4 keptWest = vec4(previousFrame(fetch(pondEast, toWest, size)).w, keptEast.xyz);
+    vec4 keptSouth = previousFrame(fetch(pondNorth, toSouth, size));
     vec4 hand = texelFetch(pushes, ivec2(0), 0), drop = texelFetch(pushes, ivec2(1, 0), 0);
     mat4 push = mat4(0.0);   // beyond the faces, less here: west, east, south, north
     int pushed = drop.w > 0.0 || hand.x < 500.0 ? 4 : -1;   // most steps leave it out
     for (int i = -1; i < pushed; ++i) {
         vec4 face = only(i), row;
         for (int k = 0; k < 4; ++k) {
-            vec2 p = cellPlace(pixel, kPond) + cell * (vec2(k, 0) + face.yw - face.xz);
+            vec2 p = cellPlace(pixel, size) + cell * (vec2(k, 0) + face.yw - face.xz);
             row[k] = pushAt(p, hand, drop);
         }
         push += outerProduct(row, i < 0 ? vec4(-1.0) : face);
@@ -1264,15 +1266,16 @@ void mainPond(out vec4 high, out vec4 wentEast, out vec4 wentNorth, in vec2 pixe
 // The surface between the cells: a cubic B-spline of heights, for smooth derivatives. x height,
 // y z slope; then second derivatives xx, xz, zz.
 void mainRelief(out vec4 shape, out vec4 second, in vec2 pixel) {
-    int x = int(pixel.x), last = 4 * int(kPond.x) - 1;
+    vec2 size = pondSize();
+    int x = int(pixel.x), last = 4 * int(size.x) - 1;
     float cell = 2.0 * kPool.x / float(last + 1);
     int west = max(x - 1, 0), east = min(x + 1, last);   // no more than two texels of the pond
     vec4 pickWest = only(west & 3), pick = only(x & 3), pickEast = only(east & 3);
     vec3 h[3];
     for (int k = 0; k < 3; ++k) {
         float y = floor(pixel.y) + float(k - 1);
-        vec4 left = fetch(pond, vec2(west >> 2, y), kPond);
-        vec4 right = fetch(pond, vec2(east >> 2, y), kPond), own = (x & 3) == 0 ? right : left;
+        vec4 left = fetch(pond, vec2(west >> 2, y), size);
+        vec4 right = fetch(pond, vec2(east >> 2, y), size), own = (x & 3) == 0 ? right : left;
         h[k] = vec3(dot(left, pickWest), dot(own, pick), dot(right, pickEast));
     }
     vec3 a = h[0], b = h[1], d = h[2];
@@ -1290,7 +1293,7 @@ void mainHeights(out vec4 colour, in vec2 pixel) {
 }
 // Of what the filter makes of the heights of a patch: how high, how deep, how steep at most.
 void mainPeaks(out vec4 colour, in vec2 pixel) {
-    vec2 first = floor(pixel) * float(kCells), cells = kPond * vec2(4.0, 1.0);
+    vec2 first = floor(pixel) * float(kCells), cells = vec2(textureSize(levels, 0));
     vec2 most = vec2(-1.0), steep = vec2(0.0);
     for (int j = -1; j <= kCells; ++j) {
         float here = fetch(levels, first + vec2(-1, j), cells).x;

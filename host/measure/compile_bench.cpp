@@ -76,7 +76,22 @@ PassMs draw_timed(const Preset& preset, Context& context, Renderer& renderer) {
     return ms;
 }
 
-std::vector<std::string> words_of(const BenchOptions& options, const std::string& cache) {
+// Milliseconds of the clock from the text to the first frame, by the way that `still` takes: the
+// driver compiles passes side by side where that is worth it.
+double ms_to_first_frame(const Preset& preset, bool specialise, Context& context) {
+    const Stopwatch clock;
+    Renderer renderer(preset, compile_or_stop(preset, {.program = {.specialise = specialise}}),
+                      {.size = preset.size});
+    load_inputs(preset, renderer);
+    renderer.compile_ahead();
+    const Playback playback{.end = 0.0};
+    renderer.draw(playback.frame(preset, playback.last_frame()));
+    context.finish();
+    return clock.ms();
+}
+
+std::vector<std::string> words_of(const BenchOptions& options, const std::string& cache,
+                                  bool together) {
     const ViewOptions& view = options.view;
     std::vector<std::string> words = {"/proc/self/exe", "bench", view.file.string(), "--size",
                                       view.size.empty() ? kSize : view.size};
@@ -84,19 +99,22 @@ std::vector<std::string> words_of(const BenchOptions& options, const std::string
     if (!view.device.empty()) words.insert(words.end(), {"--device", view.device});
     if (!view.specialise) words.push_back("--no-specialise");
     words.insert(words.end(), {"--compile-cache", cache});
+    if (together) words.push_back("--compile-together");
     return words;
 }
 
-// A process that failed is silent, for it is one of six: what was wrong is found once more, aloud.
+// A process that failed is silent, for it is one of twelve: what was wrong is found once more,
+// aloud.
 [[noreturn]] void explain(const Preset& preset, const BenchOptions& options) {
     const auto context = make_egl_context(options.view.device);
     compile_or_stop(preset, {.program = {.specialise = options.view.specialise}});
     throw std::runtime_error("The process that compiles ended without a result.");
 }
 
-// What a process with this cache has measured.
-Json measure(const Preset& preset, const BenchOptions& options, const std::string& cache) {
-    const Launched child = launch({.words = words_of(options, cache), .output = kPipe});
+// What a process with this cache has measured: passes one by one, or all together.
+Json measure(const Preset& preset, const BenchOptions& options, const std::string& cache,
+             bool together) {
+    const Launched child = launch({.words = words_of(options, cache, together), .output = kPipe});
     if (child.process == 0) throw std::runtime_error("No process could be started to measure in.");
     const std::string text = read_to_end(child.pipe);
     Json json = Json::parse(text, nullptr, false);
@@ -121,21 +139,34 @@ double total_of(const std::vector<Json>& rounds, const char* key) {
     return glint::median_of(sums);
 }
 
-Json total_json(const Json& passes, const std::vector<Json>& cold, const std::vector<Json>& warm) {
+// With the driver's cache empty, and full.
+struct Rounds {
+    std::vector<Json> cold, warm;
+};
+
+double together_of(const std::vector<Json>& rounds) {
+    std::vector<double> values;
+    for (const Json& round : rounds) values.push_back(round["together_ms"].get<double>());
+    return glint::median_of(values);
+}
+
+Json total_json(const Json& passes, const Rounds& alone, const Rounds& together) {
     std::size_t words = 0;
     for (const Json& pass : passes)
         if (pass["words"].is_number()) words += pass["words"].get<std::size_t>();
     const bool all = std::all_of(passes.begin(), passes.end(),
                                  [](const Json& pass) { return pass["words"].is_number(); });
-    return {{"cold_ms", total_of(cold, "compile_ms")},
-            {"warm_ms", total_of(warm, "compile_ms")},
-            {"first_draw_ms", total_of(cold, "first_draw_ms")},
-            {"first_draw_warm_ms", total_of(warm, "first_draw_ms")},
+    return {{"cold_ms", total_of(alone.cold, "compile_ms")},
+            {"warm_ms", total_of(alone.warm, "compile_ms")},
+            {"first_draw_ms", total_of(alone.cold, "first_draw_ms")},
+            {"first_draw_warm_ms", total_of(alone.warm, "first_draw_ms")},
+            {"together_ms", together_of(together.cold)},
+            {"together_warm_ms", together_of(together.warm)},
             {"words", all ? Json(words) : Json()}};
 }
 
-Json passes_json(const Preset& preset, bool specialise, const std::vector<Json>& cold,
-                 const std::vector<Json>& warm) {
+Json passes_json(const Preset& preset, bool specialise, const Rounds& rounds) {
+    const auto& [cold, warm] = rounds;
     Json list = Json::array();
     for (std::size_t i = 0; i < cold.front()["passes"].size(); ++i) {
         const std::string name = cold.front()["passes"][i]["name"];
@@ -170,7 +201,10 @@ void print_compile_table(const Json& json) {
     say_result("{:<22} {:>10} {:>11} {:>10} {:>11} {:>10}\n", "pass", "compile", "first draw",
                "compile", "first draw", "words");
     for (const Json& pass : json["passes"]) print_row(pass["name"].get<std::string>(), pass);
-    print_row("all passes", json["total"]);
+    const Json& total = json["total"];
+    print_row("all passes", total);
+    say_result("{:<22} {:>22.1f} ms {:>19.1f} ms\n", "side by side, clock",
+               total["together_ms"].get<double>(), total["together_warm_ms"].get<double>());
 }
 
 }  // namespace
@@ -179,6 +213,11 @@ void run_compile_once(const BenchOptions& options) {
     use_cache(options.compile_cache.string());
     const Preset preset = open_preset(options.view);
     const auto context = make_egl_context(options.view.device);
+    if (options.compile_together) {
+        const double ms = ms_to_first_frame(preset, options.view.specialise, *context);
+        say_result("{}\n", json_text(Json{{"together_ms", ms}}));
+        return;
+    }
     PassMs compile_ms;
     Renderer renderer(preset, compile_timed(preset, options.view.specialise, compile_ms),
                       {.size = preset.size});
@@ -196,23 +235,26 @@ void run_compile_once(const BenchOptions& options) {
 void run_compile_bench(const BenchOptions& options) {
     const Preset preset = open_preset(options.view);
     const TemporaryFolder scratch;
-    std::vector<Json> cold, warm;
+    Rounds alone, together;
     Progress progress("rounds", kRounds);
     for (int round = 0; round < kRounds; ++round) {
-        const auto cache = scratch.path() / fmt::format("{}", round);
-        make_folder(cache);
-        cold.push_back(measure(preset, options, cache.string()));
-        warm.push_back(measure(preset, options, cache.string()));
+        for (Rounds* rounds : {&alone, &together}) {
+            const bool all = rounds == &together;
+            const auto cache = scratch.path() / fmt::format("{}{}", all ? "all" : "one", round);
+            make_folder(cache);
+            rounds->cold.push_back(measure(preset, options, cache.string(), all));
+            rounds->warm.push_back(measure(preset, options, cache.string(), all));
+        }
         progress.update(round + 1);
     }
-    const Json passes = passes_json(preset, options.view.specialise, cold, warm);
+    const Json passes = passes_json(preset, options.view.specialise, alone);
     const Json json = {{"scene", options.view.file.string()},
-                       {"renderer", cold.front()["renderer"]},
+                       {"renderer", alone.cold.front()["renderer"]},
                        {"size", options.view.size.empty() ? kSize : options.view.size},
                        {"rounds", kRounds},
                        {"specialised", options.view.specialise},
                        {"passes", passes},
-                       {"total", total_json(passes, cold, warm)}};
+                       {"total", total_json(passes, alone, together)}};
     if (options.view.json)
         say_result("{}\n", json_text(json));
     else

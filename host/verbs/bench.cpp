@@ -20,6 +20,7 @@ void declare(CLI::App& verb, BenchOptions& bench) {
             "160x90 otherwise")
         ->excludes(compare);
     verb.add_option("--compile-cache", bench.compile_cache)->group("");  // for itself alone
+    verb.add_flag("--compile-together", bench.compile_together)->group("");
     add_examples(verb, {"glint bench presets/magic.toml --size 640x360",
                         "glint bench presets/magic.toml --size 640x360 --compare",
                         "glint bench presets/boat.toml --compile"});

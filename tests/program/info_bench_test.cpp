@@ -317,8 +317,11 @@ TEST_F(InfoAndBench, CompileTellsOfAllPassesTogether) {
         if (counts_words()) words += pass["words"].get<std::size_t>();
     }
     EXPECT_EQ(bench["total"]["words"], counts_words() ? Json(words) : Json());
+    for (const char* key : {"together_ms", "together_warm_ms"})
+        EXPECT_GT(bench["total"][key].get<double>(), 0.0) << key;
     const Outcome table = glint({"bench", "scene.frag", "--compile", "--size", "32x18"});
     EXPECT_NE(table.out.find("\nall passes "), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("\nside by side, clock "), std::string::npos) << table.out;
 }
 
 TEST_F(InfoAndBench, CompileSaysOnceWhatDoesNotCompile) {
