@@ -342,10 +342,11 @@ void TweakValues::rebase(std::span<const Tweak> tweaks, std::span<const TweakVal
     for (std::size_t i = 0; i < tweaks.size(); ++i) {
         const Tweak& tweak = tweaks[i];
         const TweakValue& says = written.empty() ? tweak.initial : written[i];
-        held.push_back({tweak, {tweak.initial, tweak.initial}, says});
+        held.push_back({tweak, {says, says}, says});
         const Held* old = find(tweak.name);
         if (!old) continue;
         held.back().locked = old->locked;
+        if (old->tweak.type != tweak.type) continue;
         for (std::size_t set = 0; set < 2; ++set)
             held.back().values[set] = rebased(old->tweak, old->values[set], tweak);
     }

@@ -117,6 +117,20 @@ TEST_F(StudyBudget, TheTruthClaimsWhatItIsOff) {
     EXPECT_GT(json["reference_error"]["rmse"].get<double>(), 2.0 * off) << "half of both";
 }
 
+TEST_F(StudyBudget, AMenusNameOfTwoWordsIsChosenAndWritten) {
+    std::string text = kTwoDials;
+    text.replace(text.find("none"), 4, "none at all");
+    text.replace(text.find("//@ 0 {"), 5, "//@ 1");
+    write("s.frag", text);
+    write("s.toml", "scene = \"s.frag\"\n");
+    const Json json = report_of(glint({"study", "s.toml", "--size", "16x9", "--seconds", "0",
+                                       "--rmse", "0.05", "--json", "-o", "s.toml"}));
+    ASSERT_TRUE(json["best"].is_object()) << json;
+    EXPECT_EQ(json["best"]["tweaks"]["method"], "0");
+    EXPECT_NE(bytes("s.toml").find("method = \"none at all\"\n"), std::string::npos)
+        << bytes("s.toml");
+}
+
 TEST_F(StudyBudget, ABudgetThatNothingMeetsIsTold) {
     write("s.frag", kTwoDials);
     const Json json = report_of(glint(

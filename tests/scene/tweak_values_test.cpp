@@ -133,6 +133,21 @@ TEST(Rebase, AValueFollowsItsNameThroughAReload) {
     }
 }
 
+TEST(Rebase, ATweakThatAppearsHasWhatThePresetSaysOfIt) {
+    TweakValues tweaks(Tweaks{kSea[0]});
+    std::vector<TweakValue> written = TweakValues(kSea).values();
+    written[1] = {9};
+    tweaks.rebase(kSea, written);
+    EXPECT_EQ(tweaks.values(TweakSet::a)[1][0], 9.0);
+    EXPECT_EQ(tweaks.values(TweakSet::b)[1][0], 9.0);
+    Tweaks of_another_type = kSea;
+    of_another_type[1] = slider("other", 0.5, 0, 1);
+    of_another_type[1].name = kSea[1].name;
+    written[1] = {0.75};
+    tweaks.rebase(of_another_type, written);
+    EXPECT_EQ(tweaks.value(1)[0], 0.75);
+}
+
 TEST(Rebase, ATweakThatComesBackHasItsValueAndLockAgain) {
     TweakValues tweaks(kSea);
     tweaks.set(1, {7});

@@ -9,6 +9,7 @@ namespace glint::window::work_test {
 namespace {
 
 constexpr glm::ivec2 kMargin{3, 300};
+constexpr glm::ivec2 kSetB{1203, 61};  // of the tweaks panel
 
 class Work : public Window {
 protected:
@@ -237,6 +238,38 @@ TEST_F(Work, OnTheSceneBeforeIsAskedForWhereAFileThatWasDroppedCannotBeShown) {
     EXPECT_NE(read(folder_->path() / "photo.toml").find("level"), std::string::npos);
 }
 
+TEST_F(Work, OnTheSceneBeforeIsSavedByItsOwnPresetWhereAnotherIsBroken) {
+    write(look(), "# mine\nscene = \"scene.frag\"\ntime = 2.5\n[tweaks]\nlevel = 0.2\n");
+    open_look();
+    const fs::path broken = folder_->path() / "broken.toml";
+    write(broken, "# not mine\nscene = \n");
+    EXPECT_TRUE(screen_->drop(broken));
+    ASSERT_TRUE(glint_->says("broken.toml: not shown")) << glint_->errors();
+    change();
+    screen_->tap("Control_L+Shift_L+s");
+    const fs::path copy = folder_->path() / "broken-2.toml";
+    EXPECT_TRUE(enter_until([&] { return fs::exists(copy); })) << glint_->errors();
+    EXPECT_TRUE(read(copy).starts_with("# mine\n")) << read(copy);
+    EXPECT_NE(read(copy).find("time = 2.5\n"), std::string::npos) << read(copy);
+}
+
+// Flipping between A and B hides one of them, which is then asked for by name of what is seen.
+TEST_F(Work, OfTheSetThatIsHiddenIsAskedForAndOutlivesACrash) {
+    open_look();
+    const int mine = change();
+    screen_->click(kSetB);
+    EXPECT_TRUE(eventually([&] { return red() == 51; })) << red();
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_NE(kept(), "");
+    screen_->tap("Control_L+q");
+    EXPECT_TRUE(becomes_unsaved(true)) << "it is shown, and asked for";
+    EXPECT_TRUE(glint_->runs());
+    EXPECT_TRUE(enter_until([&] { return !glint_->runs(); }));
+    EXPECT_NE(read(look()).find(fmt::format("level = {:.2}", mine / 255.0).substr(0, 11)),
+              std::string::npos)
+        << read(look());
+}
+
 TEST_F(Work, IsSavedWhereTheFileSaysTheSameByAnotherHand) {
     open_look();
     screen_->tap("Control_L+space");
@@ -263,6 +296,32 @@ TEST_F(Work, TweaksOfTheCommandLineAreUnsavedAndOutliveReloads) {
     EXPECT_TRUE(eventually([&] { return red() == 153; }));
     screen_->tap("Control_L+z");
     EXPECT_TRUE(eventually([&] { return red() == 51; }));
+}
+
+TEST_F(Work, QualityOfTheCommandLineIsUnsavedToo) {
+    write(look(), "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.2\n[quality.near]\nlevel = 0.6\n");
+    open_look({"--quality", "near"});
+    EXPECT_TRUE(eventually([&] { return red() == 153; })) << red();
+    EXPECT_TRUE(becomes_unsaved(true));
+    screen_->tap("Control_L+z");
+    EXPECT_TRUE(eventually([&] { return red() == 51; }));
+}
+
+// What a preset says of a tweak that its scene had not, or not yet.
+TEST_F(Work, ATweakThatAppearsInTheSceneHasThePresetsValueAndLock) {
+    const char* says =
+        "scene = \"scene.frag\"\nlocked = [\"green\"]\n[tweaks]\ngreen = 0.6\nlevel = 0.2\n";
+    write(look(), says);
+    open_look();
+    write(scene(),
+          "uniform float level; //@ 0 [0, 1]\nuniform float green; //@ 0.1 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(level, green, 1, 1); }\n");
+    ASSERT_TRUE(glint_->says(": shown", 2)) << glint_->errors();
+    EXPECT_TRUE(eventually([&] { return screen_->pixel(kMargin).g == 153; }));
+    EXPECT_TRUE(becomes_unsaved(false));
+    screen_->tap("Control_L+g");
+    EXPECT_TRUE(eventually([&] { return red() != 51; }));
+    EXPECT_EQ(screen_->pixel(kMargin).g, 153) << "it is locked";
 }
 
 TEST_F(Work, AValueOfTheCommandLineBeyondTheRangeIsClampedAndToldOnce) {

@@ -223,8 +223,13 @@ private:
     std::string text(const Stand& at) const {
         std::string result;
         for (std::size_t i = 0; i < at.size(); ++i) {
+            const KnobValue& value = knobs_[i].values[value_index(i, at[i])];
+            // An option of a menu may have a space in its name, by which the list is read again.
+            const bool is_one_word = value.text.find_first_of(" ,=") == std::string::npos;
             result += fmt::format("{}{}={}", i > 0 ? " " : "", knobs_[i].name,
-                                  knobs_[i].values[value_index(i, at[i])].text);
+                                  menus_[i] && !is_one_word
+                                      ? format_number(value.setting.values[tweaks_[i]][0])
+                                      : value.text);
         }
         return result;
     }

@@ -15,16 +15,19 @@ void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& t
     for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
         const Tweak& tweak = now.scene.tweaks[i];
         const auto& old = before.scene.tweaks;
-        const auto same = std::find_if(old.begin(), old.end(), [&](const Tweak& t) {
-            return t.name == tweak.name && t.type == tweak.type;
-        });
-        if (same == old.end()) continue;
-        const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
-        const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
-        if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
         const auto locks = [&](const Preset& preset) {
             return std::ranges::find(preset.locked, tweak.name) != preset.locked.end();
         };
+        const auto same = std::find_if(old.begin(), old.end(), [&](const Tweak& t) {
+            return t.name == tweak.name && t.type == tweak.type;
+        });
+        if (same == old.end()) {
+            if (locks(now)) tweaks.lock(i, true);
+            continue;
+        }
+        const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
+        const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
+        if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
         if (locks(before) != locks(now)) tweaks.lock(i, locks(now));
     }
 }

@@ -27,6 +27,7 @@
 #include "window/ui/panels.h"
 #include "window/ui/shortcuts.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -83,6 +84,7 @@ private:
         std::filesystem::path file;  // to be opened
     };
     void leave(const Leaving& leaving);  // asks, or goes
+    bool takes_away(Leaving::For what) const;
     void go(Leaving leaving);
     void take_answer(Answer answer);
     void open(const std::filesystem::path& file);  // unasked
@@ -107,6 +109,10 @@ private:
 
     // Unsaved work, which the state folder keeps for the next run
     bool is_unsaved() const;
+    bool is_unsaved_but_values() const;
+    bool hides_work() const;
+    void show_hidden_work();
+    void note_work();
     std::span<const Event> unsaved_events() const;  // valid until the next event
     Preset preset_to_save() const;
     void lay_options_over();
@@ -233,6 +239,7 @@ private:
     bool values_known_ = false;    // the file has been shown
     // Those of the scene that is on the screen until the file is shown, as they were left.
     std::vector<TweakValue> left_values_;
+    std::array<bool, 2> worked_in_{};  // which sets, A and B, have values that the file lacks
     std::vector<Event> recorded_;
     std::optional<double> start_time_;  // s; a person asked for it to be saved
     struct Overwriting {

@@ -392,7 +392,8 @@ void PlaygroundWindow::print_reports() {
         for (const Diagnostic& diagnostic : playground_.diagnostics()) {
             say_diagnostic(diagnostic);
         }
-        if (reports[i].shown && !values_known_) {
+        // An input of the scene before may arrive while the file that is open is still tried.
+        if (reports[i].shown && !values_known_ && playground_.as_written()) {
             values_known_ = true;
             keep_picture();
             recent_.add(file_);

@@ -49,6 +49,14 @@ bool same_locks(const Preset& a, const Preset& b) {
     return std::ranges::is_permutation(a.locked, b.locked);
 }
 
+std::size_t place_of(TweakSet set) {
+    return set == TweakSet::a ? 0 : 1;
+}
+
+TweakSet other_set(TweakSet set) {
+    return set == TweakSet::a ? TweakSet::b : TweakSet::a;
+}
+
 // Unsaved work reads and writes its text as if it stood here.
 fs::path place_beside(const fs::path& place) {
     return place.parent_path() / "unsaved.toml";
@@ -60,26 +68,54 @@ std::span<const Event> PlaygroundWindow::unsaved_events() const {
     return playground_.recorder.recording() ? playground_.recorder.events() : recorded_;
 }
 
+// What undo does not take back.
+bool PlaygroundWindow::is_unsaved_but_values() const {
+    const Preset& written = *playground_.as_written();
+    return !unsaved_events().empty() || playground_.has_fills() || watch() != written.watch ||
+           start_time_.value_or(written.time) != written.time ||
+           !same_locks(playground_.current_preset(), written);
+}
+
 bool PlaygroundWindow::is_unsaved() const {
     const Preset* written = playground_.as_written();
     if (values_known_ && written)
-        return playground_.tweaks.values() != written->values || !unsaved_events().empty() ||
-               playground_.has_fills() || watch() != written->watch ||
-               start_time_.value_or(written->time) != written->time ||
-               !same_locks(playground_.current_preset(), *written);
+        return playground_.tweaks.values() != written->values || is_unsaved_but_values();
     // A file that cannot be shown leaves the scene before to work on.
     const bool is_before = !written && playground_.is_open();
     return is_before && playground_.tweaks.values() != left_values_;
 }
 
+// Of the other set of tweaks, A or B: what a person made there before flipping. One that was never
+// worked in may differ too, since the file was saved from this one.
+bool PlaygroundWindow::hides_work() const {
+    const TweakSet hidden = other_set(playground_.tweaks.shown());
+    const std::vector<TweakValue> values = playground_.tweaks.values(hidden);
+    return values_known_ && playground_.as_written() && worked_in_[place_of(hidden)] &&
+           values != playground_.as_written()->values && values != playground_.tweaks.values();
+}
+
+// So that a question is about what is seen.
+void PlaygroundWindow::show_hidden_work() {
+    if (is_unsaved() || !hides_work()) return;
+    playground_.tweaks.show(other_set(playground_.tweaks.shown()));
+    playground_.tweaks_changed();
+}
+
+bool PlaygroundWindow::takes_away(Leaving::For what) const {
+    if (what == Leaving::For::record) return !recorded_.empty();
+    // Undo takes back what a revert does to the values.
+    if (what == Leaving::For::revert) return playground_.as_written() && is_unsaved_but_values();
+    return is_unsaved();
+}
+
 // Does what would take unsaved work away, or asks first.
 void PlaygroundWindow::leave(const Leaving& leaving) {
     dirty_ = true;
-    const bool is_about_events =
-        leaving.what == Leaving::For::revert || leaving.what == Leaving::For::record;
-    if (!is_about_events) stop_recording();
-    // Undo takes back what a revert does to the values.
-    if (is_about_events ? recorded_.empty() : !is_unsaved()) return go(leaving);
+    if (leaving.what == Leaving::For::quit || leaving.what == Leaving::For::open) {
+        stop_recording();
+        show_hidden_work();
+    }
+    if (!takes_away(leaving.what)) return go(leaving);
     leaving_ = leaving;
     window_.show();
 }
@@ -106,14 +142,14 @@ void PlaygroundWindow::go(Leaving leaving) {
 // Where a path was asked for on the way out, the way goes on.
 void PlaygroundWindow::save_as(const fs::path& file) {
     const std::optional<Leaving> leaving = std::exchange(leaving_, std::nullopt);
-    if (save(file) && leaving) go(*leaving);
+    if (save(file) && leaving) leave(*leaving);
 }
 
 void PlaygroundWindow::take_answer(Answer answer) {
     dirty_ = true;
     if (overwriting_) {
         const std::optional<Leaving> then = std::exchange(overwriting_, std::nullopt)->then;
-        if (answer == Answer::save && save(file_, Over::anything) && then) go(*then);
+        if (answer == Answer::save && save(file_, Over::anything) && then) leave(*then);
         return;
     }
     if (offer_ && !leaving_) {
@@ -124,7 +160,7 @@ void PlaygroundWindow::take_answer(Answer answer) {
     if (!leaving_) return;
     const Leaving leaving = *leaving_;
     leaving_.reset();
-    if (answer == Answer::save && save(file_)) go(leaving);
+    if (answer == Answer::save && save(file_)) leave(leaving);
     if (overwriting_) overwriting_->then = leaving;
     if (answer == Answer::discard) go(leaving);
 }
@@ -134,9 +170,11 @@ void PlaygroundWindow::open(const fs::path& file) {
     if (file != file_ && !file_.empty()) {
         options_.size.clear();
         options_.tweaks.clear();
+        options_.quality.clear();
     }
     file_ = file;
     values_known_ = false;
+    worked_in_ = {};
     left_values_ = playground_.tweaks.values();
     recorded_.clear();
     start_time_.reset();
@@ -208,7 +246,7 @@ void PlaygroundWindow::import_or_open(const fs::path& file) {
 Preset PlaygroundWindow::preset_to_save() const {
     Preset preset = playground_.current_preset();
     const Preset* written = playground_.as_written();
-    preset.time = start_time_.value_or(written ? written->time : 0.0);
+    preset.time = start_time_.value_or(written ? written->time : playground_.preset()->time);
     preset.watch = watch();
     const std::optional<glm::ivec2> frame = frame_size();
     const bool is_free = !frame || settings_.free_aspect;
@@ -253,7 +291,9 @@ bool PlaygroundWindow::save(const fs::path& file, Over over) {
 // Into what the file holds, or, where it is new, into a copy of the preset that is open.
 bool PlaygroundWindow::write_look(const Preset& preset, const fs::path& file) {
     std::error_code unknown;
-    const fs::path model = fs::exists(file, unknown) ? file : is_preset(file_) ? file_ : fs::path();
+    // A file that cannot be shown leaves the scene before to work on.
+    const fs::path from = values_known_ ? file_ : playground_.preset()->file;
+    const fs::path model = fs::exists(file, unknown) ? file : is_preset(from) ? from : fs::path();
     const PresetText text = write_preset(preset, file, read_text(model));
     if (!text.text) {
         notice(text.diagnostics.empty() ? "The preset cannot be saved."
@@ -273,6 +313,7 @@ bool PlaygroundWindow::write_look(const Preset& preset, const fs::path& file) {
 void PlaygroundWindow::go_on_in(const fs::path& file, const Preset& preset) {
     options_.size.clear();
     options_.tweaks.clear();
+    options_.quality.clear();
     file_ = file;
     place_ = canonical_name(file);
     crash_mark_.set(place_);
@@ -303,6 +344,7 @@ std::string PlaygroundWindow::why_no_revert() const {
 
 void PlaygroundWindow::revert() {
     if (!playground_.is_open() || !values_known_) return;
+    const bool is_undone = playground_.tweaks.values() != playground_.as_written()->values;
     playground_.tweaks.set_all(playground_.as_written()->values);
     playground_.tweaks_changed();
     playground_.tweaks.set_locks(playground_.as_written()->locked);
@@ -310,8 +352,9 @@ void PlaygroundWindow::revert() {
     recorded_.clear();
     start_time_.reset();
     watch_.reset();
-    notice(fmt::format("Reverted to {}; {} takes it back", file_.filename().string(),
-                       keys_of(Action::undo)));
+    const std::string how =
+        is_undone ? fmt::format("; {} takes it back", keys_of(Action::undo)) : "";
+    notice(fmt::format("Reverted to {}{}", file_.filename().string(), how));
 }
 
 void PlaygroundWindow::toggle_recording() {
@@ -329,9 +372,10 @@ void PlaygroundWindow::stop_recording() {
     kept_.reset();
 }
 
-// The command line's tweaks are changes like those by hand: unsaved, and undo takes them back.
+// The command line's tweaks, and the values that it names by --quality, are changes like those by
+// hand: unsaved, and undo takes them back.
 void PlaygroundWindow::lay_options_over() {
-    if (options_.tweaks.empty()) return;
+    if (options_.tweaks.empty() && options_.quality.empty()) return;
     Preset preset = playground_.current_preset();
     try {
         for (const std::string& clamped : lay_over(preset, options_)) {
@@ -347,7 +391,7 @@ void PlaygroundWindow::lay_options_over() {
 
 bool PlaygroundWindow::is_keeping_due() const {
     if (!values_known_) return false;  // what is on the screen is no work on this file
-    if (!is_unsaved()) return kept_.has_value();
+    if (!is_unsaved()) return kept_.has_value() && !hides_work();
     return kept_ != work();
 }
 
@@ -361,8 +405,16 @@ PlaygroundWindow::Kept PlaygroundWindow::work() const {
             now.time};
 }
 
+// Whether the set that is shown has work that would be lost once it is hidden.
+void PlaygroundWindow::note_work() {
+    const Preset* written = values_known_ ? playground_.as_written() : nullptr;
+    worked_in_[place_of(playground_.tweaks.shown())] =
+        written && playground_.tweaks.values() != written->values;
+}
+
 // As soon as something changes, and before the frame that shows it, which may be the last one.
 void PlaygroundWindow::keep_unsaved() {
+    note_work();
     if (!is_keeping_due()) return;
     if (!is_unsaved()) {
         unsaved_work_.forget();
@@ -386,6 +438,7 @@ void PlaygroundWindow::keep_now() {
 // Nobody can be asked any more.
 void PlaygroundWindow::keep_at_end() {
     stop_recording();
+    show_hidden_work();
     if (values_known_ && is_unsaved()) keep_now();
 }
 

@@ -97,9 +97,11 @@ void along_frontier(Build& build, StudyState& state, const Study& study) {
                                                error_text(study.rows[*current]))
                                  : "drag: all together";
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x, 1.0f));
-    if (ImGui::SliderInt("##along", &at, 0, static_cast<int>(stops.size()) - 1, text.c_str(),
-                         ImGuiSliderFlags_NoInput)) {
-        const std::size_t row = stops[static_cast<std::size_t>(at)];
+    const bool moved = ImGui::SliderInt("##along", &at, 0, static_cast<int>(stops.size()) - 1,
+                                        text.c_str(), ImGuiSliderFlags_NoInput);
+    const std::size_t row = stops[static_cast<std::size_t>(at)];
+    // The handle may stand at a stop that is not what is set: a click there sets it.
+    if (moved || (ImGui::IsItemActivated() && current != row)) {
         build.settings.shown_row = row;
         for (const Turned& one : turned_by(build, study, row))
             state.edits.set(build, one.tweak, one.value);

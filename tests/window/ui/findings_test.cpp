@@ -156,6 +156,29 @@ TEST_F(StudyPanel, OneDragTurnsAllTweaksAndIsOneStepOfUndo) {
     EXPECT_FALSE(screen_.tweaks.can_undo());
 }
 
+// The preset's own setting is no stop where another has less error in less time.
+TEST_F(StudyPanel, AClickOnTheStopWhereTheHandleStandsSetsIt) {
+    Study& study = studies_[0];
+    study.knob = "quality";
+    study.is_joint = true;
+    for (StudyRow& row : study.rows) {
+        row.is_preset = row.value == "8";
+        row.value = "steps=" + row.value;
+        if (row.is_preset) row.error->rmse = 1.0;
+    }
+    screen_.frame();
+    const ImGuiWindow* body = screen_.window("Study/body");
+    ASSERT_TRUE(body);
+    const auto slider = screen_.find(ImHashStr("##along", 0, body->ID), "Study");
+    ASSERT_TRUE(slider);
+    for (float x = 0.02f; x < 1.0f && screen_.tweaks.value(0)[0] == 8; x += 0.02f) {
+        screen_.click(at(*slider, x));
+        if (screen_.tweaks.value(0)[0] != 4) screen_.tweaks.undo();
+        if (screen_.tweaks.value(0)[0] == 4) return;
+    }
+    FAIL() << "the stop before 8, on which the handle stands, was never set";
+}
+
 TEST_F(StudyPanel, ComparesThePictureOfTheRowThatWasClicked) {
     const ImGuiWindow* body = screen_.window("Study/body");
     ASSERT_TRUE(body);
