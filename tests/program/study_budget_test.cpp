@@ -123,7 +123,7 @@ TEST_F(StudyBudget, AMenusNameOfTwoWordsIsChosenAndWritten) {
     text.replace(text.find("//@ 0 {"), 5, "//@ 1");
     write("s.frag", text);
     write("s.toml", "scene = \"s.frag\"\n");
-    const Json json = report_of(glint({"study", "s.toml", "--size", "16x9", "--seconds", "0",
+    const Json json = report_of(glint({"study", "s.toml", "--size", "64x36", "--seconds", "1",
                                        "--rmse", "0.05", "--json", "-o", "s.toml"}));
     ASSERT_TRUE(json["best"].is_object()) << json;
     EXPECT_EQ(json["best"]["tweaks"]["method"], "0");

@@ -141,11 +141,10 @@ TEST(Rebase, ATweakThatAppearsHasWhatThePresetSaysOfIt) {
     EXPECT_EQ(tweaks.values(TweakSet::a)[1][0], 9.0);
     EXPECT_EQ(tweaks.values(TweakSet::b)[1][0], 9.0);
     Tweaks of_another_type = kSea;
-    of_another_type[1] = slider("other", 0.5, 0, 1);
-    of_another_type[1].name = kSea[1].name;
-    written[1] = {0.75};
+    of_another_type[1] = of_type("wind", TweakType::int1, {4});
+    written[1] = {2};
     tweaks.rebase(of_another_type, written);
-    EXPECT_EQ(tweaks.value(1)[0], 0.75);
+    EXPECT_EQ(tweaks.value(1)[0], 2.0);
 }
 
 TEST(Rebase, ATweakThatComesBackHasItsValueAndLockAgain) {
