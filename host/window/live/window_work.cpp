@@ -68,10 +68,10 @@ std::span<const Event> PlaygroundWindow::unsaved_events() const {
     return playground_.recorder.recording() ? playground_.recorder.events() : recorded_;
 }
 
-// What undo does not take back.
+// What undo does not take back, beside recorded events.
 bool PlaygroundWindow::is_unsaved_but_values() const {
     const Preset& written = *playground_.as_written();
-    return !unsaved_events().empty() || playground_.has_fills() || watch() != written.watch ||
+    return playground_.has_fills() || watch() != written.watch ||
            start_time_.value_or(written.time) != written.time ||
            !same_locks(playground_.current_preset(), written);
 }
@@ -79,7 +79,8 @@ bool PlaygroundWindow::is_unsaved_but_values() const {
 bool PlaygroundWindow::is_unsaved() const {
     const Preset* written = playground_.as_written();
     if (values_known_ && written)
-        return playground_.tweaks.values() != written->values || is_unsaved_but_values();
+        return playground_.tweaks.values() != written->values || !unsaved_events().empty() ||
+               is_unsaved_but_values();
     // A file that cannot be shown leaves the scene before to work on.
     const bool is_before = !written && playground_.is_open();
     return is_before && playground_.tweaks.values() != left_values_;
@@ -102,10 +103,10 @@ void PlaygroundWindow::show_hidden_work() {
 }
 
 bool PlaygroundWindow::takes_away(Leaving::For what) const {
-    if (what == Leaving::For::record) return !recorded_.empty();
-    // Undo takes back what a revert does to the values.
-    if (what == Leaving::For::revert) return playground_.as_written() && is_unsaved_but_values();
-    return is_unsaved();
+    if (what == Leaving::For::quit || what == Leaving::For::open) return is_unsaved();
+    // Undo takes back what a revert does to the values; what is being recorded goes on.
+    const bool reverts = what == Leaving::For::revert && playground_.as_written();
+    return !recorded_.empty() || (reverts && is_unsaved_but_values());
 }
 
 // Does what would take unsaved work away, or asks first.

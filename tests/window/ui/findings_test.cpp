@@ -55,6 +55,25 @@ protected:
         return screen_.find(ImHashStr("diagram", 0, body->ID), "Study").value_or(ImRect());
     }
 
+    // The rows become joint settings, of which the preset's own has eight steps.
+    void join_rows() {
+        Study& study = studies_[0];
+        study.knob = "quality";
+        study.is_joint = true;
+        for (StudyRow& row : study.rows) {
+            row.is_preset = row.value == "8";
+            row.value = "steps=" + row.value;
+            row.pareto = false;
+        }
+    }
+
+    ImRect slider() {
+        screen_.frame();
+        const ImGuiWindow* body = screen_.window("Study/body");
+        if (!body) return {};
+        return screen_.find(ImHashStr("##along", 0, body->ID), "Study").value_or(ImRect());
+    }
+
     // Every place of the diagram that has a tooltip, clicked; the values that the tweak took.
     std::vector<double> click_all_points() {
         const ImRect rect = diagram();
@@ -131,23 +150,13 @@ TEST_F(StudyPanel, RunsTheKnobThatIsChosenAndCancels) {
 
 // Joint settings, of which the clock tells none from another: the slider goes along the medians.
 TEST_F(StudyPanel, OneDragTurnsAllTweaksAndIsOneStepOfUndo) {
-    Study& study = studies_[0];
-    study.knob = "quality";
-    study.is_joint = true;
-    for (StudyRow& row : study.rows) {
-        row.is_preset = row.value == "8";
-        row.value = "steps=" + row.value;
-        row.pareto = false;
-    }
-    study.rows[3].error->rmse = 0.5;  // slower and worse: no stop
-    screen_.frame();
-    const ImGuiWindow* body = screen_.window("Study/body");
-    ASSERT_TRUE(body);
-    const auto slider = screen_.find(ImHashStr("##along", 0, body->ID), "Study");
-    ASSERT_TRUE(slider);
-    screen_.drag(at(*slider, 0.4f), at(*slider, 0.98f));
+    join_rows();
+    studies_[0].rows[3].error->rmse = 0.5;  // slower and worse: no stop
+    const ImRect along = slider();
+    ASSERT_GT(along.GetWidth(), 0.0f);
+    screen_.drag(at(along, 0.4f), at(along, 0.98f));
     EXPECT_EQ(screen_.tweaks.value(0)[0], 64);
-    screen_.drag(at(*slider, 0.98f), at(*slider, 0.65f));
+    screen_.drag(at(along, 0.98f), at(along, 0.65f));
     EXPECT_EQ(screen_.tweaks.value(0)[0], 16) << "32 is slower than 16 and has more error";
     EXPECT_TRUE(screen_.tweaks.undo());
     EXPECT_EQ(screen_.tweaks.value(0)[0], 64);
@@ -158,21 +167,13 @@ TEST_F(StudyPanel, OneDragTurnsAllTweaksAndIsOneStepOfUndo) {
 
 // The preset's own setting is no stop where another has less error in less time.
 TEST_F(StudyPanel, AClickOnTheStopWhereTheHandleStandsSetsIt) {
-    Study& study = studies_[0];
-    study.knob = "quality";
-    study.is_joint = true;
-    for (StudyRow& row : study.rows) {
-        row.is_preset = row.value == "8";
-        row.value = "steps=" + row.value;
+    join_rows();
+    for (StudyRow& row : studies_[0].rows)
         if (row.is_preset) row.error->rmse = 1.0;
-    }
-    screen_.frame();
-    const ImGuiWindow* body = screen_.window("Study/body");
-    ASSERT_TRUE(body);
-    const auto slider = screen_.find(ImHashStr("##along", 0, body->ID), "Study");
-    ASSERT_TRUE(slider);
+    const ImRect along = slider();
+    ASSERT_GT(along.GetWidth(), 0.0f);
     for (float x = 0.02f; x < 1.0f && screen_.tweaks.value(0)[0] == 8; x += 0.02f) {
-        screen_.click(at(*slider, x));
+        screen_.click(at(along, x));
         if (screen_.tweaks.value(0)[0] != 4) screen_.tweaks.undo();
         if (screen_.tweaks.value(0)[0] == 4) return;
     }
