@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -91,6 +92,25 @@ TEST(StudyTimes, RowsThatAreToldApartTakePartNoMore) {
     EXPECT_EQ(run.rounds.rows[2].wall.size(), 15u);
     EXPECT_GT(run.rounds.rows[0].wall.size(), 15u);
     EXPECT_EQ(run.rounds.rows[0].wall.size(), run.rounds.rows[1].wall.size());
+}
+
+// Half a minute would hold 300 000 rounds of so small frames, whose statistics take minutes.
+TEST(StudyTimes, RowsAtTheEdgeOfWhatIsAskedForEndAfterSomeThousandRounds) {
+    std::array<int, 2> drawn{};
+    const auto draw = [&](std::size_t row) {
+        const int round = drawn[row]++;
+        const double off = (round % 2 ? 1e-4 : -1e-4) * (1 + round / 2 % 100);
+        const double ms = row == 0 ? 0.05 : 0.05 * std::exp(kEnough + off);
+        return FrameTime{.wall = ms, .gpu = ms, .processor = ms};
+    };
+    const auto rounds = [&](int least) {
+        drawn = {};
+        time_rounds(2, draw, {.least = least, .on_software = true});
+        return drawn[0];
+    };
+    EXPECT_GT(rounds(15), 1000);
+    EXPECT_LE(rounds(15), 5000);
+    EXPECT_EQ(rounds(6000), 6000) << "--frames asks for them";
 }
 
 TEST(StudyTimes, AMediansIntervalHoldsTheMedianInNineOfTenRuns) {

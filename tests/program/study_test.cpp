@@ -73,8 +73,8 @@ TEST_F(Study, AFormatCostsTheDigitsThatItLacks) {
           "uniform sampler2D ramp; //@ pass mainRamp filter=nearest\n"
           "void mainRamp(out vec4 c, in vec2 p) { c = vec4(p.x / 333.0); }\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(ramp, ivec2(p), 0); }\n");
-    const Outcome outcome = glint({"study", "ramp.frag", "--size", "64x4", "--json", "--vary",
-                                   "ramp.format=rgba32f,rgba16f,rgba8,r32f"});
+    const Outcome outcome = glint({"study", "ramp.frag", "--size", "64x4", "--seconds", "0",
+                                   "--json", "--vary", "ramp.format=rgba32f,rgba16f,rgba8,r32f"});
     EXPECT_EQ(outcome.err, "");
     const Json json = report_of(outcome);
     EXPECT_EQ(json["knob"], "ramp.format");

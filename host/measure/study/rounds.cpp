@@ -15,6 +15,9 @@ constexpr double kTimerAgreement = 0.2;  // of the wall, by which a timer query 
 constexpr double kBusy = 1.25;           // by which rows may differ in how many processors worked
 constexpr double kShared = 2.0;          // ms; a shorter frame is mostly one processor's work
 constexpr double kCalm = 0.03;  // of a median, about which the wall of a free machine wavers
+// By then some thousandths are told. Small frames would have a hundred thousand rounds in their
+// seconds, and the statistics of so many would take minutes.
+constexpr int kMostRounds = 4096;
 
 void shuffle(std::vector<std::size_t>& order, std::mt19937_64& random) {
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
@@ -101,6 +104,7 @@ Rounds time_rounds(std::size_t rows, const std::function<FrameTime(std::size_t)>
     double spent_ms = 0.0;
     int done = 0;
     for (int next = options.least; !open.empty(); next *= 2) {
+        if (done > 0 && next > kMostRounds) break;
         for (; done < next && (done < options.least || spent_ms < 1e3 * options.seconds); ++done) {
             shuffle(open, random);
             for (const std::size_t row : open) {

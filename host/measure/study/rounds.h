@@ -23,8 +23,9 @@ struct Rounds {
 };
 
 // After the least rounds, and whenever there are twice as many, verdicts are looked at; rows that
-// are told from all others, or known to be alike, take part no more. `draw` draws and times one
-// frame of a row. `told`, when there is one, hears of each look.
+// are told from all others, or known to be alike, take part no more. There are 4096 rounds at most,
+// or the least. `draw` draws and times one frame of a row. `told`, when there is one, hears of each
+// look.
 struct FrameTime {
     double wall = 0.0, gpu = 0.0, processor = 0.0;  // ms
 };
