@@ -183,8 +183,8 @@ void end_compiling(const Preset& preset, std::size_t pass, const std::string& wh
 
 }  // namespace
 
-CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options,
-                              Diagnostics* told) {
+CompiledScene compile_or_stop(const Preset& preset, CompileOptions options, Diagnostics* told) {
+    options.side_by_side = true;
     CompileResult result = compile_scene(preset, options, nullptr, end_compiling);
     Diagnostics all = told ? *told : Diagnostics();
     const auto known = static_cast<std::ptrdiff_t>(all.size());

@@ -101,7 +101,7 @@ Diagnostic given_up(const Preset& preset, std::size_t pass, const std::string& w
 
 // Links what `options` asks for. Throws Stop with exit code 3. Ends the process with it where the
 // driver would never finish, be it at the first draw. What is told already is not told again.
-CompiledScene compile_or_stop(const Preset& preset, const CompileOptions& options,
+CompiledScene compile_or_stop(const Preset& preset, CompileOptions options,
                               Diagnostics* told = nullptr);
 
 // What a picture's file tells of where it comes from. File names only: the same scene gives the

@@ -1,9 +1,12 @@
 #include "render/compile.h"
 
 #include "base/process_time.h"
+#include "gl/context.h"
+#include "render/programs_ahead.h"
 #include "scene/scene_text.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace glint {
 namespace {
@@ -38,16 +41,32 @@ PassReads reads_of(const Preset& preset, const PassProgram& program) {
 
 // All of a text is judged with the root. The other passes need not be read by the driver whole
 // once more each, unless functions of theirs are hidden from the root, or there is a word to say.
-CompiledPass compile_behind_root(const Preset& preset, std::size_t pass, ProgramOptions options,
-                                 ProgramShelf* shelf) {
-    const bool may_hide = preset.scene.text.find(kPassPrefix) != std::string::npos;
-    if (!options.lean && !may_hide) {
-        options.lean = true;
-        CompiledPass lean = compile_pass(preset, pass, options, shelf);
-        if (lean.program && lean.diagnostics.empty()) return lean;
-        options.lean = false;
-    }
+ProgramOptions behind_root(const Preset& preset, ProgramOptions options) {
+    options.lean |= preset.scene.text.find(kPassPrefix) == std::string::npos;
+    return options;
+}
+
+CompiledPass compile_behind_root(const Preset& preset, std::size_t pass,
+                                 const ProgramOptions& options, ProgramShelf* shelf,
+                                 ProgramsAhead* ahead) {
+    const ProgramOptions leaner = behind_root(preset, options);
+    auto linked = ahead ? ahead->take(pass) : std::nullopt;
+    CompiledPass first = linked ? linked_pass(preset, pass, std::move(linked->source),
+                                              std::move(linked->program), shelf)
+                                : compile_pass(preset, pass, leaner, shelf);
+    const bool is_done = first.program && first.diagnostics.empty();
+    if (is_done || leaner.lean == options.lean) return first;
     return compile_pass(preset, pass, options, shelf);
+}
+
+// A shorter text links faster than a context is made.
+constexpr std::size_t kWorthAThread = 16 * 1024;  // bytes
+
+bool is_worth_a_thread(const Preset& preset, const CompileOptions& options,
+                       const ProgramShelf* shelf) {
+    return options.side_by_side && options.root == kImagePass && draws_in_software() &&
+           std::thread::hardware_concurrency() > 1 && !preset.scene.passes.empty() &&
+           preset.scene.text.size() > kWorthAThread && (!shelf || shelf->size() == 0);
 }
 
 }  // namespace
@@ -60,13 +79,17 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
     std::vector<PassProgram> programs;
     std::vector<PassReads> reads;
     std::vector<std::size_t> wanted = {options.root};
+    std::optional<ProgramsAhead> ahead;
+    if (is_worth_a_thread(preset, options, shelf))
+        ahead.emplace(preset, behind_root(preset, options.program), give_up);
     for (std::size_t next = 0; next < wanted.size(); ++next) {
         if (before_pass) before_pass(wanted[next]);
         std::optional<CompileWatch> watch;
         if (give_up) watch.emplace(give_up, preset, wanted[next]);
-        CompiledPass compiled =
-            next == 0 ? compile_pass(preset, wanted[next], options.program, shelf)
-                      : compile_behind_root(preset, wanted[next], options.program, shelf);
+        CompiledPass compiled = next == 0
+                                    ? compile_pass(preset, wanted[next], options.program, shelf)
+                                    : compile_behind_root(preset, wanted[next], options.program,
+                                                          shelf, ahead ? &*ahead : nullptr);
         watch.reset();
         append_once(result.diagnostics, compiled.diagnostics);
         if (!compiled.program) return result;

@@ -11,7 +11,10 @@ namespace glint {
 
 struct CompileOptions {
     std::size_t root = kImagePass;  // the pass that is wanted; others only where it needs them
-    ProgramOptions program;
+    ProgramOptions program{};
+    // Where the driver compiles on the processor: passes that fill buffers are linked on another
+    // one while the root is. Times of single passes mean nothing then.
+    bool side_by_side = false;
 };
 
 // `programs` stand in the order of `graph.passes`. To be drawn with the preset that it was compiled

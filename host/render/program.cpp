@@ -196,7 +196,7 @@ void ProgramShelf::keep_only(const std::vector<GLuint>& ids) {
 
 // The same program for less work of drivers that draw in software. What they say of it would tell
 // places of another text, so that where they say anything the text itself is asked.
-static LinkedProgram make_pass_program(const std::string& text) {
+LinkedProgram make_pass_program(const std::string& text) {
     if (draws_in_software()) {
         const std::string changed = test_loops_at_end(text);
         LinkedProgram linked = make_program(changed);
@@ -206,37 +206,50 @@ static LinkedProgram make_pass_program(const std::string& text) {
     return make_program(text);
 }
 
+static CompiledPass described(const Preset& preset, std::size_t pass, GLuint id,
+                              std::vector<float> numbers) {
+    CompiledPass result;
+    PassProgram& program = result.program.emplace();
+    program.pass = pass;
+    program.id = id;
+    program.numbers = std::move(numbers);
+    program.numbers.resize((program.numbers.size() + 3) / 4 * 4);
+    find_uniforms(preset, program);
+    result.diagnostics = empty_channels(preset, program);
+    return result;
+}
+
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                           ProgramShelf* shelf, bool* was_kept) {
     return compile_text(preset, pass, pass_text(preset, pass, options), shelf, was_kept);
 }
 
+CompiledPass linked_pass(const Preset& preset, std::size_t pass, PassText source, Program own,
+                         ProgramShelf* shelf) {
+    CompiledPass result = described(preset, pass, own.id(), std::move(source.numbers));
+    if (shelf)
+        shelf->add(source.text, std::move(own));
+    else
+        result.program->own = std::move(own);
+    return result;
+}
+
 CompiledPass compile_text(const Preset& preset, std::size_t pass, PassText source,
                           ProgramShelf* shelf, bool* was_kept) {
-    CompiledPass result;
-    PassProgram program;
-    program.pass = pass;
-    program.id = shelf ? shelf->find(source.text) : 0;
-    if (was_kept) *was_kept = program.id != 0;
-    if (program.id == 0) {
-        LinkedProgram linked = make_pass_program(source.text);
-        result.diagnostics = read_driver_log(preset.scene, linked.log, source);
-        if (!linked.program && !has_errors(result.diagnostics)) {
-            result.diagnostics.push_back(
-                link_diagnostic(preset.scene, "the driver refused the shader without a word"));
-        }
-        if (!linked.program) return result;
-        program.id = linked.program.id();
-        if (shelf)
-            shelf->add(source.text, std::move(linked.program));
-        else
-            program.own = std::move(linked.program);
+    const GLuint kept = shelf ? shelf->find(source.text) : 0;
+    if (was_kept) *was_kept = kept != 0;
+    if (kept != 0) return described(preset, pass, kept, std::move(source.numbers));
+    LinkedProgram linked = make_pass_program(source.text);
+    Diagnostics said = read_driver_log(preset.scene, linked.log, source);
+    if (!linked.program && !has_errors(said)) {
+        said.push_back(
+            link_diagnostic(preset.scene, "the driver refused the shader without a word"));
     }
-    program.numbers = std::move(source.numbers);
-    program.numbers.resize((program.numbers.size() + 3) / 4 * 4);
-    result.program = std::move(program);
-    find_uniforms(preset, *result.program);
-    append_once(result.diagnostics, empty_channels(preset, *result.program));
+    CompiledPass result;
+    if (linked.program)
+        result = linked_pass(preset, pass, std::move(source), std::move(linked.program), shelf);
+    append_once(said, result.diagnostics);
+    result.diagnostics = std::move(said);
     return result;
 }
 

@@ -96,8 +96,14 @@ struct CompiledPass {
 // them is told once, when they are compiled. `was_kept` says whether it was there.
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                           ProgramShelf* shelf = nullptr, bool* was_kept = nullptr);
+// The same of a program that is linked already, of which the driver had nothing to say.
+CompiledPass linked_pass(const Preset& preset, std::size_t pass, PassText source, Program own,
+                         ProgramShelf* shelf = nullptr);
 // The same of a text that is written already.
 CompiledPass compile_text(const Preset& preset, std::size_t pass, PassText source,
                           ProgramShelf* shelf = nullptr, bool* was_kept = nullptr);
+
+// Of a text for one pass. Nothing is said of it but by the driver.
+LinkedProgram make_pass_program(const std::string& text);
 
 }  // namespace glint

@@ -88,6 +88,7 @@ struct PlayerOptions {
     bool in_strips = false;
     PixelFormat format = PixelFormat::rgba32f;  // of the picture
     double fps = 60.0;
+    bool side_by_side = false;
 };
 
 inline std::string to_text(const Diagnostics& diagnostics) {
@@ -142,7 +143,8 @@ public:
             preset, {.root = root,
                      .program = {.specialise = options_.specialise,
                                  .average = options_.samples > 1,
-                                 .clamp_to_bytes = options_.format == PixelFormat::rgba8}});
+                                 .clamp_to_bytes = options_.format == PixelFormat::rgba8},
+                     .side_by_side = options_.side_by_side});
         if (!compiled.scene) throw std::runtime_error(to_text(compiled.diagnostics));
         if (root != kImagePass) {
             const auto& names = preset.scene.passes[root].outputs;

@@ -57,6 +57,53 @@ TEST_F(LeftOut, WhatIsCompiledAheadLooksTheSame) {
     }
 }
 
+// A text that is worth a thread of its own.
+std::string long_text(const std::string& text) {
+    return text + "//" + std::string(20'000, '-') + "\n";
+}
+
+TEST_F(LeftOut, WhatIsLinkedBesideThePictureIsSaidAndLooksTheSame) {
+    const std::string passes =
+        "uniform sampler2D a; //@ pass mainA size=8x8\n"
+        "uniform sampler2D b; //@ pass mainB size=8x8\n"
+        "void mainA(out vec4 c, vec2 p) { c = vec4(p, 0, 1); }\n"
+        "void mainB(out vec4 c, vec2 p) { c = 0.5 * texture(a, p / 8.0); }\n";
+    const std::string image =
+        "void mainImage(out vec4 c, vec2 p) { c = texture(b, p / iResolution.xy); }\n";
+    const std::string broken = "float f() { return undeclared; }\n#endif\n";
+    const std::string cases[] = {
+        passes + image,
+        passes +
+            "uniform sampler2D d; //@ pass mainD\n"
+            "void mainD(out vec4 c, vec2 p) { c = vec4(1); }\n" +
+            image,
+        // A warning of a pass behind the picture.
+        "uniform sampler2D a; //@ pass mainA\n"
+        "void mainA(out vec4 c, vec2 p) { c = texture(iChannel0, p) + 0.5; }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texture(a, p / iResolution.xy); }\n",
+        // Errors that the picture's pass does not see, in one that it reads, and in one that not.
+        passes + "#ifdef PASS_a\n" + broken + image,
+        passes + "#ifdef PASS_d\n" + broken + image,
+    };
+    for (const std::string& text : cases) {
+        SCOPED_TRACE(text);
+        const TestFolder folder;
+        const ReadPreset read = read_scene_text(folder, long_text(text), {});
+        ASSERT_TRUE(read.preset) << to_text(read.diagnostics);
+        const CompileResult alone = compile_scene(*read.preset, {});
+        const CompileResult beside = compile_scene(*read.preset, {.side_by_side = true});
+        EXPECT_EQ(to_text(alone.diagnostics), to_text(beside.diagnostics));
+        ASSERT_EQ(alone.scene.has_value(), beside.scene.has_value());
+        if (!alone.scene) continue;
+        EXPECT_EQ(alone.scene->programs.size(), beside.scene->programs.size());
+        Player one(long_text(text)), other(long_text(text), {.side_by_side = true});
+        one.draw(0);
+        other.draw(0);
+        EXPECT_EQ(one.floats(), other.floats());
+        EXPECT_GT(one.floats().back(), 0.0f);
+    }
+}
+
 TEST_F(LeftOut, APassThatNothingReadsIsNotCompiled) {
     const std::string passes =
         "uniform sampler2D a; //@ pass mainA\n"

@@ -39,12 +39,13 @@ ProgramOptions LivePrograms::options(Programs programs) const {
 
 Candidate LivePrograms::candidate() const {
     return {.preset = *tried_,
-            .compile = {.program = options(tried_programs_)},
+            .compile = {.program = options(tried_programs_),
+                        // Nobody works with its picture yet.
+                        .side_by_side = tried_is_text_ && longest_compile_ms_ == 0.0},
             .size = tried_size_,
             .time = tried_time_,
             .images = {},
-            .is_text = tried_is_text_,
-            .is_first = tried_is_text_ && longest_compile_ms_ == 0.0};
+            .is_text = tried_is_text_};
 }
 
 void LivePrograms::start_trial(Preset preset, Programs programs, bool is_text, glm::ivec2 size,

@@ -71,13 +71,12 @@ void members(const auto& all, Is<ProgramOptions> auto& value) {
     all(specialise, constants, named, average, tiles, clamp_to_bytes, lean, feed, marked);
 }
 void members(const auto& all, Is<CompileOptions> auto& value) {
-    auto& [root, program] = value;
-    all(root, program);
+    auto& [root, program, side_by_side] = value;
+    all(root, program, side_by_side);
 }
 void members(const auto& all, Is<TrialOrder> auto& value) {
-    auto& [number, preset, compile, size, picture_format, time, slow_ms, images, is_text,
-           is_first] = value;
-    all(number, preset, compile, size, picture_format, time, slow_ms, images, is_text, is_first);
+    auto& [number, preset, compile, size, picture_format, time, slow_ms, images, is_text] = value;
+    all(number, preset, compile, size, picture_format, time, slow_ms, images, is_text);
 }
 void members(const auto& all, Is<TrialAnswer> auto& value) {
     auto& [number, stage, text, size, verdict] = value;
@@ -194,7 +193,7 @@ std::string pack(std::uint64_t number, const Candidate& candidate, double slow_m
     // As the members of TrialOrder, but without a copy of the preset.
     return packed({number, candidate.preset, candidate.compile, candidate.size,
                    candidate.picture_format, candidate.time, slow_ms, candidate.images,
-                   candidate.is_text, candidate.is_first});
+                   candidate.is_text});
 }
 
 std::string pack(const TrialAnswer& answer) {

@@ -23,7 +23,7 @@ struct TrialOrder {
     double time = 0.0;
     double slow_ms = 0.0;
     std::vector<TrialImage> images;
-    bool is_text = true, is_first = false;
+    bool is_text = true;
 };
 
 // What the window tells the process that plays a scene's sound.

@@ -300,7 +300,7 @@ void Trier::draw(const TrialOrder& order, CompiledScene scene) {
     set_images(order, renderer);
     Verdict& verdict = answer_.verdict;
     std::vector<double> ahead_ms;
-    if (order.is_first)
+    if (order.compile.side_by_side)
         ahead_ms = renderer.compile_ahead([&](std::size_t index) {
             tell(TrialStage::compiling, renderer.graph().passes[index].pass);
         });

@@ -40,8 +40,6 @@ struct Candidate {
     // Nobody has judged the text yet: all of it has to compile, what no pass calls and its sound
     // too.
     bool is_text = true;
-    // Nobody works with its picture yet: on all processors.
-    bool is_first = false;
 };
 
 enum class TrialState {

@@ -130,7 +130,7 @@ TEST(Trial, TheFirstTextIsTimedAsAnyOther) {
     for (const bool is_first : {false, true}) {
         Trial trial(options());
         const Preset preset = preset_of(long_text());
-        trial.start({.preset = preset, .compile = {}, .images = {}, .is_first = is_first});
+        trial.start({.preset = preset, .compile = {.side_by_side = is_first}, .images = {}});
         const Verdict result = verdict(trial);
         ASSERT_EQ(result.state, TrialState::passed) << words(result);
         ASSERT_EQ(result.passes.size(), 2u);

@@ -1,0 +1,57 @@
+// Programs that a thread of its own links while another one links the picture's.
+#pragma once
+
+#include "gl/context_beside.h"
+#include "render/compile_watch.h"
+#include "render/program.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace glint {
+
+// Links the passes that fill buffers, as those behind a root, whether the root will ask for them or
+// not: only the driver knows. To be made and destroyed on the thread whose context is current.
+class ProgramsAhead {
+public:
+    struct Linked {
+        PassText source;
+        Program program;
+    };
+
+    // All of these outlive it. `give_up` may be empty.
+    ProgramsAhead(const Preset& preset, const ProgramOptions& options, const GiveUp& give_up);
+    ~ProgramsAhead();  // waits for the one that it is at
+    ProgramsAhead(const ProgramsAhead&) = delete;
+    ProgramsAhead& operator=(const ProgramsAhead&) = delete;
+
+    // Waits where it is at that one. Nothing where it has not come to it, and then never will, or
+    // where there is something to say of it.
+    std::optional<Linked> take(std::size_t pass);
+
+private:
+    enum class State { waiting, begun, done };
+    struct Pass {
+        State state = State::waiting;
+        std::optional<Linked> linked;
+    };
+
+    void work();
+    bool begin(std::size_t pass);
+    std::optional<Linked> link(std::size_t pass) const;
+
+    const Preset& preset_;
+    const ProgramOptions options_;
+    const GiveUp& give_up_;
+    ContextBeside context_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool ends_ = false;
+    std::vector<Pass> passes_;
+    std::thread thread_;
+};
+
+}  // namespace glint
