@@ -66,7 +66,8 @@ bool is_worth_a_thread(const Preset& preset, const CompileOptions& options,
                        const ProgramShelf* shelf) {
     return options.side_by_side && options.root == kImagePass && draws_in_software() &&
            std::thread::hardware_concurrency() > 1 && !preset.scene.passes.empty() &&
-           preset.scene.text.size() > kWorthAThread && (!shelf || shelf->size() == 0);
+           preset.scene.text.size() > kWorthAThread && (!shelf || shelf->size() == 0) &&
+           behind_root(preset, options.program).lean;
 }
 
 }  // namespace

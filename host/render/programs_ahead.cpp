@@ -1,8 +1,34 @@
 #include "render/programs_ahead.h"
 
+#include "glsl/token.h"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace glint {
+namespace {
+
+// By their words. One that stands in a text once is declared there, and not read.
+std::vector<std::size_t> passes_read(const Preset& preset, std::size_t reader,
+                                     const std::string& text) {
+    std::deque<std::string> spellings;
+    const ScannedText scanned = scan(text, spellings);
+    std::map<std::string_view, int> words;
+    std::vector<std::size_t> passes;
+    for (const Token& token : scanned.tokens) {
+        if (!token.is_word() || ++words[token.text] != 2) continue;
+        const auto sampler = find_sampler(preset, reader, token.text);
+        if (sampler && sampler_at(preset, *sampler).source == Source::buffer)
+            passes.push_back(sampler_at(preset, *sampler).pass);
+    }
+    return passes;
+}
+
+}  // namespace
 
 ProgramsAhead::ProgramsAhead(const Preset& preset, const ProgramOptions& options,
                              const GiveUp& give_up)
@@ -27,16 +53,25 @@ std::optional<ProgramsAhead::Linked> ProgramsAhead::take(std::size_t pass) {
     return std::exchange(one.linked, std::nullopt);
 }
 
-// From the last one on: who asks begins with those that the picture's text names first.
 void ProgramsAhead::work() {
     const auto current = context_.make_current();
-    for (std::size_t pass = passes_.size(); pass-- > 0;) {
+    if (!current) return;
+    std::vector<std::size_t> wanted =
+        passes_read(preset_, kImagePass, pass_text(preset_, kImagePass, options_).text);
+    for (std::size_t next = 0; next < wanted.size(); ++next) {
+        const std::size_t pass = wanted[next];
         if (!begin(pass)) continue;
-        std::optional<Linked> linked;
-        if (current) linked = link(pass);
-        const std::lock_guard lock(mutex_);
-        passes_[pass] = {State::done, std::move(linked)};
-        changed_.notify_all();
+        PassText source = pass_text(preset_, pass, options_);
+        for (const std::size_t read : passes_read(preset_, pass, source.text))
+            if (std::ranges::find(wanted, read) == wanted.end()) wanted.push_back(read);
+        std::optional<CompileWatch> watch;
+        if (give_up_) watch.emplace(give_up_, preset_, pass);
+        LinkedProgram linked = make_pass_program(source.text);
+        watch.reset();
+        if (linked.program && linked.log.empty())
+            end(pass, Linked{std::move(source), std::move(linked.program)});
+        else
+            end(pass, std::nullopt);
     }
 }
 
@@ -47,13 +82,10 @@ bool ProgramsAhead::begin(std::size_t pass) {
     return true;
 }
 
-std::optional<ProgramsAhead::Linked> ProgramsAhead::link(std::size_t pass) const {
-    std::optional<CompileWatch> watch;
-    if (give_up_) watch.emplace(give_up_, preset_, pass);
-    PassText source = pass_text(preset_, pass, options_);
-    LinkedProgram linked = make_pass_program(source.text);
-    if (!linked.program || !linked.log.empty()) return std::nullopt;
-    return Linked{std::move(source), std::move(linked.program)};
+void ProgramsAhead::end(std::size_t pass, std::optional<Linked> linked) {
+    const std::lock_guard lock(mutex_);
+    passes_[pass] = {State::done, std::move(linked)};
+    changed_.notify_all();
 }
 
 }  // namespace glint

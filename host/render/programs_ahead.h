@@ -13,8 +13,9 @@
 
 namespace glint {
 
-// Links the passes that fill buffers, as those behind a root, whether the root will ask for them or
-// not: only the driver knows. To be made and destroyed on the thread whose context is current.
+// Links the passes whose buffers the picture reads, as far as lean texts tell; what constants
+// switch off only the driver knows. To be made and destroyed on the thread whose context is
+// current.
 class ProgramsAhead {
 public:
     struct Linked {
@@ -22,7 +23,7 @@ public:
         Program program;
     };
 
-    // All of these outlive it. `give_up` may be empty.
+    // Of lean programs. All but `options` outlive it; `give_up` may be empty.
     ProgramsAhead(const Preset& preset, const ProgramOptions& options, const GiveUp& give_up);
     ~ProgramsAhead();  // waits for the one that it is at
     ProgramsAhead(const ProgramsAhead&) = delete;
@@ -41,7 +42,7 @@ private:
 
     void work();
     bool begin(std::size_t pass);
-    std::optional<Linked> link(std::size_t pass) const;
+    void end(std::size_t pass, std::optional<Linked> linked);
 
     const Preset& preset_;
     const ProgramOptions options_;

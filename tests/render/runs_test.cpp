@@ -1,10 +1,15 @@
 // What is compiled and drawn at all: only what the picture needs, only when something has changed.
 #include "fixture.h"
+#include "render/programs_ahead.h"
 
+#include <chrono>
 #include <map>
+#include <thread>
 
 namespace glint::runs_test {
 namespace {
+
+using namespace std::chrono_literals;
 
 using LeftOut = GlTest;
 
@@ -102,6 +107,31 @@ TEST_F(LeftOut, WhatIsLinkedBesideThePictureIsSaidAndLooksTheSame) {
         EXPECT_EQ(one.floats(), other.floats());
         EXPECT_GT(one.floats().back(), 0.0f);
     }
+}
+
+TEST_F(LeftOut, BesideThePictureIsLinkedWhatItReadsAndNothingElse) {
+    const TestFolder folder;
+    const ReadPreset read =
+        read_scene_text(folder,
+                        "uniform sampler2D a; //@ pass mainA\n"
+                        "uniform sampler2D b; //@ pass mainB\n"
+                        "uniform sampler2D d; //@ pass mainD\n"
+                        "void mainA(out vec4 c, vec2 p) { c = vec4(1); }\n"
+                        "void mainB(out vec4 c, vec2 p) { c = texture(iChannel2, p); }\n"
+                        "void mainD(out vec4 c, vec2 p) { c = texture(d, p) + texture(b, p); }\n"
+                        "void mainImage(out vec4 c, vec2 p) { c = texture(b, p); }\n",
+                        {.preset = "[channels]\niChannel2 = { buffer = \"a\" }\n"});
+    ASSERT_TRUE(read.preset) << to_text(read.diagnostics);
+    const GiveUp nothing;
+    bool has_a = false, has_b = false;
+    for (auto wait = 10ms; wait < 20s && !(has_a && has_b); wait *= 4) {
+        ProgramsAhead ahead(*read.preset, {.lean = true}, nothing);
+        std::this_thread::sleep_for(wait);
+        has_b = ahead.take(1).has_value();
+        has_a = ahead.take(0).has_value();
+        EXPECT_FALSE(ahead.take(2));
+    }
+    EXPECT_TRUE(has_a && has_b);
 }
 
 TEST_F(LeftOut, APassThatNothingReadsIsNotCompiled) {
