@@ -66,8 +66,7 @@ bool is_worth_a_thread(const Preset& preset, const CompileOptions& options,
                        const ProgramShelf* shelf) {
     return options.side_by_side && options.root == kImagePass && draws_in_software() &&
            std::thread::hardware_concurrency() > 1 && !preset.scene.passes.empty() &&
-           preset.scene.text.size() > kWorthAThread && (!shelf || shelf->size() == 0) &&
-           behind_root(preset, options.program).lean;
+           preset.scene.text.size() > kWorthAThread && (!shelf || shelf->size() == 0);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 
 namespace glint {
 
-// Links the passes whose buffers the picture reads, as far as lean texts tell; what constants
-// switch off only the driver knows. To be made and destroyed on the thread whose context is
-// current.
+// Links the passes whose buffers the picture reads, as far as the words of texts tell; what
+// constants switch off only the driver knows. To be made and destroyed on the thread whose context
+// is current.
 class ProgramsAhead {
 public:
     struct Linked {
@@ -23,7 +23,7 @@ public:
         Program program;
     };
 
-    // Of lean programs. All but `options` outlive it; `give_up` may be empty.
+    // All but `options` outlive it; `give_up` may be empty.
     ProgramsAhead(const Preset& preset, const ProgramOptions& options, const GiveUp& give_up);
     ~ProgramsAhead();  // waits for the one that it is at
     ProgramsAhead(const ProgramsAhead&) = delete;

@@ -110,28 +110,39 @@ TEST_F(LeftOut, WhatIsLinkedBesideThePictureIsSaidAndLooksTheSame) {
 }
 
 TEST_F(LeftOut, BesideThePictureIsLinkedWhatItReadsAndNothingElse) {
-    const TestFolder folder;
-    const ReadPreset read =
-        read_scene_text(folder,
-                        "uniform sampler2D a; //@ pass mainA\n"
-                        "uniform sampler2D b; //@ pass mainB\n"
-                        "uniform sampler2D d; //@ pass mainD\n"
-                        "void mainA(out vec4 c, vec2 p) { c = vec4(1); }\n"
-                        "void mainB(out vec4 c, vec2 p) { c = texture(iChannel2, p); }\n"
-                        "void mainD(out vec4 c, vec2 p) { c = texture(d, p) + texture(b, p); }\n"
-                        "void mainImage(out vec4 c, vec2 p) { c = texture(b, p); }\n",
-                        {.preset = "[channels]\niChannel2 = { buffer = \"a\" }\n"});
-    ASSERT_TRUE(read.preset) << to_text(read.diagnostics);
-    const GiveUp nothing;
-    bool has_a = false, has_b = false;
-    for (auto wait = 10ms; wait < 20s && !(has_a && has_b); wait *= 4) {
-        ProgramsAhead ahead(*read.preset, {.lean = true}, nothing);
-        std::this_thread::sleep_for(wait);
-        has_b = ahead.take(1).has_value();
-        has_a = ahead.take(0).has_value();
-        EXPECT_FALSE(ahead.take(2));
+    const std::string declared =
+        "uniform sampler2D a; //@ pass mainA\n"
+        "uniform sampler2D b; //@ pass mainB\n"
+        "uniform sampler2D d; //@ pass mainD\n";
+    const auto tab = [](const std::string& pass, const std::string& channel) {
+        return "#ifdef PASS_" + pass + "\nuniform sampler2D iChannel0; //@ buffer " + channel +
+               "\nvoid mainImage(out vec4 c, vec2 p) { c = texture(iChannel0, p); }\n#endif\n";
+    };
+    const std::string texts[] = {
+        declared +
+            "void mainA(out vec4 c, vec2 p) { c = vec4(1); }\n"
+            "void mainB(out vec4 c, vec2 p) { c = texture(iChannel2, p); }\n"
+            "void mainD(out vec4 c, vec2 p) { c = texture(d, p) + texture(b, p); }\n"
+            "void mainImage(out vec4 c, vec2 p) { c = texture(b, p); }\n",
+        declared + tab("a", "a") + tab("b", "a") + tab("d", "d") + tab("image", "b")};
+    for (const std::string& text : texts) {
+        SCOPED_TRACE(text);
+        const TestFolder folder;
+        const ReadPreset read = read_scene_text(
+            folder, text, {.preset = "[channels]\niChannel2 = { buffer = \"a\" }\n"});
+        ASSERT_TRUE(read.preset) << to_text(read.diagnostics);
+        const ProgramOptions options{.lean = text.find("PASS_") == std::string::npos};
+        const GiveUp nothing;
+        bool has_a = false, has_b = false;
+        for (auto wait = 10ms; wait < 20s && !(has_a && has_b); wait *= 4) {
+            ProgramsAhead ahead(*read.preset, options, nothing);
+            std::this_thread::sleep_for(wait);
+            has_b = ahead.take(1).has_value();
+            has_a = ahead.take(0).has_value();
+            EXPECT_FALSE(ahead.take(2));
+        }
+        EXPECT_TRUE(has_a && has_b);
     }
-    EXPECT_TRUE(has_a && has_b);
 }
 
 TEST_F(LeftOut, APassThatNothingReadsIsNotCompiled) {
