@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -154,6 +155,8 @@ private:
     void insert(std::size_t at, std::string text) { edits_.push_back({at, at, std::move(text)}); }
     void remove_lines(const toml::key& key, const toml::node& node);
     void remove_events(const toml::array& events);
+    void remove_tables(const toml::array& tables);
+    void replace_dotted(const toml::table& table, const Lines& lines);
     void set_root(std::string_view key, bool same, const std::string& value);
     void add_lines(std::string_view table, std::size_t otherwise_at, const Lines& lines);
     Lines channel(const Preset& preset, std::size_t index) const;
@@ -297,24 +300,58 @@ Editor::Lines Editor::quality(const Preset& preset, std::string_view name) const
     return lines;
 }
 
-// One that has changed is written anew, at the end.
+// `steps = 3` of `best.steps = 3`, wherever its lines stand: all of them where the first one does.
+void Editor::replace_dotted(const toml::table& table, const Lines& lines) {
+    std::map<std::size_t, Edit> written;  // by where the last word of the key begins
+    for (const auto& [key, child] : table) {
+        const std::size_t at = layout_.offset(key.source().begin);
+        written[at] = {layout_.line_begin(at), layout_.line_end(layout_.offset(last_end(child))),
+                       ""};
+    }
+    auto& [at, first] = *written.begin();
+    const std::string before(layout_.text.substr(first.begin, at - first.begin));
+    for (const TomlLine& line : lines)
+        first.text += fmt::format("{}{} = {}\n", before, line.key, line.value);
+    for (auto& [key, edit] : written) edits_.push_back(std::move(edit));
+}
+
+void Editor::remove_tables(const toml::array& tables) {
+    for (const toml::node& one : tables)
+        edits_.push_back({layout_.line_begin(layout_.offset(one.source().begin)),
+                          layout_.line_end(layout_.offset(last_end(one))), ""});
+}
+
+// One that has changed is written anew, under a header at the end, or where it stands without one.
 void Editor::edit_qualities() {
     const toml::node* node = layout_.get("quality");
     const toml::table* table = node ? node->as_table() : nullptr;
     for (const QualitySet& set : preset_.qualities) {
         const Lines now = quality(preset_, set.name);
         if (toml_braces(now) == toml_braces(quality(old_, set.name))) continue;
+        const bool is_bare =
+            !set.name.empty() && set.name.find_first_not_of(kBareKey) == std::string::npos;
+        const std::string name = is_bare ? set.name : toml_string(set.name);
         const auto written = table ? table->find(set.name) : toml::table::const_iterator();
         if (table && written != table->end()) {
-            if (!is_header(written->first, written->second)) {
-                replace(written->second, toml_braces(now));
+            const toml::node& value = written->second;
+            const bool is_table = value.is_table() && !value.as_table()->is_inline();
+            if (value.is_array_of_tables() && value.as_array()->front().is_table() &&
+                !value.as_array()->front().as_table()->is_inline()) {
+                remove_tables(*value.as_array());
+            } else if (is_table && is_header(written->first, value)) {
+                remove_lines(written->first, value);
+            } else if (is_table) {
+                replace_dotted(*value.as_table(), now);
+                continue;
+            } else {
+                replace(value, toml_braces(now));
                 continue;
             }
-            remove_lines(written->first, written->second);
+        } else if (node && (!table || table->is_inline())) {
+            add_lines("quality", 0, {{name, toml_braces(now)}});
+            continue;
         }
-        const bool is_bare = set.name.find_first_not_of(kBareKey) == std::string::npos;
-        std::string text = fmt::format(
-            "\n[quality.{}]\n", is_bare && !set.name.empty() ? set.name : toml_string(set.name));
+        std::string text = fmt::format("\n[quality.{}]\n", name);
         for (const TomlLine& line : now) text += fmt::format("{} = {}\n", line.key, line.value);
         insert(layout_.text.size(), text);
     }
@@ -430,14 +467,17 @@ PresetText write_preset(const Preset& preset, const fs::path& file, std::string_
     // The second round finds nothing to change, unless the text is laid out in a way not foreseen.
     for (int round = 0; round < 2; ++round) {
         const ReadPreset old = parse_preset(text, file, preset.scene);
-        if (!old.preset) {
+        if (!old.preset && round == 0) {
             result.diagnostics = old.diagnostics;
             return result;
         }
-        const toml::parse_result parsed = toml::parse(std::string_view(text));
-        const Layout layout(text, parsed.table());
-        std::vector<Edit> edits = Editor(preset, *old.preset, folder, layout).edits();
-        if (edits.empty()) break;
+        std::vector<Edit> edits;
+        if (old.preset) {
+            const toml::parse_result parsed = toml::parse(std::string_view(text));
+            const Layout layout(text, parsed.table());
+            edits = Editor(preset, *old.preset, folder, layout).edits();
+            if (edits.empty()) break;
+        }
         if (round == 1) {
             result.diagnostics.push_back(
                 {Severity::error, Place{file.string()},

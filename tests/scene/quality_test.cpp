@@ -61,5 +61,40 @@ TEST_F(Quality, IsWrittenBehindWhatStandsAndInPlaceOfItself) {
               "[quality.\"8 ms\"]\nsteps = 32\n");
 }
 
+TEST_F(Quality, IsWrittenIntoWhicheverFormStands) {
+    const std::string head = "scene = \"a.frag\"\n";
+    struct {
+        const char *before, *after;
+    } const cases[] = {
+        {"quality.best.steps = 3\n", "quality.best.method = \"exact\"\nquality.best.steps = 5\n"},
+        {"quality.fast.steps = 2\nquality.best.steps = 3\n[tweaks]\n",
+         "quality.fast.steps = 2\nquality.best.method = \"exact\"\nquality.best.steps = 5\n"
+         "[tweaks]\n"},
+        {"[quality]\n  best.steps = 3 # mine\nfast.steps = 2\n  best.method = 0\n",
+         "[quality]\n  best.method = \"exact\"\n  best.steps = 5\nfast.steps = 2\n"},
+        {"[quality]\nbest = { steps = 3 } # mine\n",
+         "[quality]\nbest = { method = \"exact\", steps = 5 } # mine\n"},
+        {"[quality]\nbest = 3\n", "[quality]\nbest = { method = \"exact\", steps = 5 }\n"},
+        {"quality = 3\n", "quality = { best = { method = \"exact\", steps = 5 } }\n"},
+        {"quality = {}\n", "quality = { best = { method = \"exact\", steps = 5 } }\n"},
+        {"quality = { fast = { steps = 2 } }\n",
+         "quality = { fast = { steps = 2 }, best = { method = \"exact\", steps = 5 } }\n"},
+        {"[[quality.best]]\nsteps = 3\n[[quality.best]]\nsteps = 4\n[quality.fast]\nsteps = 2\n",
+         "[quality.fast]\nsteps = 2\n\n[quality.best]\nmethod = \"exact\"\nsteps = 5\n"},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.before);
+        ReadPreset found = read(c.before);
+        ASSERT_TRUE(found.preset);
+        std::erase_if(found.preset->qualities,
+                      [](const QualitySet& q) { return q.name == "best"; });
+        found.preset->qualities.push_back({"best", {{1, {1.0}}, {0, {5.0}}}});
+        const PresetText written =
+            write_preset(*found.preset, folder.path() / "a.toml", head + c.before);
+        ASSERT_TRUE(written.text) << to_string(written.diagnostics.at(0));
+        EXPECT_EQ(*written.text, head + c.after);
+    }
+}
+
 }  // namespace
 }  // namespace glint
