@@ -55,9 +55,14 @@ std::runtime_error cannot_read(const fs::path& file, std::string_view cause) {
 }
 
 TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(target) {
+    // One by one: the last may point to what is not there yet.
     std::error_code error;
-    if (fs::is_symlink(target, error)) {
-        if (const auto resolved = fs::weakly_canonical(target, error); !error) target_ = resolved;
+    for (int links = 0; fs::is_symlink(target_, error); ++links) {
+        constexpr int kMostLinks = 40;  // as Linux has it
+        if (links == kMostLinks) throw cannot_write(named_, cause_of(ELOOP));
+        const fs::path next = fs::read_symlink(target_, error);
+        if (error) throw cannot_write(named_, cause_of(error.value()));
+        target_ = target_.parent_path() / next;
     }
 
     // Renaming over a device or a pipe would take it away from everybody else.

@@ -12,7 +12,12 @@ namespace glint {
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "glint-XXXXXX").string();
+    std::error_code error;
+    const fs::path system = fs::temp_directory_path(error);
+    if (error)
+        throw std::runtime_error("No temporary folder can be made: TMPDIR names no folder (" +
+                                 error.message() + ").");
+    std::string name = (system / "glint-XXXXXX").string();
     if (!::mkdtemp(name.data())) {
         throw std::runtime_error("No temporary folder can be made as " + name + ": " +
                                  std::generic_category().message(errno) + ".");

@@ -181,7 +181,7 @@ double inlined_tokens(const Reading& reading, std::string_view entry) {
     return sum;
 }
 
-std::optional<ProgramSize> program_size(std::string_view text, std::string& why_not) {
+std::optional<ProgramSize> program_size(std::string_view text, std::string& why_not) try {
     const TemporaryFolder folder;  // for each call; several threads may be here
     const auto file = [&](const char* name) { return (folder.path() / name).string(); };
     const std::string later = as_310(text);
@@ -198,6 +198,9 @@ std::optional<ProgramSize> program_size(std::string_view text, std::string& why_
         return std::nullopt;
     }
     return inlined_size(read_module(file("reached.spv")));
+} catch (const std::runtime_error& error) {  // no room, or no place, for files
+    why_not = error.what();
+    return std::nullopt;
 }
 
 }  // namespace glint

@@ -157,10 +157,14 @@ SecondOpinion second_opinion(const Preset& preset, const std::vector<std::size_t
     if (preset.scene.image_entry == "main")
         return {{}, "the site takes no text with a main() of its own"};
     std::vector<std::optional<std::vector<PlacedFinding>>> found(passes.size());
-    Workers workers(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        workers.run([&, i] { found[i] = findings_of(preset, passes[i]); });
-    workers.finish();
+    try {
+        Workers workers(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+        for (std::size_t i = 0; i < passes.size(); ++i)
+            workers.run([&, i] { found[i] = findings_of(preset, passes[i]); });
+        workers.finish();
+    } catch (const std::runtime_error& error) {  // no room, or no place, for files
+        return {{}, error.what()};
+    }
     SecondOpinion opinion;
     for (const auto& list : found) {
         if (!list) return {{}, "glslangValidator is not installed"};

@@ -108,6 +108,11 @@ std::vector<NamedFile> files_read_for(const Preset& preset) {
     return files;
 }
 
+std::vector<NamedFile> files_expected(const Preset& preset) {
+    return {{"the expected picture", preset.expect.picture.string()},
+            {"the look that times are held against", preset.expect.ms_of.string()}};
+}
+
 void require_apart(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs) {
     const std::vector<Resolved> written = resolved(outputs), read = resolved(inputs);
     for (std::size_t i = 0; i < written.size(); ++i) {

@@ -19,6 +19,9 @@ struct NamedFile {
 // What a preset is read from: itself, its scene with all includes, and what its samplers read.
 std::vector<NamedFile> files_read_for(const Preset& preset);
 
+// What its [expect] names.
+std::vector<NamedFile> files_expected(const Preset& preset);
+
 // Throws UsageError where an output is an input or another output, however the two are spelled, and
 // through links, hard or symbolic, too. Numbered names are taken for one where two of their files
 // might be. An empty name is no file.

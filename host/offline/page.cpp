@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace glint {
@@ -93,7 +94,9 @@ std::string body_classes(const Preset& preset, bool has_controls, bool reads_mou
 }  // namespace
 
 bool is_page(const std::filesystem::path& output) {
-    return output.extension() == ".html" || output.extension() == ".htm";
+    std::string ending = output.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending == ".html" || ending == ".htm";
 }
 
 void write_page(const ExportOptions& options) {

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLargestSize = 1'000'000;  // pixels; the largest picture that any file keeps
-constexpr int kMostSettle = 1'000'000;
+constexpr int kMostSettle = 1'000'000, kMostTime = 1'000'000'000;  // frames, s
 
 // At the top of a preset.
 const std::vector<std::string> kKeys = {"scene",    "title",  "time",  "size",   "settle",
@@ -206,10 +206,10 @@ void Reader::read_picture(const toml::table& root) {
     }
     if (const toml::node* node = root.get("time")) {
         const auto time = finite_number(*node);
-        if (time && *time >= 0.0)
-            preset_.time = *time;
-        else
-            warning(*node, "time is a finite number of seconds from 0; it stays 0");
+        preset_.time = std::clamp(time.value_or(0.0), 0.0, double{kMostTime});
+        if (!time || *time != preset_.time)
+            warning(*node, fmt::format("time is a number of seconds from 0 to {}; it is {}",
+                                       kMostTime, format_number(preset_.time)));
     }
     if (const toml::node* node = root.get("settle")) {
         const auto settle = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;

@@ -60,6 +60,21 @@ TEST(TemporaryFile, ANewFileHasNoNameButItsOwn) {
     EXPECT_EQ(read(folder.path() / "new.png"), "whole");
 }
 
+TEST(TemporaryFile, ALinkStaysWhetherOrNotItsFileIsThereYet) {
+    const TestFolder folder;
+    std::filesystem::create_directory(folder.path() / "data");
+    std::filesystem::create_symlink("data/new.png", folder.path() / "middle");
+    std::filesystem::create_symlink("middle", folder.path() / "link.png");
+    for (const char* text : {"whole", "again"}) {
+        write_whole(folder.path() / "link.png", text);
+        EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.png"));
+        EXPECT_EQ(read(folder.path() / "data/new.png"), text);
+    }
+    std::filesystem::create_symlink("itself", folder.path() / "itself");
+    EXPECT_THROW(write_whole(folder.path() / "itself", "nowhere"), std::runtime_error);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "itself"));
+}
+
 TEST(TemporaryFile, AnOldFileStaysUntilTheNewOneIsWhole) {
     const TestFolder folder;
     const fs::path file = folder.write("old.png", "old");

@@ -192,5 +192,27 @@ TEST_F(CheckExpect, AReportNeverStandsInAScenesPlace) {
     EXPECT_EQ(glint({"check", "look.toml", "--junit", "file/check.xml"}).code, 1);
 }
 
+TEST_F(CheckExpect, NothingIsWrittenInThePlaceOfWhatIsExpected) {
+    write("other.frag", kScene);
+    preset("ms_ratio = { of = \"other.frag\", most = 1000 }\n");
+    const std::string expected = bytes("look.png");
+    EXPECT_EQ(glint({"check", "look.toml", "--junit", "look.png"}).code, 2);
+    EXPECT_EQ(glint({"check", "look.toml", "--junit", "other.frag"}).code, 2);
+    EXPECT_EQ(glint({"probe", "look.toml", "--map", "look.png", "--expr", "p@6"}).code, 2);
+    EXPECT_EQ(bytes("look.png"), expected);
+    EXPECT_EQ(bytes("other.frag"), kScene);
+    // By the pictures of a failure itself, after which there would be none.
+    fs::create_directory(folder() / "glint-check");
+    fs::rename(folder() / "look.png", folder() / "glint-check/look-expected-picture.png");
+    write("look.toml",
+          "scene = \"s.frag\"\n[tweaks]\nlevel = 0.5\n[expect]\npicture = "
+          "\"glint-check/look-expected-picture.png\"\n");
+    const Outcome refused = glint({"check", "look.toml", "--case", "expected"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("keep it in another folder"), std::string::npos) << refused.err;
+    EXPECT_EQ(bytes("glint-check/look-expected-picture.png"), expected);
+    EXPECT_EQ(glint({"check", "look.toml", "--case", "expected", "-o", "failures"}).code, 6);
+}
+
 }  // namespace
 }  // namespace glint::cli

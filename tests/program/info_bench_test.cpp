@@ -215,6 +215,21 @@ TEST_F(InfoAndBench, WithoutGlslangOnlyTheWordsAreMissing) {
     EXPECT_NE(copies["why_not"].get<std::string>().find("not installed"), std::string::npos);
 }
 
+TEST_F(InfoAndBench, WithoutATemporaryFolderOnlyWhatNeedsOneIsMissing) {
+    write("copies.frag", kCopies);
+    Command command = this->command({"info", "copies.frag", "--json"});
+    command.environment = {{"TMPDIR", "/nowhere"}};
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out, nullptr, false);
+    EXPECT_NE(json["copies"]["why_not"].get<std::string>().find("TMPDIR"), std::string::npos);
+    command = this->command({"bench", "copies.frag", "--compile"});
+    command.environment = {{"TMPDIR", "/nowhere"}};
+    const Outcome bench = run(command);
+    EXPECT_EQ(bench.code, 1);
+    EXPECT_NE(bench.err.find("TMPDIR names no folder"), std::string::npos) << bench.err;
+}
+
 // "scene.frag:3:7 unused-function" for each finding of a scene.
 std::vector<std::string> names_of(const Json& findings) {
     std::vector<std::string> list;

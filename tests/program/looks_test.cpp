@@ -109,6 +109,23 @@ TEST_F(Looks, WhatCannotBeComparedIsSaid) {
     EXPECT_EQ(glint({"study", "a.frag", "wrong.frag"}).code, 3);
     EXPECT_EQ(glint({"study", "a.frag", "b.toml", "--csv"}).code, 2);
     EXPECT_EQ(glint({"study", "a.png", "b.toml", "-o", "."}).code, 2) << "a.png would go";
+    write("cut.png", bytes("a.png").substr(0, 60));
+    const Outcome cut = glint({"study", "a.png", "cut.png"});
+    EXPECT_EQ(cut.code, 4);
+    EXPECT_TRUE(cut.err.starts_with("cut.png: error: ")) << cut.err;
+    // What makes no sense of pictures.
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"--vary", "x"},
+                                               {"--ms", "8"},
+                                               {"--over", "presets"},
+                                               {"--tweak", "x=1"},
+                                               {"--quality", "best"},
+                                               {"-o", "best.toml"}}) {
+        std::vector<std::string> all = {"study", "a.png", "a.png"};
+        all.insert(all.end(), words.begin(), words.end());
+        EXPECT_EQ(glint(std::move(all)).code, 2) << words[0];
+    }
+    EXPECT_FALSE(fs::exists(folder() / "best.toml"));
 }
 
 }  // namespace

@@ -171,6 +171,9 @@ TEST_F(StudyBudget, WhereItCannotBeKeptNothingIsSought) {
     refused(4, {"-o", "broken.toml"});
     refused(2, {"-o", "s.toml", "--name", ""});
     refused(2, {"-o", "s.toml", "--name", "50"});
+    refused(4, {"-o", "s.toml", "--name", "\xff"});
+    write("dense.toml", "scene = \"s.frag\"\nquality = { best.a = 1 }\n");
+    refused(4, {"-o", "dense.toml"});
     refused(2, {"--metric", "time"});
     EXPECT_EQ(bytes("broken.toml"), "scene = [\n");
 }

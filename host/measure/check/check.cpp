@@ -1,8 +1,10 @@
 #include "measure/check/check.h"
 
+#include "base/canonical_name.h"
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
+#include "measure/check/case.h"
 #include "measure/check/junit.h"
 #include "offline/named_files.h"
 
@@ -100,21 +102,35 @@ void require_cases(const std::vector<CheckedFile>& files, const std::string& onl
     }
 }
 
-// Before any work: a report that cannot be written, or stands in a scene's place.
-void require_report(const CheckOptions& options) {
-    if (options.junit.empty()) return;
+// Pictures of failures would take the place of what was expected, and the next call find no fault.
+void require_expected_apart(const Preset& preset, const std::filesystem::path& folder) {
+    const std::filesystem::path picture = canonical_name(preset.expect.picture);
+    if (preset.expect.picture.empty() || picture.parent_path() != canonical_name(folder) ||
+        !picture.filename().string().starts_with(case_stem(preset, "")))
+        return;
+    throw UsageError(
+        fmt::format("The picture that {} expects, {}, has a name that pictures of failures have; "
+                    "keep it in another folder, or name one for these by -o.",
+                    preset.file.string(), preset.expect.picture.string()));
+}
+
+// Before any work: what would be written in the place of something that is read, or cannot be.
+void require_outputs(const CheckOptions& options) {
+    const NamedFile report{"--junit", options.junit.string()};
     for (const std::filesystem::path& name : options.files) {
         const ReadPreset read = read_preset(name);
-        if (read.preset)
-            require_apart({{"--junit", options.junit.string()}}, files_read_for(*read.preset));
+        if (!read.preset) continue;
+        require_apart({report}, files_read_for(*read.preset));
+        require_apart({report}, files_expected(*read.preset));
+        require_expected_apart(*read.preset, options.output);
     }
-    require_writable(options.junit);
+    if (!options.junit.empty()) require_writable(options.junit);
 }
 
 }  // namespace
 
 void run_check(const CheckOptions& options) {
-    require_report(options);
+    require_outputs(options);
     std::vector<CheckedFile> files;
     std::set<std::filesystem::path> scenes;
     for (const std::filesystem::path& name : options.files) {

@@ -256,8 +256,9 @@ void probe_faults(ProbeSession& session, const ProbeOptions& options, const Prob
 void run_probe(const ProbeOptions& options) {
     require_sense(options);
     ProbeSession session(options);
-    if (!options.map.empty())
-        require_apart({{"--map", options.map.string()}}, files_read_for(session.preset()));
+    const NamedFile map{"--map", options.map.string()};
+    require_apart({map}, files_read_for(session.preset()));
+    require_apart({map}, files_expected(session.preset()));
     const ProbePlace place = session.place(options);
     Probing found;
     try {

@@ -14,6 +14,27 @@
 
 namespace glint {
 
+namespace {
+
+// What -o is to hold, with these values under the name. Throws Stop.
+std::string text_with_best(const StudyOptions& options, const std::vector<Turned>& values) {
+    const bool exists = std::filesystem::exists(options.output);
+    ReadPreset read = read_preset(exists ? options.output : options.files.front());
+    if (!read.preset) report(read.diagnostics);
+    if (!read.preset) throw Stop(ExitCode::failure);
+    auto& qualities = read.preset->qualities;
+    std::erase_if(qualities, [&](const QualitySet& set) { return set.name == options.name; });
+    qualities.push_back({.name = options.name, .values = values});
+    std::string why_not;
+    const auto bytes = exists ? read_bytes(options.output, why_not) : std::string();
+    const PresetText text = write_preset(*read.preset, options.output, bytes.value_or(""));
+    if (!text.text) report(text.diagnostics);
+    if (!text.text) throw Stop(ExitCode::failure);
+    return *text.text;
+}
+
+}  // namespace
+
 void require_preset_output(const StudyOptions& options) {
     if (options.files.size() != 1 || !limit_of(options))
         throw UsageError("-o with a preset takes one FILE, and --ms, --rmse or --flip.");
@@ -27,15 +48,19 @@ void require_preset_output(const StudyOptions& options) {
         throw UsageError(
             fmt::format("-o {}: there is no folder {}.", options.output.string(), folder.string()));
     }
-    if (!std::filesystem::exists(options.output)) return;
+    const bool exists = std::filesystem::exists(options.output);
     const ReadPreset read = read_preset(options.output), from = read_preset(options.files.front());
-    if (!read.preset) report(read.diagnostics);
-    if (!read.preset) throw Stop(ExitCode::failure);
+    if (exists && !read.preset) report(read.diagnostics);
+    if (exists && !read.preset) throw Stop(ExitCode::failure);
     std::error_code none;
-    if (from.preset && !std::filesystem::equivalent(from.preset->scene.files.front(),
-                                                    read.preset->scene.files.front(), none))
+    if (exists && from.preset &&
+        !std::filesystem::equivalent(from.preset->scene.files.front(),
+                                     read.preset->scene.files.front(), none))
         throw UsageError(
             fmt::format("-o {}: it is a preset of another scene.", options.output.string()));
+    // Any value will do to see whether the text takes one.
+    if (from.preset && !from.preset->values.empty())
+        text_with_best(options, {{0, from.preset->values.front()}});
 }
 
 void write_best(const StudyOptions& options, const std::vector<Study>& studies) {
@@ -46,24 +71,14 @@ void write_best(const StudyOptions& options, const std::vector<Study>& studies) 
         throw Stop(ExitCode::failure);
     }
     const Study& study = studies.front();
-    const bool exists = std::filesystem::exists(options.output);
-    ReadPreset read = read_preset(exists ? options.output : options.files.front());
-    report(read.diagnostics);
-    if (!read.preset) throw Stop(ExitCode::failure);
-    Preset& preset = *read.preset;
-    QualitySet best{.name = options.name, .values = {}};
+    const ReadPreset from = read_preset(options.files.front());
+    if (!from.preset) throw Stop(ExitCode::failure);
     std::string list = study.rows[*study.best].value, wrong;
     std::ranges::replace(list, ' ', ',');
-    best.values = turned_values(preset.scene.tweaks, {}, list, wrong);
+    const auto values = turned_values(from.preset->scene.tweaks, {}, list, wrong);
     if (!wrong.empty()) throw std::runtime_error(wrong);
-    std::erase_if(preset.qualities, [&](const QualitySet& q) { return q.name == best.name; });
-    preset.qualities.push_back(std::move(best));
-    std::string why_not;
-    const auto bytes = exists ? read_bytes(options.output, why_not) : std::string();
-    const PresetText text = write_preset(preset, options.output, bytes.value_or(""));
-    report(text.diagnostics);
-    if (!text.text) throw Stop(ExitCode::failure);
-    write_whole_file(options.output, std::as_bytes(std::span(*text.text)));
+    const std::string text = text_with_best(options, values);
+    write_whole_file(options.output, std::as_bytes(std::span(text)));
 }
 
 }  // namespace glint

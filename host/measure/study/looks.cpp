@@ -32,7 +32,12 @@ ComparedPicture open_picture(const fs::path& file) {
         report({{Severity::error, Place{file.string()},
                  fmt::format("cannot read {}: there is no such file", in_quotes(file.string())),
                  true}});
-    return read_compared_picture(file);
+    try {
+        return read_compared_picture(file);
+    } catch (const std::runtime_error& error) {
+        report({{Severity::error, Place{file.string()}, error.what(), true}});
+        throw;
+    }
 }
 
 // All but pictures are drawn at the size of those, or at what --size says.
@@ -128,23 +133,28 @@ void draw(const std::array<Look, 2>& looks, const StudyOptions& options, Compari
 
 bool compares_looks(const StudyOptions& options) {
     const bool two = options.files.size() == 2;
+    const bool names_knobs = !options.vary.empty() || !options.reference.empty() ||
+                             !options.second.empty() || options.time_only ||
+                             options.pass != "image" || options.each || limit_of(options) ||
+                             !options.over.empty();
     if (std::ranges::any_of(options.files, is_picture_file)) {
-        if (!two || options.each)
+        if (!two || names_knobs)
             throw UsageError(
                 "A picture has no tweaks to study; compare it with one other look: "
                 "glint study A B.");
         return true;
     }
-    const bool names_knobs = !options.vary.empty() || !options.reference.empty() ||
-                             !options.second.empty() || options.time_only ||
-                             options.pass != "image" || options.each || limit_of(options) ||
-                             !options.over.empty();
     return two && !names_knobs;
 }
 
 void run_looks(const StudyOptions& options) {
     if (options.csv || options.lines)
         throw UsageError("--csv and --lines tell of rows; of two looks --json tells.");
+    if (options.output.extension() == ".toml")
+        throw UsageError("-o of two looks is a folder; a preset is written for a budget.");
+    const bool turns = !options.view.tweaks.empty() || !options.view.quality.empty();
+    if (turns && std::ranges::all_of(options.files, is_picture_file))
+        throw UsageError("Pictures have no tweaks: leave out --tweak and --quality.");
     std::array<Look, 2> looks = {Look{options.files[0]}, Look{options.files[1]}};
     for (Look& look : looks)
         if (is_picture_file(look.file)) look.picture = open_picture(look.file);
