@@ -262,6 +262,15 @@ std::string recursive_name(const std::string& complaint) {
     return std::regex_match(complaint, m, mesa) ? std::string(m[1]) : "";
 }
 
+// The v of "fragment shader input `v' has no matching output in the previous stage", of which Mesa
+// tells no line.
+std::string unfed_input(const std::string& complaint) {
+    static const std::regex mesa(
+        R"(^fragment shader input [`'](\w+)'.* has no matching output.*$)");
+    std::smatch m;
+    return std::regex_match(complaint, m, mesa) ? std::string(m[1]) : "";
+}
+
 // Mesa gives what it does not understand no type, and then complains of each expression round it,
 // all of which stand behind that complaint and begin no later in the text.
 bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
@@ -340,6 +349,13 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
             add(m[1] == "ERROR", m[2], 0, false, m[3]);
         } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
             list.push_back(link_diagnostic(scene, m[1]));
+            const std::string input = unfed_input(m[1]);
+            if (input.empty()) continue;
+            if (!read) read.emplace(scene, text);
+            list.back().place = read->first(input);
+            list.back().text = "nothing feeds " + input +
+                               ": no vertices stand before a picture; write a value of its own, "
+                               "such as fragCoord / iResolution.xy";
         }
     }
     return without_consequences(with_candidates_joined(std::move(list)));

@@ -36,6 +36,7 @@ std::vector<BuiltIn> known_functions() {
         list.push_back({"texture", "vec4", {sampler, place}});
         list.push_back({"texture", "vec4", {sampler, place, "float"}});
         list.push_back({"textureLod", "vec4", {sampler, place, "float"}});
+        list.push_back({"textureGrad", "vec4", {sampler, place, place, place}});
     }
     return list;
 }

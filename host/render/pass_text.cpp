@@ -105,22 +105,27 @@ precision highp samplerCube;
 precision highp sampler3D;
 )";
 
-// Functions that a text may define on the site, and that Mesa knows already from older GLSL.
-constexpr std::array<std::string_view, 6> kOlderFunctions = {
-    "texture2D", "texture3D", "textureCube", "texture2DProj", "texture2DLod", "textureCubeLod"};
+// Functions that a text may define on the site, and that Mesa knows already from other GLSL.
+constexpr std::array<std::string_view, 14> kOtherFunctions = {
+    "texture2D",      "texture3D", "textureCube",    "texture2DProj", "texture2DLod",
+    "textureCubeLod", "atomicAdd", "atomicMin",      "atomicMax",     "atomicAnd",
+    "atomicOr",       "atomicXor", "atomicExchange", "atomicCompSwap"};
 
-// `packed` is an ordinary name on the site, and reserved in Mesa.
+// Ordinary names on the site, and reserved in Mesa.
+constexpr std::array<std::string_view, 4> kOrdinaryNames = {"packed", "dmat2", "dmat3", "dmat4"};
+
 std::string renamed_words(const Reading& reading) {
     std::string text;
-    for (const std::string_view name : kOlderFunctions) {
+    for (const std::string_view name : kOtherFunctions) {
         if (!reading.functions_named(name).empty())
             text += fmt::format("#define {0} glint_{0}\n", name);
     }
     for (const std::string_view word : {"mediump", "lowp"}) {
         if (reading.mentions(word)) text += fmt::format("#define {} highp\n", word);
     }
-    if (reading.mentions("packed") && !reading.defines_macro("packed")) {
-        text += "#define packed glint_packed\n";
+    for (const std::string_view name : kOrdinaryNames) {
+        if (reading.mentions(name) && !reading.defines_macro(name))
+            text += fmt::format("#define {0} glint_{0}\n", name);
     }
     return text;
 }
@@ -401,6 +406,43 @@ std::string numbers_uniform(const std::vector<float>& numbers) {
     return fmt::format("uniform vec4 {}[{}];\n", kNumbers, (numbers.size() + 3) / 4);
 }
 
+// GLSL has no `#a` and no `a##b`. Mesa refuses a macro that has them where it is defined, the site
+// where it is used; so that nothing is left of the body of one that nobody uses.
+void empty_idle_macros(const Reading& reading, Edits& edits) {
+    const auto names = [](const Macro& macro, std::string_view name) {
+        return std::ranges::any_of(macro.body, [&](const Token& token) { return token.is(name); });
+    };
+    for (std::uint32_t i = 0; i < reading.macros.size(); ++i) {
+        const Macro& macro = reading.macros[i];
+        if (macro.definition.begin == macro.definition.end || macro.body.empty() ||
+            (!names(macro, "#") && !names(macro, "##")))
+            continue;
+        const bool is_used =
+            std::ranges::any_of(reading.uses, [&](const auto& use) { return use.macro == i; }) ||
+            std::ranges::any_of(reading.macros,
+                                [&](const Macro& other) { return names(other, macro.name); });
+        const Span body{macro.body.front().begin, macro.definition.end};
+        const auto lines =
+            std::ranges::count(reading.text.substr(body.begin, body.end - body.begin), '\n');
+        if (!is_used) edits.replace_bytes(body, std::string(static_cast<std::size_t>(lines), '\n'));
+    }
+}
+
+// The site's compiler defines none of the macros by which extensions tell that they are there.
+void hide_extensions(const Reading& reading, Edits& edits) {
+    constexpr std::string_view kBegin = "GL_", kAsks[] = {"if", "ifdef", "ifndef", "elif"};
+    for (const Directive& line : reading.directives) {
+        if (!is_one_of(line.word, kAsks)) continue;
+        for (std::uint32_t i = line.rest.begin; i < line.rest.end; ++i) {
+            const Token& token = reading.written[i];
+            const std::size_t vendor = token.text.find('_', kBegin.size());
+            if (token.text.starts_with(kBegin) && vendor != token.text.npos &&
+                token.text != "GL_FRAGMENT_PRECISION_HIGH")
+                edits.replace_bytes(token.span(), fmt::format("glint{}", token.text.substr(2)));
+        }
+    }
+}
+
 // Passes of a text are asked for one after the other, and reading it is half of the work. A text
 // without a part for one pass alone reads the same for all.
 const Reading& reading_for(const Scene& scene, std::size_t pass) {
@@ -465,6 +507,8 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
     else if (probe)
         put_in_place_of("gl_FragCoord", "glint0_coord", reading, edits);
+    empty_idle_macros(reading, edits);
+    if (!plain_main) hide_extensions(reading, edits);
     name_parameters(reading, edits);
     mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
     if (options.named) name_divisions(reading, float_tweaks(scene), edits);

@@ -129,6 +129,11 @@ void Builder::check_image() {
         check_function({"mainImage", {"color"}}, "this draws the picture");
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
     if (misses_a_file()) return;
+    const std::string own[] = {"mainImage"};
+    for (const Function& function : reading_.functions)
+        if (!nearest(reading_.word(function.name), own).empty())
+            return error(reading_.place(function.name).begin,
+                         "there is no mainImage here; did you mean this one?");
     const bool is_empty = reading_.written.empty();
     diagnostics_.push_back(
         {Severity::error, Place{source_.files.front().string()},

@@ -276,8 +276,11 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
     JsonReader reader(file, diagnostics);
     const Json& list = json.is_object() && json.contains("shaders") ? json["shaders"] : json;
     const Json one = list.is_array() ? list : Json::array({list});
-    for (const Json& outer : one)
-        if (auto shader = reader.shader(outer)) shaders.push_back(std::move(*shader));
+    for (const Json& outer : one) {
+        auto shader = reader.shader(outer);
+        if (!shader) return {};
+        shaders.push_back(std::move(*shader));
+    }
     if (one.empty())
         diagnostics.push_back({Severity::error, {file.string()}, "there is no shader in it", true});
     if (has_errors(diagnostics)) return {};

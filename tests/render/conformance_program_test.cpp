@@ -97,6 +97,55 @@ TEST_F(WrappedProgram, PackedIsAnOrdinaryName) {
     });
 }
 
+TEST_F(WrappedProgram, NamesOfOtherGlslAreOrdinary) {
+    expect_first_pixel({
+        {"float dmat2(float dmat3) { return dmat3; }\n"
+         "void mainImage(out vec4 c, vec2 p) { c = vec4(dmat2(0.5)); }",
+         {0.5, 0.5, 0.5}},
+        {"float atomicAdd(vec2 a, mat2 b) { return a.x; }\n"
+         "void mainImage(out vec4 c, vec2 p) { c = vec4(atomicAdd(vec2(0.5), mat2(1))); }",
+         {0.5, 0.5, 0.5}},
+        {"float textureGrad(vec4 a, mat3 b) { return a.x; }\n"
+         "uniform sampler2D n; //@ noise r 64\n"
+         "void mainImage(out vec4 c, vec2 p) {\n"
+         "    c = vec4(textureGrad(vec4(0.5), mat3(1))) + 0.0 * textureGrad(n, p, p, p); }",
+         {0.5, 0.5, 0.5}},
+    });
+}
+
+// As the site's compiler has it: of what extensions could do nothing is there.
+TEST_F(WrappedProgram, NoExtensionTellsOfItself) {
+    expect_first_pixel({
+        {"#ifdef GL_EXT_shader_framebuffer_fetch\n#define A 1.0\n#else\n#define A 0.5\n#endif\n"
+         "#if defined(GL_OES_standard_derivatives) || !defined(GL_FRAGMENT_PRECISION_HIGH)\n"
+         "#define B 1.0\n#elif GL_ES\n#define B 0.5\n#endif\n"
+         "#extension GL_OES_standard_derivatives : enable\n"
+         "void mainImage(out vec4 c, vec2 p) { c = vec4(A, B, fwidth(p.x) * 0.5, 1); }",
+         {0.5, 0.5, 0.5}},
+    });
+}
+
+TEST_F(WrappedProgram, AMacroThatPastesTokensIsNoErrorUntilItIsUsed) {
+    const std::string pastes =
+        "#define PASTE(a, b) a##b\n"
+        "#define TEXT(a) \\\n    #a\n"
+        "#ifndef PASTE\nnot here\n#endif\n";
+    const std::string idle = pastes + "void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }";
+    expect_first_pixel({{idle.c_str(), {0.5, 0.5, 0.5}}});
+    for (const char* used : {"PASTE(0.5, 1)", "W(0.5)"}) {
+        const TestFolder folder;
+        const ReadPreset read = read_scene_text(
+            folder,
+            pastes + "#define W(a) PASTE(a, 1)\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(" +
+                used + "); }",
+            {});
+        ASSERT_TRUE(read.preset);
+        const CompileResult result = compile_scene(*read.preset, {});
+        EXPECT_FALSE(result.scene) << used;
+        EXPECT_EQ(result.diagnostics.at(0).place.line, 1) << to_text(result.diagnostics);
+    }
+}
+
 TEST_F(WrappedProgram, FunctionsOfOlderGlslMayBeDefinedAnew) {
     expect_first_pixel({
         {"vec4 texture2D(vec2 p) { return p.xyxy; }\n"
