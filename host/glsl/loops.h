@@ -8,6 +8,10 @@
 //     { A; bool go = (B); do { if (go) { D } } while (go && ((C), (B))); }
 // which does the same. A plain `if (B) do …` tells Mesa how long `k < (wanted ? 30 : 0)` goes on,
 // and has it write out all turns, which are then drawn where none is wanted.
+//
+// A loop that nothing ends, `while (true)` without a way out, llvmpipe ends after 65,535 turns; but
+// to Mesa what stands behind it is never reached, so that all it would write holds what was in
+// memory. It gets a test that is always true, by a uniform.
 #pragma once
 
 #include <string>

@@ -29,6 +29,24 @@ TEST(Loops, AreTestedOnceBeforeAndThenAtTheirEnd) {
                           "while (glint_go && ((++i, --j), (i < j))); }"));
 }
 
+TEST(Loops, ThatNothingEndsGetATestThatIsAlwaysTrue) {
+    const std::string uniform = "uniform float iSampleRate;\n", test = "iSampleRate > -1.0";
+    const auto now = [&](const std::string& words) {
+        return test_loops_at_end(uniform + in_function(words));
+    };
+    const auto same = [&](const std::string& words) { return uniform + in_function(words); };
+    EXPECT_EQ(now("while (true) { a++; }"), same("while (" + test + ") { a++; }"));
+    EXPECT_EQ(now("do { a++; } while (true);"), same("do { a++; } while (" + test + ");"));
+    EXPECT_EQ(now("for (;;) a++;"), same("for (;" + test + ";) a++;"));
+    EXPECT_EQ(now("while (true) { while (b) { break; } switch (a) { case 1: break; } }"),
+              same("while (" + test + ") { while (b) { break; } switch (a) { case 1: break; } }"));
+    for (const char* ends :
+         {"while (true) { if (b) break; }", "for (;;) { a++; if (b) { return; } }",
+          "do { if (b) discard; } while (true);", "while (b) a++;"})
+        EXPECT_EQ(now(ends), same(ends));
+    EXPECT_EQ(changed("while (true) { a++; }"), in_function("while (true) { a++; }"));
+}
+
 TEST(Loops, WithinLoopsAreChangedToo) {
     EXPECT_EQ(changed("for (int i = 0; i < 4; ++i) for (int j = 0; j < i; ++j) a++;"),
               in_function("{int i = 0; bool glint_go = ( i < 4); do { if (glint_go) { {int j = 0; "

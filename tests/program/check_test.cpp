@@ -86,6 +86,21 @@ TEST_F(Check, AHealthySceneWithEverySourceOfTroublePasses) {
     }
 }
 
+// It gave values from memory, and crashed the driver.
+TEST_F(Check, ALoopThatNothingEndsIsToldAndIsAllThatIsWrong) {
+    write(
+        "s.frag",
+        "int n = 0;\n"
+        "void mainImage(out vec4 c, in vec2 p) { do { ++n; } while (true); c = vec4(n == 0); }\n");
+    const Outcome budget = glint({"check", "s.frag", "--case", "loop", "--size", "16x9"});
+    EXPECT_EQ(budget.code, 6) << budget.out << budget.err;
+    EXPECT_NE(budget.out.find("65535 turns"), std::string::npos) << budget.out;
+    for (const char* sound : {"size 7x3", "age 0"}) {
+        const Outcome other = glint({"check", "s.frag", "--case", sound, "--size", "16x9"});
+        EXPECT_EQ(other.code, 0) << other.out << other.err;
+    }
+}
+
 TEST_F(Check, WhatABufferPromisesIsDrawnOverTheFramesHeldOrBroken) {
     const auto scene = [&](const char* name, const char* promise) {
         write(std::string(name) + ".frag",
