@@ -71,6 +71,8 @@ TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(t
     if (!replaces && errno == ENAMETOOLONG) throw cannot_write(named_, cause_of(errno));
     if (replaces && S_ISDIR(old.st_mode)) throw cannot_write(named_, cause_of(EISDIR));
     if (replaces && !S_ISREG(old.st_mode)) throw cannot_write(named_, "It is not a regular file");
+    if (replaces && ::access(target_.c_str(), W_OK) != 0)
+        throw cannot_write(named_, cause_of(errno));
 
     buffer_.reserve(kBufferBytes);
     // A file without a name goes away with the process, however that ends. Not every file system

@@ -28,7 +28,7 @@ class TemporaryFile {
 public:
     // Makes an empty file in the folder of `target`. Where `target` is a symbolic link, the file it
     // points to is the one replaced. Throws std::runtime_error when the folder cannot be written,
-    // the name is too long, or `target` is there and not a regular file.
+    // the name is too long, or `target` is there and not a regular file, or write-protected.
     explicit TemporaryFile(const std::filesystem::path& target);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;

@@ -1,5 +1,7 @@
 #include "base/words.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -52,6 +54,18 @@ std::optional<bool> parse_switch(std::string_view text) {
     if (text == "on" || text == "true") return true;
     if (text == "off" || text == "false") return false;
     return std::nullopt;
+}
+
+std::string shell_word(const std::string& word) {
+    const bool plain = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("_-+=./,:%@").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    return plain ? word : quoted(word, '\'', "'\\''");
+}
+
+std::string shell_file(const std::string& name) {
+    return shell_word(name.starts_with('-') ? "./" + name : name);
 }
 
 }  // namespace glint

@@ -26,6 +26,10 @@ inline bool begins_character(char byte) {
 // In quotation marks, with each mark within written as `inner`.
 std::string quoted(std::string_view text, char mark, std::string_view inner);
 
+// As a shell has to be told it; a file's name never as an option.
+std::string shell_word(const std::string& word);
+std::string shell_file(const std::string& name);
+
 // Without the white space at both ends.
 std::string_view trimmed(std::string_view text);
 

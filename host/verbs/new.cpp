@@ -1,5 +1,6 @@
 // `glint new`: a commented scene to begin with, open in the window.
 #include "base/say.h"
+#include "base/words.h"
 #include "offline/new_scene.h"
 #include "verbs/options.h"
 #include "verbs/show.h"
@@ -21,12 +22,12 @@ void run_new(const NewOptions& options, const Stopwatch&) {
     ViewOptions view;
     view.file = scene;
     if (options.opens && show_in_window(view)) return;
-    const std::string glint = own_name(), name = scene.string();
+    const std::string glint = own_name(), name = shell_file(scene.string());
     say("Written. What to do next:\n"
         "  {0} {1}            # open it in the window, and edit it in an editor\n"
-        "  {0} still {1} -o {2}.png\n"
+        "  {0} still {1} -o {2}\n"
         "  {0} check {1}\n",
-        glint, name, scene.stem().string());
+        glint, name, shell_file(scene.stem().string() + ".png"));
 }
 
 void declare(CLI::App& verb, NewOptions& options) {

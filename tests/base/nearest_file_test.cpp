@@ -70,6 +70,7 @@ TEST(DidYouMean, SwappedLettersAreOneMistake) {
     EXPECT_EQ(nearest("nwe", verbs), "new");
     EXPECT_EQ(nearest("stlil", verbs), "still");
     EXPECT_EQ(nearest("xyz", verbs), "");
+    EXPECT_EQ(nearest("STILL", verbs), "still");
 }
 
 }  // namespace

@@ -75,6 +75,15 @@ TEST(TemporaryFile, ALinkStaysWhetherOrNotItsFileIsThereYet) {
     EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "itself"));
 }
 
+TEST(TemporaryFile, AWriteProtectedFileIsNotReplaced) {
+    if (::geteuid() == 0) GTEST_SKIP() << "this user may write everything";
+    const TestFolder folder;
+    write_whole(folder.path() / "kept.png", "kept");
+    std::filesystem::permissions(folder.path() / "kept.png", std::filesystem::perms::owner_read);
+    EXPECT_THROW(write_whole(folder.path() / "kept.png", "new"), std::runtime_error);
+    EXPECT_EQ(read(folder.path() / "kept.png"), "kept");
+}
+
 TEST(TemporaryFile, AnOldFileStaysUntilTheNewOneIsWhole) {
     const TestFolder folder;
     const fs::path file = folder.write("old.png", "old");

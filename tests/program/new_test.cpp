@@ -45,6 +45,14 @@ TEST_F(New, EverySceneIsWrittenCompilesWithoutAWordAndHasASlider) {
     }
 }
 
+TEST_F(New, WhatToDoNextIsSpelledForAShell) {
+    const Outcome spaced = make({"sp ace", "--no-open"});
+    EXPECT_NE(spaced.err.find(" still 'sp ace.frag' -o 'sp ace.png'\n"), std::string::npos)
+        << spaced.err;
+    const Outcome dashed = make({"--no-open", "--", "-x"});
+    EXPECT_NE(dashed.err.find(" still ./-x.frag -o ./-x.png\n"), std::string::npos) << dashed.err;
+}
+
 // Whoever reads one of them meets no word of an annotation that it does not explain.
 TEST_F(New, EveryWordOfAnAnnotationIsExplainedInAComment) {
     const std::vector<std::string> words = {"log",  "unit",  "quality", "pass",

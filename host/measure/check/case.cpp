@@ -17,15 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A word for the shell.
-std::string shell_word(const std::string& word) {
-    const bool plain = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
-        return std::isalnum(c) != 0 ||
-               std::string_view("_-+=./,:%@").find(static_cast<char>(c)) != std::string_view::npos;
-    });
-    return plain ? word : quoted(word, '\'', "'\\''");
-}
-
 std::string tweak_words(const ViewOptions& view) {
     std::string words;
     for (const std::string& tweak : view.tweaks) words += " --tweak " + shell_word(tweak);
@@ -77,13 +68,13 @@ std::string command_for(const CheckSubject& subject, const CaseResult& result,
     const std::string output =
         subject.observed().found.empty() ? "image" : subject.observed().found.back().output;
     return fmt::format(
-        "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", shell_word(file.string()), size.x,
+        "glint still {} --size {}x{} --time {}{}{}{}{}{} -o {}", shell_file(file.string()), size.x,
         size.y, format_number(subject.still->time),
         subject.still->fps == 60.0 ? "" : " --fps " + format_number(subject.still->fps),
         own_events ? "" : tweak_words(subject), device_words(subject.view()),
         subject.specialised() ? "" : " --no-specialise",
         output == "image" ? "" : " --pass " + output,
-        shell_word((folder / (stem + ".exr")).string()));
+        shell_file((folder / (stem + ".exr")).string()));
 }
 
 // "NaN and Inf in 36 pixels of smoke, 104 of image".
@@ -184,7 +175,7 @@ std::string case_stem(const Preset& preset, const std::string& name) {
 
 std::string command_for_case(const ViewOptions& view, const std::string& name) {
     const std::string size = view.size.empty() ? "" : " --size " + view.size;
-    return fmt::format("glint check {}{}{}{} --case {}", shell_word(view.file.string()), size,
+    return fmt::format("glint check {}{}{}{} --case {}", shell_file(view.file.string()), size,
                        tweak_words(view), device_words(view), shell_word(name));
 }
 

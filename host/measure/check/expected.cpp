@@ -1,5 +1,6 @@
 // What the preset itself expects: `[expect]` with a picture and how far its own may be from that.
 #include "base/temporary_file.h"
+#include "base/words.h"
 #include "measure/check/case.h"
 #include "measure/rows/difference.h"
 #include "measure/rows/flip.h"
@@ -82,7 +83,8 @@ void check_picture(Check& check, CaseResult& result) {
         expected = read_compared_picture(expect.picture);
     } catch (const std::runtime_error& error) {
         return result.fail(fmt::format("{} Write it with glint still {} -o {}", error.what(),
-                                       subject.opened().file.string(), expect.picture.string()));
+                                       shell_file(subject.opened().file.string()),
+                                       shell_file(expect.picture.string())));
     }
     std::vector<float> actual = draw_still(subject, expected.size);
     if (!subject.observed().is_finite()) return;  // a failure of its own
