@@ -4,6 +4,7 @@
 #include "base/terminal.h"
 #include "gl/context.h"
 #include "verbs/show.h"
+#include "verbs/tree.h"
 #include "verbs/verb.h"
 #include "verbs/version.h"
 
@@ -156,6 +157,16 @@ struct DeclaredVerb {
     std::unique_ptr<Verb> verb;
 };
 
+// Such as of a shell's variable that is not set: nothing would be written, and nothing said.
+void refuse_empty_values(CLI::App& verb) {
+    for (CLI::Option* option : listed_options(verb))
+        if (option->get_items_expected_max() > 0)
+            option->check([](const std::string& value) {
+                return std::string(
+                    value.empty() ? "it has an empty value; leave it out, or say what" : "");
+            });
+}
+
 std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
     std::vector<DeclaredVerb> verbs;
     for (const VerbEntry& entry : kVerbs) {
@@ -163,6 +174,7 @@ std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
         if (!entry.help) part->group("");
         verbs.push_back({part, entry.make()});
         verbs.back().verb->declare(*part);
+        refuse_empty_values(*part);
     }
     return verbs;
 }

@@ -4,6 +4,7 @@
 #include "glsl/finding.h"
 #include "glsl/parser.h"
 #include "glsl/preprocess.h"
+#include "render/syntax_error.h"
 #include "scene/builtin.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include <optional>
 #include <regex>
 #include <set>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +30,7 @@ struct Spot {
     std::size_t at = 0;  // of what a person wrote: where a macro is used, not where it is defined
     std::uint32_t use = kNone;  // the macro's use that the complaint is of
     std::size_t defined = 0;    // and the place in its definition
+    std::size_t token = 0;      // of those that a compiler sees
 };
 
 // The text as the driver read it, taken apart.
@@ -55,6 +58,12 @@ private:
     void find_lines();
     std::size_t offset(int line, int column) const;
     Spot expanded_spot(int line, int column) const;
+    std::span<const Token> users_tokens() const;
+    Place place_of(const SyntaxError& error) const;
+    // Where a token stands: those of a macro where it is used.
+    Span written(const Token& token) const {
+        return token.use == kNone ? token.span() : read_.uses[token.use].span;
+    }
     Place place(std::size_t at) const {
         const auto origin = pass_.origin(at);
         return origin ? scene_.place_at(*origin) : Place{scene_.files.front().string()};
@@ -109,7 +118,7 @@ Spot ReadText::expanded_spot(int line, int column) const {
     int at = 1;
     bool is_first = true;
     for (const Token& token : read_.tokens) {
-        const Span place = token.use == kNone ? token.span() : read_.uses[token.use].span;
+        const Span place = written(token);
         if (place.begin < begin) continue;
         if (place.begin >= end) break;
         at += (is_first ? place.begin > begin : token.space_before) ? 1 : 0;
@@ -118,6 +127,7 @@ Spot ReadText::expanded_spot(int line, int column) const {
         const bool in_text =
             token.use == kNone || (place.begin <= token.begin && token.end <= place.end);
         spot = in_text ? Spot{token.begin} : Spot{place.begin, token.use, token.begin};
+        spot.token = static_cast<std::size_t>(&token - read_.tokens.data());
         const auto within = static_cast<std::size_t>(column - at);
         if (in_text && within < token.text.size()) spot.at += within;
         at += static_cast<int>(token.text.size());
@@ -125,9 +135,35 @@ Spot ReadText::expanded_spot(int line, int column) const {
     return spot;
 }
 
+// With those of the host before them, which are whole.
+std::span<const Token> ReadText::users_tokens() const {
+    std::span<const Token> tokens = read_.tokens;
+    while (!tokens.empty() && written(tokens.back()).begin >= pass_.user_end)
+        tokens = tokens.first(tokens.size() - 1);
+    return tokens;
+}
+
+// Behind a token means behind the last one that a person wrote.
+Place ReadText::place_of(const SyntaxError& error) const {
+    std::size_t token = error.token;
+    if (!error.is_behind) return place(written(read_.tokens[token]).begin);
+    while (token > 0 && !pass_.origin(written(read_.tokens[token]).end - 1)) --token;
+    Place where = place(written(read_.tokens[token]).end - 1);
+    ++where.column;
+    return where;
+}
+
+// Advice that is none for GLSL ES.
+std::string said_better(std::string words) {
+    if (words.starts_with("C-style initialization requires"))
+        return "GLSL ES has no lists in braces; write the array's type and its values, such as "
+               "float[](1.0, 2.0)";
+    return words;
+}
+
 Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_expanded,
                                std::string words) const {
-    const Spot spot = is_expanded ? expanded_spot(line, column) : Spot{offset(line, column)};
+    Spot spot = is_expanded ? expanded_spot(line, column) : Spot{offset(line, column)};
     Place where = place(spot.at);
     if (spot.at >= pass_.user_end) {
         const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);
@@ -135,6 +171,13 @@ Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_
         where = scene_.place(line - static_cast<int>(host_lines), column);
     }
     if (column == 0) where.column = 0;
+    std::optional<SyntaxError> syntax;
+    if (is_expanded) syntax = read_syntax_error(words, users_tokens(), spot.token);
+    words = syntax ? syntax->text : said_better(std::move(words));
+    if (syntax && (syntax->is_behind || syntax->token != spot.token)) {
+        where = place_of(*syntax);
+        spot.use = kNone;
+    }
     if (spot.use != kNone && pass_.origin(spot.defined)) {
         const Place defined = place(spot.defined);
         const std::string what = fmt::format("{}{} stands for, {}:{}:{})", kInMacro,
@@ -342,7 +385,9 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
     for (const std::string& line : lines_of(log)) {
         std::smatch m;
         if (std::regex_match(line, m, mesa)) {
-            add(m[4] == "error", m[1], parse_count(m[2]), !m[3].matched, m[5]);
+            const bool is_expanded = !m[3].matched;
+            add(m[4] == "error", m[1], parse_count(m[2]), is_expanded,
+                is_expanded ? std::string(m[5]) : read_preprocessor_error(m[5]));
         } else if (std::regex_match(line, m, nvidia)) {
             add(m[2] == "error", m[1], 0, false, m[3]);
         } else if (std::regex_match(line, m, angle)) {

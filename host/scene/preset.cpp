@@ -170,10 +170,10 @@ void Reader::read_scene_key(const toml::table& root) {
     const toml::node* node = root.get("scene");
     const auto name = node ? node->value<std::string>() : std::nullopt;
     if (!is_name(name)) {
-        const Place where = node ? place(node->source()) : Place{preset_.file.string(), 1, 1};
         result_.diagnostics.push_back(
-            {Severity::error, where,
-             "the scene is missing; write scene = \"NAME.frag\", relative to this file"});
+            {Severity::error, node ? place(node->source()) : Place{preset_.file.string(), 1, 1},
+             fmt::format("the scene is {}; write scene = \"NAME.frag\", relative to this file",
+                         node ? "no file's name" : "missing")});
         return;
     }
     fs::path file = preset_.file.parent_path() / *name;

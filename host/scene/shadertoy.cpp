@@ -139,6 +139,10 @@ void add_tab(Shadertoy& shader, ShadertoyTab tab, const fs::path& file, Diagnost
              true});
 }
 
+bool is_beyond_channels(const ShadertoyInput& input) {
+    return input.channel < 0 || input.channel > 3;
+}
+
 class JsonReader {
 public:
     JsonReader(const fs::path& file, Diagnostics& diagnostics)
@@ -150,6 +154,7 @@ private:
     std::vector<std::string> tab_names(const Json& passes);
     std::optional<ShadertoyTab> tab(const std::string& name, const Json& pass,
                                     const std::map<std::string, std::string>& tab_of_id);
+    void warn_of(const ShadertoyInput& input, const std::string& tab);
     void error(const std::string& text) {
         diagnostics_.push_back({Severity::error, {file_.string()}, text, true});
     }
@@ -187,9 +192,31 @@ std::optional<ShadertoyTab> JsonReader::tab(const std::string& name, const Json&
     const Json& inputs = member(pass, "inputs");
     if (inputs.is_array())
         for (const Json& input : inputs) tab.inputs.push_back(read_input(input, tab_of_id));
-    std::erase_if(tab.inputs,
-                  [](const ShadertoyInput& read) { return read.channel < 0 || read.channel > 3; });
+    for (const ShadertoyInput& input : tab.inputs) warn_of(input, name);
+    std::erase_if(tab.inputs, is_beyond_channels);
     return tab;
+}
+
+void JsonReader::warn_of(const ShadertoyInput& input, const std::string& tab) {
+    constexpr std::array<std::string_view, 4> kFilters = {"", "nearest", "linear", "mipmap"};
+    constexpr std::array<std::string_view, 3> kWraps = {"", "clamp", "repeat"};
+    const auto warn = [&](const std::string& what) {
+        diagnostics_.push_back({Severity::warning,
+                                {file_.string()},
+                                fmt::format("the tab {}: {}", in_quotes(tab), what)});
+    };
+    if (is_beyond_channels(input))
+        return warn("an input has no channel from 0 to 3, and is left out");
+    if (std::ranges::find(kFilters, input.filter) == kFilters.end())
+        warn(
+            fmt::format("channel {} has the filter {}, which the site has not; choose nearest, "
+                        "linear or mipmap",
+                        input.channel, in_quotes(input.filter)));
+    if (std::ranges::find(kWraps, input.wrap) == kWraps.end())
+        warn(
+            fmt::format("channel {} has the wrap {}, which the site has not; choose clamp or "
+                        "repeat",
+                        input.channel, in_quotes(input.wrap)));
 }
 
 std::optional<Shadertoy> JsonReader::shader(const Json& outer) {

@@ -9,9 +9,12 @@
 #include "verbs/show.h"
 #include "verbs/verb.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 namespace glint {
 namespace {
@@ -37,6 +40,15 @@ bool is_drawn_by_glint(const std::filesystem::path& file) {
     return head.starts_with("\x89PNG") && head.find("glint:scene") != head.npos;
 }
 
+// One that may not be read would look as if nothing were in it.
+void require_listable(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::directory_iterator(folder, error);
+    if (!error) return;
+    say_error(fmt::format("Cannot read {}: {}.", folder.string(), error.message()));
+    throw Stop(ExitCode::missing_file);
+}
+
 void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     std::error_code error;
     const bool browses =
@@ -44,6 +56,7 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
         (std::filesystem::is_directory(options.file, error) && !is_shadertoy(options.file));
     // A window that waits for a file to appear would keep silent about a name that was mistyped.
     if (!browses && !std::filesystem::exists(options.file, error)) open_preset(options);
+    if (browses && !options.file.empty()) require_listable(options.file);
     if (show_in_window(shown_in_window(options))) return;
     if (browses) return say_first_commands(options.file);
     StillOptions still;

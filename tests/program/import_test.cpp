@@ -395,10 +395,14 @@ TEST_F(Import, WhatIsStrangeInAnInputLeavesTheRestAsItIs) {
     inputs.push_back("text");
     inputs.push_back(nullptr);
     inputs[0]["sampler"] = 3;
+    inputs[1]["sampler"]["filter"] = "trilinear";
     json["renderpass"][3]["inputs"] = 5;
     write("odd.json", json.dump());
     const Outcome outcome = glint({"import", "odd.json", "-o", "odd.frag"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* told : {"the tab 'image': an input has no channel from 0 to 3",
+                             "the tab 'image': channel 1 has the filter 'trilinear'"})
+        EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err;
     write("good.json", Json{{"renderpass", chain(257, 258, 37)}}.dump());
     ASSERT_EQ(glint({"import", "good.json", "-o", "good.frag"}).code, 0);
     EXPECT_EQ(draw("odd.frag", 3), draw("good.frag", 3));

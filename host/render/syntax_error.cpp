@@ -1,0 +1,275 @@
+#include "render/syntax_error.h"
+
+#include "base/diagnostic.h"
+#include "glsl/parser.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace glint {
+namespace {
+
+constexpr std::string_view kBegin = "syntax error, unexpected ";
+constexpr std::string_view kExpecting = ", expecting ";
+constexpr std::string_view kEnd = "end of file";
+
+constexpr std::array<std::string_view, 34> kTypes = {
+    "void",   "float",     "int",       "uint",        "bool",       "vec2",      "vec3",
+    "vec4",   "ivec2",     "ivec3",     "ivec4",       "uvec2",      "uvec3",     "uvec4",
+    "bvec2",  "bvec3",     "bvec4",     "mat2",        "mat3",       "mat4",      "mat2x3",
+    "mat2x4", "mat3x2",    "mat3x4",    "mat4x2",      "mat4x3",     "mat2x2",    "mat3x3",
+    "mat4x4", "sampler2D", "sampler3D", "samplerCube", "isampler2D", "usampler2D"};
+constexpr std::array<std::string_view, 10> kQualifiers = {
+    "const", "in", "out", "inout", "uniform", "flat", "highp", "mediump", "lowp", "invariant"};
+
+// What other languages call them.
+constexpr std::pair<std::string_view, std::string_view> kForeignTypes[] = {
+    {"float1", "float"},  {"float2", "vec2"},   {"float3", "vec3"},
+    {"float4", "vec4"},   {"half", "float"},    {"half2", "vec2"},
+    {"half3", "vec3"},    {"half4", "vec4"},    {"int2", "ivec2"},
+    {"int3", "ivec3"},    {"int4", "ivec4"},    {"uint2", "uvec2"},
+    {"uint3", "uvec3"},   {"uint4", "uvec4"},   {"bool2", "bvec2"},
+    {"bool3", "bvec3"},   {"bool4", "bvec4"},   {"float2x2", "mat2"},
+    {"float3x3", "mat3"}, {"float4x4", "mat4"}, {"vec2f", "vec2"},
+    {"vec3f", "vec3"},    {"vec4f", "vec4"},    {"f32", "float"},
+    {"i32", "int"},       {"u32", "uint"},      {"real", "float"},
+    {"scalar", "float"},  {"boolean", "bool"},  {"integer", "int"},
+    {"unsigned", "uint"}, {"number", "float"},  {"Texture2D", "sampler2D"}};
+constexpr std::array<std::string_view, 5> kWithoutType = {"let", "var", "auto", "def", "fn"};
+
+struct Complaint {
+    std::string_view unexpected;
+    std::vector<std::string> expected;  // in a person's words, the likeliest first
+
+    bool expects(std::string_view what) const {
+        return std::ranges::find(expected, what) != expected.end();
+    }
+};
+
+std::string in_words(std::string_view token) {
+    if (token.ends_with("IDENTIFIER")) return "a name";
+    if (token == "FIELD_SELECTION") return "a component, such as x,";
+    if (token == "INTCONSTANT" || token.starts_with("INTEGER")) return "a whole number";
+    if (token == "NEWLINE") return "the line's end";
+    if (token == "DEFINED") return "'defined'";
+    return std::string(token);
+}
+
+std::optional<Complaint> parse(std::string_view words) {
+    if (!words.starts_with(kBegin)) return std::nullopt;
+    words.remove_prefix(kBegin.size());
+    const std::size_t comma = std::min(words.find(kExpecting), words.size());
+    Complaint complaint{words.substr(0, comma), {}};
+    words.remove_prefix(std::min(comma + kExpecting.size(), words.size()));
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(" or "), words.size());
+        std::string what = in_words(words.substr(0, end));
+        if (!complaint.expects(what)) complaint.expected.push_back(std::move(what));
+        words.remove_prefix(std::min(end + 4, words.size()));
+    }
+    // A list goes on with a comma nearly everywhere; something else is meant more often.
+    std::ranges::stable_partition(complaint.expected,
+                                  [](const std::string& what) { return what != "','"; });
+    return complaint;
+}
+
+// The tokens round the one that is complained of.
+class Around {
+public:
+    Around(std::span<const Token> tokens, std::size_t at) : tokens_(tokens), at_(at) {
+        for (std::size_t i = 0; i < std::min(at, tokens.size()); ++i) follow_brackets(i);
+    }
+
+    bool is(std::ptrdiff_t away, std::string_view text) const { return word(away) == text; }
+    std::string_view word(std::ptrdiff_t away) const {
+        const std::size_t i = index(away);
+        return i < tokens_.size() ? tokens_[i].text : "";
+    }
+    std::size_t index(std::ptrdiff_t away) const {
+        return at_ + static_cast<std::size_t>(away);  // before the first: beyond the last
+    }
+    bool is_known_type(std::ptrdiff_t away) const {
+        if (is_one_of(word(away), kTypes)) return true;
+        for (std::size_t i = 1; i < std::min(at_, tokens_.size()); ++i)
+            if (tokens_[i].text == word(away) && tokens_[i - 1].is("struct")) return true;
+        return false;
+    }
+    bool is_reserved(std::ptrdiff_t away) const {
+        return is_keyword(word(away)) || is_one_of(word(away), kTypes) ||
+               is_one_of(word(away), kQualifiers);
+    }
+    bool is_name(std::ptrdiff_t away) const {
+        const std::size_t i = index(away);
+        return i < tokens_.size() && tokens_[i].is_word() && !is_reserved(away) &&
+               !is_known_type(away);
+    }
+    // Whether a declaration may begin there.
+    bool begins(std::ptrdiff_t away) const {
+        static constexpr std::array<std::string_view, 8> kBefore = {"",  "{", "}", ";",
+                                                                    "(", ")", ",", "else"};
+        return is_one_of(word(away - 1), kBefore) || is_one_of(word(away - 1), kQualifiers);
+    }
+    // The innermost bracket that is open there.
+    std::optional<std::size_t> open() const {
+        return open_.empty() ? std::nullopt : std::optional(open_.back());
+    }
+    bool is_in_function() const { return !open_.empty() && tokens_[open_.front()].is("{"); }
+    // Whether something stands before it, on another line.
+    bool is_on_a_later_line() const {
+        return index(-1) < tokens_.size() && (at_ >= tokens_.size() || tokens_[at_].begins_line);
+    }
+    // Where a function's head begins that ends before the token, with its type.
+    std::optional<std::size_t> head() const {
+        std::size_t i = index(-1);
+        if (!is(-1, ")")) return std::nullopt;
+        for (int depth = 0; i < tokens_.size(); --i) {
+            depth += tokens_[i].is(")") ? 1 : tokens_[i].is("(") ? -1 : 0;
+            if (depth == 0) break;
+        }
+        const bool is_head =
+            i >= 2 && i < tokens_.size() && tokens_[i - 1].is_word() && tokens_[i - 2].is_word();
+        return is_head ? std::optional(i - 2) : std::nullopt;
+    }
+
+private:
+    void follow_brackets(std::size_t i) {
+        const std::string_view text = tokens_[i].text;
+        if (text == "(" || text == "[" || text == "{") open_.push_back(i);
+        if ((text == ")" || text == "]" || text == "}") && !open_.empty()) open_.pop_back();
+    }
+
+    std::span<const Token> tokens_;
+    std::size_t at_;
+    std::vector<std::size_t> open_;
+};
+
+// "floa x", "const floa x", "floa f(float x)".
+std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around& around) {
+    if (!complaint.unexpected.ends_with("IDENTIFIER")) return std::nullopt;
+    const bool is_before = around.is_name(-1) && around.begins(-1) && !complaint.expects("'('");
+    const bool is_here = complaint.unexpected == "NEW_IDENTIFIER" && around.is_name(1);
+    if (!is_before && !is_here) return std::nullopt;
+    const std::ptrdiff_t away = is_before ? -1 : 0;
+    const std::string_view name = around.word(away);
+    std::string help = did_you_mean(name, std::vector<std::string>(kTypes.begin(), kTypes.end()));
+    for (const auto& [foreign, ours] : kForeignTypes)
+        if (name == foreign) help = fmt::format("; GLSL's is {}", ours);
+    if (is_one_of(name, kWithoutType)) help = "; write the type, such as float";
+    return SyntaxError{fmt::format("{} is no type{}", in_quotes(name), help), around.index(away)};
+}
+
+std::optional<SyntaxError> inner_function(const Around& around) {
+    const auto head = around.head();
+    if (!around.is(0, "{") || !around.is_in_function() || !head) return std::nullopt;
+    return SyntaxError{
+        "a function begins within another one, which GLSL has not; is a '}' missing before it?",
+        *head};
+}
+
+std::optional<SyntaxError> unmatched_bracket(const Complaint& complaint, const Around& around,
+                                             std::span<const Token> tokens) {
+    if (complaint.unexpected == kEnd) {
+        if (!around.open()) return std::nullopt;
+        const std::string_view bracket = tokens[*around.open()].text;
+        const char closing = bracket == "(" ? ')' : bracket == "[" ? ']' : '}';
+        return SyntaxError{fmt::format("this '{}' is never closed; write '{}'", bracket, closing),
+                           *around.open()};
+    }
+    const std::string_view text = around.word(0);
+    const std::string_view opening = text == ")" ? "(" : text == "]" ? "[" : "{";
+    if (text != ")" && text != "]" && text != "}") return std::nullopt;
+    const bool is_alone = !around.open() || (text != "}" && tokens[*around.open()].text != opening);
+    if (!is_alone) return std::nullopt;
+    return SyntaxError{fmt::format("no '{}' is open that this '{}' closes; take it out, or write "
+                                   "the '{}' that is missing",
+                                   opening, text, opening),
+                       around.index(0)};
+}
+
+// What has a name of its own.
+std::optional<std::string> known_mistake(const Complaint& complaint, const Around& around) {
+    const std::string_view text = around.word(0);
+    if (text == "else")
+        return "no 'if' stands before this 'else'; several statements of an 'if' stand in { }";
+    if (around.is(-1, "=") && (text == ">" || text == "<"))
+        return fmt::format("'={0}' is no operator; did you mean '{0}='?", text);
+    const bool is_keyword_as_name = around.is_known_type(-1) || complaint.expects("a name");
+    if (is_keyword_as_name && around.is_reserved(0))
+        return fmt::format("'{}' is a word of GLSL, and a name is expected", text);
+    const bool is_outside = complaint.expects(std::string(kEnd)) && !around.is_in_function();
+    if (is_outside && around.is_name(0))
+        return "outside of functions only declarations stand; move this into one, or write its "
+               "type before it";
+    return std::nullopt;
+}
+
+// The least that can be said of it.
+SyntaxError missing(const Complaint& complaint, const Around& around) {
+    std::vector<std::string> expected = complaint.expected;
+    const std::string here =
+        complaint.unexpected == kEnd ? "the text's end" : in_quotes(around.word(0));
+    if (expected.empty()) {
+        const std::string before = around.word(-1).empty() ? "" : in_quotes(around.word(-1));
+        return {before.empty() ? fmt::format("{} is not expected here", here)
+                               : fmt::format("{} is not expected behind {}", here, before),
+                around.index(0)};
+    }
+    const bool is_behind = around.is_on_a_later_line();
+    if (is_behind && expected.size() > 1 && expected.back() == "','") expected.pop_back();
+    const std::string what = fmt::format("{}", fmt::join(expected, " or "));
+    if (is_behind) return {what + " is missing here", around.index(-1), true};
+    return {fmt::format("{} is missing before {}", what, here), around.index(0)};
+}
+
+// Whether the token there is of the kind that the complaint names.
+bool is_told_of(const Complaint& complaint, const Token& token) {
+    const std::string_view kind = complaint.unexpected;
+    if (kind.starts_with('\'')) return kind.substr(1, kind.size() - 2) == token.text;
+    if (kind.ends_with("IDENTIFIER")) return token.is_word();
+    if (kind.ends_with("CONSTANT")) return token.kind == TokenKind::number || token.is_word();
+    return kind != kEnd;
+}
+
+}  // namespace
+
+std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<const Token> tokens,
+                                             std::size_t at) {
+    const std::optional<Complaint> complaint = parse(words);
+    if (!complaint) return std::nullopt;
+    if (complaint->unexpected == kEnd) at = tokens.size();
+    if (at > tokens.size()) return std::nullopt;
+    if (at < tokens.size() && !is_told_of(*complaint, tokens[at])) return std::nullopt;
+    const Around around(tokens, at);
+    if (auto error = unmatched_bracket(*complaint, around, tokens)) return error;
+    if (at < tokens.size()) {
+        if (auto error = unknown_type(*complaint, around)) return error;
+        if (auto error = inner_function(around)) return error;
+        if (auto text = known_mistake(*complaint, around)) return SyntaxError{std::move(*text), at};
+    }
+    return missing(*complaint, around);
+}
+
+std::string read_preprocessor_error(std::string words) {
+    const std::optional<Complaint> complaint = parse(words);
+    if (!complaint) return words;
+    if (complaint->unexpected == "HASH_TOKEN")
+        return complaint->expected.empty()
+                   ? "'#' stands at the beginning of a line alone"
+                   : "'#' stands at the beginning of a line alone: no macro of GLSL ES makes text "
+                     "of its arguments";
+    if (complaint->unexpected == "NEWLINE")
+        return complaint->expected.empty() ? "the line ends too soon"
+                                           : fmt::format("the line ends too soon: {} is missing",
+                                                         fmt::join(complaint->expected, " or "));
+    if (complaint->expected.empty())
+        return "this is not expected here; behind #if stand whole numbers, names, operators and "
+               "defined()";
+    return fmt::format("{} is expected here", fmt::join(complaint->expected, " or "));
+}
+
+}  // namespace glint

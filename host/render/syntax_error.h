@@ -1,0 +1,28 @@
+// What a driver means by "syntax error", in words for who wrote the text.
+#pragma once
+
+#include "glsl/token.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+struct SyntaxError {
+    std::string text;        // what is wrong, and what to do
+    std::size_t token = 0;   // where
+    bool is_behind = false;  // that token, in whose line something is missing
+};
+
+// Reads "syntax error, unexpected X, expecting Y or Z", as Bison writes it with Mesa's names of
+// tokens, of the token `at` of a text (the count: its end). Nothing for other complaints, and where
+// another token stands there than the complaint says.
+std::optional<SyntaxError> read_syntax_error(std::string_view complaint,
+                                             std::span<const Token> tokens, std::size_t at);
+
+// The same of the preprocessor, of which no token tells more; `complaint` where it is another one.
+std::string read_preprocessor_error(std::string complaint);
+
+}  // namespace glint

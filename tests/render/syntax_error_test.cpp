@@ -1,0 +1,122 @@
+// What a person is told of a text that is no GLSL: what is missing, and where.
+#include "fixture.h"
+
+namespace glint::syntax_error_test {
+namespace {
+
+using SyntaxErrors = GlTest;
+
+std::string first_complaint(const std::string& text) {
+    const TestFolder folder;
+    const ReadPreset read = read_scene_text(folder, text, {});
+    const Diagnostics list =
+        read.preset ? compile_scene(*read.preset, {.root = kImagePass, .program = {}}).diagnostics
+                    : read.diagnostics;
+    if (list.empty()) return "";
+    const Place& place = list.front().place;
+    return fmt::format("{}:{}: {}", place.line, place.column, list.front().text);
+}
+
+std::string in_image(const std::string& statements) {
+    return "void mainImage(out vec4 c, in vec2 p) {\n" + statements + "\nc = vec4(1);\n}\n";
+}
+
+TEST_F(SyntaxErrors, StandWhereSomethingIsMissing) {
+    EXPECT_EQ(first_complaint(in_image("float x = 1.0   // one\n")), "2:14: ';' is missing here");
+    EXPECT_EQ(first_complaint(in_image("float x = f(1.0")), "2:16: ')' is missing here");
+    EXPECT_EQ(first_complaint(in_image("float x = 1.0 2.0;")),
+              "2:15: ';' or ',' is missing before '2.0'");
+    EXPECT_EQ(first_complaint(in_image("c.rgb = vec3(1.0, 2.0 3.0);")),
+              "2:23: ')' or ',' is missing before '3.0'");
+    EXPECT_EQ(first_complaint(in_image("if c.x < 1.0 c = vec4(0);")),
+              "2:4: '(' is missing before 'c'");
+    EXPECT_EQ(first_complaint(in_image("c = vec4(1.0) * ;")),
+              "2:17: ';' is not expected behind '*'");
+    EXPECT_EQ(first_complaint("struct S { float a }; " + in_image("")),
+              "1:20: ';' or ',' is missing before '}'");
+    EXPECT_EQ(first_complaint("vec3 a = vec3(1)\n" + in_image("")), "1:17: ';' is missing here");
+    EXPECT_EQ(first_complaint(in_image("") + "int a"), "5:6: ';' is missing here");
+    EXPECT_EQ(first_complaint(in_image("c = c.;")),
+              "2:7: a component, such as x, is missing before ';'");
+}
+
+TEST_F(SyntaxErrors, NameBracketsWithoutTheirPartner) {
+    EXPECT_EQ(first_complaint("void mainImage(out vec4 c, in vec2 p) {\n  c = vec4(1);\n\n"),
+              "1:39: this '{' is never closed; write '}'");
+    EXPECT_EQ(first_complaint(in_image("") + "}"),
+              "5:1: no '{' is open that this '}' closes; take it out, or write the '{' that is "
+              "missing");
+    EXPECT_EQ(first_complaint(in_image("c = vec4(1));")),
+              "2:12: no '(' is open that this ')' closes; take it out, or write the '(' that is "
+              "missing");
+}
+
+TEST_F(SyntaxErrors, NameTypesThatAreNone) {
+    const std::string in_function = "2:1: 'floa' is no type; did you mean 'float'?";
+    EXPECT_EQ(first_complaint(in_image("floa x = 1.0;")), in_function);
+    EXPECT_EQ(first_complaint(in_image("const floa x = 1.0;")),
+              "2:7: 'floa' is no type; did you mean 'float'?");
+    const std::string at_the_start = "1:1: 'floa' is no type; did you mean 'float'?";
+    EXPECT_EQ(first_complaint("floa f(float x) { return x; }\n" + in_image("")), at_the_start);
+    EXPECT_EQ(first_complaint("float f(in floa x) { return x; }\n" + in_image("")),
+              "1:12: 'floa' is no type; did you mean 'float'?");
+    EXPECT_EQ(first_complaint("struct S { floa x; };\n" + in_image("")),
+              "1:12: 'floa' is no type; did you mean 'float'?");
+    EXPECT_EQ(first_complaint(in_image("float3 x;")), "2:1: 'float3' is no type; GLSL's is vec3");
+    EXPECT_EQ(first_complaint(in_image("let x = 1.0;")),
+              "2:1: 'let' is no type; write the type, such as float");
+    EXPECT_EQ(first_complaint("struct Ray { vec3 o; };\n" + in_image("Ray float;")),
+              "3:5: 'float' is a word of GLSL, and a name is expected");
+}
+
+TEST_F(SyntaxErrors, NameWhatGlslHasNot) {
+    EXPECT_EQ(first_complaint(in_image("float f(float x) { return x; }")),
+              "2:1: a function begins within another one, which GLSL has not; is a '}' missing "
+              "before it?");
+    EXPECT_EQ(first_complaint(in_image("if (p.x => 1.0) c = vec4(0);")),
+              "2:10: '=>' is no operator; did you mean '>='?");
+    EXPECT_EQ(first_complaint(in_image("else c = vec4(0);")),
+              "2:1: no 'if' stands before this 'else'; several statements of an 'if' stand in { }");
+    EXPECT_EQ(first_complaint(in_image("float in = 1.0;")),
+              "2:7: 'in' is a word of GLSL, and a name is expected");
+    EXPECT_EQ(first_complaint(in_image("") + "speed = 3.0;"),
+              "5:1: outside of functions only declarations stand; move this into one, or write its "
+              "type before it");
+}
+
+TEST_F(SyntaxErrors, TellOfThePreprocessorsLines) {
+    EXPECT_EQ(first_complaint("#define F(x,\n" + in_image("")),
+              "1:13: the line ends too soon: a name is missing");
+    EXPECT_EQ(first_complaint("#if 1 +\n#endif\n" + in_image("")), "1:8: the line ends too soon");
+    EXPECT_EQ(first_complaint("#ifdef 3\n#endif\n" + in_image("")), "1:8: a name is expected here");
+    EXPECT_EQ(first_complaint(in_image("c = vec4(1 + #2);")),
+              "2:14: '#' stands at the beginning of a line alone");
+    EXPECT_EQ(first_complaint("#if 1.5 > 1\n#endif\n" + in_image("")),
+              "1:12: this is not expected here; behind #if stand whole numbers, names, operators "
+              "and defined()");
+}
+
+// Mesa's grammar knows tokens by names of its own.
+TEST_F(SyntaxErrors, NeverSpeakOfADriversTokens) {
+    for (const std::string statement :
+         {"1 2", "x 1u", "float 3", "for for", "c = true false;", "c += += 1.0;", "c = vec4(&&);",
+          "int[ x", "return return", "void void", "switch (1) { case: }", "do { } c;", "c.1;",
+          "layout layout", "struct struct", "const const", "c = (1.0 ? : 2.0);", "++ ++;",
+          "<< 1"}) {
+        const std::string told = first_complaint(in_image(statement));
+        EXPECT_FALSE(told.empty()) << statement;
+        EXPECT_EQ(told.find("syntax error"), told.npos) << statement << ": " << told;
+        for (const char* name : {"_TOK", "_OP", "IDENTIFIER", "CONSTANT", "SELECTION", "ASSIGN"})
+            EXPECT_EQ(told.find(name), told.npos) << statement << ": " << told;
+    }
+}
+
+TEST_F(SyntaxErrors, OfWhatAMacroStandsForTellOfBoth) {
+    const std::string told = first_complaint("#define ONE 1.0;\n" + in_image("c = vec4(ONE);"));
+    EXPECT_TRUE(
+        told.starts_with("3:10: ')' or ',' is missing before ';' (in what ONE stands for, "))
+        << told;
+}
+
+}  // namespace
+}  // namespace glint::syntax_error_test
