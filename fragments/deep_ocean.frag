@@ -78,7 +78,7 @@ uniform float exposure;        //@ 0.3 [-4, 6] unit=stop "before the display cur
 //@ group Quality
 uniform int   march;           //@ 0 {bounded, even} norandom "steps to the floor; even: to compare"
 uniform int   marchSteps; //@ 256 [16, 1024] log quality reference=1024 second=march=even "of a ray to the floor"
-uniform int   shaftSamples;    //@ 12 [1, 256] log quality reference=256 "along one view ray"
+uniform int   shaftSamples;    //@ 16 [1, 256] log quality reference=256 "along one view ray"
 uniform int   antialias;       //@ 1 [1, 16] quality reference=16 "samples of a pixel"
 uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and tears are cut out"
 

@@ -73,7 +73,7 @@ uniform float targetShift;     //@ 0.0 [-5, 5] unit=m "of the point looked at, t
 uniform float focalLength;     //@ 21 [12, 120] log unit=mm "of a lens on 36 x 24 mm film"
 uniform float exposure;        //@ 0.0 [-4, 4] unit=stop "before the display curve"
 //@ group Quality
-uniform int   bounces;         //@ 6 [1, 24] quality reference=24 "rays followed for a pixel"
+uniform int   bounces;         //@ 8 [1, 24] quality reference=24 "rays followed for a pixel"
 uniform int   shadowSamples; //@ 1 [1, 64] log quality reference=64 second=shadows=sampled "cones to each lamp"
 uniform int   glowSamples;     //@ 2 [1, 32] log quality reference=32 "points along a ray's glow"
 
