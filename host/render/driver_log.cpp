@@ -4,6 +4,7 @@
 #include "glsl/finding.h"
 #include "glsl/parser.h"
 #include "glsl/preprocess.h"
+#include "render/advice.h"
 #include "render/syntax_error.h"
 #include "scene/builtin.h"
 
@@ -51,10 +52,13 @@ public:
 
     // "; did you mean 'density'?" of a name that is not declared, or "". Nor are the `unknown`
     // ones.
-    std::string meant_by(std::string_view mistyped,
-                         const std::set<std::string, std::less<>>& unknown) const;
+    std::string help_with(std::string_view name,
+                          const std::set<std::string, std::less<>>& unknown) const;
 
 private:
+    bool is_declared_below(std::string_view name) const;
+    std::string meant_by(std::string_view mistyped,
+                         const std::set<std::string, std::less<>>& unknown) const;
     void find_lines();
     std::size_t offset(int line, int column) const;
     Spot expanded_spot(int line, int column) const;
@@ -193,6 +197,24 @@ Place ReadText::first(std::string_view name) const {
     for (const Token& token : read_.tokens)
         if (token.is(name) && pass_.origin(token.begin)) return place(token.begin);
     return Place{scene_.files.front().string()};
+}
+
+// Outside of functions; what stands above would be known.
+bool ReadText::is_declared_below(std::string_view name) const {
+    int depth = 0;
+    for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
+        const std::string_view text = read_.tokens[i].text;
+        depth += text == "{" || text == "(" ? 1 : text == "}" || text == ")" ? -1 : 0;
+        if (depth == 0 && text == name && read_.tokens[i - 1].is_word()) return true;
+    }
+    return false;
+}
+
+std::string ReadText::help_with(std::string_view name,
+                                const std::set<std::string, std::less<>>& unknown) const {
+    if (is_declared_below(name)) return "; it stands below, and GLSL reads in order: move it up";
+    const std::string foreign = advice_on_foreign_function(name);
+    return foreign.empty() ? meant_by(name, unknown) : foreign;
 }
 
 std::string ReadText::meant_by(std::string_view mistyped,
@@ -370,8 +392,9 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
                          std::string words) {
         if (words.starts_with("Error: ")) words.erase(0, 7);  // which it is anyway
         if (!read) read.emplace(scene, text);
+        words += advice_on_types(words);
         if (const std::string name = unknown_name(words); !name.empty())
-            words += read->meant_by(name, unknown);
+            words += read->help_with(name, unknown);
         if (const std::string name = recursive_name(words); !name.empty()) {
             list.push_back({Severity::error, read->first(name),
                             name + " calls itself, at once or by way of others; GLSL has no "

@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "glsl/parser.h"
+#include "render/advice.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,21 +27,6 @@ constexpr std::array<std::string_view, 34> kTypes = {
     "mat4x4", "sampler2D", "sampler3D", "samplerCube", "isampler2D", "usampler2D"};
 constexpr std::array<std::string_view, 10> kQualifiers = {
     "const", "in", "out", "inout", "uniform", "flat", "highp", "mediump", "lowp", "invariant"};
-
-// What other languages call them.
-constexpr std::pair<std::string_view, std::string_view> kForeignTypes[] = {
-    {"float1", "float"},  {"float2", "vec2"},   {"float3", "vec3"},
-    {"float4", "vec4"},   {"half", "float"},    {"half2", "vec2"},
-    {"half3", "vec3"},    {"half4", "vec4"},    {"int2", "ivec2"},
-    {"int3", "ivec3"},    {"int4", "ivec4"},    {"uint2", "uvec2"},
-    {"uint3", "uvec3"},   {"uint4", "uvec4"},   {"bool2", "bvec2"},
-    {"bool3", "bvec3"},   {"bool4", "bvec4"},   {"float2x2", "mat2"},
-    {"float3x3", "mat3"}, {"float4x4", "mat4"}, {"vec2f", "vec2"},
-    {"vec3f", "vec3"},    {"vec4f", "vec4"},    {"f32", "float"},
-    {"i32", "int"},       {"u32", "uint"},      {"real", "float"},
-    {"scalar", "float"},  {"boolean", "bool"},  {"integer", "int"},
-    {"unsigned", "uint"}, {"number", "float"},  {"Texture2D", "sampler2D"}};
-constexpr std::array<std::string_view, 5> kWithoutType = {"let", "var", "auto", "def", "fn"};
 
 struct Complaint {
     std::string_view unexpected;
@@ -157,9 +143,7 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
     const std::ptrdiff_t away = is_before ? -1 : 0;
     const std::string_view name = around.word(away);
     std::string help = did_you_mean(name, std::vector<std::string>(kTypes.begin(), kTypes.end()));
-    for (const auto& [foreign, ours] : kForeignTypes)
-        if (name == foreign) help = fmt::format("; GLSL's is {}", ours);
-    if (is_one_of(name, kWithoutType)) help = "; write the type, such as float";
+    if (std::string ours = advice_on_foreign_type(name); !ours.empty()) help = std::move(ours);
     return SyntaxError{fmt::format("{} is no type{}", in_quotes(name), help), around.index(away)};
 }
 

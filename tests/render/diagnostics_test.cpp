@@ -513,5 +513,26 @@ TEST(DriverLog, ColumnsForgetWhatTheHostInserted) {
     }
 }
 
+TEST_F(Complaints, SayWhatToDo) {
+    const auto told = [](const std::string& statement, const std::string& below = "") {
+        return to_text(complaints("void mainImage(out vec4 c, in vec2 p) { c = vec4(1); " +
+                                  statement + " }\n" + below));
+    };
+    const std::pair<std::string, const char*> cases[] = {
+        {told("float x = 1;"), "; GLSL ES makes no int a float by itself: write 1.0 for 1"},
+        {told("c *= p.x * 2;"), "; GLSL ES makes no int a float by itself: write 2.0 for 2"},
+        {told("int i = p.x;"), "; write int(x)"},
+        {told("c.x = p.x % 2.0;"), "; of floats mod(a, b) is left"},
+        {told("c.x = lerp(0.0, 1.0, 0.5);"), "'lerp'; GLSL's is mix"},
+        {told("c.x = later(0.5);", "float later(float x) { return x; }\n"),
+         "'later'; it stands below, and GLSL reads in order: move it up"},
+        {told("c.x = kLater;", "const float kLater = 1.0, kLast = 2.0;\n"),
+         "`kLater' undeclared; it stands below, and GLSL reads in order: move it up"}};
+    for (const auto& [text, advice] : cases) EXPECT_NE(text.find(advice), text.npos) << text;
+    // A parameter of another function is none of this one's.
+    const std::string other = told("c.x = inner;", "float f(float inner) { return inner; }\n");
+    EXPECT_EQ(other.find("stands below"), other.npos) << other;
+}
+
 }  // namespace
 }  // namespace glint::diagnostics_test

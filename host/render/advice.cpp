@@ -1,0 +1,89 @@
+#include "render/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+namespace glint {
+namespace {
+
+using Foreign = std::pair<std::string_view, std::string_view>;
+
+// Of HLSL, Metal, WGSL and languages that are none of shaders.
+constexpr Foreign kTypes[] = {
+    {"float1", "float"},  {"float2", "vec2"},   {"float3", "vec3"},
+    {"float4", "vec4"},   {"half", "float"},    {"half2", "vec2"},
+    {"half3", "vec3"},    {"half4", "vec4"},    {"int2", "ivec2"},
+    {"int3", "ivec3"},    {"int4", "ivec4"},    {"uint2", "uvec2"},
+    {"uint3", "uvec3"},   {"uint4", "uvec4"},   {"bool2", "bvec2"},
+    {"bool3", "bvec3"},   {"bool4", "bvec4"},   {"float2x2", "mat2"},
+    {"float3x3", "mat3"}, {"float4x4", "mat4"}, {"vec2f", "vec2"},
+    {"vec3f", "vec3"},    {"vec4f", "vec4"},    {"f32", "float"},
+    {"i32", "int"},       {"u32", "uint"},      {"real", "float"},
+    {"scalar", "float"},  {"boolean", "bool"},  {"integer", "int"},
+    {"unsigned", "uint"}, {"number", "float"},  {"Texture2D", "sampler2D"}};
+constexpr std::array<std::string_view, 5> kWithoutType = {"let", "var", "auto", "def", "fn"};
+
+constexpr Foreign kFunctions[] = {{"lerp", "mix"},
+                                  {"frac", "fract"},
+                                  {"saturate", "clamp(x, 0.0, 1.0)"},
+                                  {"fmod", "mod"},
+                                  {"atan2", "atan"},
+                                  {"rsqrt", "inversesqrt"},
+                                  {"ddx", "dFdx"},
+                                  {"ddy", "dFdy"},
+                                  {"mul", "the operator *"},
+                                  {"mad", "a * b + c"},
+                                  {"fma", "a * b + c"},
+                                  {"rcp", "1.0 / x"},
+                                  {"tex2D", "texture"},
+                                  {"tex2Dlod", "textureLod"},
+                                  {"texCUBE", "texture"},
+                                  {"clip", "discard"},
+                                  {"fabs", "abs"},
+                                  {"fmin", "min"},
+                                  {"fmax", "max"},
+                                  {"powf", "pow"},
+                                  {"sqrtf", "sqrt"},
+                                  {"sinf", "sin"},
+                                  {"cosf", "cos"},
+                                  {"asfloat", "uintBitsToFloat"},
+                                  {"asuint", "floatBitsToUint"},
+                                  {"asint", "floatBitsToInt"}};
+
+std::string found(std::span<const Foreign> list, std::string_view name) {
+    const auto entry = std::ranges::find(list, name, &Foreign::first);
+    return entry == list.end() ? "" : fmt::format("; GLSL's is {}", entry->second);
+}
+
+}  // namespace
+
+std::string advice_on_foreign_function(std::string_view name) {
+    return found(kFunctions, name);
+}
+
+std::string advice_on_foreign_type(std::string_view name) {
+    if (std::ranges::find(kWithoutType, name) != kWithoutType.end())
+        return "; write the type, such as float";
+    return found(kTypes, name);
+}
+
+std::string advice_on_types(std::string_view complaint) {
+    constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
+    if (complaint.starts_with("could not implicitly convert operands to "))
+        return fmt::format("{}2.0 for 2, or float(i)", kNoChange);
+    if (complaint.starts_with(
+            "initializer of type int cannot be assigned to variable of type float"))
+        return fmt::format("{}1.0 for 1, or float(i)", kNoChange);
+    if (complaint.starts_with(
+            "initializer of type float cannot be assigned to variable of type int"))
+        return "; write int(x)";
+    if (complaint.ends_with("of operator % must be an integer"))
+        return "; of floats mod(a, b) is left";
+    return "";
+}
+
+}  // namespace glint

@@ -1,0 +1,18 @@
+// What to do about a driver's complaint, where it does not say so itself.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+// "; write 1.0 for 1", to be put behind a complaint of Mesa's about types, or "".
+std::string advice_on_types(std::string_view complaint);
+
+// "; GLSL's is mix" of a function that other languages have by this name, or "".
+std::string advice_on_foreign_function(std::string_view name);
+
+// "; GLSL's is vec3" of a type of other languages, or "".
+std::string advice_on_foreign_type(std::string_view name);
+
+}  // namespace glint
