@@ -54,6 +54,15 @@ std::runtime_error cannot_read(const fs::path& file, std::string_view cause) {
     return std::runtime_error(fmt::format("Cannot read {}: {}.", file.string(), cause));
 }
 
+std::runtime_error cannot_decode(const fs::path& file, std::string words) {
+    constexpr std::size_t kLongest = 160;
+    if (words.size() > kLongest) words.replace(kLongest, words.npos, "...");
+    std::ranges::replace(words, '\n', ' ');
+    while (words.ends_with('.') || words.ends_with(' ')) words.pop_back();
+    if (words.empty()) return cannot_read(file, "It is damaged");
+    return cannot_read(file, fmt::format("It is damaged, or of an unknown kind ({})", words));
+}
+
 TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(target) {
     // One by one: the last may point to what is not there yet.
     std::error_code error;

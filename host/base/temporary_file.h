@@ -23,6 +23,9 @@ void require_writable(const std::filesystem::path& target);
 // "Cannot read NAME: CAUSE."
 std::runtime_error cannot_read(const std::filesystem::path& file, std::string_view cause);
 
+// The same of one that a library does not understand; `words` are its own, and may be none.
+std::runtime_error cannot_decode(const std::filesystem::path& file, std::string words);
+
 // Until commit() the target stays as it was; without commit() nothing stays behind.
 class TemporaryFile {
 public:

@@ -218,8 +218,7 @@ void read_into(Room& room, const ReadableFile& in, const char* format) {
     if (room.refusal) std::rethrow_exception(room.refusal);
     const bool has_shape = room.shape_only && room.image.channels > 0;
     if (has_shape) return;
-    throw cannot_read(room.file,
-                      cause[0] ? told_of(room.file, in, cause.data()) : "The picture is damaged");
+    throw cannot_decode(room.file, told_of(room.file, in, cause.data()));
 }
 
 }  // namespace
@@ -278,7 +277,7 @@ PartsFile read_parts(const fs::path& file) {
         return std::move(rooms.content);
     }
     if (rooms.refusal) std::rethrow_exception(rooms.refusal);
-    throw cannot_read(file, cause[0] ? told_of(file, in, cause.data()) : "It is damaged");
+    throw cannot_decode(file, told_of(file, in, cause.data()));
 }
 
 }  // namespace glint

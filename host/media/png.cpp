@@ -199,7 +199,7 @@ struct OpenPng {
     OpenPng(const std::filesystem::path& file, const ReadableFile& in) : from{.file = in, .at = 0} {
         if (!reader.info) throw std::bad_alloc();
         if (!decode_header(reader.png, reader.info, from, header))
-            throw cannot_read(file, reader.failure.message);
+            throw cannot_decode(file, reader.failure.message);
     }
     OpenPng(const OpenPng&) = delete;  // libpng reads through `from`
     OpenPng& operator=(const OpenPng&) = delete;
@@ -274,7 +274,7 @@ Image read_png(const std::filesystem::path& file, const ReadableFile& in) {
     std::byte* narrow = image.pixels.data() + (is_deep ? values * 2 : 0);
     const std::size_t row_bytes = bytes_per_row(image) / (is_deep ? 2 : 1);
     auto rows = rows_top_down(narrow, row_bytes, image.size.y);
-    if (!decode_rows(open.reader.png, rows)) throw cannot_read(file, open.reader.failure.message);
+    if (!decode_rows(open.reader.png, rows)) throw cannot_decode(file, open.reader.failure.message);
     if (is_deep) {
         for (std::size_t i = 0; i < values; ++i) {
             std::uint16_t deep = 0;

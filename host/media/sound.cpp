@@ -51,7 +51,7 @@ Sound read_sound(const fs::path& file) {
     Sound sound;
     std::array<char, 512> cause{};
     if (!module().read(in.descriptor(), take, &sound, cause.data(), cause.size()))
-        throw cannot_read(file, cause.data());
+        throw cannot_decode(file, cause.data());
     if (sound.samples.empty()) throw cannot_read(file, "It holds no sound");
     return sound;
 }

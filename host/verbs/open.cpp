@@ -2,6 +2,7 @@
 
 #include "base/numbered_name.h"
 #include "base/say.h"
+#include "base/terminal.h"
 #include "offline/examples.h"
 #include "offline/import.h"
 #include "offline/still.h"

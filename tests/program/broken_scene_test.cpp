@@ -2,6 +2,8 @@
 #include "command.h"
 #include "media/image.h"
 
+#include <fmt/format.h>
+
 namespace glint::cli::broken_scene_test {
 namespace {
 
@@ -218,6 +220,24 @@ TEST_F(BrokenScene, ATruncatedPictureIsRefusedAtTheLineThatNamesIt) {
         write("cut.png", whole.substr(0, length));
         expect_refused(std::to_string(length) + " bytes are left", 4,
                        "scene.frag:1:19: error: Cannot read cut.png: ");
+    }
+}
+
+// Libraries speak of themselves; first stands what it means.
+TEST_F(BrokenScene, ADamagedPictureOrSoundIsSaidToBe) {
+    const std::pair<const char*, std::string> files[] = {
+        {"a.exr", "\x76\x2f\x31\x01"},      {"a.png", "\x89PNG\r\n\x1a\n"},
+        {"a.jpg", "\xff\xd8\xff\xe0"},      {"a.hdr", "#?RADIANCE\n"},
+        {"a.tif", std::string("II*\0", 4)}, {"a.wav", "RIFF"}};
+    for (const auto& [name, head] : files) {
+        const bool is_sound = std::string(name).ends_with("wav");
+        write(name, head + std::string(300, 'x'));
+        write("scene.frag",
+              fmt::format("uniform sampler2D a; //@ {} {}\n"
+                          "void mainImage(out vec4 c, in vec2 p) {{ c = texture(a, p); }}\n",
+                          is_sound ? "sound" : "image", name));
+        expect_refused(name, 4,
+                       fmt::format("scene.frag:1:19: error: Cannot read {}: It is damaged", name));
     }
 }
 
