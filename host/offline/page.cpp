@@ -76,7 +76,7 @@ void leave_out_unneeded(std::string& page, const nlohmann::ordered_json& plan) {
 bool reads_mouse(const CompiledScene& scene) {
     return std::ranges::any_of(scene.programs, [](const PassProgram& program) {
         return std::ranges::any_of(program.builtins, [](const BuiltinUniform& uniform) {
-            return uniform.builtin == Builtin::mouse || uniform.builtin == Builtin::mouse_2d;
+            return is_of_mouse(uniform.builtin);
         });
     });
 }

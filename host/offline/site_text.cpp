@@ -26,9 +26,9 @@ std::string_view name_there(std::string_view type, const Declarator& declarator,
                             const Reading& reading) {
     const std::string_view name = reading.word(declarator.name);
     if (!is_old_name(type, name) || !declarator.array.empty()) return {};
-    return name == "u_resolution" ? "(iResolution.xy)"
-           : name == "u_mouse"    ? "(iMouse.xy)"
-                                  : "iTime";
+    if (name.ends_with("resolution")) return "(iResolution.xy)";
+    if (name == "u_mouse") return "(iMouse.xy)";
+    return name == "mouse" ? "(iMouse.xy / iResolution.xy)" : "iTime";
 }
 
 // Uniforms that nothing fills are 0. So are the site's globals without a value: browsers see to it.

@@ -81,6 +81,9 @@ std::string advice_on_types(std::string_view complaint) {
     if (complaint.starts_with(
             "initializer of type float cannot be assigned to variable of type int"))
         return "; write int(x)";
+    if (complaint.starts_with("illegal use of reserved word `varying'"))
+        return "; nothing feeds it, for no vertices stand before a picture: write a value of its "
+               "own, such as gl_FragCoord.xy / iResolution.xy";
     if (complaint.ends_with("of operator % must be an integer"))
         return "; of floats mod(a, b) is left";
     return "";

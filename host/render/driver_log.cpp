@@ -357,6 +357,10 @@ Diagnostics without_consequences(const Diagnostics& list) {
     const bool fails = has_errors(list);
     for (const Diagnostic& one : list) {
         if (fails && one.text.ends_with("' used uninitialized")) continue;
+        // Behind a word that no text may have Mesa understands nothing.
+        const bool is_behind_reserved = !left.empty() && one.place.line == left.back().place.line &&
+                                        left.back().text.starts_with("illegal use of reserved");
+        if (is_behind_reserved) continue;
         const auto causes = [&](const Diagnostic& cause) {
             return cause.severity == Severity::error && is_consequence(one, cause);
         };

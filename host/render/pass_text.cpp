@@ -4,6 +4,7 @@
 #include "glsl/lean.h"
 #include "glsl/numbers.h"
 #include "render/own_overloads.h"
+#include "scene/own_main.h"
 #include "scene/scene_text.h"
 
 #include <fmt/format.h>
@@ -219,11 +220,28 @@ std::string before_own_main(const Reading& reading) {
 // Where nothing else draws the picture, it is called from the site's mainImage.
 constexpr std::string_view kBeforePlainMain =
     "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n";
-constexpr std::string_view kBehindPlainMain =
-    "void mainImage(inout vec4 glint_color, in vec2 glint_coord) {\n"
-    "    glFragColor_ = glint_color;\n"
-    "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n"
-    "    main();\n    glint_color = glFragColor_;\n}\n";
+std::string behind_plain_main(const Reading& reading, const Declaration* output) {
+    const std::string_view colour =
+        output ? reading.word(output->names.front().name) : kPlainColour;
+    const bool is_opaque = output && reading.word(output->type) == "vec3";
+    return fmt::format(
+        "void mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
+        "    {0} = glint_color{1};\n"
+        "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n"
+        "    main();\n    glint_color = {2};\n}}\n",
+        colour, is_opaque ? ".rgb" : "",
+        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour));
+}
+
+// A pass has outputs of its own: those of the text become plain variables, of their precision.
+void make_outputs_variables(const Reading& reading, Edits& edits) {
+    for (const Declaration& declaration : reading.declarations) {
+        if (declaration.scope != Scope::global || !declaration.is_out) continue;
+        const TokenRange words = declaration.qualifiers;
+        for (std::uint32_t at = words.begin; at < words.end; ++at)
+            if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");
+    }
+}
 
 std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions& options) {
     std::string parameters, outputs, variables, arguments, results;
@@ -503,6 +521,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (has_main) put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
+    if (plain_main) make_outputs_variables(reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
     else if (probe)
@@ -531,7 +550,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.user_end = result.text.size();
     result.map = std::move(edited.map);
     if (!result.text.ends_with('\n')) result.text += '\n';
-    if (plain_main) result.text += kBehindPlainMain;
+    if (plain_main) result.text += behind_plain_main(reading, colour_output(reading));
     if (is_lean) result.text = without_comments(result.text);
     return result;
 }

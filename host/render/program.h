@@ -27,10 +27,17 @@ enum class Builtin {
     channel_struct,  // size, time and loaded of iCh0..3
     resolution_2d,   // u_resolution, u_mouse: the first two components alone
     mouse_2d,
+    mouse_share,  // mouse of GLSL Sandbox, of the picture's sides
     jitter,  // sub-pixel position, averaged pictures only
     face,    // of a cubemap pass
     origin,  // of a tile of the picture
 };
+
+// Whether it hangs on the mouse.
+constexpr bool is_of_mouse(Builtin builtin) {
+    return builtin == Builtin::mouse || builtin == Builtin::mouse_2d ||
+           builtin == Builtin::mouse_share;
+}
 
 // An active uniform: where it is, and which value belongs there.
 struct BuiltinUniform {

@@ -146,7 +146,7 @@ std::vector<std::size_t> Renderer::inputs_needed() const {
 bool Renderer::reads_mouse() const {
     return std::any_of(scene_.programs.begin(), scene_.programs.end(), [](const PassProgram& p) {
         return std::any_of(p.builtins.begin(), p.builtins.end(), [](const BuiltinUniform& uniform) {
-            return uniform.builtin == Builtin::mouse || uniform.builtin == Builtin::mouse_2d;
+            return is_of_mouse(uniform.builtin);
         });
     });
 }

@@ -30,6 +30,7 @@ void send(GLuint program, const BuiltinUniform& uniform, const Words& value) {
         case Builtin::origin:
         case Builtin::resolution_2d:
         case Builtin::mouse_2d:
+        case Builtin::mouse_share:
             glProgramUniform2fv(program, location, 1, floats);
             break;
         case Builtin::resolution:
@@ -193,6 +194,10 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
         case Builtin::mouse:
         case Builtin::mouse_2d:
             std::copy_n(&frame.input.mouse.x, 4, f.begin());
+            break;
+        case Builtin::mouse_share:
+            f[0] = frame.input.mouse.x / static_cast<float>(options_.size.x);
+            f[1] = frame.input.mouse.y / static_cast<float>(options_.size.y);
             break;
         case Builtin::date:
             std::copy_n(&frame.date.x, 4, f.begin());

@@ -21,8 +21,9 @@ const std::map<std::string_view, HostUniform> kBuiltins = {
 }  // namespace
 
 bool is_old_name(std::string_view type, std::string_view name) {
-    return (type == "float" && (name == "u_time" || name == "iGlobalTime")) ||
-           (type == "vec2" && (name == "u_resolution" || name == "u_mouse"));
+    return (type == "float" && (name == "u_time" || name == "time" || name == "iGlobalTime")) ||
+           (type == "vec2" && (name == "u_resolution" || name == "resolution" ||
+                               name == "u_mouse" || name == "mouse"));
 }
 
 const HostUniform* find_builtin(std::string_view name) {

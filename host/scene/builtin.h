@@ -12,7 +12,7 @@ struct HostUniform {
 };
 
 // Whether it is one that other programs feed and this one too, where the text declares it: u_time,
-// u_resolution and u_mouse of the Book of Shaders.
+// u_resolution and u_mouse of the Book of Shaders, time, resolution and mouse of GLSL Sandbox.
 bool is_old_name(std::string_view type, std::string_view name);
 
 // The built-in of this name, or null.

@@ -7,6 +7,7 @@
 #include "scene/annotation.h"
 #include "scene/builtin.h"
 #include "scene/lint.h"
+#include "scene/own_main.h"
 #include "scene/probe_note.h"
 #include "scene/scene_text.h"
 #include "scene/shadertoy.h"
@@ -19,7 +20,6 @@
 #include <utility>
 
 namespace glint {
-
 namespace {
 
 class Builder {
@@ -123,23 +123,23 @@ bool Builder::misses_a_file() const {
 }
 
 void Builder::check_image() {
-    if (!identifiers_.contains("mainImage") && identifiers_.contains("gl_FragColor"))
-        scene_.image_entry = "main";  // plain GLSL of the web, as in the Book of Shaders
+    if (has_own_main(reading_)) scene_.image_entry = "main";
     if (scene_.image_entry == "mainImage")
         check_function({"mainImage", {"color"}}, "this draws the picture");
-    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound) return;
-    if (misses_a_file()) return;
+    else if (const auto missing = why_no_colour(reading_))
+        error(missing->at, missing->text);
+    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_file()) return;
     const std::string own[] = {"mainImage"};
     for (const Function& function : reading_.functions)
         if (!nearest(reading_.word(function.name), own).empty())
             return error(reading_.place(function.name).begin,
                          "there is no mainImage here; did you mean this one?");
-    const bool is_empty = reading_.written.empty();
     diagnostics_.push_back(
         {Severity::error, Place{source_.files.front().string()},
          fmt::format("{}; write void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ "
                      "fragColor = vec4(fragCoord / iResolution.xy, 0.0, 1.0); }}",
-                     is_empty ? "this file holds no shader" : "there is no mainImage here")});
+                     reading_.written.empty() ? "this file holds no shader"
+                                              : "there is no mainImage here")});
 }
 
 // A note's words, byte for byte, but with space for control characters (tabs too: messages and

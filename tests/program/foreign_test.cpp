@@ -187,6 +187,56 @@ TEST_F(Foreign, AMainOfTheBookOfShadersDraws) {
               std::string::npos);
 }
 
+// GLSL ES 3.00 and desktop GLSL have no gl_FragColor.
+TEST_F(Foreign, AMainMayHaveAnOutputOfItsOwn) {
+    const std::string body = "void main() { colour = vec4(0.4, 0.8, 0.2, 1.0); }\n";
+    for (const std::string& declaration :
+         {std::string("out vec4 colour;\n"), std::string("layout(location = 0) out vec4 colour;\n"),
+          std::string("#version 330 core\nout highp vec4 colour;\n"),
+          std::string("layout(location = 1) out vec4 more;\nout vec4 colour;\n")}) {
+        write("a.glsl", declaration + body);
+        EXPECT_EQ(draw(), (std::array{102, 204, 51})) << declaration << errors_;
+        EXPECT_EQ(errors_, "");
+    }
+    write("a.glsl", "out vec3 color;\nvoid main() { color += vec3(0.4, 0.8, 0.2); }\n");
+    EXPECT_EQ(draw(), (std::array{102, 204, 51})) << errors_;
+    write("a.glsl", "out vec4 colour;\nvoid main() {\n    colour = vec4(nothing);\n}\n");
+    EXPECT_NE(glint({"still", "a.glsl", "-o", "x.png"}).err.find("a.glsl:3:19: error:"),
+              std::string::npos);
+}
+
+TEST_F(Foreign, NamesOfTheSandboxAreFed) {
+    write("a.glsl",
+          "uniform float time;\nuniform vec2 resolution, mouse;\nout vec4 colour;\n"
+          "void main() { colour = vec4(time * 0.5, mouse.x, gl_FragCoord.x / resolution.x * 64.0, "
+          "1.0); }\n");
+    write("box.toml", "scene = \"a.glsl\"\n[[events]]\nt = 0.1\nmouse = [0.5, 0.5]\ndown = true\n");
+    EXPECT_EQ(draw({"--time", "0.8"}), (std::array{102, 0, 128})) << errors_;
+    EXPECT_EQ(errors_, "");
+    ASSERT_EQ(glint({"still", "box.toml", "-o", "box.png", "--size", "64x36", "--time", "1"}).code,
+              0);
+    EXPECT_EQ(std::to_integer<int>(read_image(folder() / "box.png").pixels[1]), 128);
+    write("a.glsl",
+          "uniform float time; //@ 0.4 [0, 1]\nvoid main() { gl_FragColor = vec4(time); }\n");
+    EXPECT_EQ(draw({"--time", "0.8"})[0], 102);
+}
+
+TEST_F(Foreign, AMainThatDrawsNoColourIsSaidToBeAnothers) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"void main() { gl_Position = vec4(0.0); }\n",
+         "a.glsl:1:6: error: this main() is of a vertex shader"},
+        {"void main() { uvec3 i = gl_GlobalInvocationID; }\n",
+         "a.glsl:1:6: error: this main() is of a compute shader"},
+        {"float c;\nvoid main() { c = 1.0; }\n",
+         "a.glsl:2:6: error: this main() writes no colour"}};
+    for (const auto& [text, told] : cases) {
+        write("a.glsl", text);
+        const Outcome outcome = glint({"still", "a.glsl", "-o", "x.png"});
+        EXPECT_EQ(outcome.code, 3) << text;
+        EXPECT_TRUE(outcome.err.starts_with(told)) << outcome.err;
+    }
+}
+
 // 1.00 of GLSL ES has fewer names than 3.00, and lets a text use them.
 TEST_F(Foreign, AMainMayUseWhatItsGlslLeavesFree) {
     const std::string end = "    gl_FragColor = vec4(0.4, 0.8, 0.2, 1.0);\n}\n";

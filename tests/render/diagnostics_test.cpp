@@ -523,6 +523,7 @@ TEST_F(Complaints, SayWhatToDo) {
         {told("c *= p.x * 2;"), "; GLSL ES makes no int a float by itself: write 2.0 for 2"},
         {told("int i = p.x;"), "; write int(x)"},
         {told("c.x = p.x % 2.0;"), "; of floats mod(a, b) is left"},
+        {told("", "varying vec2 uv;\n"), "; nothing feeds it, for no vertices stand before"},
         {told("c.x = lerp(0.0, 1.0, 0.5);"), "'lerp'; GLSL's is mix"},
         {told("c.x = later(0.5);", "float later(float x) { return x; }\n"),
          "'later'; it stands below, and GLSL reads in order: move it up"},

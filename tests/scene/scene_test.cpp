@@ -353,11 +353,16 @@ TEST(Scene, ReportsEveryError) {
 }
 
 TEST(Scene, AFileWithoutAShaderSaysWhatToWrite) {
-    for (const char* text : {"", "\n", "// void mainImage\n", "\xEF\xBB\xBF", "void main() {}"}) {
+    for (const char* text : {"", "\n", "// void mainImage\n", "\xEF\xBB\xBF", "float f;"}) {
         const ReadScene result = read(text);
         EXPECT_FALSE(result.scene);
         EXPECT_NE(all(result.diagnostics).find("write void mainImage("), std::string::npos) << text;
     }
+    const ReadScene idle = read("void main() {}");
+    EXPECT_FALSE(idle.scene);
+    EXPECT_NE(all(idle.diagnostics).find(":1:6: error: this main() writes no colour"),
+              std::string::npos)
+        << all(idle.diagnostics);
 }
 
 TEST(Scene, AMissingFileAndAFolderAreMissing) {

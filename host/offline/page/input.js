@@ -26,7 +26,7 @@ export const makeInput = () => {
             const iMouse = [x, y, held ? clickX : 0 - clickX, isPressed ? clickY : 0 - clickY];
             isPressed = false;
             keys.fill(0, 256, 512);
-            return {iMouse, u_mouse: [x, y], keys: seen};
+            return {iMouse, u_mouse: [x, y], mouse: [x / w, y / h], keys: seen};
         },
     };
 };

@@ -1,0 +1,45 @@
+#include "scene/own_main.h"
+
+namespace glint {
+namespace {
+
+bool is_at_another_location(const Reading& reading, TokenRange qualifiers) {
+    for (std::uint32_t at = qualifiers.begin; at + 2 < qualifiers.end; ++at)
+        if (reading.tokens[at].is("location")) return !reading.tokens[at + 2].is("0");
+    return false;
+}
+
+}  // namespace
+
+bool has_own_main(const Reading& reading) {
+    if (reading.mentions("mainImage")) return false;
+    return reading.mentions("gl_FragColor") || !reading.functions_named("main").empty();
+}
+
+const Declaration* colour_output(const Reading& reading) {
+    for (const Declaration& declaration : reading.declarations) {
+        const std::string_view type = reading.word(declaration.type);
+        const bool is_colour = type == "vec4" || type == "vec3";
+        if (declaration.scope == Scope::global && declaration.is_out && is_colour &&
+            declaration.names.size() == 1 && declaration.names.front().array.empty() &&
+            !is_at_another_location(reading, declaration.qualifiers))
+            return &declaration;
+    }
+    return nullptr;
+}
+
+std::optional<NoColour> why_no_colour(const Reading& reading) {
+    const auto mains = reading.functions_named("main");
+    if (reading.mentions("gl_FragColor") || colour_output(reading) || mains.empty())
+        return std::nullopt;
+    const std::string_view other =
+        reading.mentions("gl_Position")             ? "this main() is of a vertex shader"
+        : reading.mentions("gl_GlobalInvocationID") ? "this main() is of a compute shader"
+                                                    : "this main() writes no colour";
+    return NoColour{reading.place(reading.functions[mains.front()].name).begin,
+                    std::string(other) +
+                        "; a picture is drawn by one that writes gl_FragColor, or a variable that "
+                        "is declared by out vec4 before it"};
+}
+
+}  // namespace glint

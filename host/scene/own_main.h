@@ -1,0 +1,26 @@
+// Texts whose picture is drawn by a main() of their own: GLSL ES 1.00 of the web, which writes
+// gl_FragColor, and GLSL ES 3.00 or desktop GLSL, which declares `out vec4 colour;`.
+#pragma once
+
+#include "glsl/reading.h"
+
+#include <optional>
+#include <string>
+
+namespace glint {
+
+// Where both are there, mainImage draws the picture.
+bool has_own_main(const Reading& reading);
+
+// `out vec4 colour;`, or of type vec3, where it is the picture's; null where the text has none. Of
+// several it is the one at location 0, or else the first.
+const Declaration* colour_output(const Reading& reading);
+
+// What is wrong with a main() that writes no colour, and where, in bytes.
+struct NoColour {
+    std::size_t at = 0;
+    std::string text;
+};
+std::optional<NoColour> why_no_colour(const Reading& reading);
+
+}  // namespace glint
