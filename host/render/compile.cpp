@@ -59,6 +59,19 @@ CompiledPass compile_behind_root(const Preset& preset, std::size_t pass,
     return compile_pass(preset, pass, options, shelf);
 }
 
+void add_named_samplers(const Preset& preset, const ProgramOptions& options, PassProgram& program) {
+    const auto is_read = [&](std::size_t sampler) {
+        return std::ranges::find(program.samplers, sampler, &SamplerUniform::sampler) !=
+               program.samplers.end();
+    };
+    const std::string text = pass_text(preset, program.pass, options).text;
+    for (const std::size_t sampler : samplers_named(preset, program.pass, text)) {
+        const auto unit = static_cast<GLint>(program.samplers.size() + program.unfilled.size());
+        const bool is_filled = sampler_at(preset, sampler).source != Source::none;
+        if (is_filled && !is_read(sampler)) program.samplers.push_back({sampler, unit});
+    }
+}
+
 // A shorter text links faster than a context is made.
 constexpr std::size_t kWorthAThread = 16 * 1024;  // bytes
 
@@ -93,6 +106,7 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
         watch.reset();
         append_once(result.diagnostics, compiled.diagnostics);
         if (!compiled.program) return result;
+        if (options.as_written) add_named_samplers(preset, options.program, *compiled.program);
         reads.push_back(reads_of(preset, *compiled.program));
         programs.push_back(std::move(*compiled.program));
         for (const std::size_t buffer : reads.back().buffers) {

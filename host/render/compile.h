@@ -15,6 +15,9 @@ struct CompileOptions {
     // Where the driver compiles on the processor: passes that fill buffers are linked on another
     // one while the root is. Times of single passes mean nothing then.
     bool side_by_side = false;
+    // What the texts name counts as read, though the driver leaves out what its value does not hang
+    // on: for who looks into variables.
+    bool as_written = false;
 };
 
 // `programs` stand in the order of `graph.passes`. To be drawn with the preset that it was compiled

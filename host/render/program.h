@@ -28,9 +28,9 @@ enum class Builtin {
     resolution_2d,   // u_resolution, u_mouse: the first two components alone
     mouse_2d,
     mouse_share,  // mouse of GLSL Sandbox, of the picture's sides
-    jitter,  // sub-pixel position, averaged pictures only
-    face,    // of a cubemap pass
-    origin,  // of a tile of the picture
+    jitter,       // sub-pixel position, averaged pictures only
+    face,         // of a cubemap pass
+    origin,       // of a tile of the picture
 };
 
 // Whether it hangs on the mouse.

@@ -1,10 +1,6 @@
 #include "render/programs_ahead.h"
 
-#include "glsl/token.h"
-
 #include <algorithm>
-#include <deque>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,19 +8,12 @@
 namespace glint {
 namespace {
 
-// By their words. One that stands in a text once is declared there, and not read.
 std::vector<std::size_t> passes_read(const Preset& preset, std::size_t reader,
                                      const std::string& text) {
-    std::deque<std::string> spellings;
-    const ScannedText scanned = scan(text, spellings);
-    std::map<std::string_view, int> words;
     std::vector<std::size_t> passes;
-    for (const Token& token : scanned.tokens) {
-        if (!token.is_word() || ++words[token.text] != 2) continue;
-        const auto sampler = find_sampler(preset, reader, token.text);
-        if (sampler && sampler_at(preset, *sampler).source == Source::buffer)
-            passes.push_back(sampler_at(preset, *sampler).pass);
-    }
+    for (const std::size_t sampler : samplers_named(preset, reader, text))
+        if (sampler_at(preset, sampler).source == Source::buffer)
+            passes.push_back(sampler_at(preset, sampler).pass);
     return passes;
 }
 

@@ -230,6 +230,11 @@ void Renderer::reset() {
     force_root_ = true;
 }
 
+void Renderer::redraw_all() {
+    for (std::size_t i = 0; i < buffers_.size(); ++i)
+        if (scene_.graph.passes[i].runs == Runs::on_change) forget_drawn(i);
+}
+
 std::vector<PassState> Renderer::state() const {
     std::vector<PassState> list;
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
@@ -476,14 +481,20 @@ bool Renderer::update_versions(std::size_t index) {
     return changed;
 }
 
+// A variant may read what the pass itself does not; such a buffer is empty.
+GLuint Renderer::texture_of(std::size_t index) {
+    const Sampler& sampler = sampler_at(preset_, index);
+    if (sampler.source != Source::buffer) return channels_.channel(index).texture.id();
+    const std::size_t pass = graph_index(sampler.pass);
+    return pass < buffers_.size() ? buffers_[pass]->texture(sampler.output)
+                                  : channels_.empty(sampler.type);
+}
+
 void Renderer::bind_samplers(const PassProgram& program) {
     for (const SamplerUniform& uniform : program.samplers) {
         const auto unit = static_cast<GLuint>(uniform.unit);
         const Sampler& sampler = sampler_at(preset_, uniform.sampler);
-        const GLuint texture = sampler.source == Source::buffer
-                                   ? buffers_[graph_index(sampler.pass)]->texture(sampler.output)
-                                   : channels_.channel(uniform.sampler).texture.id();
-        glBindTextureUnit(unit, texture);
+        glBindTextureUnit(unit, texture_of(uniform.sampler));
         glBindSampler(unit, channels_.sampler_object(sampler));
     }
     for (const UnfilledSampler& uniform : program.unfilled) {

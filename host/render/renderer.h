@@ -86,6 +86,10 @@ public:
     // Buffers to 0 and simulations to their start; everything is drawn again.
     void reset();
 
+    // What nothing has changed is drawn in the next frame nevertheless. What frames before have
+    // left stays as it is.
+    void redraw_all();
+
     // All that the next frame depends on, bit for bit; waits for the GPU.
     std::vector<PassState> state() const;
 
@@ -257,6 +261,7 @@ private:
     void send_all(const PassProgram& program, std::size_t index, const Inputs& inputs);
     bool update_versions(std::size_t index);
     void bind_samplers(const PassProgram& program);
+    GLuint texture_of(std::size_t sampler);
     void draw_calls(std::size_t index, GLuint target);
     void draw_strips(std::size_t index, glm::ivec2 size);
     void draw_once(std::size_t index);

@@ -1,6 +1,10 @@
 #include "scene/passes.h"
 
+#include "glsl/token.h"
+
 #include <algorithm>
+#include <deque>
+#include <map>
 
 namespace glint {
 
@@ -36,6 +40,20 @@ std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
         if (sampler.name == name && is_seen(sampler.tab)) return i;
     }
     return std::nullopt;
+}
+
+std::vector<std::size_t> samplers_named(const Preset& preset, std::size_t reader,
+                                        const std::string& text) {
+    std::deque<std::string> spellings;
+    const ScannedText scanned = scan(text, spellings);
+    std::map<std::string_view, int> words;
+    std::vector<std::size_t> samplers;
+    for (const Token& token : scanned.tokens) {
+        if (!token.is_word() || ++words[token.text] != 2) continue;
+        if (const auto sampler = find_sampler(preset, reader, token.text))
+            samplers.push_back(*sampler);
+    }
+    return samplers;
 }
 
 std::vector<std::string> output_names(const Scene& scene, std::size_t pass) {

@@ -36,6 +36,10 @@ std::size_t sampler_count(const Preset& preset);
 // The one that a pass knows by this name.
 std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
                                         std::string_view name);
+// Those that a pass's text names, by its words. One that stands there once is declared, and not
+// read.
+std::vector<std::size_t> samplers_named(const Preset& preset, std::size_t pass,
+                                        const std::string& text);
 
 // The names of a pass's outputs; the picture has one, "image", and a sound "sound".
 std::vector<std::string> output_names(const Scene& scene, std::size_t pass);

@@ -141,8 +141,9 @@ TEST_F(ProbeFaults, FindAValueThatNothingHasGiven) {
     EXPECT_EQ(fault->what, "a value that nothing has given it");
 }
 
-std::vector<BrokenAssertion> broken(Player& player) {
-    return broken_assertions(player.preset, player.renderer(), {}, [&] { player.draw(0); });
+std::vector<BrokenAssertion> broken(Player& player, int frame = 0) {
+    return broken_assertions(player.preset, player.renderer(), {},
+                             [&](const BrokenAssertions&) { player.draw(frame); });
 }
 
 TEST_F(ProbeFaults, BrokenAssertionsAreFoundWhereNothingHasMovedSince) {
@@ -150,6 +151,41 @@ TEST_F(ProbeFaults, BrokenAssertionsAreFoundWhereNothingHasMovedSince) {
     player.draw(0);
     ASSERT_EQ(broken(player).size(), 1u);
     EXPECT_EQ(broken(player)[0].pixels, 1u);
+}
+
+// What frames before have left is what a text asserts something of.
+TEST_F(ProbeFaults, AssertionsAreAskedInTheStateThatStands) {
+    Player player(
+        "uniform sampler2D sum; //@ pass mainSum size=2x1\n"
+        "void mainSum(out vec4 c, in vec2 p) {\n"
+        "    c = texelFetch(sum, ivec2(p), 0) + 1.0;\n"
+        "    //@ assert c.x < 4.0\n}\n" +
+            image("vec4 seen = texelFetch(sum, ivec2(0), 0);\n"
+                  "    //@ assert seen.x < 4.0\n"
+                  "    c = seen;"),
+        {.size = {2, 2}});
+    for (int frame = 0; frame < 4; ++frame) player.draw(frame);
+    const auto list = broken(player, 4);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].pass, "sum");
+    EXPECT_EQ(list[0].pixels, 2u);
+    EXPECT_EQ(list[1].pass, "image");
+    EXPECT_EQ(list[1].pixels, 4u);
+}
+
+TEST_F(ProbeFaults, AnAssertionOfTwoPassesIsToldOfEach) {
+    Player player(
+        "uniform sampler2D b; //@ pass mainB size=2x1\n"
+        "float half_of(float x) {\n    //@ assert x < 1.0\n    return x * 0.5;\n}\n"
+        "void mainB(out vec4 c, in vec2 p) { c = vec4(half_of(p.x)); }\n" +
+            image("c = texelFetch(b, ivec2(0), 0) + half_of(p.x);"),
+        {.size = {4, 1}});
+    const auto list = broken(player);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].pass, "b");
+    EXPECT_EQ(list[0].pixels, 1u);
+    EXPECT_EQ(list[1].pass, "image");
+    EXPECT_EQ(list[1].pixels, 3u);
 }
 
 TEST_F(ProbeFaults, CountTheAssertionsThatFailAtOnePixelEach) {

@@ -149,6 +149,29 @@ TEST_F(ProbeVerb, WritesAMapCountsCostAndFindsFaults) {
     EXPECT_EQ(first["operands"], Json({-0.5}));
 }
 
+// The picture does not hang on it, so the driver leaves it out, and nobody draws the buffer.
+TEST_F(ProbeVerb, TellsAValueOfABufferThatTweaksSwitchOff) {
+    write("off.frag",
+          "uniform float strength; //@ 0 [0, 1]\n"
+          "uniform sampler2D trail; //@ pass mainTrail\n"
+          "void mainTrail(out vec4 c, in vec2 p) { c = vec4(0.25); }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    vec4 t = texelFetch(trail, ivec2(p), 0);\n"
+          "    //@ assert t.x > 0.5\n"
+          "    c = vec4(0.5) + strength * t;\n}\n");
+    const Outcome told = glint({"probe", "off.frag", "--size", "8x4", "--line", "5"});
+    EXPECT_EQ(told.code, 0) << told.err;
+    EXPECT_NE(told.out.find("t = (0.25, 0.25, 0.25, 0.25)"), std::string::npos) << told.out;
+    EXPECT_EQ(glint({"probe", "off.frag", "--size", "8x4", "--faults"}).code, 0);
+    EXPECT_EQ(glint({"probe", "off.frag", "--size", "8x4", "--line", "5", "--map", "m.png"}).code,
+              0);
+    const Outcome still = glint({"still", "off.frag", "-o", "x.png", "--size", "8x4"});
+    EXPECT_NE(still.err.find("assert t.x > 0.5 does not hold in 32 pixels of image"),
+              std::string::npos)
+        << still.err;
+    EXPECT_EQ(glint({"check", "off.frag", "--case", "rounding"}).code, 0);
+}
+
 TEST_F(ProbeVerb, SaysWhatCannotBeAsked) {
     expect_usage({"--at", "8,0"}, "from 0,0 at the bottom left to 7,3");
     expect_usage({"--at", "3"}, "write X,Y");

@@ -11,7 +11,12 @@ constexpr double kAssertedPlayed = 2.0;  // s of a simulation
 
 void check_assertions(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    const auto draw = [&] { subject.show(subject.opened().time, kAssertedPlayed); };
+    // Of a simulation every frame, up to the first in which one does not hold.
+    const double time = subject.stateful() ? kAssertedPlayed : subject.opened().time;
+    const auto draw = [&](const BrokenAssertions& found) {
+        const std::size_t before = found.size();
+        subject.show(time, kAssertedPlayed, [&] { return found.size() > before; });
+    };
     const std::vector<BrokenAssertion> broken = broken_assertions(
         subject.preset, subject.renderer(), {.specialise = subject.specialised()}, draw);
     if (broken.empty()) return;

@@ -1,5 +1,6 @@
 #include "measure/check/subject.h"
 
+#include "measure/probe/assertions.h"
 #include "offline/input_files.h"
 #include "render/viewer.h"
 
@@ -36,7 +37,8 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
             pass.format = with_channel_bytes(pass.format, 2);
     }
     CompiledScene compiled = compile_or_stop(
-        preset, {.program = {.specialise = options.specialise, .marked = options.marked}});
+        preset, {.program = {.specialise = options.specialise, .marked = options.marked},
+                 .as_written = has_assertions(preset.scene)});
     for (const PassProgram& program : compiled.programs) {
         for (const BuiltinUniform& uniform : program.builtins) {
             builtins_.push_back(uniform.builtin);
@@ -126,13 +128,14 @@ bool CheckSubject::play_frames(int first, int end, double fps) {
     return true;
 }
 
-bool CheckSubject::show(double time, double longest) {
+bool CheckSubject::show(double time, double longest, const std::function<bool()>& is_enough) {
     const Playback playback{.end = stateful() ? std::min(time, longest) : time};
     const int last = playback.last_frame();
     for (int k = stateful() ? 0 : last; k <= last; ++k) {
         const Frame frame = playback.frame(preset, k);
         still = StillPlace{frame.time, playback.fps};
         if (!draw(frame)) return false;
+        if (is_enough && is_enough()) break;
     }
     return true;
 }

@@ -4,6 +4,7 @@
 #include "gl/context.h"
 #include "offline/common.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,7 +69,8 @@ public:
 
     // What a still at this time shows: a stateless scene draws one frame, another is played from 0
     // for at most `longest` seconds.
-    bool show(double time, double longest);
+    // Ends sooner where `is_enough`, asked after each frame, says so.
+    bool show(double time, double longest, const std::function<bool()>& is_enough = nullptr);
 
     // Frame `index` of a playback that has reached `time`; the last frame took `delta`.
     Frame frame_at(double time, double delta, long index) const;

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -19,39 +21,69 @@ ProbeExpression expression_of(const ProbeNote& note) {
             .may_be_unreached = true};
 }
 
-// What does not hold at the pixels of one pass that is about to be drawn.
+BrokenAssertion broken(const ProbeNote& note) {
+    return {.file = note.place.file,
+            .line = note.place.line,
+            .column = note.place.column,
+            .expression = note.expression,
+            .why = note.why};
+}
+
+// What does not hold at the pixels of one pass that is about to be drawn, and held so far.
 void look(Probe& probe, Renderer& renderer, std::size_t index, const std::string& pass,
-          const std::vector<ProbeNote>& notes, std::vector<BrokenAssertion>& found) {
+          const std::vector<ProbeNote>& notes, BrokenAssertions& found) {
     const BufferShape& shape = renderer.buffer(index).shape();
     const auto& sites = probe.probed().sites;
     if (sites.empty()) return;
+    std::vector<BrokenAssertion> here;
+    for (const ProbeSite& site : sites) {
+        here.push_back(broken(*std::ranges::find(notes, site.at, &ProbeNote::begin)));
+        here.back().pass = pass;
+    }
     for (int face = 0; face < (shape.cube ? 6 : 1); ++face) {
         const std::vector<ProbeCell> cells = probe.map(renderer, Frame{}, 0, 0, face);
         for (std::size_t site = 0; site < sites.size(); ++site) {
-            const auto note = static_cast<std::size_t>(
-                std::ranges::find(notes, sites[site].at, &ProbeNote::begin) - notes.begin());
             for (std::size_t i = 0; i < cells.size(); ++i) {
                 if ((cells[i].kept[site / 32] >> site % 32 & 1u) == 0) continue;
                 const auto pixel = static_cast<int>(i);
-                if (found[note].pixels++ > 0) continue;
-                found[note].pass = pass;
-                found[note].pixel = {pixel % shape.size.x, pixel / shape.size.x};
+                if (here[site].pixels++ == 0)
+                    here[site].pixel = {pixel % shape.size.x, pixel / shape.size.x};
             }
         }
     }
+    for (BrokenAssertion& one : here) {
+        const bool is_known = std::ranges::any_of(found, [&](const BrokenAssertion& other) {
+            return other.file == one.file && other.line == one.line && other.column == one.column &&
+                   other.pass == pass;
+        });
+        if (one.pixels > 0 && !is_known) found.push_back(std::move(one));
+    }
 }
 
-// Those of them that the driver takes; of the others it is noted why not.
+// Those of them that the driver takes; of the others `refused` tells why not.
 ProbeWish accepted_of(const Preset& preset, std::size_t pass, const ProgramOptions& options,
-                      const ProbeWish& wish, std::vector<BrokenAssertion>& found) {
+                      const ProbeWish& wish, const std::vector<ProbeNote>& notes,
+                      std::map<std::size_t, std::string>& refused) {
     ProbeWish rest = wish;
     rest.expressions = accepted(preset, pass, options, wish,
                                 [&](const ProbeExpression& one, const std::string& why) {
-                                    for (std::size_t i = 0; i < wish.expressions.size(); ++i)
-                                        if (wish.expressions[i].line.begin == one.line.begin)
-                                            found[i].refused = why;
+                                    for (std::size_t i = 0; i < notes.size(); ++i)
+                                        if (notes[i].begin == one.line.begin) refused[i] = why;
                                 });
     return rest;
+}
+
+// In the order of the text; of one line, passes as they were drawn.
+void put_in_order(BrokenAssertions& found, const std::vector<ProbeNote>& notes) {
+    std::ranges::stable_sort(found, {}, [&](const BrokenAssertion& one) {
+        return std::ranges::find_if(notes,
+                                    [&](const ProbeNote& note) {
+                                        return note.place.file == one.file &&
+                                               note.place.line == one.line &&
+                                               note.place.column == one.column;
+                                    }) -
+               notes.begin();
+    });
 }
 
 }  // namespace
@@ -60,23 +92,18 @@ bool has_assertions(const Scene& scene) {
     return std::ranges::any_of(find_probe_notes(scene), &ProbeNote::is_assertion);
 }
 
-std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& renderer,
-                                               const ProgramOptions& options,
-                                               const std::function<void()>& draw) {
+BrokenAssertions broken_assertions(const Preset& preset, Renderer& renderer,
+                                   const ProgramOptions& options,
+                                   const std::function<void(const BrokenAssertions&)>& draw) {
     std::vector<ProbeNote> notes = find_probe_notes(preset.scene);
     std::erase_if(notes, [](const ProbeNote& note) { return !note.is_assertion; });
     ProbeWish wish{.kind = ProbeKind::assertions};
-    std::vector<BrokenAssertion> found;
-    for (const ProbeNote& note : notes) {
-        if (wish.expressions.size() < kMostAssertions)
-            wish.expressions.push_back(expression_of(note));
-        found.push_back({.file = note.place.file,
-                         .line = note.place.line,
-                         .column = note.place.column,
-                         .expression = note.expression,
-                         .why = note.why});
-        if (found.size() > kMostAssertions)
-            found.back().refused = fmt::format("a text has at most {} of them", kMostAssertions);
+    std::map<std::size_t, std::string> refused;  // by the number of the note
+    for (std::size_t i = 0; i < notes.size(); ++i) {
+        if (i < kMostAssertions)
+            wish.expressions.push_back(expression_of(notes[i]));
+        else
+            refused[i] = fmt::format("a text has at most {} of them", kMostAssertions);
     }
     std::vector<std::optional<Probe>> probes;
     for (const GraphPass& pass : renderer.graph().passes) {
@@ -84,19 +111,23 @@ std::vector<BrokenAssertion> broken_assertions(const Preset& preset, Renderer& r
         try {
             probe.emplace(preset, pass.pass, options, wish);
         } catch (const ProbeRefused&) {
-            const ProbeWish rest = accepted_of(preset, pass.pass, options, wish, found);
+            const ProbeWish rest = accepted_of(preset, pass.pass, options, wish, notes, refused);
             if (!rest.expressions.empty()) probe.emplace(preset, pass.pass, options, rest);
         }
+    }
+    BrokenAssertions found;
+    for (const auto& [note, why] : refused) {
+        found.push_back(broken(notes[note]));
+        found.back().refused = why;
     }
     renderer.before_pass = [&](std::size_t index) {
         const std::string pass = pass_name(preset.scene, renderer.graph().passes[index].pass);
         if (probes[index]) look(*probes[index], renderer, index, pass, notes, found);
     };
-    renderer.reset();  // what nothing has changed would not be drawn, and not be looked at
-    draw();
+    renderer.redraw_all();  // and looked at
+    draw(found);
     renderer.before_pass = nullptr;
-    std::erase_if(
-        found, [](const BrokenAssertion& one) { return one.pixels == 0 && one.refused.empty(); });
+    put_in_order(found, notes);
     return found;
 }
 

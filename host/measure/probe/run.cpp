@@ -294,7 +294,7 @@ void say_broken_assertions(Preset preset, const ProbeOptions& options) {
     if (!has_assertions(preset.scene)) return;
     ProbeSession session(std::move(preset), options);
     const Frame& frame = session.play_to(options);
-    const auto draw = [&] { session.renderer().draw(frame); };
+    const auto draw = [&](const BrokenAssertions&) { session.renderer().draw(frame); };
     for (const BrokenAssertion& broken :
          broken_assertions(session.preset(), session.renderer(), session.program_options(), draw))
         say_diagnostic(

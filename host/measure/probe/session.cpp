@@ -33,9 +33,10 @@ ProbeSession::ProbeSession(Preset preset, const ProbeOptions& options)
       specialised_(options.view.specialise),
       context_(make_egl_context(options.view.device)) {
     // The picture in floats, so that no difference hides in its bytes.
-    renderer_.emplace(preset_,
-                      compile_or_stop(preset_, {.root = pass_, .program = program_options()}),
-                      RenderOptions{.size = preset_.size, .picture_format = PixelFormat::rgba32f});
+    renderer_.emplace(
+        preset_,
+        compile_or_stop(preset_, {.root = pass_, .program = program_options(), .as_written = true}),
+        RenderOptions{.size = preset_.size, .picture_format = PixelFormat::rgba32f});
     load_inputs(preset_, *renderer_);
 }
 

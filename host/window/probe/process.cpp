@@ -31,6 +31,10 @@ namespace {
 // takes.
 constexpr double kMostCopies = 300.0;
 
+bool is_simulated(const CompiledScene& scene) {
+    return scene.graph.passes.size() > 1 && scene.graph.stateful;
+}
+
 // The scene of an order, with the pass compiled that is looked into; what it reads stands still.
 class Subject {
 public:
@@ -40,9 +44,13 @@ public:
         pictures_ = as_pictures(preset_, order.scene.given);
         ProgramOptions plain = options_;
         plain.lean = true;  // as the window draws it: the driver may have it at hand
-        CompileResult result = compile_scene(preset_, {.root = pass_, .program = plain});
+        CompileResult result =
+            compile_scene(preset_, {.root = pass_, .program = plain, .as_written = true});
+        // A simulation that the window does not run, for nothing shown hangs on it, is left empty.
+        if (result.scene && is_simulated(*result.scene))
+            result = compile_scene(preset_, {.root = pass_, .program = plain});
         if (!result.scene) throw ProbeRefused("The text does not compile.");
-        if (result.scene->graph.passes.size() > 1 && result.scene->graph.stateful)
+        if (is_simulated(*result.scene))
             throw ProbeRefused("This pass reads a cube that is simulated, and cannot be probed.");
         renderer_.emplace(
             preset_, std::move(*result.scene),

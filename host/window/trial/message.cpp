@@ -71,8 +71,8 @@ void members(const auto& all, Is<ProgramOptions> auto& value) {
     all(specialise, constants, named, average, tiles, clamp_to_bytes, lean, feed, marked);
 }
 void members(const auto& all, Is<CompileOptions> auto& value) {
-    auto& [root, program, side_by_side] = value;
-    all(root, program, side_by_side);
+    auto& [root, program, side_by_side, as_written] = value;
+    all(root, program, side_by_side, as_written);
 }
 void members(const auto& all, Is<TrialOrder> auto& value) {
     auto& [number, preset, compile, size, picture_format, time, slow_ms, images, is_text] = value;
