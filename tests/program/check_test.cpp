@@ -301,6 +301,53 @@ TEST_F(Check, AnExplodingSpringIsFound) {
               std::string::npos);
 }
 
+// Its place swings, so that means of parts would hang on where in a swing each begins.
+TEST_F(Check, AnUndampedSpringThatGainsALittleIsFound) {
+    write("spring.frag",
+          "uniform sampler2D spring; //@ pass mainSpring size=1x1 step=1/240\n"
+          "void mainSpring(out vec4 c, in vec2 p) {\n"
+          "    vec2 s = texelFetch(spring, ivec2(0), 0).xy;\n"
+          "    if (iFrame == 0) s = vec2(1.0, 0.0);\n"
+          "    c = vec4(s + vec2(s.y, -40.0 * s.x) * iTimeDelta, 0.0, 0.0);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(spring, ivec2(0), 0) * 0.1; }\n");
+    const Json report =
+        report_of(glint({"check", "spring.frag", "--json", "--case", "long run"}), 6);
+    EXPECT_NE(case_of(report, "long run")["note"].get<std::string>().find("grows steadily"),
+              std::string::npos)
+        << report;
+}
+
+// The state with the step in use is none to compare others with.
+TEST_F(Check, AStepThatExplodesIsNotCalledStable) {
+    write("spring.frag",
+          "uniform float k; //@ 30 [1, 40000]\n"
+          "uniform sampler2D spring; //@ pass mainSpring size=1x1 step=1/60\n"
+          "void mainSpring(out vec4 c, in vec2 p) {\n"
+          "    vec2 s = texelFetch(spring, ivec2(0), 0).xy;\n"
+          "    if (iFrame == 0 || !(abs(s.x) < 1e15)) s = vec2(1.0, 0.0);\n"
+          "    s.y += (-k * s.x - 0.2 * s.y) * iTimeDelta;\n"
+          "    s.x += s.y * iTimeDelta;\n"
+          "    c = vec4(s, 0.0, 0.0);\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(spring, ivec2(0), 0) * 0.1; }\n");
+    const Json report = report_of(glint({"check", "spring.frag", "--json", "--case", "step"}), 0);
+    EXPECT_NE(case_of(report, "step 1/60 s")["note"].get<std::string>().find("up to 0 times"),
+              std::string::npos)
+        << report;
+}
+
+TEST_F(Check, ALineOfAnotherColourAndTheSameMeanIsFound) {
+    write("line.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    int y = int(p.y), rows = int(iResolution.y), half_of = rows / 2;\n"
+          "    bool is_met = y < half_of || y >= rows - half_of;\n"
+          "    c = is_met ? vec4(0.3, 0.3, 0.3, 1.0) : vec4(0.9, 0.0, 0.0, 1.0);\n}\n");
+    const Json report =
+        report_of(glint({"check", "line.frag", "--json", "--case", "odd sizes"}), 6);
+    EXPECT_NE(case_of(report, "odd sizes")["note"].get<std::string>().find("a row stands out"),
+              std::string::npos)
+        << report;
+}
+
 TEST_F(Check, NanThatSpreadsSlowlyIsFound) {
     const Json report = check("planted_nan_spread", {}, 6);
     // Born after 20 s: only many frames show it. Spread by a blur: any texel shows it.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -18,12 +19,23 @@ constexpr double kLeastGrowth = 1.02;          // from the first part to the las
 constexpr double kLeastRatio = 1.01;           // from one increase to the next
 constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may differ
 
+// From the middle of a part to that of the next; the first and the last are as far from the ends.
+std::size_t between_parts(std::span<const double> values) {
+    return values.size() / (kParts + 1);
+}
+
+// By windows of Hann's, two parts long, whose sum is even: what swings is met in whatever phase,
+// and in plain means of parts would be one more in some of them than in others.
 std::array<double, kParts> means_of_parts(std::span<const double> values) {
     std::array<double, kParts> means{};
-    const std::size_t length = values.size() / kParts;
+    const std::size_t length = between_parts(values);
     for (std::size_t part = 0; part < kParts; ++part) {
-        for (std::size_t i = 0; i < length; ++i) means[part] += values[part * length + i];
-        means[part] /= static_cast<double>(length);
+        for (std::size_t i = 0; i < 2 * length; ++i) {
+            const double turn =
+                std::numbers::pi * static_cast<double>(i) / static_cast<double>(length);
+            means[part] += (1.0 - std::cos(turn)) * values[part * length + i];
+        }
+        means[part] /= 2.0 * static_cast<double>(length);
     }
     return means;
 }
@@ -105,7 +117,7 @@ std::string StateCurves::growth(std::size_t from) const {
         if (values.size() < kLeastOfGrowth) continue;
         const auto factor = factor_of_values(values);
         if (!factor) continue;
-        const double frame = std::log(*factor) / static_cast<double>(values.size() / kParts);
+        const double frame = std::log(*factor) / static_cast<double>(between_parts(values));
         return fmt::format("{} grows steadily, by {:.2g} % a frame", curve.name, 100.0 * frame);
     }
     return "";

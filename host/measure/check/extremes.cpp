@@ -96,7 +96,7 @@ std::optional<LoneLine> lone_line_at(CheckSubject& subject, glm::ivec2 size, int
         subject.show(subject.preset.time, kPlayedLarge);
         return means_of_lines(subject.picture(), drawn, axis);
     };
-    const std::vector<double> means = means_at(size);
+    const LineMeans means = means_at(size);
     const double out = std::max(lone_line(means), lone_border(means));
     if (size[axis] < kLeastLines || out < kStandsOut) return std::nullopt;
     double usual = 0.0;

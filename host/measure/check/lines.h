@@ -3,6 +3,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <vector>
 
 namespace glint {
@@ -13,17 +14,20 @@ double shown(float value);
 // How far the value in the middle is from both beside it, where it lies beyond them; else 0.
 double beyond(double before, double value, double after);
 
-// The mean of red, green and blue as shown, of each column (axis 0) or row (axis 1) of an RGBA
-// picture.
-std::vector<double> means_of_lines(const std::vector<float>& picture, glm::ivec2 size, int axis);
+// Of each line the means of red, green and blue as shown.
+using LineMeans = std::array<std::vector<double>, 3>;
 
+// Of each column (axis 0) or row (axis 1) of an RGBA picture.
+LineMeans means_of_lines(const std::vector<float>& picture, glm::ivec2 size, int axis);
+
+// Of the channel in which it is the most, each of these:
 // How far the line that stands out most is from those beside it. None at the border counts.
-double lone_line(const std::vector<double>& means);
+double lone_line(const LineMeans& means);
 
 // The same at the border: by how much the last step, on either side, is larger than the one before.
-double lone_border(const std::vector<double>& means);
+double lone_border(const LineMeans& means);
 
 // The largest step from a line to the next.
-double largest_step(const std::vector<double>& means);
+double largest_step(const LineMeans& means);
 
 }  // namespace glint

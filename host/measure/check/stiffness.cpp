@@ -162,6 +162,9 @@ std::vector<std::vector<TweakValue>> values_at(const CheckSubject& subject) {
 double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
     const Course usual = stepped.play(kParts, values, kStiffPlayed);
     if (!std::isfinite(usual.end)) return 0.0;
+    // What explodes by the step in use is none to compare with; with half of it it does so less.
+    const Course half = stepped.play(kParts / 2, values, kStiffPlayed);
+    if (!(usual.end <= std::max(kLeast, kBeyond * half.end))) return 0.0;
     std::optional<Course> usual_for_long;
     const auto is_stable = [&](long parts) {
         Course course = stepped.play(parts, values, kStiffPlayed);
