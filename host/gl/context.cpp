@@ -3,7 +3,10 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace glint {
@@ -52,6 +55,22 @@ std::string take_complaint() {
 void Context::start_variables_at_zero() {
     ::setenv("glsl_zero_init", "true", 0);
     ::setenv("MESA_DEBUG", "silent", 0);
+}
+
+void Context::spare_full_disk() {
+    constexpr std::uintmax_t kLeast = 16u << 20;  // bytes; the index has 1.3 MB
+    const auto value = [](const char* name) {
+        const char* text = std::getenv(name);
+        return std::filesystem::path(text ? text : "");
+    };
+    std::filesystem::path folder = value("MESA_SHADER_CACHE_DIR");
+    if (folder.empty()) folder = value("XDG_CACHE_HOME");
+    if (folder.empty()) folder = value("HOME") / ".cache";
+    std::error_code error;
+    while (!std::filesystem::exists(folder, error) && folder.has_relative_path())
+        folder = folder.parent_path();
+    const auto space = std::filesystem::space(folder, error);
+    if (!error && space.available < kLeast) ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
 }
 
 std::string Context::renderer() const {

@@ -159,6 +159,7 @@ EGLContext create_context(EGLDisplay display, EGLConfig config, EGLContext share
 std::unique_ptr<Context> make_egl_context(std::string_view device) {
     require_libegl();
     Context::start_variables_at_zero();
+    Context::spare_full_disk();
     std::vector<Candidate> order = candidates();
     std::ranges::stable_sort(order, {}, &Candidate::software);
     std::string tried;

@@ -268,7 +268,10 @@ Frame Playback::frame(const Preset& preset, int index) const {
     const double time = time_of(index);
     const double previous =
         index == 0 ? -std::numeric_limits<double>::infinity() : time_of(index - 1);
-    return frame_at(preset, previous, time, index == 0 ? 1.0 / 60.0 : time - previous, index);
+    Frame frame =
+        frame_at(preset, previous, time, index == 0 ? 1.0 / 60.0 : time - previous, index);
+    if (uncounted > 0.0) frame.longest_catch_up = 2.0 / fps;  // no frame makes up for those
+    return frame;
 }
 
 Frame settled_frame(const Preset& preset, const Playback& playback, int extra) {

@@ -10,6 +10,7 @@ namespace glint {
 
 namespace {
 
+constexpr double kNextFrame = 1.0 / 60.0;                             // s
 constexpr double kNoTime = std::numeric_limits<double>::quiet_NaN();  // known with the frame
 
 // The shortest decimal in (after, time], so that a saved recording is readable.
@@ -84,6 +85,7 @@ void Recorder::replayed(const Event& event) {
 
 void Recorder::frame(double time) {
     if (time < last_time_) recording_ = false;
+    if (time == last_time_) seen_ = pending_.size();
     if (!recording_ || !(time > last_time_)) return;
     const double stamp = short_time(last_time_, time);
     for (Event& event : pending_) {
@@ -92,6 +94,7 @@ void Recorder::frame(double time) {
     std::ranges::stable_sort(pending_, {}, &Event::time);
     events_.insert(events_.end(), pending_.begin(), pending_.end());
     pending_.clear();
+    seen_ = 0;
     last_move_.reset();
     last_time_ = time;
 }
@@ -108,8 +111,11 @@ void Recorder::forget_before(double time) {
 }
 
 std::vector<Event> Recorder::stop() {
+    pending_.resize(seen_);
+    if (recording_ && seen_ > 0) frame(last_time_ + kNextFrame);
     recording_ = false;
     pending_.clear();
+    seen_ = 0;
     return std::exchange(events_, {});
 }
 

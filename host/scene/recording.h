@@ -43,7 +43,8 @@ public:
     // What lies before this time is kept as the state that it led to, which is new to nobody.
     void forget_before(double time);
 
-    // Ends recording and hands out the events, in order of time. What no frame has seen is lost.
+    // Ends recording and hands out the events, in order of time. What no frame has seen is lost;
+    // what frames have seen while time stood comes right behind it.
     std::vector<Event> stop();
 
     bool recording() const { return recording_; }
@@ -52,6 +53,7 @@ private:
     void follow(const Event& event);
 
     std::vector<Event> events_, pending_;   // pending: of the frame to come
+    std::size_t seen_ = 0;                  // of these, by frames at which time stood
     std::optional<std::size_t> last_move_;  // in pending_, with nothing of the mouse after it
     std::array<bool, kKeyCount> held_{};
     bool mouse_down_ = false;

@@ -358,6 +358,15 @@ void TweakValues::rebase(std::span<const Tweak> tweaks, std::span<const TweakVal
     });
 }
 
+std::vector<TweakValues::Waiting> TweakValues::waiting() const {
+    std::vector<Waiting> list;
+    for (const Held& held : absent_) {
+        const TweakValue& value = held.values[shown_ == TweakSet::a ? 0 : 1];
+        if (value != held.written) list.push_back({held.tweak, value});
+    }
+    return list;
+}
+
 KeptValue TweakValues::keep(const Tweak& tweak, const TweakValue& value) {
     return {value, tweak.type, option_of(tweak, value)};
 }

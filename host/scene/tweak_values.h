@@ -121,6 +121,17 @@ public:
     // `written` is what the file says now; the defaults where it is empty.
     void rebase(std::span<const Tweak> tweaks, std::span<const TweakValue> written = {});
 
+    // Of tweaks that have gone those whose value, in the set that is shown, no file has.
+    struct Waiting {
+        Tweak tweak;
+        TweakValue value;
+        bool operator==(const Waiting& other) const {
+            return tweak.name == other.tweak.name && value == other.value;
+        }
+    };
+    std::vector<Waiting> waiting() const;
+    void forget_waiting() { absent_.clear(); }
+
 private:
     struct Held {
         Tweak tweak;

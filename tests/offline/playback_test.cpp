@@ -31,5 +31,12 @@ TEST(Playback, FramesAreOneFrameApartAfterYears) {
     EXPECT_EQ(Playback{.end = kYear}.last_frame(), 1892160000);
 }
 
+// A simulation would make them up in its first frame, which lasts for ever.
+TEST(Playback, FramesBeforeThoseThatAreCountedAreNotCaughtUpWith) {
+    for (const int index : {0, 1, 120})
+        EXPECT_LT(Playback{.end = 1e9}.frame({}, index).longest_catch_up, 0.1) << index;
+    EXPECT_GT(Playback{.end = 1e6}.frame({}, 0).longest_catch_up, 1e6);
+}
+
 }  // namespace
 }  // namespace glint::playback_test

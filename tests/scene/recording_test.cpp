@@ -191,6 +191,21 @@ TEST(Recorder, WhatHappensInAPauseIsSeenWhenTimeGoesOn) {
     EXPECT_EQ(events[0].time, 1.25);
 }
 
+TEST(Recorder, WhatHappensInAPauseIsKeptWhereRecordingEndsInIt) {
+    Session session;
+    session.recorder.start(kBefore, session.input);
+    session.draw(1.0);
+    session.key(65, true);
+    session.key(65, false);
+    session.draw(1.0);
+    session.key(66, true);  // which no frame has seen
+    const std::vector<Event> events = session.recorder.stop();
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_EQ(events[0].key, 65);
+    EXPECT_GT(events[0].time, 1.0);
+    EXPECT_LT(events[1].time, 1.1);
+}
+
 TEST(Recorder, EndsWhenTimeGoesBack) {
     Session session;
     session.recorder.start(kBefore, session.input);

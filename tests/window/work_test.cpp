@@ -186,6 +186,33 @@ TEST_F(Work, StaysForLaterWhereTheTextHasNoTweakForIt) {
 }
 
 // As a person deletes a folder, or an archive's temporary folder goes.
+// Its tweak may come back in the next run.
+TEST_F(Work, OfATweakThatHasGoneOutOfTheTextWaitsForTheNextRun) {
+    open_look();
+    const int moved = change();
+    const std::string with = read(scene());
+    write(scene(), "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.7, 0.2, 0.3, 1); }\n");
+    EXPECT_TRUE(eventually([&] { return red() == 179; })) << red();
+    EXPECT_TRUE(eventually([&] { return kept().find("level") != std::string::npos; })) << kept();
+    screen_->tap("Control_L+q");
+    glint_->wait();
+    EXPECT_NE(kept().find("level"), std::string::npos) << kept();
+    write(scene(), with);
+    start({look().string()});
+    EXPECT_TRUE(enter_until([&] { return red() == moved; })) << red();
+}
+
+TEST_F(Work, IsSavedWhereItsFileHasBeenDeleted) {
+    open_look();
+    change();
+    fs::remove(look());
+    EXPECT_TRUE(glint_->says(": not shown, 1 error")) << glint_->errors();
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(eventually([&] { return fs::exists(look()); }));
+    EXPECT_TRUE(becomes_unsaved(false));
+    EXPECT_NE(read(look()).find("level = "), std::string::npos) << read(look());
+}
+
 TEST_F(Work, IsKeptWhereTheFolderThatTheProgramStandsInIsGone) {
     write(scene(),
           "uniform float level; //@ 0.2 [0, 1]\n"

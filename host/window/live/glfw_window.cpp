@@ -76,6 +76,7 @@ void set_ground(GLFWwindow* window) {
 void start_glfw() {
     if (open_windows++ > 0) return;
     Context::start_variables_at_zero();
+    Context::spare_full_disk();
     if (!glfwInit()) {
         --open_windows;
         throw NoContext(fmt::format("There is no display: {}.", last_error()));

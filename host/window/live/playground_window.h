@@ -119,7 +119,10 @@ private:
     void keep_unsaved();
     void keep_now();
     void keep_at_end();
+    bool has_work() const;
     bool is_keeping_due() const;
+    bool is_gone() const;
+    void let_go_of_work();
     void find_unsaved();
     ReadPreset read_offer() const;
     void restore();
@@ -255,6 +258,7 @@ private:
         std::vector<std::string> channels;  // as TOML
         std::vector<std::string> locked, watch;
         double start_time = 0.0;  // s
+        std::vector<TweakValues::Waiting> waiting;
         bool operator==(const Kept&) const = default;
     };
     std::optional<Kept> kept_;
@@ -275,6 +279,7 @@ private:
     double frame_due_ = 0.0;  // s from since_draw_
     std::size_t printed_reports_ = 0;
     std::string notice_, title_, last_reload_;
+    unsigned notice_number_ = 0;
     float content_scale_ = window_.content_scale();
     bool dirty_ = true;                               // the screen is behind what it should show
     bool was_told_ = false, answered_first_ = false;  // by events since it was drawn; by panels

@@ -41,6 +41,9 @@ public:
     // It is saved, or not wanted.
     void forget() { own_.remove(); }
 
+    // It waits for the next window that opens its file.
+    void leave() { own_ = {}; }
+
     // The newest work on `file` of windows that have ended. It is this window's to offer until
     // discard_found(); where the window ends before, the next one finds it again.
     std::optional<std::string> find(const std::filesystem::path& file);

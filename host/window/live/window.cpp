@@ -373,6 +373,7 @@ Facts PlaygroundWindow::facts() {
     facts.has_sound = sound_.has_sound();
     facts.why_silent = sound_.why_silent();
     facts.notice = notice_;
+    facts.notice_number = notice_number_;
     tell_findings(facts);
     tell_probe(facts);
     const std::string title =
@@ -412,6 +413,7 @@ void PlaygroundWindow::print_reports() {
 
 void PlaygroundWindow::notice(std::string text) {
     notice_ = std::move(text);
+    ++notice_number_;
     dirty_ = true;
 }
 

@@ -125,7 +125,7 @@ void PlaygroundWindow::go(Leaving leaving) {
     leaving_.reset();
     switch (leaving.what) {
         case Leaving::For::quit:
-            unsaved_work_.forget();
+            let_go_of_work();
             keep_picture();
             values_known_ = false;
             return window_.close();
@@ -163,11 +163,13 @@ void PlaygroundWindow::take_answer(Answer answer) {
     leaving_.reset();
     if (answer == Answer::save && save(file_)) leave(leaving);
     if (overwriting_) overwriting_->then = leaving;
+    if (answer == Answer::discard) playground_.tweaks.forget_waiting();
     if (answer == Answer::discard) go(leaving);
 }
 
 void PlaygroundWindow::open(const fs::path& file) {
     keep_picture();
+    let_go_of_work();
     if (file != file_ && !file_.empty()) {
         options_.size.clear();
         options_.tweaks.clear();
@@ -183,7 +185,6 @@ void PlaygroundWindow::open(const fs::path& file) {
     settings_.probe = {};
     probe_.stop();
     overwriting_.reset();
-    unsaved_work_.forget();
     unsaved_work_.leave_found();
     kept_.reset();
     offer_.reset();
@@ -263,8 +264,10 @@ Preset PlaygroundWindow::preset_to_save() const {
 bool PlaygroundWindow::save(const fs::path& file, Over over) {
     if (!playground_.is_open()) return false;
     // What is on the screen is another scene's, or an older text's.
-    if (file == file_ && (!values_known_ || playground_.shows_older_text())) {
-        notice(fmt::format("{} is not saved while it has errors.", file.filename().string()));
+    if (file == file_ && !is_gone() && (!values_known_ || playground_.shows_older_text())) {
+        notice(fmt::format(
+            "{} is not saved while it, or its scene, has errors; Save as\u2026 takes another name.",
+            file.filename().string()));
         return false;
     }
     std::error_code unknown;
@@ -287,6 +290,12 @@ bool PlaygroundWindow::save(const fs::path& file, Over over) {
     else
         open(file);
     return true;
+}
+
+// Deleted, as others see it; the work that is on the screen is all that is left of it.
+bool PlaygroundWindow::is_gone() const {
+    std::error_code unknown;
+    return values_known_ && playground_.as_written() && !fs::exists(file_, unknown);
 }
 
 // Into what the file holds, or, where it is new, into a copy of the preset that is open.
@@ -330,9 +339,9 @@ void PlaygroundWindow::go_on_in(const fs::path& file, const Preset& preset) {
 
 std::string PlaygroundWindow::why_no_save() const {
     if (!playground_.is_open()) return "Nothing is open.";
-    if (!is_preset(file_)) return "";
+    if (!is_preset(file_) || is_gone()) return "";
     if (!values_known_ || playground_.shows_older_text())
-        return "It is not saved while it has errors.";
+        return "It is not saved while it, or its scene, has errors.";
     const bool same_size = preset_to_save().size == playground_.as_written()->size;
     return is_unsaved() || !same_size ? "" : "Nothing has changed since it was saved.";
 }
@@ -359,6 +368,7 @@ void PlaygroundWindow::revert() {
 }
 
 void PlaygroundWindow::toggle_recording() {
+    if (!playground_.is_open()) return notice("Nothing is open.");
     if (playground_.recorder.recording()) {
         stop_recording();
         notice(fmt::format("{} events recorded; save the preset to keep them", recorded_.size()));
@@ -390,10 +400,22 @@ void PlaygroundWindow::lay_options_over() {
     playground_.tweaks_changed();
 }
 
+// What waits for its tweak is no change that could be saved, and none that may be lost.
+bool PlaygroundWindow::has_work() const {
+    return is_unsaved() || !playground_.tweaks.waiting().empty();
+}
+
 bool PlaygroundWindow::is_keeping_due() const {
     if (!values_known_) return false;  // what is on the screen is no work on this file
-    if (!is_unsaved()) return kept_.has_value() && !hides_work();
+    if (!has_work()) return kept_.has_value() && !hides_work();
     return kept_ != work();
+}
+
+// Where a person has been asked, or nothing is left to ask of.
+void PlaygroundWindow::let_go_of_work() {
+    if (!values_known_ || playground_.tweaks.waiting().empty()) return unsaved_work_.forget();
+    keep_now();
+    unsaved_work_.leave();
 }
 
 PlaygroundWindow::Kept PlaygroundWindow::work() const {
@@ -403,7 +425,8 @@ PlaygroundWindow::Kept PlaygroundWindow::work() const {
             channel_texts(*playground_.preset()),
             now.locked,
             now.watch,
-            now.time};
+            now.time,
+            playground_.tweaks.waiting()};
 }
 
 // Whether the set that is shown has work that would be lost once it is hidden.
@@ -417,7 +440,7 @@ void PlaygroundWindow::note_work() {
 void PlaygroundWindow::keep_unsaved() {
     note_work();
     if (!is_keeping_due()) return;
-    if (!is_unsaved()) {
+    if (!has_work()) {
         unsaved_work_.forget();
         return kept_.reset();
     }
@@ -427,7 +450,12 @@ void PlaygroundWindow::keep_unsaved() {
 void PlaygroundWindow::keep_now() {
     since_kept_.restart();
     kept_ = work();
-    const PresetText text = write_preset(preset_to_save(), place_beside(place_));
+    Preset preset = preset_to_save();
+    for (const TweakValues::Waiting& one : playground_.tweaks.waiting()) {
+        preset.scene.tweaks.push_back(one.tweak);
+        preset.values.push_back(one.value);
+    }
+    const PresetText text = write_preset(preset, place_beside(place_));
     try {
         if (!text.text) throw std::runtime_error(to_string(text.diagnostics.front()));
         unsaved_work_.keep(place_, *text.text);
@@ -440,7 +468,7 @@ void PlaygroundWindow::keep_now() {
 void PlaygroundWindow::keep_at_end() {
     stop_recording();
     show_hidden_work();
-    if (values_known_ && is_unsaved()) keep_now();
+    if (values_known_ && has_work()) keep_now();
 }
 
 // The offer as the text on the screen, which may change meanwhile, takes it.

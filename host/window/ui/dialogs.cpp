@@ -67,16 +67,22 @@ void ask_path(Build& build, SavingState& state) {
     fs::path path(state.path);
     if (!path.empty() && !is_preset(path)) path += ".toml";
     std::error_code error;
-    const bool exists = fs::exists(path, error);
-    text_in(exists ? colours::kWarning : colours::kDim,
-            exists ? "This file is there already and will be replaced." : "A new file.");
+    const bool exists = fs::exists(path, error), is_folder = fs::is_directory(path, error);
+    const bool is_name = path.has_filename() && path.filename() != ".toml" && !is_folder;
+    text_in(exists || !is_name ? colours::kWarning : colours::kDim,
+            is_folder  ? "This is a folder; name a file."
+            : !is_name ? "Name a file."
+            : exists   ? "This file is there already and will be replaced."
+                       : "A new file.");
     const double start = build.facts.start_time.value_or(shown_time(build));
     ImGui::Checkbox(fmt::format("start at {} s, the time that is shown###time", start).c_str(),
                     &state.keeps_time);
-    const bool save = button(exists ? "Replace" : "Save") || entered;
+    ImGui::BeginDisabled(!is_name);
+    const bool save = (button(exists ? "Replace" : "Save") || entered) && is_name;
+    ImGui::EndDisabled();
     ImGui::SameLine();
     const bool cancel = button("Cancel") || pressed(ImGuiKey_Escape);
-    if (save && !path.empty()) {
+    if (save) {
         build.wishes.save_as = path;
         build.wishes.start_time = StartTime();
         if (state.keeps_time) build.wishes.start_time->seconds = start;

@@ -141,9 +141,9 @@ void Interface::panels(Build& build) {
 
 void Interface::follow_notice(const Facts& facts) {
     notice_age_ += std::min(ImGui::GetIO().DeltaTime, 0.1f);
-    if (facts.notice == notice_) return;
-    notice_ = facts.notice;
-    notice_age_ = notice_.empty() ? kNoticeStays : 0.0f;
+    if (facts.notice_number == notice_number_) return;
+    notice_number_ = facts.notice_number;
+    notice_age_ = facts.notice.empty() ? kNoticeStays : 0.0f;
 }
 
 // A window with a size of its own choice is hidden while it finds it; tables inside take a pass
@@ -181,6 +181,7 @@ void notice(Build& build, float alpha) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     ImGui::PushTextWrapPos(std::max(screen.x - theme.px(32), theme.px(60)));
     text_in(colours::kText, build.facts.notice);
     ImGui::PopTextWrapPos();

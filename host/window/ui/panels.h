@@ -149,8 +149,10 @@ struct Facts {
     bool has_sound = false;
     std::string why_silent;  // a cause; "" while the sound can be heard
     Question question = Question::none;
-    // A short message such as "christmas.png written". It fades by itself; a new text shows anew.
+    // A short message such as "christmas.png written", and its number. It fades by itself; the next
+    // shows anew, with the same words, too.
     std::string notice;
+    unsigned notice_number = 0;
 };
 
 // To a Question, as it lists them.

@@ -152,14 +152,15 @@ void tip(const Theme& theme, std::string_view text) {
     if (item.ID == 0)
         ImGui::ItemHoverable(
             item.Rect, ImHashData(&item.Rect, sizeof item.Rect, ImGui::GetCurrentWindowRead()->ID));
-    if (GImGui->HoveredIdTimer < 0.35f) return;  // s; not at every passing of the mouse
+    if (GImGui->HoveredIdTimer < 0.35f) return;      // s; not at every passing of the mouse
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);  // of what is disabled it says why
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(theme.px(340));
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 void same_line_if_fits(float width) {
