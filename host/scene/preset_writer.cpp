@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -68,6 +67,10 @@ public:
     std::size_t end_of_table(std::string_view table) const;
 
     const toml::node* get(std::string_view name) const { return root.get(name); }
+    std::string_view spelled(const toml::node& node) const {
+        const std::size_t begin = offset(node.source().begin);
+        return text.substr(begin, offset(node.source().end) - begin);
+    }
 
     std::string_view text;
     const toml::table& root;
@@ -156,7 +159,7 @@ private:
     void remove_lines(const toml::key& key, const toml::node& node);
     void remove_events(const toml::array& events);
     void remove_tables(const toml::array& tables);
-    void replace_dotted(const toml::table& table, const Lines& lines);
+    void merge(const toml::table& table, std::size_t otherwise_at, const Lines& lines);
     void set_root(std::string_view key, bool same, const std::string& value);
     void add_lines(std::string_view table, std::size_t otherwise_at, const Lines& lines);
     Lines channel(const Preset& preset, std::size_t index) const;
@@ -300,19 +303,25 @@ Editor::Lines Editor::quality(const Preset& preset, std::string_view name) const
     return lines;
 }
 
-// `steps = 3` of `best.steps = 3`, wherever its lines stand: all of them where the first one does.
-void Editor::replace_dotted(const toml::table& table, const Lines& lines) {
-    std::map<std::size_t, Edit> written;  // by where the last word of the key begins
+// Each line keeps its place and its comments; what is new follows the last one, or `otherwise_at`.
+void Editor::merge(const toml::table& table, std::size_t otherwise_at, const Lines& lines) {
+    std::size_t last = otherwise_at;
+    std::string before, text;  // `  best.` of `  best.steps = 3`
     for (const auto& [key, child] : table) {
-        const std::size_t at = layout_.offset(key.source().begin);
-        written[at] = {layout_.line_begin(at), layout_.line_end(layout_.offset(last_end(child))),
-                       ""};
+        const std::size_t at = layout_.offset(key.source().begin), begin = layout_.line_begin(at);
+        const std::size_t end = layout_.line_end(layout_.offset(last_end(child)));
+        if (end >= last) before = layout_.text.substr(begin, at - begin);
+        last = std::max(last, end);
+        const auto line = std::ranges::find(lines, key.str(), &TomlLine::key);
+        if (line == lines.end())
+            edits_.push_back({begin, end, ""});
+        else if (layout_.spelled(child) != line->value)
+            replace(child, line->value);
     }
-    auto& [at, first] = *written.begin();
-    const std::string before(layout_.text.substr(first.begin, at - first.begin));
     for (const TomlLine& line : lines)
-        first.text += fmt::format("{}{} = {}\n", before, line.key, line.value);
-    for (auto& [key, edit] : written) edits_.push_back(std::move(edit));
+        if (!table.contains(line.key))
+            text += fmt::format("{}{} = {}\n", before, line.key, line.value);
+    if (!text.empty()) insert(last, text);
 }
 
 void Editor::remove_tables(const toml::array& tables) {
@@ -321,7 +330,7 @@ void Editor::remove_tables(const toml::array& tables) {
                           layout_.line_end(layout_.offset(last_end(one))), ""});
 }
 
-// One that has changed is written anew, under a header at the end, or where it stands without one.
+// One that has changed keeps its place; one that is new stands under a header at the end.
 void Editor::edit_qualities() {
     const toml::node* node = layout_.get("quality");
     const toml::table* table = node ? node->as_table() : nullptr;
@@ -338,10 +347,9 @@ void Editor::edit_qualities() {
             if (value.is_array_of_tables() && value.as_array()->front().is_table() &&
                 !value.as_array()->front().as_table()->is_inline()) {
                 remove_tables(*value.as_array());
-            } else if (is_table && is_header(written->first, value)) {
-                remove_lines(written->first, value);
             } else if (is_table) {
-                replace_dotted(*value.as_table(), now);
+                const std::size_t head = layout_.offset(written->first.source().begin);
+                merge(*value.as_table(), layout_.line_end(head), now);
                 continue;
             } else {
                 replace(value, toml_braces(now));

@@ -45,7 +45,7 @@ TEST_F(Quality, IsToldWhereItIsWrong) {
 
 TEST_F(Quality, IsWrittenBehindWhatStandsAndInPlaceOfItself) {
     const std::string text =
-        "scene = \"a.frag\"\n# mine\n[quality.fast]\nsteps = 4\n\n"
+        "scene = \"a.frag\"\n# mine\n[quality.fast]  # by hand\nsteps = 4  # no less\n\n"
         "[quality.other]\nsteps = 2\n";
     folder.write("a.frag", kScene);
     ReadPreset found = read_preset(folder.write("a.toml", text));
@@ -56,8 +56,8 @@ TEST_F(Quality, IsWrittenBehindWhatStandsAndInPlaceOfItself) {
     const PresetText written = write_preset(*found.preset, folder.path() / "a.toml", text);
     ASSERT_TRUE(written.text);
     EXPECT_EQ(*written.text,
-              "scene = \"a.frag\"\n# mine\n\n[quality.other]\nsteps = 2\n\n"
-              "[quality.fast]\nmethod = \"exact\"\nsteps = 16\n\n"
+              "scene = \"a.frag\"\n# mine\n[quality.fast]  # by hand\nsteps = 16  # no less\n"
+              "method = \"exact\"\n\n[quality.other]\nsteps = 2\n\n"
               "[quality.\"8 ms\"]\nsteps = 32\n");
 }
 
@@ -66,12 +66,12 @@ TEST_F(Quality, IsWrittenIntoWhicheverFormStands) {
     struct {
         const char *before, *after;
     } const cases[] = {
-        {"quality.best.steps = 3\n", "quality.best.method = \"exact\"\nquality.best.steps = 5\n"},
+        {"quality.best.steps = 3\n", "quality.best.steps = 5\nquality.best.method = \"exact\"\n"},
         {"quality.fast.steps = 2\nquality.best.steps = 3\n[tweaks]\n",
-         "quality.fast.steps = 2\nquality.best.method = \"exact\"\nquality.best.steps = 5\n"
+         "quality.fast.steps = 2\nquality.best.steps = 5\nquality.best.method = \"exact\"\n"
          "[tweaks]\n"},
         {"[quality]\n  best.steps = 3 # mine\nfast.steps = 2\n  best.method = 0\n",
-         "[quality]\n  best.method = \"exact\"\n  best.steps = 5\nfast.steps = 2\n"},
+         "[quality]\n  best.steps = 5 # mine\nfast.steps = 2\n  best.method = \"exact\"\n"},
         {"[quality]\nbest = { steps = 3 } # mine\n",
          "[quality]\nbest = { method = \"exact\", steps = 5 } # mine\n"},
         {"[quality]\nbest = 3\n", "[quality]\nbest = { method = \"exact\", steps = 5 }\n"},
