@@ -518,6 +518,8 @@ void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
     const Span whole = reading_.place(reading_.functions[f].tokens);
     if (asked.line.begin >= whole.end || asked.line.end <= whole.begin) return;
     function_ = f;
+    probed_.refused[index] = asked.is_assertion ? "" : refusal_of_calls(reading_, asked.text);
+    if (!probed_.refused[index].empty()) return;
     const ProbeRoom room = room_at(reading_, asked.line, f);
     const std::size_t site =
         new_site(asked.is_assertion ? SiteKind::assertion : SiteKind::expression, asked.text,

@@ -3,6 +3,12 @@
 #include "glsl/operands.h"
 #include "glsl/parser.h"
 #include "glsl/probe.h"
+#include "glsl/variables.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
 
 namespace glint {
 
@@ -50,6 +56,47 @@ std::string refusal_of_expression(std::string_view text) {
             return "it would change a variable";
     }
     return reading.is_balanced ? "" : "its brackets do not balance";
+}
+
+namespace {
+
+// `s += x`, `++s.y`: the first token of what is changed.
+std::uint32_t changed_by(const Reading& reading, std::uint32_t at, TokenRange body) {
+    const std::uint32_t before = operand_begin(reading, at, body.begin);
+    return before < at ? before : at + 1;
+}
+
+bool changes_globals(const Reading& reading, const Variables& variables, std::uint32_t function) {
+    const TokenRange body = reading.functions[function].body;
+    for (std::uint32_t at = body.begin; at < body.end; ++at) {
+        const Token& token = reading.tokens[at];
+        if (!is_assignment(token) && !token.is("++") && !token.is("--")) continue;
+        const auto found = variables.find(changed_by(reading, at, body), function);
+        if (found.declaration && found.declaration->scope == Scope::global) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string refusal_of_calls(const Reading& text, const std::string& expression) {
+    const Reading words = read_glsl(expression, {});
+    std::vector<std::string_view> called;
+    for (std::size_t i = 0; i + 1 < words.tokens.size(); ++i)
+        if (words.tokens[i].is_word() && words.tokens[i + 1].is("("))
+            called.push_back(words.tokens[i].text);
+    for (const std::string_view name : called)
+        for (const std::uint32_t function : text.functions_named(name))
+            for (const std::uint32_t parameter : text.functions[function].parameters)
+                if (text.declarations[parameter].is_out)
+                    return fmt::format("{} would change a variable that is handed to it", name);
+    const Variables variables(text);
+    const std::vector<bool> reached = text.reached_from(called);
+    for (std::uint32_t f = 0; f < text.functions.size(); ++f)
+        if (reached[f] && text.functions[f].is_defined() && changes_globals(text, variables, f))
+            return fmt::format("{} would change a variable of the text's",
+                               text.word(text.functions[f].name));
+    return "";
 }
 
 std::string with_true_place(const std::string& expression) {

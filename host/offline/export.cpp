@@ -44,6 +44,7 @@ public:
     void write(const fs::path& folder);
 
 private:
+    void warn_of_others(const fs::path& folder);
     void find_tabs();
     const PassProgram& program_of(const Tab& tab) const;
     std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
@@ -171,10 +172,11 @@ std::string Exporter::limits_text(const Tab& tab) {
     const glm::ivec2 size = buffer_size(pass, preset_.size);
     const glm::ivec2 theirs = pass.cube ? glm::ivec2(1024) : preset_.size;
     if (size == theirs) return {};
-    warn(
-        fmt::format("{}: it has {}x{} pixels, the site's are as large as the picture: texelFetch "
-                    "reads the same, texture does not",
-                    tab.name, size.x, size.y));
+    warn(fmt::format(
+        "{}: it has {}x{} pixels, the site's {}: texelFetch reads the same, texture does "
+        "not",
+        tab.name, size.x, size.y,
+        pass.cube ? "cubes have 1024x1024" : "buffers are as large as the picture"));
     return fmt::format("#define iResolution vec3({}.0, {}.0, 1.0)\n", size.x, size.y);
 }
 
@@ -351,6 +353,20 @@ Json Exporter::tab_json(const Tab& tab, const std::string& text) const {
             {"type", is_buffer ? "buffer" : tab.name == "cubeA" ? "cubemap" : tab.name}};
 }
 
+// Tabs of an earlier export, which would be imported with these.
+void Exporter::warn_of_others(const fs::path& folder) {
+    for (const char* name :
+         {"common", "bufferA", "bufferB", "bufferC", "bufferD", "cubeA", "image", "sound"}) {
+        const fs::path file = folder / (std::string(name) + ".glsl");
+        std::error_code error;
+        if (std::ranges::find(tabs_, name, &Tab::name) == tabs_.end() && fs::exists(file, error))
+            warn(
+                fmt::format("{} stands there and is none of this scene's; take it away before the "
+                            "folder is imported",
+                            file.string()));
+    }
+}
+
 void Exporter::write(const fs::path& folder) {
     std::vector<std::string> texts;
     Json passes = Json::array();
@@ -370,6 +386,7 @@ void Exporter::write(const fs::path& folder) {
         write_whole_file(file, std::as_bytes(std::span(texts[i])));
         say_result("{}\n", file.string());
     }
+    warn_of_others(folder);
     const std::string json = json_text(shader) + "\n";
     write_whole_file(folder / "shadertoy.json", std::as_bytes(std::span(json)));
     say_result("{}\n", (folder / "shadertoy.json").string());

@@ -388,6 +388,9 @@ void run_sequence(const SequenceOptions& options) {
         return join_pictures(options, target, preset, frames, inputs);
     }
     if (target == Target::states) frames.count = 0;
+    if (preset.settle > 0)
+        say_warning(fmt::format("{}: settle is for stills; each frame of a sequence is drawn once.",
+                                preset.file.string()));
 
     const auto context = make_egl_context(options.view.device);
     const std::string gpu = context->renderer();

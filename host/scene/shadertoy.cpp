@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <system_error>
 
 namespace glint {
@@ -192,7 +193,16 @@ std::optional<ShadertoyTab> JsonReader::tab(const std::string& name, const Json&
     const Json& inputs = member(pass, "inputs");
     if (inputs.is_array())
         for (const Json& input : inputs) tab.inputs.push_back(read_input(input, tab_of_id));
-    for (const ShadertoyInput& input : tab.inputs) warn_of(input, name);
+    std::set<int> channels;
+    for (const ShadertoyInput& input : tab.inputs) {
+        warn_of(input, name);
+        if (is_beyond_channels(input) || channels.insert(input.channel).second) continue;
+        diagnostics_.push_back({Severity::warning,
+                                {file_.string()},
+                                fmt::format("the tab {}: channel {} has more than one input; the "
+                                            "first is taken",
+                                            in_quotes(name), input.channel)});
+    }
     std::erase_if(tab.inputs, is_beyond_channels);
     return tab;
 }

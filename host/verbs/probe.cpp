@@ -38,7 +38,7 @@ void declare(CLI::App& verb, ProbeOptions& probe) {
                   "lines, and with --map as a picture");
     verb.add_flag("--faults", probe.faults,
                   "where the first NaN, Inf, division by zero, root of a negative number or index "
-                  "out of range is born, in any pass up to this frame");
+                  "out of range is born, in any pass; of a simulation in any frame up to this one");
     add_examples(
         verb, {"glint probe presets/magic.toml --at 320,180 --size 640x360",
                "glint probe presets/water.toml --pass pond --frame 60 --at 40,40 --size "

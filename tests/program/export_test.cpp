@@ -65,6 +65,16 @@ TEST_F(Export, UniformsWithoutAnAnnotationComeBack) {
     EXPECT_EQ(draw("a.frag").pixels, draw("back.frag").pixels);
 }
 
+TEST_F(Export, TabsOfAnotherExportAreTold) {
+    write("a.frag", kScene);
+    write("b.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n");
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    const Outcome made = glint({"export", "b.frag", "-o", "out"});
+    EXPECT_NE(made.err.find("out/bufferA.glsl stands there and is none of this scene's"),
+              std::string::npos)
+        << made.err;
+}
+
 TEST_F(Export, ATickOfTheTextsOwnStaysItsOwn) {
     write("a.frag",
           "float iTick = 0.4;\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(iTick); }\n");

@@ -394,6 +394,7 @@ TEST_F(Import, WhatIsStrangeInAnInputLeavesTheRestAsItIs) {
     inputs.push_back(input(7, 259, "buffer", "nearest"));  // no such channel
     inputs.push_back("text");
     inputs.push_back(nullptr);
+    inputs.push_back(input(0, 258, "buffer", "nearest"));  // taken already
     inputs[0]["sampler"] = 3;
     inputs[1]["sampler"]["filter"] = "trilinear";
     json["renderpass"][3]["inputs"] = 5;
@@ -401,6 +402,7 @@ TEST_F(Import, WhatIsStrangeInAnInputLeavesTheRestAsItIs) {
     const Outcome outcome = glint({"import", "odd.json", "-o", "odd.frag"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     for (const char* told : {"the tab 'image': an input has no channel from 0 to 3",
+                             "the tab 'image': channel 0 has more than one input",
                              "the tab 'image': channel 1 has the filter 'trilinear'"})
         EXPECT_NE(outcome.err.find(told), std::string::npos) << outcome.err;
     write("good.json", Json{{"renderpass", chain(257, 258, 37)}}.dump());

@@ -187,6 +187,28 @@ TEST_F(ProbeVerb, SaysWhatCannotBeAsked) {
     expect_usage({"--face", "2"}, "pass image fills no cube");
 }
 
+// It would count on with each look.
+TEST_F(ProbeVerb, AsksNothingThatWouldChangeTheText) {
+    write("count.frag",
+          "int count = 0;\n"
+          "float next() { ++count; return float(count); }\n"
+          "float two() { return next() + next(); }\n"
+          "void add(inout float x) { x += 1.0; }\n"
+          "float same(float x) { float y = x; y *= 1.0; return y; }\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float a = next();\n"
+          "    c = vec4(a);\n}\n");
+    const auto asked = [&](const char* expression) {
+        return glint({"probe", "count.frag", "--size", "8x4", "--expr", expression});
+    };
+    for (const char* expression : {"next()@8", "two()@8", "add(a)@8"}) {
+        const Outcome outcome = asked(expression);
+        EXPECT_EQ(outcome.code, 2) << expression;
+        EXPECT_NE(outcome.err.find("would change a variable"), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(asked("same(a)@8").code, 0);
+}
+
 TEST_F(ProbeVerb, SaysThatThereAreFewerHits) {
     const Outcome outcome = probe({"--line", "3", "--hit", "99"});
     EXPECT_EQ(outcome.code, 0);

@@ -233,6 +233,7 @@ std::optional<ProbeFault> find_fault(ProbeSession& session, const ProbeOptions& 
         watch.begin(frame);
         session.renderer().redraw();
         session.renderer().draw(frame);
+        session.set_frame(frame);
     }
     return watch.first();
 }

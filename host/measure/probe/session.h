@@ -42,6 +42,7 @@ public:
     // Filled but for what was found.
     Probing probing(const ProbePlace& place) const;
     const Frame& frame() const { return frame_; }
+    void set_frame(const Frame& frame) { frame_ = frame; }  // that was drawn by other hands
 
     // The bytes of a line, as --line names it. Throws UsageError.
     Span line(const std::string& text) const;
