@@ -173,6 +173,22 @@ TEST_F(File, ATypedValueIsClampedAndResetsGoToThePresetsThenToTheTexts) {
     }
 }
 
+// What stands in the field counts, whatever is asked for next.
+TEST_F(File, AValueThatIsBeingTypedIsSaved) {
+    open_look();
+    screen_->tap("Control_L+space");
+    settle();
+    screen_->key("Control_L", true);
+    screen_->click({1120, 89});
+    screen_->key("Control_L", false);
+    settle();
+    screen_->type("1");
+    screen_->tap("Control_L+s");
+    EXPECT_TRUE(eventually([&] { return pixel().r == 255; })) << pixel();
+    EXPECT_TRUE(eventually([&] { return read(look()) != kLook; }));
+    EXPECT_TRUE(becomes_unsaved(false));
+}
+
 TEST_F(File, ThePanelsHaveTheKeysFromF6OrCtrlFToEsc) {
     open(
         "uniform sampler2D keys; //@ keyboard\n"

@@ -185,7 +185,7 @@ TEST_F(Reload, NumbersAndLinesMayChangeInAnyOrderAndTheStateIsKept) {
 TEST_F(Reload, TheLastGoodPictureStaysUnderAnErrorAndGoesOnAfterwards) {
     open(text_of({10, 200, 30}));
     write(scene(), "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(1, 0, 0, 1)\n}\n");
-    ASSERT_TRUE(glint_->says("scene.frag:3:1: error"));
+    ASSERT_TRUE(glint_->says("scene.frag:2:25: error"));
     std::this_thread::sleep_for(300ms);
     EXPECT_TRUE(shows({10, 200, 30}, kMargin, 0.0));
     const auto in_the_middle = [&] { return screen_->picture({300, 100}, {300, 500}); };

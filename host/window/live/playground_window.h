@@ -55,6 +55,7 @@ private:
     void handle_mouse(const WindowEvent& event);
     void release_keys();
     bool run_shortcut(int key, int modifiers);
+    void end_typing();
     void act(Action action);
     void flip(Action action);  // one of the settings
     void play_or_pause();

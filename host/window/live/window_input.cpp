@@ -106,6 +106,13 @@ void PlaygroundWindow::handle_mouse(const WindowEvent& event) {
     if (panning_ && view.zoom > 0.0) view.centre -= moved / (glm::dvec2(viewed_size()) * view.zoom);
 }
 
+// What has been typed counts, whatever is asked for next. A frame takes the last of it from ImGui.
+void PlaygroundWindow::end_typing() {
+    draw_frame();
+    panels_.end_typing();
+    draw_frame();
+}
+
 bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
     const std::optional<Action> action = action_of(key, modifiers);
     if (!action) return false;
@@ -117,6 +124,7 @@ bool PlaygroundWindow::run_shortcut(int key, int modifiers) {
     const bool undoes = *action == Action::undo || *action == Action::redo;
     if ((plain && (panels_.takes_keyboard() || settings_.keys)) || (undoes && panels_.takes_text()))
         return false;
+    if (panels_.is_typing()) end_typing();
     act(*action);
     return true;
 }

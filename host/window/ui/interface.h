@@ -50,7 +50,7 @@ struct TweaksState {
     std::string search;
     Edits edits;
     std::string typed, typed_text;  // the tweak whose value is being typed, and what stands there
-    bool typing_begins = false;
+    bool typing_begins = false, is_typing = false;
     std::string told, told_of;  // what became of a value that was typed, and of which tweak
     TweakValue told_at{};       // which it has since; said of no other
     std::string focus;          // the tweak whose control is to have the keyboard
@@ -147,6 +147,9 @@ public:
 
     // A notice fades or a tooltip is due: frames are wanted though nobody moves.
     bool is_moving() const;
+
+    // Whether the value of a tweak is being typed.
+    bool is_typing() const { return tweaks_.is_typing; }
 
     void set_theme(const Theme& theme) { theme_ = theme; }
     const Layout& layout() const { return layout_; }

@@ -235,6 +235,15 @@ bool Panels::takes_text() const {
     return ImGui::GetIO().WantTextInput;
 }
 
+bool Panels::is_typing() const {
+    return takes_text() && state_->interface.is_typing();
+}
+
+void Panels::end_typing() {
+    ImGui::SetCurrentContext(state_->context);
+    ImGui::ClearActiveID();
+}
+
 bool Panels::is_settling() const {
     ImGui::SetCurrentContext(state_->context);
     return state_->frames_to_settle > 0 || state_->interface.is_moving();

@@ -258,6 +258,11 @@ public:
     // Whether a text field holds the keyboard.
     bool takes_text() const;
 
+    // Whether that is the value of a tweak; its field is let go, and the next update() takes the
+    // value.
+    bool is_typing() const;
+    void end_typing();
+
     // Frames that are still wanted after an input until everything stands still.
     bool is_settling() const;
 

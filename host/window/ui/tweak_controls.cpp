@@ -73,8 +73,12 @@ void typed_field(Row& row) {
     ImGui::SetNextItemWidth(row.width);
     if (row.state.typing_begins) ImGui::SetKeyboardFocusHere();
     row.state.typing_begins = false;
+    const bool was_typing = row.state.is_typing;
     ImGui::InputText("##typed", &row.state.typed_text, ImGuiInputTextFlags_AutoSelectAll);
-    if (ImGui::IsItemDeactivatedAfterEdit()) {
+    // ImGui forgets one that a dialog or a closed panel took the keyboard from.
+    row.state.is_typing = ImGui::IsItemActive();
+    if (!was_typing || row.state.is_typing) return;
+    if (row.state.typed_text != format_value(row.tweak, row.value)) {
         if (const auto value = parse_value(row.tweak, row.state.typed_text))
             row.set(*value);
         else
@@ -82,7 +86,6 @@ void typed_field(Row& row) {
                                  expected_value(row.tweak), format_value(row.tweak, row.value)),
                      row.value);
     }
-    if (!ImGui::IsItemDeactivated()) return;
     row.state.typed.clear();
     if (row.build.settings.keys) row.state.focus = row.tweak.name;
 }
