@@ -51,8 +51,8 @@ public:
     // structs and scalars that are assigned in one place alone; other drivers do what they do.
     static void start_variables_at_zero();
 
-    // Before a driver is loaded, too: Mesa maps the index of what it keeps into memory, and where the
-    // disk has no room for it the process would die at a write. It keeps nothing there then.
+    // Before a driver is loaded, too: Mesa maps the index of what it keeps into memory, and where
+    // the disk has no room for it the process would die at a write. It keeps nothing there then.
     static void spare_full_disk();
 
 protected:

@@ -366,6 +366,12 @@ void join_pictures(const SequenceOptions& options, Target target, const Preset& 
     print_joined(options, preset, frames.count, clock.ms());
 }
 
+void warn_of_settle(const Preset& preset) {
+    if (preset.settle > 0)
+        say_warning(fmt::format("{}: settle is for stills; each frame of a sequence is drawn once.",
+                                preset.file.string()));
+}
+
 }  // namespace
 
 void run_sequence(const SequenceOptions& options) {
@@ -388,9 +394,7 @@ void run_sequence(const SequenceOptions& options) {
         return join_pictures(options, target, preset, frames, inputs);
     }
     if (target == Target::states) frames.count = 0;
-    if (preset.settle > 0)
-        say_warning(fmt::format("{}: settle is for stills; each frame of a sequence is drawn once.",
-                                preset.file.string()));
+    warn_of_settle(preset);
 
     const auto context = make_egl_context(options.view.device);
     const std::string gpu = context->renderer();

@@ -15,7 +15,6 @@
 #include <utility>
 
 namespace glint {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -170,10 +169,11 @@ void Reader::read_scene_key(const toml::table& root) {
     const toml::node* node = root.get("scene");
     const auto name = node ? node->value<std::string>() : std::nullopt;
     if (!is_name(name)) {
+        const std::string why =
+            node ? "the scene is missing, for this is no file's name" : "the scene is missing";
         result_.diagnostics.push_back(
             {Severity::error, node ? place(node->source()) : Place{preset_.file.string(), 1, 1},
-             fmt::format("the scene is {}; write scene = \"NAME.frag\", relative to this file",
-                         node ? "no file's name" : "missing")});
+             why + "; write scene = \"NAME.frag\", relative to this file"});
         return;
     }
     fs::path file = preset_.file.parent_path() / *name;

@@ -214,7 +214,8 @@ TEST(Preset, ANameWithANulOpensNothing) {
     folder.write("a.frag", kScene);
     const ReadPreset scene = read_preset(folder.write("a.toml", "scene = \"a.frag\\u0000.png\"\n"));
     EXPECT_FALSE(scene.preset);
-    EXPECT_NE(all(scene.diagnostics).find("a.toml:1:9: error: the scene is no file's name"),
+    EXPECT_NE(all(scene.diagnostics)
+                  .find("a.toml:1:9: error: the scene is missing, for this is no file's name"),
               std::string::npos)
         << all(scene.diagnostics);
     const ReadPreset picture = read_preset(folder.write(
@@ -240,8 +241,8 @@ TEST(Preset, WithoutASceneIsAnError) {
     const std::pair<const char*, const char*> cases[] = {
         {"", "a.toml:1:1: error: the scene is missing"},
         {"title = \"x\"\n", "a.toml:1:1: error: the scene is missing"},
-        {"scene = 3\n", "a.toml:1:9: error: the scene is no file's name"},
-        {"scene = \"\"\n", "a.toml:1:9: error: the scene is no file's name"}};
+        {"scene = 3\n", "a.toml:1:9: error: the scene is missing, for this is no file's name"},
+        {"scene = \"\"\n", "a.toml:1:9: error: the scene is missing, for this is no file's name"}};
     for (const auto& [text, told] : cases) {
         const ReadPreset result = read(text);
         EXPECT_FALSE(result.preset);

@@ -141,7 +141,8 @@ void Interface::panels(Build& build) {
 
 void Interface::follow_notice(const Facts& facts) {
     notice_age_ += std::min(ImGui::GetIO().DeltaTime, 0.1f);
-    if (facts.notice_number == notice_number_) return;
+    if (facts.notice == notice_ && facts.notice_number == notice_number_) return;
+    notice_ = facts.notice;
     notice_number_ = facts.notice_number;
     notice_age_ = facts.notice.empty() ? kNoticeStays : 0.0f;
 }

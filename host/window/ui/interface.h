@@ -170,6 +170,7 @@ private:
     NewSceneState new_scene_;
     StudyState study_;
     SourceState source_;
+    std::string notice_;
     unsigned notice_number_ = 0;
     float notice_age_ = 1e9f;  // s
     bool is_busy_ = false;     // Esc has something to end before it gives the keyboard back
