@@ -149,7 +149,7 @@ std::span<const Token> ReadText::users_tokens() const {
 
 // Behind a token means behind the last one that a person wrote.
 Place ReadText::place_of(const SyntaxError& error) const {
-    std::size_t token = error.token;
+    std::size_t token = std::min(error.token, read_.tokens.size() - 1);
     if (!error.is_behind) return place(written(read_.tokens[token]).begin);
     while (token > 0 && !pass_.origin(written(read_.tokens[token]).end - 1)) --token;
     Place where = place(written(read_.tokens[token]).end - 1);

@@ -197,6 +197,8 @@ SyntaxError missing(const Complaint& complaint, const Around& around) {
     std::vector<std::string> expected = complaint.expected;
     const std::string here =
         complaint.unexpected == kEnd ? "the text's end" : in_quotes(around.word(0));
+    if (complaint.unexpected == kEnd && expected.empty() && !around.word(-1).empty())
+        return {"the text ends here, and something is missing", around.index(-1), true};
     if (expected.empty()) {
         const std::string before = around.word(-1).empty() ? "" : in_quotes(around.word(-1));
         return {before.empty() ? fmt::format("{} is not expected here", here)

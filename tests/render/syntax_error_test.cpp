@@ -36,6 +36,8 @@ TEST_F(SyntaxErrors, StandWhereSomethingIsMissing) {
               "1:20: ';' or ',' is missing before '}'");
     EXPECT_EQ(first_complaint("vec3 a = vec3(1)\n" + in_image("")), "1:17: ';' is missing here");
     EXPECT_EQ(first_complaint(in_image("") + "int a"), "5:6: ';' is missing here");
+    EXPECT_EQ(first_complaint(in_image("") + "int a ="),
+              "5:8: the text ends here, and something is missing");
     EXPECT_EQ(first_complaint(in_image("c = c.;")),
               "2:7: a component, such as x, is missing before ';'");
 }
