@@ -156,19 +156,6 @@ struct DeclaredVerb {
     std::unique_ptr<Verb> verb;
 };
 
-// Such as of a shell's variable that is not set: what it asks for would not be done, and nothing
-// said.
-void refuse_empty_values(CLI::App& verb) {
-    for (const char* name : {"--junit", "--quality", "--name", "--map"}) {
-        CLI::Option* option = verb.get_option_no_throw(name);
-        if (option && option->get_items_expected_max() > 0)
-            option->check([](const std::string& value) {
-                return std::string(
-                    value.empty() ? "it has an empty value; leave it out, or say what" : "");
-            });
-    }
-}
-
 std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
     std::vector<DeclaredVerb> verbs;
     for (const VerbEntry& entry : kVerbs) {
@@ -176,7 +163,6 @@ std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
         if (!entry.help) part->group("");
         verbs.push_back({part, entry.make()});
         verbs.back().verb->declare(*part);
-        refuse_empty_values(*part);
     }
     return verbs;
 }

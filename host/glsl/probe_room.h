@@ -21,9 +21,8 @@ ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t function);
 // The expression with what stands for gl_FragCoord, whose own counts cells.
 std::string with_true_place(const std::string& expression);
 
-// Why an expression is not to be evaluated in this text: what it calls would change what stands
-// there.
-// "" where nothing does.
+// Why an expression is not to be evaluated in this text: what it calls would change variables of
+// it. "" where nothing does.
 std::string refusal_of_calls(const Reading& text, const std::string& expression);
 
 }  // namespace glint

@@ -10,6 +10,7 @@
 #include "offline/site_text.h"
 #include "scene/builtin.h"
 #include "scene/scene_text.h"
+#include "scene/shadertoy.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -355,8 +356,7 @@ Json Exporter::tab_json(const Tab& tab, const std::string& text) const {
 
 // Tabs of an earlier export, which would be imported with these.
 void Exporter::warn_of_others(const fs::path& folder) {
-    for (const char* name :
-         {"common", "bufferA", "bufferB", "bufferC", "bufferD", "cubeA", "image", "sound"}) {
+    for (const std::string_view name : kShadertoyTabs) {
         const fs::path file = folder / (std::string(name) + ".glsl");
         std::error_code error;
         if (std::ranges::find(tabs_, name, &Tab::name) == tabs_.end() && fs::exists(file, error))

@@ -71,6 +71,13 @@ std::string advice_on_foreign_type(std::string_view name) {
     return found(kTypes, name);
 }
 
+std::string said_better(std::string complaint) {
+    if (complaint.starts_with("C-style initialization requires"))
+        return "GLSL ES has no lists in braces; write the array's type and its values, such as "
+               "float[](1.0, 2.0)";
+    return complaint;
+}
+
 std::string advice_on_types(std::string_view complaint) {
     constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
     if (complaint.starts_with("could not implicitly convert operands to "))

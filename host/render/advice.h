@@ -6,6 +6,9 @@
 
 namespace glint {
 
+// A complaint of Mesa's, without advice that is none for GLSL ES.
+std::string said_better(std::string complaint);
+
 // "; write 1.0 for 1", to be put behind a complaint of Mesa's about types, or "".
 std::string advice_on_types(std::string_view complaint);
 

@@ -157,14 +157,6 @@ Place ReadText::place_of(const SyntaxError& error) const {
     return where;
 }
 
-// Advice that is none for GLSL ES.
-std::string said_better(std::string words) {
-    if (words.starts_with("C-style initialization requires"))
-        return "GLSL ES has no lists in braces; write the array's type and its values, such as "
-               "float[](1.0, 2.0)";
-    return words;
-}
-
 Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_expanded,
                                std::string words) const {
     Spot spot = is_expanded ? expanded_spot(line, column) : Spot{offset(line, column)};

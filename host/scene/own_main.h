@@ -12,8 +12,8 @@ namespace glint {
 // Where both are there, mainImage draws the picture.
 bool has_own_main(const Reading& reading);
 
-// `out vec4 colour;`, or of type vec3, where it is the picture's; null where the text has none. Of
-// several it is the one at location 0, or else the first.
+// `out vec4 colour;`, or of type vec3: the first at location 0, or at none that is named. Null
+// where the text has none.
 const Declaration* colour_output(const Reading& reading);
 
 // What is wrong with a main() that writes no colour, and where, in bytes.

@@ -18,10 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-// Also the order in which the site draws them.
-constexpr std::array<std::string_view, 8> kTabs = {"common",  "bufferA", "bufferB", "bufferC",
-                                                   "bufferD", "cubeA",   "image",   "sound"};
-
 struct KnownId {
     std::string_view number, word, tab;
 };
@@ -156,6 +152,11 @@ private:
     std::optional<ShadertoyTab> tab(const std::string& name, const Json& pass,
                                     const std::map<std::string, std::string>& tab_of_id);
     void warn_of(const ShadertoyInput& input, const std::string& tab);
+    void warn(const std::string& tab, const std::string& what) {
+        diagnostics_.push_back({Severity::warning,
+                                {file_.string()},
+                                fmt::format("the tab {}: {}", in_quotes(tab), what)});
+    }
     void error(const std::string& text) {
         diagnostics_.push_back({Severity::error, {file_.string()}, text, true});
     }
@@ -197,11 +198,8 @@ std::optional<ShadertoyTab> JsonReader::tab(const std::string& name, const Json&
     for (const ShadertoyInput& input : tab.inputs) {
         warn_of(input, name);
         if (is_beyond_channels(input) || channels.insert(input.channel).second) continue;
-        diagnostics_.push_back({Severity::warning,
-                                {file_.string()},
-                                fmt::format("the tab {}: channel {} has more than one input; the "
-                                            "first is taken",
-                                            in_quotes(name), input.channel)});
+        warn(name,
+             fmt::format("channel {} has more than one input; the first is taken", input.channel));
     }
     std::erase_if(tab.inputs, is_beyond_channels);
     return tab;
@@ -210,23 +208,17 @@ std::optional<ShadertoyTab> JsonReader::tab(const std::string& name, const Json&
 void JsonReader::warn_of(const ShadertoyInput& input, const std::string& tab) {
     constexpr std::array<std::string_view, 4> kFilters = {"", "nearest", "linear", "mipmap"};
     constexpr std::array<std::string_view, 3> kWraps = {"", "clamp", "repeat"};
-    const auto warn = [&](const std::string& what) {
-        diagnostics_.push_back({Severity::warning,
-                                {file_.string()},
-                                fmt::format("the tab {}: {}", in_quotes(tab), what)});
-    };
     if (is_beyond_channels(input))
-        return warn("an input has no channel from 0 to 3, and is left out");
+        return warn(tab, "an input has no channel from 0 to 3, and is left out");
     if (std::ranges::find(kFilters, input.filter) == kFilters.end())
-        warn(
-            fmt::format("channel {} has the filter {}, which the site has not; choose nearest, "
-                        "linear or mipmap",
-                        input.channel, in_quotes(input.filter)));
+        warn(tab,
+             fmt::format("channel {} has the filter {}, which the site has not; choose nearest, "
+                         "linear or mipmap",
+                         input.channel, in_quotes(input.filter)));
     if (std::ranges::find(kWraps, input.wrap) == kWraps.end())
-        warn(
-            fmt::format("channel {} has the wrap {}, which the site has not; choose clamp or "
-                        "repeat",
-                        input.channel, in_quotes(input.wrap)));
+        warn(tab, fmt::format("channel {} has the wrap {}, which the site has not; choose clamp or "
+                              "repeat",
+                              input.channel, in_quotes(input.wrap)));
 }
 
 std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
@@ -257,7 +249,9 @@ std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
 }
 
 void sort_tabs(Shadertoy& shader) {
-    const auto rank = [](const ShadertoyTab& tab) { return std::ranges::find(kTabs, tab.name); };
+    const auto rank = [](const ShadertoyTab& tab) {
+        return std::ranges::find(kShadertoyTabs, tab.name);
+    };
     std::ranges::stable_sort(shader.tabs,
                              [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }

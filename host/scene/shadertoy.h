@@ -4,12 +4,18 @@
 
 #include "base/diagnostic.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
+
+// In the order in which the site draws them.
+inline constexpr std::array<std::string_view, 8> kShadertoyTabs = {
+    "common", "bufferA", "bufferB", "bufferC", "bufferD", "cubeA", "image", "sound"};
 
 // What one iChannel of a tab reads.
 struct ShadertoyInput {

@@ -50,7 +50,8 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->excludes(ms)
         ->excludes(rmse);
     verb.add_option("--name", study.name,
-                    "what the setting that is found is called in the preset of -o; best otherwise");
+                    "what the setting that is found is called in the preset of -o; best otherwise")
+        ->check(not_empty());
     verb.add_option(
             "-o,--output", study.output,
             "a folder for the report; a preset (.toml) for what --ms, --rmse or --flip finds")

@@ -29,6 +29,10 @@ BrokenAssertion broken(const ProbeNote& note) {
             .why = note.why};
 }
 
+bool is_of(const BrokenAssertion& one, const Place& place) {
+    return one.file == place.file && one.line == place.line && one.column == place.column;
+}
+
 // What does not hold at the pixels of one pass that is about to be drawn, and held so far.
 void look(Probe& probe, Renderer& renderer, std::size_t index, const std::string& pass,
           const std::vector<ProbeNote>& notes, BrokenAssertions& found) {
@@ -53,8 +57,7 @@ void look(Probe& probe, Renderer& renderer, std::size_t index, const std::string
     }
     for (BrokenAssertion& one : here) {
         const bool is_known = std::ranges::any_of(found, [&](const BrokenAssertion& other) {
-            return other.file == one.file && other.line == one.line && other.column == one.column &&
-                   other.pass == pass;
+            return other.pass == pass && is_of(other, {one.file, one.line, one.column});
         });
         if (one.pixels > 0 && !is_known) found.push_back(std::move(one));
     }
@@ -75,15 +78,12 @@ ProbeWish accepted_of(const Preset& preset, std::size_t pass, const ProgramOptio
 
 // In the order of the text; of one line, passes as they were drawn.
 void put_in_order(BrokenAssertions& found, const std::vector<ProbeNote>& notes) {
-    std::ranges::stable_sort(found, {}, [&](const BrokenAssertion& one) {
+    const auto number_of = [&](const BrokenAssertion& one) {
         return std::ranges::find_if(notes,
-                                    [&](const ProbeNote& note) {
-                                        return note.place.file == one.file &&
-                                               note.place.line == one.line &&
-                                               note.place.column == one.column;
-                                    }) -
+                                    [&](const ProbeNote& note) { return is_of(one, note.place); }) -
                notes.begin();
-    });
+    };
+    std::ranges::stable_sort(found, {}, number_of);
 }
 
 }  // namespace
