@@ -28,7 +28,8 @@ protected:
             std::cout << fmt::format("{}: {:.2f} % of one core\n", when, used);
             if (used <= percent) return testing::AssertionSuccess();
         }
-        return testing::AssertionFailure() << when << ": " << used << " % of one core";
+        return testing::AssertionFailure() << when << ": " << used << " % of one core; it said:\n"
+                                           << glint_->errors();
     }
     // The tweaks have rested, the specialised program is there.
     static void wait_for_rest() { std::this_thread::sleep_for(std::chrono::seconds(2)); }
