@@ -39,6 +39,17 @@ constexpr const char* kMoving =
     "uniform float level; //@ 0.5 [0, 1]\n"
     "void mainImage(out vec4 c, in vec2 p) { c = vec4(fract(iTime), level, p.x, 1); }\n";
 
+constexpr const char* kHanging =
+    "void mainImage(out vec4 c, in vec2 p) {\n"
+    "    float a = p.x;\n"
+    "    for (int i = 0; i < 1000000000; ++i) {\n"
+    "        for (int k = 0; k < 8; ++k)\n"
+    "            a = sin(a * 1.1 + exp(cos(a + float(k)))) + pow(abs(a), 0.3);\n"
+    "        if (a > 100.0) break;\n"
+    "    }\n"
+    "    c = vec4(a);\n"
+    "}\n";
+
 TEST_F(Idle, PausedAndUntouchedItUsesAtMostAHundredthOfACore) {
     open(kMoving);
     screen_->tap("Control_L+space");
@@ -104,6 +115,15 @@ TEST_F(Idle, NothingOpenCostsNothing) {
     EXPECT_TRUE(uses_at_most(1.0, "a folder without scenes"));
 }
 
+// Nobody sees the browser: its picture is not drawn.
+TEST_F(Idle, ASceneBesideItThatHangsCostsNothing) {
+    write(folder_->path() / "beside.frag", kHanging);
+    open(kMoving);
+    screen_->tap("Control_L+space");
+    wait_for_rest();
+    EXPECT_TRUE(uses_at_most(1.0, "paused, a hanging scene in its folder"));
+}
+
 // The process that takes the place of the one that hung says that it is ready, and nobody has
 // asked.
 TEST_F(Idle, AHangThatWasRefusedCostsNothing) {
@@ -111,16 +131,7 @@ TEST_F(Idle, AHangThatWasRefusedCostsNothing) {
     open(kMoving);
     screen_->tap("Control_L+space");
     wait_for_rest();
-    write(scene(),
-          "void mainImage(out vec4 c, in vec2 p) {\n"
-          "    float a = p.x;\n"
-          "    for (int i = 0; i < 1000000000; ++i) {\n"
-          "        for (int k = 0; k < 8; ++k)\n"
-          "            a = sin(a * 1.1 + exp(cos(a + float(k)))) + pow(abs(a), 0.3);\n"
-          "        if (a > 100.0) break;\n"
-          "    }\n"
-          "    c = vec4(a);\n"
-          "}\n");
+    write(scene(), kHanging);
     // Its first frame was waited for, or small parts of it told how long it takes.
     ASSERT_TRUE(glint_->says("not shown"));
     wait_for_rest();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kThumbnailSize = "192x108";
+// s, of all its threads. A scene that never comes to an end must not hold up those behind it.
+constexpr rlim_t kMostProcessorTime = 60;
 
 // A file that is there twice, through a link, is listed once.
 void append_files(std::vector<fs::path>& list, std::set<fs::path>& known, const fs::path& folder,
@@ -41,12 +44,15 @@ std::string shown_name(const fs::path& file) {
     return (is_preset(file) ? file.stem() : file.filename()).string();
 }
 
-// Lowest priority, and silent: a scene that does not compile simply has no thumbnail. It ends with
-// the window, for one may never end by itself.
+// Lowest priority, and silent: a scene that does not compile, or does not end, simply has no
+// thumbnail. It ends with the window.
 int start_still(const fs::path& file, const fs::path& output) {
     std::vector<std::string> words = {"/proc/self/exe", "still",  file.string(), "-o",
                                       output.string(),  "--size", kThumbnailSize};
-    return launch({.words = std::move(words), .niceness = 19}).process;
+    const int process = launch({.words = std::move(words), .niceness = 19}).process;
+    const rlimit limit = {.rlim_cur = kMostProcessorTime, .rlim_max = kMostProcessorTime};
+    if (process != 0) prlimit(process, RLIMIT_CPU, &limit, nullptr);
+    return process;
 }
 
 Texture make_thumbnail(const Image& image) {
@@ -140,7 +146,7 @@ void Browser::finish(Texture thumbnail) {
     }
 }
 
-bool Browser::update() {
+bool Browser::update(bool is_shown) {
     if (rendering_ != 0) {
         const std::optional<int> code = ended(rendering_);
         if (!code) return false;
@@ -149,7 +155,7 @@ bool Browser::update() {
         return false;
     }
     if (!reading_.valid()) {
-        start_next();
+        if (is_shown) start_next();
         return false;
     }
     if (reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;

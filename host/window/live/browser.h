@@ -43,8 +43,9 @@ public:
     // Those in view come before the others.
     void draw_first(const std::vector<std::filesystem::path>& files) { first_ = files; }
 
-    // One thumbnail at a time, at the lowest priority; does not wait. True when one has arrived.
-    bool update();
+    // One thumbnail at a time, at the lowest priority, and none begun unless the browser
+    // `is_shown`; does not wait. True when one has arrived.
+    bool update(bool is_shown);
 
     // Whether a thumbnail is being made.
     bool is_busy() const { return rendering_ != 0 || reading_.valid(); }

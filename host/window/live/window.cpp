@@ -109,8 +109,7 @@ int PlaygroundWindow::run() {
         descriptors.push_back(probe_.descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
-        // What is seen first has the processors until it is there.
-        if (!awaits_first_frame() || settings_.browser) dirty_ |= browser_.update();
+        dirty_ |= browser_.update(settings_.browser || file_.empty());
         dirty_ |= sound_.update();
         dirty_ |= follow_findings();
         dirty_ |= follow_start();
