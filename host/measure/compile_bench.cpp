@@ -194,9 +194,9 @@ void print_row(const std::string& name, const Json& times) {
 }
 
 void print_compile_table(const Json& json) {
-    say_result("{}, {}, {}, medians of {} rounds\n", json["renderer"].get<std::string>(),
-               json["size"].get<std::string>(), json["specialised"] ? "specialised" : "uniform-fed",
-               json["rounds"].get<int>());
+    say_result("{}, {}x{}, {}, medians of {} rounds\n", json["renderer"].get<std::string>(),
+               json["size"][0].get<int>(), json["size"][1].get<int>(),
+               json["specialised"] ? "specialised" : "uniform-fed", json["rounds"].get<int>());
     say_result("{:<22} {:>22} {:>22} {:>10}\n", "", "cache empty", "cache full", "");
     say_result("{:<22} {:>10} {:>11} {:>10} {:>11} {:>10}\n", "pass", "compile", "first draw",
                "compile", "first draw", "words");
@@ -233,7 +233,9 @@ void run_compile_once(const BenchOptions& options) {
 }
 
 void run_compile_bench(const BenchOptions& options) {
-    const Preset preset = open_preset(options.view);
+    ViewOptions view = options.view;
+    if (view.size.empty()) view.size = kSize;
+    const Preset preset = open_preset(view);
     const TemporaryFolder scratch;
     Rounds alone, together;
     Progress progress("rounds", kRounds);
@@ -248,13 +250,11 @@ void run_compile_bench(const BenchOptions& options) {
         progress.update(round + 1);
     }
     const Json passes = passes_json(preset, options.view.specialise, alone);
-    const Json json = {{"scene", options.view.file.string()},
-                       {"renderer", alone.cold.front()["renderer"]},
-                       {"size", options.view.size.empty() ? kSize : options.view.size},
-                       {"rounds", kRounds},
-                       {"specialised", options.view.specialise},
-                       {"passes", passes},
-                       {"total", total_json(passes, alone, together)}};
+    const Json json = {
+        {"scene", options.view.file.string()},         {"renderer", alone.cold.front()["renderer"]},
+        {"size", {preset.size.x, preset.size.y}},      {"rounds", kRounds},
+        {"specialised", options.view.specialise},      {"passes", passes},
+        {"total", total_json(passes, alone, together)}};
     if (options.view.json)
         say_result("{}\n", json_text(json));
     else

@@ -61,6 +61,7 @@ void declare(CLI::App& verb, StudyOptions& study) {
     verb.add_flag("--lines", study.lines, "a JSON object a line, whenever a picture is drawn")
         ->excludes(csv)
         ->excludes(json);
+    json->excludes(csv);
     add_examples(verb,
                  {"glint study presets/christmas.toml -o report",
                   "glint study presets/magic.toml --ms 8 --size 320x180 -o fast.toml",

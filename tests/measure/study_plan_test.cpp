@@ -1,6 +1,7 @@
 // What a study renders: which knobs in which order, their values, and the references.
 #include "../base/test_folder.h"
 #include "measure/study/plan.h"
+#include "measure/study/values.h"
 #include "offline/common.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,10 @@ TEST(StudyList, GoesOnByTheRatioBeforeTheDotsOrIsDoubled) {
     EXPECT_EQ(parse_list("16,...,128"), (Values{"16", "32", "64", "128"}));
     EXPECT_EQ(parse_list("1,3,...,81"), (Values{"1", "3", "9", "27", "81"}));
     EXPECT_EQ(parse_list("8,\u2026,60"), (Values{"8", "16", "32", "60"}));
-    EXPECT_EQ(parse_list("8, 4,...,1"), (Values{"8", "4", "1"})) << "nothing lies between";
+    EXPECT_EQ(parse_list("64,32,...,8"), (Values{"64", "32", "16", "8"})) << "downwards";
+    for (const char* nowhere : {"...", "1,...", "0,...,1", "a,...,c", "4,4,...,8", "8,...,4",
+                                "1,2,...,...,8", "1,1.0001,...,8"})
+        EXPECT_THROW(parse_list(nowhere), UsageError) << nowhere;
     EXPECT_EQ(parse_list("off,traced"), (Values{"off", "traced"}));
 }
 
@@ -177,7 +181,7 @@ TEST(StudyReference, IsTheOneThatIsNamedElseTheTweaksOwnElseTheLastValue) {
         "uniform int a; //@ 1 [1, 4] quality reference=64\n"
         "uniform int b; //@ 1 [0, 9]\n");
     EXPECT_EQ(own.only().reference.text, "64");
-    EXPECT_EQ(own.only({.reference = {"a=32", "b=1"}}).reference.text, "32");
+    EXPECT_EQ(own.only({.reference = {"a=32"}}).reference.text, "32");
     EXPECT_TRUE(own.only().notes.empty());
     const Planned none("uniform int a; //@ 1 [1, 4] quality\n");
     EXPECT_EQ(none.only().reference.text, "4");
@@ -215,7 +219,7 @@ TEST(StudyReference, IsJudgedByWhatIsNamedElseByAnotherSeed) {
 TEST(StudyReference, IsJudgedByAnotherTweakWhereThatIsNamed) {
     const Planned planned(
         "uniform int a; //@ 1 [1, 4] quality reference=64\n"
-        "uniform int b; //@ 1 {slow, fast} quality reference=0\n");
+        "uniform int b; //@ 0 {slow, fast} quality reference=0\n");
     const StudyPlan plan = planned.plan({.second = {"b=fast"}});
     EXPECT_EQ(plan.knobs[0].second->text, "64 with b=fast");
     EXPECT_EQ(plan.knobs[0].second->setting.values[1][0], 1.0);
@@ -224,6 +228,44 @@ TEST(StudyReference, IsJudgedByAnotherTweakWhereThatIsNamed) {
     const StudyPlan both = planned.plan({.second = {"a=32", "b=fast"}});
     EXPECT_EQ(both.knobs[0].second->text, "32");
     EXPECT_EQ(both.knobs[0].second_work.ratio, 0.5);
+}
+
+TEST(StudyReference, OfATweakThatIsNotStudiedIsPartOfTheTruth) {
+    const Planned planned(
+        "uniform int a; //@ 1 [1, 4] quality reference=64\n"
+        "uniform int b; //@ 1 {slow, fast} quality reference=0\n"
+        "uniform int c; //@ 0 {quick, exact}\n");
+    const StudyPlan all = planned.plan({.reference = {"b=fast", "c=exact"}});
+    EXPECT_EQ(all.knobs[0].reference.text, "64 with c=exact") << "b has a study of its own";
+    EXPECT_EQ(all.knobs[0].reference.setting.values[2][0], 1.0);
+    EXPECT_EQ(all.knobs[0].second->setting.values[2][0], 1.0) << "as what measures it";
+    EXPECT_EQ(all.knobs[0].values[0].setting.values[2][0], 0.0) << "and not of a row";
+    EXPECT_EQ(all.knobs[1].reference.text, "fast with c=exact");
+    const StudyPlan one = planned.plan({.vary = {"a=1,2"}, .reference = {"b=slow"}});
+    EXPECT_EQ(one.knobs[0].reference.text, "64 with b=slow");
+    EXPECT_THROW(planned.plan({.reference = {"a=1", "a=2"}}), UsageError);
+    EXPECT_THROW(planned.plan({.second = {"c=exact", "c=quick"}}), UsageError);
+}
+
+TEST(StudyReference, IsNotJudgedByWhatItHasItself) {
+    const Planned planned(
+        "uniform int a; //@ 1 [1, 4] quality reference=64\n"
+        "uniform int b; //@ 0 {slow, fast}\n");
+    const Knob knob = planned.only({.second = {"b=slow"}});
+    EXPECT_EQ(knob.second->text, "128") << "else it would claim to be off by nothing";
+    EXPECT_EQ(knob.notes,
+              (Values{"--second says nothing of a: its reference, 64, has that already"}));
+}
+
+// By what else would a budget be what the preset takes?
+TEST(StudyPlan, OfABudgetHasThePresetsOwnValueWhateverIsNamed) {
+    const Planned planned(
+        "uniform int a; //@ 3 [1, 9] quality reference=64\n"
+        "uniform int b; //@ 1 {slow, fast, none} quality reference=0\n");
+    const StudyPlan plan = planned.plan({.vary = {"a=2,4", "b=slow,none"}, .ms_budget = "own"});
+    EXPECT_EQ(texts(plan.knobs[0]), (Values{"2", "3", "4"}));
+    EXPECT_EQ(texts(plan.knobs[1]), (Values{"slow", "none", "fast"}));
+    EXPECT_THROW(planned.plan({.vary = {"settle=1,2"}, .ms_budget = "own"}), UsageError);
 }
 
 TEST(StudyReference, IsNotJudgedByItself) {

@@ -39,22 +39,23 @@ using glint::own_error;
 using glint::SecondWork;
 
 TEST(StudyOwnError, OfTwoSeedsIsSharedByBoth) {
-    EXPECT_DOUBLE_EQ(own_error(std::sqrt(2.0), {SecondWork::Kind::seed, 1.0}, 0.5), 1.0);
+    EXPECT_DOUBLE_EQ(own_error(std::sqrt(2.0), {SecondWork::Kind::seed, 1.0}, {.order = 0.5}), 1.0);
 }
 
 // 1/n - 1/2n = 1/2n: of n samples that 2n contain half of the variance is seen.
 TEST(StudyOwnError, OfSamplesThatTheSecondContainsIsMoreThanIsSeen) {
-    EXPECT_DOUBLE_EQ(own_error(std::sqrt(0.5), {SecondWork::Kind::more, 2.0}, 0.5), 1.0);
+    EXPECT_DOUBLE_EQ(own_error(std::sqrt(0.5), {SecondWork::Kind::more, 2.0}, {.order = 0.5}), 1.0);
 }
 
 TEST(StudyOwnError, ThatIsMeasuredIsThisShareOfTheDifference) {
-    EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::share, 0.25}, 1.0), 0.125);
+    EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::share, 0.25}, {.order = 1.0}), 0.125);
 }
 
 TEST(StudyOwnError, OfAnOrderIsWhatTheSecondsStepLeaves) {
-    EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::more, 2.0}, 1.0), 1.0);
-    EXPECT_DOUBLE_EQ(own_error(15.0 / 16, {SecondWork::Kind::more, 2.0}, 4.0), 1.0);
-    EXPECT_DOUBLE_EQ(own_error(1.0, {SecondWork::Kind::more, 0.5}, 1.0), 1.0) << "of half the work";
+    EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::more, 2.0}, {.order = 1.0}), 1.0);
+    EXPECT_DOUBLE_EQ(own_error(15.0 / 16, {SecondWork::Kind::more, 2.0}, {.order = 4.0}), 1.0);
+    EXPECT_DOUBLE_EQ(own_error(1.0, {SecondWork::Kind::more, 0.5}, {.order = 1.0}), 1.0)
+        << "of half the work";
     EXPECT_DOUBLE_EQ(own_error(0.5, {SecondWork::Kind::more, 2.0}, {}), 1.0) << "as of order 1";
 }
 

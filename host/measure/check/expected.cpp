@@ -86,6 +86,11 @@ void check_picture(Check& check, CaseResult& result) {
                                        shell_file(subject.opened().file.string()),
                                        shell_file(expect.picture.string())));
     }
+    if (const std::size_t none = pixels_not_finite(expected.rgba); none > 0)
+        return result.fail(
+            fmt::format("{}: pixels that are no numbers: {}; nothing can be expected of them, so "
+                        "draw it anew",
+                        expect.picture.string(), none));
     std::vector<float> actual = draw_still(subject, expected.size);
     if (!subject.observed().is_finite()) return;  // a failure of its own
     if (expected.bytes) round_to_bytes(actual, expected.rgba);

@@ -35,6 +35,11 @@ void check_time(Check& check, CaseResult& result) {
     const Expect& expect = subject.opened().expect;
     const ViewOptions& view = subject.view();
     if (is_another_look(subject, result)) return;
+    std::error_code none;
+    if (!std::filesystem::exists(expect.ms_of, none))
+        return result.fail(fmt::format(
+            "there is no {}, beside which its time is expected; name a preset or scene in ms_ratio",
+            expect.ms_of.string()));
     TimedPair times;
     try {
         const Preset other = opened_for_timing(view, expect.ms_of);

@@ -50,6 +50,11 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
         off += is_off;
         ++count;
     }
+    if (count == 0 && result.not_finite > 0) {  // nothing can be told
+        const double unknown = std::numeric_limits<double>::quiet_NaN();
+        result.rmse = result.max = result.psnr = unknown;
+        result.share_off = result.relative_mse = result.flip = unknown;
+    }
     if (count == 0) return result;
     const auto pixels = static_cast<double>(count), values = 3.0 * pixels;
     result.rmse = std::sqrt(squares / values);

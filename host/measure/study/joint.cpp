@@ -92,6 +92,8 @@ public:
         draw_truth();
         knob_.second->text = "half of each of them";
         knob_.second_work = {SecondWork::Kind::share, share_of(*knob_.second)};
+        knob_.rival = rival();
+        take_named_second();
         size_ = compared_size(preset_, how_.pass);
         start();
         const Budget budget = this->budget();
@@ -137,7 +139,8 @@ private:
     // after the last is the frames that settle.
     KnobValue truth(double work, std::optional<std::size_t> only = {}) const {
         KnobValue value{.text = fmt::format("{} of {}", work, only ? name_of(*only) : "all"),
-                        .setting = {.values = preset_.values, .settle = preset_.settle}};
+                        .setting = {.values = knobs_.front().reference.setting.values,
+                                    .settle = preset_.settle}};
         const auto turns = [&](std::size_t i) { return work < 1.0 && only.value_or(i) == i; };
         for (std::size_t i = 0; i < knobs_.size(); ++i) {
             const Setting& reference = knobs_[i].reference.setting;
@@ -159,6 +162,50 @@ private:
         return value;
     }
 
+    // The truth with so much of the work, turned as another picture of each knob is turned from the
+    // knob's own; nothing where none is.
+    template <typename Picture>
+    std::optional<KnobValue> turned(Picture picture, double work = 1.0) const {
+        KnobValue value = truth(work);
+        std::string how;
+        for (const Knob& knob : knobs_) {
+            const std::optional<KnobValue> other = picture(knob);
+            if (!other) continue;
+            const Setting& from = knob.reference.setting;
+            value.setting.settle = std::max(value.setting.settle, other->setting.settle);
+            for (std::size_t i = 0; i < from.values.size(); ++i) {
+                if (other->setting.values[i] == from.values[i]) continue;
+                const Tweak& tweak = preset_.scene.tweaks[i];
+                value.setting.values[i] = other->setting.values[i];
+                how += fmt::format("{}{}={}", how.empty() ? "" : " ", tweak.name,
+                                   format_value(tweak, other->setting.values[i]));
+            }
+        }
+        value.text = how;
+        return how.empty() ? std::nullopt : std::optional(value);
+    }
+
+    // All second ways to the truth that the scene names, at once. What it is off by itself is the
+    // same share of what half of the work changes as it is without them.
+    std::optional<Rival> rival() const {
+        const auto named = [](const Knob& knob) {
+            return knob.rival ? std::optional(knob.rival->value) : std::nullopt;
+        };
+        const auto value = turned(named);
+        if (!value) return std::nullopt;
+        return Rival{.value = *value, .second = turned(named, 0.5), .work = knob_.second_work};
+    }
+
+    // What --second says of the knobs, at once.
+    void take_named_second() {
+        const auto named =
+            turned([](const Knob& knob) { return knob.names_second ? knob.second : std::nullopt; });
+        if (!named) return;
+        knob_.second = named;
+        knob_.second->text = knob_.reference.text + " with " + named->text;
+        knob_.second_work = {};
+    }
+
     std::string name_of(std::size_t knob) const {
         return knob < knobs_.size() ? knobs_[knob].name : "settle";
     }
@@ -178,6 +225,15 @@ private:
         return difference(a, b, how_.pass == kImagePass).rmse;
     }
 
+    // By pictures of a quarter and of half of the work, the last of which is so far from the truth.
+    Fall fall(const std::vector<float>& quarter, const std::vector<float>& half,
+              double last) const {
+        const double step = apart(quarter, half);
+        if (step <= 0.0) return {};
+        return {.order = std::min(std::log2(step / last), kMostOrder),
+                .one_shape = alike(apart(quarter, truth_), step, last) > kOneShape};
+    }
+
     // How much of the difference to this other picture the truth's own error is: of each number
     // what is left after it, by the order that half and a quarter of it show, all else at its
     // reference. These have causes of their own, so that their squares add up. All halved together
@@ -191,12 +247,9 @@ private:
             const std::vector<float> picture = picture_of(half).rgba;
             const double last = apart(picture, truth_);
             const bool matters = last > kMatters * between && quarter.setting != half.setting;
-            const double before = matters ? apart(picture_of(quarter).rgba, picture) : 0.0;
-            const auto order =
-                before > 0.0 ? std::optional(std::log2(before / last)) : std::nullopt;
             const double left =
                 own_error(last, {SecondWork::Kind::more, 0.5},
-                          order ? std::optional(std::min(*order, kMostOrder)) : order);
+                          matters ? fall(picture_of(quarter).rgba, picture, last) : Fall{});
             squares += left * left;
             if (left <= most) continue;
             most = left;

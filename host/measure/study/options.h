@@ -9,6 +9,8 @@
 
 namespace glint {
 
+constexpr const char* kBest = "best";  // the name of what is found, where nobody gives one
+
 struct StudyOptions {
     std::vector<std::filesystem::path> files{};
     ViewOptions view{};  // but for its file
@@ -24,8 +26,8 @@ struct StudyOptions {
     // Milliseconds of a frame, or an error, within which the best joint setting of all quality
     // tweaks is sought: a number, or "own". One of them at most.
     std::optional<std::string> ms_budget{}, rmse_budget{}, flip_budget{};
-    std::string over{};         // "presets", or "time=A:B:STEP"; "": the view alone
-    std::string name = "best";  // of what is found, in a preset
+    std::string over{};        // "presets", or "time=A:B:STEP"; "": the view alone
+    std::string name = kBest;  // of what is found, in a preset
     std::filesystem::path
         output{};  // a preset (.toml) for what is found; else a folder for the report; empty: none
     bool csv = false;    // on stdout, instead of tables

@@ -2,18 +2,18 @@
 
 #include "base/words.h"
 #include "measure/study/formats.h"
+#include "measure/study/values.h"
 #include "offline/common.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace glint {
 namespace {
 
-constexpr int kMostValues = 9, kLinearValues = 6;
-constexpr double kWideRange = 16.0;  // of whole numbers: beyond, values double
 const std::string kSettle = "settle";
 const std::vector<int> kSettleValues = {0, 1, 4, 16, 64};
 constexpr int kSettleReference = 256;
@@ -34,11 +34,6 @@ Assignment split(const std::string& text, const char* option) {
 const Tweak* find_tweak(const Scene& scene, const std::string& name) {
     const auto found = std::ranges::find(scene.tweaks, name, &Tweak::name);
     return found == scene.tweaks.end() ? nullptr : &*found;
-}
-
-bool is_number(const Tweak& tweak) {
-    return tweak.names.empty() &&
-           (tweak.type == TweakType::float1 || tweak.type == TweakType::int1);
 }
 
 // Of the same picture it would be off by nothing.
@@ -105,11 +100,13 @@ private:
     std::size_t index(const Tweak& tweak) const {
         return static_cast<std::size_t>(&tweak - preset_.scene.tweaks.data());
     }
+    bool is_studied(const std::string& name) const;
+    KnobValue truth(const Tweak& tweak, const TweakValue& value) const;
     void choose_reference(const Tweak& tweak, Knob& knob) const;
     void settle_accumulating(KnobValue& truth, Knob& knob) const;
     std::optional<KnobValue> second_seed(const KnobValue& truth) const;
     KnobValue turned(KnobValue value, const std::vector<Turned>& list) const;
-    std::optional<KnobValue> named_second(const std::string& name, const KnobValue& truth) const;
+    std::optional<KnobValue> named_second(const Knob& knob) const;
     struct Named {
         std::vector<Turned> values;
         bool is_own_number = false;  // one value of the tweak's own, which is a number
@@ -146,13 +143,36 @@ std::optional<std::string> Planner::said(const std::vector<std::string>& list,
     return std::nullopt;
 }
 
+// Whether a study of its own turns this tweak.
+bool Planner::is_studied(const std::string& name) const {
+    const auto names = [&](const std::string& vary) {
+        return vary.substr(0, vary.find('=')) == name;
+    };
+    if (!options_.vary.empty()) return std::ranges::any_of(options_.vary, names);
+    const Tweak* tweak = find_tweak(preset_.scene, name);
+    return tweak && tweak->quality && facts_.read[index(*tweak)];
+}
+
+// With this value, and with what --reference says of tweaks that no study turns.
+KnobValue Planner::truth(const Tweak& tweak, const TweakValue& value) const {
+    KnobValue result = this->value(tweak, value);
+    for (const std::string& text : options_.reference) {
+        const Assignment said = split(text, "--reference");
+        const Tweak* other = find_tweak(preset_.scene, said.name);
+        if (!other || other == &tweak || is_studied(said.name)) continue;
+        result.setting.values[index(*other)] = parse(*other, said.rest, "--reference");
+        result.text += fmt::format(" with {}={}", said.name, said.rest);
+    }
+    return result;
+}
+
 void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
     if (const auto text = said(options_.reference, tweak.name, "--reference")) {
-        knob.reference = value(tweak, parse(tweak, *text, "--reference"));
+        knob.reference = truth(tweak, parse(tweak, *text, "--reference"));
     } else if (tweak.reference) {
-        knob.reference = value(tweak, *tweak.reference);
+        knob.reference = truth(tweak, *tweak.reference);
     } else {
-        knob.reference = knob.values.back();
+        knob.reference = truth(tweak, knob.values.back().setting.values[index(tweak)]);
         if (!options_.time_only) {
             knob.notes.push_back(
                 fmt::format("{} declares no reference: its last value, {}, counts as the truth",
@@ -251,23 +271,24 @@ KnobValue Planner::turned(KnobValue value, const std::vector<Turned>& list) cons
 
 // The truth with what --second says of other tweaks, and of settling; nothing where it says
 // nothing. Of a knob that it names it tells nothing else.
-std::optional<KnobValue> Planner::named_second(const std::string& name,
-                                               const KnobValue& truth) const {
-    KnobValue result = truth;
-    bool any = false;
+std::optional<KnobValue> Planner::named_second(const Knob& knob) const {
+    KnobValue result = knob.reference;
+    std::string named;
     for (const std::string& text : options_.second) {
         const Assignment said = split(text, "--second");
-        if (said.name == name || names_a_format(said.name)) continue;
+        if (said.name == knob.name || names_a_format(said.name)) continue;
         if (said.name == kSettle) {
             result.setting.settle = frames(said.rest);
         } else {
             const Tweak& tweak = *find_tweak(preset_.scene, said.name);
             result.setting.values[index(tweak)] = parse(tweak, said.rest, "--second");
         }
-        result.text += fmt::format("{} {}={}", any ? "," : " with", said.name, said.rest);
-        any = true;
+        named += fmt::format("{}{}={}", named.empty() ? "" : ", ", said.name, said.rest);
     }
-    return any ? std::optional(result) : std::nullopt;
+    // Of the same picture the reference would be off by nothing.
+    if (result.setting == knob.reference.setting) return std::nullopt;
+    result.text += " with " + named;
+    return result;
 }
 
 // What `second=` says of this tweak.
@@ -282,17 +303,24 @@ Planner::Named Planner::named_by_scene(const Tweak& tweak) const {
 // By what is named, else by what the scene names, else by another seed, else by more work.
 void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
     const auto by_value = [&](const TweakValue& v) {
-        knob.second = value(tweak, v);
+        knob.second = truth(tweak, v);
         if (!is_number(tweak) || v[0] <= 0.0 || knob.reference.work.value_or(0.0) <= 0.0) return;
         const double ratio = v[0] / *knob.reference.work;
         knob.second_work = {SecondWork::Kind::more, knob.more_is_better ? ratio : 1.0 / ratio};
     };
     if (const auto text = said(options_.second, tweak.name, "--second")) {
         by_value(parse(tweak, *text, "--second"));
+        knob.names_second = true;
         return require_another(*knob.second, knob.reference,
                                fmt::format("{}={}", tweak.name, *text));
     }
-    if ((knob.second = named_second(tweak.name, knob.reference))) return;
+    knob.second = named_second(knob);
+    knob.names_second = knob.second.has_value();
+    if (knob.names_second) return;
+    if (!options_.second.empty())
+        knob.notes.push_back(
+            fmt::format("--second says nothing of {}: its reference, {}, has that already",
+                        tweak.name, knob.reference.text));
     // A reference that another one has taken the place of may be what measures it in the scene.
     if (const Named named = named_by_scene(tweak);
         named.is_own_number && named.values[0].value[0] != knob.reference.work)
@@ -312,6 +340,7 @@ void Planner::choose_rival(const Tweak& tweak, Knob& knob) const {
     Rival rival{.value = turned(knob.reference, named.values)};
     rival.value.text = tweak.second;
     settle_accumulating(rival.value, knob);
+    if (rival.value.setting == knob.reference.setting) return;  // bears nothing out
     rival.more = more_work(tweak, knob, rival.value);
     rival.work = {SecondWork::Kind::seed, 1.0};
     rival.second = second_seed(rival.value);
@@ -347,7 +376,7 @@ Knob Planner::settle_knob(const std::vector<int>& values) const {
     if (second) {
         more(frames(*second));
         require_another(*result.second, result.reference, fmt::format("{}={}", kSettle, *second));
-    } else if (!(result.second = named_second(kSettle, result.reference))) {
+    } else if (!(result.second = named_second(result))) {
         more(2 * truth + 1);
         result.more = result.second;
         if (const auto seed = second_seed(result.reference)) {
@@ -360,74 +389,23 @@ Knob Planner::settle_knob(const std::vector<int>& values) const {
 
 Knob Planner::with_own(Knob knob, KnobValue own) const {
     const auto same = [&](const KnobValue& v) { return v.text == own.text; };
-    if (!own.work || std::ranges::any_of(knob.values, same)) return knob;
-    own.is_between = true;
+    if (std::ranges::any_of(knob.values, same)) return knob;
+    own.is_between = own.work.has_value();
     const auto after = std::ranges::find_if(
-        knob.values, [&](const KnobValue& v) { return v.work.value_or(0.0) > *own.work; });
+        knob.values, [&](const KnobValue& v) { return v.work && own.work && *v.work > *own.work; });
     knob.values.insert(after, std::move(own));
     return knob;
 }
 
-// From the least to the most, doubled or evenly.
-std::vector<TweakValue> spread_values(const Tweak& tweak, double least, double most) {
-    std::vector<TweakValue> list;
-    const auto add = [&](double v) {
-        const TweakValue value = clamp_to_range(tweak, {v});
-        if (list.empty() || list.back() != value) list.push_back(value);
-    };
-    const bool whole = tweak.type == TweakType::int1;
-    const bool doubled = least > 0.0 && (tweak.log || (whole && most / least > kWideRange));
-    if (doubled) {
-        double ratio = 2.0;
-        while (std::log(most / least) / std::log(ratio) > kMostValues - 1) ratio *= 2.0;
-        for (double v = least; v < most * 0.999; v *= ratio) add(v);
-        add(most);
-    } else {
-        const int count =
-            whole ? std::min(kMostValues, static_cast<int>(most - least) + 1) : kLinearValues;
-        for (int i = 0; i < count; ++i) add(std::lerp(least, most, i / std::max(count - 1.0, 1.0)));
-    }
-    return list;
-}
-
-// All values that a study takes when nobody names any; none when the range is not known.
-std::vector<TweakValue> values_of(const Tweak& tweak) {
-    if (!tweak.names.empty() || tweak.type == TweakType::bool1) {
-        std::vector<TweakValue> list;
-        const std::size_t count = tweak.names.empty() ? 2 : tweak.names.size();
-        for (std::size_t i = 0; i < count; ++i) list.push_back({static_cast<double>(i)});
-        return list;
-    }
-    if (!is_number(tweak) || !tweak.min || !tweak.max) return {};
-    return spread_values(tweak, *tweak.min, *tweak.max);
-}
-
-// With the values halfway to the next of each side, since a budget that the preset just keeps is
-// filled by less than a whole step.
-std::vector<TweakValue> with_half_steps(const Tweak& tweak, std::vector<TweakValue> list,
-                                        double own) {
-    double below = -HUGE_VAL, above = HUGE_VAL;
-    for (const TweakValue& value : list) {
-        if (value[0] < own) below = std::max(below, value[0]);
-        if (value[0] > own) above = std::min(above, value[0]);
-    }
-    for (const double next : {below, above}) {
-        if (!std::isfinite(next)) continue;
-        const double half = 0.5 * (own + next);
-        list.push_back({tweak.type == TweakType::int1 ? std::floor(half) : half});
-    }
-    std::ranges::sort(list, {}, [](const TweakValue& value) { return value[0]; });
-    const auto again = std::ranges::unique(list);
-    list.erase(again.begin(), again.end());
-    return list;
+bool has_budget(const StudyOptions& options) {
+    return options.ms_budget || options.rmse_budget || options.flip_budget;
 }
 
 // Those that a study takes of this tweak.
 std::vector<TweakValue> studied_values(const Tweak& tweak, const Preset& preset,
                                        const StudyOptions& options) {
     std::vector<TweakValue> list = values_of(tweak);
-    const bool has_budget = options.ms_budget || options.rmse_budget || options.flip_budget;
-    if (!has_budget || list.empty() || !is_number(tweak)) return list;
+    if (!has_budget(options) || list.empty() || !is_number(tweak)) return list;
     const auto index = static_cast<std::size_t>(&tweak - preset.scene.tweaks.data());
     return with_half_steps(tweak, std::move(list), preset.values[index][0]);
 }
@@ -482,43 +460,30 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
     return planner.knob(*tweak, values);
 }
 
-// A name that no knob has would say nothing.
+// A name that no knob has would say nothing, nor would the second of two values.
 void require_known(const Scene& scene, const std::vector<std::string>& list, const char* option) {
+    std::set<std::string> known;
     for (const std::string& text : list) {
-        const std::string name = split(text, option).name;
+        const auto [name, rest] = split(text, option);
+        if (name == kSettle) frames(rest);
         if (name != kSettle && !names_a_format(name) && !find_tweak(scene, name))
             throw UsageError(fmt::format("{}: {}", option, no_such_tweak(scene, name)));
+        if (!known.insert(name).second)
+            throw UsageError(fmt::format("{}: {} is named twice.", option, name));
     }
+}
+
+// What all other settings are measured beside is one of them, whatever is named.
+KnobValue own_value(const Planner& planner, const Preset& preset, const Knob& knob) {
+    const Tweak* tweak = find_tweak(preset.scene, knob.name);
+    if (!tweak)
+        throw UsageError(fmt::format(
+            "--vary {}: a budget chooses quality tweaks alone; study it without one.", knob.name));
+    const auto index = static_cast<std::size_t>(tweak - preset.scene.tweaks.data());
+    return planner.value(*tweak, preset.values[index]);
 }
 
 }  // namespace
-
-std::vector<std::string> parse_list(const std::string& text) {
-    std::vector<std::string> list;
-    const auto number = [&](std::size_t from_end) {
-        return list.size() < from_end ? 0.0
-                                      : parse_number(list[list.size() - from_end]).value_or(0.0);
-    };
-    double ratio = 0.0;  // 0: no dots stand before this word
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', at), text.size());
-        const std::string word(trimmed(std::string_view(text).substr(at, comma - at)));
-        at = comma + 1;
-        if (word == "..." || word == "\u2026") {
-            ratio = number(2) > 0.0 ? number(1) / number(2) : 2.0;
-            continue;
-        }
-        const double end = parse_number(word).value_or(0.0);
-        if (ratio > 1.0 && number(1) > 0.0) {
-            for (double v = number(1) * ratio; v < end * 0.999; v *= ratio) {
-                list.push_back(format_number(v));
-            }
-        }
-        ratio = 0.0;
-        list.push_back(word);
-    }
-    return list;
-}
 
 SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
     const auto read_by = [](const Preset& view, const CompiledScene& compiled) {
@@ -574,9 +539,10 @@ StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyO
     StudyPlan plan;
     for (const std::string& text : options.vary) {
         const bool only_named = text.find('=') == std::string::npos;
-        plan.knobs.push_back(only_named
-                                 ? named_knob(planner, preset, facts, options, text)
-                                 : varied_knob(planner, preset, facts, split(text, "--vary")));
+        Knob knob = only_named ? named_knob(planner, preset, facts, options, text)
+                               : varied_knob(planner, preset, facts, split(text, "--vary"));
+        if (has_budget(options)) knob = planner.with_own(knob, own_value(planner, preset, knob));
+        plan.knobs.push_back(std::move(knob));
     }
     if (!plan.knobs.empty()) return plan;
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {

@@ -66,6 +66,7 @@ struct Knob {
     // To measure the reference by: more work, a second seed, another method.
     std::optional<KnobValue> second{};
     SecondWork second_work{};
+    bool names_second = false;  // --second does
     // Twice the work, to measure it by where another seed changes no pixel: a method that knows no
     // chance would seem to have no error.
     std::optional<KnobValue> more{};
@@ -99,9 +100,5 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass);
 // in that order. Throws UsageError for what they name and the scene has not. `facts` are only
 // asked.
 StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options);
-
-// "16,...,4096" is doubled or goes on by the ratio of the two numbers before the dots; other lists
-// are taken as they are.
-std::vector<std::string> parse_list(const std::string& text);
 
 }  // namespace glint

@@ -19,6 +19,9 @@ constexpr double kFitFactor = 3.0;      // beyond, the order is off by at most 5
 constexpr double kRandomOrder = 0.75;   // below, an error is that of random samples
 constexpr double kLeastOrder = 0.3;     // below, where values go cannot be told
 constexpr double kNoOrder = 0.15;       // below, an error does not fall
+constexpr double kLeastFall = 0.05;     // an order that is told at all: below, nothing is known
+constexpr double kRefuted = 1.001;      // times what two references differ by: no nearer than that
+constexpr double kClaim = 1.25;         // claims are known to a quarter
 constexpr double kWideWork = 4.0;       // from the least to the most, to say so
 constexpr double kNoNearer = 0.5;       // of the rows' error, by which a reference is off
 constexpr double kSurely = 3.0;         // times what is expected
@@ -99,34 +102,40 @@ void mark_near_reference(Study& study) {
     }
 }
 
-// Rows that can be compared in both, the fastest first; none that the reference itself is too far
-// from the truth to tell from it.
+// Whether the reference is near enough to the truth to tell the row from it.
+bool is_told_off(const Study& study, const StudyRow& row) {
+    const double least = study.reference_rmse();
+    return least == 0.0 || row.error->rmse > kRefuted * least;
+}
+
+// Rows that can be compared in both, the fastest first.
 std::vector<std::size_t> comparable_rows(const Study& study) {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
-        const StudyRow& row = study.rows[i];
-        if (!has_error(row) || row.times.wall.empty()) continue;
-        if (row.error->rmse >= study.reference_rmse()) rows.push_back(i);
+        if (has_error(study.rows[i]) && !study.rows[i].times.wall.empty()) rows.push_back(i);
     }
     std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return study.rows[i].ms.median; });
     return rows;
 }
 
 // A row stands when each row with less error is told to be slower, and when it is told to be nearer
-// than each faster row that stands.
+// than each faster row that stands. One that cannot be told from the truth does not stand, and
+// beats those that it is told to be nearer than.
 void mark_pareto(Study& study, const TimeVerdicts& verdicts) {
     for (StudyRow& row : study.rows) row.pareto = false;
     if (!study.converges) return;
     const std::vector<std::size_t> rows = comparable_rows(study);
+    const auto beats = [&](std::size_t k, std::size_t i) {
+        const StudyRow &other = study.rows[k], &row = study.rows[i];
+        if (other.error->rmse < row.error->rmse)
+            return verdicts.of(k, i) != TimeVerdict::slower &&
+                   (is_told_off(study, other) || is_nearer(study, k, i));
+        return other.pareto && verdicts.of(k, i) == TimeVerdict::faster && !is_nearer(study, i, k);
+    };
     for (const std::size_t i : rows) {
-        StudyRow& row = study.rows[i];
-        row.pareto = std::ranges::none_of(rows, [&](std::size_t k) {
-            const StudyRow& other = study.rows[k];
-            const bool less = other.error->rmse < row.error->rmse;
-            if (less) return verdicts.of(k, i) != TimeVerdict::slower;
-            return other.pareto && verdicts.of(k, i) == TimeVerdict::faster &&
-                   !is_nearer(study, i, k);
-        });
+        study.rows[i].pareto =
+            is_told_off(study, study.rows[i]) &&
+            std::ranges::none_of(rows, [&](std::size_t k) { return beats(k, i); });
     }
 }
 
@@ -160,29 +169,22 @@ struct Steps {
     std::vector<const StudyRow*> rows;
     std::vector<double> work;     // more is better
     std::vector<double> to_next;  // RMSE; one less, and as many as are known
+    // Of the steps, by which errors fall wherever to; and whether what steps leave looks like them.
+    Fall fall;
 };
 
-Steps steps_of(const Study& study, bool more_is_better) {
-    Steps steps;
-    for (const StudyRow& row : study.rows) {
-        const bool compares = row.work && *row.work > 0.0 && !row.is_reference && !row.is_between;
-        if (has_error(row) && compares) steps.rows.push_back(&row);
+// How often a step and what it leaves look alike decides.
+bool have_one_shape(const Steps& steps) {
+    std::vector<double> cosines;
+    for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
+        const double far = steps.rows[i]->error->rmse, left = steps.rows[i + 1]->error->rmse;
+        if (std::min(steps.to_next[i], left) > kLeastRmse)
+            cosines.push_back(alike(far, steps.to_next[i], left));
     }
-    if (!more_is_better) std::ranges::reverse(steps.rows);
-    for (std::size_t i = 0; i < steps.rows.size(); ++i) {
-        const StudyRow& row = *steps.rows[i];
-        steps.work.push_back(more_is_better ? *row.work : 1.0 / *row.work);
-        if (i == 0) continue;
-        const StudyRow& later = more_is_better ? row : *steps.rows[i - 1];  // in the list
-        if (later.rmse_to_previous) steps.to_next.push_back(*later.rmse_to_previous);
-    }
-    if (steps.to_next.size() + 1 != steps.rows.size()) steps.to_next.clear();
-    return steps;
+    return !cosines.empty() && median_of(cosines) > kOneShape;
 }
 
-// How far the best row is from where the rows go, by how they near each other, whatever the
-// reference says; nothing where that cannot be told.
-std::optional<double> distance_to_limit(const Steps& steps) {
+std::optional<double> order_of(const Steps& steps) {
     std::vector<double> work, to_next;
     for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
         if (steps.to_next[i] <= kLeastRmse) continue;
@@ -190,11 +192,54 @@ std::optional<double> distance_to_limit(const Steps& steps) {
         to_next.push_back(steps.to_next[i]);
     }
     const auto slope = log_slope(work, to_next);
-    if (work.size() < 3 || !slope || -*slope < kLeastOrder) return std::nullopt;
+    if (work.size() < 3 || !slope) return std::nullopt;
+    return -*slope;
+}
+
+Steps steps_of(const Study& study, bool more_is_better) {
+    Steps steps;
+    for (const StudyRow& row : study.rows) {
+        const bool compares = row.work && *row.work > 0.0 && !row.is_reference && !row.is_between;
+        if (has_error(row) && compares) steps.rows.push_back(&row);
+    }
+    const auto work = [&](const StudyRow* row) {
+        return more_is_better ? *row->work : 1.0 / *row->work;
+    };
+    std::vector<const StudyRow*> listed = steps.rows;
+    std::ranges::stable_sort(steps.rows, {}, work);
+    for (std::size_t i = 0; i < steps.rows.size(); ++i) {
+        steps.work.push_back(work(steps.rows[i]));
+        if (i == 0) continue;
+        // Each knows how far it is from the one that stands before it in the list.
+        const StudyRow *row = steps.rows[i], *before = steps.rows[i - 1];
+        const StudyRow& later = row > before ? *row : *before;
+        if (later.rmse_to_previous) steps.to_next.push_back(*later.rmse_to_previous);
+    }
+    if (listed != steps.rows) std::ranges::reverse(listed);
+    const bool is_in_order = listed == steps.rows;
+    if (!is_in_order || steps.to_next.size() + 1 != steps.rows.size()) steps.to_next.clear();
+    steps.fall = {.order = order_of(steps), .one_shape = have_one_shape(steps)};
+    return steps;
+}
+
+// How far the best row is from where the rows go, by how they near each other, whatever the
+// reference says; nothing where that cannot be told.
+std::optional<double> distance_to_limit(const Steps& steps) {
+    const auto& [order, one_shape] = steps.fall;
+    if (!order || *order < kLeastOrder) return std::nullopt;
     const double ratio = steps.work.back() / steps.work[steps.work.size() - 2];
     const double last = std::max(steps.to_next.back(), kLeastRmse);
-    if (-*slope < kRandomOrder) return last / std::sqrt(ratio - 1.0);
-    return last / (std::pow(ratio, -*slope) - 1.0);
+    if (*order < kRandomOrder && !one_shape) return last / std::sqrt(ratio - 1.0);
+    return last / (std::pow(ratio, *order) - 1.0);
+}
+
+// How errors fall beside the reference. Where they fall slowly, the rows near it are nearer than to
+// the truth by as much as it is off itself: steps know nothing of it.
+Fall fall_of(const Study& study, const Steps& steps) {
+    Fall fall{.order = study.order, .one_shape = steps.fall.one_shape};
+    if (fall.order && *fall.order < kRandomOrder && fall.one_shape && steps.fall.order)
+        fall.order = std::min(*fall.order, *steps.fall.order);
+    return fall;
 }
 
 // The rows near each other, and not the reference.
@@ -213,12 +258,37 @@ void find_wrong_reference(Study& study, const Steps& steps) {
         before.value, best.value, three_digits(steps.to_next.back()), three_digits(error)));
 }
 
+// Steps that are as long at the reference as they are among the rows never end: as those of a sum
+// that grows with the logarithm of its terms. By the same factor of work.
+bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
+    if (steps.to_next.size() < 3 || !study.reference_error || !knob.reference.work ||
+        knob.second_work.kind != SecondWork::Kind::more || knob.second_work.ratio <= 1.0)
+        return false;
+    std::vector<double> work, step;
+    for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
+        work.push_back(steps.work[i + 1]);
+        step.push_back(steps.to_next[i] / std::log(steps.work[i + 1] / steps.work[i]));
+    }
+    const double reference = *knob.reference.work, ratio = knob.second_work.ratio;
+    work.push_back((knob.more_is_better ? reference : 1.0 / reference) * ratio);
+    step.push_back(study.reference_error->rmse / std::log(ratio));
+    if (std::ranges::min(step) <= kLeastRmse) return false;
+    return -*log_slope(work, step) < kNoOrder;
+}
+
 // More work that brings no row nearer to the reference, and the reference no nearer to its second,
 // goes nowhere.
-void find_convergence(Study& study, const Steps& steps) {
+void find_convergence(Study& study, const Knob& knob, const Steps& steps) {
     std::vector<double> errors;
     for (const StudyRow* row : steps.rows) errors.push_back(std::max(row->error->rmse, 1e-12));
-    study.converges = true;
+    study.converges = !goes_on(study, knob, steps);
+    if (!study.converges) {
+        study.findings.push_back(fmt::format(
+            "it does not converge: {} is {} from its second, and the rows are as far from each "
+            "other, however much work they do",
+            study.reference, three_digits(study.reference_error->rmse)));
+        return;
+    }
     const auto slope = log_slope(steps.work, errors);
     const double typical = median_of(errors);
     if (errors.size() < 3 || steps.work.back() < kWideWork * steps.work.front() || !slope ||
@@ -273,7 +343,7 @@ void compare_references(Study& study, const Knob& knob) {
         return;
     }
     const double claimed = study.own_error + rival.own_error;
-    rival.disagrees = rival.difference.rmse > std::max(claimed, kLeastRmse);
+    rival.disagrees = rival.difference.rmse > std::max(kClaim * claimed, kLeastRmse);
     if (!rival.disagrees) return;
     study.findings.push_back(fmt::format(
         "the references {} and {} differ by {}, more than both claim ({} and {}): one is wrong",
@@ -305,7 +375,7 @@ void find_what_looks_wrong(Study& study) {
 void compare_with_reference(Study& study, const Knob& knob) {
     const Steps steps = steps_of(study, knob.more_is_better);
     find_broken_second(study);
-    find_convergence(study, steps);
+    find_convergence(study, knob, steps);
     compare_references(study, knob);
     mark_near_reference(study);
     find_wrong_reference(study, steps);
@@ -361,7 +431,11 @@ std::optional<double> log_slope(std::span<const double> x, std::span<const doubl
     return xy / xx;
 }
 
-double own_error(double rmse, const SecondWork& second, const std::optional<double>& order) {
+double alike(double far, double step, double left) {
+    return (far * far - step * step - left * left) / (2.0 * step * left);
+}
+
+double own_error(double rmse, const SecondWork& second, const Fall& fall) {
     switch (second.kind) {
         case SecondWork::Kind::another:
             return rmse;
@@ -372,10 +446,11 @@ double own_error(double rmse, const SecondWork& second, const std::optional<doub
         case SecondWork::Kind::more:
             break;
     }
-    const double p = order.value_or(1.0);
+    const double p = std::max(fall.order.value_or(1.0), kLeastFall);
     // A mean of random samples, part of which the mean of more has as well: of two independent
     // parts of the larger sum, one is missing.
-    if (p < kRandomOrder) return rmse / std::sqrt(std::abs(1.0 - 1.0 / second.ratio));
+    if (p < kRandomOrder && !fall.one_shape)
+        return rmse / std::sqrt(std::abs(1.0 - 1.0 / second.ratio));
     // An error of order p that has the same shape with more work (Richardson).
     return rmse / std::abs(1.0 - std::pow(second.ratio, -p));
 }
@@ -388,11 +463,12 @@ void judge(Study& study, const Knob& knob, bool on_software) {
     const double apart = is_measured ? study.reference_error->rmse : 0.0;
     // What the order is depends on what can be told from the reference, and that on the order.
     study.order.reset();
+    const Steps steps = steps_of(study, knob.more_is_better);
     for (int round = 0; round < 2; ++round) {
-        study.own_error = own_error(apart, knob.second_work, study.order);
+        study.own_error = own_error(apart, knob.second_work, fall_of(study, steps));
         fit(study, knob.more_is_better);
     }
-    study.own_error = own_error(apart, knob.second_work, study.order);
+    study.own_error = own_error(apart, knob.second_work, fall_of(study, steps));
     if (study.has_truth() && !study.time_only)
         compare_with_reference(study, knob);
     else if (!study.time_only)

@@ -16,9 +16,21 @@ constexpr double kLeastRmse = 1e-7;  // below, a difference of two pictures is r
 // knob. Timer queries of a renderer `on_software` lie.
 void judge(Study& study, const Knob& knob, bool on_software);
 
-// How far a reference is from the truth, that differs by `rmse` from a second one; `order` is that
-// of the error over the work, where it is known.
-double own_error(double rmse, const SecondWork& second, const std::optional<double>& order);
+// How errors fall with the work.
+struct Fall {
+    std::optional<double> order{};  // error ~ work^-order, where that is known
+    // Errors have one shape, so that a step less and what is left add up; those of random samples
+    // that more work goes on with have nothing in common, and their squares add up.
+    bool one_shape = false;
+};
+
+// How far a reference is from the truth, that differs by `rmse` from a second one.
+double own_error(double rmse, const SecondWork& second, const Fall& fall);
+
+// The cosine between the step from a picture to a nearer one and what is left, by three RMSE: of
+// the first to the truth, of the step, and of what is left. All above 0.
+double alike(double far, double step, double left);
+constexpr double kOneShape = 0.5;  // above, errors count as of one shape
 
 // Slope of log y over log x by least squares; nothing for fewer than two points. Both are positive
 // and of one length.

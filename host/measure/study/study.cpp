@@ -117,10 +117,22 @@ std::string keep(const Scenery& scenery, const StudyKey& key, const DrawnPicture
     return scenery.store.keep_picture(key, drawn.rgba, scenery.size);
 }
 
-// `shared`: what drew an earlier reference of the knob, and draws this one, too, if all that is
-// constant in it is the same: of joint settings, whose references share their menus.
+// What drew the last reference of a knob, and draws the next one, too, where all that is constant
+// in it is the same: of joint settings, whose references share most of their menus.
+struct ReferenceScene {
+    std::unique_ptr<MeasuredScene> scene{};
+    Setting setting{};
+
+    bool draws(const Knob& knob, const Setting& wanted) const {
+        return scene && knob.constants &&
+               std::ranges::all_of(*knob.constants, [&](std::size_t tweak) {
+                   return setting.values[tweak] == wanted.values[tweak];
+               });
+    }
+};
+
 Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobValue& value,
-                         std::unique_ptr<MeasuredScene>& shared) {
+                         ReferenceScene& shared) {
     Reference result{.key = key_of_reference(scenery, knob, value)};
     if (auto kept = kept_picture(scenery, result.key)) {
         result.drawn = std::move(*kept);
@@ -132,14 +144,15 @@ Reference draw_reference(const Scenery& scenery, const Knob& knob, const KnobVal
         how.specialise = false;
         how.constants = *knob.constants;
     }
-    if (shared && knob.constants) {
-        shared->set(value.setting);
+    if (shared.draws(knob, value.setting)) {
+        shared.scene->set(value.setting);
     } else {
-        shared =
+        shared.scene =
             std::make_unique<MeasuredScene>(scenery.preset, value.setting, scenery.context, how);
     }
-    result.drawn.rgba = shared->draw_picture();
-    result.drawn.cut_pass = shared->cut_pass();
+    shared.setting = value.setting;
+    result.drawn.rgba = shared.scene->draw_picture();
+    result.drawn.cut_pass = shared.scene->cut_pass();
     result.file = keep(scenery, result.key, result.drawn);
     return result;
 }
@@ -324,7 +337,7 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
 // The reference, and what it is measured by; none where only times are wanted.
 std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Study& study) {
     if (study.time_only) return std::nullopt;
-    std::unique_ptr<MeasuredScene> shared;
+    ReferenceScene shared;
     std::string cut;  // of what was drawn last
     const auto draw = [&](const KnobValue& value) {
         Reference drawn = draw_reference(scenery, knob, value, shared);
@@ -368,7 +381,7 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
     tell(scenery, knob, study);
     if (named.second) {
         const double rmse = beside(rival, named.second, named.more, named.work).rmse;
-        study.rival->own_error = own_error(rmse, named.work, std::nullopt);
+        study.rival->own_error = own_error(rmse, named.work, {});
         tell(scenery, knob, study);
     }
     return reference;
@@ -496,6 +509,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             studies.push_back(study_knob(own, knob));
         } else {
             studies.push_back(over_all(views, seen));
+            studies.back().scene = preset.file.string();
             std::vector<StudyRow>& rows = studies.back().rows;  // views have quality of their own
             for (std::size_t i = 0; i < rows.size(); ++i)
                 rows[i].is_preset = knob.values[i].setting == own_setting(preset, knob);
@@ -535,6 +549,8 @@ void run_study(const StudyOptions& options) {
     const bool to_preset = options.output.extension() == ".toml";
     if (limit_of(options) && options.time_only)
         throw UsageError("--metric time tells no error, by which a budget chooses.");
+    if (!limit_of(options) && options.name != kBest)
+        throw UsageError("--name: only what a budget chooses has one; add --ms, --rmse or --flip.");
     if (to_preset) require_preset_output(options);
     if (!options.output.empty() && !to_preset) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);

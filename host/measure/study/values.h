@@ -1,0 +1,25 @@
+// Which values of a tweak a study takes.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+bool is_number(const Tweak& tweak);  // one, and no menu
+
+// All values that a study takes when nobody names any; none when the range is not known.
+std::vector<TweakValue> values_of(const Tweak& tweak);
+
+// With the values halfway to the next of each side, since a budget that the preset just keeps is
+// filled by less than a whole step.
+std::vector<TweakValue> with_half_steps(const Tweak& tweak, std::vector<TweakValue> list,
+                                        double own);
+
+// "16,...,4096" is doubled, "64,32,...,1" goes on by the ratio of the two numbers before the dots;
+// other lists are taken as they are. Throws UsageError for dots that lead nowhere.
+std::vector<std::string> parse_list(const std::string& text);
+
+}  // namespace glint

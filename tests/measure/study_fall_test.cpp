@@ -1,0 +1,139 @@
+// How far a reference is from the truth, and which rows stand beside it, by methods whose errors
+// are known: pictures of numbers, without a driver.
+#include "measure/study/result.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace glint::study_fall_test {
+namespace {
+
+constexpr int kPixels = 400;
+using Picture = std::vector<double>;
+using Method = std::function<double(int pixel, int work)>;
+
+Picture picture(const Method& method, int work) {
+    Picture result;
+    for (int i = 0; i < kPixels; ++i) result.push_back(method(i, work));
+    return result;
+}
+
+double apart(const Picture& a, const Picture& b) {
+    double sum = 0.0;
+    for (int i = 0; i < kPixels; ++i) sum += std::pow(a[i] - b[i], 2.0);
+    return std::sqrt(sum / kPixels);
+}
+
+// Each frame of a row took so long, ms.
+FrameTimes steady(double ms) {
+    FrameTimes times;
+    for (int i = 0; i < 40; ++i) {
+        const double jitter = ms * (1.0 + 0.001 * (i % 7));
+        times.wall.push_back(jitter);
+        times.processor.push_back(jitter);
+    }
+    times.gpu = times.wall;
+    return times;
+}
+
+// Rows of these, beside a reference that twice its work measures. `ms` of a row by its work.
+Study judged(
+    const Method& method, const std::vector<int>& works, int reference,
+    const std::function<double(int)>& ms = [](int work) { return 1.0 + 0.1 * work; }) {
+    const Picture truth = picture(method, reference);
+    Study study{.reference = std::to_string(reference), .second = "twice"};
+    std::vector<Picture> pictures;
+    for (const int work : works) {
+        pictures.push_back(picture(method, work));
+        StudyRow row{.value = std::to_string(work), .work = work, .times = steady(ms(work))};
+        row.error = Difference{.rmse = apart(pictures.back(), truth), .max = 1.0};
+        row.is_reference = work == reference;
+        if (pictures.size() > 1)
+            row.rmse_to_previous = apart(pictures.back(), pictures[pictures.size() - 2]);
+        study.rows.push_back(row);
+    }
+    for (StudyRow& row : study.rows)
+        for (const Picture& other : pictures)
+            row.apart.push_back(apart(pictures[&row - study.rows.data()], other));
+    study.reference_error = Difference{.rmse = apart(picture(method, 2 * reference), truth)};
+    KnobValue value{.text = study.reference, .work = reference};
+    judge(study, {.reference = value, .second_work = kTwiceTheWork}, true);
+    return study;
+}
+
+const std::vector<int> kDoubled = {4, 8, 16, 32, 64, 128, 256};
+
+// error = shape(pixel) / work^order, nothing random.
+Method of_order(double order) {
+    return [order](int pixel, int work) { return (0.5 + 0.001 * pixel) * std::pow(work, -order); };
+}
+
+// A mean of `work` random numbers, which more work goes on with.
+double mean_of_samples(int pixel, int work) {
+    std::mt19937 random(static_cast<unsigned>(pixel) + 1);
+    std::normal_distribution<double> normal;
+    double sum = 0.0;
+    for (int i = 0; i < work; ++i) sum += normal(random);
+    return sum / work;
+}
+
+double off_truth(const Method& method, int work) {
+    return apart(picture(method, work), Picture(kPixels, 0.0));
+}
+
+TEST(StudyFall, TellsSlowMethodsFromRandomOnesOfTheSameOrder) {
+    // To a tenth: 0.93 to 1.00 were measured.
+    for (const double order : {0.4, 0.5, 0.6, 1.0, 2.0}) {
+        const Method method = of_order(order);
+        const double ratio = judged(method, kDoubled, 1024).own_error / off_truth(method, 1024);
+        EXPECT_NEAR(ratio, 1.0, 0.1) << "order " << order;
+    }
+    const double ratio =
+        judged(mean_of_samples, kDoubled, 1024).own_error / off_truth(mean_of_samples, 1024);
+    EXPECT_NEAR(ratio, 1.0, 0.1) << "random samples";
+}
+
+TEST(StudyFall, TellsASumThatNeverEnds) {
+    const Method harmonic = [](int pixel, int work) {
+        double sum = 0.0;
+        for (int i = 1; i <= work; ++i) sum += 1.0 / i;
+        return sum * (0.5 + 0.001 * pixel);
+    };
+    const Study study = judged(harmonic, kDoubled, 1024);
+    EXPECT_FALSE(study.converges);
+    ASSERT_FALSE(study.findings.empty());
+    EXPECT_NE(study.findings[0].find("does not converge"), std::string::npos);
+    for (const StudyRow& row : study.rows) EXPECT_FALSE(row.pareto) << row.value;
+    // One whose steps become shorter, however slowly, has an end.
+    EXPECT_TRUE(judged(of_order(0.3), kDoubled, 1024).converges);
+}
+
+TEST(StudyFall, IsTheSameWhicheverEndOfAListStandsFirst) {
+    std::vector<int> falling = kDoubled;
+    std::ranges::reverse(falling);
+    const Study up = judged(of_order(2.0), kDoubled, 1024);
+    const Study down = judged(of_order(2.0), falling, 1024);
+    EXPECT_TRUE(up.findings.empty());
+    EXPECT_TRUE(down.findings.empty());
+    EXPECT_DOUBLE_EQ(up.own_error, down.own_error);
+}
+
+// What cannot be told from the truth has no star, and whatever takes longer and is farther has
+// none beside it.
+TEST(StudyStars, AreNotOfRowsThatTheTruthItselfIsFasterThan) {
+    const auto dearer_when_coarse = [](int work) { return work == 1024 ? 1.0 : 2.0 + work; };
+    std::vector<int> works = kDoubled;
+    works.push_back(1024);
+    for (const StudyRow& row : judged(of_order(1.0), works, 1024, dearer_when_coarse).rows)
+        EXPECT_FALSE(row.pareto) << row.value;
+    const Study usual = judged(of_order(1.0), works, 1024);
+    for (const StudyRow& row : usual.rows) EXPECT_EQ(row.pareto, !row.is_reference) << row.value;
+}
+
+}  // namespace
+}  // namespace glint::study_fall_test
