@@ -984,8 +984,11 @@ void mainCaustics(out vec4 colour, in vec2 pixel) {
     if (method == kVertical) {         // straight up, and the normal there
         vec2 slope = waterAt(u + levelBend() * depth / kTile, true, 0).slope;
         float cosine = dot(sun, normalize(vec3(-slope.x, 1.0, -slope.y)));
-        float light = pow(clamp(cosine / sun.y, 0.0, 4.0), contrast);
-        colour.rgb = vec3(min(light, 6e4));   // of a low sun it may be 4^256
+        // Its mean over normal slopes is 1: of (1 + x)^c, exp(c (c - 1) var(x) / 2), nearly.
+        float spread = 0.5 * square(waveSlope) * (1.0 - square(sun.y));
+        float mean = exp(min(0.5 * contrast * (contrast - 1.0) * spread, 80.0));
+        float light = pow(clamp(1.0 + cosine - sun.y, 0.0, 2.0), contrast) / mean;
+        colour.rgb = vec3(min(light, 60.0));   // rare crests would carry all of it
     } else if (method == kSnell) {     // back along flat water's ray, and out by Snell's law
         vec2 slope = waterAt(u, true, 0).slope;
         vec3 level = normalize(vec3(-slope.x, 1.0, -slope.y));
@@ -1046,6 +1049,12 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     vec3 right = vec3(cos(angle), 0.0, -sin(angle)), back = vec3(sin(angle), 0.0, cos(angle));
     vec3 ro = cameraDistance * back + targetShift * right;
     if (ground == 1) ro.xz = clamp(ro.xz, 0.1 - kPool, kPool - 0.1);
+    if (objects == 2) {   // not from inside a column
+        vec2 place = vec2(ro.x < 0.0 ? -1.5 : 1.5,
+                          kColumnGap * clamp(floor(ro.z / kColumnGap + 0.5), -3.0, 0.0));
+        vec2 away = ro.xz - place + 1e-4;   // somewhere from the very middle
+        ro.xz += away * max(0.45 * inversesqrt(dot(away, away) + 1e-12) - 1.0, 0.0);
+    }
     ro.y = height;
     vec2 aim = vec2(max(cameraDistance, 1e-3), targetHeight - height);   // ahead, up
     aim *= inversesqrt(dot(aim, aim));

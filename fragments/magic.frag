@@ -577,7 +577,7 @@ vec3 hallCeiling(vec2 p, float w) {
     float r = length(p), soft = max(w, 0.05);
     vec2 ring = abs(vec2(r - 6.2, r - 11.5)) - vec2(0.9, 0.55);
     vec2 inside = 1.0 - smoothstep(vec2(-soft), vec2(soft), ring);
-    float round = (atan(p.y, p.x) / (2.0 * kPi) + 0.5) * 24.0;
+    float round = (atan(p.y, p.x + 1e-9) / (2.0 * kPi) + 0.5) * 24.0;
     float bars = 1.0 - lines(round, 0.06, 4.0 * w / max(r, 1.0));
     vec3 night = vec3(0.30, 0.42, 1.5) * inside.x + vec3(0.65, 0.22, 1.0) * inside.y;
     return hallLight * (bars * night + vec3(0.004, 0.004, 0.014));

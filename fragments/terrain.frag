@@ -671,7 +671,8 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
     for (int k = 0; k < bends && open; ++k) {
         float airEnd = exact ? blockSpan(r.airO, r.airD, entered).y : 0.0;
         if (maxComponent(r.air) <= 0.0) airEnd = 0.0;
-        vec3 inverse = safeInverse(r.wetD), edge = sign(r.wetD) * kHalf;
+        vec3 inverse = safeInverse(r.wetD);
+        vec3 edge = mix(vec3(-kHalf), vec3(kHalf), greaterThan(inverse, vec3(0.0)));
         vec3 sides = (edge - r.wetO) * inverse;
         float level = r.wetD.y > 0.0 ? (waterLevel - r.wetO.y) * inverse.y : kFar;
         float end = maxComponent(r.wet) > 0.0 ? max(min(min(sides.x, sides.z), level), 0.0) : 0.0;

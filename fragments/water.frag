@@ -588,7 +588,8 @@ vec3 sunOn(vec3 p, vec3 nor, bool wet) {
         free *= besideAll(p, -light, path, 0.05, false);
         vec2 within = smoothstep(-0.04 * down - 0.01, 0.04 * down + 0.01, kPool - abs(entry));
         // Over the rim: the paving stands higher than the water, the sea's side does not.
-        vec2 leave = (kPool * sign(sun.xz) - entry) * safeInverse(sun).xz;
+        vec2 inv = safeInverse(sun).xz;
+        vec2 leave = (mix(-kPool, kPool, greaterThan(inv, vec2(0.0))) - entry) * inv;
         bool sea = leave.y < leave.x && sun.z < 0.0;
         float rim = smoothstep(kDeck - 0.02, kDeck + 0.02, min(leave.x, leave.y) * sun.y);
         free *= within.x * within.y * (sea ? 1.0 : rim)
@@ -877,10 +878,16 @@ mat3 cameraFrame(vec2 size, out vec3 ro) {
     ro.y = clamp(cameraHeight - 4.0 * drag.y, 0.3, 8.0);
     if (columns)
         for (int i = 0; i < 6; ++i) {   // not from inside a column
-            vec2 away = ro.xz - columnPlace(i);
-            ro.xz += away * max(0.55 * inversesqrt(dot(away, away) + 1e-6) - 1.0, 0.0);
+            vec2 away = ro.xz - columnPlace(i) + 1e-4;   // somewhere from the very middle
+            ro.xz += away * max(0.55 * inversesqrt(dot(away, away) + 1e-12) - 1.0, 0.0);
         }
+    if (mirrorBall) {                   // nor from inside the ball
+        vec3 away = ro - kBallPlace.xyz;   // it is lower than the eye
+        ro += away * max((kBallPlace.w + 0.1) * inversesqrt(dot(away, away)) - 1.0, 0.0);
+    }
     vec3 forward = normalize(target - ro + vec3(0.0, 0.0, -1e-4));
+    // The terrace has no outer sides: the eye stays above it, or above the pool.
+    ro.xz = clamp(ro.xz, vec2(0.5 - kTerrace, 0.5 - kPool.y), vec2(kTerrace - 0.5));
     vec3 right = normalize(cross(forward, vec3(0.0, 1.0, 1e-5)));
     return mat3(right, cross(right, forward), forward);
 }

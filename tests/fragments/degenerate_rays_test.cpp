@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -59,8 +60,55 @@ public:
 
     // How many pixels are stranded on the worst line of the picture: a row, a column or a diagonal.
     int stranded_on_a_line(const View& view) {
-        const Picture here = picture(view, 0.0), before = picture(view, -1.0);
-        const Picture after = picture(view, 1.0);
+        return most_on_a_line(view, [] {});
+    }
+
+    // How many pixels are, of a picture in which this angle is exactly so, beside one hundredth of
+    // a degree less and more. The sun stands high, and the eye looks down.
+    int stranded_by_angle(const std::string& tweak, double degrees, const View& view) {
+        const auto turned = [&](double angle) {
+            return picture(view, 0.0, [&] {
+                for (const auto& [name, number] :
+                     {std::pair{"sunHeight", 45.0}, {"targetHeight", 0.0}})
+                    if (has(name)) value(name) = number;
+                value(tweak) = angle;
+            });
+        };
+        const Picture here = turned(degrees), before = turned(degrees - 0.01);
+        const Picture after = turned(degrees + 0.01);
+        int count = 0;
+        for (std::size_t i = 0; i < here.size(); ++i)
+            count += is_stranded(here[i], before[i], after[i]);
+        return count;
+    }
+
+    // Names of what turns light and wind.
+    std::vector<std::string> angles() const {
+        std::vector<std::string> names;
+        for (const Tweak& tweak : player_.preset.scene.tweaks)
+            if (tweak.unit == "deg" && tweak.name.ends_with("Angle") && tweak.name != "cameraAngle")
+                names.push_back(tweak.name);
+        return names;
+    }
+
+    // Of a level eye on the axis z = 20 that looks along x over a lake without waves.
+    int stranded_on_a_calm_lake() {
+        const auto calm = [&] {
+            for (const auto& [name, number] :
+                 {std::pair{"waveHeight", 0.0}, {"waterLevel", 6.0}, {"cameraRise", 40.0}})
+                value(name) = number;
+            value("target") = 10.0;
+            value("target", 2) = 20.0;
+        };
+        return most_on_a_line({20.0, 0.0, 90.0}, calm);
+    }
+
+private:
+    using Picture = std::vector<glm::vec4>;
+
+    int most_on_a_line(const View& view, const std::function<void()>& turn) {
+        const Picture here = picture(view, 0.0, turn), before = picture(view, -1.0, turn);
+        const Picture after = picture(view, 1.0, turn);
         std::map<std::pair<int, int>, int> lines;
         for (int y = 0; y < kSize.y; ++y) {
             for (int x = 0; x < kSize.x; ++x) {
@@ -77,11 +125,9 @@ public:
         return most;
     }
 
-private:
-    using Picture = std::vector<glm::vec4>;
-
     // side: -1 or 1 to lean the camera by some thousandths of a pixel.
-    Picture picture(const View& view, double side) {
+    // `turn` sets what else is another than usual.
+    Picture picture(const View& view, double side, const std::function<void()>& turn) {
         player_.preset.values = defaults_;
         value("focalLength") = 24.0;
         value("cameraDistance") = view.distance;
@@ -93,11 +139,16 @@ private:
             value("cameraHeight") = view.height + 1e-5 * side;
             value("targetHeight") = view.height + 1e-4 * view.distance * side;
         }
+        turn();
         player_.draw(0);
         const std::vector<float> floats = player_.floats();
         Picture pixels(floats.size() / 4);
         std::memcpy(pixels.data(), floats.data(), floats.size() * sizeof(float));
         return pixels;
+    }
+    bool has(const std::string& name) const {
+        const auto& tweaks = player_.preset.scene.tweaks;
+        return std::ranges::find(tweaks, name, &Tweak::name) != tweaks.end();
     }
     double& value(const std::string& name, std::size_t component = 0) {
         const auto& tweaks = player_.preset.scene.tweaks;
@@ -120,6 +171,11 @@ constexpr int kByChance = 3;
 TEST_F(DegenerateRays, ALevelRowOfTheChristmasRoomIsAsTheRowsBesideIt) {
     Camera camera("christmas");
     EXPECT_LE(camera.stranded_on_a_line({4.2, 0.98, 0.0}), kByChance);
+}
+
+// A ray in the water that runs exactly along x once met a wall at once.
+TEST_F(DegenerateRays, ACalmLakeHasNoColumn) {
+    EXPECT_LE(Camera("terrain").stranded_on_a_calm_lake(), kByChance);
 }
 
 struct Scene {
@@ -161,6 +217,23 @@ TEST_P(DegenerateCameras, StrandNoLineOfPixels) {
     fmt::print("{}: at most {} pixels of a line stand apart\n", scene.name, worst);
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, DegenerateCameras, testing::ValuesIn(kScenes),
+                         [](const auto& scene) { return scene.param.name; });
+
+// Light and wind along an axis: the sun's shade of the pool's wall once fell on half of the pool.
+class DegenerateAngles : public GlTest, public testing::WithParamInterface<Scene> {};
+
+TEST_P(DegenerateAngles, ChangeThePictureByNothing) {
+    Camera camera(GetParam().name);
+    for (const std::string& angle : camera.angles()) {
+        for (const double degrees : {0.0, 90.0, -90.0}) {
+            const int found = camera.stranded_by_angle(
+                angle, degrees, {GetParam().distances[0], GetParam().heights.back(), 10.0});
+            fmt::print("{}: {}={}: {} pixels\n", GetParam().name, angle, degrees, found);
+            EXPECT_LE(found, kSize.x * kSize.y / 100) << angle << " = " << degrees;
+        }
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, DegenerateAngles, testing::ValuesIn(kScenes),
                          [](const auto& scene) { return scene.param.name; });
 
 // ---- Rays ----
