@@ -18,14 +18,18 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view kUniforms = R"(uniform float iTimeDelta;
-uniform float iFrameRate;
-uniform int iFrame;
-uniform vec4 iDate;
-uniform float iSampleRate;
-uniform float iChannelTime[4];
-uniform vec3 iChannelResolution[4];
-)";
+struct HostName {
+    std::string_view type, name, array = "";
+};
+constexpr HostName kOfPictures[] = {
+    {"vec3", "iResolution"}, {"float", "iTime"}, {"vec4", "iMouse"}};
+constexpr HostName kOfAll[] = {{"float", "iTimeDelta"},
+                               {"float", "iFrameRate"},
+                               {"int", "iFrame"},
+                               {"vec4", "iDate"},
+                               {"float", "iSampleRate"},
+                               {"float", "iChannelTime", "[4]"},
+                               {"vec3", "iChannelResolution", "[4]"}};
 
 // The site lets a shader colour its pixel by a failed assertion: red, green, blue or yellow.
 constexpr std::string_view kAssert = R"(int glint_failed = -1;
@@ -83,16 +87,20 @@ std::string other_names(const Reading& reading) {
     return text;
 }
 
-// The site has none of these in a sound, so that texts for it may use the names themselves; other
-// passes of the same text may want them.
-std::string picture_uniforms(const Reading& reading, bool sound) {
-    constexpr std::pair<std::string_view, std::string_view> kThree[] = {
-        {"vec3", "iResolution"}, {"float", "iTime"}, {"vec4", "iMouse"}};
+// The site has none of the first three in a sound, so that texts for it may use the names
+// themselves; other passes of the same text may want them. A text with a main() of its own knows
+// nothing of the host's, and fills variables of these names from what it does know.
+std::string host_uniforms(const Reading& reading, bool sound, bool plain_main) {
     std::string text;
-    for (const auto& [type, name] : kThree) {
-        if (sound && declares(reading, name)) continue;
-        text += fmt::format("uniform {} {};\n", type, name);
-    }
+    const auto add = [&](const HostName& host) {
+        text += fmt::format("uniform {} {}{};\n", host.type, host.name, host.array);
+    };
+    for (const HostName& host : kOfPictures)
+        if (!(sound && declares(reading, host.name)) &&
+            !(plain_main && reading.find_global(host.name)))
+            add(host);
+    for (const HostName& host : kOfAll)
+        if (!(plain_main && reading.find_global(host.name))) add(host);
     return text;
 }
 
@@ -189,12 +197,32 @@ void put_in_place_of(std::string_view theirs, std::string_view ours, const Readi
         if (token.is(theirs)) edits.replace_bytes(token.span(), std::string(ours));
 }
 
+// gl_FragData[0] is gl_FragColor by another name.
+void put_in_place_of_data(const Reading& reading, Edits& edits) {
+    const auto& tokens = reading.written;
+    for (std::size_t i = 0; i + 3 < tokens.size(); ++i) {
+        if (!tokens[i].is("gl_FragData") || !tokens[i + 1].is("[") || !tokens[i + 2].is("0") ||
+            !tokens[i + 3].is("]"))
+            continue;
+        const Span all{tokens[i].span().begin, tokens[i + 3].span().end};
+        std::string name(kPlainColour);
+        name.resize(std::max(name.size(), all.end - all.begin), ' ');  // so that no column moves
+        edits.replace_bytes(all, name);
+    }
+}
+
 // What a text with a main() of its own, GLSL ES 1.00 of the web, may count on. Names of GLSL itself
-// cannot be macros; others stand for them. Of GLSL ES 3.00 it may define functions itself.
-std::string before_own_main(const Reading& reading) {
-    constexpr std::array<std::string_view, 13> kNewerFunctions = {
-        "round", "roundEven", "trunc", "sinh",  "cosh", "tanh",        "asinh",
-        "acosh", "atanh",     "isnan", "isinf", "modf", "outerProduct"};
+// cannot be macros; others stand for them. Of GLSL ES 3.00 it may define functions itself, and use
+// its words.
+std::string before_own_main(const Reading& reading, bool plain_main) {
+    constexpr std::array<std::string_view, 16> kNewerFunctions = {
+        "round",        "roundEven", "trunc",     "sinh",       "cosh",  "tanh",
+        "asinh",        "acosh",     "atanh",     "isnan",      "isinf", "modf",
+        "outerProduct", "inverse",   "transpose", "determinant"};
+    constexpr std::string_view kNewerWords[] = {
+        "sample",   "filter",   "common",    "partition",  "active",
+        "resource", "patch",    "smooth",    "subroutine", "coherent",
+        "restrict", "readonly", "writeonly", "centroid",   "noperspective"};
     constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
         {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
     std::string text = fmt::format("vec4 {} = vec4(0.0);\n", kPlainColour);
@@ -214,6 +242,11 @@ std::string before_own_main(const Reading& reading) {
     for (const std::string_view name : kNewerFunctions)
         if (!reading.functions_named(name).empty())
             text += fmt::format("#define {0} glint_{0}\n", name);
+    for (const std::string_view word : kNewerWords)
+        if (plain_main && is_of_older_glsl(reading) && reading.mentions(word) &&
+            !reading.defines_macro(word))
+            text += fmt::format("#define {0} glint_{0}\n", word);
+    if (plain_main && reading.mentions("mainImage")) text += "#define mainImage glint_mainImage\n";
     return text + "#define main glint_main\n";
 }
 
@@ -225,7 +258,7 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output)
         output ? reading.word(output->names.front().name) : kPlainColour;
     const bool is_opaque = output && reading.word(output->type) == "vec3";
     return fmt::format(
-        "void mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
+        "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
         "    {0} = glint_color{1};\n"
         "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n"
         "    main();\n    glint_color = {2};\n}}\n",
@@ -402,8 +435,7 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     std::string text = "#version 300 es\n" + definitions_of_pass(output_names(scene, pass));
     text += renamed_words(reading);
     text += kPrecision;
-    text += picture_uniforms(reading, sound);
-    text += kUniforms;
+    text += host_uniforms(reading, sound, image && scene.image_entry == "main");
     text += other_names(reading);
     text += channel_declarations(preset, pass, reading);
     std::string main = sound                     ? sound_main(reading)
@@ -520,7 +552,9 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         specialise(preset, options, unused, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
+    if (plain_main) make_colour_defined(reading, "mainImage", edits);
     if (has_main) put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
+    if (has_main) put_in_place_of_data(reading, edits);
     if (plain_main) make_outputs_variables(reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
@@ -543,7 +577,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.text = prologue(preset, pass, options, probe, reading, defined);
     result.text += numbers_uniform(result.numbers);
     if (plain_main) result.text += kBeforePlainMain;
-    if (has_main) result.text += before_own_main(reading);
+    if (has_main) result.text += before_own_main(reading, plain_main);
     result.user_begin = result.text.size();
     EditedText edited = edits.apply();
     result.text += edited.text;

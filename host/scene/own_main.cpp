@@ -9,11 +9,32 @@ bool is_at_another_location(const Reading& reading, TokenRange qualifiers) {
     return false;
 }
 
+bool writes_plain_colour(const Reading& reading) {
+    return reading.mentions("gl_FragColor") || reading.mentions("gl_FragData");
+}
+
+// As where main() is that of one of several files (glsl/foreign_text.h).
+bool main_image_calls_main(const Reading& reading) {
+    for (const std::uint32_t function : reading.functions_named("mainImage")) {
+        const TokenRange body = reading.functions[function].body;
+        for (std::uint32_t at = body.begin; at < body.end; ++at)
+            if (reading.tokens[at].is("main")) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 bool has_own_main(const Reading& reading) {
-    if (reading.mentions("mainImage")) return false;
-    return reading.mentions("gl_FragColor") || !reading.functions_named("main").empty();
+    const auto mains = reading.functions_named("main");
+    if (!reading.mentions("mainImage")) return writes_plain_colour(reading) || !mains.empty();
+    return !mains.empty() && reading.functions[mains.front()].is_defined() &&
+           !main_image_calls_main(reading) &&
+           (writes_plain_colour(reading) || colour_output(reading));
+}
+
+bool is_of_older_glsl(const Reading& reading) {
+    return writes_plain_colour(reading) && !colour_output(reading);
 }
 
 const Declaration* colour_output(const Reading& reading) {
@@ -30,7 +51,7 @@ const Declaration* colour_output(const Reading& reading) {
 
 std::optional<NoColour> why_no_colour(const Reading& reading) {
     const auto mains = reading.functions_named("main");
-    if (reading.mentions("gl_FragColor") || colour_output(reading) || mains.empty())
+    if (writes_plain_colour(reading) || colour_output(reading) || mains.empty())
         return std::nullopt;
     const std::string_view other =
         reading.mentions("gl_Position")             ? "this main() is of a vertex shader"

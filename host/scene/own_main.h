@@ -9,8 +9,12 @@
 
 namespace glint {
 
-// Where both are there, mainImage draws the picture.
+// Whether main() draws the picture. One that writes a colour does where there is a mainImage, too,
+// which it then calls, or not.
 bool has_own_main(const Reading& reading);
+
+// GLSL ES 1.00, in which names are free that later versions have taken.
+bool is_of_older_glsl(const Reading& reading);
 
 // `out vec4 colour;`, or of type vec3: the first at location 0, or at none that is named. Null
 // where the text has none.

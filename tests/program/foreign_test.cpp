@@ -260,6 +260,28 @@ TEST_F(Foreign, AMainMayUseWhatItsGlslLeavesFree) {
         {"a mainImage that it calls",
          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.4, 0.8, 0.2, 1); }\n"
          "void main() { mainImage(gl_FragColor, gl_FragCoord.xy); }\n"},
+        {"what it makes of a mainImage",
+         "void mainImage(out vec4 c, in vec2 p) { c += vec4(0.6, 0.2, 0.8, 0); }\n"
+         "void main() { mainImage(gl_FragColor, gl_FragCoord.xy); gl_FragColor.rgb = 1.0 - "
+         "gl_FragColor.rgb; }\n"},
+        {"variables of the host's names, which it fills",
+         "uniform float time; //@ 0.8\nuniform vec2 resolution;\n"
+         "float iTime = 0.0;\nvec3 iResolution = vec3(0.0);\nconst vec4 iMouse = vec4(0.2);\n"
+         "const int iFrame = 4;\n"
+         "void mainImage(out vec4 c, in vec2 p) {\n"
+         "    c = vec4(float(iFrame) * 0.1 * iResolution.x / 64.0, iTime, iMouse.x, 1);\n}\n"
+         "void main() { iTime = time; iResolution = vec3(resolution, 0.0);\n"
+         "    mainImage(gl_FragColor, gl_FragCoord.xy); }\n"},
+        {"words of later versions",
+         "float smooth(float sample) { return sample; }\n"
+         "float patch(float filter) { float common = filter, active = common; return active; }\n"
+         "void main() { gl_FragColor = vec4(smooth(0.4), patch(0.8), 0.2, 1); }\n"},
+        {"an inverse of its own",
+         "mat2 inverse(mat2 m) { return m; }\nfloat transpose(float x) { return 2.0 * x; }\n"
+         "void main() { gl_FragColor = vec4(inverse(mat2(0.4))[0][0], transpose(0.4), 0.2, 1); "
+         "}\n"},
+        {"its colour by another name",
+         "void main() { gl_FragData[0] = vec4(0.4, 0.8, 0.2, 1.0); }\n"},
         {"a buffer",
          "uniform sampler2D half_of; //@ pass mainHalf\n"
          "void mainHalf(out vec4 c, in vec2 p) { c = vec4(0.2, 0.4, 0.1, 1); }\n"
