@@ -60,7 +60,8 @@ TEST_F(Water, BothWaysShowTheSameStillWater) {
 // The scene without its display curve, which would hide what is not a number, and a coarse pond.
 std::string bare() {
     return with_cells(
-        replaced(water_text(), "vec4(display(exp2(exposure) * sum / float(antialias)), 1.0)",
+        replaced(water_text(),
+                 "vec4(display(exp2(exposure) * sum / float(antialias)) + dither(fragCoord), 1.0)",
                  "vec4(exp2(exposure) * sum / float(antialias), 1.0)"),
         {64, 96});
 }
