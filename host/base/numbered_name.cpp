@@ -33,7 +33,7 @@ std::vector<int> NumberedName::numbers_there() const {
 }
 
 std::optional<NumberedName> numbered_name(const std::string& text) {
-    const std::size_t percent = text.find('%');
+    const std::size_t percent = text.find('%', text.rfind('/') + 1);  // 0 where there is none
     const std::size_t d = text.find('d', percent);
     if (percent == std::string::npos || d == std::string::npos) return std::nullopt;
     const std::string digits = text.substr(percent + 1, d - percent - 1);

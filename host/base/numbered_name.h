@@ -18,7 +18,8 @@ struct NumberedName {
     std::vector<int> numbers_there() const;
 };
 
-// Nothing unless the text has exactly one "%d", "%4d" or "%04d" and no other "%".
+// Nothing unless the file's name has exactly one "%d", "%4d" or "%04d" and no other "%"; those of
+// its folder are what they are.
 std::optional<NumberedName> numbered_name(const std::string& text);
 
 // In the folder at hand: FILE-0001.png with the file's stem, or the first such name that is free.

@@ -17,7 +17,8 @@ fs::path write_new_scene(const fs::path& file, std::string_view from) {
     if (chosen == all.end())
         throw UsageError(fmt::format("There is no scene '{}' to begin with.", from));
     fs::path scene = file;
-    if (!file.has_filename()) throw UsageError("Name the new scene, such as rings.frag.");
+    if (!file.has_filename() || file.filename() == "." || file.filename() == "..")
+        throw UsageError("Name the new scene, such as rings.frag.");
     if (scene.extension() != ".frag") scene += ".frag";
     std::error_code error;
     if (fs::exists(fs::symlink_status(scene, error)))

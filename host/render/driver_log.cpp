@@ -319,6 +319,13 @@ std::string recursive_name(const std::string& complaint) {
     return std::regex_match(complaint, m, mesa) ? std::string(m[1]) : "";
 }
 
+// The function that a linker finds nowhere; "" where it complains of something else.
+std::string bodiless_function(const std::string& words) {
+    static const std::regex said(R"(unresolved reference to function `(\w+)')");
+    std::smatch m;
+    return std::regex_search(words, m, said) ? m[1].str() : std::string();
+}
+
 // The v of "fragment shader input `v' has no matching output in the previous stage", of which Mesa
 // tells no line.
 std::string unfed_input(const std::string& complaint) {
@@ -413,9 +420,14 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
             add(m[1] == "ERROR", m[2], 0, false, m[3]);
         } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
             list.push_back(link_diagnostic(scene, m[1]));
-            const std::string input = unfed_input(m[1]);
-            if (input.empty()) continue;
+            const std::string input = unfed_input(m[1]), bare = bodiless_function(m[1]);
+            if (input.empty() && (bare.empty() || bare == scene.image_entry)) continue;
             if (!read) read.emplace(scene, text);
+            if (input.empty()) {
+                list.back().place = read->first(bare);
+                list.back().text = bare + " is declared and called, but has no body; write one";
+                continue;
+            }
             list.back().place = read->first(input);
             list.back().text = "nothing feeds " + input +
                                ": no vertices stand before a picture; write a value of its own, "

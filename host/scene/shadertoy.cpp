@@ -27,6 +27,13 @@ constexpr std::array<KnownId, 5> kKnownIds = {{{"257", "4dXGR8", "bufferA"},
                                                {"260", "XdfGR8", "bufferD"},
                                                {"41", "4dX3Rr", "cubeA"}}};
 
+// Buffers that no picture reads are for nothing.
+bool draws_or_sounds(const Shadertoy& shader) {
+    return std::ranges::any_of(shader.tabs, [](const ShadertoyTab& tab) {
+        return tab.name == "image" || tab.name == "sound";
+    });
+}
+
 std::string lower(std::string text) {
     for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return text;
@@ -245,6 +252,8 @@ std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
     for (std::size_t i = 0; i < names.size(); ++i)
         if (auto read = tab(names[i], passes[i], tab_of_id))
             add_tab(shader, std::move(*read), file_, diagnostics_);
+    if (!has_errors(diagnostics_) && !draws_or_sounds(shader))
+        error("there is no image tab in it, which draws the picture; export the shader again");
     return shader;
 }
 
@@ -331,6 +340,9 @@ bool is_within(const fs::path& file, const fs::path& folder) {
 
 namespace {
 
+constexpr const char* kTabFiles =
+    "a Shadertoy's tabs are image.glsl, common.glsl, bufferA.glsl …, sound.glsl";
+
 // The tab that a file of a folder is; "" for any other file.
 std::string tab_of_file(const fs::path& file) {
     const std::string extension = lower(file.extension().string());
@@ -358,6 +370,10 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
     std::ranges::sort(files);
     for (const fs::path& file : files) {
         const std::string name = tab_of_file(file);
+        if (name.empty() && lower(file.extension().string()) == ".glsl")
+            diagnostics.push_back({Severity::warning,
+                                   {file.string()},
+                                   fmt::format("it is no tab, and is left out; {}", kTabFiles)});
         if (name.empty()) continue;
         if (!anywhere && !is_within(file, folder)) {
             diagnostics.push_back({Severity::warning,
@@ -370,14 +386,11 @@ std::optional<Shadertoy> read_shadertoy_folder(const fs::path& folder, Diagnosti
                 diagnostics);
     }
     sort_tabs(shader);
-    if (error || shader.tabs.empty() ||
-        (shader.tabs.size() == 1 && shader.tabs[0].name == "common")) {
+    if (error || !draws_or_sounds(shader))
         diagnostics.push_back({Severity::error,
                                {folder.string()},
-                               "there is no image.glsl in this folder; a Shadertoy's tabs are "
-                               "image.glsl, common.glsl, bufferA.glsl …, sound.glsl",
+                               fmt::format("there is no image.glsl in this folder; {}", kTabFiles),
                                true});
-    }
     if (has_errors(diagnostics)) return std::nullopt;
     for (ShadertoyTab& tab : shader.tabs) {
         for (const ShadertoyTab& other : shader.tabs) {

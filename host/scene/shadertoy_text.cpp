@@ -177,6 +177,7 @@ private:
     void write_header();
     void write_passes();
     void write_inputs();
+    bool is_never_drawn(const ShadertoyInput& input) const;
     void write_input(const ShadertoyTab& tab, const ShadertoyInput& input);
     void write_tab(const ShadertoyTab& tab);
     std::string source_of(const ShadertoyTab& tab, const ShadertoyInput& input);
@@ -252,7 +253,20 @@ void Writer::write_inputs() {
     }
 }
 
+// The site has all of its buffers, and one without a tab is black.
+bool Writer::is_never_drawn(const ShadertoyInput& input) const {
+    return !input.buffer.empty() &&
+           std::ranges::find(shader_.tabs, input.buffer, &ShadertoyTab::name) == shader_.tabs.end();
+}
+
 void Writer::write_input(const ShadertoyTab& tab, const ShadertoyInput& input) {
+    if (is_never_drawn(input)) {
+        warn(fmt::format("{}, iChannel{}: {} is not in this file; it is black", tab.name,
+                         input.channel, in_quotes(input.buffer)));
+        if (input.buffer.starts_with("cube"))
+            text_ += fmt::format("uniform samplerCube iChannel{};\n", input.channel);
+        return;
+    }
     const std::string source = source_of(tab, input);
     text_ += fmt::format("uniform {} iChannel{};  //@ {}{}\n", glsl_name(read_by(input).type),
                          input.channel, source, options_of(input, source));
@@ -260,9 +274,7 @@ void Writer::write_input(const ShadertoyTab& tab, const ShadertoyInput& input) {
 
 std::string Writer::source_of(const ShadertoyTab& tab, const ShadertoyInput& input) {
     if (input.kind == "keyboard") return "keyboard";
-    const bool has_tab = std::ranges::any_of(
-        shader_.tabs, [&](const ShadertoyTab& other) { return other.name == input.buffer; });
-    if (!input.buffer.empty() && has_tab) return "buffer " + input.buffer;
+    if (!input.buffer.empty()) return "buffer " + input.buffer;
     if (const std::string file = file_beside(input); !file.empty()) return file;
     Sampler noise = read_by(input);
     if (input.file.starts_with("noise ") && parse_noise(input.file.substr(6), noise).empty())
@@ -281,10 +293,9 @@ std::string Writer::what_is_missing(const ShadertoyInput& input) const {
     if (input.kind == "webcam") return "no camera is read here";
     if (input.kind == "mic") return "no microphone is read here";
     const Medium* medium = find_medium(input.file);
-    const std::string what = !input.buffer.empty() ? input.buffer
-                             : medium              ? std::string(medium->name)
-                             : input.file.empty()  ? input.kind
-                                                   : input.file;
+    const std::string what = medium               ? std::string(medium->name)
+                             : input.file.empty() ? input.kind
+                                                  : input.file;
     return fmt::format("{} is {}", in_quotes(what),
                        leaves_ ? "outside this file's folder" : "not in this file");
 }

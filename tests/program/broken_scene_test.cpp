@@ -144,7 +144,7 @@ TEST_F(BrokenScene, TellsWhatDoesNotLink) {
         {"a function without a body",
          "float missing(float x);\n"
          "void mainImage(out vec4 c, in vec2 p) { c = vec4(missing(p.x)); }\n",
-         3, "scene.frag: error: unresolved reference to function `missing'"},
+         3, "scene.frag:1:7: error: missing is declared and called, but has no body"},
         {"no mainImage", "float f() { return 1.0; }\n", 3,
          "scene.frag: error: there is no mainImage here; write void mainImage("},
         {"mainImage mistyped", "// x\nvoid mainimage(out vec4 c, in vec2 p) { c = vec4(1); }\n", 3,

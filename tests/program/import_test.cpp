@@ -220,6 +220,34 @@ TEST_F(Import, ATabThatIsThereTwiceIsTakenOnceWithAWarning) {
         << differs.err;
 }
 
+// As there, where every shader has all buffers.
+TEST_F(Import, ABufferWithoutATabIsBlack) {
+    Json inputs = Json::array({input(0, 258, "buffer", "linear")});
+    const Json image = pass("image", "Image", 37,
+                            "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p) + "
+                            "vec4(0.2, 0.4, 0.6, 1); }",
+                            inputs);
+    write("one.json", Json{{"renderpass", Json::array({image})}}.dump());
+    const Outcome outcome = glint({"import", "one.json", "-o", "one.frag"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("warning: image, iChannel0: 'bufferB' is not in this file; it is "
+                               "black"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(draw("one.frag", 0), (std::array{51, 102, 153}));
+}
+
+TEST_F(Import, WithoutAnImageThereIsNothingToDraw) {
+    const Json buffer =
+        pass("buffer", "Buffer A", 257, "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }",
+             Json::array());
+    write("one.json", Json{{"renderpass", Json::array({buffer})}}.dump());
+    const Outcome outcome = glint({"import", "one.json", "-o", "one.frag"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_NE(outcome.err.find("there is no image tab in it"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder() / "one.frag"));
+}
+
 TEST_F(Import, AnImageBesideTheFileIsUsed) {
     write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.4, 0.6, 1); }\n");
     fs::create_directories(folder() / "media/a");
@@ -285,8 +313,10 @@ TEST_F(Import, AFolderOfTabsInAnySpellingBecomesAScene) {
           "void mainImage(out vec4 c, in vec2 p) { c = vec4(texture(iChannel0, "
           "p).x, texture(iChannel1, p).x, 0, 1); }\n");
     write("tabs/notes.md", "not a tab\n");
+    write("tabs/bufferE.glsl", "float e;\n");
     const Outcome made = glint({"import", "tabs", "-o", "scene.frag"});
     ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_TRUE(made.err.starts_with("tabs/bufferE.glsl: warning: it is no tab")) << made.err;
     EXPECT_EQ(draw("scene.frag", 0), (std::array{128, 64, 0}));
 }
 
