@@ -7,6 +7,24 @@
 namespace glint {
 namespace {
 
+// What all quality tweaks are chosen by together.
+void declare_budget(CLI::App& verb, StudyOptions& study) {
+    CLI::Option* ms = verb.add_option("--ms", study.ms_budget,
+                                      "find the best joint setting of all quality tweaks within so "
+                                      "many milliseconds a frame; or own: what the preset takes");
+    CLI::Option* rmse = verb.add_option("--rmse", study.rmse_budget,
+                                        "find the fastest with at most this error, or own")
+                            ->excludes(ms);
+    verb.add_option("--flip", study.flip_budget,
+                    "find the fastest with at most this FLIP, or own: the difference that a person "
+                    "sees, from 0 to 1")
+        ->excludes(ms)
+        ->excludes(rmse);
+    verb.add_option("--name", study.name,
+                    "what the setting that is found is called in the preset of -o; best otherwise")
+        ->check(not_empty());
+}
+
 void declare(CLI::App& verb, StudyOptions& study) {
     add_views(
         verb, study.files, study.view, "pixels; 640x360 otherwise",
@@ -38,30 +56,17 @@ void declare(CLI::App& verb, StudyOptions& study) {
         ->check(from(0.0, 1e6));
     verb.add_option("--over", study.over,
                     "presets: errors over all of the scene's; or time=A:B:STEP: over these");
-    CLI::Option* ms = verb.add_option("--ms", study.ms_budget,
-                                      "find the best joint setting of all quality tweaks within so "
-                                      "many milliseconds a frame; or own: what the preset takes");
-    CLI::Option* rmse = verb.add_option("--rmse", study.rmse_budget,
-                                        "find the fastest with at most this error, or own")
-                            ->excludes(ms);
-    verb.add_option("--flip", study.flip_budget,
-                    "find the fastest with at most this FLIP, or own: the difference that a person "
-                    "sees, from 0 to 1")
-        ->excludes(ms)
-        ->excludes(rmse);
-    verb.add_option("--name", study.name,
-                    "what the setting that is found is called in the preset of -o; best otherwise")
-        ->check(not_empty());
+    declare_budget(verb, study);
     verb.add_option(
             "-o,--output", study.output,
             "a folder for the report; a preset (.toml) for what --ms, --rmse or --flip finds")
         ->type_name(kFolder);
     CLI::Option* csv = verb.add_flag("--csv", study.csv, "comma-separated values on stdout");
-    CLI::Option* json = verb.add_flag("--json", study.view.json, "one JSON object on stdout");
+    CLI::Option* json =
+        verb.add_flag("--json", study.view.json, "one JSON object on stdout")->excludes(csv);
     verb.add_flag("--lines", study.lines, "a JSON object a line, whenever a picture is drawn")
         ->excludes(csv)
         ->excludes(json);
-    json->excludes(csv);
     add_examples(verb,
                  {"glint study presets/christmas.toml -o report",
                   "glint study presets/magic.toml --ms 8 --size 320x180 -o fast.toml",

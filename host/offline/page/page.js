@@ -160,7 +160,7 @@ const press = {
     },
 };
 for (const name in press) on($(name), "click", () => isReady && press[name]());
-on($("time"), "change", () => isReady && go(clamp(Number.isFinite(+$("time").value) ? +$("time").value : clock.time, 0, 1e9)));
+on($("time"), "change", () => isReady && go(clamp(Number.isNaN(+$("time").value) ? clock.time : +$("time").value, 0, 1e9)));
 on($("share"), "change", () => { holder.hold($("share").value); fit(true); });
 const show = bindControls(document.querySelectorAll(".row"), plan.tweaks, (i, value) => setValues(values.with(i, value)));
 
