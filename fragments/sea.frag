@@ -1199,7 +1199,7 @@ void lightThings(Surface u, float angle, float cone, float chance, int first, in
         break;
     }
     for (int k = first; k <= last; ++k) {
-        Hit h = k == 0 ? above.hit : below.hit;
+        Hit h = below.hit; if (k == 0) h = above.hit;   // WebGL has no ?: of structs
         vec3 q = k == 0 ? p : u.pos + h.t * below.way, rd = k == 0 ? above.way : below.way;
         vec4 stuff = paint(h.id, q, angle * u.t + (k == 0 ? (angle + cone) * h.t : 0.0));
         float sunny = k == 0 ? share : 1.0, around = k == 0 ? open : 0.8;
