@@ -46,6 +46,11 @@ bool draws_in_software() {
     return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
 }
 
+void start_context() {
+    glDisable(GL_DITHER);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // always on in GLSL ES
+}
+
 std::string take_complaint() {
     return std::exchange(first_complaint, {});
 }

@@ -21,6 +21,9 @@ struct ContextLost : std::runtime_error {
 // Whether the current context draws on the processor, and so takes the system's memory.
 bool draws_in_software();
 
+// Of the current context: the state in which all is drawn.
+void start_context();
+
 // The first of what the driver has refused since this or Context::check() was called; empty:
 // nothing. For those who tell of it in words of their own.
 std::string take_complaint();

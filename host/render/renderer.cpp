@@ -166,6 +166,7 @@ void Renderer::advance(const Frame& frame) {
 
 bool Renderer::draw(const Frame& frame) {
     run(frame, false);
+    ahead_.reset();
     force_root_ = false;
     return root_drawn_;
 }
@@ -271,6 +272,7 @@ void Renderer::set_state(std::span<const PassState> state) {
 
 void Renderer::set_picture_format(PixelFormat format) {
     if (format == options_.picture_format) return;
+    ahead_.reset();
     options_.picture_format = format;
     if (fills_a_buffer(scene_.programs.back().pass)) return;
     const std::size_t root = buffers_.size() - 1;
@@ -279,6 +281,7 @@ void Renderer::set_picture_format(PixelFormat format) {
 }
 
 void Renderer::resize(glm::ivec2 size) {
+    ahead_.reset();
     options_.size = size;
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
         const glm::ivec2 wanted = wanted_shape(i).size;
@@ -389,11 +392,12 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     drawing_ = &inputs.frame;
     if (before_pass) before_pass(index);
     drawing_ = nullptr;
+    if (ahead_) ahead_->take(index);
 
     const bool root = index == scene_.root;
     const bool averaged = root && average_;
     glUseProgram(program.id);
-    bind_samplers(program);
+    bind(bindings_of(program));
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     if (buffer.shape().cube) {
@@ -432,12 +436,15 @@ void Renderer::draw_once(std::size_t index) {
     const PlainDraw plain;
     if (drawn_[index].compiled || !scene_.give_up) return draw_triangle();
     drawn_[index].compiled = true;
-    std::size_t pixels = 0;
-    for (const auto& buffer : buffers_) pixels += byte_count(buffer->shape());
-    if (average_) pixels += byte_count(average_->sum().shape());
     glFlush();
-    const CompileWatch watch(scene_.give_up, preset_, scene_.programs[index].pass, pixels);
+    const CompileWatch watch(scene_.give_up, preset_, scene_.programs[index].pass, pixel_bytes());
     draw_triangle();
+}
+
+std::size_t Renderer::pixel_bytes() const {
+    std::size_t bytes = 0;
+    for (const auto& buffer : buffers_) bytes += byte_count(buffer->shape());
+    return average_ ? bytes + byte_count(average_->sum().shape()) : bytes;
 }
 
 // Strips grow and shrink until each takes about kStripSeconds. Where one holds the whole pass,
@@ -490,17 +497,24 @@ GLuint Renderer::texture_of(std::size_t index) {
                                   : channels_.empty(sampler.type);
 }
 
-void Renderer::bind_samplers(const PassProgram& program) {
+std::vector<Renderer::Binding> Renderer::bindings_of(const PassProgram& program) {
+    std::vector<Binding> bindings;
     for (const SamplerUniform& uniform : program.samplers) {
-        const auto unit = static_cast<GLuint>(uniform.unit);
         const Sampler& sampler = sampler_at(preset_, uniform.sampler);
-        glBindTextureUnit(unit, texture_of(uniform.sampler));
-        glBindSampler(unit, channels_.sampler_object(sampler));
+        bindings.push_back({static_cast<GLuint>(uniform.unit), texture_of(uniform.sampler),
+                            channels_.sampler_object(sampler)});
     }
     for (const UnfilledSampler& uniform : program.unfilled) {
-        const auto unit = static_cast<GLuint>(uniform.unit);
-        glBindTextureUnit(unit, uniform.type ? channels_.empty(*uniform.type) : 0);
-        glBindSampler(unit, 0);
+        const GLuint texture = uniform.type ? channels_.empty(*uniform.type) : 0;
+        bindings.push_back({static_cast<GLuint>(uniform.unit), texture, 0});
+    }
+    return bindings;
+}
+
+void Renderer::bind(const std::vector<Binding>& bindings) {
+    for (const Binding& binding : bindings) {
+        glBindTextureUnit(binding.unit, binding.texture);
+        glBindSampler(binding.unit, binding.sampler);
     }
 }
 
@@ -584,7 +598,7 @@ void Renderer::draw_variant(const Variant& variant, const Frame& frame) {
              {.frame = drawing_ ? *drawing_ : frame, .face = variant.face});
     glBindVertexArray(vertex_array_.id());
     glUseProgram(program.id);
-    bind_samplers(program);
+    bind(bindings_of(program));
     glBindFramebuffer(GL_FRAMEBUFFER, variant.framebuffer);
     glViewport(0, 0, variant.size.x, variant.size.y);
     const PlainDraw plain;

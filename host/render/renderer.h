@@ -6,6 +6,7 @@
 #include "render/buffer.h"
 #include "render/channels.h"
 #include "render/compile.h"
+#include "render/compile_ahead.h"
 
 #include <functional>
 #include <map>
@@ -152,13 +153,14 @@ public:
     void warm_up(const PassProgram& program);
 
     // Where the driver compiles on the processor inside the first draw, and has not kept what it
-    // compiled before: has it compile now, on several processors. Nothing elsewhere. Draws no
-    // pixel; to be called once the inputs are there. Passes that linked in less than this are not
-    // worth a thread, or the driver had them. `works_on` hears, on one of the threads at a time, of
-    // the pass (as in graph().passes) that has been compiled for the longest whenever that is
-    // another one. Gives the processor's milliseconds for each; none where nothing was done.
-    std::vector<double> compile_ahead(const std::function<void(std::size_t)>& works_on = nullptr,
-                                      double worth_ms = 60.0);
+    // compiled before: has other threads compile, up to the end of the next draw(), what that has
+    // not come to yet. Nothing elsewhere. To be called once the inputs are there. Passes that
+    // linked in less than this are not worth a thread, or the driver had them. True where there is
+    // such a thread.
+    bool compile_ahead(const CompileAhead::WorksOn& works_on = nullptr, double worth_ms = 60.0);
+    // Has them compiled now, on this thread too, before anything is drawn. The processor's
+    // milliseconds for each (as in graph().passes); none where there is no such thread.
+    std::vector<double> finish_compiling();
 
     // Draws another program for one of the passes into a framebuffer of one's own, of this size in
     // pixels, with all that the pass itself would read: called by before_pass, what it is about to
@@ -209,6 +211,10 @@ private:
         std::array<GLint, 1> ints{};
         bool operator==(const Value&) const = default;
     };
+    struct Binding {
+        GLuint unit, texture, sampler;
+    };
+    struct NobodysDraw;
     // What stands in the buffer of a map.
     struct Content {
         std::vector<TweakValue> values;  // it was drawn with these, or some that make it no other
@@ -234,10 +240,11 @@ private:
         double row_seconds = 0.0;  // 0: not known
     };
 
-    static void start_context();
     void make_buffers(const Renderer* previous);
     bool has_buffer(const std::string& name, const BufferShape& shape) const;
-    void compile_by_drawing(std::size_t index);
+    NobodysDraw nobodys_draw(std::size_t index);
+    void compile_by_drawing(const NobodysDraw& draw, std::size_t pixel_bytes) const;
+    std::size_t pixel_bytes() const;
     void run(const Frame& frame, bool state_only);
     void run_steps(const Frame& frame, Step step);
     void run_pass(std::size_t index, const Inputs& inputs, bool force = false);
@@ -260,7 +267,8 @@ private:
     bool update_uniforms(std::size_t index, const Inputs& inputs);
     void send_all(const PassProgram& program, std::size_t index, const Inputs& inputs);
     bool update_versions(std::size_t index);
-    void bind_samplers(const PassProgram& program);
+    std::vector<Binding> bindings_of(const PassProgram& program);
+    static void bind(const std::vector<Binding>& bindings);
     GLuint texture_of(std::size_t sampler);
     void draw_calls(std::size_t index, GLuint target);
     void draw_strips(std::size_t index, glm::ivec2 size);
@@ -300,6 +308,7 @@ private:
     // The tile that is drawn, and where in it the one that was asked for begins: quads of four
     // pixels, in which derivatives are taken, stand where they stand in the whole picture.
     glm::ivec2 tile_origin_{0}, tile_size_{0}, tile_margin_{0};
+    std::unique_ptr<CompileAhead> ahead_;  // the last member: its threads use others
 };
 
 }  // namespace glint

@@ -126,8 +126,9 @@ bool Renderer::draw_rows(std::size_t index, const Frame& frame, const Stopwatch&
     drawing_ = &frame;
     if (before_pass) before_pass(index);
     drawing_ = nullptr;
+    if (ahead_) ahead_->take(index);
     glUseProgram(scene_.programs[index].id);
-    bind_samplers(scene_.programs[index]);
+    bind(bindings_of(scene_.programs[index]));
     glBindFramebuffer(GL_FRAMEBUFFER, buffer.target());
     glViewport(0, 0, size.x, size.y);
     glEnable(GL_SCISSOR_TEST);

@@ -22,13 +22,19 @@ std::vector<std::string> drawn_passes(const Player& player) {
 
 using Names = std::vector<std::string>;
 
+enum class Ahead { no, before_drawing, while_drawing };
+
 // With what it tells: of which passes, and how long each took. Nothing on a single processor.
-void compile_ahead(Renderer& renderer) {
+void compile_ahead(Renderer& renderer, Ahead ahead) {
+    if (ahead == Ahead::no) return;
     const std::size_t passes = renderer.graph().passes.size();
     std::vector<std::size_t> told;
-    const std::vector<double> ms =
-        renderer.compile_ahead([&](std::size_t index) { told.push_back(index); }, 0.0);
-    if (ms.empty()) return;
+    const auto tell = [&](std::size_t index) { told.push_back(index); };
+    if (ahead == Ahead::while_drawing || !renderer.compile_ahead(tell, 0.0)) {
+        renderer.compile_ahead(nullptr, 0.0);
+        return;
+    }
+    const std::vector<double> ms = renderer.finish_compiling();
     EXPECT_EQ(ms.size(), passes);
     for (const double each : ms) EXPECT_GT(each, 0.0);
     EXPECT_FALSE(told.empty());
@@ -51,13 +57,14 @@ TEST_F(LeftOut, WhatIsCompiledAheadLooksTheSame) {
         "        + 0.01 * texelFetch(clock, ivec2(0), 0); }\n";
     for (const int samples : {1, 3}) {
         std::vector<std::vector<float>> pictures;
-        for (const bool ahead : {false, true}) {
+        for (const Ahead ahead : {Ahead::no, Ahead::before_drawing, Ahead::while_drawing}) {
             Player player(text, {.samples = samples});
-            if (ahead) compile_ahead(player.renderer());
+            compile_ahead(player.renderer(), ahead);
             player.draw_frames(0, 5);
             pictures.push_back(player.floats());
         }
         EXPECT_EQ(pictures[0], pictures[1]) << samples;
+        EXPECT_EQ(pictures[0], pictures[2]) << samples;
         EXPECT_GT(pictures[0][0], 0.0f);
     }
 }

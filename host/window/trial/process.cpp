@@ -299,11 +299,11 @@ void Trier::draw(const TrialOrder& order, CompiledScene scene) {
                       {.size = sizes(kImagePass).small, .picture_format = order.picture_format});
     set_images(order, renderer);
     Verdict& verdict = answer_.verdict;
-    std::vector<double> ahead_ms;
     if (order.compile.side_by_side)
-        ahead_ms = renderer.compile_ahead([&](std::size_t index) {
+        renderer.compile_ahead([&](std::size_t index) {
             tell(TrialStage::compiling, renderer.graph().passes[index].pass);
         });
+    const std::vector<double> ahead_ms = renderer.finish_compiling();
     // Two draws; a few more where the estimate would alarm somebody, and only while that is quick.
     const double start_ms = spent_ms();
     const auto is_quick = [&] { return spent_ms() - start_ms < 100.0; };
