@@ -1186,10 +1186,16 @@ void mainSky(out vec4 colour, in vec2 pixel) {
         * mix(0.75, 0.04 + 0.70 * smoothstep(0.2, 0.8, sum), smoothstep(0.0, 0.22, up));
     light = mix(light, lid * (1.0 - 0.55 * smoothstep(0.42, 0.72, sum)), overcast);
     float shore = smoothstep(0.06, 0.16, abs(fract(uv.x - sunAngle / 360.0) - 0.5));
-    float hills = 0.0;
+    // Higher up there is no land; whole quads agree, for there are derivatives below.
+    float hills = 0.0, rows = (2.0 * floor(0.5 * pixel.y) + 1.0) / iResolution.y;
+    int ridges = square(rows) < 0.12 ? 3 : 0;
     for (int i = 0; i < 3; ++i) {   // each range nearer and darker than the one behind
-        float n = float(i), land = (0.085 - 0.026 * n) * ridge(fract(uv.x + 0.31 * n), 1 + i)
-            + 0.020 * ridge(fract(3.0 * uv.x), 5 + i) + 0.007 * ridge(fract(9.0 * uv.x), 9 + i);
+        float n = float(i), land = 0.0;
+        for (int j = 0; j < ridges; ++j) {
+            float turns = j == 0 ? uv.x + 0.31 * n : (j == 1 ? 3.0 : 9.0) * uv.x;
+            float gain = j == 0 ? 0.085 - 0.026 * n : j == 1 ? 0.020 : 0.007;
+            land += gain * ridge(fract(turns), 1 + i + 4 * j);
+        }
         // A texel is 0.18 degrees wide and far less high: a steep edge is as soft as it is wide, or
         // large pictures show its steps.
         float over = shore * land - 0.018 - up, soft = max(fwidth(over), 0.0010);

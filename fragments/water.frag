@@ -1038,25 +1038,28 @@ float ridge(float turns, int seed) {   // smooth noise round the horizon
     return mix(random3(ivec3(c.x, seed, 3)).x, random3(ivec3(c.y, seed, 3)).x, s);
 }
 
-// Streaks on the sea, -0.5 to 0.5, where wind roughens it: noise on its plane, drawn out along the
-// wind. An octave fades as a row of the picture, dv of v, comes to span its cells.
-float windStreaks(vec3 rd, float v) {
+// Noise on a plane, drawn out along the wind. Above: thin clouds on a flat layer, 0 to 1, whose
+// octaves curl. Below (v < 0): streaks on the sea where wind roughens it, -0.5 to 0.5; an octave
+// fades as a row of the picture, dv of v, comes to span its cells.
+float alongWind(vec3 rd, float v) {
+    bool sea = v < 0.0;
     float up = v * v, weight = 0.5, sum = 0.0, dv = 2.0 / iResolution.y;
-    vec2 q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.013, 0.060) + 0.5;
-    float row = 0.055 * 2.0 * abs(v) * dv / square(up + 0.004);
+    vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
+    if (sea) q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.013, 0.060) + 0.5;
+    float row = sea ? 0.055 * 2.0 * abs(v) * dv / square(up + 0.004) : 0.0;
     for (int i = 0; i < 6; ++i) {
         float keep = clamp(1.4 - row * float(6 << i), 0.0, 1.0);
-        sum += weight * keep * (tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 50 + i) - 0.5);
-        q += 0.04 * sum;
-        weight *= 0.8;
+        float noise = tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, (sea ? 50 : 20) + i);
+        sum += weight * keep * (sea ? noise - 0.5 : noise);
+        q += (sea ? 0.04 : 0.05) * sum;
+        weight *= sea ? 0.8 : 0.55;
     }
     return sum;
 }
 // The sea beyond the pool. It is rough, so it mirrors what stands higher; it glitters, and where
-// one looks down into it the blue of deep water comes up. v: root of the depression's sine; turned:
-// from the sun, in half turns.
-vec3 farSea(vec3 rd, float v, float turned, vec3 sun, vec3 night) {
-    float up = v * v, streak = windStreaks(rd, v);
+// one looks down into it the blue of deep water comes up. up: the depression's sine; turned: from
+// the sun, in half turns.
+vec3 farSea(vec3 rd, float up, float streak, float turned, vec3 sun, vec3 night) {
     vec3 above = texture(air, vec2(turned, sqrt(min(up + 0.16, 1.0)))).rgb + night;
     float mirrored = (0.12 + 0.55 * exp(-9.0 * up)) * (1.0 + 2.2 * streak);
     vec3 light = above * mirrored;
@@ -1079,14 +1082,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     float turned = abs(fract((a - radians(sunAngle)) / (2.0 * kPi) + 0.5) - 0.5) * 2.0;
     vec3 night = vec3(0.0010, 0.0019, 0.0052);   // airglow and what scatters twice
     vec3 light = texture(air, vec2(turned, abs(v))).rgb + night;
-    // Clouds on a flat layer, drawn out along the wind.
-    vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
-    float sum = 0.0, weight = 0.5;
-    for (int i = 0; i < 6; ++i) {
-        sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
-        q += 0.05 * sum;   // curls
-        weight *= 0.55;
-    }
+    float drawn = alongWind(rd, v), sum = v < 0.0 ? 0.0 : drawn;
     float cover = mix(0.85, 0.35, clouds), thick = smoothstep(cover, cover + 0.38, sum);
     thick *= smoothstep(0.0, 0.10, up) * step(0.001, clouds);
     float towards = max(dot(rd, normalize(vec3(sun.x, max(sun.y, 0.0), sun.z))), 0.0);
@@ -1095,14 +1091,18 @@ void mainSky(out vec4 colour, in vec2 pixel) {
         + 0.25 * texture(air, vec2(turned, 0.2)).rgb + night;
     light = mix(light, around + lit * (1.0 - 0.55 * thick), 0.85 * thick);
     float shore = smoothstep(0.04, 0.12, abs(uv.x - 0.5));
-    float land = shore * (0.095 * ridge(uv.x, 1) + 0.03 * ridge(fract(uv.x * 3.0), 2));
+    // Higher up there is none; whole quads agree, for there are derivatives below.
+    float rows = 2.0 * (2.0 * floor(0.5 * pixel.y) + 1.0) / iResolution.y - 1.0, land = 0.0;
+    for (int i = 0; i < (square(rows) < 0.14 ? 2 : 0); ++i)
+        land += (i == 0 ? 0.095 : 0.03) * ridge(fract(uv.x * (i == 0 ? 1.0 : 3.0)), 1 + i);
+    land *= shore;
     // A texel is far wider than high: a steep edge is as soft as it is wide, or large pictures show
     // its steps.
     float over = land - up, soft = max(fwidth(over), 0.0015), hills = smoothstep(-soft, soft, over);
     vec3 far = light * mix(vec3(0.20, 0.24, 0.32), vec3(1.0), 0.35);
     light = mix(light, far, hills);
     if (v < 0.0) {
-        vec3 distant = farSea(rd, v, turned, sun, night);
+        vec3 distant = farSea(rd, up, drawn, turned, sun, night);
         light = mix(distant, far, 0.5 * hills * exp(-30.0 * up));
     }
     colour = vec4(min(light, 6e4), step(0.0, v) * (1.0 - hills) * (1.0 - 0.8 * thick));

@@ -1,6 +1,7 @@
 // OpenGL 4.5 without a screen, through EGL.
 #include "gl/context.h"
 #include "gl/egl_context.h"
+#include "gl/resample.h"
 
 #include <dlfcn.h>
 #include <epoxy/egl.h>
@@ -60,6 +61,7 @@ void EglContext::create() {
 }
 
 void EglContext::destroy() {
+    if (context_ != EGL_NO_CONTEXT && eglGetCurrentContext() == context_) forget_resampling();
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
     eglTerminate(display_);

@@ -1,5 +1,7 @@
 #include "render/buffer.h"
 
+#include "gl/resample.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -101,7 +103,7 @@ void Buffer::finish_draw() {
     front_ = back();
     ++version_;
     if (!shape_.mipmaps) return;
-    for (const Texture& texture : sides_[front_].textures) glGenerateTextureMipmap(texture.id());
+    for (const Texture& texture : sides_[front_].textures) make_mipmaps(texture.id());
 }
 
 void Buffer::clear() {
@@ -126,7 +128,7 @@ void Buffer::resize(glm::ivec2 size) {
             const GLenum target = shape_.cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
             glCopyImageSubData(side.textures[i].id(), target, 0, 0, 0, 0, fresh.textures[i].id(),
                                target, 0, 0, 0, 0, kept.x, kept.y, shape_.cube ? 6 : 1);
-            if (shape_.mipmaps) glGenerateTextureMipmap(fresh.textures[i].id());
+            if (shape_.mipmaps) make_mipmaps(fresh.textures[i].id());
         }
         side = std::move(fresh);
     }
@@ -141,7 +143,7 @@ void Buffer::copy_from(const Buffer& other) {
     for (std::size_t i = 0; i < outputs; ++i) {
         glCopyImageSubData(other.texture(i), target, 0, 0, 0, 0, texture(i), target, 0, 0, 0, 0,
                            kept.x, kept.y, shape_.cube ? 6 : 1);
-        if (shape_.mipmaps) glGenerateTextureMipmap(texture(i));
+        if (shape_.mipmaps) make_mipmaps(texture(i));
     }
     ++version_;
 }
@@ -176,7 +178,7 @@ void Buffer::set_bytes(std::span<const std::byte> bytes) {
                 glTextureSubImage2D(texture.id(), 0, 0, 0, shape_.size.x, shape_.size.y, channels,
                                     type, from);
             }
-            if (shape_.mipmaps) glGenerateTextureMipmap(texture.id());
+            if (shape_.mipmaps) make_mipmaps(texture.id());
             from += texture_bytes(shape_);
         }
     }

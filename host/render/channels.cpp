@@ -1,5 +1,7 @@
 #include "render/channels.h"
 
+#include "gl/resample.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -47,7 +49,7 @@ Channel make_volume(const PixelView& slices, bool mipmaps) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage3D(channel.texture.id(), 0, 0, 0, 0, size.x, size.y, size.z, external,
                         value_type(slices), slices.data.data());
-    if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
+    if (mipmaps) make_mipmaps(channel.texture.id());
     return channel;
 }
 
@@ -61,7 +63,7 @@ Channel make_cube(const PixelView& faces, bool mipmaps) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage3D(channel.texture.id(), 0, 0, 0, 0, side, side, 6, external,
                         value_type(faces), faces.data.data());
-    if (mipmaps) glGenerateTextureMipmap(channel.texture.id());
+    if (mipmaps) make_mipmaps(channel.texture.id());
     return channel;
 }
 
@@ -118,7 +120,7 @@ bool PictureUpload::send(const PixelView& pixels, int rows) {
                         formats(pixels.channels, pixels.floats).external, value_type(pixels),
                         pixels.data.data() + row_bytes * static_cast<std::size_t>(sent_));
     sent_ += rows;
-    if (mipmaps_ && is_at_once) glGenerateTextureMipmap(channel_.texture.id());
+    if (mipmaps_ && is_at_once) make_mipmaps(channel_.texture.id());
     return sent_ == size.y && (is_at_once || !mipmaps_);
 }
 
@@ -128,21 +130,22 @@ bool PictureUpload::add_mipmaps(int rows) {
     constexpr int kQuick = 1 << 20;  // pixels
     const GLuint texture = channel_.texture.id();
     const glm::ivec2 above = glm::ivec2(channel_.size) >> (level_ - 1);
-    const Framebuffer from = make_framebuffer(), to = make_framebuffer();
-    glNamedFramebufferTexture(from.id(), GL_COLOR_ATTACHMENT0, texture, level_ - 1);
+    const Framebuffer to = make_framebuffer();
     glNamedFramebufferTexture(to.id(), GL_COLOR_ATTACHMENT0, texture, level_);
     const bool is_drawable =
         glCheckNamedFramebufferStatus(to.id(), GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     if (above.x % 2 != 0 || above.y % 2 != 0 || above.x * above.y < kQuick || !is_drawable) {
         glTextureParameteri(texture, GL_TEXTURE_BASE_LEVEL, level_ - 1);
-        glGenerateTextureMipmap(texture);
+        make_mipmaps(texture);
         glTextureParameteri(texture, GL_TEXTURE_BASE_LEVEL, 0);
         return true;
     }
     const glm::ivec2 size = above / 2;
     const int end = std::min(made_ + rows, size.y);
-    glBlitNamedFramebuffer(from.id(), to.id(), 0, 2 * made_, above.x, 2 * end, 0, made_, size.x,
-                           end, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, made_, size.x, end - made_);
+    resample({.texture = texture, .level = level_ - 1, .framebuffer = to.id(), .size = size});
+    glDisable(GL_SCISSOR_TEST);
     made_ = end;
     if (made_ == size.y) ++level_, made_ = 0;
     return false;

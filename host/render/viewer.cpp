@@ -1,5 +1,6 @@
 #include "render/viewer.h"
 
+#include "gl/resample.h"
 #include "render/plain_draw.h"
 
 #include <glm/common.hpp>
@@ -136,11 +137,8 @@ void Viewer::show(const Buffer& buffer, const BufferView& view, const ScreenArea
 
 // A reduced resolution is smoothed over.
 void Viewer::copy(const Buffer& buffer, const Placed& placed) const {
-    const glm::ivec2 size = buffer.shape().size;
     const glm::ivec2 from(glm::round(placed.origin)), to(glm::round(placed.origin + placed.size));
-    glBlitNamedFramebuffer(buffer.front_framebuffer(), 0, 0, 0, size.x, size.y, from.x, from.y,
-                           to.x, to.y, GL_COLOR_BUFFER_BIT,
-                           to - from == size ? GL_NEAREST : GL_LINEAR);
+    resample({.texture = buffer.texture(0), .origin = from, .size = to - from});
 }
 
 void Viewer::draw(const Buffer& buffer, const BufferView& view, const ScreenArea& area,

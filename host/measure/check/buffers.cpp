@@ -1,5 +1,6 @@
 // What the host may do to a scene: poison a texel, keep buffers at half the precision, feed tweaks
 // as uniforms.
+#include "gl/resample.h"
 #include "measure/check/case.h"
 #include "measure/check/poison.h"
 #include "measure/rows/difference.h"
@@ -110,7 +111,7 @@ void poison(const Buffer& buffer, glm::ivec2 texel, float value) {
         } else {
             glTextureSubImage2D(texture, 0, texel.x, texel.y, 1, 1, GL_RGBA, GL_FLOAT, rgba.data());
         }
-        if (buffer.shape().mipmaps) glGenerateTextureMipmap(texture);
+        if (buffer.shape().mipmaps) make_mipmaps(texture);
     }
 }
 
@@ -131,7 +132,7 @@ void exchange(const CheckSubject& subject, std::size_t index, const std::vector<
             for (int y = texel.y - round; y <= texel.y + round; ++y)
                 for (int x = texel.x - round; x <= texel.x + round; ++x)
                     put((glm::ivec2(x, y) + round * size) % size);
-        if (buffer.shape().mipmaps) glGenerateTextureMipmap(texture);
+        if (buffer.shape().mipmaps) make_mipmaps(texture);
     }
 }
 

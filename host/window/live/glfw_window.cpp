@@ -1,6 +1,7 @@
 #include "window/live/glfw_window.h"
 
 #include "base/say.h"
+#include "gl/resample.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -149,6 +150,7 @@ Window::Window(glm::ivec2 size, const std::string& title) {
 }
 
 Window::~Window() {
+    forget_resampling();
     glfwDestroyWindow(window_);
     stop_glfw();
 }

@@ -1,5 +1,6 @@
 #include "window/live/start_picture.h"
 
+#include "gl/resample.h"
 #include "offline/common.h"
 #include "window/live/preview.h"
 
@@ -28,8 +29,8 @@ Image picture_of(const Buffer& buffer, int longest) {
     const glm::ivec2 small = glm::max(glm::ivec2(glm::round(glm::dvec2(size) * share)), 1);
     const Buffer copy({.size = small, .format = PixelFormat::rgba8});
     glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(buffer.front_framebuffer(), copy.front_framebuffer(), 0, 0, size.x,
-                           size.y, 0, 0, small.x, small.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    resample(
+        {.texture = buffer.texture(0), .framebuffer = copy.front_framebuffer(), .size = small});
     std::vector<std::byte> pixels(static_cast<std::size_t>(small.x) *
                                   static_cast<std::size_t>(small.y) * 4);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, copy.front_framebuffer());
