@@ -226,4 +226,34 @@ Renderer::Value Renderer::value_of(const BuiltinUniform& uniform, std::size_t in
     return value;
 }
 
+// A variant may read what the pass itself does not; such a buffer is empty.
+GLuint Renderer::texture_of(std::size_t index) {
+    const Sampler& sampler = sampler_at(preset_, index);
+    if (sampler.source != Source::buffer) return channels_.channel(index).texture.id();
+    const std::size_t pass = graph_index(sampler.pass);
+    return pass < buffers_.size() ? buffers_[pass]->texture(sampler.output)
+                                  : channels_.empty(sampler.type);
+}
+
+std::vector<Renderer::Binding> Renderer::bindings_of(const PassProgram& program) {
+    std::vector<Binding> bindings;
+    for (const SamplerUniform& uniform : program.samplers) {
+        const Sampler& sampler = sampler_at(preset_, uniform.sampler);
+        bindings.push_back({static_cast<GLuint>(uniform.unit), texture_of(uniform.sampler),
+                            channels_.sampler_object(sampler)});
+    }
+    for (const UnfilledSampler& uniform : program.unfilled) {
+        const GLuint texture = uniform.type ? channels_.empty(*uniform.type) : 0;
+        bindings.push_back({static_cast<GLuint>(uniform.unit), texture, 0});
+    }
+    return bindings;
+}
+
+void Renderer::bind(const std::vector<Binding>& bindings) {
+    for (const Binding& binding : bindings) {
+        glBindTextureUnit(binding.unit, binding.texture);
+        glBindSampler(binding.unit, binding.sampler);
+    }
+}
+
 }  // namespace glint
