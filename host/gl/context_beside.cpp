@@ -3,10 +3,22 @@
 #include "gl/egl_context.h"
 
 #include <epoxy/egl.h>
+#include <sys/resource.h>
 
 namespace glint {
+namespace {
+
+// By `ulimit -v`: where drivers run out of addresses on a thread of their own they end the process,
+// and what is compiled beside needs more of them than what is compiled in turn.
+bool addresses_are_rationed() {
+    rlimit limit{};
+    return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+}  // namespace
 
 ContextBeside::ContextBeside() {
+    if (addresses_are_rationed()) return;
     const EGLContext current = eglGetCurrentContext();
     if (current == EGL_NO_CONTEXT) return;
     display_ = eglGetCurrentDisplay();

@@ -14,6 +14,7 @@ public:
     ContextBeside(const ContextBeside&) = delete;
     ContextBeside& operator=(const ContextBeside&) = delete;
 
+    // Not where the driver has none to give, or addresses are rationed.
     bool is_there() const { return context_ != nullptr; }
 
     // Makes it the calling thread's context until the result goes; null where that fails.

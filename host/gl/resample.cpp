@@ -23,7 +23,7 @@ void main() {
     ivec2 a = clamp(ivec2(whole), ivec2(0), last), b = clamp(ivec2(whole) + 1, ivec2(0), last);
     vec4 low = texelFetch(source, a, level), high = texelFetch(source, ivec2(a.x, b.y), level);
     vec4 right = texelFetch(source, ivec2(b.x, a.y), level), far = texelFetch(source, b, level);
-    // No share of an infinity is none of it.
+    // An infinity next to it has no share in what is read as it is.
     if (f.x > 0.0) {
         low = mix(low, right, f.x);
         high = mix(high, far, f.x);

@@ -19,8 +19,9 @@ struct Resampling {
 };
 void resample(const Resampling& resampling);
 
-// Fills all levels below a texture's base level, each texel with the mean of the texels that it
-// covers. What is bound stays bound.
+// Fills all levels below a texture's base level, each texel with the mean of the two by two that it
+// covers; where a side is odd, with what a linear filter finds in the middle of what it covers, as
+// drivers do. What is bound stays bound.
 void make_mipmaps(GLuint texture);
 
 // Deletes what both keep of this thread's context, while that is current.

@@ -410,6 +410,7 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
             glEnable(GL_BLEND);
             glBlendFunc(GL_ONE, GL_ONE);
         }
+        if (!averaged) clear_picture(index);
         draw_calls(index, averaged ? average_->target() : buffer.target());
         if (averaged) glDisable(GL_BLEND);
     }
@@ -420,6 +421,15 @@ void Renderer::run_pass(std::size_t index, const Inputs& inputs, bool force) {
     drawn_[index].is_due = drawn_[index].is_due_again = false;
     note_content(index);
     if (after_pass) after_pass(index);
+}
+
+// What a picture discards is transparent, as on the site, whatever frame or tile was drawn before.
+// Buffers keep theirs.
+void Renderer::clear_picture(std::size_t index) const {
+    if (index != scene_.root || fills_a_buffer(scene_.programs[index].pass)) return;
+    if (preset_.scene.text.find("discard") == std::string::npos) return;
+    constexpr float kNothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+    glClearNamedFramebufferfv(buffers_[index]->target(), GL_COLOR, 0, kNothing);
 }
 
 void Renderer::draw_calls(std::size_t index, GLuint target) {

@@ -280,6 +280,7 @@ private:
     Value channel_value(const BuiltinUniform& uniform, std::size_t pass, double time) const;
     glm::ivec3 channel_size(std::size_t pass, int channel) const;
     float channel_time(std::size_t pass, int channel, double time) const;
+    void clear_picture(std::size_t index) const;
     BufferShape wanted_shape(std::size_t index) const { return wanted_shape(scene_, index); }
     BufferShape wanted_shape(const CompiledScene& scene, std::size_t index) const;
 

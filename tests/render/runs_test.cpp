@@ -69,6 +69,17 @@ TEST_F(LeftOut, WhatIsCompiledAheadLooksTheSame) {
     }
 }
 
+TEST_F(LeftOut, WhatThePictureDiscardsIsTransparentWhateverWasDrawnBefore) {
+    Player player("void mainImage(out vec4 c, vec2 p) {\n"
+                  "    if (iFrame > 1 && p.x < 1.0) discard;\n"
+                  "    c = vec4(1); }\n");
+    player.draw_frames(0, 4);
+    const std::vector<float> picture = player.floats();
+    EXPECT_EQ(picture[0], 0.0f);
+    EXPECT_EQ(picture[3], 0.0f);
+    EXPECT_EQ(picture[4], 1.0f);
+}
+
 // A text that is worth a thread of its own.
 std::string long_text(const std::string& text) {
     return text + "//" + std::string(20'000, '-') + "\n";
