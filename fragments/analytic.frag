@@ -689,7 +689,7 @@ float besideRound(vec3 ro, vec3 rd, float rim, float tMax, float r, float slope,
     float best = t0 - n * c / sqrt(a * max(a - n * n, 1e-12));
     float t = clamp(best, ends.x, ends.y), y = ro.y + t * rd.y;
     float away = (length(ro.xz + t * rd.xz) - r + slope * y) * inversesqrt(1.0 + slope * slope);
-    return besideEdge(t == best ? away : away * max(abs(rd.y), rim), max(t, 1e-3), rim, tMax);
+    return besideEdge(t == best ? away : away * max(abs(rd.y), rim), t, rim, tMax);
 }
 float besideBox(vec3 ro, vec3 rd, float rim, float tMax, vec3 halfSize) {
     vec2 depth;   // entering less leaving: negative where the cone's axis passes through

@@ -885,7 +885,8 @@ float rainStreaks(vec3 rd, float w) {
         float far = 1.6 * exp2(float(k)), n = 260.0 * exp2(float(k));
         float x = fract(around + 0.02 * rd.y / level) * n, c = min(floor(x), n - 1.0);
         vec3 r = random3(ivec3(int(c), k, 71));
-        float y = rd.y / level * far / 2.4 + 0.15 * (x - c) + r.x + cycles(3.0 + floor(3.0 * r.y));
+        float y = rd.y / level * far / 2.4 + 0.15 * (x - c) + r.x
+            + 16.0 * cycles((3.0 + floor(3.0 * r.y)) / 16.0);   // there are 16 of each
         vec3 s = random3(ivec3(int(c), int(floor(y)) & 15, 72 + k));
         float wide = 0.0022 / far, half1 = 0.5 * max(wide, w) * n / (2.0 * kPi);
         float off = abs(x - c - 0.3 - 0.4 * s.x);

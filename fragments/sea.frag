@@ -679,7 +679,7 @@ float cloudNoise(vec2 p, int period, int seed) {
 // Thickness of the clouds overhead; width: angle that is averaged, rad.
 float cloudCover(vec3 rd, float width) {
     float y = max(rd.y, 0.01) + 0.04, w = 1.6 * width / (y * sqrt(y));   // both axes' mean
-    vec2 p = rd.xz / y * vec2(1.1, 2.2) + vec2(256.0 * cycles(0.0003), 64.0);
+    vec2 p = rd.xz / y * vec2(1.1, 2.2) + vec2(512.0 * cycles(0.000153), 64.0);
     float sum = 0.0, gain = 0.5;
     for (int k = loopStart(); k < 5; ++k) {
         float keep = clamp(1.3 - w * exp2(float(k)), 0.0, 1.0);

@@ -663,8 +663,9 @@ vec3 albedoOf(Matt m, inout vec3 nor) {
         return vec3(0.72, 0.68, 0.62) * (0.93 + 0.07 * distinct * cos(20.0 * a));
     }
     if (m.id >= kLantern) {
-        bool red = random3(ivec3(m.id, 4, 4)).x > 0.55 && lanternGlow <= 0.0;
-        return red ? vec3(0.85, 0.20, 0.08) : vec3(0.80, 0.76, 0.70);
+        float red = step(0.55, random3(ivec3(m.id, 4, 4)).x);
+        red *= 1.0 - smoothstep(0.0, 0.2, lanternGlow);
+        return mix(vec3(0.80, 0.76, 0.70), vec3(0.85, 0.20, 0.08), red);
     }
     if (m.id >= kStone) return m.id == kBall ? vec3(0.0) : vec3(0.66, 0.62, 0.56);
     // Tiles or slabs: in the plane across the normal's longest axis.
@@ -804,6 +805,8 @@ bool followLeg(inout Ray r, inout Ray later, bool level, inout float reach, inou
     }
     vec3 nor = onWater ? vec3(0.0, side, 0.0) : h.nor, nx = vec3(0.0), ny = vec3(0.0);
     if (onWater || h.id != kSky) landAt(r, t, nor);
+    // t is off by its last bits: a ray from the ball would meet the ball again.
+    if (!onWater && h.id != kSky) r.o += 1e-6 * t * nor;
     if (onWater && !level) waterNormal(r, side, nor, nx, ny);
     float cosine = clamp(-dot(r.d, nor), onWater ? 1e-3 : 0.0, 1.0);
     vec3 share = vec3(fresnel(cosine, r.wet ? 1.0 / kIorWater : kIorWater));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tuple>
 
 namespace glint {
 
@@ -109,15 +110,30 @@ void InputState::apply(const Event& event) {
 }
 
 std::vector<Event> InputState::as_events(double time) const {
+    return as_events(time, {});
+}
+
+// A press turns what a key toggles; so two of them lead back.
+std::vector<Event> InputState::as_events(double time, const InputState& from) const {
     std::vector<Event> events;
     for (int code = 0; code < kKeyCount; ++code) {
         const auto index = static_cast<std::size_t>(code);
-        const bool held = keys_.held[index] != 0, toggled = keys_.toggled[index] != 0;
-        if (toggled || held) events.push_back({.time = time, .key = code, .down = true});
-        if (toggled != held) events.push_back({.time = time, .key = code, .down = false});
-        if (!toggled && held) events.push_back({.time = time, .key = code, .down = true});
+        const bool held = keys_.held[index] != 0, was_held = from.keys_.held[index] != 0;
+        const bool turns = keys_.toggled[index] != from.keys_.toggled[index];
+        const auto press = [&](bool down) {
+            events.push_back({.time = time, .key = code, .down = down});
+        };
+        if (was_held && (turns || !held)) press(false);
+        if (turns || (held && !was_held)) press(true);
+        if (turns && !held) press(false);
+        if (!turns && held && !was_held) press(false), press(true);
     }
-    if (!clicked_ever_) return events;
+    const auto mouse = [](const InputState& state) {
+        return std::tuple(state.clicked_ever_, state.down_, state.click_.x, state.click_.y,
+                          state.position_.x, state.position_.y);
+    };
+    if (!clicked_ever_ || mouse(*this) == mouse(from)) return events;
+    if (from.down_) events.push_back({.time = time, .down = false, .mouse = from.position_});
     events.push_back({.time = time, .down = true, .mouse = click_});
     if (position_ != click_) events.push_back({.time = time, .down = true, .mouse = position_});
     if (!down_) events.push_back({.time = time, .down = false, .mouse = position_});

@@ -51,8 +51,10 @@ public:
     // was pressed is no longer new afterwards.
     Input next_frame(glm::ivec2 size);
 
-    // The fewest events that lead a new InputState to where this one stands, all at this time.
+    // The fewest events that lead another one, or a new InputState, to where this one stands, all
+    // at this time.
     std::vector<Event> as_events(double time) const;
+    std::vector<Event> as_events(double time, const InputState& from) const;
 
 private:
     glm::dvec2 position_{0.0}, click_{0.0};

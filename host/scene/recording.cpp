@@ -35,12 +35,14 @@ glm::dvec2 mouse_fraction(glm::dvec2 cursor, glm::ivec2 size) {
     return {five_decimals(x), five_decimals(y)};
 }
 
-void Recorder::start(double time, const InputState& state) {
+void Recorder::start(double time, const InputState& state, std::span<const Event> before) {
     *this = {};
     recording_ = true;
     last_time_ = time;
-    events_ = state.as_events(std::max(time, 0.0));
-    for (const Event& event : events_) follow(event);
+    InputState replayed;
+    for (const Event& event : before) replayed.apply(event);
+    for (const Event& event : state.as_events(0.0)) follow(event);
+    events_ = state.as_events(std::max(time, 0.0), replayed);
 }
 
 void Recorder::follow(const Event& event) {

@@ -27,8 +27,8 @@ glm::dvec2 mouse_fraction(glm::dvec2 cursor, glm::ivec2 size);
 class Recorder {
 public:
     // After the frame at `time`, or minus infinity before any; replay starts from the state that
-    // it left.
-    void start(double time, const InputState& state);
+    // it left, where `before`, the events that go before it, do not lead there anyway.
+    void start(double time, const InputState& state, std::span<const Event> before = {});
 
     void mouse(glm::dvec2 fraction, bool down);
     void key(int code, bool down);

@@ -168,8 +168,10 @@ public:
     // the picture, y up; codes those of the site's keyboard.
     void mouse(glm::dvec2 fraction, bool down);
     void key(int code, bool down);
-    // Records both from now on, into `recorder`.
-    void start_recording() { recorder.start(instant_.time, input_); }
+    // Records both from now on, into `recorder`, as what goes on after these.
+    void start_recording(std::span<const Event> before) {
+        recorder.start(instant_.time, input_, before);
+    }
 
     // `tweaks` were changed: the next frame shows it.
     void tweaks_changed();

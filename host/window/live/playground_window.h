@@ -110,11 +110,15 @@ private:
 
     // Unsaved work, which the state folder keeps for the next run
     bool is_unsaved() const;
+    bool differs_from_file() const;
+    bool has_worked(TweakSet set) const;
     bool is_unsaved_but_values() const;
     bool hides_work() const;
     void show_hidden_work();
     void note_work();
-    std::span<const Event> unsaved_events() const;  // valid until the next event
+    std::vector<Event> unsaved_events() const;
+    std::vector<Event> with_written_events(std::span<const Event> recorded) const;
+    void start_recording();
     Preset preset_to_save() const;
     void lay_options_over();
     void keep_unsaved();
@@ -243,9 +247,14 @@ private:
     bool values_known_ = false;    // the file has been shown
     // Those of the scene that is on the screen until the file is shown, as they were left.
     std::vector<TweakValue> left_values_;
-    std::array<bool, 2> worked_in_{};  // which sets, A and B, have values that the file lacks
-    std::vector<Event> recorded_;
-    std::optional<double> start_time_;  // s; a person asked for it to be saved
+    // Of the sets A and B: which have values that the file lacks, and the values at which nobody
+    // has worked in one: those of the file, as it is or was.
+    std::array<bool, 2> worked_in_{};
+    std::array<std::vector<TweakValue>, 2> at_rest_;
+    std::vector<Event> recorded_;        // all that the preset is to have
+    std::size_t written_before_ = 0;     // events of the file that go before what is recorded
+    std::size_t recorded_at_start_ = 0;  // of what is recorded: they did not happen in it
+    std::optional<double> start_time_;   // s; a person asked for it to be saved
     struct Overwriting {
         std::optional<Leaving> then;
     };

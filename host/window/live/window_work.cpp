@@ -16,6 +16,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -64,8 +65,37 @@ fs::path place_beside(const fs::path& place) {
 
 }  // namespace
 
-std::span<const Event> PlaygroundWindow::unsaved_events() const {
-    return playground_.recorder.recording() ? playground_.recorder.events() : recorded_;
+std::vector<Event> PlaygroundWindow::unsaved_events() const {
+    const Recorder& recorder = playground_.recorder;
+    return recorder.recording() ? with_written_events(recorder.events()) : recorded_;
+}
+
+// Between those of the file that go before and after; while it lasted the file's own were recorded,
+// too. Nothing where nothing happened.
+std::vector<Event> PlaygroundWindow::with_written_events(std::span<const Event> recorded) const {
+    const Preset* written = playground_.as_written();
+    if (recorded.size() <= recorded_at_start_ || !written) return {};
+    const std::vector<Event>& own = written->events;
+    const std::size_t before = std::min(written_before_, own.size());
+    std::vector<Event> all(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(before));
+    all.insert(all.end(), recorded.begin(), recorded.end());
+    const auto after = std::ranges::upper_bound(own, recorded.back().time, {}, &Event::time);
+    if (after > own.begin() + static_cast<std::ptrdiff_t>(before))
+        all.insert(all.end(), after, own.end());
+    return all;
+}
+
+void PlaygroundWindow::start_recording() {
+    recorded_.clear();
+    const Preset* written = playground_.as_written();
+    const auto before =
+        written ? events_between(written->events, -std::numeric_limits<double>::infinity(),
+                                 playground_.instant().time)
+                : std::span<const Event>();
+    written_before_ = before.size();
+    playground_.start_recording(before);
+    recorded_at_start_ = playground_.recorder.events().size();
+    notice("Recording mouse and keys");
 }
 
 // What undo does not take back, beside recorded events.
@@ -79,11 +109,24 @@ bool PlaygroundWindow::is_unsaved_but_values() const {
 bool PlaygroundWindow::is_unsaved() const {
     const Preset* written = playground_.as_written();
     if (values_known_ && written)
-        return playground_.tweaks.values() != written->values || !unsaved_events().empty() ||
+        return has_worked(playground_.tweaks.shown()) || !unsaved_events().empty() ||
                is_unsaved_but_values();
     // A file that cannot be shown leaves the scene before to work on.
     const bool is_before = !written && playground_.is_open();
     return is_before && playground_.tweaks.values() != left_values_;
+}
+
+// A set in which nobody has worked may be what the file was before it was saved from the other.
+bool PlaygroundWindow::has_worked(TweakSet set) const {
+    const std::vector<TweakValue> values = playground_.tweaks.values(set);
+    return values != playground_.as_written()->values && values != at_rest_[place_of(set)];
+}
+
+// What there is to save or to revert.
+bool PlaygroundWindow::differs_from_file() const {
+    const Preset* written = playground_.as_written();
+    return is_unsaved() ||
+           (values_known_ && written && playground_.tweaks.values() != written->values);
 }
 
 // Of the other set of tweaks, A or B: what a person made there before flipping. One that was never
@@ -134,9 +177,7 @@ void PlaygroundWindow::go(Leaving leaving) {
         case Leaving::For::revert:
             return revert();
         case Leaving::For::record:
-            recorded_.clear();
-            playground_.start_recording();
-            return notice("Recording mouse and keys");
+            return start_recording();
     }
 }
 
@@ -178,6 +219,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     file_ = file;
     values_known_ = false;
     worked_in_ = {};
+    at_rest_ = {};
     left_values_ = playground_.tweaks.values();
     recorded_.clear();
     start_time_.reset();
@@ -255,8 +297,8 @@ Preset PlaygroundWindow::preset_to_save() const {
     const double scale = static_cast<double>(window_.content_scale());
     preset.size =
         is_free ? glm::max(glm::ivec2(glm::round(glm::dvec2(window_.size()) / scale)), 1) : *frame;
-    const std::span<const Event> events = unsaved_events();
-    if (!events.empty()) preset.events.assign(events.begin(), events.end());
+    if (std::vector<Event> events = unsaved_events(); !events.empty())
+        preset.events = std::move(events);
     return preset;
 }
 
@@ -343,13 +385,13 @@ std::string PlaygroundWindow::why_no_save() const {
     if (!values_known_ || playground_.shows_older_text())
         return "It is not saved while it, or its scene, has errors.";
     const bool same_size = preset_to_save().size == playground_.as_written()->size;
-    return is_unsaved() || !same_size ? "" : "Nothing has changed since it was saved.";
+    return differs_from_file() || !same_size ? "" : "Nothing has changed since it was saved.";
 }
 
 std::string PlaygroundWindow::why_no_revert() const {
     if (!playground_.is_open()) return "Nothing is open.";
     if (!values_known_) return "The file has errors.";
-    return is_unsaved() ? "" : "Nothing has changed since it was saved.";
+    return differs_from_file() ? "" : "Nothing has changed since it was saved.";
 }
 
 void PlaygroundWindow::revert() {
@@ -371,7 +413,10 @@ void PlaygroundWindow::toggle_recording() {
     if (!playground_.is_open()) return notice("Nothing is open.");
     if (playground_.recorder.recording()) {
         stop_recording();
-        notice(fmt::format("{} events recorded; save the preset to keep them", recorded_.size()));
+        notice(recorded_.empty()
+                   ? "Nothing was done, and nothing is recorded"
+                   : fmt::format("Recorded, {} events in all; save the preset to keep them",
+                                 recorded_.size()));
     } else {
         leave({Leaving::For::record, {}});
     }
@@ -379,7 +424,7 @@ void PlaygroundWindow::toggle_recording() {
 
 void PlaygroundWindow::stop_recording() {
     if (!playground_.recorder.recording()) return;
-    recorded_ = playground_.recorder.stop();
+    recorded_ = with_written_events(playground_.recorder.stop());
     kept_.reset();
 }
 
@@ -432,8 +477,15 @@ PlaygroundWindow::Kept PlaygroundWindow::work() const {
 // Whether the set that is shown has work that would be lost once it is hidden.
 void PlaygroundWindow::note_work() {
     const Preset* written = values_known_ ? playground_.as_written() : nullptr;
-    worked_in_[place_of(playground_.tweaks.shown())] =
-        written && playground_.tweaks.values() != written->values;
+    if (!written) return;
+    for (const TweakSet set : {TweakSet::a, TweakSet::b}) {
+        const std::vector<TweakValue> values = playground_.tweaks.values(set);
+        std::vector<TweakValue>& at_rest = at_rest_[place_of(set)];
+        // Another text may have more tweaks, or fewer.
+        if (values == written->values || values.size() != at_rest.size()) at_rest = values;
+    }
+    const TweakSet shown = playground_.tweaks.shown();
+    worked_in_[place_of(shown)] = has_worked(shown);
 }
 
 // As soon as something changes, and before the frame that shows it, which may be the last one.
