@@ -70,6 +70,26 @@ TEST(MouseFraction, IsThePixelUnderTheCursorInEverySize) {
     EXPECT_TRUE(std::isfinite(mouse_fraction({5, 5}, {0, 0}).x));
 }
 
+TEST(Recorder, WhatTheEventsBeforeLeadToIsNotSaidAgain) {
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        std::mt19937 random(seed);
+        Session session;
+        session.recorder.start(kBefore, session.input);
+        for (int i = 0; i < 20; ++i) do_something(session, random);
+        session.draw(1.0);
+        const std::vector<Event> before = session.recorder.stop();
+        session.recorder.start(1.0, session.input, before);
+        EXPECT_TRUE(session.recorder.events().empty()) << seed;
+        // What was done meanwhile, unseen by a recorder, is.
+        Session other = session;
+        for (int i = 0; i < 20; ++i) do_something(other, random);
+        other.input.next_frame(kSize);
+        std::vector<Event> all = before;
+        for (const Event& event : other.input.as_events(2.0, session.input)) all.push_back(event);
+        EXPECT_EQ(replay(all, 2.0, 2.0, kSize), other.input.next_frame(kSize)) << seed;
+    }
+}
+
 TEST(Recorder, AReplayGivesTheSameInputsAtTheSameFrames) {
     for (unsigned seed = 0; seed < 50; ++seed) {
         std::mt19937 random(seed);

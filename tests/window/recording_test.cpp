@@ -82,5 +82,36 @@ TEST_F(Recording, ABoatThatIsDrivenByKeysIsReplayedToTheSamePicture) {
     EXPECT_NE(still_of(boat, time).pixels, seen.pixels) << "the keys did nothing";
 }
 
+TEST_F(Recording, TheFilesEventsStayAroundWhatIsRecordedAndNothingDoneIsNothing) {
+    const fs::path scene = folder_->path() / "scene.frag", preset = folder_->path() / "keys.toml";
+    write(scene,
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, 0.2, fract(iTime), 1); }\n");
+    const std::string text =
+        "scene = \"scene.frag\"\n"
+        "[[events]]\nt = 0.0\nkey = \"up\"\ndown = true\n"
+        "[[events]]\nt = 900.0\nkey = \"left\"\ndown = true\n";
+    write(preset, text);
+    start({preset.string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    const auto is_unsaved = [&] { return screen_->title().ends_with(" * - Glint"); };
+    std::this_thread::sleep_for(300ms);
+    screen_->tap("F9");
+    std::this_thread::sleep_for(300ms);
+    screen_->tap("F9");
+    std::this_thread::sleep_for(300ms);
+    EXPECT_FALSE(is_unsaved());
+    screen_->tap("F9");
+    std::this_thread::sleep_for(300ms);
+    screen_->tap("Right");
+    std::this_thread::sleep_for(300ms);
+    screen_->tap("F9");
+    ASSERT_TRUE(eventually(is_unsaved));
+    screen_->tap("Control_L+s");
+    ASSERT_TRUE(eventually([&] { return !is_unsaved(); }));
+    const std::string saved = read(preset);
+    for (const char* key : {"\"up\"", "\"right\"", "\"left\""})
+        EXPECT_NE(saved.find(key), std::string::npos) << key << " in\n" << saved;
+}
+
 }  // namespace
 }  // namespace glint::window::recording_test

@@ -295,6 +295,23 @@ TEST_F(Work, OfTheSetThatIsHiddenIsAskedForAndOutlivesACrash) {
     EXPECT_EQ(read(look()).find("level = 0.2\n"), std::string::npos) << read(look());
 }
 
+TEST_F(Work, TheSetInWhichNobodyHasWorkedIsNoWorkOnceTheOtherIsSaved) {
+    open_look();
+    screen_->tap("Control_L+space");
+    const int saved_red = change();
+    screen_->tap("Control_L+s");
+    ASSERT_TRUE(becomes_unsaved(false));
+    const std::string saved = read(look());
+    screen_->click(kSetB);
+    EXPECT_TRUE(eventually([&] { return red() == 51; })) << "as the file was";
+    screen_->click({1180, 61});
+    EXPECT_TRUE(eventually([&] { return red() == saved_red; })) << red();
+    EXPECT_TRUE(becomes_unsaved(false));
+    screen_->tap("Control_L+q");
+    EXPECT_TRUE(eventually([&] { return !glint_->runs(); })) << "nothing is asked";
+    EXPECT_EQ(read(look()), saved);
+}
+
 TEST_F(Work, IsSavedWhereTheFileSaysTheSameByAnotherHand) {
     open_look();
     screen_->tap("Control_L+space");

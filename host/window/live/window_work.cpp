@@ -482,7 +482,10 @@ void PlaygroundWindow::note_work() {
         const std::vector<TweakValue> values = playground_.tweaks.values(set);
         std::vector<TweakValue>& at_rest = at_rest_[place_of(set)];
         // Another text may have more tweaks, or fewer.
-        if (values == written->values || values.size() != at_rest.size()) at_rest = values;
+        const bool is_other_text = !at_rest.empty() && values.size() != at_rest.size();
+        if (at_rest.empty()) at_rest = written->values;
+        const bool has_rested = is_other_text && !worked_in_[place_of(set)];
+        if (values == written->values || has_rested) at_rest = values;
     }
     const TweakSet shown = playground_.tweaks.shown();
     worked_in_[place_of(shown)] = has_worked(shown);
