@@ -70,9 +70,10 @@ TEST_F(LeftOut, WhatIsCompiledAheadLooksTheSame) {
 }
 
 TEST_F(LeftOut, WhatThePictureDiscardsIsTransparentWhateverWasDrawnBefore) {
-    Player player("void mainImage(out vec4 c, vec2 p) {\n"
-                  "    if (iFrame > 1 && p.x < 1.0) discard;\n"
-                  "    c = vec4(1); }\n");
+    Player player(
+        "void mainImage(out vec4 c, vec2 p) {\n"
+        "    if (iFrame > 1 && p.x < 1.0) discard;\n"
+        "    c = vec4(1); }\n");
     player.draw_frames(0, 4);
     const std::vector<float> picture = player.floats();
     EXPECT_EQ(picture[0], 0.0f);

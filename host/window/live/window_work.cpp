@@ -76,12 +76,13 @@ std::vector<Event> PlaygroundWindow::with_written_events(std::span<const Event> 
     const Preset* written = playground_.as_written();
     if (recorded.size() <= recorded_at_start_ || !written) return {};
     const std::vector<Event>& own = written->events;
-    const std::size_t before = std::min(written_before_, own.size());
-    std::vector<Event> all(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(before));
+    const auto before =
+        own.begin() + static_cast<std::ptrdiff_t>(std::min(written_before_, own.size()));
+    const auto after =
+        std::ranges::upper_bound(before, own.end(), recorded.back().time, {}, &Event::time);
+    std::vector<Event> all(own.begin(), before);
     all.insert(all.end(), recorded.begin(), recorded.end());
-    const auto after = std::ranges::upper_bound(own, recorded.back().time, {}, &Event::time);
-    if (after > own.begin() + static_cast<std::ptrdiff_t>(before))
-        all.insert(all.end(), after, own.end());
+    all.insert(all.end(), after, own.end());
     return all;
 }
 
