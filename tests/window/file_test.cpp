@@ -1,9 +1,11 @@
 // The first minute with a preset: saving, saving as, reverting, locks, and who has the keyboard.
 #include "live.h"
 
+#include <chrono>
 #include <csignal>
 #include <regex>
 #include <string>
+#include <thread>
 
 namespace glint::window::file_test {
 namespace {
@@ -71,6 +73,27 @@ TEST_F(File, IsSavedWithItsCommentsAndWithoutTheTimeAndRevertedUndoably) {
     EXPECT_NE(saved.find("# not too much\n"), std::string::npos) << saved;
     EXPECT_NE(saved.find("other = 0."), std::string::npos) << saved;
     EXPECT_EQ(saved.find("time"), std::string::npos) << saved;
+}
+
+// As while a frame takes long: what a person does meanwhile arrives all at once.
+TEST_F(File, KeysCountInTheirOrderHoweverLongAFrameTakes) {
+    open_look();
+    change();
+    const auto at_once = [&](const std::vector<std::string>& keys) {
+        ::kill(glint_->id(), SIGSTOP);
+        for (const std::string& key : keys) {
+            screen_->tap(key);
+            // GLFW takes a key that comes again within 20 ms for the keyboard's repetition.
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        }
+        ::kill(glint_->id(), SIGCONT);
+    };
+    at_once({"Control_L+q", "Right", "Right", "Right", "Return"});  // to Save, Discard, Cancel
+    settle();
+    at_once({"Control_L+Shift_L+s", "End", "BackSpace", "BackSpace", "BackSpace", "BackSpace",
+             "BackSpace", "BackSpace", "b", "BackSpace", "a", "Return"});
+    EXPECT_TRUE(eventually([&] { return fs::exists(folder_->path() / "look-a.toml"); }));
+    EXPECT_EQ(read(look()), kLook);
 }
 
 TEST_F(File, TheTimeIsWrittenWhereAPersonAsksForItAndRounded) {

@@ -272,6 +272,10 @@ void Window::listen() {
                       .repeat = action == GLFW_REPEAT,
                       .files = {}});
     });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) {
+        self(w).push(
+            {.kind = WindowEvent::Kind::text, .code = static_cast<int>(character), .files = {}});
+    });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
         self(w).push({.kind = WindowEvent::Kind::mouse_button,
                       .code = button,

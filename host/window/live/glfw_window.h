@@ -18,13 +18,13 @@ namespace glint {
 
 // Something that a person did to the window, in the order in which it happened.
 struct WindowEvent {
-    enum class Kind { key, mouse_button, mouse_move, scroll, drop, resize, focus, close };
+    enum class Kind { key, text, mouse_button, mouse_move, scroll, drop, resize, focus, close };
     Kind kind = Kind::resize;
-    int code = 0;                              // key: GLFW's key; mouse_button: 0 is the left one
-    int modifiers = 0;                         // GLFW_MOD_…
-    bool down = false;                         // key, mouse_button, focus
-    bool repeat = false;                       // key: the keyboard's own repetition
-    glm::dvec2 position{0.0};                  // pixels of the framebuffer, y up; scroll: lines
+    int code = 0;              // key: GLFW's key; text: a character; mouse_button: 0: left
+    int modifiers = 0;         // GLFW_MOD_…
+    bool down = false;         // key, mouse_button, focus
+    bool repeat = false;       // key: the keyboard's own repetition
+    glm::dvec2 position{0.0};  // pixels of the framebuffer, y up; scroll: lines
     std::vector<std::filesystem::path> files;  // drop
 };
 

@@ -31,7 +31,11 @@ void PlaygroundWindow::handle(const WindowEvent& event) {
     dirty_ = was_told_ = true;
     switch (event.kind) {
         case WindowEvent::Kind::key:
+            if (!event.repeat) panels_.key(event.code, event.down);
             handle_key(event);
+            break;
+        case WindowEvent::Kind::text:
+            panels_.character(static_cast<unsigned>(event.code));
             break;
         case WindowEvent::Kind::mouse_button:
         case WindowEvent::Kind::mouse_move:
@@ -259,7 +263,9 @@ void PlaygroundWindow::revert_or_say() {
 // Where something is wrong, or else the scene itself.
 void PlaygroundWindow::edit_first() {
     const Diagnostics& diagnostics = playground_.diagnostics();
-    edit(diagnostics.empty() ? Diagnostic{} : diagnostics.front());
+    auto first = std::ranges::find(diagnostics, Severity::error, &Diagnostic::severity);
+    if (first == diagnostics.end()) first = diagnostics.begin();
+    edit(first == diagnostics.end() ? Diagnostic{} : *first);
 }
 
 }  // namespace glint

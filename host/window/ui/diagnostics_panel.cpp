@@ -33,6 +33,10 @@ void follow(const Facts& facts, DiagnosticsState& state) {
     state.shown.clear();
     for (const Diagnostic& diagnostic : facts.diagnostics)
         state.shown.push_back({diagnostic, read_source_line(diagnostic.place)});
+    // What has to be mended stands first.
+    std::ranges::stable_partition(state.shown, [](const DiagnosticsState::Shown& shown) {
+        return shown.diagnostic.severity == Severity::error;
+    });
 }
 
 ImU32 colour_of(Severity severity) {

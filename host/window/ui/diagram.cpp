@@ -178,7 +178,7 @@ void Diagram::draw_point(std::size_t index) {
     const bool hovered = look_.hovered == index;
     const float radius = theme_.px(hovered ? 6 : 4.5f);
     const ImU32 colour = row.pareto ? colours::kAccent : colours::kDim;
-    list_.AddLine({x_.at(row.ms.min), at.y}, {x_.at(row.ms.max), at.y}, colour, theme_.px(1));
+    list_.AddLine({x_.at(row.ms.low), at.y}, {x_.at(row.ms.high), at.y}, colour, theme_.px(1));
     if (row.is_reference || row.error->rmse <= 0.0) {
         const float s = radius + theme_.px(1);
         list_.AddTriangleFilled({at.x - s, at.y - s}, {at.x + s, at.y - s}, {at.x, at.y + s},

@@ -52,8 +52,20 @@ bool path_field(const Theme& theme, const char* heading, std::string& path) {
     text_in(colours::kText, heading, theme.bold);
     const float widest = ImGui::GetIO().DisplaySize.x - theme.px(60);
     ImGui::SetNextItemWidth(std::min(theme.px(480), widest));
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (ImGui::IsWindowAppearing()) {
+        GImGui->InputTextState.ID = 0;  // it would go on where it was left, and select nothing
+        ImGui::SetKeyboardFocusHere();
+    }
     return ImGui::InputText("##path", &path, ImGuiInputTextFlags_EnterReturnsTrue);
+}
+
+bool has_folder(const fs::path& file) {
+    std::error_code error;
+    return file.parent_path().empty() || fs::is_directory(file.parent_path(), error);
+}
+
+std::string no_folder(const fs::path& file) {
+    return fmt::format("There is no folder {}.", file.parent_path().string());
 }
 
 void ask_path(Build& build, SavingState& state) {
@@ -68,12 +80,14 @@ void ask_path(Build& build, SavingState& state) {
     if (!path.empty() && !is_preset(path)) path += ".toml";
     std::error_code error;
     const bool exists = fs::exists(path, error), is_folder = fs::is_directory(path, error);
-    const bool is_name = path.has_filename() && path.filename() != ".toml" && !is_folder;
+    const bool is_named = path.has_filename() && path.filename() != ".toml" && !is_folder;
+    const bool is_name = is_named && has_folder(path);
     text_in(exists || !is_name ? colours::kWarning : colours::kDim,
-            is_folder  ? "This is a folder; name a file."
-            : !is_name ? "Name a file."
-            : exists   ? "This file is there already and will be replaced."
-                       : "A new file.");
+            is_folder   ? "This is a folder; name a file."
+            : !is_named ? "Name a file."
+            : !is_name  ? no_folder(path)
+            : exists    ? "This file is there already and will be replaced."
+                        : "A new file.");
     const double start = build.facts.start_time.value_or(shown_time(build));
     ImGui::Checkbox(fmt::format("start at {} s, the time that is shown###time", start).c_str(),
                     &state.keeps_time);
@@ -120,11 +134,13 @@ void ask_new_scene(Build& build, NewSceneState& state) {
     fs::path path(state.path);
     if (!path.empty() && path.extension() != ".frag") path += ".frag";
     std::error_code error;
-    const bool exists = fs::exists(path, error);
-    text_in(exists ? colours::kWarning : colours::kDim,
-            exists ? "This file is there already; name another." : "It is written, and opened.");
-    ImGui::BeginDisabled(exists);
-    const bool create = (button("Create") || entered) && !exists && path.has_filename();
+    const bool exists = fs::exists(path, error), is_free = !exists && has_folder(path);
+    text_in(is_free ? colours::kDim : colours::kWarning,
+            exists    ? "This file is there already; name another."
+            : is_free ? "It is written, and opened."
+                      : no_folder(path));
+    ImGui::BeginDisabled(!is_free);
+    const bool create = (button("Create") || entered) && is_free && path.has_filename();
     ImGui::EndDisabled();
     ImGui::SameLine();
     const bool cancel = button("Cancel") || pressed(ImGuiKey_Escape);

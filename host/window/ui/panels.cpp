@@ -11,6 +11,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
+#include <deque>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,17 +46,26 @@ ImVec2 panel_place(glm::dvec2 position) {
             io.DisplaySize.y - static_cast<float>(position.y) / io.DisplayFramebufferScale.y};
 }
 
-// Presses keys that went down and up again since the last frame, which ImGui's backend misses;
-// GLFW's sticky keys know of them. Returns those that are to be let go after the frame.
-std::vector<int> press_tapped(GLFWwindow* window) {
+void set_modifiers() {
     ImGuiIO& io = ImGui::GetIO();
-    std::vector<int> tapped;
-    for (const int key : io.KeyMap) {
-        if (key < 0 || glfwGetKey(window, key) != GLFW_PRESS || io.KeysDown[key]) continue;
-        io.KeysDown[key] = true;
-        tapped.push_back(key);
-    }
-    return tapped;
+    const auto either = [&](int left, int right) {
+        return io.KeysDown[left] || io.KeysDown[right];
+    };
+    io.KeyCtrl = either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    io.KeyAlt = either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    io.KeySuper = either(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
+}
+
+void poll_buttons(GLFWwindow* window) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button)
+        io.MouseDown[button] = glfwGetMouseButton(window, button) == GLFW_PRESS;
+}
+
+// Whether the window does something now that changes what the panels have to say.
+bool has_to_act(const Wishes& wishes) {
+    return wishes.answer || wishes.open || wishes.save_as || wishes.new_scene || wishes.revert;
 }
 
 void add(Wishes& all, Wishes more) {
@@ -92,20 +104,48 @@ void bind_screen() {
 }  // namespace
 
 struct Panels::State {
+    // What a person did: with a button of the mouse, a key, or by typing a character.
     struct Press {
-        ImVec2 at;
-        int button;
-        bool down, control;
+        enum class Kind { button, key, character } kind;
+        unsigned code;
+        bool down = false;
+        bool control = false;  // button: with Ctrl held
+        ImVec2 at{};           // button
     };
+    using Keys = std::array<bool, IM_ARRAYSIZE(ImGuiIO::KeysDown)>;
     GLFWwindow* window;
     std::string memory;  // ImGui keeps a pointer to it
     ImGuiContext* context;
     Interface interface;
     Memory remembered;
-    std::vector<Press> presses;  // since the last frame
-    unsigned input = 0;          // a hash of the last frame's
-    int frames_to_settle = 3;    // an item that comes in front of another is seen a frame later
+    std::deque<Press> presses;  // that ImGui has not seen
+    Keys keys{};                // as ImGui has seen them
+    unsigned input = 0;         // a hash of the last frame's
+    int frames_to_settle = 3;   // an item that comes in front of another is seen a frame later
+
+    void replay(const Press& press, const std::function<void()>& settle);
 };
+
+// ImGui looks at keys and buttons once a frame; what went down and up between two frames, or in an
+// order, is shown to it one by one.
+void Panels::State::replay(const Press& press, const std::function<void()>& settle) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (press.kind == Press::Kind::character) return io.AddInputCharacter(press.code);
+    if (io.InputQueueCharacters.Size > 0) settle();
+    if (press.kind == Press::Kind::key) {
+        io.KeysDown[press.code] = press.down;
+        set_modifiers();
+        before_frame();
+        return settle();
+    }
+    const ImVec2 mouse = std::exchange(io.MousePos, press.at);
+    const bool control = std::exchange(io.KeyCtrl, press.control);
+    settle();  // what lies there is known a pass later
+    io.MouseDown[press.code] = press.down;
+    settle();
+    io.MousePos = mouse;
+    io.KeyCtrl = control;
+}
 
 Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory) {
     ImGuiContext* context = ImGui::CreateContext();
@@ -120,7 +160,6 @@ Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::p
                   .presses = {}});
     configure_io();
     remember(state_->remembered, state_->memory);
-    glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -148,11 +187,14 @@ Wishes Panels::update(const Facts& facts, TweakValues& tweaks, const Transport& 
     ImGui_ImplOpenGL3_NewFrame();
     const std::vector<bool> held(std::begin(io.MouseDown), std::end(io.MouseDown));
     ImGui_ImplGlfw_NewFrame();
-    before_frame();
-    const std::vector<int> tapped = press_tapped(state_->window);
     const unsigned input = hash_of_input();
     const bool is_touched = input != state_->input || !state_->presses.empty();
     state_->input = input;
+    std::ranges::copy(held, std::begin(io.MouseDown));
+    std::ranges::copy(state_->keys, std::begin(io.KeysDown));
+    io.InputQueueCharacters.resize(0);  // they are among the presses
+    set_modifiers();
+    before_frame();
     Wishes wishes;
     Transport shown = transport;  // as it will be once the wishes are granted
     bool is_behind = true;
@@ -166,31 +208,23 @@ Wishes Panels::update(const Facts& facts, TweakValues& tweaks, const Transport& 
         add(wishes, std::move(more));
         note(state_->remembered, state_->interface.places(), settings);
         ImGui::Render();
-        for (const int key : tapped) io.KeysDown[key] = false;
         io.DeltaTime = 1e-6f;  // what follows is the same instant
     };
-    const ImVec2 mouse = io.MousePos;
-    const bool control = io.KeyCtrl;
-    std::ranges::copy(held, std::begin(io.MouseDown));
-    for (const State::Press& press : std::exchange(state_->presses, {})) {
-        io.MousePos = press.at;
-        io.KeyCtrl = press.control;
-        build();  // what lies there is known a pass later
-        io.MouseDown[press.button] = press.down;
-        build();
-    }
-    io.MousePos = mouse;
-    io.KeyCtrl = control;
-    for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button) {
-        io.MouseDown[button] = glfwGetMouseButton(state_->window, button) == GLFW_PRESS;
-    }
-    is_behind = true;
     // Frames of a slow scene are seconds apart: what stands wrong is mended before it is seen.
     // Later passes see no new events, since the mouse and the keys have not moved in between.
-    constexpr int kMostPasses = 6;
-    for (int pass = 0; pass < kMostPasses && is_behind; ++pass) {
-        build();
+    const auto settle = [&] {
+        constexpr int kMostPasses = 6;
+        is_behind = true;
+        for (int pass = 0; pass < kMostPasses && is_behind; ++pass) build();
+    };
+    // What comes after an answer is meant for what the window shows then.
+    while (!state_->presses.empty() && !has_to_act(wishes)) {
+        state_->replay(state_->presses.front(), settle);
+        state_->presses.pop_front();
     }
+    if (state_->presses.empty()) poll_buttons(state_->window);
+    settle();
+    std::ranges::copy(io.KeysDown, state_->keys.begin());
     state_->frames_to_settle =
         is_touched || is_behind ? 2 : std::max(state_->frames_to_settle - 1, 0);
     return wishes;
@@ -205,7 +239,21 @@ void Panels::draw() {
 void Panels::mouse_button(glm::dvec2 position, int button, bool down, bool control) {
     ImGui::SetCurrentContext(state_->context);
     if (button >= IM_ARRAYSIZE(ImGui::GetIO().MouseDown)) return;
-    state_->presses.push_back({panel_place(position), button, down, control});
+    state_->presses.push_back({.kind = State::Press::Kind::button,
+                               .code = static_cast<unsigned>(button),
+                               .down = down,
+                               .control = control,
+                               .at = panel_place(position)});
+}
+
+void Panels::key(int code, bool down) {
+    if (code < 0 || code >= IM_ARRAYSIZE(ImGuiIO::KeysDown)) return;
+    state_->presses.push_back(
+        {.kind = State::Press::Kind::key, .code = static_cast<unsigned>(code), .down = down});
+}
+
+void Panels::character(unsigned code) {
+    state_->presses.push_back({.kind = State::Press::Kind::character, .code = code});
 }
 
 bool Panels::takes_mouse() const {

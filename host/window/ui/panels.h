@@ -246,6 +246,10 @@ public:
     // they happened.
     void mouse_button(glm::dvec2 position, int button, bool down, bool control);
 
+    // Likewise a key of GLFW, pressed (or repeated) or released, and a character that was typed.
+    void key(int code, bool down);
+    void character(unsigned code);
+
     // Whether the panels take what the mouse or the keyboard does now, as of the last update(). The
     // keyboard is the scene's until PanelSettings::keys, a field or a popup has it.
     bool takes_mouse() const;

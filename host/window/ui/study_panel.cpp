@@ -224,8 +224,10 @@ void row_line(Build& build, StudyState& state, const Study& study, std::size_t i
     if (ImGui::IsItemHovered()) state.hovering = index;
     ImGui::PopStyleColor();
     ImGui::SameLine(0, 0);
-    text_in(colour, short_value(study, row),
-            current_row(build, study) == index ? build.theme.bold : nullptr);
+    ImGui::PushFont(current_row(build, study) == index ? build.theme.bold : nullptr);
+    text_within(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(),
+                ImGui::GetContentRegionAvail().x, colour, short_value(study, row));
+    ImGui::PopFont();
     for (const std::string& text :
          {fmt::format("{:.4g}", row.ms.median), error_text(row), psnr_text(row)}) {
         ImGui::TableNextColumn();

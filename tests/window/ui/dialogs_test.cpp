@@ -1,4 +1,5 @@
 // What stands over all panels until it is answered, and what is told where they are hidden.
+#include "base/temporary_folder.h"
 #include "screen.h"
 
 #include <gtest/gtest.h>
@@ -68,6 +69,30 @@ TEST_F(Dialogs, ASceneWithoutAPresetIsAskedForAPathAndCancellingAsksAgain) {
     screen.press(ImGuiKey_Enter);
     ASSERT_TRUE(screen.wishes.save_as);
     EXPECT_EQ(screen.wishes.save_as->filename(), "scene.toml");
+}
+
+TEST_F(Dialogs, TheProposedNameIsSelectedEachTimeAndOnlyAFolderThatIsThereTaken) {
+    const TemporaryFolder folder;
+    for (const std::string name : {"first.toml", "second.toml"}) {
+        screen.facts.file = folder.path() / "look.toml";
+        screen.settings.save_as = true;
+        for (int i = 0; i < 4; ++i) screen.frame();
+        screen.type((folder.path() / "missing" / name).c_str());
+        screen.press(ImGuiKey_Enter);
+        for (int i = 0; i < 3; ++i) screen.frame();
+        EXPECT_FALSE(screen.wishes.save_as);
+        ASSERT_TRUE(Screen::window("Save as")) << "what was typed is not lost";
+        screen.press(ImGuiKey_Escape);
+        for (int i = 0; i < 3; ++i) screen.frame();
+        screen.settings.save_as = true;
+        for (int i = 0; i < 4; ++i) screen.frame();
+        screen.type((folder.path() / name).c_str());
+        screen.press(ImGuiKey_Enter);
+        ASSERT_TRUE(screen.wishes.save_as);
+        EXPECT_EQ(*screen.wishes.save_as, folder.path() / name);
+        screen.wishes = {};
+        for (int i = 0; i < 3; ++i) screen.frame();
+    }
 }
 
 TEST_F(Dialogs, WorkOfTheLastRunIsRestoredOrDiscarded) {

@@ -263,6 +263,19 @@ TEST(Errors, AClickOpensTheEditorThere) {
     EXPECT_EQ(screen.wishes.edit->place.line, 9);
 }
 
+TEST(Errors, StandBeforeWarnings) {
+    Screen screen(two_numbers());
+    const Diagnostics diagnostics{{Severity::warning, {"none.frag", 3, 1}, "odd"},
+                                  {Severity::error, {"none.frag", 9, 1}, "wrong"}};
+    screen.facts.diagnostics = diagnostics;
+    for (int i = 0; i < 4; ++i) screen.frame();
+    const ImGuiWindow* list = screen.window("diagnostics");
+    ASSERT_TRUE(list);
+    screen.click(at(list->Rect(), 0.5f, 0.8f));
+    ASSERT_TRUE(screen.wishes.edit);
+    EXPECT_EQ(screen.wishes.edit->place.line, 3);
+}
+
 TEST(Errors, OneClickWishesForWhatFillsAnEmptyChannel) {
     Screen screen({});
     const Diagnostics diagnostics{{Severity::warning, {"none.frag", 3, 1}, "nothing fills it"}};
