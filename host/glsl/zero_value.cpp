@@ -111,6 +111,23 @@ std::uint32_t ZeroValues::find_struct(std::string_view name, const SpelledType& 
     return found;
 }
 
+std::uint32_t ZeroValues::struct_of(const SpelledType& type) const {
+    if (type.structure != kNone) return type.structure;
+    const std::uint32_t structure = find_struct(reading_.word(type.type), type);
+    // One that holds itself is none.
+    const bool is_whole = structure != kNone && reading_.structs[structure].tokens.end <= type.type;
+    return is_whole ? structure : kNone;
+}
+
+SpelledType ZeroValues::type_of(const Struct& holder, const Declaration& member,
+                                const Declarator& declarator) const {
+    return {.type = member.type,
+            .structure = member.structure,
+            .array = declarator.array,
+            .type_array = member.type_array,
+            .function = holder.function};
+}
+
 std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool is_marked,
                                                  int& count) const {
     const Struct& one = reading_.structs[structure];
@@ -122,12 +139,7 @@ std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool i
     for (const std::uint32_t index : one.members) {
         const Declaration& member = reading_.declarations[index];
         for (const Declarator& declarator : member.names) {
-            const auto value = whole({.type = member.type,
-                                      .structure = member.structure,
-                                      .array = declarator.array,
-                                      .type_array = member.type_array,
-                                      .function = one.function},
-                                     is_marked, count);
+            const auto value = whole(type_of(one, member, declarator), is_marked, count);
             if (!value) return {};
             members += (members.empty() ? "" : ",") + *value;
         }
@@ -142,10 +154,8 @@ std::optional<std::string> ZeroValues::element(const SpelledType& type, bool is_
     const std::string_view name = reading_.word(type.type);
     if (!may_be_written(name)) return {};
     if (std::string value = basic_value(name, is_marked); !value.empty()) return value;
-    if (type.structure != kNone) return of_struct(type.structure, is_marked, count);
-    const std::uint32_t structure = find_struct(name, type);
-    // One that holds itself is none.
-    if (structure == kNone || reading_.structs[structure].tokens.end > type.type) return {};
+    const std::uint32_t structure = struct_of(type);
+    if (structure == kNone) return {};
     return of_struct(structure, is_marked, count);
 }
 
@@ -164,6 +174,53 @@ std::optional<std::string> ZeroValues::whole(const SpelledType& type, bool is_ma
     const std::string name =
         type.type == kNone ? made_name(type.structure) : std::string(reading_.word(type.type));
     return fmt::format("{}[{}]({})", name, *size, values);
+}
+
+bool ZeroValues::set_parts(std::string& words, const std::string& what, const SpelledType& type,
+                           bool is_marked, int depth) const {
+    constexpr int kDeepest = 16;
+    if (depth > kDeepest) return false;
+    int count = 0;
+    if (const auto value = whole(type, is_marked, count)) {
+        words += fmt::format(" {} = {};", what, *value);
+        return true;
+    }
+    if (!type.array.empty() || !type.type_array.empty()) {
+        const TokenRange array = type.array.empty() ? type.type_array : type.array;
+        const bool is_simple = reading_.close_of(array.begin) + 1 == array.end && array.size() > 2;
+        if (!is_simple || (!type.array.empty() && !type.type_array.empty())) return false;
+        SpelledType element = type;
+        element.array = element.type_array = {};
+        const std::string index = fmt::format("glint_part{}", depth);
+        words += fmt::format(" for (int {0} = 0; {0} < int({1}.length()); ++{0}) {{", index, what);
+        const std::string part = fmt::format("{}[{}]", what, index);
+        if (!set_parts(words, part, element, is_marked, depth + 1)) return false;
+        words += " }";
+        return true;
+    }
+    const std::uint32_t structure = struct_of(type);
+    if (structure == kNone) return false;
+    const Struct& one = reading_.structs[structure];
+    for (const std::uint32_t index : one.members) {
+        const Declaration& member = reading_.declarations[index];
+        for (const Declarator& declarator : member.names) {
+            const std::string_view name = reading_.word(declarator.name);
+            if (reading_.defines_macro(name)) return false;
+            if (!set_parts(words, fmt::format("{}.{}", what, name),
+                           type_of(one, member, declarator), is_marked, depth + 1))
+                return false;
+        }
+    }
+    return !one.members.empty();
+}
+
+std::optional<std::string> ZeroValues::statements(const std::string& what, const SpelledType& type,
+                                                  bool is_marked) const {
+    for (const char* used : {"int", "length", "glint_part0"})
+        if (reading_.defines_macro(used)) return {};
+    std::string words;
+    if (!set_parts(words, what, type, is_marked, 0)) return {};
+    return words;
 }
 
 std::optional<std::string> ZeroValues::value(const SpelledType& type, bool is_marked) const {

@@ -26,6 +26,11 @@ public:
     // `vec3(0)`, `Hit(0.,vec3(0))`, `float[2](0.,0.)`; nothing where there is no such constructor.
     std::optional<std::string> value(const SpelledType& type, bool is_marked) const;
 
+    // Statements that give it this value part by part, `for (…) w[i] = 0.;`, whatever its lengths
+    // are; nothing where there are none. `what` is how it is called there.
+    std::optional<std::string> statements(const std::string& what, const SpelledType& type,
+                                          bool is_marked) const;
+
     // What a struct without a name is called in these constructors.
     static std::string made_name(std::uint32_t structure);
 
@@ -33,10 +38,15 @@ private:
     std::optional<std::string> element(const SpelledType& type, bool is_marked, int& count) const;
     std::optional<std::string> whole(const SpelledType& type, bool is_marked, int& count) const;
     std::optional<std::string> of_struct(std::uint32_t structure, bool is_marked, int& count) const;
+    bool set_parts(std::string& words, const std::string& what, const SpelledType& type,
+                   bool is_marked, int depth) const;
+    std::uint32_t struct_of(const SpelledType& type) const;
     std::uint32_t find_struct(std::string_view name, const SpelledType& type) const;
     std::optional<std::int64_t> length(TokenRange array) const;
     std::optional<std::int64_t> constant(std::string_view name, int depth) const;
     bool may_be_written(std::string_view word) const;
+    SpelledType type_of(const Struct& holder, const Declaration& member,
+                        const Declarator& declarator) const;
 
     struct Constant {
         TokenRange value;

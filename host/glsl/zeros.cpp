@@ -3,6 +3,8 @@
 #include "glsl/first_use.h"
 #include "glsl/zero_value.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -17,6 +19,8 @@ struct Site {
     Unset unset;
     SpelledType type;
     std::uint32_t token = kNone;  // behind which, or before which for a result
+    // Behind which a local or a global may be given its value by statements; kNone: nowhere.
+    std::uint32_t statements = kNone;
 };
 
 class ZeroFinder {
@@ -71,7 +75,31 @@ private:
                  .function = declaration.owner});
             if (is_jumped_over(declaration))
                 sites_.back().unset.why_not = "a switch may jump over its declaration";
+            else
+                sites_.back().statements = place_of_statements(declaration, one);
         }
+    }
+
+    // Behind a local's declaration, whose later names must not read it; at the head of the entry,
+    // for a global.
+    std::uint32_t place_of_statements(const Declaration& declaration, const Declarator& one) const {
+        if (declaration.scope == Scope::global) {
+            for (const std::uint32_t index : reading_.functions_named(entry_)) {
+                const Function& function = reading_.functions[index];
+                if (function.is_defined() && function.body.begin > one.name)
+                    return function.body.begin;
+            }
+            return kNone;
+        }
+        if (declaration.statement == kNone) return kNone;
+        const Statement& statement = reading_.statements[declaration.statement];
+        const bool is_in_block = statement.kind == StatementKind::declaration &&
+                                 statement.parent != kNone &&
+                                 reading_.statements[statement.parent].kind == StatementKind::block;
+        if (!is_in_block) return kNone;
+        for (const Declarator& other : declaration.names)
+            if (other.name > one.name && !other.initial.empty()) return kNone;
+        return declaration.tokens.end - 1;
     }
 
     // Right in a switch's block.
@@ -119,7 +147,8 @@ public:
     bool write(const Site& site, bool is_marked) {
         if (site.kind == Site::Kind::none) return true;
         const auto value = values_.value(site.type, is_marked);
-        if (!value || !name_struct(site.type)) return false;
+        if (!value) return write_statements(site, is_marked);
+        if (!name_struct(site.type)) return false;
         switch (site.kind) {
             case Site::Kind::initial:
                 return edits_.after(site.token, " = " + *value);
@@ -134,6 +163,22 @@ public:
     }
 
 private:
+    // For arrays whose length only the compiler knows, or that are long.
+    bool write_statements(const Site& site, bool is_marked) {
+        const bool is_result = site.kind == Site::Kind::result;
+        const std::string name = is_result ? "glint_result" : site.unset.name;
+        const auto words = values_.statements(name, site.type, is_marked);
+        if (!words) return false;
+        if (is_result) {
+            const std::string type = fmt::format("{}{}", reading_.word(site.type.type),
+                                                 reading_.spelled(site.type.type_array));
+            return edits_.before(site.token,
+                                 fmt::format(" {} {};{} return {}; ", type, name, *words, name));
+        }
+        const std::uint32_t place = site.kind == Site::Kind::head ? site.token : site.statements;
+        return place != kNone && edits_.after(place, *words);
+    }
+
     // A constructor needs the name that a struct has not got.
     bool name_struct(const SpelledType& type) {
         if (type.type != kNone || is_named_[type.structure]) return true;
@@ -158,7 +203,7 @@ std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string
     for (Site& site : ZeroFinder(reading, entry).find()) {
         const std::size_t at = site.unset.at;
         if (!writer.write(site, marked && marked->begin <= at && at < marked->end))
-            site.unset.why_not = "it has more than 1024 numbers, or a macro keeps it";
+            site.unset.why_not = "no value can be written for its type, or a macro keeps it";
         unset.push_back(std::move(site.unset));
     }
     return unset;

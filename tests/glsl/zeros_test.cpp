@@ -174,10 +174,52 @@ TEST(Zeros, AreWrittenWhereAValueIsNotCertain) {
     EXPECT_EQ(in_function("Hit a; a.t = 1.; g(a);"), "Hit a = Hit(0.,vec3(0.)); a.t = 1.; g(a);");
 }
 
+TEST(Zeros, AreWrittenPartByPartWhereALengthIsTheCompilersToKnow) {
+    const std::string zeros =
+        " for (int glint_part0 = 0; glint_part0 < int(a.length()); ++glint_part0) { "
+        "a[glint_part0] = 0.; }";
+    for (const char* length : {"int(4.)", "x ? 2 : 3", "s.x", "z.length()", "max(1, 2)", "2000"}) {
+        const std::string declared = "float a[" + std::string(length) + "];";
+        EXPECT_EQ(in_function(declared + " g(a);"), declared + zeros + " g(a);");
+    }
+    const std::string parts =
+        " for (int glint_part0 = 0; glint_part0 < int(q.length()); ++glint_part0) { "
+        "q[glint_part0].t = vec2(0.); for (int glint_part2 = 0; glint_part2 < "
+        "int(q[glint_part0].v.length()); ++glint_part2) { q[glint_part0].v[glint_part2] = 0; } }";
+    const std::string structure = "struct Q { vec2 t; int v[int(2.)]; }; Q q[int(3.)];";
+    EXPECT_EQ(in_function(structure + " g(q);"), structure + parts + " g(q);");
+    EXPECT_EQ(zeroed("void f(out float a[int(2.)]) { g(a); }"),
+              "void f(out float a[int(2.)]) {" + zeros + " g(a); }");
+    EXPECT_EQ(zeroed("float[int(2.)] f() { if (x) return y; }"),
+              "float[int(2.)] f() { if (x) return y;  float[ int ( 2. ) ] glint_result; for (int "
+              "glint_part0 = 0; glint_part0 < int(glint_result.length()); ++glint_part0) { "
+              "glint_result[glint_part0] = 0.; } return glint_result; }");
+}
+
+TEST(Zeros, OfAGlobalWhoseLengthIsTheCompilersToKnowAreWrittenInTheEntry) {
+    const std::string text = "float a[int(2.)]; void late(); void main() { g(a); }";
+    const Reading reading = read_glsl(text, known_of_driver());
+    Edits edits(reading);
+    write_zeros(reading, edits, "main");
+    EXPECT_EQ(edits.apply().text,
+              "float a[int(2.)]; void late(); void main() { for (int glint_part0 = 0; glint_part0 "
+              "< int(a.length()); ++glint_part0) { a[glint_part0] = 0.; } g(a); }");
+}
+
+// Two functions may each have a constant of a name, and each its own value.
+TEST(Zeros, AreNotMistakenInTheLengthByAConstantOfAnotherFunction) {
+    const std::string text =
+        "float f() { const int N = 4; float w[N]; return w[0]; }"
+        "float h() { const int N = 8; float w[N]; return w[0]; }";
+    const std::string result = zeroed(text);
+    EXPECT_EQ(result.find("float["), std::string::npos) << result;
+    EXPECT_NE(result.find("float w[N]; for ("), result.rfind("float w[N]; for (")) << result;
+}
+
 TEST(Zeros, LeaveAloneWhatNoValueCanBeWrittenFor) {
     for (const char* body :
-         {"sampler2D s; g(s);", "float a[]; g(a);", "float a[h()]; g(a);", "float a[2][2]; g(a);",
-          "float a[2000]; g(a);", "Nothing a; g(a);", "int Hit = 1; struct Q { Hit h; } q; g(q);"})
+         {"sampler2D s; g(s);", "float a[]; g(a);", "float a[2][2]; g(a);", "Nothing a; g(a);",
+          "for (float a[int(2.)]; x;) g(a);", "float a[int(2.)], b = a[0]; g(b);"})
         EXPECT_EQ(in_function(body), body);
     for (const char* text :
          {"struct S { S s; }; void f() { S s; g(s); }",

@@ -10,8 +10,10 @@ namespace glint {
 namespace {
 
 // Tweaks whose value in the file is another than when it was last read: those that a person changed
-// there, and not in the panels.
-void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& tweaks) {
+// there, and not in the panels. Returns the names of those that had another value here, of no file.
+std::vector<std::string> apply_saved_changes(const Preset& before, const Preset& now,
+                                             TweakValues& tweaks) {
+    std::vector<std::string> overruled;
     for (std::size_t i = 0; i < now.scene.tweaks.size(); ++i) {
         const Tweak& tweak = now.scene.tweaks[i];
         const auto& old = before.scene.tweaks;
@@ -27,9 +29,12 @@ void apply_saved_changes(const Preset& before, const Preset& now, TweakValues& t
         }
         const TweakValue& was = before.values[static_cast<std::size_t>(same - old.begin())];
         const bool default_moved = was == same->initial && now.values[i] == tweak.initial;
+        const TweakValue here = tweaks.value(i);
         if (was != now.values[i] && !default_moved) tweaks.set(i, now.values[i]);
+        if (tweaks.value(i) != here && here != was) overruled.push_back(tweak.name);
         if (locks(before) != locks(now)) tweaks.lock(i, locks(now));
     }
+    return overruled;
 }
 
 // The files of a text, and those that its samplers name.
@@ -86,7 +91,7 @@ ReloadSteps Playground::reload_steps() {
 }
 
 // The values that a text would be drawn with: those that a person has set stay.
-TweakValues Playground::tweaks_with(const Preset& text) const {
+TweakValues Playground::tweaks_with(const Preset& text, std::vector<std::string>* overruled) const {
     const Preset* written = reloader_.as_written();
     if (!written) {
         TweakValues next(text.scene.tweaks, text.values);
@@ -95,7 +100,8 @@ TweakValues Playground::tweaks_with(const Preset& text) const {
     }
     TweakValues next = tweaks;
     next.rebase(text.scene.tweaks, text.values);
-    apply_saved_changes(*written, text, next);
+    std::vector<std::string> names = apply_saved_changes(*written, text, next);
+    if (overruled) *overruled = std::move(names);
     return next;
 }
 
@@ -168,7 +174,8 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     const bool is_constant = programs == Programs::constants;
     const Preset* written = reloader_.as_written();
     auto preset = std::make_unique<Preset>(candidate);
-    TweakValues next = is_text ? tweaks_with(candidate) : tweaks;
+    std::vector<std::string> overruled;
+    TweakValues next = is_text ? tweaks_with(candidate, &overruled) : tweaks;
     // For the compiler and the renderer alone. A tweak that moved since is followed at once.
     preset->values = is_constant ? programs_.tried().values : next.values();
     const bool is_same_file = (preset_ && written) || !is_text;
@@ -197,6 +204,7 @@ Diagnostics Playground::put_in_place(const Preset& candidate, Programs programs,
     if (is_constant) constants_ = std::move(preset_->values);
     preset_->values.clear();
     tweaks = std::move(next);
+    if (is_text) overruled_ = std::move(overruled);
     forget_states();
     if (!is_text) programs_.tidy(*renderer_);
     if (!is_text && !renderer_->inputs_needed().empty()) load_missing_inputs();

@@ -214,6 +214,10 @@ public:
     // How long that took from the save on, ms; once, when there is a new one.
     std::optional<double> take_sketch_ms() { return std::exchange(sketch_ms_, std::nullopt); }
 
+    // Tweaks that were edited in the file, of whose values here no file knew; once, when the file
+    // has been taken over. Undo brings those back.
+    std::vector<std::string> take_overruled() { return std::exchange(overruled_, {}); }
+
     // Nothing moves, and nothing is about to: the picture may be refined.
     bool stands() const;
     // For that; `picture_count()` says whether it is still about what is shown.
@@ -249,7 +253,8 @@ private:
     void forget_slowness();
     double map_seconds() const;
     void start_trial(const Preset& candidate, Programs programs, bool is_text);
-    TweakValues tweaks_with(const Preset& text) const;
+    TweakValues tweaks_with(const Preset& text,
+                            std::vector<std::string>* overruled = nullptr) const;
     Diagnostics put_in_place(const Preset& candidate, Programs programs, bool is_text);
     void specialise_at_rest();
     void prepare_uniforms();
@@ -302,6 +307,7 @@ private:
     std::vector<GivenBuffer> known_to_sketch_;  // to the process at hand
     std::unique_ptr<Buffer> sketch_;
     std::optional<double> sketch_ms_;
+    std::vector<std::string> overruled_;
     bool wants_sketch_ = false;
     Stopwatch since_trial_;
     Reloader reloader_;

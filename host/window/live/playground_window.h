@@ -78,6 +78,7 @@ private:
     void toggle_free_aspect();
     // Words that stand in the window for a while; "" takes them away.
     void notice(std::string text);
+    void tell_overruled();
 
     // What would take unsaved work away, and is asked about first.
     struct Leaving {

@@ -109,6 +109,7 @@ int PlaygroundWindow::run() {
         descriptors.push_back(probe_.descriptor());
         for (const WindowEvent& event : window_.events(wait_seconds(), descriptors)) handle(event);
         dirty_ |= playground_.update();
+        tell_overruled();
         dirty_ |= browser_.update(settings_.browser || file_.empty());
         dirty_ |= sound_.update();
         dirty_ |= follow_findings();

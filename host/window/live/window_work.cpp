@@ -410,6 +410,13 @@ void PlaygroundWindow::revert() {
     notice(fmt::format("Reverted to {}{}", file_.filename().string(), how));
 }
 
+void PlaygroundWindow::tell_overruled() {
+    const std::vector<std::string> names = playground_.take_overruled();
+    if (names.empty()) return;
+    notice(fmt::format("{} was edited, and says otherwise of {}; {} brings back what stood here",
+                       file_.filename().string(), fmt::join(names, ", "), keys_of(Action::undo)));
+}
+
 void PlaygroundWindow::toggle_recording() {
     if (!playground_.is_open()) return notice("Nothing is open.");
     if (playground_.recorder.recording()) {
