@@ -962,11 +962,11 @@ vec3 goOn(vec3 p, vec3 q, vec3 side) {
     return robust ? toWorld(liftOff(q, side)) : p + kTextbookLift * side;
 }
 
-// Light that arrives at ro (world) against rd. pixel: angle of a pixel, rad.
-vec3 lightAlong(vec3 ro, vec3 rd, float pixel) {
+// Light that arrives at ro (world) against rd. pixel: its width there, and what a unit of t adds.
+vec3 lightAlong(vec3 ro, vec3 rd, vec2 pixel) {
     vec3 sum = vec3(0.0), share = vec3(1.0);
     vec3 laterRo[kPending], laterRd[kPending], laterShare[kPending];
-    vec2 laterWidth[kPending], width = vec2(0.0, pixel);   // footprint: x + y t
+    vec2 laterWidth[kPending], width = pixel;   // footprint: x + y t
     bool within = false, laterWithin[kPending];   // glass
     int pending = 0;
     for (int ray = 0; ray < bounces; ++ray) {
@@ -1083,7 +1083,7 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
     if (magnify == 2 && !robust) worldPlace = (magnitude - 1.0) * vec3(0.8, 0.36, 0.48);
     float stepBack = magnify == 0 ? magnitude : 1.0;
 
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    bool dragged = iMouse != vec4(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
     float height = clamp(cameraHeight - 4.0 * orbit.y, 0.1, 8.0);
@@ -1102,8 +1102,10 @@ void mainImage(out vec4 fragColor, in vec2 fragCoord) {
         vec3 rd = unit(forward + across / stepBack);
         // The eye stands stepBack times as far; a robust ray starts where it nears the studio.
         float start = robust ? min(stepBack, 4.0) : stepBack;
-        vec3 ro = target - away * start * forward + away * (1.0 - start / stepBack) * across;
-        sum += view == 1 ? errorView(toWorld(ro), rd, uv) : lightAlong(toWorld(ro), rd, pixel);
+        float nearer = away * (1.0 - start / stepBack);
+        vec3 ro = target - away * start * forward + nearer * across;
+        vec2 width = pixel * vec2(nearer, 1.0 / stepBack);
+        sum += view == 1 ? errorView(toWorld(ro), rd, uv) : lightAlong(toWorld(ro), rd, width);
     }
     float gain = view == 1 ? 1.0 : exp2(exposure);
     vec3 shown = display(gain * sum / float(antialiasing));

@@ -1051,6 +1051,7 @@ vec3 throughSpray(vec3 light, Eye e, vec3 rd, float angle, float reach) {
     float wisps = textureLod(motif, at, log2((0.1 + angle * t) * 32.0)).g;
     float cover = 0.9 * gale() * gSpray.x * smoothstep(0.1, 0.6, wisps);
     cover *= exp(-min(square(t / 60.0), 20.0));   // far off they are haze
+    cover *= 1.0 - smoothstep(0.2, 0.5, -rd.y);   // a layer that steep rays cross between steps
     return mix(light, 0.95 * (gAmbient + 0.3 * sunLight()), cover);
 }
 // The sun's disc and the glow round it; clear: how clear the sky before it is.
@@ -1435,7 +1436,7 @@ void mainPoses(out vec4 colour, in vec2 pixel) {
     float boom = -0.85 * sin(wind) * (0.78 + 0.22 * cos(wind));
     boom += 0.01 * sin(2.0 * kPi * cycles(0.75));
 
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    bool dragged = iMouse != vec4(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / vec2(textureSize(screen, 0)) - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x - (chase ? place.z - way.z : 0.0);
     vec3 eye = cameraDistance * vec3(sin(angle), 0.0, cos(angle));

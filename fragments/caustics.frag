@@ -1042,7 +1042,7 @@ vec3 dither(vec2 fragCoord) {
 }
 
 void mainImage(out vec4 fragColor, in vec2 fragCoord) {
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    bool dragged = iMouse != vec4(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
     float height = clamp(cameraHeight - 4.0 * orbit.y, 0.05, depth - 0.1);

@@ -1013,7 +1013,7 @@ float specksAlong(vec3 ro, vec3 rd, float tMax, float pixel) {
 // together by distance: the water in between, what covers the pixel in part, what lies behind.
 
 Eye camera() {
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    bool dragged = iMouse != vec4(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
     vec2 back = vec2(sin(angle), cos(angle));

@@ -769,7 +769,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
 // place, too. On 36 x 24 mm film a lens of focal length f sees 24 mm / f of a metre a metre away.
 
 void camera(out vec3 ro, out vec3 right, out vec3 forward) {
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    bool dragged = iMouse != vec4(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
     float height = clamp(cameraHeight - 8.0 * orbit.y, 0.1, 12.0);

@@ -993,7 +993,7 @@ void mainScreen(out vec4 colour, in vec2 pixel) { colour = vec4(0.0); }
 // its size. 6, 7: the eye and what it looks at.
 void mainPoses(out vec4 colour, in vec2 pixel) {
     int k = int(pixel.x), c = k / 2;
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    bool dragged = iMouse != vec4(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / vec2(textureSize(screen, 0)) - 0.5 : vec2(0.0);
     float angle = radians(cameraAngle) - 2.0 * kPi * orbit.x;
     vec2 at = c == 0 ? vec2(-0.1, 0.0) : c == 1 ? vec2(-0.95, 0.75) : kMirrorAt.xz;

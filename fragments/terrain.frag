@@ -714,7 +714,7 @@ vec3 renderPair(Pair r, float width, float angle, float far, bool exact, bool di
 // says how deep its land is behind it, so that a ray may pass behind a peak.
 
 Eye camera() {
-    bool dragged = iMouse.xy != vec2(0.0);   // the middle of the picture is the camera's own place
+    bool dragged = iMouse != vec4(0.0);   // the middle of the picture is the camera's own place
     vec2 orbit = dragged ? iMouse.xy / iResolution.xy - 0.5 : vec2(0.0);
     float a = radians(cameraAngle) - 2.0 * kPi * orbit.x;
     float rise = radians(clamp(cameraRise - 180.0 * orbit.y, -88.0, 88.0));

@@ -774,13 +774,25 @@ float meetWater(Ray r, Hit h, bool level, float side) {
     }
     return t;
 }
+// The mean slope of what a view along d sees of slopes that have this mean and a variance on each
+// axis that the pixel has lost: what faces away is hidden, so it leans towards the eye (Bruneton,
+// Neyret, Holzschuch, CGF 29 (2010), with the logistic function for the Gaussian one).
+vec2 seenSlope(vec2 slope, float lost, vec3 d, float side) {
+    float deviation = max(sqrt(lost) * length(d.xz), 1e-6);
+    float q = clamp(side * (dot(slope, d.xz) - d.y) / deviation, -4.0, 20.0);
+    float ahead = 1.0 / (1.0 + exp(-1.702 * q));
+    float area = deviation * (max(q, 0.0) + log(1.0 + exp(-1.702 * abs(q))) / 1.702);
+    return slope + side * lost * (ahead / area) * d.xz;
+}
 // The water's normal at the ray's start, and how it changes over the pixel. What waves the pixel
 // hides makes the ray rough: a mirrored ray turns by twice the slope, so its spread is 4 times
 // that.
 void waterNormal(inout Ray r, float side, out vec3 nor, out vec3 nx, out vec3 ny) {
     vec2 slope;
     vec3 second;
-    r.rough += 4.0 * waterShape(r.o.xz, r.ox.xz, r.oy.xz, slope, second);
+    float lost = waterShape(r.o.xz, r.ox.xz, r.oy.xz, slope, second);
+    r.rough += 4.0 * lost;
+    slope = seenSlope(slope, lost, r.d, side);
     float scale = side * inversesqrt(1.0 + dot(slope, slope));
     nor = scale * vec3(-slope.x, 1.0, -slope.y);
     nx = -scale * vec3(dot(second.xy, r.ox.xz), 0.0, dot(second.yz, r.ox.xz));

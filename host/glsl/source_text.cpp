@@ -26,9 +26,10 @@ constexpr std::size_t kLargestText = 64u << 20;
 constexpr int kMostIncludes = 4096;
 constexpr std::size_t kDeepestInclude = 200;
 
-// What texts for WebGL 1 ask for by #extension, and GLSL ES 3.00 has without.
+// What texts for WebGL 1 ask for by #extension, and GLSL ES 3.00 has without; of "all" there is
+// none.
 constexpr auto kExtensionsWithin = std::to_array<std::string_view>(
-    {"GL_OES_standard_derivatives", "GL_EXT_shader_texture_lod", "GL_EXT_frag_depth"});
+    {"all", "GL_OES_standard_derivatives", "GL_EXT_shader_texture_lod", "GL_EXT_frag_depth"});
 
 // A path without "x/.." in it, where that names the same file.
 fs::path tidied(const fs::path& path) {

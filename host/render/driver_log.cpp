@@ -370,15 +370,20 @@ Diagnostics without_consequences(const Diagnostics& list) {
 
 }  // namespace
 
-Diagnostic link_diagnostic(const Scene& scene, std::string text) {
+Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string text) {
+    const bool is_image = pass == kImagePass;
+    const std::string& entry = is_image ? scene.image_entry : scene.passes[pass].entry;
+    Place place{scene.files.front().string(), 0, 0};
     if (text.find("unresolved reference to function") != text.npos &&
-        text.find(scene.image_entry) != text.npos) {
+        text.find(entry) != text.npos) {
+        if (!is_image) place = scene.passes[pass].place;
         text = fmt::format(
-            "there is no `void {}(out vec4 fragColor, in vec2 fragCoord)`; write one, it draws the "
-            "picture",
-            scene.image_entry);
+            "there is no `void {}(out vec4 fragColor, in vec2 fragCoord)`{}; write "
+            "one, it draws the {}",
+            entry, is_image ? "" : " for " + scene.passes[pass].name,
+            is_image ? "picture" : "buffer");
     }
-    return {Severity::error, {scene.files.front().string(), 0, 0}, std::move(text)};
+    return {Severity::error, std::move(place), std::move(text)};
 }
 
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text) {
@@ -419,7 +424,7 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
         } else if (std::regex_match(line, m, angle)) {
             add(m[1] == "ERROR", m[2], 0, false, m[3]);
         } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
-            list.push_back(link_diagnostic(scene, m[1]));
+            list.push_back(link_diagnostic(scene, text.pass, m[1]));
             const std::string input = unfed_input(m[1]), bare = bodiless_function(m[1]);
             if (input.empty() && (bare.empty() || bare == scene.image_entry)) continue;
             if (!read) read.emplace(scene, text);

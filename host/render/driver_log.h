@@ -10,6 +10,6 @@ namespace glint {
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text);
 
 // A complaint of the linker, which has no place. The commonest one is said better than drivers do.
-Diagnostic link_diagnostic(const Scene& scene, std::string text);
+Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string text);
 
 }  // namespace glint

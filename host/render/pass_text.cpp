@@ -567,6 +567,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (options.named) name_divisions(reading, float_tweaks(scene), edits);
 
     PassText result;
+    result.pass = pass;
     if (is_lean) leave_out_functions(reading, reached, edits);
     if (is_lean) leave_out_constants(reading, unused, edits);
     if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, is_lean, edits);

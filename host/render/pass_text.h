@@ -47,6 +47,7 @@ inline constexpr std::string_view kPlainColour = "glFragColor_";
 
 struct PassText {
     std::string text;
+    std::size_t pass = kImagePass;
     std::size_t user_begin = 0, user_end = 0;  // bytes of it that are the user's
     EditMap map;                               // from these to Scene::text
     std::vector<Unset> unset;                  // of Scene::text

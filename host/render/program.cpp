@@ -246,7 +246,7 @@ CompiledPass compile_text(const Preset& preset, std::size_t pass, PassText sourc
     Diagnostics said = read_driver_log(preset.scene, linked.log, source);
     if (!linked.program && !has_errors(said)) {
         said.push_back(
-            link_diagnostic(preset.scene, "the driver refused the shader without a word"));
+            link_diagnostic(preset.scene, pass, "the driver refused the shader without a word"));
     }
     CompiledPass result;
     if (linked.program)

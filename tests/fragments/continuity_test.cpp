@@ -30,6 +30,13 @@ public:
         return player_.floats();
     }
 
+    std::vector<float> dragged_to(glm::dvec2 pixel) {
+        Frame frame;
+        frame.input.mouse = {pixel.x, pixel.y, 30.0, 20.0};
+        player_.draw(frame);
+        return player_.floats();
+    }
+
 private:
     Player player_;
 };
@@ -62,6 +69,59 @@ TEST_F(Continuity, WatersBallIsNotStrewnWithDots) {
         flickers += most > 40.0f / 255.0f;
     }
     EXPECT_LE(flickers, 10);
+}
+
+// Slopes that a pixel has lost lean towards the eye. Where their mean faced away, the ray was
+// mirrored along the surface until none was left: 1638 pixels were dark between bright ones.
+TEST_F(Continuity, WatersCrestsAreNotDottedWithDarkPixels) {
+    Scene water("water", {640, 360});
+    const std::pair<const char*, double> kLow[] = {{"waveHeight", 0.06},    {"longestWave", 0.9},
+                                                   {"cameraDistance", 2.6}, {"cameraAngle", -28.0},
+                                                   {"cameraHeight", 0.62},  {"targetHeight", 0.02},
+                                                   {"focalLength", 32.0},   {"sunHeight", 4.0}};
+    for (const auto& [tweak, value] : kLow) water.set(tweak, value);
+    const std::vector<float> picture = water.at(0.2);
+    const auto green = [&](int x, int y) {
+        return picture[static_cast<std::size_t>(y * 640 + x) * 4 + 1];
+    };
+    int dark = 0;
+    for (int y = 1; y < 359; ++y)
+        for (int x = 0; x < 640; ++x)
+            dark += std::min(green(x, y - 1), green(x, y + 1)) - green(x, y) > 40.0f / 255.0f;
+    EXPECT_LE(dark, 600);  // 420
+}
+
+// From thirty times as far through as long a lens, the dial on the floor is as sharp as the pixels
+// admit, which four times as many of them tell. It was blurred as if the eye stood where it did.
+TEST_F(Continuity, AnalyticsFarEyeSeesAsSharply) {
+    const auto from_far = [](glm::ivec2 size) {
+        Scene analytic("analytic", size);
+        analytic.set("cameraHeight", 8.0);
+        analytic.set("targetHeight", 0.0);
+        analytic.set("magnitude", 30.0);
+        return analytic.at(0.0);
+    };
+    const std::vector<float> small = from_far({320, 180}), large = from_far({1280, 720});
+    double sum = 0.0;
+    for (int y = 10; y < 40; ++y)  // the floor with the dial
+        for (int x = 60; x < 260; ++x) {
+            float mean = 0.0f;
+            for (int k = 0; k < 16; ++k)
+                mean += large[static_cast<std::size_t>((4 * y + k / 4) * 1280 + 4 * x + k % 4) * 4];
+            sum += std::abs(mean / 16.0f - small[static_cast<std::size_t>(y * 320 + x) * 4]);
+        }
+    EXPECT_LE(255.0 * sum / (30 * 200), 6.0);  // 4.3; 8.0
+}
+
+// Where the mouse has been dragged into the corner, its place is (0, 0).
+TEST_F(Continuity, ACornerIsAPlaceForTheMouseLikeAnyOther) {
+    for (const char* name : {"analytic", "caustics", "christmas", "magic", "terrain"}) {
+        SCOPED_TRACE(name);
+        Scene scene(name, {64, 36});
+        const std::vector<float> corner = scene.dragged_to({0.0, 0.0});
+        const std::vector<float> beside = scene.dragged_to({0.01, 0.01});
+        EXPECT_LE(mean_difference(corner, beside), 3.0);
+    }
 }
 
 // The drum is convex. More samples of its shade made it brighter by 8 of 255.

@@ -186,6 +186,21 @@ TEST_F(Check, WhatBlinksSlowlyAndRightAtEveryAgeStandsStillAtNone) {
     EXPECT_EQ(failed(report_of(outcome, 0)), std::set<std::string>());
 }
 
+TEST_F(Check, PicturesOfFilesOfOneNameAreKeptApart) {
+    write("here/a.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0 / iTime); }\n");
+    write("there/a.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(2.0 / iTime); }\n");
+    const Json report = report_of(
+        glint({"check", "here/a.frag", "there/a.frag", "--case", "size 1x512", "--json"}), 6);
+    std::set<std::string> pictures;
+    for (const Json& failure : report["cases"]) {
+        ASSERT_TRUE(failure.contains("picture")) << failure;
+        const std::string picture = failure["picture"];
+        EXPECT_TRUE(fs::exists(folder() / picture)) << picture;
+        pictures.insert(picture);
+    }
+    EXPECT_EQ(pictures.size(), 2u) << report;
+}
+
 TEST_F(Check, AFailureWhosePictureCannotBeKeptIsTheSameFailure) {
     write("file", "");
     const Json report = check(

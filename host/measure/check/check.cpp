@@ -1,6 +1,7 @@
 #include "measure/check/check.h"
 
 #include "base/canonical_name.h"
+#include "base/hash.h"
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
@@ -114,6 +115,21 @@ void require_expected_apart(const Preset& preset, const std::filesystem::path& f
                     preset.file.string(), preset.expect.picture.string()));
 }
 
+// Where pictures of failures go, whose names begin as the file's does: files of one name in two
+// places, or a scene and its preset, keep theirs apart.
+std::filesystem::path picture_folder(const CheckOptions& options,
+                                     const std::filesystem::path& file) {
+    const std::filesystem::path own = canonical_name(file);
+    const bool is_shared = std::ranges::any_of(options.files, [&](const auto& other) {
+        return other.stem() == file.stem() && canonical_name(other) != own;
+    });
+    if (!is_shared) return options.output;
+    Hash hash;
+    hash.add(own.string());
+    return options.output /
+           fmt::format("{}-{}", file.filename().string(), hash.text().substr(0, 8));
+}
+
 // Before any work: what would be written in the place of something that is read, or cannot be.
 void require_outputs(const CheckOptions& options) {
     const NamedFile report{"--junit", options.junit.string()};
@@ -122,7 +138,7 @@ void require_outputs(const CheckOptions& options) {
         if (!read.preset) continue;
         require_apart({report}, files_read_for(*read.preset));
         require_apart({report}, files_expected(*read.preset));
-        require_expected_apart(*read.preset, options.output);
+        require_expected_apart(*read.preset, picture_folder(options, name));
     }
     if (!options.junit.empty()) require_writable(options.junit);
 }
@@ -136,7 +152,7 @@ void run_check(const CheckOptions& options) {
     for (const std::filesystem::path& name : options.files) {
         FileCheck wanted{.view = options.view,
                          .effort = options.effort,
-                         .folder = options.output,
+                         .folder = picture_folder(options, name),
                          .only = options.only,
                          .scene_is_known = !scenes.insert(scene_file(name)).second,
                          .hang_seconds = options.hang_seconds};

@@ -82,9 +82,12 @@ void check_picture(Check& check, CaseResult& result) {
     try {
         expected = read_compared_picture(expect.picture);
     } catch (const std::runtime_error& error) {
-        return result.fail(fmt::format("{} Write it with glint still {} -o {}", error.what(),
-                                       shell_file(subject.opened().file.string()),
-                                       shell_file(expect.picture.string())));
+        std::string why = error.what();
+        if (is_picture_file(expect.picture))
+            why += fmt::format(" Write it with glint still {} -o {}",
+                               shell_file(subject.opened().file.string()),
+                               shell_file(expect.picture.string()));
+        return result.fail(why);
     }
     if (const std::size_t none = pixels_not_finite(expected.rgba); none > 0)
         return result.fail(
