@@ -5,7 +5,7 @@
 // the head of its function, and a function that ends without a `return` returns one. What certainly
 // has a value before it is read stays as it is (glsl/first_use.h), and so does what no value can be
 // written for: samplers, arrays of arrays, what stands within a macro that glsl/edits.h leaves
-// alone. Long arrays, and those whose length only a compiler knows, get theirs element by element. A
+// alone. Long arrays, and those whose length only a compiler knows, get theirs part by part. A
 // variable whose declaration in a `switch` is jumped over has none.
 #pragma once
 

@@ -78,8 +78,7 @@ TEST_F(CheckUnset, SaysOfWhichValuesItIsNotSure) {
     const Json found = cases("scene.frag", 0);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0]["note"],
-              "2 values, none shows; not sure of `c` (1:25, the host gives it its first value), "
-              "`big` (2:11, it has more than 1024 numbers, or a macro keeps it), "
+              "3 values, none shows; not sure of `c` (1:25, the host gives it its first value), "
               "`late` (4:23, a switch may jump over its declaration)");
 }
 

@@ -92,7 +92,7 @@ bool is_never_marked(const Unset& one) {
     return !one.why_not.empty() && !one.why_not.starts_with("a switch");
 }
 
-// "; not sure of `big` (12:5, it has more than 1024 numbers, or a macro keeps it)"
+// "; not sure of `big` (12:5, no value can be written for its type, or a macro keeps it)"
 std::string words_of_unmarked(const CheckSubject& subject, const std::vector<Unset>& list) {
     std::string words;
     for (const Unset& one : list) {

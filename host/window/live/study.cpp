@@ -63,6 +63,7 @@ void LiveStudy::clear() {
 
 bool LiveStudy::update() {
     const bool news = work_.update([this](const nlohmann::ordered_json& line) { hear(line); });
+    if (news) work_.rename(run_folder().string() + "/", "");
     if (news && !work_.fact().running && studies_.empty())
         work_.explain("The scene has no tweak of quality, and accumulates nothing.");
     return news;

@@ -45,6 +45,12 @@ bool VerbWork::update(const std::function<void(const Json& line)>& hear) {
     return true;
 }
 
+void VerbWork::rename(const std::string& from, const std::string& to) {
+    std::string& text = fact_.problem;
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
 void VerbWork::explain(const std::string& problem) {
     if (fact_.problem.empty()) fact_.problem = problem;
 }

@@ -26,6 +26,9 @@ public:
     // new.
     bool update(const std::function<void(const nlohmann::ordered_json& line)>& hear);
 
+    // What its problem calls one thing is called another: a copy of a file by the file's name.
+    void rename(const std::string& from, const std::string& to);
+
     // Why it has found nothing, where it has not said so itself.
     void explain(const std::string& problem);
 

@@ -63,6 +63,9 @@ struct TransportState {
     double span = 60.0;     // s, of the scrub bar; kept while it is held
     Loop loop{0.0, 10.0};   // the last that there was; comes back with the button
     bool has_loop = false;  // there has been one
+    // The time that is typed, as far as it is; nothing where the field shows it.
+    std::optional<std::string> typed{};
+    bool typing_begins = false, is_typing = false;
 };
 
 struct DiagnosticsState {
@@ -149,7 +152,7 @@ public:
     bool is_moving() const;
 
     // Whether the value of a tweak is being typed.
-    bool is_typing() const { return tweaks_.is_typing; }
+    bool is_typing() const { return tweaks_.is_typing || transport_.is_typing; }
 
     void set_theme(const Theme& theme) { theme_ = theme; }
     const Layout& layout() const { return layout_; }

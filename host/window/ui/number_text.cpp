@@ -1,5 +1,7 @@
 #include "window/ui/number_text.h"
 
+#include "base/words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -101,6 +103,21 @@ std::string number_text(const Tweak& tweak, double value) {
     if (std::abs(value) >= 1e7 || (value != 0.0 && std::abs(value) < 1e-5))
         return short_number(value);
     return fmt::format("{:.{}f}", value, decimals(tweak, value));
+}
+
+std::optional<double> parse_clock(std::string_view text) {
+    double seconds = 0.0;
+    for (int parts = 0; parts < 3; ++parts) {
+        const std::size_t colon = text.find(':');
+        const auto number = parse_number(text.substr(0, colon));
+        const bool is_first = parts == 0;
+        if (!number || *number < 0.0 || (!is_first && *number >= 60.0)) return {};
+        seconds = 60.0 * seconds + *number;
+        if (colon == text.npos) return seconds;
+        if (*number != std::floor(*number)) return {};
+        text.remove_prefix(colon + 1);
+    }
+    return {};
 }
 
 double fraction_of(const Tweak& tweak, double value) {

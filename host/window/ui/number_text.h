@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace glint {
 
@@ -21,6 +22,9 @@ std::string power_text(double value);
 
 // `pixel 150, 30 of 240 × 135 (401, 81 at full size)`.
 std::string pixel_text(glm::ivec2 pixel, glm::ivec2 size, std::optional<glm::ivec2> at_full_size);
+
+// Seconds from `90`, `1:30` or `1:00:30.5`; nothing where it is no time, or a negative one.
+std::optional<double> parse_clock(std::string_view text);
 
 // Whether the tweak has a range that a slider can span.
 bool has_range(const Tweak& tweak);

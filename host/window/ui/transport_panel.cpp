@@ -1,13 +1,16 @@
 // The transport bar: play, step, reset, the scrub bar with its loop, time, rate, frame and speed.
 #include "window/ui/interface.h"
+#include "window/ui/number_text.h"
 #include "window/ui/shortcuts.h"
 #include "window/ui/widgets.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -68,15 +71,40 @@ void start_entries(Build& build) {
         build.wishes.start_time = StartTime();
 }
 
-void time_field(Build& build, float width) {
-    double time = build.transport.time();
-    const double before = time, least = 0.0, most = 1e9;
+constexpr double kMostTime = 1e9;  // s
+
+// In place of the time, until Enter or a click elsewhere. What is no time changes nothing.
+void typed_time(Build& build, TransportState& state, float width) {
     ImGui::SetNextItemWidth(width);
-    ImGui::DragScalar("##time", ImGuiDataType_Double, &time, 0.02f, &least, &most, "%.3f s");
+    if (std::exchange(state.typing_begins, false)) ImGui::SetKeyboardFocusHere();
+    const bool was_typing = state.is_typing;
+    ImGui::InputText("##typed time", &*state.typed, ImGuiInputTextFlags_AutoSelectAll);
+    state.is_typing = ImGui::IsItemActive();
+    if (!was_typing || state.is_typing) return;
+    const std::optional<double> time = parse_clock(*state.typed);
+    if (time && *time != shown_time(build)) wish_time(build, std::min(*time, kMostTime));
+    state.typed.reset();
+}
+
+void time_field(Build& build, TransportState& state, float width) {
+    if (state.typed) return typed_time(build, state, width);
+    double time = build.transport.time();
+    const double before = time, least = 0.0;
+    ImGui::SetNextItemWidth(width);
+    ImGui::DragScalar("##time", ImGuiDataType_Double, &time, 0.02f, &least, &kMostTime, "%.3f s",
+                      ImGuiSliderFlags_NoInput);
     if (time != before && std::isfinite(time)) wish_time(build, std::max(time, 0.0));
+    const bool is_entered =
+        GImGui->NavActivateInputId != 0 && GImGui->NavActivateInputId == GImGui->LastItemData.ID;
+    const bool is_clicked = ImGui::IsItemDeactivated() && !ImGui::IsItemDeactivatedAfterEdit() &&
+                            ImGui::IsMouseReleased(0) && ImGui::IsItemHovered();
+    if (is_entered || is_clicked) {
+        state.typed = fmt::format("{:g}", shown_time(build));
+        state.typing_begins = true;
+    }
     const std::optional<double>& start = build.facts.start_time;
     tip(build.theme,
-        "Time. Drag to move it, click to type it, right-click to keep it." +
+        "Time. Drag to move it, click to type it (90, 1:30), right-click to keep it." +
             (start ? fmt::format("\nSaving writes {} s as the preset's start.", *start) : ""));
     if (ImGui::BeginPopupContextItem("time menu")) {
         start_entries(build);
@@ -400,7 +428,7 @@ void in_one_line(Build& build, TransportState& state, float side, float speed_wi
     const Theme& theme = build.theme;
     buttons(build);
     ImGui::SameLine();
-    time_field(build, theme.px(96));
+    time_field(build, state, theme.px(96));
     ImGui::SameLine();
     scrub_bar(build, state, ImGui::GetContentRegionAvail().x - side - speed_width);
     ImGui::SameLine();
@@ -413,7 +441,7 @@ void in_two_lines(Build& build, TransportState& state, float speed_width) {
     scrub_bar(build, state, ImGui::GetContentRegionAvail().x);
     buttons(build);
     ImGui::SameLine();
-    time_field(build, theme.px(96));
+    time_field(build, state, theme.px(96));
     ImGui::SameLine();
     how_it_plays(build, state);
     const float room = ImGui::GetContentRegionAvail().x;

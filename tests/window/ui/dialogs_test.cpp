@@ -9,9 +9,9 @@ namespace {
 
 class Dialogs : public ::testing::Test {
 protected:
-    void ask(Question question, const char* file = "presets/look.toml") {
+    void ask(Question question, const char* file = "look.toml") {
         screen.settings.visible = false;  // they stand there, panels or not
-        screen.facts.file = file;
+        screen.facts.file = folder.path() / file;
         screen.facts.question = question;
         for (int i = 0; i < 4; ++i) screen.frame();
     }
@@ -25,6 +25,7 @@ protected:
     }
     std::optional<Answer> answer() const { return screen.wishes.answer; }
 
+    const TemporaryFolder folder;
     Screen screen{{}};
 };
 
@@ -53,7 +54,7 @@ TEST_F(Dialogs, EnterSavesAndEscStays) {
 }
 
 TEST_F(Dialogs, ASceneWithoutAPresetIsAskedForAPathAndCancellingAsksAgain) {
-    ask(Question::leave, "fragments/scene.frag");
+    ask(Question::leave, "scene.frag");
     screen.press(ImGuiKey_Enter);
     for (int i = 0; i < 3; ++i) screen.frame();
     EXPECT_FALSE(answer());
@@ -72,7 +73,6 @@ TEST_F(Dialogs, ASceneWithoutAPresetIsAskedForAPathAndCancellingAsksAgain) {
 }
 
 TEST_F(Dialogs, TheProposedNameIsSelectedEachTimeAndOnlyAFolderThatIsThereTaken) {
-    const TemporaryFolder folder;
     for (const std::string name : {"first.toml", "second.toml"}) {
         screen.facts.file = folder.path() / "look.toml";
         screen.settings.save_as = true;

@@ -1,5 +1,6 @@
 // Save, Save as and Revert in the bar; what a typed value that is none becomes; time that panels
 // ask for.
+#include "base/temporary_folder.h"
 #include "screen.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ class File : public testing::Test {
 protected:
     explicit File(ImVec2 size = {1280, 720}) : screen(tweaks(), size) {
         screen.facts.title = "A look";
-        screen.facts.file = "presets/look.toml";
+        screen.facts.file = folder.path() / "look.toml";
         frames();
     }
     static std::vector<Tweak> tweaks() {
@@ -37,6 +38,7 @@ protected:
         return place.has_value();
     }
 
+    const TemporaryFolder folder;
     Screen screen;
 };
 

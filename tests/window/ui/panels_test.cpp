@@ -263,6 +263,28 @@ TEST(Errors, AClickOpensTheEditorThere) {
     EXPECT_EQ(screen.wishes.edit->place.line, 9);
 }
 
+TEST(Transport, ATimeIsTypedInMinutesToo) {
+    Screen screen(two_numbers());
+    const ImGuiWindow* bar = screen.window("transport");
+    const auto field = screen.find(ImHashStr("##time", 0, bar->ID), "transport");
+    ASSERT_TRUE(field);
+    const auto type = [&](const char* text) {
+        screen.click(field->GetCenter());
+        screen.frame();
+        screen.type(text);
+        screen.press(ImGuiKey_Enter);
+        screen.frame();
+        return screen.transport.time();
+    };
+    EXPECT_EQ(type("1:30"), 90.0);
+    screen.wait();
+    EXPECT_EQ(type("soon"), 90.0);
+    screen.wait();
+    EXPECT_EQ(type("2.5"), 2.5);
+    screen.drag(field->GetCenter(), {field->GetCenter().x + 60, field->GetCenter().y});
+    EXPECT_GT(screen.transport.time(), 2.5) << "a drag moves it, and opens no field";
+}
+
 TEST(Errors, StandBeforeWarnings) {
     Screen screen(two_numbers());
     const Diagnostics diagnostics{{Severity::warning, {"none.frag", 3, 1}, "odd"},

@@ -25,6 +25,14 @@ TEST(NumberText, APixelOfALoweredPictureIsToldAtFullSizeToo) {
               "pixel 150, 30 of 240 \u00d7 135 (401, 81 at full size)");
 }
 
+TEST(NumberText, ATimeIsSecondsOrMinutesOrHours) {
+    for (const auto& [text, seconds] : std::initializer_list<std::pair<const char*, double>>{
+             {"90", 90}, {"0.5", 0.5}, {"1:30", 90}, {"1:00:30.5", 3630.5}, {"90:00", 5400}})
+        EXPECT_EQ(parse_clock(text), seconds) << text;
+    for (const char* none : {"", "x", "-1", "1:", ":30", "1:60", "1.5:30", "1:2:3:4", "nan"})
+        EXPECT_FALSE(parse_clock(none)) << none;
+}
+
 TEST(NumberText, HasTheDigitsThatTheRangeDeserves) {
     EXPECT_EQ(number_text(ranged(0, 1), 0.5), "0.500");
     EXPECT_EQ(number_text(ranged(-180, 180), 20), "20.0");
