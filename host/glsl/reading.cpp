@@ -34,6 +34,12 @@ std::vector<std::uint32_t> Reading::functions_named(std::string_view name) const
     return found;
 }
 
+bool Reading::is_for_the_host(const Function& function, std::string_view entry) const {
+    return word(function.name) == entry && std::ranges::none_of(calls, [&](const Call& call) {
+               return word(call.name) == entry && call.arity == function.parameters.size();
+           });
+}
+
 bool Reading::defines_macro(std::string_view name) const {
     return std::ranges::any_of(
         macros, [&](const Macro& macro) { return macro.name == name && macro.definition.end > 0; });

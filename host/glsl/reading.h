@@ -38,6 +38,8 @@ struct Reading : Preprocessed, Syntax {
 
     // The functions of this name, prototypes too, in the order of the text.
     std::vector<std::uint32_t> functions_named(std::string_view name) const;
+    // Whether it has this name and nobody but the host calls it.
+    bool is_for_the_host(const Function& function, std::string_view entry) const;
     // Whether the text itself has a macro of this name, at any place.
     bool defines_macro(std::string_view name) const;
     // The declaration of a global of this name.

@@ -58,6 +58,8 @@ std::string basic_value(std::string_view type, bool is_marked) {
 }  // namespace
 
 ZeroValues::ZeroValues(const Reading& reading) : reading_(reading) {
+    for (const Struct& one : reading.structs)
+        if (one.name != kNone) ++struct_names_[reading.word(one.name)];
     for (const Macro& macro : reading.macros) taken_[macro.name] = true;
     for (const Declaration& declaration : reading.declarations) {
         if (declaration.scope == Scope::member) continue;
@@ -98,34 +100,42 @@ std::optional<std::int64_t> ZeroValues::length(TokenRange array) const {
                         [&](std::string_view name) { return constant(name, 0); });
 }
 
-// The one that is seen from where the type is spelled; kNone where that is not certain.
-std::uint32_t ZeroValues::find_struct(std::string_view name, const SpelledType& type) const {
+// The brace within which a token stands; kNone: outside of all.
+std::uint32_t ZeroValues::brace_round(std::uint32_t token) const {
+    for (std::uint32_t at = token; at-- > 0;) {
+        const std::string_view word = reading_.word(at);
+        if (word == "{") return at;
+        if (word == "}" && reading_.partner[at] != kNone) at = reading_.partner[at];
+    }
+    return kNone;
+}
+
+// The one that is seen from where the type is spelled: the last before it whose block it is in.
+std::uint32_t ZeroValues::find_struct(std::string_view name, std::uint32_t from) const {
     std::uint32_t found = kNone;
     for (std::uint32_t i = 0; i < reading_.structs.size(); ++i) {
         const Struct& one = reading_.structs[i];
         if (one.name == kNone || reading_.word(one.name) != name) continue;
-        if (one.function != kNone && one.function != type.function) continue;
-        if (found != kNone) return kNone;
-        found = i;
+        if (one.tokens.begin > from) break;
+        const std::uint32_t open = one.function == kNone ? kNone : brace_round(one.tokens.begin);
+        if (open == kNone || from < reading_.close_of(open)) found = i;
     }
     return found;
 }
 
 std::uint32_t ZeroValues::struct_of(const SpelledType& type) const {
     if (type.structure != kNone) return type.structure;
-    const std::uint32_t structure = find_struct(reading_.word(type.type), type);
+    const std::uint32_t structure = find_struct(reading_.word(type.type), type.type);
     // One that holds itself is none.
     const bool is_whole = structure != kNone && reading_.structs[structure].tokens.end <= type.type;
     return is_whole ? structure : kNone;
 }
 
-SpelledType ZeroValues::type_of(const Struct& holder, const Declaration& member,
-                                const Declarator& declarator) const {
+SpelledType ZeroValues::type_of(const Declaration& member, const Declarator& declarator) {
     return {.type = member.type,
             .structure = member.structure,
             .array = declarator.array,
-            .type_array = member.type_array,
-            .function = holder.function};
+            .type_array = member.type_array};
 }
 
 std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool is_marked,
@@ -134,12 +144,12 @@ std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool i
     std::string name = made_name(structure), members;
     if (one.name != kNone) {
         name = reading_.word(one.name);
-        if (!may_be_written(name)) return {};
+        if (!may_be_written(name) || struct_names_.at(name) > 1) return {};
     }
     for (const std::uint32_t index : one.members) {
         const Declaration& member = reading_.declarations[index];
         for (const Declarator& declarator : member.names) {
-            const auto value = whole(type_of(one, member, declarator), is_marked, count);
+            const auto value = whole(type_of(member, declarator), is_marked, count);
             if (!value) return {};
             members += (members.empty() ? "" : ",") + *value;
         }
@@ -206,8 +216,8 @@ bool ZeroValues::set_parts(std::string& words, const std::string& what, const Sp
         for (const Declarator& declarator : member.names) {
             const std::string_view name = reading_.word(declarator.name);
             if (reading_.defines_macro(name)) return false;
-            if (!set_parts(words, fmt::format("{}.{}", what, name),
-                           type_of(one, member, declarator), is_marked, depth + 1))
+            if (!set_parts(words, fmt::format("{}.{}", what, name), type_of(member, declarator),
+                           is_marked, depth + 1))
                 return false;
         }
     }

@@ -15,7 +15,6 @@ struct SpelledType {
     std::uint32_t type = kNone;       // token; kNone of a struct without a name
     std::uint32_t structure = kNone;  // that is defined there
     TokenRange array, type_array;
-    std::uint32_t function = kNone;  // where it is spelled; kNone: outside of all
 };
 
 class ZeroValues {
@@ -41,18 +40,19 @@ private:
     bool set_parts(std::string& words, const std::string& what, const SpelledType& type,
                    bool is_marked, int depth) const;
     std::uint32_t struct_of(const SpelledType& type) const;
-    std::uint32_t find_struct(std::string_view name, const SpelledType& type) const;
+    std::uint32_t find_struct(std::string_view name, std::uint32_t from) const;
+    std::uint32_t brace_round(std::uint32_t token) const;
     std::optional<std::int64_t> length(TokenRange array) const;
     std::optional<std::int64_t> constant(std::string_view name, int depth) const;
     bool may_be_written(std::string_view word) const;
-    SpelledType type_of(const Struct& holder, const Declaration& member,
-                        const Declarator& declarator) const;
+    static SpelledType type_of(const Declaration& member, const Declarator& declarator);
 
     struct Constant {
         TokenRange value;
         bool is_only = true;  // of that name
     };
     const Reading& reading_;
+    std::unordered_map<std::string_view, int> struct_names_;  // how many have it
     std::unordered_map<std::string_view, Constant> constants_;
     std::unordered_map<std::string_view, bool> taken_;  // names of macros and variables
 };

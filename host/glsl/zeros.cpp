@@ -71,8 +71,7 @@ private:
                 {.type = declaration.type,
                  .structure = declaration.structure,
                  .array = one.array,
-                 .type_array = declaration.type_array,
-                 .function = declaration.owner});
+                 .type_array = declaration.type_array});
             if (is_jumped_over(declaration))
                 sites_.back().unset.why_not = "a switch may jump over its declaration";
             else
@@ -116,15 +115,14 @@ private:
         for (const std::uint32_t parameter : function.parameters) {
             const Declaration& declaration = reading_.declarations[parameter];
             if (!declaration.is_out || declaration.is_in || declaration.names.empty()) continue;
-            const bool is_entry = reading_.word(function.name) == entry_;
+            const bool is_entry = reading_.is_for_the_host(function, entry_);
             const Declarator& one = declaration.names.front();
             if (!uses_.out_is_read(index, reading_.word(one.name))) continue;
             add(is_entry ? Site::Kind::none : Site::Kind::head, one.name, function.body.begin,
                 {.type = declaration.type,
                  .structure = declaration.structure,
                  .array = one.array,
-                 .type_array = declaration.type_array,
-                 .function = index});
+                 .type_array = declaration.type_array});
             if (is_entry) sites_.back().unset.why_not = "the host gives it its first value";
         }
         if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;

@@ -80,8 +80,19 @@ std::string said_better(std::string complaint) {
 
 std::string advice_on_types(std::string_view complaint) {
     constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
-    if (complaint.starts_with("could not implicitly convert operands to "))
-        return fmt::format("{}2.0 for 2, or float(i)", kNoChange);
+    constexpr std::string_view kOperands = "could not implicitly convert operands to ";
+    if (complaint.starts_with(kOperands)) {
+        const std::string_view sign = complaint.substr(kOperands.size());
+        const auto names = [&](std::string_view part) { return sign.find(part) != sign.npos; };
+        const bool is_of_bits = (names("&") && !names("&&")) || (names("|") && !names("||")) ||
+                                names("^") || names("%") || names("<<") || names(">>");
+        if (is_of_bits)
+            return "; GLSL ES makes no int a uint by itself: write 2u for 2, or uint(i)";
+        return fmt::format("{}2.0 for 2, or float(i); beside a uint, 2u or uint(i)", kNoChange);
+    }
+    if (complaint.starts_with(
+            "initializer of type int cannot be assigned to variable of type uint"))
+        return "; write 1u for 1, or uint(i)";
     if (complaint.starts_with(
             "initializer of type int cannot be assigned to variable of type float"))
         return fmt::format("{}1.0 for 1, or float(i)", kNoChange);

@@ -340,7 +340,8 @@ std::string unfed_input(const std::string& complaint) {
 bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
     static const std::regex words(
         "^operands to |^type mismatch$|^cannot construct |^condition of |condition must be scalar|"
-        "[(, ]error[,)]|of type error$|with wrong type error,");
+        "[(, ]error[,)]|of type error$|with wrong type error,|convert error to |^[LR]HS of .* must "
+        "be ");
     const Place &at = one.place, &before = cause.place;
     const bool encloses =
         at.file == before.file && at.column > 0 &&

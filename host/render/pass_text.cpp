@@ -141,11 +141,13 @@ std::string renamed_words(const Reading& reading) {
 
 // An `out` parameter is undefined on entry. Browsers make it 0, on which `color += light` relies,
 // whatever value the site hands in; drivers make anything of it. So the entry's parameters become
-// `inout`, and start at 0. Says whether there were any.
+// `inout`, and start at 0; if the text calls it itself they stay `out`, for each call starts at 0.
+// Says whether there were any.
 bool make_colour_defined(const Reading& reading, std::string_view entry, Edits& edits) {
     bool found = false;
-    for (const std::uint32_t function : reading.functions_named(entry)) {
-        for (const std::uint32_t parameter : reading.functions[function].parameters) {
+    for (const Function& function : reading.functions) {
+        if (!reading.is_for_the_host(function, entry)) continue;
+        for (const std::uint32_t parameter : function.parameters) {
             const TokenRange words = reading.declarations[parameter].qualifiers;
             for (std::uint32_t at = words.begin; at < words.end; ++at)
                 found |= reading.tokens[at].is("inout") ||
@@ -552,7 +554,6 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         specialise(preset, options, unused, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
-    if (plain_main) make_colour_defined(reading, "mainImage", edits);
     if (has_main) put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
     if (has_main) put_in_place_of_data(reading, edits);
     if (plain_main) make_outputs_variables(reading, edits);

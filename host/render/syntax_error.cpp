@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,8 @@ std::string in_words(std::string_view token) {
     if (token == "INTCONSTANT" || token.starts_with("INTEGER")) return "a whole number";
     if (token == "NEWLINE") return "the line's end";
     if (token == "DEFINED") return "'defined'";
+    if (token == "CASE") return "'case'";
+    if (token == "DEFAULT") return "'default'";
     return std::string(token);
 }
 
@@ -221,6 +224,26 @@ bool is_told_of(const Complaint& complaint, const Token& token) {
     return kind != kEnd;
 }
 
+// A number as other languages write it, where the complaint is or right before it.
+std::optional<SyntaxError> bad_number(std::span<const Token> tokens, std::size_t at) {
+    static const std::regex good(R"((0[0-7]*|[1-9]\d*|0[xX][\da-fA-F]+)[uU]?|)"
+                                 R"((\d+\.\d*|\.\d+)([eE][+-]?\d+)?[fF]?|\d+[eE][+-]?\d+[fF]?)");
+    static const std::regex whole(R"((\d+)[a-zA-Z]+)"), octal(R"(0+(\d+))");
+    for (const std::size_t i : {at, at - 1}) {
+        if (i >= tokens.size() || tokens[i].kind != TokenKind::number) continue;
+        const std::string text(tokens[i].text);
+        if (std::regex_match(text, good)) continue;
+        std::smatch m;
+        std::string help;
+        if (std::regex_match(text, m, octal))
+            help = fmt::format("; a leading 0 means octal: write {}", m.str(1));
+        else if (std::regex_match(text, m, whole) && text.ends_with("f"))
+            help = fmt::format("; write {}.0", m.str(1));
+        return SyntaxError{fmt::format("{} is no number of GLSL{}", in_quotes(text), help), i};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<const Token> tokens,
@@ -229,6 +252,7 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
     if (!complaint) return std::nullopt;
     if (complaint->unexpected == kEnd) at = tokens.size();
     if (at > tokens.size()) return std::nullopt;
+    if (auto error = bad_number(tokens, at)) return error;
     if (at < tokens.size() && !is_told_of(*complaint, tokens[at])) return std::nullopt;
     const Around around(tokens, at);
     if (auto error = unmatched_bracket(*complaint, around, tokens)) return error;

@@ -243,7 +243,7 @@ struct Room {
     glm::vec3 low, high;       // where rays start, m
 };
 const std::vector<Room> kRooms = {
-    {"analytic", "lightAlong(a.xyz, b.xyz, 0.002)", {-4, 0.1, -4}, {4, 4, 4}},
+    {"analytic", "lightAlong(a.xyz, b.xyz, vec2(0.0, 0.002))", {-4, 0.1, -4}, {4, 4, 4}},
     {"caustics", "render(a.xyz, b.xyz, 0.002, 0.5)", {-4, 0.05, -4}, {4, 2.3, 4}},
     {"christmas", "radiance(a.xyz, b.xyz, 0.002)", {-6, 0.1, -6}, {6, 5, 6}},
     {"deep_ocean", "render(a.xyz, b.xyz, 0.002, 0.5)", {-30, 4, -30}, {30, 23, 30}},

@@ -73,8 +73,15 @@ TEST(Zeros, AreOfStructsWithinOneAnother) {
     // Of two with one name the one is meant that is seen.
     EXPECT_EQ(
         zeroed("void e() { struct L { int i; }; } void f() { struct L { bool b; }; L l; g(l); }"),
-        "void e() { struct L { int i; }; } void f() { struct L { bool b; }; L l = L(false); "
-        "g(l); }");
+        "void e() { struct L { int i; }; } void f() { struct L { bool b; }; L l; "
+        "l.b = false; g(l); }");
+    const std::string shadowed =
+        "struct L { int i; }; struct M { L l; }; void f() { L l; { struct L { bool b; }; M m; "
+        "g(m); } "
+        "g(l); }";
+    EXPECT_EQ(zeroed(shadowed),
+              "struct L { int i; }; struct M { L l; }; void f() { L l; l.i = 0; { struct L { bool "
+              "b; }; M m; m.l.i = 0; g(m); } g(l); }");
 }
 
 TEST(Zeros, AreOfEachNameOfADeclaration) {
@@ -259,6 +266,18 @@ TEST(Zeros, LeaveTheOutputsOfTheEntryToTheHost) {
     EXPECT_EQ(unset[0].why_not, "the host gives it its first value");
     EXPECT_EQ(unset[1].why_not, "");
     EXPECT_EQ(edits.apply().text, "void f(out vec4 c) {} void g(out vec4 c) { c = vec4(0.);}\n");
+}
+
+// Each call begins at 0, as of any other function.
+TEST(Zeros, AreOfTheOutputsOfAnEntryThatTheTextCallsItself) {
+    const std::string text =
+        "void f(out vec4 c, float t) { c += t; } void f(out vec4 c) { f(c, 1.); }";
+    const Reading reading = read_glsl(text, {});
+    Edits edits(reading);
+    write_zeros(reading, edits, "f");
+    EXPECT_EQ(
+        edits.apply().text,
+        "void f(out vec4 c, float t) { c = vec4(0.); c += t; } void f(out vec4 c) { f(c, 1.); }");
 }
 
 TEST(Zeros, AreMarksWhereTheyAreWantedToShow) {

@@ -118,6 +118,25 @@ glint::Study beside_reference(std::size_t not_finite) {
     return study;
 }
 
+// Explicit Euler blows up where its steps are too long, and is of order one where they are not.
+TEST(StudyOrder, IsThatOfTheRowsThatAreStable) {
+    glint::Study study{.reference = "4096", .second = "8192"};
+    const double errors[] = {40.0, 9.0, 2.0, 0.012, 0.0051, 0.0025, 0.00124};
+    double work = 1.0;
+    for (const double error : errors) {
+        study.rows.push_back(row(work, work));
+        study.rows.back().work = work;
+        study.rows.back().error = glint::Difference{.rmse = error, .max = error};
+        if (work > 1.0) study.rows.back().rmse_to_previous = error;  // the next is nearer by half
+        work *= 2.0;
+    }
+    study.reference_error = glint::Difference{.rmse = 1e-6, .max = 1e-6};
+    glint::judge(study, {.second_work = glint::kTwiceTheWork}, true);
+    ASSERT_TRUE(study.order);
+    EXPECT_NEAR(*study.order, 1.05, 0.1);
+    EXPECT_TRUE(study.findings.empty()) << study.findings.front();
+}
+
 TEST(StudyReferenceThatIsNotFinite, IsToldAndNothingIsJudgedByIt) {
     const glint::Study sound = beside_reference(0), broken = beside_reference(7);
     EXPECT_TRUE(sound.converges && sound.order && sound.findings.empty());

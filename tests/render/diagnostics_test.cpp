@@ -524,6 +524,10 @@ TEST_F(Complaints, SayWhatToDo) {
     const std::pair<std::string, const char*> cases[] = {
         {told("float x = 1;"), "; GLSL ES makes no int a float by itself: write 1.0 for 1"},
         {told("c *= p.x * 2;"), "; GLSL ES makes no int a float by itself: write 2.0 for 2"},
+        {told("c.x = float(uint(p.x) ^ 61);"), "makes no int a uint by itself: write 2u for 2"},
+        {told("uint i = 3;"), "; write 1u for 1, or uint(i)"},
+        {told("c.x = 1f;"), "'1f' is no number of GLSL; write 1.0"},
+        {told("int i = 09;"), "a leading 0 means octal: write 9"},
         {told("int i = p.x;"), "; write int(x)"},
         {told("c.x = p.x % 2.0;"), "; of floats mod(a, b) is left"},
         {told("", "varying vec2 uv;\n"), "; nothing feeds it, for no vertices stand before"},

@@ -224,6 +224,12 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
         least = std::min(least, largest_stable(stepped, values));
     }
     const double seconds = static_cast<double>(step.first) / static_cast<double>(step.second);
+    if (least < 1.0) {
+        result.note = fmt::format(
+            "unstable by the step in use, {:.3g} s, at an end of the ranges; take a shorter step",
+            seconds);
+        return;
+    }
     result.note =
         fmt::format("{} up to {:.3g} times the step in use, {:.3g} s, over the ranges' ends; {}",
                     least >= kMostTimes ? "stable at least" : "stable", least, seconds * least,

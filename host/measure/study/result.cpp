@@ -139,21 +139,45 @@ void mark_pareto(Study& study, const TimeVerdicts& verdicts) {
     }
 }
 
-void fit(Study& study, bool more_is_better) {
-    std::vector<double> work, error;
-    std::vector<std::pair<double, double>> cost;
-    for (const StudyRow& row : study.rows) {
-        if (counts_for_order(study, row)) {
-            work.push_back(*row.work);
-            error.push_back(row.error->rmse);
+// By how many powers errors fall with the work, the least work first. A start by which they fall
+// much faster than later is that of an integrator which is not stable yet, and tells nothing of its
+// order.
+std::optional<double> order_from(std::vector<std::pair<double, double>> errors) {
+    constexpr double kMuchFaster = 1.0;
+    std::ranges::sort(errors);
+    const auto slope = [&](std::size_t i) {
+        return std::log(errors[i].second / errors[i + 1].second) /
+               std::log(errors[i + 1].first / errors[i].first);
+    };
+    std::vector<double> later;  // from the end on
+    for (std::size_t i = errors.size() < 2 ? 0 : errors.size() - 1; i-- > 0;) {
+        const double here = slope(i);
+        const double faster = later.size() > 1 ? kMuchFaster : 3.0 * kMuchFaster;
+        if (!later.empty() && here > median_of(later) + faster) {
+            errors.erase(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            break;
         }
+        later.push_back(here);
+    }
+    std::vector<double> work, error;
+    for (const auto& [one, its_error] : errors) {
+        work.push_back(one);
+        error.push_back(its_error);
+    }
+    const auto fallen = log_slope(work, error);
+    return fallen ? std::optional(-*fallen) : std::nullopt;
+}
+
+void fit(Study& study, bool more_is_better) {
+    std::vector<std::pair<double, double>> errors, cost;
+    for (const StudyRow& row : study.rows) {
+        if (counts_for_order(study, row))
+            errors.emplace_back(more_is_better ? *row.work : 1.0 / *row.work, row.error->rmse);
         if (row.work && *row.work > 0.0 && row.ms.median > 0.0) {
             cost.emplace_back(*row.work, row.ms.median);
         }
     }
-    const auto slope = log_slope(work, error);
-    study.order.reset();
-    if (slope) study.order = more_is_better ? -*slope : *slope;
+    study.order = order_from(std::move(errors));
     // Small sizes cost what a frame costs at all, so the larger half tells how the cost grows.
     std::ranges::sort(cost);
     std::vector<double> size, ms;
@@ -185,15 +209,10 @@ bool have_one_shape(const Steps& steps) {
 }
 
 std::optional<double> order_of(const Steps& steps) {
-    std::vector<double> work, to_next;
-    for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
-        if (steps.to_next[i] <= kLeastRmse) continue;
-        work.push_back(steps.work[i + 1]);
-        to_next.push_back(steps.to_next[i]);
-    }
-    const auto slope = log_slope(work, to_next);
-    if (work.size() < 3 || !slope) return std::nullopt;
-    return -*slope;
+    std::vector<std::pair<double, double>> falls;
+    for (std::size_t i = 0; i < steps.to_next.size(); ++i)
+        if (steps.to_next[i] > kLeastRmse) falls.emplace_back(steps.work[i + 1], steps.to_next[i]);
+    return falls.size() < 3 ? std::nullopt : order_from(std::move(falls));
 }
 
 Steps steps_of(const Study& study, bool more_is_better) {

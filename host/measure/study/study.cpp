@@ -499,8 +499,10 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     lines.expect(plan, options.time_only, std::max<std::size_t>(views.size(), 1));
     for (Knob& knob : plan.knobs) {
         std::vector<Study> seen;
+        const SecondWork planned = knob.second_work;  // each view finds out by itself what it takes
         for (std::size_t v = 0; v < views.size(); ++v) {
             const std::string name = file.stem().string() + "-" + views[v].name;
+            knob.second_work = planned;
             Knob turned = knob_in(views[v], preset, knob);
             seen.push_back(study_knob(scenery(views[v].preset, name, played_views[v]), turned));
             knob.second_work = turned.second_work;
