@@ -461,6 +461,12 @@ void finish(Study& study, const StudyPlan& plan, const StudyOptions& options) {
     flush_results();
 }
 
+// Views have qualities of their own; the file's is the one that is marked.
+void mark_own(Study& study, const Preset& preset, const Knob& knob) {
+    for (std::size_t i = 0; i < study.rows.size(); ++i)
+        study.rows[i].is_preset = knob.values[i].setting == own_setting(preset, knob);
+}
+
 // All studies of one file.
 void study_file(const std::filesystem::path& file, const StudyOptions& options, Context& context,
                 const StudyStore& store, std::vector<Study>& studies) {
@@ -499,11 +505,10 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
     lines.expect(plan, options.time_only, std::max<std::size_t>(views.size(), 1));
     for (Knob& knob : plan.knobs) {
         std::vector<Study> seen;
-        const SecondWork planned = knob.second_work;  // each view finds out by itself what it takes
+        const Knob planned = knob;  // each view finds out by itself what its second work is
         for (std::size_t v = 0; v < views.size(); ++v) {
             const std::string name = file.stem().string() + "-" + views[v].name;
-            knob.second_work = planned;
-            Knob turned = knob_in(views[v], preset, knob);
+            Knob turned = knob_in(views[v], preset, planned);
             seen.push_back(study_knob(scenery(views[v].preset, name, played_views[v]), turned));
             knob.second_work = turned.second_work;
         }
@@ -512,9 +517,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
         } else {
             studies.push_back(over_all(views, seen));
             studies.back().scene = preset.file.string();
-            std::vector<StudyRow>& rows = studies.back().rows;  // views have quality of their own
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                rows[i].is_preset = knob.values[i].setting == own_setting(preset, knob);
+            mark_own(studies.back(), preset, knob);
             judge(studies.back(), knob, context.is_software());
         }
         if (limit) {
