@@ -68,4 +68,9 @@ std::string shell_file(const std::string& name) {
     return shell_word(name.starts_with('-') ? "./" + name : name);
 }
 
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
 }  // namespace glint

@@ -33,4 +33,7 @@ std::string shell_file(const std::string& name);
 // Without the white space at both ends.
 std::string_view trimmed(std::string_view text);
 
+// Each place of `what`, which is not empty, from left to right.
+void replace_all(std::string& text, std::string_view what, std::string_view by);
+
 }  // namespace glint

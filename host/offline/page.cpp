@@ -3,6 +3,7 @@
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
+#include "base/words.h"
 #include "gl/context.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
@@ -19,11 +20,6 @@
 
 namespace glint {
 namespace {
-
-void replace_all(std::string& text, std::string_view what, std::string_view by) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
-        text.replace(at, what.size(), by);
-}
 
 // The page with texts in place of its marks; what looks like a mark within these is only text.
 std::string filled(std::string_view page, const std::map<std::string_view, std::string>& texts) {

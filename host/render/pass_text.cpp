@@ -1,5 +1,6 @@
 #include "render/pass_text.h"
 
+#include "base/words.h"
 #include "glsl/division.h"
 #include "glsl/lean.h"
 #include "glsl/numbers.h"
@@ -405,12 +406,6 @@ std::unordered_map<std::string_view, std::size_t> float_tweaks(const Scene& scen
     for (std::size_t i = 0; i < scene.tweaks.size(); ++i)
         if (scene.tweaks[i].type == TweakType::float1) numbers[scene.tweaks[i].name] = i;
     return numbers;
-}
-
-void replace_all(std::string& text, std::string_view theirs, std::string_view ours) {
-    for (std::size_t at = text.find(theirs); at != text.npos;
-         at = text.find(theirs, at + ours.size()))
-        text.replace(at, theirs.size(), ours);
 }
 
 // The host's main(), for another one to call at a place that it chooses.

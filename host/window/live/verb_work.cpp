@@ -1,5 +1,6 @@
 #include "window/live/verb_work.h"
 
+#include "base/words.h"
 #include "offline/common.h"
 
 #include <nlohmann/json.hpp>
@@ -46,9 +47,7 @@ bool VerbWork::update(const std::function<void(const Json& line)>& hear) {
 }
 
 void VerbWork::rename(const std::string& from, const std::string& to) {
-    std::string& text = fact_.problem;
-    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
+    replace_all(fact_.problem, from, to);
 }
 
 void VerbWork::explain(const std::string& problem) {
