@@ -25,17 +25,26 @@ CompileAhead::~CompileAhead() {
     {
         const std::lock_guard lock(mutex_);
         std::ranges::replace(states_, State::waiting, State::done);
+        rests_ = false;
     }
+    changed_.notify_all();
     threads_.clear();
 }
 
 void CompileAhead::take(std::size_t pass) {
     std::unique_lock lock(mutex_);
+    rests_ = pass + 1 == states_.size();
+    changed_.notify_all();
     if (states_[pass] == State::waiting) states_[pass] = State::done;
     changed_.wait(lock, [&] { return states_[pass] == State::done; });
 }
 
 std::vector<double> CompileAhead::finish() {
+    {
+        const std::lock_guard lock(mutex_);
+        rests_ = false;
+    }
+    changed_.notify_all();
     for (std::size_t pass = 0; pass < states_.size(); ++pass) compile(pass);
     threads_.clear();
     return ms_;
@@ -57,7 +66,8 @@ void CompileAhead::compile(std::size_t pass) {
 }
 
 bool CompileAhead::begin(std::size_t pass) {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !rests_ || states_[pass] != State::waiting; });
     if (states_[pass] != State::waiting) return false;
     states_[pass] = State::begun;
     begun_.push_back(pass);

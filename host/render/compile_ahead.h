@@ -33,7 +33,8 @@ public:
     bool is_there() const { return !threads_.empty(); }
 
     // The calling thread is about to draw it: nobody else begins with it, and who is at it is
-    // waited for.
+    // waited for. While it draws the last one, the picture, nothing else is begun: what is left
+    // then is for later frames, and this one would wait for it.
     void take(std::size_t pass);
 
     // Compiles on this thread, too, until all is done. The processor's milliseconds of each; 0
@@ -55,6 +56,7 @@ private:
     std::condition_variable changed_;
     std::vector<State> states_;
     std::vector<double> ms_;
+    bool rests_ = false;
     std::vector<std::size_t> begun_;  // and not done, the oldest first
     std::deque<ContextBeside> contexts_;
     std::vector<std::jthread> threads_;  // the last member: they use all others

@@ -1,7 +1,9 @@
 // What is compiled and drawn at all: only what the picture needs, only when something has changed.
 #include "fixture.h"
+#include "render/compile_ahead.h"
 #include "render/programs_ahead.h"
 
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <thread>
@@ -67,6 +69,30 @@ TEST_F(LeftOut, WhatIsCompiledAheadLooksTheSame) {
         EXPECT_EQ(pictures[0], pictures[2]) << samples;
         EXPECT_GT(pictures[0][0], 0.0f);
     }
+}
+
+TEST_F(LeftOut, NothingIsBegunForLaterFramesWhileThePictureIsDrawn) {
+    std::atomic<std::size_t> begun = 0;
+    std::atomic<bool> may_end = false;
+    const auto compile = [&](std::size_t) {
+        ++begun;
+        while (!may_end) std::this_thread::sleep_for(1ms);
+    };
+    const std::size_t passes = std::thread::hardware_concurrency() + 2, last = passes - 1;
+    CompileAhead ahead(passes, compile, nullptr);
+    if (!ahead.is_there()) GTEST_SKIP() << "one processor";
+    std::this_thread::sleep_for(30ms);
+    const std::size_t threads = begun;
+    const std::jthread ends([&] {
+        std::this_thread::sleep_for(10ms);
+        may_end = true;
+    });
+    ahead.take(last);
+    std::this_thread::sleep_for(30ms);
+    EXPECT_EQ(begun, threads);
+    ahead.take(0);  // of the next frame
+    for (int k = 0; k < 5000 && begun + 1 < passes; ++k) std::this_thread::sleep_for(1ms);
+    EXPECT_EQ(begun + 1, passes);
 }
 
 TEST_F(LeftOut, WhatThePictureDiscardsIsTransparentWhateverWasDrawnBefore) {
