@@ -226,14 +226,16 @@ std::optional<ProbeFault> find_fault(ProbeSession& session, const ProbeOptions& 
                                                  : options.time.value_or(session.preset().time),
                             .fps = options.fps};
     const bool stateful = session.renderer().graph().stateful;
+    const int first = stateful ? 0 : playback.last_frame();
+    Progress progress("frames looked at", playback.last_frame() - first + 1);
     session.renderer().reset();
-    for (int k = stateful ? 0 : playback.last_frame();
-         k <= playback.last_frame() && !watch.is_seen(); ++k) {
+    session.renderer().redraw();  // later only what differs from the frame before
+    for (int k = first; k <= playback.last_frame() && !watch.is_seen(); ++k) {
         const Frame frame = playback.frame(session.preset(), k);
         watch.begin(frame);
-        session.renderer().redraw();
         session.renderer().draw(frame);
         session.set_frame(frame);
+        progress.update(k - first + 1);
     }
     return watch.first();
 }
