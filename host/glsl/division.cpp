@@ -1,5 +1,8 @@
 #include "glsl/division.h"
 
+#include <ranges>
+#include <vector>
+
 namespace glint {
 namespace {
 
@@ -14,27 +17,55 @@ bool is_float_zero(const Token& token) {
            digits.find_first_of("123456789") == digits.npos;
 }
 
-// `const float NOTHING = 0.0;` and uniforms that become such, where nothing else has that name.
-Names zero_constants(const Reading& reading, const Names& zero_uniforms) {
-    Names zeros, others;
-    for (const Declaration& declaration : reading.declarations) {
-        for (const Declarator& one : declaration.names) {
-            const std::string_view name = reading.word(one.name);
-            const bool is_const = declaration.is_const && declaration.scope != Scope::member &&
-                                  one.initial.size() == 1 &&
-                                  is_float_zero(reading.tokens[one.initial.begin]);
-            const bool is_zero =
-                is_const || (declaration.is_uniform && zero_uniforms.contains(name));
-            if (!is_zero || !zeros.insert(name).second) others.insert(name);
+// `const float NOTHING = 0.0;` and uniforms that become such, where they are what a name means.
+class ZeroConstants {
+public:
+    ZeroConstants(const Reading& reading, const Names& zero_uniforms) {
+        for (const Declaration& declaration : reading.declarations) {
+            if (declaration.scope == Scope::member) continue;  // never named alone
+            for (const Declarator& one : declaration.names) {
+                const std::string_view name = reading.word(one.name);
+                const bool is_const = declaration.is_const && one.initial.size() == 1 &&
+                                      is_float_zero(reading.tokens[one.initial.begin]);
+                const bool is_zero =
+                    is_const || (declaration.is_uniform && zero_uniforms.contains(name));
+                named_[name].push_back({{one.name, end_of(reading, declaration)}, is_zero});
+            }
         }
     }
-    std::erase_if(zeros, [&](std::string_view name) { return others.contains(name); });
-    return zeros;
-}
+
+    // Whether this token's word means one of them.
+    bool contains(const Reading& reading, std::uint32_t token) const {
+        const auto named = named_.find(reading.word(token));
+        if (named == named_.end()) return false;
+        for (const auto& [seen, is_zero] : std::views::reverse(named->second))
+            if (seen.begin < token && token < seen.end) return is_zero;
+        return false;
+    }
+
+private:
+    struct Named {
+        TokenRange seen;
+        bool is_zero;
+    };
+
+    static std::uint32_t end_of(const Reading& reading, const Declaration& declaration) {
+        if (declaration.scope == Scope::parameter && declaration.owner != kNone)
+            return reading.functions[declaration.owner].tokens.end;
+        if (declaration.scope != Scope::local || declaration.statement == kNone)
+            return static_cast<std::uint32_t>(reading.tokens.size());
+        const Statement& own = reading.statements[declaration.statement];
+        if (own.kind != StatementKind::declaration) return own.tokens.end;  // a loop's
+        return own.parent != kNone ? reading.statements[own.parent].tokens.end
+                                   : reading.functions[declaration.owner].tokens.end;
+    }
+
+    std::unordered_map<std::string_view, std::vector<Named>> named_;  // in the order of the text
+};
 
 // Where the zero stands that a divisor is; kNone where it is another one. `0.`, `(0.)`, `vec2(0.)`,
 // and a constant's name.
-std::uint32_t zero_in(const Reading& reading, const Names& constants, std::uint32_t at) {
+std::uint32_t zero_in(const Reading& reading, const ZeroConstants& constants, std::uint32_t at) {
     const auto& tokens = reading.tokens;
     const auto is_zero = [&](std::uint32_t token) {
         if (token >= tokens.size()) return false;
@@ -42,10 +73,13 @@ std::uint32_t zero_in(const Reading& reading, const Names& constants, std::uint3
         // Not a call's name, and not what is only begun by it.
         const bool goes_on =
             token + 1 < tokens.size() && (tokens[token + 1].is("(") || tokens[token + 1].is("."));
-        return constants.contains(tokens[token].text) && !goes_on;
+        return constants.contains(reading, token) && !goes_on;
     };
     if (is_zero(at)) return at;
-    if (at < tokens.size() && tokens[at].is_word() && tokens[at].text.starts_with("vec")) ++at;
+    const auto is_vector = [](const Token& token) {
+        return token.is("vec2") || token.is("vec3") || token.is("vec4");
+    };
+    if (at < tokens.size() && is_vector(tokens[at])) ++at;
     const bool is_alone = at + 2 < tokens.size() && tokens[at].is("(") && tokens[at + 2].is(")");
     return is_alone && is_zero(at + 1) ? at + 1 : kNone;
 }
@@ -53,7 +87,7 @@ std::uint32_t zero_in(const Reading& reading, const Names& constants, std::uint3
 // Calls visit(operator, is it `/=`, zero) for every division by a zero.
 template <typename Visit>
 void each_division(const Reading& reading, const Names& zero_uniforms, Visit visit) {
-    const Names constants = zero_constants(reading, zero_uniforms);
+    const ZeroConstants constants(reading, zero_uniforms);
     for (std::uint32_t at = 0; at < reading.tokens.size(); ++at) {
         const bool assigns = reading.tokens[at].is("/=");
         if (!assigns && !reading.tokens[at].is("/")) continue;

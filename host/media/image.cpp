@@ -90,25 +90,6 @@ void check_shape(const fs::path& file, const Image& image, Codec codec) {
     }
 }
 
-// The same picture with 1 or 3 channels, for files that have no others: grey spreads, alpha goes.
-Image with_channels(const Image& image, int channels) {
-    Image out{.size = image.size, .channels = channels, .type = image.type, .pixels = {}};
-    const std::size_t value = bytes_per_value(image.type);
-    const std::size_t count =
-        static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
-    const auto from_channels = static_cast<std::size_t>(image.channels);
-    const auto to_channels = static_cast<std::size_t>(channels);
-    out.pixels.resize(count * to_channels * value);
-    const std::byte* from = image.pixels.data();
-    std::byte* to = out.pixels.data();
-    for (std::size_t i = 0; i < count; ++i, from += from_channels * value) {
-        for (std::size_t c = 0; c < to_channels; ++c, to += value) {
-            std::memcpy(to, from + (image.channels < 3 ? 0 : c) * value, value);
-        }
-    }
-    return out;
-}
-
 // As many as the picture has, where the kind of file takes them.
 int channels_in_file(Codec codec, int channels) {
     switch (codec) {
@@ -327,6 +308,25 @@ void write_image(const fs::path& file, const Image& image, const Metadata& metad
     ImageWriter writer(file, image, metadata, format);
     writer.write(image);
     writer.finish();
+}
+
+Image with_channels(const Image& image, int channels) {
+    Image out{.size = image.size, .channels = channels, .type = image.type, .pixels = {}};
+    const std::size_t value = bytes_per_value(image.type);
+    const std::size_t count =
+        static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y);
+    const auto from_channels = static_cast<std::size_t>(image.channels);
+    const auto to_channels = static_cast<std::size_t>(channels);
+    out.pixels.resize(count * to_channels * value);
+    const std::byte* from = image.pixels.data();
+    std::byte* to = out.pixels.data();
+    for (std::size_t i = 0; i < count; ++i, from += from_channels * value) {
+        for (std::size_t c = 0; c < to_channels; ++c, to += value) {
+            const std::size_t grey = c == 3 ? from_channels - 1 : 0;
+            std::memcpy(to, from + (image.channels < 3 ? grey : c) * value, value);
+        }
+    }
+    return out;
 }
 
 ImageFacts read_image_facts(const fs::path& file) {

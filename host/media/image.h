@@ -111,6 +111,9 @@ struct ImageFacts {
 // Throws as read_image does, but for what only the pixels show.
 ImageFacts read_image_facts(const std::filesystem::path& file);
 
+// The same picture with so many channels: grey spreads, alpha goes with one or three of them.
+Image with_channels(const Image& image, int channels);
+
 // Reads png, jpg, exr, hdr, tif with 1 to 4 channels (more are dropped); 8-bit files give u8 with
 // no colour conversion, deeper ones f32. Throws std::runtime_error with a whole sentence when the
 // file is missing, truncated or not an image.

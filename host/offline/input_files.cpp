@@ -28,8 +28,14 @@ void turn_over(Image& image) {
     }
 }
 
+// As browsers hand it over: grey is a colour, and stands in red, green and blue.
+Image read_coloured(const fs::path& file) {
+    Image image = read_image(file);
+    return image.channels < 3 ? with_channels(image, image.channels + 2) : image;
+}
+
 InputContent read_picture_input(const Sampler& sampler) {
-    Image image = read_image(sampler.files.front());
+    Image image = read_coloured(sampler.files.front());
     if (!sampler.vflip) turn_over(image);
     return {.size = image.size,
             .channels = image.channels,
@@ -40,7 +46,7 @@ InputContent read_picture_input(const Sampler& sampler) {
 
 InputContent read_cube_input(const Sampler& sampler) {
     std::vector<Image> pictures;
-    for (const fs::path& file : sampler.files) pictures.push_back(read_image(file));
+    for (const fs::path& file : sampler.files) pictures.push_back(read_coloured(file));
     Cube cube = make_cube(pictures);
     if (sampler.vflip) turn_over(cube);
     return {.size = glm::ivec2(cube.side),

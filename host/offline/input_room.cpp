@@ -40,8 +40,18 @@ void require(const fs::path& file, const ImageFacts& facts, std::size_t copies, 
     require_memory(wanted, kAdvice);
 }
 
+// Grey becomes three channels.
+ImageFacts facts_of(const fs::path& file) {
+    ImageFacts facts = read_image_facts(file);
+    if (facts.channels > 2) return facts;
+    facts.pixel_bytes /= static_cast<std::size_t>(facts.channels);
+    facts.channels += 2;
+    facts.pixel_bytes *= static_cast<std::size_t>(facts.channels);
+    return facts;
+}
+
 void require_for_image(const fs::path& file, const TextureLimits& limits) {
-    const ImageFacts facts = read_image_facts(file);
+    const ImageFacts facts = facts_of(file);
     require_texture(file, facts.size, limits.side);
     require(file, facts, 0, texture_bytes(facts.pixel_bytes, facts.channels), limits);
 }
@@ -49,7 +59,7 @@ void require_for_image(const fs::path& file, const TextureLimits& limits) {
 // All its pictures are there before the first face is. Turning it over takes one more copy.
 void require_for_cube(const Sampler& sampler, const TextureLimits& limits) {
     const fs::path& file = sampler.files.front();
-    ImageFacts facts = read_image_facts(file);
+    ImageFacts facts = facts_of(file);
     const bool is_faces = sampler.files.size() > 1;
     const int side = is_faces                      ? facts.size.x
                      : facts.size.x < facts.size.y ? facts.size.x / 3

@@ -116,10 +116,11 @@ precision highp sampler3D;
 )";
 
 // Functions that a text may define on the site, and that Mesa knows already from other GLSL.
-constexpr std::array<std::string_view, 14> kOtherFunctions = {
-    "texture2D",      "texture3D", "textureCube",    "texture2DProj", "texture2DLod",
-    "textureCubeLod", "atomicAdd", "atomicMin",      "atomicMax",     "atomicAnd",
-    "atomicOr",       "atomicXor", "atomicExchange", "atomicCompSwap"};
+constexpr std::array<std::string_view, 18> kOtherFunctions = {
+    "texture2D",    "texture3D",      "textureCube",      "texture2DProj", "texture2DLod",
+    "texture3DLod", "textureCubeLod", "texture2DProjLod", "texture3DProj", "texture3DProjLod",
+    "atomicAdd",    "atomicMin",      "atomicMax",        "atomicAnd",     "atomicOr",
+    "atomicXor",    "atomicExchange", "atomicCompSwap"};
 
 // Ordinary names on the site, and reserved in Mesa.
 constexpr std::array<std::string_view, 4> kOrdinaryNames = {"packed", "dmat2", "dmat3", "dmat4"};
@@ -131,7 +132,8 @@ std::string renamed_words(const Reading& reading) {
             text += fmt::format("#define {0} glint_{0}\n", name);
     }
     for (const std::string_view word : {"mediump", "lowp"}) {
-        if (reading.mentions(word)) text += fmt::format("#define {} highp\n", word);
+        if (reading.mentions(word) && !reading.defines_macro(word))
+            text += fmt::format("#define {} highp\n", word);
     }
     for (const std::string_view name : kOrdinaryNames) {
         if (reading.mentions(name) && !reading.defines_macro(name))
