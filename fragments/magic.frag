@@ -133,10 +133,10 @@ uvec3 hash3(ivec3 q) {
     return v;
 }
 vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
-// A texel of a buffer that `filter=nearest` reads, from its place and how many there are; half the
-// price of texelFetch on llvmpipe.
-vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
-    return textureLod(buffer, (place + 0.5) / texels, 0.0);
+// A texel of a buffer that `filter=nearest` reads, whatever its size: on the site all are as large
+// as the picture. Cheaper than texelFetch on llvmpipe.
+vec4 texelAt(sampler2D buffer, vec2 place) {
+    return textureLod(buffer, (place + 0.5) / vec2(textureSize(buffer, 0)), 0.0);
 }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
@@ -183,8 +183,8 @@ float fresnel(float cosI, float eta) {
 int lowestBit(int mask) { return (floatBitsToInt(float(mask & -mask)) >> 23) - 127; }
 vec3 spun(vec3 v, vec4 q) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec3 unspun(vec3 v, vec4 q) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) - q.w * v); }
-vec4 thing(int id) { return fetch(things, vec2(id, 0), vec2(48.0, 2.0)); }
-vec4 attitude(int id) { return fetch(things, vec2(id, 1), vec2(48.0, 2.0)); }
+vec4 thing(int id) { return texelAt(things, vec2(id, 0)); }
+vec4 attitude(int id) { return texelAt(things, vec2(id, 1)); }
 
 // ---- Geometry -----------------------------------------------------------------------------------
 // A convex solid is where all its half-spaces dot(n, p) <= d overlap, so what a ray has in common
@@ -312,7 +312,7 @@ ivec3 metTowards(int map, vec3 d) {
     ivec2 cell = clamp(ivec2((0.5 + 0.5 * p) * float(kCells)), 0, kCells - 1);
     if (map == kNowhere) return ivec3(((1 << balls) - 1) << kBalls | ((1 << spheres) - 1),
                                       ((1 << cubes) - 1) | 7 << (kBipyramids - kCubes), 0);
-    return ivec3(fetch(directions, vec2(cell.x, cell.y + map * kCells), vec2(64.0, 320.0)).xyz);
+    return ivec3(texelAt(directions, vec2(cell.x, cell.y + map * kCells)).xyz);
 }
 
 Hit intersect(vec3 ro, vec3 rd, int map) {
@@ -395,7 +395,7 @@ float throughBalls(vec3 p, vec3 nor, vec3 lampAt, int mask) {
         float side2 = max(dot(q, q) - z * z, 0.0), facing = -dot(q, nor);
         if (z < r || side2 > square(kGainTan * z) || facing <= 0.0) continue;
         vec2 at = vec2(sqrt(side2) / z / kGainTan, r * (1.0 / z + 1.0 / far));
-        float most = texture(gain, (at * (kGainSize - 1.0) + 0.5) / kGainSize).x;
+        float most = texture(gain, (at * (kGainSize - 1.0) + 0.5) / vec2(textureSize(gain, 0))).x;
         if (most < 0.01) continue;
         float away = length(q);   // biased: of all things only bipyramids stand in its way
         for (int k = kBipyramids; k < kBipyramids + 3; ++k)

@@ -97,7 +97,7 @@ TemporaryFile::TemporaryFile(const fs::path& target) : named_(target), target_(t
     if (descriptor_ < 0) {
         const int refusal = errno;
         temporary_.clear();
-        if (refusal == ENOENT)
+        if (std::error_code unknown; refusal == ENOENT && !fs::exists(folder, unknown))
             throw cannot_write(named_, fmt::format("{}; make the folder {} first",
                                                    cause_of(refusal), folder.string()));
         throw cannot_write(named_, cause_of(refusal));

@@ -324,10 +324,12 @@ void Rewriter::add_keyboard(int number) {
     add("uniform sampler2D iKeyboard;  //@ keyboard", number);
     constexpr std::array kRows = {"isKeyDown", "isKeyPressed", "isKeyToggled"};
     for (std::size_t row = 0; row < kRows.size(); ++row)
-        add(fmt::format("bool {}(int key) {{ return texelFetch(iKeyboard, ivec2(key, {}), 0).x > "
-                        "0.5; }}",
-                        kRows[row], row),
-            number);
+        if (text_.mentions(kRows[row]))
+            add(fmt::format(
+                    "bool {}(int key) {{ return texelFetch(iKeyboard, ivec2(key, {}), 0).x > "
+                    "0.5; }}",
+                    kRows[row], row),
+                number);
     for (const auto& [name, code] : key_codes())
         if (text_.mentions("Key_" + name))
             add(fmt::format("const int Key_{} = {};", name, code), number);

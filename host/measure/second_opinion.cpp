@@ -64,7 +64,7 @@ std::string before(const Preset& preset, std::size_t pass, const Reading& readin
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const char* type = glsl_name(channels[i]);
         text += fmt::format("uniform {} iChannel{};\n", type, i);
-        if (pass == kImagePass && reading.mentions(fmt::format("iCh{}", i)))
+        if (reading.mentions(fmt::format("iCh{}", i)))
             text += fmt::format(
                 "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
                 type, i);

@@ -68,7 +68,7 @@ std::string channel_declarations(const Preset& preset, std::size_t pass, const R
                                : scene.channel_types[i].value_or(preset.channels[i].type));
         if (!by_scene) text += fmt::format("uniform {} {};\n", type, name);
         // A struct of samplers costs a declaration in every shader, so only where it is used.
-        if (pass == kImagePass && reading.mentions(fmt::format("iCh{}", i))) {
+        if (reading.mentions(fmt::format("iCh{}", i))) {
             text += fmt::format(
                 "uniform struct {{ {} sampler; vec3 size; float time; int loaded; }} iCh{};\n",
                 type, i);

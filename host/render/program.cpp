@@ -5,6 +5,7 @@
 #include "render/driver_log.h"
 #include "scene/blame.h"
 #include "scene/builtin.h"
+#include "scene/scene_text.h"
 
 #include <fmt/format.h>
 
@@ -224,6 +225,14 @@ static CompiledPass described(const Preset& preset, std::size_t pass, GLuint id,
 
 CompiledPass compile_pass(const Preset& preset, std::size_t pass, const ProgramOptions& options,
                           ProgramShelf* shelf, bool* was_kept) {
+    if (pass == kSoundPass) {
+        const Reading reading = read_glsl(preset.scene.text, known_of_scene());
+        if (const auto wrong = find_wrong_sound(reading))
+            return {.program = std::nullopt,
+                    .diagnostics = {{Severity::error, preset.scene.place_at(wrong->begin),
+                                     "this makes the sound, and so has to be vec2 mainSound(int "
+                                     "samp, float time)"}}};
+    }
     return compile_text(preset, pass, pass_text(preset, pass, options), shelf, was_kept);
 }
 

@@ -18,6 +18,11 @@ bool ends_in(const std::filesystem::path& path, const std::filesystem::path& end
     return true;
 }
 
+bool is_same(const std::filesystem::path& path, const std::filesystem::path& other) {
+    std::error_code error;
+    return std::filesystem::equivalent(path, other, error);
+}
+
 }  // namespace
 
 std::optional<ProbeNote> parse_probe_note(std::string_view annotation) {
@@ -63,7 +68,8 @@ std::optional<Span> find_line(const Scene& scene, std::string_view name) {
     for (const Origin& origin : scene.origins) {
         const std::size_t end = std::min(scene.text.find('\n', begin), scene.text.size() - 1) + 1;
         const std::filesystem::path& path = scene.files[origin.file];
-        const bool is_file = file.empty() ? origin.file == 0 : ends_in(path, file);
+        const bool is_file =
+            file.empty() ? origin.file == 0 : ends_in(path, file) || is_same(path, file);
         if (is_file && origin.line == number) return Span{begin, end};
         begin = end;
     }

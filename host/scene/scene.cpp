@@ -107,7 +107,7 @@ Scene Builder::build() {
     find_entries();
     check_seconds();
     if (const auto strange = find_strange(reading_)) error(strange->begin, about_strange(*strange));
-    scene_.has_sound = identifiers_.contains("mainSound");
+    scene_.has_sound = has_sound(reading_, identifiers_);
     check_image();
     for (const Span span : blanked_)
         for (std::size_t i = span.begin; i < span.end; ++i)

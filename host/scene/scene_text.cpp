@@ -178,6 +178,37 @@ std::optional<Span> find_uncallable(const Reading& reading, const PassCall& call
     return first;
 }
 
+bool has_sound(const Reading& reading, const std::unordered_set<std::string_view>& words) {
+    const auto is_named_so = [&](const Declaration& declaration) {
+        return std::ranges::any_of(declaration.names, [&](const Declarator& one) {
+            return reading.word(one.name) == "mainSound";
+        });
+    };
+    return words.contains("mainSound") && (!reading.functions_named("mainSound").empty() ||
+                                           std::ranges::none_of(reading.declarations, is_named_so));
+}
+
+std::optional<Span> find_wrong_sound(const Reading& reading) {
+    std::optional<Span> first;
+    for (const std::uint32_t at : reading.functions_named("mainSound")) {
+        const Function& function = reading.functions[at];
+        std::vector<std::string_view> types;
+        bool gives_back = false;
+        for (const std::uint32_t parameter : function.parameters) {
+            gives_back |= reading.declarations[parameter].is_out;
+            types.push_back(reading.word(reading.declarations[parameter].type));
+        }
+        const bool is_right = types.size() == 1 ? may_be(types[0], "float")
+                              : types.size() == 2
+                                  ? may_be(types[0], "int") && may_be(types[1], "float")
+                                  : false;
+        if (is_right && !gives_back && may_be(reading.word(function.type), "vec2"))
+            return std::nullopt;
+        if (!first) first = reading.place(function.name);
+    }
+    return first;
+}
+
 std::optional<Token> find_strange(const Reading& reading) {
     const auto found = std::ranges::find(reading.tokens, TokenKind::strange, &Token::kind);
     return found == reading.tokens.end() ? std::nullopt : std::optional(*found);

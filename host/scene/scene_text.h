@@ -75,6 +75,12 @@ std::string signature(const PassCall& call);
 // text has none at all, or names types that are not the language's own.
 std::optional<Span> find_uncallable(const Reading& reading, const PassCall& call);
 
+// Whether it makes sound: a function mainSound, or the word where a macro may make one of it.
+bool has_sound(const Reading& reading, const std::unordered_set<std::string_view>& words);
+
+// Where mainSound stands, if none is vec2 mainSound(int, float) or vec2 mainSound(float).
+std::optional<Span> find_wrong_sound(const Reading& reading);
+
 // The first character that the compiler would see and GLSL does not have.
 std::optional<Token> find_strange(const Reading& reading);
 // What to say of it: many come with a pasted text, and cannot be seen.

@@ -257,9 +257,12 @@ std::optional<Shadertoy> JsonReader::shader(const Json& outer) {
     return shader;
 }
 
+// The site draws buffers in the order of the file; of a folder's files they are in that of the
+// letters already.
 void sort_tabs(Shadertoy& shader) {
     const auto rank = [](const ShadertoyTab& tab) {
-        return std::ranges::find(kShadertoyTabs, tab.name);
+        return std::ranges::find(kShadertoyTabs,
+                                 tab.name.starts_with("buffer") ? "bufferA" : tab.name);
     };
     std::ranges::stable_sort(shader.tabs,
                              [&](const auto& a, const auto& b) { return rank(a) < rank(b); });

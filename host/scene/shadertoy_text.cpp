@@ -223,7 +223,6 @@ void Writer::write_header() {
     if (!text_.empty()) text_ += '\n';
 }
 
-// The site draws in the order of the letters, whatever the order of the tabs.
 void Writer::write_passes() {
     for (const ShadertoyTab& tab : shader_.tabs) {
         if (!tab.name.starts_with("buffer") && !is_cube(tab)) continue;

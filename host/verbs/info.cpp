@@ -339,6 +339,7 @@ void run_info(const InfoOptions& options, const Stopwatch&) {
         .uniform_fed = compile_or_stop(preset, {.program = {.specialise = false}}, &told),
         .specialised =
             compile_or_stop(preset, {.program = {.specialise = options.view.specialise}}, &told)};
+    if (preset.scene.has_sound) compile_or_stop(preset, {.root = kSoundPass, .program = {}}, &told);
     Json json = inspect(seen);
     json["renderer"] = context->renderer();
     json["copies"] =

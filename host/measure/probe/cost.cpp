@@ -190,9 +190,9 @@ std::string shown(const ProbeCost& cost) {
                             cost.runs.back().size.x, cost.runs.back().size.y,
                             cost.runs.front().time, cost.runs.back().time);
     for (const ProbeLineCost& line : cost.lines)
-        text += fmt::format("{}:{}: {}: {} {}  {:.1f} a pixel, {:.0f} at most\n",
-                            std::filesystem::path(line.file).filename().string(), line.line,
-                            line.function, line.kind, line.name, line.a_pixel, line.most);
+        text +=
+            fmt::format("{}:{}: {}: {} {}  {:.1f} a pixel, {:.0f} at most\n", line.file, line.line,
+                        line.function, line.kind, line.name, line.a_pixel, line.most);
     return text;
 }
 

@@ -93,8 +93,8 @@ void print_row(const ProbeValue& row, bool has_hits) {
         row.kind == "condition" ? row.name + " is " + value : row.name + " = " + value;
     if (row.kind == "returned")  // `trace.nor`, where that gives back a struct
         what = fmt::format("return{} {}", row.name.substr(row.function.size()), value);
-    say_result("{}:{}: {}: {}{}\n", std::filesystem::path(row.file).filename().string(), row.line,
-               row.function, row.kind == "reached" ? row.name : what, how);
+    say_result("{}:{}: {}: {}{}\n", row.file, row.line, row.function,
+               row.kind == "reached" ? row.name : what, how);
 }
 
 void print(const Probing& probing, const ProbeOptions& options) {

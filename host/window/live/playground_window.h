@@ -54,6 +54,7 @@ private:
     void handle_key(const WindowEvent& event);
     void handle_mouse(const WindowEvent& event);
     void release_keys();
+    void take_dropped(const std::filesystem::path& file);
     bool run_shortcut(int key, int modifiers);
     void end_typing();
     void act(Action action);

@@ -43,7 +43,7 @@ void PlaygroundWindow::handle(const WindowEvent& event) {
             handle_mouse(event);
             break;
         case WindowEvent::Kind::drop:
-            if (!event.files.empty()) leave({Leaving::For::open, event.files.front()});
+            if (!event.files.empty()) take_dropped(event.files.front());
             break;
         case WindowEvent::Kind::resize:
             break;

@@ -278,6 +278,17 @@ void PlaygroundWindow::make_new_scene(const NewScene& wanted) {
     }
 }
 
+// What is no text is no scene, and takes no scene's place.
+void PlaygroundWindow::take_dropped(const fs::path& file) {
+    std::error_code error;
+    const std::string name = file.filename().string();
+    if (!fs::exists(file, error)) return notice(fmt::format("There is no {}.", name));
+    if (!fs::is_directory(file, error) && read_text(file).find('\0') != std::string::npos)
+        return notice(
+            fmt::format("{} is no scene; a scene's text names its pictures and sounds.", name));
+    leave({Leaving::For::open, file});
+}
+
 void PlaygroundWindow::import_or_open(const fs::path& file) {
     std::error_code error;
     if (!is_shadertoy(file) && fs::is_directory(file, error)) return browse(file);
