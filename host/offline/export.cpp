@@ -368,6 +368,7 @@ void Exporter::warn_of_others(const fs::path& folder) {
 }
 
 void Exporter::write(const fs::path& folder) {
+    require_folder(folder);
     std::vector<std::string> texts;
     Json passes = Json::array();
     for (const Tab& tab : tabs_) {

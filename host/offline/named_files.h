@@ -3,6 +3,7 @@
 
 #include "scene/preset.h"
 
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,5 +27,8 @@ std::vector<NamedFile> files_expected(const Preset& preset);
 // through links, hard or symbolic, too. Numbered names are taken for one where two of their files
 // might be. An empty name is no file.
 void require_apart(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
+
+// Throws UsageError where a file stands at the place of the folder that `-o` names.
+void require_folder(const std::filesystem::path& output);
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 
 #include "base/process_time.h"
 #include "gl/context.h"
+#include "glsl/lean.h"
 #include "render/programs_ahead.h"
 #include "scene/scene_text.h"
 
@@ -11,7 +12,17 @@
 namespace glint {
 namespace {
 
-PassReads reads_of(const Preset& preset, const PassProgram& program) {
+// What a buffer discards stays as it was when the buffer was last this one of its two.
+bool keeps_pixels(const Preset& preset, std::size_t pass, ProgramOptions options) {
+    if (!fills_a_buffer(pass) || preset.scene.text.find("discard") == std::string::npos)
+        return false;
+    options.lean = true;
+    const std::string text = without_comments(pass_text(preset, pass, options).text);
+    return text.find("discard") != std::string::npos;
+}
+
+PassReads reads_of(const Preset& preset, const PassProgram& program,
+                   const ProgramOptions& options) {
     PassReads reads{.pass = program.pass, .buffers = {}};
     for (const SamplerUniform& uniform : program.samplers) {
         const Sampler& sampler = sampler_at(preset, uniform.sampler);
@@ -21,6 +32,9 @@ PassReads reads_of(const Preset& preset, const PassProgram& program) {
             reads.buffers.push_back(sampler.pass);
         }
     }
+    const bool reads_itself = std::ranges::find(reads.buffers, program.pass) != reads.buffers.end();
+    if (!reads_itself && keeps_pixels(preset, program.pass, options))
+        reads.buffers.push_back(program.pass);
     reads.changes_by_itself =
         std::any_of(program.builtins.begin(), program.builtins.end(), [](const BuiltinUniform& u) {
             return u.builtin == Builtin::time || u.builtin == Builtin::frame ||
@@ -107,7 +121,7 @@ CompileResult compile_scene(const Preset& preset, const CompileOptions& options,
         append_once(result.diagnostics, compiled.diagnostics);
         if (!compiled.program) return result;
         if (options.as_written) add_named_samplers(preset, options.program, *compiled.program);
-        reads.push_back(reads_of(preset, *compiled.program));
+        reads.push_back(reads_of(preset, *compiled.program, options.program));
         programs.push_back(std::move(*compiled.program));
         for (const std::size_t buffer : reads.back().buffers) {
             if (std::find(wanted.begin(), wanted.end(), buffer) == wanted.end()) {

@@ -140,9 +140,9 @@ def site_json(title, tabs, dialect):
         return {"name": name, "type": kind.get(name[0]) or kind[name[:2]], "code": tab["code"],
                 "inputs": [source(one) for one in tab["inputs"]], "outputs": outputs}
 
-    # The order of the file says nothing: the image stands first there.
+    # Buffers are drawn in the order of the file, and the image last, wherever it stands.
     shader = {"ver": "0.1", "info": {"id": "", "name": title, "username": "", "description": ""},
-              "renderpass": [render_pass(tab) for tab in reversed(tabs)]}
+              "renderpass": [render_pass(tab) for tab in sorted(tabs, key=lambda tab: tab["name"] != "image")]}
     return {"Shader": shader} if dialect == 0 else {"shaders": [shader]}
 
 

@@ -22,6 +22,8 @@ TEST(Division, ByAFloatingZeroIsMultiplication) {
         << "with what stands between";
     EXPECT_EQ(mended("a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0"),
               "a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0");
+    EXPECT_EQ(mended("a / vecLen(0.0) / vector(0.);"), "a / vecLen(0.0) / vector(0.);")
+        << "functions of the text";
     EXPECT_EQ(mended("#define NONE 0.\na / NONE;"), "#define NONE 0.\na * 1e39;");
 }
 
@@ -32,6 +34,15 @@ TEST(Division, ByAConstantThatIsZeroIsMultiplication) {
         << "its own name alone";
     const std::string hidden = "const float Z = 0.0;\nvoid f(float Z) { a / Z; }";
     EXPECT_EQ(mended(hidden), hidden) << "another variable has the name";
+    EXPECT_EQ(
+        mended(
+            "struct S { float k; };\nvoid f() { const float k = 0.; a / k; { float k; a / k; } a / "
+            "k; }\nvoid g(float k) { a / k; }\nvoid h() { a / k; }"),
+        "struct S { float k; };\nvoid f() { const float k = 0.; a * 1e39; { float k; a / k; } a * "
+        "1e39; }\nvoid g(float k) { a / k; }\nvoid h() { a / k; }")
+        << "the one that is meant at its place";
+    EXPECT_EQ(mended("void f() { for (const float k = 0.; ;) { a / k; } a / k; }"),
+              "void f() { for (const float k = 0.; ;) { a * 1e39; } a / k; }");
     EXPECT_EQ(mended("uniform float soft, hard;\nvoid f() { a / soft / hard; }"),
               "uniform float soft, hard;\nvoid f() { a * 1e39 / hard; }")
         << "a tweak that is written in as 0";

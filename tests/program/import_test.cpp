@@ -27,8 +27,8 @@ Json pass(const std::string& kind, const std::string& name, const Json& output,
             {"outputs", Json::array({{{"id", output}, {"channel", 0}}})}};
 }
 
-// Buffer A counts frames in red; Buffer B, which stands before it in the file, halves what A is in
-// this frame; each calls another buffer iChannel0. Red is B's, green what Common says, blue the
+// Buffer A counts frames in red; Buffer B, which stands before it in the file, halves what A was in
+// the last frame; each calls another buffer iChannel0. Red is B's, green what Common says, blue the
 // width of iChannel1 over 256.
 Json chain(const Json& a, const Json& b, const Json& image) {
     return Json::array(
@@ -87,8 +87,8 @@ TEST_F(Import, BothDialectsDrawTheSame) {
         ASSERT_EQ(made.code, 0) << made.err;
         EXPECT_EQ(made.out, name + ".frag\n");
         EXPECT_EQ(made.err, "");
-        // Frame 7 is the eighth: A is 8 and B is 4.
-        EXPECT_EQ(draw(name + ".frag", 7), (std::array{64, 102, 64})) << bytes(name + ".frag");
+        // Frame 7 is the eighth: A was 7 and B is 3.5.
+        EXPECT_EQ(draw(name + ".frag", 7), (std::array{56, 102, 64})) << bytes(name + ".frag");
     }
     EXPECT_TRUE(bytes("api.frag")
                     .starts_with("// A   chain, by somebody\n"
@@ -559,7 +559,7 @@ TEST_F(Import, EveryVerbTakesTheFileOfTheSiteAndDrawsWhatTheImportDraws) {
     write("toy.json",
           Json{{"Shader", {{"info", Json::object()}, {"renderpass", chain(257, 258, 37)}}}}.dump());
     const auto before = draw("toy.json", 7);
-    EXPECT_EQ(before, (std::array{64, 102, 64}));
+    EXPECT_EQ(before, (std::array{56, 102, 64}));
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"sequence", "toy.json", "--size", "64x36", "--frames", "7:7", "-o", "p%d.png"},
              {"info", "toy.json"},

@@ -50,6 +50,41 @@ TEST_F(Sound, IsAWavOfEverySampleInOrderAcrossBlocks) {
     EXPECT_EQ(bytes("c.wav").size(), 44u + 180 * 44100 * 4);
 }
 
+TEST_F(Sound, OfAnotherFormIsToldAtItsPlace) {
+    const std::string image = "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n";
+    for (const char* sound : {"vec2 mainSound(uint s, float t) { return vec2(t); }\n",
+                              "vec2 mainSound() { return vec2(0); }\n",
+                              "void mainSound(out vec2 s, float t) { s = vec2(t); }\n"}) {
+        write("wrong.frag", image + sound);
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"sound", "wrong.frag", "-o", "a.wav"},
+              {"info", "wrong.frag"}}) {
+            const Outcome told = glint(words);
+            EXPECT_EQ(told.code, 3) << sound;
+            EXPECT_NE(
+                told.err.find("wrong.frag:2:6: error: this makes the sound, and so has to be "),
+                std::string::npos)
+                << told.err;
+        }
+    }
+    write(
+        "none.frag",
+        "void mainImage(out vec4 c, in vec2 p) { float mainSound = 1.0; c = vec4(mainSound); }\n");
+    EXPECT_EQ(glint({"sound", "none.frag", "-o", "a.wav"}).code, 2);
+    write("tab.frag",
+          image +
+              "#ifdef PASS_sound\nvec2 mainSound(int s, float t) { return vec2(tiem); }\n#endif\n");
+    EXPECT_EQ(glint({"info", "tab.frag"}).code, 3) << "info compiles it, too";
+}
+
+TEST_F(Sound, TheChannelsOfTheSitesNewerFormAreThere) {
+    write("ich.frag",
+          "void mainImage(out vec4 c, vec2 p) { c = vec4(iCh1.size, iCh2.time); }\n"
+          "vec2 mainSound(float t) { return vec2(sin(t)); }\n");
+    const Outcome made = glint({"sound", "ich.frag", "-o", "a.wav", "--seconds", "0.1"});
+    EXPECT_EQ(made.code, 0) << made.err;
+}
+
 TEST_F(Sound, TheSitesOlderFormAndItsFreeNamesWork) {
     write("old.frag",
           "#ifdef PASS_sound\n"

@@ -196,6 +196,38 @@ constexpr const char* kListens =
     "    if (p.x > 1.0) c = vec4(iChannelResolution[1], 1);\n"
     "}\n";
 
+// As browsers hand it over; the alpha of what has none is 1.
+TEST_F(InputFiles, GreyStandsInAllColours) {
+    const auto grey = [](int channels) {
+        Image image{.size = {2, 2}, .channels = channels, .type = ChannelType::u8, .pixels = {}};
+        for (int i = 0; i < 4; ++i) {
+            image.pixels.push_back(std::byte{128});
+            if (channels == 2) image.pixels.push_back(std::byte{64});
+        }
+        return encoded("a.png", image);
+    };
+    const std::string text =
+        "uniform sampler2D photo; //@ image a.png filter=nearest\n"
+        "void mainImage(out vec4 c, vec2 p) {\n"
+        "    vec4 v = texelFetch(photo, ivec2(0), 0);\n"
+        "    c = vec4(p.x < 1.0 ? v.rgb : v.aaa, 1);\n"
+        "}\n";
+    for (const int channels : {1, 2}) {
+        Player player(text, {.files = {{"a.png", grey(channels)}}});
+        player.draw(0);
+        EXPECT_EQ(player.colour(0), glm::vec3(128 / 255.0f)) << channels;
+        EXPECT_EQ(player.colour(1), glm::vec3(channels == 2 ? 64 / 255.0f : 1.0f)) << channels;
+    }
+    std::vector<File> faces = six_faces();
+    faces[2].content = [&] {
+        Image image{.size = {4, 4}, .channels = 1, .type = ChannelType::u8, .pixels = {}};
+        image.pixels.assign(16, std::byte{128});
+        return encoded("a.png", image);
+    }();
+    EXPECT_EQ(cube_colour(kSix, "vec3(0, 1, 0)", faces), glm::vec3(128));
+    EXPECT_EQ(cube_colour(kSix, "vec3(1, 0.2, 0.2)", faces), glm::vec3(200, 0, 0));
+}
+
 TEST_F(InputFiles, ASoundIsItsSpectrumAndItsWaveAtTheTime) {
     Player player(kListens, {.files = {sound_file()}});
     EXPECT_EQ(player.renderer().graph().passes.back().runs, Runs::every_frame);

@@ -107,6 +107,25 @@ TEST_F(LeftOut, WhatThePictureDiscardsIsTransparentWhateverWasDrawnBefore) {
     EXPECT_EQ(picture[4], 1.0f);
 }
 
+// As with the two textures that the site has of every buffer.
+TEST_F(LeftOut, WhatABufferDiscardsStaysAsItWasTwoFramesAgo) {
+    const char* text =
+        "uniform sampler2D kept; //@ pass mainKept\n"
+        "void mainKept(out vec4 c, vec2 p) { if (iFrame > 0) discard; c = vec4(1); }\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(kept, ivec2(p), 0); }\n";
+    Player player(text);
+    for (int frame = 0; frame < 4; ++frame) {
+        player.draw(frame);
+        EXPECT_EQ(player.colour().r, frame % 2 == 0 ? 1.0f : 0.0f) << frame;
+    }
+    EXPECT_TRUE(player.renderer().graph().stateful) << "a still has to play up to its frame";
+    Player plain(
+        "uniform sampler2D kept; //@ pass mainKept\n"
+        "void mainKept(out vec4 c, vec2 p) { c = vec4(1); }  // nothing to discard\n"
+        "void mainImage(out vec4 c, vec2 p) { c = texelFetch(kept, ivec2(p), 0); discard; }\n");
+    EXPECT_FALSE(plain.renderer().graph().stateful);
+}
+
 // A text that is worth a thread of its own.
 std::string long_text(const std::string& text) {
     return text + "//" + std::string(20'000, '-') + "\n";

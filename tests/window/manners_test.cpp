@@ -47,6 +47,18 @@ TEST_F(Manners, AShadertoyThatIsDroppedBecomesASceneBesideIt) {
     EXPECT_TRUE(shows({91, 80, 70}, {3, 300}));
 }
 
+TEST_F(Manners, WhatIsNoSceneTakesNoScenesPlace) {
+    open(flat({90, 80, 70}));
+    write(folder_->path() / "photo.png", std::string("\x89PNG\0\0", 6));
+    for (const char* name : {"photo.png", "gone.frag"}) {
+        EXPECT_TRUE(screen_->drop(folder_->path() / name));
+        std::this_thread::sleep_for(300ms);
+    }
+    EXPECT_TRUE(shows({90, 80, 70}, {3, 300})) << glint_->errors();
+    EXPECT_EQ(screen_->title(), "scene - Glint");
+    EXPECT_EQ(glint_->errors().find("error"), std::string::npos) << glint_->errors();
+}
+
 TEST_F(Manners, AHeldFrameRateLowersTheResolutionAndLettingGoRestoresIt) {
     // One colour where the picture is as fine as the window, another where it is coarser.
     open(

@@ -140,11 +140,7 @@ void require_outputs(const CheckOptions& options) {
         require_apart({report}, files_expected(*read.preset));
         require_expected_apart(*read.preset, picture_folder(options, name));
     }
-    std::error_code unknown;
-    if (std::filesystem::exists(options.output, unknown) &&
-        !std::filesystem::is_directory(options.output, unknown))
-        throw UsageError(fmt::format("-o {}: this is a file; pictures of failures need a folder.",
-                                     options.output.string()));
+    require_folder(options.output);
     if (!options.junit.empty()) require_writable(options.junit);
 }
 

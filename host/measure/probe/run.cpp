@@ -9,6 +9,7 @@
 #include "measure/probe/series.h"
 #include "measure/probe/session.h"
 #include "measure/probe/watches.h"
+#include "media/image.h"
 #include "offline/frames.h"
 #include "offline/named_files.h"
 #include "scene/passes.h"
@@ -260,6 +261,9 @@ void run_probe(const ProbeOptions& options) {
     require_sense(options);
     ProbeSession session(options);
     const NamedFile map{"--map", options.map.string()};
+    if (!options.map.empty() && !can_write(options.map))
+        throw UsageError(fmt::format("--map {}: name a .png, .jpg, .exr, .tif or .hdr file.",
+                                     options.map.string()));
     require_apart({map}, files_read_for(session.preset()));
     require_apart({map}, files_expected(session.preset()));
     const ProbePlace place = session.place(options);

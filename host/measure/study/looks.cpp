@@ -162,6 +162,7 @@ void run_looks(const StudyOptions& options) {
                      .size = common_size(looks, options)};
     for (Look& look : looks)
         if (!look.picture) open_look(look, options, found.size);
+    require_folder(options.output);
     if (!options.output.empty()) require_report_apart(looks, options.output);
     draw(looks, options, found);
     round_as_the_other(looks, found);

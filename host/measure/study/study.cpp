@@ -557,6 +557,7 @@ void run_study(const StudyOptions& options) {
     if (!limit_of(options) && options.name != kBest)
         throw UsageError("--name: only what a budget chooses has one; add --ms, --rmse or --flip.");
     if (to_preset) require_preset_output(options);
+    if (!to_preset) require_folder(options.output);
     if (!options.output.empty() && !to_preset) require_report_apart(options);
     const auto context = make_egl_context(options.view.device);
     const StudyStore store(to_preset ? std::filesystem::path() : options.output);

@@ -65,6 +65,17 @@ bool is_found(const std::string& program) {
     return false;
 }
 
+// An installed Glint may be what the desktop opens scenes with.
+bool desktop_chooses_us() {
+    if (!is_found("xdg-mime")) return false;
+    const Launched child =
+        launch({.words = {"xdg-mime", "query", "default", "text/x-glint-scene"}, .output = kPipe});
+    if (child.process == 0) return false;
+    const std::string choice = read_to_end(child.pipe);
+    wait_for(child.process);
+    return choice.starts_with("glint.desktop");
+}
+
 }  // namespace
 
 std::vector<std::string> editor_command(const std::string& editor, const Place& place) {
@@ -115,6 +126,9 @@ std::string Editor::open(const Place& place) {
     }
     if (!is_found(command.front()))
         return fmt::format("No editor is found: there is no {}; set $EDITOR.", command.front());
+    const bool is_preset = std::filesystem::path(place.file).extension() == ".toml";
+    if (name == kDesktopsChoice && !is_preset && desktop_chooses_us())
+        return "The desktop opens scenes with Glint itself; set $EDITOR.";
     if (needs_terminal(command)) {
         command.insert(command.begin(), {"x-terminal-emulator", "-e"});
         if (!is_found(command.front()))

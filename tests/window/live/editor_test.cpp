@@ -63,6 +63,15 @@ TEST_F(Editors, OfTheDesktopMayBeNone) {
     EXPECT_EQ(editor.problem(), "") << "it is told once";
 }
 
+TEST_F(Editors, OfTheDesktopMayBeGlintItself) {
+    provide("xdg-open", "exit 0");
+    provide("xdg-mime", "echo glint.desktop");
+    EXPECT_NE(editor.open({"a.frag", 1, 1}).find("set $EDITOR"), std::string::npos);
+    EXPECT_EQ(editor.open({"a.toml", 1, 1}), "") << "presets are another kind";
+    provide("xdg-mime", "echo org.gnome.gedit.desktop");
+    EXPECT_EQ(editor.open({"a.frag", 1, 1}), "");
+}
+
 TEST_F(Editors, AreGivenThePlace) {
     const fs::path told = folder / "told";
     ::mkfifo(told.c_str(), 0600);
