@@ -187,9 +187,13 @@ TEST_F(Study, AFileThatCannotBeStudiedCostsTheOthersNoReport) {
 
 TEST_F(Study, AFolderThatCannotBeMadeIsNamed) {
     write("file", "");
-    const Outcome outcome = glint({"study", known_scene("quadrature").string(), "-o", "file"});
+    const std::string scene = known_scene("quadrature").string();
+    Outcome outcome = glint({"study", scene, "-o", "file"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "error: -o file: this is a file; name a folder.\n");
+    outcome = glint({"study", scene, "-o", "file/below"});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_EQ(outcome.err, "error: Cannot write file/data: Not a directory.\n");
+    EXPECT_EQ(outcome.err, "error: Cannot write file/below/data: Not a directory.\n");
 }
 
 TEST_F(Study, ABadMethodIsFound) {
