@@ -1139,7 +1139,7 @@ void mainAir(out vec4 colour, in vec2 pixel) {
         seen += 0.5 * (t1 - t0) * loss;
         float leave = -toSun + sqrt(toSun * toSun + square(6440.0) - r * r);
         vec3 shade = vec3(0.0);
-        for (int j = loopStart(); j < 8; ++j) {
+        for (int j = 0; j < 8; ++j) {
             vec3 q = p + sunward * leave * (float(j) + 0.5) / 8.0;
             float hq = max(length(q) - 6360.0, 0.0);
             shade += rayleigh * exp(-hq / 8.0) + 1.1 * mie * exp(-hq / 1.2)
@@ -1172,7 +1172,7 @@ void mainSky(out vec4 colour, in vec2 pixel) {
     vec3 clear = texture(air, vec2(turned, 0.75)).rgb, low = texture(air, vec2(turned, 0.2)).rgb;
     vec2 q = turn(rd.xz / (up + 0.05), 0.5) * vec2(0.055, 0.10) + 0.5;
     float sum = 0.0, weight = 0.5;
-    for (int i = loopStart(); i < 6; ++i) {
+    for (int i = 0; i < 6; ++i) {
         sum += weight * tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, 20 + i);
         q += 0.05 * sum;   // curls
         weight *= 0.55;

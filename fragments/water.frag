@@ -1022,7 +1022,7 @@ void mainAir(out vec4 colour, in vec2 pixel) {
         seen += 0.5 * (t1 - t0) * loss;
         float leave = -toSun + sqrt(toSun * toSun + square(6440.0) - r * r);
         vec3 shade = vec3(0.0);
-        for (int j = loopStart(); j < 8; ++j) {
+        for (int j = 0; j < 8; ++j) {
             vec3 q = p + sunward * leave * (float(j) + 0.5) / 8.0;
             float hq = max(length(q) - 6360.0, 0.0);
             shade += rayleigh * exp(-hq / 8.0) + 1.1 * mie * exp(-hq / 1.2)
@@ -1062,7 +1062,7 @@ float alongWind(vec3 rd, float v) {
     vec2 q = turn(rd.xz / (up + 0.10), 0.5) * vec2(0.030, 0.075) + 0.5;
     if (sea) q = turn(rd.xz / (up + 0.004), 0.9) * vec2(0.013, 0.060) + 0.5;
     float row = sea ? 0.055 * 2.0 * abs(v) * dv / square(up + 0.004) : 0.0;
-    for (int i = loopStart(); i < 6; ++i) {
+    for (int i = 0; i < 6; ++i) {
         float keep = clamp(1.4 - row * float(6 << i), 0.0, 1.0);
         float noise = tiledNoise(min(fract(q), 0.999999), ivec2(6) << i, (sea ? 50 : 20) + i);
         sum += weight * keep * (sea ? noise - 0.5 : noise);
