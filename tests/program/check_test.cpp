@@ -125,6 +125,7 @@ TEST_F(Check, WhatABufferPromisesIsDrawnOverTheFramesHeldOrBroken) {
     EXPECT_NEAR(held["curves"][0]["points"].back()[2].get<double>(), 1.3, 1e-4) << "300 roundings";
     const Json broken = scene("broken", "conserves=0.01");
     EXPECT_EQ(broken["verdict"], "fail");
+    EXPECT_TRUE(broken["reproduce"].get<std::string>().starts_with("glint check ")) << broken;
     for (const Json& found : {held, broken}) {
         if (std::system("gnuplot --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no gnuplot";
         const std::string file = found["diagram"];
