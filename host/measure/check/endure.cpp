@@ -62,18 +62,14 @@ std::string why_not(const Check& check, StateCurves& curves, Invariants& invaria
     if (curves.explodes(usual) || chatters_by_steps(check, curves, usual))
         return fmt::format("the state explodes to {:.3g} (with the preset's values {:.3g})",
                            curves.largest(), usual);
-    const auto broken_promise = [&] {  // of a buffer in some frame, which no still tells of
-        if (!invariants.broken().empty()) check.subject.still.reset();
-        return invariants.broken();
-    };
     const std::size_t seen = curves.frames();
     std::string growth = curves.growth();
     if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
     if (growth.empty() || !play_curves(check, kConfirmed, curves, invariants))
-        return broken_promise();
+        return invariants.broken();
     const bool goes_on = curves.frames() == seen || !curves.growth(seen).empty() ||
                          curves.largest() > std::max(kFar, kFar * usual);
-    return goes_on ? growth : broken_promise();
+    return goes_on ? growth : invariants.broken();
 }
 
 void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) {

@@ -215,6 +215,12 @@ void run_mixed_steps(Check& check, CaseResult& result) {
 void run_long(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     Invariants invariants(subject);
+    const auto is_broken = [&] {
+        if (invariants.broken().empty()) return false;
+        result.fail(invariants.broken());
+        subject.still.reset();  // it is a buffer's, in some frame
+        return true;
+    };
     if (!subject.stateful()) {
         const int moments = check.paced(kMoments, 12);
         for (int k = 0; k < moments; ++k) {
@@ -223,7 +229,7 @@ void run_long(Check& check, CaseResult& result) {
         }
         result.curves = invariants.curves();
         result.note = fmt::format("{} moments over 10 minutes{}", moments, invariants.words());
-        if (!invariants.broken().empty()) result.fail(invariants.broken());
+        is_broken();
         return;
     }
     const int wanted = check.effort.frames.value_or(Effort::kFrames);
@@ -241,7 +247,7 @@ void run_long(Check& check, CaseResult& result) {
                                 : fmt::format("{} frames", done);
     result.note += invariants.words();
     result.curves = invariants.curves();
-    if (!invariants.broken().empty()) return result.fail(invariants.broken());
+    if (is_broken()) return;
     const std::size_t quarter = curves.frames() / 4;
     if (quarter == 0) return;
     const float first = curves.largest_before(quarter);
