@@ -68,9 +68,10 @@ std::optional<Span> find_line(const Scene& scene, std::string_view name) {
     for (const Origin& origin : scene.origins) {
         const std::size_t end = std::min(scene.text.find('\n', begin), scene.text.size() - 1) + 1;
         const std::filesystem::path& path = scene.files[origin.file];
-        const bool is_file =
-            file.empty() ? origin.file == 0 : ends_in(path, file) || is_same(path, file);
-        if (is_file && origin.line == number) return Span{begin, end};
+        const auto is_file = [&] {
+            return file.empty() ? origin.file == 0 : ends_in(path, file) || is_same(path, file);
+        };
+        if (origin.line == number && is_file()) return Span{begin, end};
         begin = end;
     }
     return {};

@@ -81,7 +81,8 @@ TEST_F(LeftOut, NothingIsBegunForLaterFramesWhileThePictureIsDrawn) {
     const std::size_t passes = std::thread::hardware_concurrency() + 2, last = passes - 1;
     CompileAhead ahead(passes, compile, nullptr);
     if (!ahead.is_there()) GTEST_SKIP() << "one processor";
-    std::this_thread::sleep_for(30ms);
+    for (int k = 0; k < 5000 && begun == 0; ++k) std::this_thread::sleep_for(1ms);
+    std::this_thread::sleep_for(30ms);  // the other threads
     const std::size_t threads = begun;
     const std::jthread ends([&] {
         std::this_thread::sleep_for(10ms);
