@@ -146,7 +146,6 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     if (display_ < 0) display_ = wayland_descriptor();
     listen();
     set_ground(window_);
-    glfwShowWindow(window_);
 }
 
 Window::~Window() {
@@ -186,6 +185,7 @@ void Window::close() {
 }
 void Window::show() {
     if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) glfwRestoreWindow(window_);
+    glfwShowWindow(window_);
 }
 void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());

@@ -44,7 +44,7 @@ public:
     bool is_visible() const;      // false while minimised
     bool should_close() const;
     void close();  // at once; what a person closes arrives as an event
-    void show();   // where it was minimised
+    void show();   // it is hidden at first, and may be minimised
     void set_title(const std::string& title);
     void set_full_screen(bool full_screen);
     bool is_full_screen() const;

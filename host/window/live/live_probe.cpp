@@ -1,6 +1,6 @@
 #include "window/live/live_probe.h"
 
-#include "window/live/start_picture.h"
+#include "window/live/picture_shelf.h"
 
 #include <nlohmann/json.hpp>
 

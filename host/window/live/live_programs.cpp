@@ -27,8 +27,9 @@ double compile_ms_of(const Verdict& verdict) {
 
 }  // namespace
 
-LivePrograms::LivePrograms(const std::string& device, bool specialise, KeptVerdicts verdicts)
-    : trial_({.device = device}), verdicts_(std::move(verdicts)) {
+LivePrograms::LivePrograms(Trial& trial, const std::string& device, bool specialise,
+                           KeptVerdicts verdicts)
+    : trial_(trial), verdicts_(std::move(verdicts)) {
     if (specialise) standby_.emplace(device);
 }
 

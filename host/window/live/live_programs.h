@@ -19,9 +19,10 @@ namespace glint {
 // To be used on one thread, with the GL context current that draws.
 class LivePrograms {
 public:
-    // On this device. `specialise`: constants are wanted once the tweaks rest, and fed programs
-    // until then; else nothing but uniforms. What has passed its trial before is in `verdicts`.
-    LivePrograms(const std::string& device, bool specialise, KeptVerdicts verdicts);
+    // `trial` tries what was opened or saved, on this device. `specialise`: constants are wanted
+    // once the tweaks rest, and fed programs until then; else nothing but uniforms. What has passed
+    // its trial before is in `verdicts`.
+    LivePrograms(Trial& trial, const std::string& device, bool specialise, KeptVerdicts verdicts);
 
     // How a text is compiled for these programs.
     ProgramOptions options(Programs programs) const;
@@ -99,7 +100,7 @@ private:
     const Verdict& follow_known();
 
     ProgramShelf shelf_;
-    Trial trial_;
+    Trial& trial_;
     std::optional<Standby> standby_;  // where constants are wanted
     ProgramLoader loader_;            // of what was tried
     KeptVerdicts verdicts_;

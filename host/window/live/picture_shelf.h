@@ -1,6 +1,7 @@
-// Picture files as buffers that the viewer can show.
+// Pictures as buffers that the viewer can show, and the other way.
 #pragma once
 
+#include "media/image.h"
 #include "render/buffer.h"
 
 #include <deque>
@@ -8,6 +9,13 @@
 #include <memory>
 
 namespace glint {
+
+// A picture of bytes as a buffer that the viewer can show. Null for other pictures.
+std::unique_ptr<Buffer> buffer_of(const Image& image);
+
+// The other way: what a buffer shows, RGB, made smaller where a side is longer than `longest`
+// pixels. Waits for the GPU.
+Image picture_of(const Buffer& buffer, int longest);
 
 class PictureShelf {
 public:

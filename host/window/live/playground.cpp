@@ -51,12 +51,13 @@ std::vector<std::filesystem::path> watched_files(const std::vector<std::filesyst
 
 }  // namespace
 
-Playground::Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options)
+Playground::Playground(Context& context, Trial& trial, glm::ivec2 size,
+                       const PlaygroundOptions& options)
     : context_(context),
       options_(options),
       size_(size),
       full_size_(size),
-      programs_(options.device, options.specialise,
+      programs_(trial, options.device, options.specialise,
                 KeptVerdicts(options.verdicts, context.driver())),
       sketcher_(options.device),
       reloader_(reload_steps(),

@@ -52,9 +52,11 @@ class Playground {
     static constexpr double kLongestCatchUp = 0.25;  // s
 
 public:
-    // `context` is current in every call, and outlives the playground. Throws std::system_error
-    // where the process has no descriptor left to follow files with.
-    Playground(Context& context, glm::ivec2 size, const PlaygroundOptions& options = {});
+    // `context` is current in every call; it and `trial`, which tries what is opened or saved,
+    // outlive the playground. Throws std::system_error where the process has no descriptor left to
+    // follow files with.
+    Playground(Context& context, Trial& trial, glm::ivec2 size,
+               const PlaygroundOptions& options = {});
     ~Playground();
 
     // --- The file ---

@@ -1,7 +1,7 @@
 // What a saved text will look like is drawn by a process that compiles quickly, while another one
 // compiles what is to be drawn for good.
+#include "window/live/picture_shelf.h"
 #include "window/live/playground.h"
-#include "window/live/start_picture.h"
 
 #include <algorithm>
 #include <ranges>

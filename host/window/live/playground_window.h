@@ -175,8 +175,7 @@ private:
     bool awaits_first_frame() const;
     void begin_start();
     bool follow_start();
-    bool show_start_picture();
-    void show_start_alone();
+    bool shows_start_picture() const;
     void keep_picture();
     void tell_start(Facts& facts) const;
 
@@ -207,14 +206,15 @@ private:
     ViewOptions options_;  // size and tweaks are those of the file that was opened first
     KeptPictures kept_pictures_;
     StartPicture::Reading begun_picture_;
+    Trial trial_;  // its process loads its driver while this one loads the window's
     Window window_;
+    Panels panels_;
     StartPicture start_picture_;
     CrashMark crash_mark_;
     UnsavedWork unsaved_work_;
     Playground playground_;
     Viewer viewer_;
     PanelSettings settings_;
-    Panels panels_;
     Browser browser_;
     Recent recent_;
     LiveStudy study_;

@@ -13,7 +13,8 @@ constexpr ProgramOptions kFed{.specialise = false, .lean = true, .feed = true};
 
 // Frames with uniforms are slower than those that a person is warned of.
 Standby::Standby(const std::string& device)
-    : options_(kFed), trial_({.device = device, .slow_ms = 4000.0, .niceness = 19}) {}
+    : options_(kFed),
+      trial_({.device = device, .slow_ms = 4000.0, .niceness = 19, .at_once = false}) {}
 
 void Standby::prepare(const Preset& shown, glm::ivec2 size, double time) {
     preset_ = shown;

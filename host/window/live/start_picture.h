@@ -1,12 +1,16 @@
-// What stands in the window from the start until the scene draws.
+// What stands in the window from the start until the scene draws. It is drawn with the panels, by
+// their program and as a texture of the same kind as their letters: on the processor a driver that
+// has kept nothing makes code for each kind, for which both would wait.
 #pragma once
 
+#include "gl/objects.h"
 #include "media/image.h"
-#include "render/buffer.h"
+
+#include <glm/vec2.hpp>
 
 #include <filesystem>
 #include <future>
-#include <memory>
+#include <optional>
 #include <utility>
 
 namespace glint {
@@ -20,6 +24,13 @@ public:
         std::future<Image> image;
     };
     static Reading begin(const std::filesystem::path& file);
+
+    // A picture in the lower left of a texture whose sides are powers of two.
+    struct Shown {
+        Texture texture;
+        glm::ivec2 size{0};    // pixels of the picture
+        glm::vec2 share{0.0};  // of the texture that is the picture
+    };
 
     StartPicture() = default;
     explicit StartPicture(Reading reading)
@@ -40,19 +51,12 @@ public:
 
     bool is_reading() const { return reading_.valid(); }
     // Null until it is there, and where there is none.
-    const Buffer* buffer() const { return buffer_.get(); }
+    const Shown* shown() const { return shown_ ? &*shown_ : nullptr; }
 
 private:
     std::filesystem::path file_;
     std::future<Image> reading_;
-    std::unique_ptr<Buffer> buffer_;
+    std::optional<Shown> shown_;
 };
-
-// A picture of bytes as a buffer that the viewer can show. Null for other pictures.
-std::unique_ptr<Buffer> buffer_of(const Image& image);
-
-// The other way: what a buffer shows, RGB, made smaller where a side is longer than `longest`
-// pixels. Waits for the GPU.
-Image picture_of(const Buffer& buffer, int longest);
 
 }  // namespace glint

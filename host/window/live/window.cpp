@@ -61,18 +61,19 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
       kept_pictures_(home_folder("XDG_CACHE_HOME", ".cache") / "pictures"),
       begun_picture_(StartPicture::begin(kept_pictures_.find(canonical_name(options.file)))),
+      trial_({.device = options.device}),
       window_(size_at_start(options), "Glint"),
+      panels_(window_.handle(), window_.content_scale(),
+              home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
       start_picture_(std::move(begun_picture_)),
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
-      playground_(window_, window_.size(),
+      playground_(window_, trial_, window_.size(),
                   {.device = options.device,
                    .specialise = options.specialise,
                    .start_states = home_folder("XDG_CACHE_HOME", ".cache") / "states",
                    .maps = home_folder("XDG_CACHE_HOME", ".cache") / "maps",
                    .verdicts = home_folder("XDG_CACHE_HOME", ".cache") / "trials"}),
-      panels_(window_.handle(), window_.content_scale(),
-              home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
       browser_(home_folder("XDG_CACHE_HOME", ".cache")),
       recent_(home_folder("XDG_STATE_HOME", ".local/state") / "recent"),
       study_(home_folder("XDG_CACHE_HOME", ".cache") / "study",
@@ -82,6 +83,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
       refiner_(options.device),
       probe_(options.device),
       kept_resolutions_(home_folder("XDG_STATE_HOME", ".local/state") / "resolution") {
+    window_.show();
     std::error_code error;
     if (options.file.empty() || fs::is_directory(options.file, error)) {
         browse(options.file.empty() ? "." : options.file);
@@ -93,9 +95,9 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
 }
 
 int PlaygroundWindow::run() {
+    panels_.compile();  // while the screen makes room for the window
     // However soon the trial is over: what follows then takes its time.
     if (awaits_first_frame()) {
-        show_start_alone();
         draw_frame();
     }
     while (!window_.should_close() && end_signals_.arrived() == 0) {
@@ -269,7 +271,7 @@ void PlaygroundWindow::show_picture() {
     glClearColor(0.07f, 0.07f, 0.08f, 1.0f);
     if (!playground_.has_picture()) glClearColor(0.21f, 0.25f, 0.31f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (show_start_picture() || !playground_.has_picture() || show_finding()) return;
+    if (shows_start_picture() || !playground_.has_picture() || show_finding()) return;
     BufferView view = buffer_view();
     if (show_value(view) || show_sketch(view) || show_refined(view)) return;
     const Output viewed = find_output(playground_, settings_.view.sampler);

@@ -35,18 +35,8 @@ bool PlaygroundWindow::follow_start() {
 }
 
 // In place of the scene that was open before, too, unless that is all there will be.
-bool PlaygroundWindow::show_start_picture() {
-    if (!awaits_first_frame() || !start_picture_.buffer()) return false;
-    const Buffer& picture = *start_picture_.buffer();
-    viewer_.show(picture, {}, fitted(picture.shape().size));
-    return true;
-}
-
-// A driver that has kept nothing compiles what panels are drawn with for longer than the picture.
-void PlaygroundWindow::show_start_alone() {
-    if (!start_picture_.buffer()) return;
-    show_picture();
-    window_.swap();
+bool PlaygroundWindow::shows_start_picture() const {
+    return awaits_first_frame() && start_picture_.shown();
 }
 
 // What is on the screen, for the next time that this file is opened.
@@ -65,7 +55,14 @@ void PlaygroundWindow::tell_start(Facts& facts) const {
     const bool waits = awaits_first_frame();
     facts.waits_for = waits ? playground_.waits_for() : "";
     facts.waited = since_open_.ms() / 1000.0;
-    facts.shows_picture = playground_.has_picture() || (waits && start_picture_.buffer());
+    facts.shows_picture = playground_.has_picture() || shows_start_picture();
+    if (!shows_start_picture()) return;
+    const StartPicture::Shown& shown = *start_picture_.shown();
+    const ScreenArea area = fitted(shown.size);
+    facts.start_picture = {.texture = shown.texture.id(),
+                           .share = shown.share,
+                           .origin = area.origin,
+                           .size = area.size};
 }
 
 }  // namespace glint

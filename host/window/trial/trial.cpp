@@ -33,8 +33,9 @@ std::string ending_words(int code) {
 
 }  // namespace
 
-Trial::Trial(TrialOptions options) : options_(std::move(options)) {
-    spawn();
+Trial::Trial(TrialOptions options)
+    : options_(std::move(options)), heard_(std::make_unique<TrialAnswer>()) {
+    if (options_.at_once) spawn();
 }
 
 Trial::~Trial() = default;

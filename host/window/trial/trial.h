@@ -80,6 +80,7 @@ struct TrialOptions {
     double compile_seconds = 20.0;  // for a compile; it holds nobody up
     double slow_ms = 1000.0;        // a warning names the likely loop from this expected frame on
     int niceness = 0;               // of the other process
+    bool at_once = true;            // else the process starts with the first candidate
 };
 
 // Keeps a process at hand; a new one is started in the background when one had to be killed. To be

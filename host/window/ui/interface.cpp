@@ -99,6 +99,7 @@ Wishes Interface::build(const Facts& facts, const TweakValues& tweaks, const Tra
     follow_notice(facts);
     close_popup_by_key();
     follow_keys(settings);
+    start_picture(build);
     if (screen.x >= 1.0f && screen.y >= 1.0f && settings.visible) {
         if (!facts.shows_picture && !facts.file.empty()) ground(build);
         waiting_label(build);

@@ -119,6 +119,7 @@ void dialogs(Build& build, SavingState& saving, NewSceneState& new_scene);
 void error_line(Build& build);  // where the panels are hidden
 void wipe_handle(Build& build);
 void shown_labels(Build& build);
+void start_picture(Build& build);
 void ground(Build& build);         // where there is no picture
 void waiting_label(Build& build);  // what the first frame waits for
 void pixel_grid(Build& build);

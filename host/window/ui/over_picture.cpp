@@ -86,6 +86,18 @@ void ground(Build&) {
                                                             kBottom);
 }
 
+void start_picture(Build& build) {
+    const StartPictureFact& picture = build.facts.start_picture;
+    const ImVec2 ratio = ImGui::GetIO().DisplayFramebufferScale;
+    if (picture.texture == 0 || ratio.x <= 0.0f || ratio.y <= 0.0f) return;
+    const glm::vec2 scale{ratio.x, ratio.y};
+    const glm::vec2 low = glm::vec2(picture.origin) / scale, size = glm::vec2(picture.size) / scale;
+    const float bottom = ImGui::GetIO().DisplaySize.y - low.y;
+    ImGui::GetBackgroundDrawList()->AddImage(
+        reinterpret_cast<ImTextureID>(std::uintptr_t{picture.texture}), {low.x, bottom - size.y},
+        {low.x + size.x, bottom}, {0, picture.share.y}, {picture.share.x, 0});
+}
+
 // In the last line of the picture: over one that is known, or over the ground.
 void waiting_label(Build& build) {
     const Facts& facts = build.facts;

@@ -162,6 +162,7 @@ Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::p
     remember(state_->remembered, state_->memory);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_NewFrame();  // makes its program and the letters
 }
 
 Panels::~Panels() {
@@ -178,6 +179,16 @@ void Panels::rescale(float content_scale) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     state_->frames_to_settle = 3;
+}
+
+void Panels::compile() {
+    ImGui::SetCurrentContext(state_->context);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {1, 1};
+    ImGui::NewFrame();
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {1, 1}, IM_COL32_WHITE);
+    ImGui::Render();
+    draw();
 }
 
 Wishes Panels::update(const Facts& facts, TweakValues& tweaks, const Transport& transport,

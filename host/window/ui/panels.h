@@ -106,6 +106,13 @@ enum class Question {
     overwrite,  // the file says by now what nobody here has read: save, or cancel
 };
 
+// The picture that stands for a scene until it draws, in the lower left of a GL texture; 0: none.
+struct StartPictureFact {
+    std::uint32_t texture = 0;
+    glm::vec2 share{0.0f};              // of the texture that is the picture
+    glm::dvec2 origin{0.0}, size{0.0};  // pixels of the window, y up
+};
+
 // What the panels need to know for one frame. What is pointed at is the window's.
 struct Facts {
     const Scene* scene = nullptr;  // null while nothing is open
@@ -123,6 +130,7 @@ struct Facts {
     std::string waits_for;
     double waited = 0.0;         // s
     bool shows_picture = false;  // the scene, or a picture that stands for it until it draws
+    StartPictureFact start_picture;
     std::span<const Diagnostic> diagnostics;
     std::span<const EmptyChannel> empty_channels;
     std::string last_reload;  // one line
@@ -240,6 +248,10 @@ public:
 
     // Draws what update() built over framebuffer 0.
     void draw();
+
+    // Draws a dot, so that the driver makes code of what panels are drawn with: to be called where
+    // nobody waits for it, before the first update().
+    void compile();
 
     // A press or release since the last update(), at a place in pixels of the framebuffer, y up,
     // with Ctrl held or not. A slow scene leaves seconds between two frames: clicks count where
