@@ -184,6 +184,9 @@ struct Scene {
     std::vector<double> heights;  // at the middle or an edge of something, or between them
     std::vector<double> angles;   // along the faces of boxes that are turned
 };
+void PrintTo(const Scene& scene, std::ostream* out) {
+    *out << scene.name;
+}
 const std::vector<Scene> kScenes = {
     {"analytic", {4.0, 7.6}, {0.3, 0.56, 0.8, 1.36, 1.8, 6.0}, {25.7831008, 35.5234}},
     {"boat", {3.0, 8.5}, {1.0, 2.0, 3.0, 4.0, 5.0}, {}},
@@ -242,6 +245,9 @@ struct Room {
     std::string scene, light;  // what arrives at a against b
     glm::vec3 low, high;       // where rays start, m
 };
+void PrintTo(const Room& room, std::ostream* out) {
+    *out << room.scene;
+}
 const std::vector<Room> kRooms = {
     {"analytic", "lightAlong(a.xyz, b.xyz, vec2(0.0, 0.002))", {-4, 0.1, -4}, {4, 4, 4}},
     {"caustics", "render(a.xyz, b.xyz, 0.002, 0.5)", {-4, 0.05, -4}, {4, 2.3, 4}},

@@ -3,7 +3,10 @@
 
 #include <csignal>
 #include <functional>
+#include <thread>
 #include <tuple>
+
+using namespace std::chrono_literals;
 
 namespace glint::window::work_test {
 namespace {
@@ -273,6 +276,7 @@ TEST_F(Work, OnTheSceneBeforeIsSavedByItsOwnPresetWhereAnotherIsBroken) {
     EXPECT_TRUE(screen_->drop(broken));
     ASSERT_TRUE(glint_->says("broken.toml: not shown")) << glint_->errors();
     change();
+    std::this_thread::sleep_for(500ms);  // the programs of the new values are there, and time runs
     screen_->tap("Control_L+Shift_L+s");
     const fs::path copy = folder_->path() / "broken-2.toml";
     EXPECT_TRUE(enter_until([&] { return fs::exists(copy); })) << glint_->errors();

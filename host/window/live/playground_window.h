@@ -247,8 +247,10 @@ private:
     std::filesystem::path folder_{"."};  // whose files the browser lists
     std::filesystem::path place_;  // the same for every name of it, wherever the program stands
     bool values_known_ = false;    // the file has been shown
-    // Those of the scene that is on the screen until the file is shown, as they were left.
+    // Of the scene that is on the screen until the file is shown, as it was left: its values, and
+    // when its file starts, s.
     std::vector<TweakValue> left_values_;
+    double left_time_ = 0.0;
     // Of the sets A and B: which have values that the file lacks, and the values at which nobody
     // has worked in one: those of the file, as it is or was.
     std::array<bool, 2> worked_in_{};

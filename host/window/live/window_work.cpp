@@ -222,6 +222,7 @@ void PlaygroundWindow::open(const fs::path& file) {
     worked_in_ = {};
     at_rest_ = {};
     left_values_ = playground_.tweaks.values();
+    if (const Preset* written = playground_.as_written()) left_time_ = written->time;
     recorded_.clear();
     start_time_.reset();
     watch_.reset();
@@ -302,7 +303,7 @@ void PlaygroundWindow::import_or_open(const fs::path& file) {
 Preset PlaygroundWindow::preset_to_save() const {
     Preset preset = playground_.current_preset();
     const Preset* written = playground_.as_written();
-    preset.time = start_time_.value_or(written ? written->time : playground_.preset()->time);
+    preset.time = start_time_.value_or(written ? written->time : left_time_);
     preset.watch = watch();
     const std::optional<glm::ivec2> frame = frame_size();
     const bool is_free = !frame || settings_.free_aspect;
