@@ -26,8 +26,8 @@
 //          gathered, caustics: every frame, small.
 // Bounds   The loops of a pixel stay below 30,000 turns with every reference on.
 // Defaults From `glint study presets/deep_ocean.toml`: marchSteps 128 would draw what 1024 do; 256
-//          leave no more than 0.1 % of the rays out of steps over any floor; 12 shaftSamples are
-//          0.015 from 256 in half of their time.
+//          leave no more than 0.1 % of the rays out of steps over any floor; 24 shaftSamples are
+//          0.008 from 256, and 16 were 0.014, in 0.95 of the time; so in the other presets.
 // Licence  MIT
 
 // ---- Tweaks -------------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ uniform float exposure;        //@ 0.3 [-4, 6] unit=stop "before the display cur
 //@ group Quality
 uniform int   march;           //@ 0 {bounded, even} norandom "steps to the floor; even: to compare"
 uniform int   marchSteps; //@ 256 [16, 1024] log quality reference=1024 second=march=even "of a ray to the floor"
-uniform int   shaftSamples;    //@ 16 [1, 256] log quality reference=256 "along one view ray"
+uniform int   shaftSamples;    //@ 24 [1, 256] log quality reference=256 "along one view ray"
 uniform int   antialias;       //@ 1 [1, 16] quality reference=16 "samples of a pixel"
 uniform int   cutout;          //@ 1 {threshold, coverage} "how thin things and tears are cut out"
 
