@@ -232,8 +232,11 @@ void Renderer::reset() {
 }
 
 void Renderer::redraw_all() {
-    for (std::size_t i = 0; i < buffers_.size(); ++i)
-        if (scene_.graph.passes[i].runs == Runs::on_change) forget_drawn(i);
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const GraphPass& pass = scene_.graph.passes[i];
+        if (pass.runs != Runs::every_step && !pass.feedback && !pass.carries) forget_drawn(i);
+    }
+    force_root_ = true;
 }
 
 std::vector<PassState> Renderer::state() const {

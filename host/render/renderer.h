@@ -87,8 +87,8 @@ public:
     // Buffers to 0 and simulations to their start; everything is drawn again.
     void reset();
 
-    // What nothing has changed is drawn in the next frame nevertheless. What frames before have
-    // left stays as it is.
+    // Every pass is drawn in the next frame, also where nothing has changed: for those who look at
+    // passes while they are drawn. What frames before have left stays as it is.
     void redraw_all();
 
     // All that the next frame depends on, bit for bit; waits for the GPU.

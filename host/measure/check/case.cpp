@@ -141,7 +141,7 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
              k <= playback.last_frame() && !watch.is_seen(); ++k) {
             const Frame frame = playback.frame(subject.preset, k);
             watch.begin(frame);
-            subject.renderer().redraw();
+            subject.renderer().redraw_all();
             subject.draw_blindly(frame);
         }
         if (!watch.first()) return;

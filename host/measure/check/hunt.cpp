@@ -53,7 +53,7 @@ public:
         for (int k = subject_.stateful() ? 0 : last; k <= last && finite; ++k) {
             const Frame frame = playback.frame(subject_.preset, k);
             subject_.still = StillPlace{frame.time, playback.fps};
-            if (k == last && survey_) survey_->begin(frame);
+            if (k == last && survey_) survey_->begin(frame, std::exchange(anew_, reports_));
             finite = subject_.draw(frame);
             if (survey_) survey_->end();
             if (k == last / 2 && subject_.stateful()) earlier = subject_.largest_state();
@@ -67,6 +67,9 @@ public:
         if (subject_.stateful() && finite) add_state(point, earlier, trial);
         return trial;
     }
+
+    // From now on a point is looked at as if it were the first, for the sake of what is said of it.
+    void begin_report() { anew_ = reports_ = true; }
 
     // Where the state grew most within its few frames, and where it became largest.
     const Point& steepest() const { return steepest_; }
@@ -98,6 +101,7 @@ private:
     float most_growth_ = 0.0f, most_ = 0.0f;
     std::unique_ptr<FaultSurvey> survey_;
     std::optional<ProbeFault> fault_;
+    bool anew_ = true, reports_ = false;  // passes that nothing has changed for are looked at, too
 };
 
 std::string words_of(const ProbeFault& fault) {
@@ -111,6 +115,7 @@ std::string words_of(const ProbeFault& fault) {
 
 // Of one that is known to fail, the smallest; leaves the subject there.
 void report(Hunter& hunter, Check& check, const Point& found, CaseResult& result) {
+    hunter.begin_report();
     const auto fails = [&](const Point& point) { return hunter(point).fails; };
     const Point& usual = hunter.space().usual();
     const Point point = smallest(found, usual, fails, kSmallest);

@@ -68,7 +68,7 @@ public:
         const double time = subject_.stateful() ? kRoundedFrames / 60.0 : subject_.preset.time;
         const Frame frame = subject_.frame_at(time, 1.0 / 60, std::lround(time * 60.0));
         subject_.renderer().before_pass = [&](std::size_t index) { over_pass(index, frame); };
-        subject_.renderer().redraw();
+        subject_.renderer().redraw_all();
         subject_.draw(frame);
         subject_.renderer().before_pass = nullptr;
     }

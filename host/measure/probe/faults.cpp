@@ -251,14 +251,14 @@ FaultSurvey::~FaultSurvey() {
     renderer_.before_pass = nullptr;
 }
 
-void FaultSurvey::begin(const Frame& frame) {
+void FaultSurvey::begin(const Frame& frame, bool anew) {
     std::size_t sites = 0;
     for (const Probe& probe : probes_) sites += probe.probed().sites.size();
     distances_.assign(sites, std::numeric_limits<float>::infinity());
     fault_.reset();
     frame_ = &frame;
     ++turn_;
-    renderer_.redraw();
+    anew ? renderer_.redraw_all() : renderer_.redraw();
     renderer_.before_pass = [this](std::size_t index) { look(index); };
 }
 

@@ -62,8 +62,9 @@ public:
     FaultSurvey(const FaultSurvey&) = delete;
     FaultSurvey& operator=(const FaultSurvey&) = delete;
 
-    // Frames that are drawn in between are looked at; `frame` is the one.
-    void begin(const Frame& frame);
+    // Frames that are drawn in between are looked at; `frame` is the one. `anew`: in all passes, not
+    // only in those that something has changed for.
+    void begin(const Frame& frame, bool anew);
     void end();
     // Of that frame, by site: the smallest distance, or infinity.
     const std::vector<float>& distances() const { return distances_; }

@@ -62,7 +62,7 @@ void LoopTurns::count(const Frame& frame, const std::function<void()>& draw) {
             pass_ = pass_name(preset_.scene, renderer_.graph().passes[index].pass);
         }
     };
-    renderer_.redraw();
+    renderer_.redraw_all();
     draw();
     renderer_.before_pass = nullptr;
 }
