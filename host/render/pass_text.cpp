@@ -4,6 +4,7 @@
 #include "glsl/division.h"
 #include "glsl/lean.h"
 #include "glsl/numbers.h"
+#include "render/macro_mends.h"
 #include "render/own_overloads.h"
 #include "scene/own_main.h"
 #include "scene/scene_text.h"
@@ -455,43 +456,6 @@ std::string numbers_uniform(const std::vector<float>& numbers) {
     return fmt::format("uniform vec4 {}[{}];\n", kNumbers, (numbers.size() + 3) / 4);
 }
 
-// GLSL has no `#a` and no `a##b`. Mesa refuses a macro that has them where it is defined, the site
-// where it is used; so that nothing is left of the body of one that nobody uses.
-void empty_idle_macros(const Reading& reading, Edits& edits) {
-    const auto names = [](const Macro& macro, std::string_view name) {
-        return std::ranges::any_of(macro.body, [&](const Token& token) { return token.is(name); });
-    };
-    for (std::uint32_t i = 0; i < reading.macros.size(); ++i) {
-        const Macro& macro = reading.macros[i];
-        if (macro.definition.begin == macro.definition.end || macro.body.empty() ||
-            (!names(macro, "#") && !names(macro, "##")))
-            continue;
-        const bool is_used =
-            std::ranges::any_of(reading.uses, [&](const auto& use) { return use.macro == i; }) ||
-            std::ranges::any_of(reading.macros,
-                                [&](const Macro& other) { return names(other, macro.name); });
-        const Span body{macro.body.front().begin, macro.definition.end};
-        const auto lines =
-            std::ranges::count(reading.text.substr(body.begin, body.end - body.begin), '\n');
-        if (!is_used) edits.replace_bytes(body, std::string(static_cast<std::size_t>(lines), '\n'));
-    }
-}
-
-// The site's compiler defines none of the macros by which extensions tell that they are there.
-void hide_extensions(const Reading& reading, Edits& edits) {
-    constexpr std::string_view kBegin = "GL_", kAsks[] = {"if", "ifdef", "ifndef", "elif"};
-    for (const Directive& line : reading.directives) {
-        if (!is_one_of(line.word, kAsks)) continue;
-        for (std::uint32_t i = line.rest.begin; i < line.rest.end; ++i) {
-            const Token& token = reading.written[i];
-            const std::size_t vendor = token.text.find('_', kBegin.size());
-            if (token.text.starts_with(kBegin) && vendor != token.text.npos &&
-                token.text != "GL_FRAGMENT_PRECISION_HIGH")
-                edits.replace_bytes(token.span(), fmt::format("glint{}", token.text.substr(2)));
-        }
-    }
-}
-
 // Passes of a text are asked for one after the other, and reading it is half of the work. A text
 // without a part for one pass alone reads the same for all.
 const Reading& reading_for(const Scene& scene, std::size_t pass) {
@@ -558,7 +522,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
     else if (probe)
         put_in_place_of("gl_FragCoord", "glint0_coord", reading, edits);
-    empty_idle_macros(reading, edits);
+    const bool needs_gap = mend_macros(reading, edits);
     if (!plain_main) hide_extensions(reading, edits);
     name_parameters(reading, edits);
     mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
@@ -574,6 +538,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         result.probed =
             instrument(reading, *probe, reading.reached_from({entry_of(scene, pass)}), edits);
     result.text = prologue(preset, pass, options, probe, reading, defined);
+    if (needs_gap) result.text += kGap;
     result.text += numbers_uniform(result.numbers);
     if (plain_main) result.text += kBeforePlainMain;
     if (has_main) result.text += before_own_main(reading, plain_main);
