@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <stdexcept>
 
 namespace glint {
@@ -16,9 +17,23 @@ constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 // A handler is given nothing but the number.
 volatile std::sig_atomic_t last_signal = 0;
 int write_end = -1;
+timespec heard{};  // when the first came
+
+// A terminal that is closed tells of it twice, milliseconds apart.
+bool is_repetition() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    const auto ns = [](const timespec& t) { return t.tv_sec * 1'000'000'000LL + t.tv_nsec; };
+    if (last_signal == 0) heard = now;
+    return ns(now) - ns(heard) < 1'000'000'000LL;
+}
 
 void hear(int signal) {
     const int kept = errno;
+    if (!is_repetition()) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);  // once this has returned
+    }
     last_signal = signal;
     const char byte = 0;
     [[maybe_unused]] const auto written = ::write(write_end, &byte, 1);
@@ -33,7 +48,7 @@ EndSignals::EndSignals() {
     last_signal = 0;
     struct sigaction action {};
     action.sa_handler = hear;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    action.sa_flags = SA_RESTART;
     for (const int signal : kSignals) {
         struct sigaction before {};
         ::sigaction(signal, nullptr, &before);

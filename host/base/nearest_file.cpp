@@ -19,7 +19,8 @@ std::vector<fs::path> names_in(const fs::path& folder) {
     std::error_code error;
     fs::directory_iterator at(folder.empty() ? "." : folder, error), end;
     for (; !error && at != end && names.size() <= kMostNames; at.increment(error))
-        if (!at->path().filename().string().starts_with('.'))
+        if (std::error_code gone; !at->path().filename().string().starts_with('.') &&
+                                  fs::exists(at->path(), gone))  // no link into nowhere
             names.push_back(at->path().filename());
     if (names.size() > kMostNames) return {};
     std::ranges::sort(names);  // not in the order of the disk

@@ -1,14 +1,26 @@
 #include "base/workers.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace glint {
 
 Workers::Workers(int threads) : most_(2 * static_cast<std::size_t>(std::max(threads, 1))) {
-    for (std::size_t i = 0; i < most_ / 2; ++i) threads_.emplace_back([this] { work(); });
+    // Where processes are rationed, by a container or `ulimit -u`, fewer do.
+    try {
+        for (std::size_t i = 0; i < most_ / 2; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error& error) {
+        if (threads_.empty())
+            throw std::runtime_error(
+                fmt::format("No thread can be started: {}; the limits of "
+                            "processes or of memory are too low.",
+                            error.code().message()));
+    }
 }
 
 Workers::~Workers() {

@@ -135,6 +135,9 @@ bool decode_header(png_structp png, png_infop info, ReadFrom& from, Header& head
     png_set_read_fn(png, &from, read_from_file);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // make_shape() has ours
     png_read_info(png, info);
+    header = {.width = png_get_image_width(png, info), .height = png_get_image_height(png, info)};
+    // What follows has room for rows made.
+    if (std::max(header.width, header.height) > static_cast<std::uint32_t>(kMaxSide)) return true;
     const std::uint64_t packed_row = png_get_rowbytes(png, info);
     png_set_expand(png);  // palettes, 1 to 4 bits, and a transparent colour
     if constexpr (std::endian::native == std::endian::little) png_set_swap(png);

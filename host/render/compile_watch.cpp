@@ -141,8 +141,8 @@ CompileWatch::CompileWatch(const GiveUp& give_up, const Preset& preset, std::siz
     const clockid_t clock = compiling_clock();
     const double start = seconds_on(clock);
     const std::size_t resident = resident_bytes();
+    const CompileLimits limits = compile_limits();  // where what it throws is caught
     thread_ = std::jthread([=, this, &give_up, &preset](const std::stop_token& stop) {
-        const CompileLimits limits = compile_limits();
         std::mutex own;
         std::unique_lock lock(own);
         std::condition_variable_any none;

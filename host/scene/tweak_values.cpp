@@ -347,8 +347,10 @@ void TweakValues::rebase(std::span<const Tweak> tweaks, std::span<const TweakVal
         if (!old) continue;
         held.back().locked = old->locked;
         if (old->tweak.type != tweak.type) continue;
+        // What stood there untouched is what the file says, also where it had gone in between.
         for (std::size_t set = 0; set < 2; ++set)
-            held.back().values[set] = rebased(old->tweak, old->values[set], tweak);
+            if (written.empty() || !same_bits(old->values[set], old->written))
+                held.back().values[set] = rebased(old->tweak, old->values[set], tweak);
     }
     std::move(absent_.begin(), absent_.end(), std::back_inserter(held_));
     absent_ = std::exchange(held_, std::move(held));

@@ -96,7 +96,7 @@ TEST_F(ProbeFaults, OfALongTextAreWhatASurveyGoesBy) {
     Player player(long_text("c = vec4(many(p.x) * max(sqrt(p.x - 2.0), 0.25));"), {.size = {2, 1}});
     FaultSurvey survey(player.preset, player.renderer(), {});
     const Frame frame = player.frame(0);
-    survey.begin(frame);
+    survey.begin(frame, true);
     player.draw(frame);
     survey.end();
     ASSERT_EQ(survey.distances().size(), 1u) << "one operation may have no result";

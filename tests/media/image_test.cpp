@@ -2,6 +2,7 @@
 #include "image_files.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -153,6 +154,19 @@ TEST_F(ImageFile, OnePixelFitsEveryKindOfFile) {
         write_image(in(name), noise_for(name, {1, 1}));
         EXPECT_EQ(read_image(in(name)).size, glm::ivec2(1, 1)) << name;
     }
+}
+
+// libpng would make room for two rows before anybody is asked.
+TEST_F(ImageFile, SidesThatAPngOnlyClaimsTakeNoMemory) {
+    const auto most_kib = [] {
+        rusage used{};
+        getrusage(RUSAGE_SELF, &used);
+        return used.ru_maxrss;
+    };
+    put_content(in("a.png"), make_png(0x7fffffff, 0x7fffffff, 8, 6, "short"));
+    const long before = most_kib();
+    EXPECT_TRUE(contains(complaint([&] { read_image(in("a.png")); }), "16384"));
+    EXPECT_LT(most_kib() - before, 64 << 10);
 }
 
 TEST_F(ImageFile, TheLongestSideThatIsReadIs16384AndLongerOnesAreWritten) {

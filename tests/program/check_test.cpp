@@ -277,6 +277,35 @@ TEST_F(Check, NanOfABufferThatThePictureHidesIsFound) {
     EXPECT_EQ(read_image(folder() / failure["picture"].get<std::string>()).size, glm::ivec2(8, 8));
 }
 
+// It has been drawn when the search begins, and is drawn again to be looked at.
+TEST_F(Check, WhatIsBornInABufferOfNoStateIsToldThere) {
+    write("scene.frag",
+          "uniform sampler2D root; //@ pass mainRoot size=8x8\n"
+          "void mainRoot(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(sqrt(3.0 - p.x)); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(root, ivec2(p) % 8, 0); }\n");
+    const auto report = report_of(glint({"check", "scene.frag", "--case", "search", "--json",
+                                         "--size", "32x18", "--seconds", "5", "-o", "out"}));
+    ASSERT_EQ(report["cases"].size(), 1u) << report;
+    EXPECT_EQ(report["cases"][0]["verdict"], "fail") << report;
+    EXPECT_EQ(report["cases"][0]["where"]["line"], 3) << report;
+    EXPECT_EQ(report["cases"][0]["where"]["function"], "mainRoot") << report;
+}
+
+TEST_F(Check, LoopsOfABufferOfNoStateAreCounted) {
+    write("scene.frag",
+          "uniform sampler2D sum; //@ pass mainSum size=8x8\n"
+          "void mainSum(out vec4 c, in vec2 p) {\n"
+          "    float s = 0.0;\n"
+          "    for (int i = 0; i < 70000; ++i) s = fract(s * 1.37 + 0.1);\n"
+          "    c = vec4(s); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(sum, ivec2(p) % 8, 0); }\n");
+    const auto report = report_of(glint({"check", "scene.frag", "--case", "loop budget", "--json",
+                                         "--size", "32x18", "-o", "out"}));
+    ASSERT_EQ(report["cases"].size(), 1u) << report;
+    EXPECT_EQ(report["cases"][0]["verdict"], "fail") << report;
+}
+
 TEST_F(Check, AFloatClockFailsAfterADay) {
     const std::set<std::string> names = failed(check("planted_age", {}, 6));
     // Its wave swings 16 times a second.

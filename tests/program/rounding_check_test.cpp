@@ -31,6 +31,19 @@ TEST_F(RoundingCheck, NamesTheLineInWhichASumCancels) {
         << one;
 }
 
+// A buffer that nothing changes has been drawn when the check begins.
+TEST_F(RoundingCheck, LooksIntoBuffersOfNoState) {
+    write("scene.frag",
+          "uniform sampler2D sum; //@ pass mainSum\n"
+          "void mainSum(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(((1.0 + p.x * 1e-7) - 1.0) * 1e5); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(sum, ivec2(p), 0); }\n");
+    const Json report = report_of(glint(
+        {"check", "scene.frag", "--case", "rounding", "--json", "--size", "32x18", "-o", "out"}));
+    ASSERT_EQ(report["cases"].size(), 1u) << report;
+    EXPECT_EQ(report["cases"][0]["where"]["line"], 3) << report;
+}
+
 // x^2 + b x + 1 = 0 with a large b: the textbook's small root cancels, the other way to write it
 // does not (Higham, "Accuracy and Stability of Numerical Algorithms", 1.8).
 TEST_F(RoundingCheck, TellsTheStableFormOfAQuadraticFromTheTextbooks) {

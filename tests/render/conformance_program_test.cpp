@@ -8,7 +8,7 @@ namespace {
 using WrappedProgram = GlTest;
 
 struct Case {
-    const char* text;
+    std::string text;
     glm::vec3 expected;
 };
 
@@ -95,6 +95,50 @@ TEST_F(WrappedProgram, PackedIsAnOrdinaryName) {
         {"#define packed(x) (x)\nvoid mainImage(out vec4 c, vec2 p) { c = vec4(packed(0.5)); }",
          {0.5, 0.5, 0.5}},
     });
+}
+
+// Mesa's preprocessor makes other texts of these.
+TEST_F(WrappedProgram, MacrosBecomeWhatTheyBecomeInBrowsers) {
+    const auto image = [](const std::string& body) {
+        return "void mainImage(out vec4 O, vec2 U) {\n" + body + "\n}\n";
+    };
+    expect_first_pixel({
+        {"#define glow(x) (1.-x)\n" + image("float k = -.25; O = vec4(glow(-k), -k, 0, 1);"),
+         {0.75, 0.25, 0}},
+        {"#define lerp(a,b,t) (a+(b-a)*t)\n" + image("float k = 0.5; O = vec4(lerp(-k,k,.75));"),
+         {0.25, 0.25, 0.25}},
+        {"#define neg -\n#define PLUS +\n#define M -\n" +
+             image("float k = .25; O = vec4(.25 neg-k, k PLUS+k, M M k, 1);"),
+         {0.5, 0.5, 0.25}},
+        {"#define N -0.5\n" + image("float k = .25; O = vec4(k-N, -N, k -N*k, 1);"),
+         {0.75, 0.5, 0.375}},
+        {"#define S(x) sin(x)\n" + image("float S = .25;\n O = vec4(S);"), {0.25, 0.25, 0.25}},
+        {"#define f(x) (x*2.)\n" +
+             image("float f = .5; float k = max(.1,f);\n#ifdef ZZ\nk = 1.;\n#endif\n"
+                   "O = vec4(k, f(.125), max(f(.125),f), 1);"),
+         {0.5, 0.25, 0.5}},
+        {"#define T(p) (p*.5)\n#define K 1.-T\n" + image("O = vec4(K(\n .5));"),
+         {0.75, 0.75, 0.75}},
+        {"#define M(a) a\n" + image("O = M(vec4(\n#ifdef GL_ES\n.5\n#else\n.7\n#endif\n));"),
+         {0.5, 0.5, 0.5}},
+    });
+}
+
+// The lines behind are those of the text.
+TEST_F(WrappedProgram, ANameThatIsAlsoAMacroMovesNoLine) {
+    TestFolder folder;
+    const ReadPreset read = read_scene_text(folder,
+                                            "#define S(x) sin(x)\n"
+                                            "void mainImage(out vec4 c, vec2 p) {\n"
+                                            "float S = .3;\n"
+                                            "c = vec4(S);\n"
+                                            "float q = S(1.0);\n"
+                                            "c.x = unknown;\n}\n",
+                                            {});
+    ASSERT_TRUE(read.preset) << to_text(read.diagnostics);
+    const CompileResult result = compile_scene(*read.preset, {});
+    ASSERT_TRUE(has_errors(result.diagnostics));
+    EXPECT_EQ(result.diagnostics[0].place.line, 6) << to_text(result.diagnostics);
 }
 
 TEST_F(WrappedProgram, NamesOfOtherGlslAreOrdinary) {

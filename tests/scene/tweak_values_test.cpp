@@ -147,6 +147,17 @@ TEST(Rebase, ATweakThatAppearsHasWhatThePresetSaysOfIt) {
     EXPECT_EQ(tweaks.value(1)[0], 2.0);
 }
 
+TEST(Rebase, AnUntouchedTweakThatComesBackHasWhatTheFileSaysByThen) {
+    std::vector<TweakValue> written = TweakValues(kSea).values();
+    written[1] = {9};
+    TweakValues tweaks(kSea, written);
+    tweaks.rebase(Tweaks{kSea[0]});
+    EXPECT_TRUE(tweaks.waiting().empty());
+    written[1] = {2};
+    tweaks.rebase(kSea, written);
+    EXPECT_EQ(tweaks.value(1)[0], 2.0);
+}
+
 TEST(Rebase, ATweakThatComesBackHasItsValueAndLockAgain) {
     TweakValues tweaks(kSea);
     tweaks.set(1, {7});

@@ -147,6 +147,7 @@ TEST_F(Work, ASignalToEndIsNoCrashAndLosesNothing) {
         open_look();
         change();
         glint_->signal(signal);
+        glint_->signal(signal);  // a terminal that is closed tells of it twice
         EXPECT_EQ(glint_->wait().signal, signal);
         EXPECT_NE(kept(), "");
         EXPECT_EQ(glint_->count("error"), 0) << glint_->errors();
@@ -154,6 +155,22 @@ TEST_F(Work, ASignalToEndIsNoCrashAndLosesNothing) {
         EXPECT_TRUE(fs::is_empty(marks)) << "the next start is not paused";
         fs::remove_all(folder_->path() / "home/.local/state/glint/unsaved");
     }
+}
+
+// As by another window of the same file, or by an editor.
+TEST_F(Work, ThatTheFileOverrulesIsOfferedAtTheNextStart) {
+    open_look();
+    const int changed = change();
+    ASSERT_TRUE(eventually([&] { return !kept().empty(); }));
+    write(look(), "scene = \"scene.frag\"\n[tweaks]\nlevel = 0.6\n");
+    EXPECT_TRUE(eventually([&] { return red() == 153; })) << red();
+    screen_->tap("Control_L+q");
+    EXPECT_EQ(glint_->wait().code, 0);
+    EXPECT_NE(kept(), "");
+    open_look({}, "0.5");
+    EXPECT_TRUE(asks());
+    screen_->tap("Return");
+    EXPECT_TRUE(eventually([&] { return red() == changed; })) << red();
 }
 
 TEST_F(Work, IsRestoredIntoATextThatHasOtherTweaksByThen) {

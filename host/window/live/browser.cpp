@@ -110,27 +110,42 @@ void Browser::list(const std::vector<Shelf>& shelves) {
     looks_ = std::move(looks);
 }
 
-// In view before the rest; each from top to bottom.
+// The picture that lies ready for a file; empty where it has to be drawn.
+fs::path Browser::ready_picture(const fs::path& file) const {
+    const fs::path drawn = cached(file);
+    std::error_code error;
+    return fs::exists(drawn, error) ? drawn : gallery_picture(file);
+}
+
+// In view before the rest, and what lies ready before what has to be drawn; each from top to
+// bottom.
 const Look* Browser::next() const {
-    const auto waits = [](const Look& look) { return !look.is_done; };
-    for (const Look& look : looks_)
-        if (waits(look) && std::ranges::find(first_, look.file) != first_.end()) return &look;
-    const auto any = std::ranges::find_if(looks_, waits);
-    return any == looks_.end() ? nullptr : &*any;
+    const Look* best = nullptr;
+    int best_rank = 0;
+    for (const Look& look : looks_) {
+        if (look.is_done) continue;
+        const bool is_seen = std::ranges::find(first_, look.file) != first_.end();
+        const bool is_ready = !ready_picture(look.file).empty();
+        const int rank = (is_seen ? 2 : 0) + (is_ready ? 1 : 0) + 1;
+        if (rank <= best_rank) continue;
+        best = &look;
+        best_rank = rank;
+        if (is_seen && is_ready) break;
+    }
+    return best;
 }
 
 void Browser::start_next() {
     const Look* look = next();
     if (!look) return;
     current_ = look->file;
-    const fs::path output = cached(current_);
-    std::error_code error;
-    const bool is_drawn = fs::exists(output, error);
-    const fs::path picture = is_drawn ? output : gallery_picture(current_);
+    const fs::path picture = ready_picture(current_);
     if (!picture.empty()) {
         reading_ = std::async(std::launch::async, [picture] { return read_preview(picture); });
         return;
     }
+    const fs::path output = cached(current_);
+    std::error_code error;
     fs::create_directories(cache_, error);
     rendering_ = start_still(current_, output);
     if (rendering_ == 0) finish({});

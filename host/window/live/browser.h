@@ -58,6 +58,7 @@ private:
     void start_next();
     void finish(Texture thumbnail);
     std::filesystem::path cached(const std::filesystem::path& file) const;
+    std::filesystem::path ready_picture(const std::filesystem::path& file) const;
 
     std::filesystem::path cache_;
     std::vector<Look> looks_;

@@ -31,6 +31,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -299,7 +300,7 @@ private:
     bool was_told_ = false, answered_first_ = false;  // by events since it was drawn; by panels
     bool dragging_scene_ = false, panning_ = false, pause_at_open_ = false;
     glm::dvec2 mouse_{0.0};
-    std::uint32_t random_seed_ = 0;
+    std::uint32_t random_seed_ = std::random_device()();
     std::vector<int> held_keys_;
 
     std::vector<PassFact> passes_;

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <pwd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -34,6 +35,8 @@ fs::path home_folder(const char* variable, const char* fallback) {
     const char* value = std::getenv(variable);
     if (value && *value) return fs::path(value) / "glint";
     const char* home = std::getenv("HOME");
+    const passwd* user = home && *home ? nullptr : ::getpwuid(::getuid());
+    if (user) home = user->pw_dir;
     return fs::path(home && *home ? home : "/tmp") / fallback / "glint";
 }
 

@@ -425,6 +425,9 @@ void PlaygroundWindow::revert() {
 void PlaygroundWindow::tell_overruled() {
     const std::vector<std::string> names = playground_.take_overruled();
     if (names.empty()) return;
+    // Undo has what stood here; where the window ends before it is asked, the next one offers it.
+    if (kept_.has_value()) unsaved_work_.leave();
+    kept_.reset();
     notice(fmt::format("{} was edited, and says otherwise of {}; {} brings back what stood here",
                        file_.filename().string(), fmt::join(names, ", "), keys_of(Action::undo)));
 }
