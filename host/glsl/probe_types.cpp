@@ -525,6 +525,7 @@ constexpr std::string_view kMain = R"(void main() {{
     glint0_last = glint0_ask.y + n * glint0_ask.w;
     {}
     glint0_draw();
+    {}
     glint0_kept = glint0_bits;
     glint0_told = uvec4({}, 1u);
 }}
@@ -562,6 +563,16 @@ const char* survey_of(ProbeKind kind) {
     return "";
 }
 
+// The first output is what is looked at: it shows what is no number in any of them.
+std::string shown_of(ProbeKind kind, std::size_t outputs) {
+    std::string text;
+    for (std::size_t i = 1; i < outputs && kind == ProbeKind::faults; ++i)
+        text += fmt::format(
+            "if (any(isnan(glint_out{0})) || any(isinf(glint_out{0}))) glint_out0 = glint_out{0}; ",
+            i);
+    return text;
+}
+
 // What the second output tells.
 const char* told_of(ProbeKind kind) {
     switch (kind) {
@@ -590,7 +601,8 @@ std::string probe_main(ProbeKind kind, std::size_t outputs) {
                "layout(location = {}) out uvec4 glint0_kept;\nlayout(location = {}) out uvec4 "
                "glint0_told;\n",
                outputs, outputs + 1) +
-           fmt::format(fmt::runtime(kMain), survey_of(kind), told_of(kind));
+           fmt::format(fmt::runtime(kMain), survey_of(kind), shown_of(kind, outputs),
+                       told_of(kind));
 }
 
 }  // namespace glint

@@ -126,6 +126,20 @@ TEST(StudySearch, GoesDownWhereWhatOneIsOffHidesTheOthers) {
     }
 }
 
+// The error is that of the coarsest: one of them alone, or two of three, change nothing.
+TEST(StudySearch, FindsWhatOnlyAllTogetherReach) {
+    const std::vector<Dial> dials(3, Dial{.count = 7});
+    const auto measure = [](const Stand& at) {
+        double ms = 0.0;
+        for (const std::size_t v : at) ms += std::pow(2.0, static_cast<double>(v));
+        const auto least = static_cast<double>(std::ranges::min(at));
+        return std::optional(Tried{.at = at, .ms = ms, .error = std::pow(2.0, -least)});
+    };
+    const Budget budget{.ms = {}, .error = std::pow(2.0, -5.0)};
+    const auto tried = search(dials, {2, 2, 2}, budget, 60, measure);
+    EXPECT_EQ(best_within(tried, budget).at, (Stand{5, 5, 5}));
+}
+
 // Whatever is turned down costs error, and whatever is turned up costs time.
 TEST(StudySearch, FindsNothingWhereThereIsNothing) {
     const std::vector<Dial> dials(3, Dial{.count = 7});

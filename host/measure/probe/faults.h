@@ -62,8 +62,8 @@ public:
     FaultSurvey(const FaultSurvey&) = delete;
     FaultSurvey& operator=(const FaultSurvey&) = delete;
 
-    // Frames that are drawn in between are looked at; `frame` is the one. `anew`: in all passes, not
-    // only in those that something has changed for.
+    // Frames that are drawn in between are looked at; `frame` is the one. `anew`: in all passes,
+    // not only in those that something has changed for.
     void begin(const Frame& frame, bool anew);
     void end();
     // Of that frame, by site: the smallest distance, or infinity.

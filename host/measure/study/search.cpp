@@ -178,8 +178,15 @@ std::vector<Tried> search(const std::vector<Dial>& dials, const Stand& own, cons
     Search search(dials, budget, tries, measure);
     if (!search.add(own)) return search.take();
     const double most = budget.error.value_or(kAsGood * search.tried(own).error);
+    Stand from = own;
+    if (search.tried(own).error > most) {  // no single step may come nearer, and all at once do
+        for (std::size_t d = 0; d < dials.size(); ++d)
+            if (!dials[d].is_menu) from[d] = dials[d].count - 1;
+        if (!search.add(from)) return search.take();
+        if (search.tried(from).error > most) from = own;
+    }
     // From two sides: what stands, and the least of all.
-    if (search.descend(own, most) && search.add(Stand(dials.size(), 0))) search.run();
+    if (search.descend(from, most) && search.add(Stand(dials.size(), 0))) search.run();
     return search.take();
 }
 

@@ -29,11 +29,12 @@ struct Budget {
 
 constexpr double kAsGood = 1.01;  // times an error: nobody would tell
 
-// First down from `own`, as far as nobody would tell, or as the budget allows: what one tweak is
-// off hides what others are. Then goes on from what is measured: of the best that stand nearest to
-// the budget the one whose neighbours are not known yet gets them measured, and the pairs of them
-// that promise most together, until nothing is left or `measure` has been called so often, or says
-// that it is enough (nothing).
+// First down from `own`, or, where that is not within the budget, from the most work of all, as far
+// as nobody would tell, or as the budget allows: what one tweak is off hides what others are. Then
+// goes on from what is measured: of the best that stand nearest to the budget the one whose
+// neighbours are not known yet gets them measured, and the pairs of them that promise most
+// together, until nothing is left or `measure` has been called so often, or says that it is enough
+// (nothing).
 std::vector<Tried> search(const std::vector<Dial>& dials, const Stand& own, const Budget& budget,
                           int tries,
                           const std::function<std::optional<Tried>(const Stand&)>& measure);
