@@ -54,9 +54,24 @@ constexpr Foreign kFunctions[] = {{"lerp", "mix"},
                                   {"asuint", "floatBitsToUint"},
                                   {"asint", "floatBitsToInt"}};
 
+constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
+
 std::string found(std::span<const Foreign> list, std::string_view name) {
     const auto entry = std::ranges::find(list, name, &Foreign::first);
     return entry == list.end() ? "" : fmt::format("; GLSL's is {}", entry->second);
+}
+
+// Of arguments as the driver lists them: "(int, vec2)".
+bool mixes_int_and_float(std::string_view arguments) {
+    bool has_int = false, has_float = false;
+    while (!arguments.empty()) {
+        const std::size_t end = std::min(arguments.find_first_of("(, )"), arguments.size());
+        const std::string_view type = arguments.substr(0, end);
+        has_int |= type == "int";
+        has_float |= type == "float" || type.starts_with("vec") || type.starts_with("mat");
+        arguments.remove_prefix(std::min(end + 1, arguments.size()));
+    }
+    return has_int && has_float;
 }
 
 }  // namespace
@@ -72,6 +87,13 @@ std::string advice_on_foreign_type(std::string_view name) {
 }
 
 std::string said_better(std::string complaint) {
+    // Before the list of the candidates, which says nothing to who wrote max(0, x).
+    constexpr std::string_view kNoFunction = "no matching function for call to `";
+    const std::size_t end = complaint.find('\'', kNoFunction.size());
+    if (complaint.starts_with(kNoFunction) && end != complaint.npos &&
+        mixes_int_and_float(
+            std::string_view(complaint).substr(0, end).substr(std::min(complaint.find('('), end))))
+        complaint.insert(end + 1, fmt::format("{}2.0 for 2, or float(i)", kNoChange));
     if (complaint.starts_with("C-style initialization requires"))
         return "GLSL ES has no lists in braces; write the array's type and its values, such as "
                "float[](1.0, 2.0)";
@@ -79,7 +101,6 @@ std::string said_better(std::string complaint) {
 }
 
 std::string advice_on_types(std::string_view complaint) {
-    constexpr std::string_view kNoChange = "; GLSL ES makes no int a float by itself: write ";
     constexpr std::string_view kOperands = "could not implicitly convert operands to ";
     if (complaint.starts_with(kOperands)) {
         const std::string_view sign = complaint.substr(kOperands.size());

@@ -1,6 +1,7 @@
 #include "verbs/show.h"
 
 #include "base/say.h"
+#include "base/words.h"
 #include "gl/context.h"
 #include "offline/examples.h"
 #ifdef GLINT_WINDOW
@@ -53,11 +54,16 @@ void say_first_commands(const fs::path& folder) {
     const std::string glint = own_name();
     say_result("There is no display to open a window on. Three commands to try:\n\n");
     const std::vector<fs::path> files = folder.empty() ? examples() : scenes_in(folder);
-    if (!files.empty())
-        say_result("  {} still {} -o picture.png --size 640x360\n", glint,
-                   fs::proximate(files.front()).string());
-    say_result("  {} new rings\n", glint);
-    if (files.empty()) say_result("  {} still rings.frag -o rings.png\n", glint);
+    if (!files.empty()) {
+        std::string file = fs::proximate(files.front()).string();
+        if (file.starts_with('-')) file.insert(0, "./");  // else it is an option
+        say_result("  {} still {} -o picture.png --size 640x360\n", glint, shell_word(file));
+    }
+    std::error_code error;
+    std::string free = "rings";
+    for (int i = 2; fs::exists(free + ".frag", error); ++i) free = fmt::format("rings{}", i);
+    say_result("  {} new {}\n", glint, free);
+    if (files.empty()) say_result("  {} still {}.frag -o rings.png\n", glint, free);
     say_result("  {} --help\n", glint);
 }
 

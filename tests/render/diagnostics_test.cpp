@@ -523,6 +523,9 @@ TEST_F(Complaints, SayWhatToDo) {
     };
     const std::pair<std::string, const char*> cases[] = {
         {told("float x = 1;"), "; GLSL ES makes no int a float by itself: write 1.0 for 1"},
+        {told("c.x = max(0, p.x);"),
+         "max(int, float)'; GLSL ES makes no int a float by itself: write 2.0 for 2, or float(i); "
+         "candidates are:"},
         {told("c *= p.x * 2;"), "; GLSL ES makes no int a float by itself: write 2.0 for 2"},
         {told("c.x = float(uint(p.x) ^ 61);"), "makes no int a uint by itself: write 2u for 2"},
         {told("uint i = 3;"), "; write 1u for 1, or uint(i)"},
