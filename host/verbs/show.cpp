@@ -55,9 +55,8 @@ void say_first_commands(const fs::path& folder) {
     say_result("There is no display to open a window on. Three commands to try:\n\n");
     const std::vector<fs::path> files = folder.empty() ? examples() : scenes_in(folder);
     if (!files.empty()) {
-        std::string file = fs::proximate(files.front()).string();
-        if (file.starts_with('-')) file.insert(0, "./");  // else it is an option
-        say_result("  {} still {} -o picture.png --size 640x360\n", glint, shell_word(file));
+        const std::string file = fs::proximate(files.front()).string();
+        say_result("  {} still {} -o picture.png --size 640x360\n", glint, shell_file(file));
     }
     std::error_code error;
     std::string free = "rings";

@@ -285,7 +285,8 @@ TEST_F(Check, WhatIsBornInABufferOfNoStateIsToldThere) {
           "    c = vec4(sqrt(3.0 - p.x)); }\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(root, ivec2(p) % 8, 0); }\n");
     const auto report = report_of(glint({"check", "scene.frag", "--case", "search", "--json",
-                                         "--size", "32x18", "--seconds", "5", "-o", "out"}), 6);
+                                         "--size", "32x18", "--seconds", "5", "-o", "out"}),
+                                  6);
     ASSERT_EQ(report["cases"].size(), 1u) << report;
     EXPECT_EQ(report["cases"][0]["verdict"], "fail") << report;
     EXPECT_EQ(report["cases"][0]["where"]["line"], 3) << report;
@@ -301,7 +302,8 @@ TEST_F(Check, LoopsOfABufferOfNoStateAreCounted) {
           "    c = vec4(s); }\n"
           "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(sum, ivec2(p) % 8, 0); }\n");
     const auto report = report_of(glint({"check", "scene.frag", "--case", "loop budget", "--json",
-                                         "--size", "32x18", "-o", "out"}), 6);
+                                         "--size", "32x18", "-o", "out"}),
+                                  6);
     ASSERT_EQ(report["cases"].size(), 1u) << report;
     EXPECT_EQ(report["cases"][0]["verdict"], "fail") << report;
 }
