@@ -347,9 +347,11 @@ void TweakValues::rebase(std::span<const Tweak> tweaks, std::span<const TweakVal
         if (!old) continue;
         held.back().locked = old->locked;
         if (old->tweak.type != tweak.type) continue;
-        // What stood there untouched is what the file says, also where it had gone in between.
+        // What comes back untouched has what the file says by now. What never went is moved by who
+        // knows what the file said before, in a step that can be undone.
+        const bool was_gone = old >= absent_.data() && old < absent_.data() + absent_.size();
         for (std::size_t set = 0; set < 2; ++set)
-            if (written.empty() || !same_bits(old->values[set], old->written))
+            if (written.empty() || !was_gone || !same_bits(old->values[set], old->written))
                 held.back().values[set] = rebased(old->tweak, old->values[set], tweak);
     }
     std::move(absent_.begin(), absent_.end(), std::back_inserter(held_));
