@@ -64,7 +64,7 @@ private:
 };
 
 // Where the zero stands that a divisor is; kNone where it is another one. `0.`, `(0.)`, `vec2(0.)`,
-// and a constant's name.
+// `vec2(0)`, and a constant's name.
 std::uint32_t zero_in(const Reading& reading, const ZeroConstants& constants, std::uint32_t at) {
     const auto& tokens = reading.tokens;
     const auto is_zero = [&](std::uint32_t token) {
@@ -76,12 +76,12 @@ std::uint32_t zero_in(const Reading& reading, const ZeroConstants& constants, st
         return constants.contains(reading, token) && !goes_on;
     };
     if (is_zero(at)) return at;
-    const auto is_vector = [](const Token& token) {
-        return token.is("vec2") || token.is("vec3") || token.is("vec4");
-    };
-    if (at < tokens.size() && is_vector(tokens[at])) ++at;
+    constexpr std::string_view kMade[] = {"float", "vec2", "vec3", "vec4"};
+    const bool is_made = at < tokens.size() && is_one_of(tokens[at].text, kMade);
+    if (is_made) ++at;
     const bool is_alone = at + 2 < tokens.size() && tokens[at].is("(") && tokens[at + 2].is(")");
-    return is_alone && is_zero(at + 1) ? at + 1 : kNone;
+    const bool is_whole = is_made && is_alone && tokens[at + 1].is("0");
+    return is_alone && (is_whole || is_zero(at + 1)) ? at + 1 : kNone;
 }
 
 // Calls visit(operator, is it `/=`, zero) for every division by a zero.

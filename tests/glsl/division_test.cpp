@@ -22,6 +22,8 @@ TEST(Division, ByAFloatingZeroIsMultiplication) {
         << "with what stands between";
     EXPECT_EQ(mended("a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0"),
               "a / 0 + b / 0.5 / 10.0 / (0. + c) / vec2(0., 1.) / 0x0");
+    EXPECT_EQ(mended("a / vec2(0) + b / float(0) / (0)"),
+              "a * vec2 (1e39) + b * float (1e39) / (0)");
     EXPECT_EQ(mended("a / vecLen(0.0) / vector(0.);"), "a / vecLen(0.0) / vector(0.);")
         << "functions of the text";
     EXPECT_EQ(mended("#define NONE 0.\na / NONE;"), "#define NONE 0.\na * 1e39;");
