@@ -120,6 +120,8 @@ TEST_F(Survival, WhenTheDisplayGoesTheProgramEndsWithASentence) {
     EXPECT_EQ(end.signal, 0);
     EXPECT_EQ(end.code, 1);
     EXPECT_NE(glint_->errors().find("The display is gone"), std::string::npos) << glint_->errors();
+    const fs::path marks = folder_->path() / "home/.local/state/glint/open";
+    EXPECT_TRUE(fs::is_empty(marks)) << "a logout is no crash: the next start is not paused";
     glint_.reset();
 }
 

@@ -34,9 +34,13 @@ std::string left_in(const fs::path& mark) {
 
 CrashMark::~CrashMark() {
     if (descriptor_ < 0) return;
-    std::error_code error;
-    if (std::uncaught_exceptions() == 0) fs::remove(file_, error);
+    if (std::uncaught_exceptions() == 0) clear();
     ::close(descriptor_);
+}
+
+void CrashMark::clear() const {
+    std::error_code error;
+    if (descriptor_ >= 0) fs::remove(file_, error);
 }
 
 bool CrashMark::take(const fs::path& scene) {

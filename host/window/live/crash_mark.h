@@ -19,6 +19,9 @@ public:
     // other scenes wait for their own next start.
     bool take(const std::filesystem::path& scene);
 
+    // The program ends as it should, where no destructor runs.
+    void clear() const;
+
     // `scene` is one name for it, however it is opened: see canonical_name().
     void set(const std::filesystem::path& scene);
 

@@ -33,6 +33,7 @@ std::string last_error() {
 // Xlib ends the process when this returns; nothing can be drawn any more.
 int hear_lost_display(Display*) {
     say("The display is gone; Glint ends.\n");
+    if (Window::on_lost_display) Window::on_lost_display();
     std::_Exit(1);
 }
 

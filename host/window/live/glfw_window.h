@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,6 +56,10 @@ public:
 
     // Shows what was drawn into framebuffer 0.
     void swap();
+
+    // Called where X11's display goes away, right before the process ends: nothing can be drawn any
+    // more, and no window can be asked. May be empty.
+    static inline std::function<void()> on_lost_display;
 
     GLFWwindow* handle() const { return window_; }
 

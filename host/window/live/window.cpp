@@ -98,6 +98,7 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
 }
 
 int PlaygroundWindow::run() {
+    Window::on_lost_display = [this] { crash_mark_.clear(); };  // a logout is no crash
     panels_.compile();  // while the screen makes room for the window
     // However soon the trial is over: what follows then takes its time.
     if (awaits_first_frame()) {
@@ -131,6 +132,7 @@ int PlaygroundWindow::run() {
         const bool wanted = dirty_ || playground_.wants_frame() || panels_.is_settling();
         if ((wanted && now >= frame_due_) || (shows_clock() && now >= clock_tick())) draw_frame();
     }
+    Window::on_lost_display = nullptr;
     keep_picture();
     if (end_signals_.arrived() != 0) keep_at_end();
     return end_signals_.arrived();
