@@ -19,8 +19,8 @@ volatile std::sig_atomic_t last_signal = 0;
 int write_end = -1;
 timespec heard{};  // when the first came
 
-// A terminal that is closed tells of it twice, milliseconds apart.
-bool is_repetition() {
+// The first, or within a second of it: a terminal that is closed tells of it twice.
+bool is_of_the_first() {
     timespec now{};
     ::clock_gettime(CLOCK_MONOTONIC, &now);
     const auto ns = [](const timespec& t) { return t.tv_sec * 1'000'000'000LL + t.tv_nsec; };
@@ -30,7 +30,7 @@ bool is_repetition() {
 
 void hear(int signal) {
     const int kept = errno;
-    if (!is_repetition()) {
+    if (!is_of_the_first()) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);  // once this has returned
     }

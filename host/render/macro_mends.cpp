@@ -10,6 +10,11 @@
 namespace glint {
 namespace {
 
+// Not one that the host or the driver defines.
+bool is_of_the_text(const Macro& macro) {
+    return macro.definition.begin != macro.definition.end;
+}
+
 // GLSL has no `#a` and no `a##b`. Mesa refuses a macro that has them where it is defined, the site
 // where it is used; so that nothing is left of the body of one that nobody uses.
 void empty_idle_macros(const Reading& reading, Edits& edits) {
@@ -18,7 +23,7 @@ void empty_idle_macros(const Reading& reading, Edits& edits) {
     };
     for (std::uint32_t i = 0; i < reading.macros.size(); ++i) {
         const Macro& macro = reading.macros[i];
-        if (macro.definition.begin == macro.definition.end || macro.body.empty() ||
+        if (!is_of_the_text(macro) || macro.body.empty() ||
             (!names(macro, "#") && !names(macro, "##")))
             continue;
         const bool is_used =
@@ -40,7 +45,7 @@ bool is_sign(const Token& token) {
 // sign would be a decrement.
 void part_signs_in_bodies(const Reading& reading, Edits& edits) {
     for (const Macro& macro : reading.macros) {
-        if (macro.definition.begin == macro.definition.end) continue;
+        if (!is_of_the_text(macro)) continue;
         for (std::size_t i = 1; i < macro.body.size(); ++i) {
             const Token &sign = macro.body[i - 1], &next = macro.body[i];
             if (is_sign(sign) && next.is_word() && !next.space_before)
@@ -50,7 +55,7 @@ void part_signs_in_bodies(const Reading& reading, Edits& edits) {
 }
 
 // Whether the two, printed side by side, would be read as one operator.
-bool would_join(const Token& a, const Token& b) {
+bool make_an_operator(const Token& a, const Token& b) {
     constexpr std::string_view kOperators = "+-<>&|^=!*/%";
     if (a.kind != TokenKind::symbol || b.kind != TokenKind::symbol) return false;
     const char last = a.text.back(), first = b.text.front();
@@ -63,9 +68,10 @@ void part_operators_at_uses(const Reading& reading, Edits& edits) {
     for (const MacroUse& use : reading.uses) {
         if (use.tokens.empty()) continue;
         const std::uint32_t begin = use.tokens.begin, end = use.tokens.end;
-        if (end < reading.tokens.size() && would_join(reading.tokens[end - 1], reading.tokens[end]))
+        if (end < reading.tokens.size() &&
+            make_an_operator(reading.tokens[end - 1], reading.tokens[end]))
             edits.replace(use.tokens, reading.spelled(use.tokens) + " ");
-        else if (begin > 0 && would_join(reading.tokens[begin - 1], reading.tokens[begin]))
+        else if (begin > 0 && make_an_operator(reading.tokens[begin - 1], reading.tokens[begin]))
             edits.before(begin, " ");
     }
 }
@@ -102,7 +108,7 @@ bool part_bare_names(const Reading& reading, Edits& edits) {
         parted = true;
     };
     for (const Macro& macro : reading.macros)
-        for (std::size_t i = 1; i < macro.body.size() && macro.definition.end != 0; ++i)
+        for (std::size_t i = 1; is_of_the_text(macro) && i < macro.body.size(); ++i)
             look(macro.body[i - 1], macro.body[i]);
     std::size_t line = 0;
     for (std::size_t i = 1; i < reading.written.size(); ++i) {

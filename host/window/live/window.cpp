@@ -98,12 +98,14 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
 }
 
 int PlaygroundWindow::run() {
-    Window::on_lost_display = [this] { crash_mark_.clear(); };  // a logout is no crash
+    // A logout is no crash; what is thrown is one, and nobody is left to ask then.
+    Window::on_lost_display = [this] { crash_mark_.clear(); };
+    struct Unheard {
+        ~Unheard() { Window::on_lost_display = nullptr; }
+    } const unheard;
     panels_.compile();  // while the screen makes room for the window
     // However soon the trial is over: what follows then takes its time.
-    if (awaits_first_frame()) {
-        draw_frame();
-    }
+    if (awaits_first_frame()) draw_frame();
     while (!window_.should_close() && end_signals_.arrived() == 0) {
         std::vector<int> descriptors = playground_.descriptors();
         descriptors.push_back(study_.process().descriptor());
@@ -132,7 +134,6 @@ int PlaygroundWindow::run() {
         const bool wanted = dirty_ || playground_.wants_frame() || panels_.is_settling();
         if ((wanted && now >= frame_due_) || (shows_clock() && now >= clock_tick())) draw_frame();
     }
-    Window::on_lost_display = nullptr;
     keep_picture();
     if (end_signals_.arrived() != 0) keep_at_end();
     return end_signals_.arrived();
