@@ -365,6 +365,45 @@ TEST_F(Check, AnUndampedSpringThatGainsALittleIsFound) {
         << report;
 }
 
+// Each step turns the sign of what the limit leaves, from three halves of the step in use on.
+TEST_F(Check, AStepThatALimitHoldsIsNotCalledStable) {
+    const auto told = [&](double rate) {
+        write(
+            "cold.frag",
+            fmt::format(
+                "uniform sampler2D cold; //@ pass mainCold size=2x2 step=1/60\n"
+                "void mainCold(out vec4 c, in vec2 p) {{\n"
+                "    float s = texelFetch(cold, ivec2(p), 0).x;\n"
+                "    if (iFrame == 0) s = 0.9;\n"
+                "    s = clamp(s - iTimeDelta * {:.1f} * (s - 0.4), 0.0, 1.0);\n"
+                "    c = vec4(s, 0, 0, 1);\n"
+                "}}\n"
+                "void mainImage(out vec4 c, in vec2 p) {{ c = texelFetch(cold, ivec2(0), 0); }}\n",
+                rate));
+        const std::string note =
+            case_of(report_of(glint({"check", "cold.frag", "--json", "--case", "step"})),
+                    "step 1/60 s")["note"];
+        return note.starts_with("stable up to ")
+                   ? std::atof(note.c_str() + std::strlen("stable up to "))
+               : note.starts_with("unstable by the step in use") ? 0.0
+                                                                 : -1.0;
+    };
+    EXPECT_NEAR(told(80.0), 1.5, 0.1);
+    EXPECT_EQ(told(150.0), 0.0);
+}
+
+TEST_F(Check, AStepThatDoesNotKnowHowLongItIsHasNoOrder) {
+    write("count.frag",
+          "uniform sampler2D count; //@ pass mainCount size=2x2 step=1/60\n"
+          "void mainCount(out vec4 c, in vec2 p) {\n"
+          "    c = vec4(0.5 + 0.9 * (texelFetch(count, ivec2(p), 0).x - 0.5), 0, 0, 1);\n"
+          "}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(count, ivec2(0), 0); }\n");
+    const Json step = case_of(report_of(glint({"check", "count.frag", "--json", "--case", "step"})),
+                              "step 1/60 s");
+    EXPECT_TRUE(step["note"].get<std::string>().starts_with("it reads no iTimeDelta")) << step;
+}
+
 // The state with the step in use is none to compare others with.
 TEST_F(Check, AStepThatExplodesIsNotCalledStable) {
     write("spring.frag",

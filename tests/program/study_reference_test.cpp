@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace glint::cli::study_reference_test {
@@ -40,6 +42,28 @@ TEST_F(StudyReference, TwoReferencesThatDifferByMoreThanBothClaimAreTold) {
     const Json differs = report_of(glint(arguments));
     EXPECT_EQ(differs["rival"]["disagrees"], true);
     EXPECT_NE(findings(differs).find("more than both claim"), std::string::npos);
+}
+
+// The other's error is that of order 1/2, all of which it must claim.
+TEST_F(StudyReference, AnotherWayClaimsWhatItsOwnOrderLeaves) {
+    write("s.frag",
+          "uniform int method; //@ 0 {sum, other} quality reference=0 second=other\n"
+          "uniform int steps; //@ 16 [1, 64] log quality\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float sum = 0.5 + 0.2 / float(steps * steps);\n"
+          "    c = vec4(vec3(method == 0 ? sum : 0.5 + 0.2 / sqrt(float(steps))), 1);\n"
+          "}\n");
+    for (const std::vector<std::string>& how : std::initializer_list<std::vector<std::string>>{
+             {"--vary", "method"}, {"--rmse", "0.01"}}) {
+        std::vector<std::string> arguments = {"study",  "s.frag",    "--size", "16x8",
+                                              "--json", "--seconds", "0.5"};
+        arguments.insert(arguments.end(), how.begin(), how.end());
+        const Json told = report_of(glint(arguments))["rival"];
+        const double steps = how[0] == "--vary" ? 16.0 : 64.0;
+        const double error = 0.2 / std::sqrt(steps);  // and in linear light a little less
+        EXPECT_NEAR(told["own_error"], error, 0.15 * error) << how[0];
+        EXPECT_EQ(told["disagrees"], false) << how[0] << told;
+    }
 }
 
 // llvmpipe ends all loops of a pixel after 65,535 turns, which 256 by 256 are a little more than.

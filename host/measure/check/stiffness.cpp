@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kStiffPlayed = 4;      // s, after which a step that explodes has
 constexpr int kGrowthPlayed = 16;    // s, after which one that only grows has shown itself
+constexpr int kTurns = 32;           // steps, one by one, that tell whether it goes to and fro
 constexpr int kLooks = 10;           // a second, at the largest value
 constexpr double kCompared = 0.5;    // s, after which states of halved steps are compared
 constexpr double kMostTimes = 64.0;  // the step in use
@@ -70,6 +71,26 @@ bool grows(const Course& course, const Course& usual) {
            course.peak() > kFarther * usual.peak();
 }
 
+double distance(const std::vector<float>& a, const std::vector<float>& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        squares += static_cast<double>(a[i] - b[i]) * static_cast<double>(a[i] - b[i]);
+    return std::sqrt(squares);
+}
+
+// Whether each step goes back what the one before went, and that is no small part of the state.
+// What swings faster than its steps tell goes to and fro, too, but hardly ever to where it was.
+bool goes_to_and_fro(const std::vector<std::vector<float>>& states) {
+    constexpr double kBack = 1e-3, kPart = 0.05;
+    std::size_t back = 0;
+    for (std::size_t i = 2; i < states.size(); ++i) {
+        const double gone = distance(states[i - 1], states[i]);
+        const double nothing = distance(states[i], std::vector<float>(states[i].size()));
+        back += gone > kPart * nothing && distance(states[i - 2], states[i]) <= kBack * gone;
+    }
+    return 4 * back >= 3 * states.size();
+}
+
 // A subject whose passes of one step have another, until the end of this.
 class Stepped {
 public:
@@ -113,22 +134,50 @@ public:
         }
     }
 
+    // Whether the state then goes to and fro from step to step, and no less with time: as that of
+    // an unstable step does that a limit holds.
+    bool chatters(const Course& played) {
+        const double fps = 1.0 / subject_.preset.scene.passes[passes_.front()].step.seconds();
+        const auto first = static_cast<int>(static_cast<double>(played.peaks.size()) * fps);
+        std::vector<std::vector<float>> states;
+        for (int k = first; k < first + kTurns && subject_.play_frames(k, k + 1, fps); ++k)
+            states.push_back(state());
+        return goes_to_and_fro(states);
+    }
+
     // What the passes hold when their step is a part of it.
     std::vector<float> state_with_part(long of) {
         set(1, of);
         subject_.restore();
-        std::vector<float> all;
         subject_.play_frames(0, static_cast<int>(kCompared * 60.0) + 1, 60.0);
+        return state();
+    }
+
+    // Whether any of it can know how long a step is.
+    bool knows_length() const {
+        constexpr Builtin kTold[] = {Builtin::time_delta, Builtin::frame_rate, Builtin::time};
+        return std::ranges::any_of(passes_, [&](std::size_t pass) {
+            return std::ranges::any_of(
+                kTold, [&](Builtin builtin) { return subject_.reads(builtin, pass); });
+        });
+    }
+
+private:
+    bool steps(const GraphPass& drawn) const {
+        return std::ranges::find(passes_, drawn.pass) != passes_.end();
+    }
+
+    std::vector<float> state() const {
+        std::vector<float> all;
         const auto& drawn = subject_.renderer().graph().passes;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
-            if (std::ranges::find(passes_, drawn[i].pass) == passes_.end()) continue;
+            if (!steps(drawn[i])) continue;
             const std::vector<float> values = subject_.renderer().read_buffer(i, 0);
             all.insert(all.end(), values.begin(), values.end());
         }
         return all;
     }
 
-private:
     void set(long parts, long of) {
         for (const std::size_t pass : passes_)
             subject_.preset.scene.passes[pass].step = {step_.first * parts, step_.second * of};
@@ -162,13 +211,16 @@ std::vector<std::vector<TweakValue>> values_at(const CheckSubject& subject) {
 double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
     const Course usual = stepped.play(kParts, values, kStiffPlayed);
     if (!std::isfinite(usual.end)) return 0.0;
+    const bool usual_chatters = stepped.chatters(usual);
     // What explodes by the step in use is none to compare with; with half of it it does so less.
     const Course half = stepped.play(kParts / 2, values, kStiffPlayed);
     if (!(usual.end <= std::max(kLeast, kBeyond * half.end))) return 0.0;
+    if (usual_chatters && !stepped.chatters(half)) return 0.0;  // else it is what it is to do
     std::optional<Course> usual_for_long;
     const auto is_stable = [&](long parts) {
         Course course = stepped.play(parts, values, kStiffPlayed);
         if (!(course.end <= std::max(kLeast, kBeyond * usual.end))) return false;
+        if (!usual_chatters && stepped.chatters(course)) return false;
         if (!course.may_grow() || course.peak() <= kLeast) return true;
         stepped.play_on(course, kGrowthPlayed);
         if (!usual_for_long) usual_for_long = stepped.play(kParts, values, kGrowthPlayed);
@@ -183,13 +235,6 @@ double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
         (is_stable(middle) ? good : bad) = middle;
     }
     return static_cast<double>(good) / static_cast<double>(kParts);
-}
-
-double distance(const std::vector<float>& a, const std::vector<float>& b) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        squares += static_cast<double>(a[i] - b[i]) * static_cast<double>(a[i] - b[i]);
-    return std::sqrt(squares);
 }
 
 // What two states may differ by that are the same but for rounding: half a digit of each value with
@@ -217,6 +262,11 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     result.verdict = CaseVerdict::report;
     Stepped stepped(subject, step);  // what fails at a longer step is no failure
+    if (!stepped.knows_length()) {
+        result.note =
+            "it reads no iTimeDelta: of longer steps there are fewer, and each is the same";
+        return;
+    }
     double least = largest_stable(stepped, subject.opened().values);
     const CaseClock clock(check);
     for (const auto& values : values_at(subject)) {

@@ -39,11 +39,9 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
     CompiledScene compiled = compile_or_stop(
         preset, {.program = {.specialise = options.specialise, .marked = options.marked},
                  .as_written = has_assertions(preset.scene)});
-    for (const PassProgram& program : compiled.programs) {
-        for (const BuiltinUniform& uniform : program.builtins) {
-            builtins_.push_back(uniform.builtin);
-        }
-    }
+    for (std::size_t pass = 0; pass < compiled.programs.size(); ++pass)
+        for (const BuiltinUniform& uniform : compiled.programs[pass].builtins)
+            builtins_.emplace_back(uniform.builtin, pass);
     renderer_.emplace(preset, std::move(compiled),
                       RenderOptions{.size = preset.size, .picture_format = PixelFormat::rgba32f});
     load_inputs(preset, *renderer_);
@@ -146,8 +144,10 @@ bool CheckSubject::moves() const {
                                [](const GraphPass& pass) { return pass.runs != Runs::on_change; });
 }
 
-bool CheckSubject::reads(Builtin builtin) const {
-    return std::ranges::find(builtins_, builtin) != builtins_.end();
+bool CheckSubject::reads(Builtin builtin, std::optional<std::size_t> pass) const {
+    return std::ranges::any_of(builtins_, [&](const auto& read) {
+        return read.first == builtin && pass.value_or(read.second) == read.second;
+    });
 }
 
 bool CheckSubject::is_fed_back(std::size_t graph_index) const {

@@ -78,7 +78,8 @@ public:
     bool stateful() const { return renderer_->graph().stateful; }
     // Whether anything is new from frame to frame without a person.
     bool moves() const;
-    bool reads(Builtin builtin) const;
+    // Any pass, or this one.
+    bool reads(Builtin builtin, std::optional<std::size_t> pass = {}) const;
     // Whether a frame finds in this buffer what an earlier one left, not only what itself drew.
     bool is_fed_back(std::size_t graph_index) const;
     // The largest finite magnitude in what is fed back.
@@ -111,7 +112,7 @@ private:
     Preset opened_;
     bool specialised_;
     Context& context_;
-    std::vector<Builtin> builtins_;  // that any pass reads
+    std::vector<std::pair<Builtin, std::size_t>> builtins_;  // and the pass that reads it
     std::optional<Renderer> renderer_;
     std::vector<std::optional<std::size_t>> looked_at_;  // the version of each buffer
     Observed observed_;

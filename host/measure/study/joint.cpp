@@ -30,7 +30,6 @@ constexpr int kMostQuick = 15;         // where they are so short
 constexpr double kQuickMs = 60.0;      // that all of each take no longer
 constexpr std::size_t kWinners = 8;    // that are measured well
 constexpr std::size_t kKept = 6;       // programs
-constexpr double kMostOrder = 4.0;     // that three pictures are believed to show
 constexpr double kMatters = 0.1;       // of the difference: less needs no order
 
 // Within what the preset itself takes, by what is the larger share of its own, so that nothing is
@@ -186,14 +185,18 @@ private:
     }
 
     // All second ways to the truth that the scene names, at once. What it is off by itself is the
-    // same share of what half of the work changes as it is without them.
+    // same share of what half of the work changes as it is without them, or more where a quarter
+    // tells that it converges more slowly.
     std::optional<Rival> rival() const {
         const auto named = [](const Knob& knob) {
             return knob.rival ? std::optional(knob.rival->value) : std::nullopt;
         };
         const auto value = turned(named);
         if (!value) return std::nullopt;
-        return Rival{.value = *value, .second = turned(named, 0.5), .work = knob_.second_work};
+        return Rival{.value = *value,
+                     .second = turned(named, 0.5),
+                     .work = knob_.second_work,
+                     .less = turned(named, 0.25)};
     }
 
     // What --second says of the knobs, at once.
@@ -228,10 +231,7 @@ private:
     // By pictures of a quarter and of half of the work, the last of which is so far from the truth.
     Fall fall(const std::vector<float>& quarter, const std::vector<float>& half,
               double last) const {
-        const double step = apart(quarter, half);
-        if (step <= 0.0) return {};
-        return {.order = std::min(std::log2(step / last), kMostOrder),
-                .one_shape = alike(apart(quarter, truth_), step, last) > kOneShape};
+        return fall_by_doubling(apart(quarter, half), last, apart(quarter, truth_));
     }
 
     // How much of the difference to this other picture the truth's own error is: of each number

@@ -116,8 +116,8 @@ private:
     void choose_rival(const Tweak& tweak, Knob& knob) const;
     std::vector<bool> own_quality(const Tweak& tweak, const Knob& knob,
                                   const KnobValue& truth) const;
-    std::optional<KnobValue> more_work(const Tweak& tweak, const Knob& knob,
-                                       const KnobValue& truth) const;
+    std::optional<KnobValue> with_work(const Tweak& tweak, const Knob& knob, const KnobValue& truth,
+                                       double times) const;
 
     const Preset& preset_;
     const SceneFacts& facts_;
@@ -227,40 +227,40 @@ std::vector<bool> Planner::own_quality(const Tweak& tweak, const Knob& knob,
     return own;
 }
 
-// Twice the work of a number; of a method, twice the frames, or twice its own quality, or, where it
-// has none, of all other quality tweaks.
-std::optional<KnobValue> Planner::more_work(const Tweak& tweak, const Knob& knob,
-                                            const KnobValue& truth) const {
-    if (is_number(tweak)) {
-        const TweakValue& once = truth.setting.values[index(tweak)];
-        TweakValue twice = once;
-        const bool whole = tweak.type == TweakType::int1;
-        twice[0] = knob.more_is_better ? twice[0] * 2.0 : twice[0] / 2.0;
-        if (whole) twice[0] = std::floor(twice[0]);
-        if (twice == once) return std::nullopt;
-        KnobValue result = truth;
-        result.setting.values[index(tweak)] = twice;
-        result.text = format_value(tweak, twice);
-        result.work = twice[0];
-        return result;
-    }
+// Twice or half the work of a number; of a method, twice or half the frames, or so much of its own
+// quality, or, where it has none, of all other quality tweaks.
+std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob,
+                                            const KnobValue& truth, double times) const {
     KnobValue result = truth;
+    const auto multiply = [&](const Tweak& of, double by) {
+        double& number = result.setting.values[index(of)][0];
+        number *= by;
+        if (of.type == TweakType::int1) number = std::floor(number);
+    };
+    const std::string_view how = times > 1.0 ? "twice" : "half";
+    const auto unless_same = [&] {
+        return result.setting == truth.setting ? std::nullopt : std::optional(result);
+    };
+    if (is_number(tweak)) {
+        multiply(tweak, knob.more_is_better ? times : 1.0 / times);
+        const TweakValue& value = result.setting.values[index(tweak)];
+        result.text = format_value(tweak, value);
+        result.work = value[0];
+        return unless_same();
+    }
     if (facts_.accumulates(result.setting.values)) {
-        result.setting.settle = 2 * result.setting.settle + 1;
-        result.text += ", twice the frames";
-        return result;
+        result.setting.settle = static_cast<int>((result.setting.settle + 1) * times) - 1;
+        result.text += fmt::format(", {} the frames", how);
+        return unless_same();
     }
-    std::vector<bool> doubled = own_quality(tweak, knob, truth);
-    const bool any_own = std::ranges::find(doubled, true) != doubled.end();
-    bool any = false;
+    const std::vector<bool> own = own_quality(tweak, knob, truth);
+    const bool any_own = std::ranges::find(own, true) != own.end();
     for (const Tweak& other : preset_.scene.tweaks) {
-        const bool is_wanted = any_own ? doubled[index(other)] : other.quality && is_number(other);
-        if (!is_wanted || &other == &tweak) continue;
-        result.setting.values[index(other)][0] *= 2.0;
-        any = true;
+        const bool is_wanted = any_own ? own[index(other)] : other.quality && is_number(other);
+        if (is_wanted && &other != &tweak) multiply(other, times);
     }
-    result.text += any_own ? ", its own quality doubled" : ", all other quality doubled";
-    return any ? std::optional(result) : std::nullopt;
+    result.text += fmt::format(", {} {} quality", how, any_own ? "its own" : "all other");
+    return unless_same();
 }
 
 // The truth with some values turned.
@@ -325,7 +325,7 @@ void Planner::choose_second(const Tweak& tweak, Knob& knob) const {
     if (const Named named = named_by_scene(tweak);
         named.is_own_number && named.values[0].value[0] != knob.reference.work)
         return by_value(named.values[0].value);
-    knob.more = more_work(tweak, knob, knob.reference);
+    knob.more = with_work(tweak, knob, knob.reference, 2.0);
     knob.second_work = {SecondWork::Kind::seed, 1.0};
     if ((knob.second = second_seed(knob.reference))) return;
     knob.second_work = kTwiceTheWork;
@@ -341,7 +341,8 @@ void Planner::choose_rival(const Tweak& tweak, Knob& knob) const {
     rival.value.text = tweak.second;
     settle_accumulating(rival.value, knob);
     if (rival.value.setting == knob.reference.setting) return;  // bears nothing out
-    rival.more = more_work(tweak, knob, rival.value);
+    rival.more = with_work(tweak, knob, rival.value, 2.0);
+    rival.less = with_work(tweak, knob, rival.value, 0.5);
     rival.work = {SecondWork::Kind::seed, 1.0};
     rival.second = second_seed(rival.value);
     if (!rival.second) {

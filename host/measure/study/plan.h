@@ -56,6 +56,7 @@ struct Rival {
     std::optional<KnobValue> second{};
     SecondWork work{};
     std::optional<KnobValue> more{};  // as in Knob
+    std::optional<KnobValue> less{};  // than the lesser of both, by as much
 };
 
 // What is turned while everything else stays as the preset has it.

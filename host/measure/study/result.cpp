@@ -21,6 +21,7 @@ constexpr double kLeastOrder = 0.3;     // below, where values go cannot be told
 constexpr double kNoOrder = 0.15;       // below, an error does not fall
 constexpr double kLeastFall = 0.05;     // an order that is told at all: below, nothing is known
 constexpr double kRefuted = 1.001;      // times what two references differ by: no nearer than that
+constexpr double kMostOrder = 4.0;      // that three pictures are believed to show
 constexpr double kClaim = 1.25;         // claims are known to a quarter
 constexpr double kWideWork = 4.0;       // from the least to the most, to say so
 constexpr double kNoNearer = 0.5;       // of the rows' error, by which a reference is off
@@ -452,6 +453,12 @@ std::optional<double> log_slope(std::span<const double> x, std::span<const doubl
 
 double alike(double far, double step, double left) {
     return (far * far - step * step - left * left) / (2.0 * step * left);
+}
+
+Fall fall_by_doubling(double step, double last, double far) {
+    if (step <= 0.0 || last <= 0.0) return {};
+    return {.order = std::min(std::log2(step / last), kMostOrder),
+            .one_shape = alike(far, step, last) > kOneShape};
 }
 
 double own_error(double rmse, const SecondWork& second, const Fall& fall) {

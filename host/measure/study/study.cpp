@@ -379,9 +379,19 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
                    .own_error = 0,
                    .cut = cut};
     tell(scenery, knob, study);
+    // What it is off by the order that it has itself, which need not be the reference's.
+    const auto by_its_own_fall = [&](double last) {
+        if (!named.less || named.work.kind == SecondWork::Kind::seed) return 0.0;
+        const Reference least = draw(*named.less), second = draw(*named.second);
+        const bool is_more = named.work.kind == SecondWork::Kind::more;
+        const Reference &middle = is_more ? rival : second, &most = is_more ? second : rival;
+        const Fall fall =
+            fall_by_doubling(apart(least, middle).rmse, last, apart(least, most).rmse);
+        return own_error(last, {SecondWork::Kind::more, is_more ? 2.0 : 0.5}, fall);
+    };
     if (named.second) {
         const double rmse = beside(rival, named.second, named.more, named.work).rmse;
-        study.rival->own_error = own_error(rmse, named.work, {});
+        study.rival->own_error = std::max(own_error(rmse, named.work, {}), by_its_own_fall(rmse));
         tell(scenery, knob, study);
     }
     return reference;
