@@ -345,16 +345,42 @@ std::string literal(TweakType type, double value) {
     return text;
 }
 
-std::string constant(const Tweak& tweak, const TweakValue& value) {
+// As a constant; or as a variable that has its value, where an index is made of it: with a constant
+// out of the array's range no driver compiles, and with one of no constant expression all do.
+std::string constant(const Tweak& tweak, const TweakValue& value, bool is_index) {
     const int count = component_count(tweak.type);
     std::string components;
     for (int i = 0; i < count; ++i) {
         if (i > 0) components += ", ";
         components += literal(tweak.type, value[static_cast<std::size_t>(i)]);
     }
+    const char* how = is_index ? "" : "const ";
     const char* type = glsl_name(tweak.type);
-    return count == 1 ? fmt::format("const {} {} = {};", type, tweak.name, components)
-                      : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
+    return count == 1 ? fmt::format("{}{} {} = {};", how, type, tweak.name, components)
+                      : fmt::format("{0}{1} {2} = {1}({3});", how, type, tweak.name, components);
+}
+
+// Whether this bracket begins the size of what is declared here, as in `float a[`.
+bool begins_size(const Reading& reading, std::size_t bracket) {
+    constexpr std::string_view kNoTypes[] = {"return", "else", "do"};
+    if (bracket < 2) return true;
+    const Token &before = reading.tokens[bracket - 2], &name = reading.tokens[bracket - 1];
+    return name.is_word() && before.is_word() && !is_one_of(before.text, kNoTypes);
+}
+
+std::unordered_set<std::string_view> words_of_indices(const Reading& reading) {
+    std::unordered_set<std::string_view> words;
+    int depth = 0;
+    for (std::size_t at = 0; at < reading.tokens.size(); ++at) {
+        const Token& token = reading.tokens[at];
+        if (token.is("["))
+            depth += depth > 0 || !begins_size(reading, at);
+        else if (token.is("]"))
+            depth = std::max(depth - 1, 0);
+        else if (depth > 0)
+            words.insert(token.text);
+    }
+    return words;
 }
 
 bool is_constant(const ProgramOptions& options, std::size_t tweak) {
@@ -363,13 +389,16 @@ bool is_constant(const ProgramOptions& options, std::size_t tweak) {
 }
 
 // Every tweak that the options want so, as a constant; nothing for those that are unused.
-void specialise(const Preset& preset, const ProgramOptions& options,
+void specialise(const Preset& preset, const ProgramOptions& options, const Reading& reading,
                 const std::unordered_set<std::string_view>& unused, Edits& edits) {
+    const std::unordered_set<std::string_view> indices = words_of_indices(reading);
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
         if (!is_constant(options, i)) continue;
         const Tweak& tweak = preset.scene.tweaks[i];
         edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
-                            unused.contains(tweak.name) ? "" : constant(tweak, preset.values[i]));
+                            unused.contains(tweak.name)
+                                ? ""
+                                : constant(tweak, preset.values[i], indices.contains(tweak.name)));
     }
 }
 
@@ -492,7 +521,7 @@ std::optional<std::size_t> PassText::origin(std::size_t at) const {
 EditedText specialised_text(const Preset& preset) {
     const Reading reading = read_glsl(preset.scene.text, known_of_scene());
     Edits edits(reading);
-    specialise(preset, {.specialise = true}, {}, edits);
+    specialise(preset, {.specialise = true}, reading, {}, edits);
     return edits.apply();
 }
 
@@ -512,7 +541,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (options.named)
         name_tweaks(scene, edits);
     else
-        specialise(preset, options, unused, edits);
+        specialise(preset, options, reading, unused, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (has_main) put_in_place_of("gl_FragColor", kPlainColour, reading, edits);

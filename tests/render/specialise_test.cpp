@@ -207,6 +207,23 @@ TEST_F(Specialised, ATweakMayBoundALoopOrSizeAnArray) {
     EXPECT_EQ(player.colour(), glm::vec3(3));
 }
 
+// With a constant no driver compiles it; what is read there is of no interest.
+TEST_F(Specialised, AnIndexOutOfRangeCompiles) {
+    Player player(
+        "uniform int n; //@ 7 [0, 9]\n"
+        "uniform int m; //@ 8 [0, 9]\n"
+        "uniform int k; //@ 2 [0, 9]\n"
+        "#define AT m\n"
+        "float part(vec3 v) { return v[n]; }\n"
+        "void mainImage(out vec4 c, vec2 p) {\n"
+        "    float a[4] = float[4](0.1, 0.2, 0.3, 0.4);\n"
+        "    c = vec4(part(vec3(0.5)) + a[AT + 1], a[k], 0, 1);\n"
+        "}\n",
+        {.specialise = true});
+    player.draw(0);
+    EXPECT_FLOAT_EQ(player.colour().y, 0.3f);
+}
+
 TEST_F(Specialised, StripsGiveTheSameBytes) {
     for (const char* scene : kScenes) {
         const glm::ivec2 size(70, 81);  // beyond the 32 rows that are drawn first

@@ -21,17 +21,19 @@ namespace {
 
 constexpr int kEndured = 600, kLeastEndured = 30;  // at each end of a tweak
 constexpr int kConfirmed = 2000;                   // before a growth is told
+constexpr double kConfirmingShare = 0.1;           // of the seconds
 constexpr float kFar = 1000.0f;
 constexpr int kBefore = 30, kAfter = 120;  // frames round a poisoning
 constexpr int kExchanges = 3,
               kRound = 2;           // sound disturbances, and texels round each that they move
 constexpr std::size_t kChance = 3;  // times what these leave standing is no chance any more
 
-// Frames at 60 Hz, as many as a share of the seconds allows. False when one was not finite.
-bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants& invariants) {
+// Frames at 60 Hz, as many as this share of the seconds allows. False when one was not finite.
+bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants& invariants,
+                 double share = 0.02) {
     const CaseClock clock(check);
     for (int k = static_cast<int>(curves.frames()); k < frames; ++k) {
-        if (k >= kLeastEndured && clock.is_over(0.02)) break;
+        if (k >= kLeastEndured && clock.is_over(share)) break;
         if (!check.subject.play_frames(k, k + 1, 60.0)) return false;
         curves.add(check.subject);
         invariants.add(check.subject, k);
@@ -56,7 +58,8 @@ bool chatters_by_steps(const Check& check, const StateCurves& curves, float usua
     return stepped.frames() == kSteps && stepped.chatters();
 }
 
-// What begins as a growth may come to rest, as that of a population does: then it goes on.
+// What begins as a growth may come to rest, as that of a population does: then it goes on, and
+// where time is too short to tell, nothing is told.
 std::string why_not(const Check& check, StateCurves& curves, Invariants& invariants, float usual) {
     if (!check.subject.observed().is_finite()) return "";
     if (curves.explodes(usual) || chatters_by_steps(check, curves, usual))
@@ -65,11 +68,12 @@ std::string why_not(const Check& check, StateCurves& curves, Invariants& invaria
     const std::size_t seen = curves.frames();
     std::string growth = curves.growth();
     if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
-    if (growth.empty() || !play_curves(check, kConfirmed, curves, invariants))
+    if (growth.empty() || !play_curves(check, kConfirmed, curves, invariants, kConfirmingShare))
         return invariants.broken();
-    const bool goes_on = curves.frames() == seen || !curves.growth(seen).empty() ||
-                         curves.largest() > std::max(kFar, kFar * usual);
-    return goes_on ? growth : invariants.broken();
+    const bool goes_on =
+        static_cast<int>(curves.frames()) >= kConfirmed && !curves.growth(seen).empty();
+    const bool is_far = curves.largest() > std::max(kFar, kFar * usual);
+    return goes_on || is_far ? growth : invariants.broken();
 }
 
 void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) {
