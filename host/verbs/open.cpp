@@ -20,17 +20,6 @@
 namespace glint {
 namespace {
 
-// A shader of the site is imported, as where it is dropped on the window: a person wants to work on
-// it. Where that fails the window shows why.
-ViewOptions shown_in_window(const ViewOptions& options) {
-    if (!is_shadertoy(options.file)) return options;
-    const ImportedBeside imported = import_beside(options.file);
-    if (!imported.notice.empty()) say("{}\n", imported.notice);
-    ViewOptions shown = options;
-    if (!imported.scene.empty()) shown.file = imported.scene;
-    return shown;
-}
-
 // Such a PNG says so before its pixels.
 bool is_drawn_by_glint(const std::filesystem::path& file) {
     std::error_code error;
@@ -58,7 +47,7 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     // A window that waits for a file to appear would keep silent about a name that was mistyped.
     if (!browses && !std::filesystem::exists(options.file, error)) open_preset(options);
     if (browses && !options.file.empty()) require_listable(options.file);
-    if (show_in_window(shown_in_window(options))) return;
+    if (show_in_window(options)) return;
     if (browses) return say_first_commands(options.file);
     StillOptions still;
     still.view = options;

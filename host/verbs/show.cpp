@@ -5,6 +5,7 @@
 #include "gl/context.h"
 #include "offline/examples.h"
 #ifdef GLINT_WINDOW
+#include "offline/import.h"
 #include "window/live/window.h"
 #endif
 
@@ -25,6 +26,18 @@ bool has_display() {
     }
     return false;
 }
+
+// A shader of the site is imported, as where it is dropped on the window: a person wants to work on
+// it. Where that fails the window shows why.
+ViewOptions shown_in_window(const ViewOptions& options) {
+    if (!is_shadertoy(options.file)) return options;
+    const ImportedBeside imported = import_beside(options.file);
+    if (imported.scene.empty()) return options;
+    say("{}\n", imported.notice);
+    ViewOptions shown = options;
+    shown.file = imported.scene;
+    return shown;
+}
 #endif
 
 }  // namespace
@@ -33,7 +46,7 @@ bool show_in_window([[maybe_unused]] const ViewOptions& options) {
 #ifdef GLINT_WINDOW
     if (!has_display()) return false;
     try {
-        run_window(options);
+        run_window(shown_in_window(options));
         return true;
     } catch (const NoContext& error) {
         say("{}\n", error.what());

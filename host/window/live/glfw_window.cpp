@@ -220,7 +220,8 @@ void Window::set_full_screen(bool full_screen) {
 void Window::take_events() {
     pollfd display{.fd = is_wayland_ ? display_ : -1, .events = 0, .revents = 0};
     ::poll(&display, 1, 0);
-    if (display.revents & (POLLHUP | POLLERR)) return close();
+    has_lost_display_ |= (display.revents & (POLLHUP | POLLERR)) != 0;
+    if (has_lost_display_) return close();
     glfwPollEvents();
 }
 

@@ -57,6 +57,9 @@ public:
     // Shows what was drawn into framebuffer 0.
     void swap();
 
+    // A Wayland compositor has gone, and the window should close.
+    bool has_lost_display() const { return has_lost_display_; }
+
     // Called where X11's display goes away, right before the process ends: nothing can be drawn any
     // more, and no window can be asked. May be empty.
     static inline std::function<void()> on_lost_display;
@@ -69,7 +72,7 @@ private:
     // Where the mouse was at the event in hand; GLFW tells only where it has come to since.
     glm::dvec2 cursor_{0.0};
     int display_ = -1;  // readable when the display has something to say; -1: nobody can tell
-    bool is_wayland_ = false;
+    bool is_wayland_ = false, has_lost_display_ = false;
     int held_keys_ = 0;
     glm::ivec4 windowed_{0};  // position and size to return to from full screen
 

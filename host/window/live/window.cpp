@@ -135,7 +135,11 @@ int PlaygroundWindow::run() {
         if ((wanted && now >= frame_due_) || (shows_clock() && now >= clock_tick())) draw_frame();
     }
     keep_picture();
-    if (end_signals_.arrived() != 0) keep_at_end();
+    if (end_signals_.arrived() != 0 || window_.has_lost_display()) keep_at_end();
+    if (window_.has_lost_display()) {
+        crash_mark_.clear();
+        throw std::runtime_error("The display is gone; Glint ends.");
+    }
     return end_signals_.arrived();
 }
 
