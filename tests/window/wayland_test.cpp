@@ -120,6 +120,7 @@ TEST_F(Wayland, TheWindowEndsWithItsCompositor) {
     weston_ = 0;
     const Glint::End end = glint_->wait();
     EXPECT_EQ(end.signal, 0) << glint_->errors();
+    EXPECT_EQ(end.code, 1) << glint_->errors();
 }
 
 }  // namespace
