@@ -1,5 +1,6 @@
 #include "measure/compile_bench.h"
 
+#include "base/end_signals.h"
 #include "base/json_text.h"
 #include "base/launch.h"
 #include "base/median.h"
@@ -207,6 +208,29 @@ void print_compile_table(const Json& json) {
                total["together_ms"].get<double>(), total["together_warm_ms"].get<double>());
 }
 
+// With caches that are gone afterwards, whatever ends it: the signal that did, or 0.
+int measure_rounds(const Preset& preset, const BenchOptions& options, Rounds& alone,
+                   Rounds& together) {
+    const EndSignals ended;
+    const TemporaryFolder scratch;
+    Progress progress("rounds", kRounds);
+    try {
+        for (int round = 0; round < kRounds && ended.arrived() == 0; ++round) {
+            for (Rounds* rounds : {&alone, &together}) {
+                const bool all = rounds == &together;
+                const auto cache = scratch.path() / fmt::format("{}{}", all ? "all" : "one", round);
+                make_folder(cache);
+                rounds->cold.push_back(measure(preset, options, cache.string(), all));
+                rounds->warm.push_back(measure(preset, options, cache.string(), all));
+            }
+            progress.update(round + 1);
+        }
+    } catch (...) {  // the signal may have ended what is waited for
+        if (ended.arrived() == 0) throw;
+    }
+    return ended.arrived();
+}
+
 }  // namespace
 
 void run_compile_once(const BenchOptions& options) {
@@ -236,19 +260,8 @@ void run_compile_bench(const BenchOptions& options) {
     ViewOptions view = options.view;
     if (view.size.empty()) view.size = kSize;
     const Preset preset = open_preset(view);
-    const TemporaryFolder scratch;
     Rounds alone, together;
-    Progress progress("rounds", kRounds);
-    for (int round = 0; round < kRounds; ++round) {
-        for (Rounds* rounds : {&alone, &together}) {
-            const bool all = rounds == &together;
-            const auto cache = scratch.path() / fmt::format("{}{}", all ? "all" : "one", round);
-            make_folder(cache);
-            rounds->cold.push_back(measure(preset, options, cache.string(), all));
-            rounds->warm.push_back(measure(preset, options, cache.string(), all));
-        }
-        progress.update(round + 1);
-    }
+    if (const int signal = measure_rounds(preset, options, alone, together)) end_by(signal);
     const Json passes = passes_json(preset, options.view.specialise, alone);
     const Json json = {
         {"scene", options.view.file.string()},         {"renderer", alone.cold.front()["renderer"]},
