@@ -24,6 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+const std::string kShadertoyFile = "shadertoy.json";  // what the site takes; of all tabs
+
 // One output of one pass.
 struct Tab {
     std::string name;  // "bufferA", "cubeA", "image", "sound"
@@ -45,6 +47,7 @@ public:
     void write(const fs::path& folder);
 
 private:
+    void write_all(const fs::path& folder, const std::vector<std::string>& texts);
     void warn_of_others(const fs::path& folder);
     void find_tabs();
     const PassProgram& program_of(const Tab& tab) const;
@@ -377,20 +380,31 @@ void Exporter::write(const fs::path& folder) {
     }
     const Json info = {{"id", ""}, {"name", preset_.title}, {"username", ""}, {"description", ""}};
     const Json shader = {{"Shader", {{"ver", "0.1"}, {"info", info}, {"renderpass", passes}}}};
-    std::vector<NamedFile> outputs = {{"-o", (folder / "shadertoy.json").string()}};
+    std::vector<NamedFile> outputs = {{"-o", (folder / kShadertoyFile).string()}};
     for (const Tab& tab : tabs_)
         outputs.push_back({"-o", (folder / (tab.name + ".glsl")).string()});
     require_apart(outputs, files_read_for(preset_));
+    texts.push_back(json_text(shader) + "\n");
+    write_all(folder, texts);
+}
+
+// No empty folder stays where the first of them cannot be written.
+void Exporter::write_all(const fs::path& folder, const std::vector<std::string>& texts) {
+    std::error_code error;
+    const bool is_new = !fs::exists(folder, error);
     make_folder(folder);
-    for (std::size_t i = 0; i < tabs_.size(); ++i) {
-        const fs::path file = folder / (tabs_[i].name + ".glsl");
-        write_whole_file(file, std::as_bytes(std::span(texts[i])));
-        say_result("{}\n", file.string());
+    try {
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            const bool is_tab = i < tabs_.size();
+            if (!is_tab) warn_of_others(folder);
+            const fs::path file = folder / (is_tab ? tabs_[i].name + ".glsl" : kShadertoyFile);
+            write_whole_file(file, std::as_bytes(std::span(texts[i])));
+            say_result("{}\n", file.string());
+        }
+    } catch (...) {
+        if (is_new && fs::is_empty(folder, error)) fs::remove(folder, error);
+        throw;
     }
-    warn_of_others(folder);
-    const std::string json = json_text(shader) + "\n";
-    write_whole_file(folder / "shadertoy.json", std::as_bytes(std::span(json)));
-    say_result("{}\n", (folder / "shadertoy.json").string());
 }
 
 }  // namespace

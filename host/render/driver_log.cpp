@@ -326,6 +326,11 @@ std::string bodiless_function(const std::string& words) {
     return std::regex_search(words, m, said) ? m[1].str() : std::string();
 }
 
+// "Too many fragment shader texture samplers", of which Mesa tells no line.
+bool has_too_many_samplers(const std::string& words) {
+    return words.starts_with("Too many ") && words.ends_with(" samplers");
+}
+
 // The v of "fragment shader input `v' has no matching output in the previous stage", of which Mesa
 // tells no line.
 std::string unfed_input(const std::string& complaint) {
@@ -426,6 +431,11 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
             add(m[1] == "ERROR", m[2], 0, false, m[3]);
         } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
             list.push_back(link_diagnostic(scene, text.pass, m[1]));
+            if (has_too_many_samplers(m[1]) && !scene.samplers.empty()) {
+                if (!read) read.emplace(scene, text);
+                list.back().place = read->first(scene.samplers.back().name);
+                list.back().text += " for this driver; put what several of them hold into one";
+            }
             const std::string input = unfed_input(m[1]), bare = bodiless_function(m[1]);
             if (input.empty() && (bare.empty() || bare == scene.image_entry)) continue;
             if (!read) read.emplace(scene, text);

@@ -220,6 +220,18 @@ TEST_F(Complaints, TellOfMoreOutputsThanAPassCanFill) {
     }
 }
 
+TEST_F(Complaints, TellWhereMoreSamplersThanAPassHasAreDeclared) {
+    std::string declared, read;
+    for (int i = 0; i < 200; ++i) {
+        declared += fmt::format("uniform sampler2D s{}; //@ noise rgba 4\n", i);
+        read += fmt::format(" + texture(s{}, p)", i);
+    }
+    const Diagnostics list =
+        complaints(declared + "void mainImage(out vec4 c, vec2 p) { c = vec4(0)" + read + "; }\n");
+    ASSERT_TRUE(has_errors(list));
+    EXPECT_EQ(first_error(list)->place.line, 200) << to_text(list);
+}
+
 TEST_F(Complaints, OfAnEmptyChannelStandWhereItsPassReadsIt) {
     const std::string read =
         "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }\n";
