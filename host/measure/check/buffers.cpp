@@ -69,8 +69,7 @@ void run_other(const SubjectOptions& options, Check& check, CaseResult& result) 
     other.after_frame = subject.after_frame;
     // One of the two may have a state and play for a while only: both are seen at that time.
     const bool any_state = subject.stateful() || other.stateful();
-    const double time =
-        any_state ? std::min(subject.preset.time, kBuffersPlayed) : subject.preset.time;
+    const double time = any_state ? kBuffersPlayed : subject.preset.time;
     if (!subject.show(time, kBuffersPlayed)) return;
     const std::vector<float> usual = subject.picture();
     const bool finite = other.show(time, kBuffersPlayed);

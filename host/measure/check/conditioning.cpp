@@ -51,9 +51,7 @@ Moved moved_picture(const std::string& what, const std::vector<float>& usual,
 class Mover {
 public:
     explicit Mover(CheckSubject& subject)
-        : subject_(subject),
-          time_(subject.stateful() ? std::min(subject.opened().time, kNudgedPlayed)
-                                   : subject.opened().time) {
+        : subject_(subject), time_(subject.shown_time(subject.opened().time, kNudgedPlayed)) {
         draw(0.0);
         usual_ = subject.picture();
     }

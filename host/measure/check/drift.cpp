@@ -1,5 +1,7 @@
 #include "measure/check/drift.h"
 
+#include "base/median.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,16 +21,17 @@ constexpr double kLeastGrowth = 1.02;          // from the first part to the las
 constexpr double kLeastRatio = 1.01;           // from one increase to the next
 constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may differ
 
-// From the middle of a part to that of the next; the first and the last are as far from the ends.
-std::size_t between_parts(std::span<const double> values) {
-    return values.size() / (kParts + 1);
-}
+// Numbers that come evenly, so many frames apart.
+struct Series {
+    std::vector<double> values;
+    double apart = 1.0;
+};
 
 // By windows of Hann's, two parts long, whose sum is even: what swings is met in whatever phase,
 // and in plain means of parts would be one more in some of them than in others.
-std::array<double, kParts> means_of_parts(std::span<const double> values) {
-    std::array<double, kParts> means{};
-    const std::size_t length = between_parts(values);
+Series means_of_parts(std::span<const double> values) {
+    const std::size_t length = values.size() / (kParts + 1);
+    std::vector<double> means(kParts);
     for (std::size_t part = 0; part < kParts; ++part) {
         for (std::size_t i = 0; i < 2 * length; ++i) {
             const double turn =
@@ -37,23 +40,53 @@ std::array<double, kParts> means_of_parts(std::span<const double> values) {
         }
         means[part] /= 2.0 * static_cast<double>(length);
     }
+    return {std::move(means), static_cast<double>(length)};
+}
+
+// The peaks of what swings, where these come evenly: of few swings a window's mean is more or less
+// by the phase that it meets.
+Series peaks_of(std::span<const double> values) {
+    constexpr std::size_t kLeastPeaks = 5;
+    constexpr double kUnevenly = 0.05;
+    Series peaks;
+    std::vector<double> at, gaps;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+        const double before = values[i - 1], here = values[i], after = values[i + 1];
+        if (!(here > before) || !(here >= after)) continue;
+        const double off = 0.5 * (before - after) / (before - 2.0 * here + after);  // a parabola's
+        peaks.values.push_back(here - 0.25 * (before - after) * off);
+        at.push_back(static_cast<double>(i) + off);
+        if (at.size() > 1) gaps.push_back(at.back() - at[at.size() - 2]);
+    }
+    if (at.size() < kLeastPeaks) return {};
+    peaks.apart = median_of(gaps);
+    const auto [least, most] = std::ranges::minmax(gaps);
+    if (most - least > 2.0 * kUnevenly * peaks.apart) return {};
+    if (at.size() < 2 * (kParts + 1)) return peaks;
+    Series means = means_of_parts(peaks.values);
+    means.apart *= peaks.apart;
     return means;
 }
 
-// The factor of a part to the next by which the values' increases grow, where that is always the
-// same: then they grow like exp(t), whatever is added to them. Sums and squares of time do not.
-std::optional<double> steady_factor(std::span<const double> values) {
-    const auto means = means_of_parts(values);
-    if (!(means.back() > kLeastGrowth * means.front())) return std::nullopt;
+// The factor of a frame by which the values' increases grow, where that is always the same: then
+// they grow like exp(t), whatever is added to them. Sums and squares of time do not.
+std::optional<double> steady_factor(const Series& series) {
+    const std::vector<double>& means = series.values;
+    if (means.empty() || !(means.back() > kLeastGrowth * means.front())) return std::nullopt;
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
-    for (std::size_t i = 0; i + 2 < kParts; ++i) {
+    for (std::size_t i = 0; i + 2 < means.size(); ++i) {
         const double one = means[i + 1] - means[i], next = means[i + 2] - means[i + 1];
         if (!(one > 0.0)) return std::nullopt;
         least = std::min(least, next / one);
         most = std::max(most, next / one);
     }
     if (least < kLeastRatio || most - least > kUneven * (most - 1.0) + kDust) return std::nullopt;
-    return (least + most) / 2.0;
+    return std::pow((least + most) / 2.0, 1.0 / series.apart);
+}
+
+std::optional<double> steady_factor(std::span<const double> values) {
+    if (const auto factor = steady_factor(means_of_parts(values))) return factor;
+    return steady_factor(peaks_of(values));
 }
 
 // The same of the values whose squares these are. With what is added in every frame it is they that
@@ -91,12 +124,15 @@ void StateCurves::add(const CheckSubject& subject) {
         if (!subject.is_fed_back(i)) continue;
         const auto names = output_names(subject.scene(), passes[i].pass);
         for (std::size_t output = 0; output < names.size(); ++output) {
-            std::array<double, 4> squares{};
+            std::array<double, 4> squares{}, most{};
             const std::vector<float> values = subject.renderer().read_buffer(i, output);
             for (std::size_t k = 0; k < values.size(); ++k) {
                 if (!std::isfinite(values[k])) continue;
                 if (std::abs(values[k]) > std::abs(largest)) largest = values[k];
-                squares[k % 4] += static_cast<double>(values[k]) * static_cast<double>(values[k]);
+                const double square =
+                    static_cast<double>(values[k]) * static_cast<double>(values[k]);
+                squares[k % 4] += square;
+                most[k % 4] = std::max(most[k % 4], square);
             }
             const double texels = std::max(static_cast<double>(values.size()) / 4.0, 1.0);
             double sum = 0.0;
@@ -105,6 +141,9 @@ void StateCurves::add(const CheckSubject& subject) {
                 sum += squares[c] / texels;
             }
             put(names[output], sum);
+            // What grows in one place is nothing beside all others.
+            for (std::size_t c = 0; c < 4; ++c)
+                put("the largest of " + names[output] + "." + "xyzw"[c], most[c]);
         }
     }
     largest_.push_back(std::abs(largest));
@@ -117,8 +156,8 @@ std::string StateCurves::growth(std::size_t from) const {
         if (values.size() < kLeastOfGrowth) continue;
         const auto factor = factor_of_values(values);
         if (!factor) continue;
-        const double frame = std::log(*factor) / static_cast<double>(between_parts(values));
-        return fmt::format("{} grows steadily, by {:.2g} % a frame", curve.name, 100.0 * frame);
+        return fmt::format("{} grows steadily, by {:.2g} % a frame", curve.name,
+                           100.0 * std::log(*factor));
     }
     return "";
 }
@@ -146,6 +185,16 @@ bool StateCurves::chatters() const {
     for (std::size_t k = frames() - steps + 1; k < frames(); ++k)
         turned += signed_[k] == -signed_[k - 1] && signed_[k] != 0.0f;
     return steps > 4 && 4 * unchanged() >= 3 * (steps - 1) && 4 * turned >= steps;
+}
+
+bool StateCurves::rests() const {
+    constexpr double kStill = 1e-3;
+    const auto late = static_cast<std::ptrdiff_t>(frames() - frames() / 8);
+    return frames() >= 8 && std::ranges::all_of(curves_, [&](const Curve& curve) {
+               const auto [least, most] =
+                   std::minmax_element(curve.means.begin() + late, curve.means.end());
+               return *most - *least <= kStill * *most;
+           });
 }
 
 bool StateCurves::explodes(float usual) const {

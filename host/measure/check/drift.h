@@ -24,6 +24,8 @@ public:
     // its sign goes to and fro meanwhile.
     bool stands_beyond(float usual) const;
     bool chatters() const;
+    // Whether hardly anything has changed in the last eighth of the frames.
+    bool rests() const;
     float largest() const;
     float largest_from(std::size_t frame) const;
     float largest_before(std::size_t frame) const;
@@ -34,7 +36,7 @@ private:
 
     struct Curve {
         std::string name;           // of what: "waves.x", "waves"
-        std::vector<double> means;  // squares, by frame
+        std::vector<double> means;  // squares, by frame; or the largest of these
     };
     std::vector<Curve> curves_;
     std::vector<float> largest_, signed_;  // by frame; that with its sign

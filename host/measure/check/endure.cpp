@@ -58,22 +58,38 @@ bool chatters_by_steps(const Check& check, const StateCurves& curves, float usua
     return stepped.frames() == kSteps && stepped.chatters();
 }
 
-// What begins as a growth may come to rest, as that of a population does: then it goes on, and
-// where time is too short to tell, nothing is told.
+bool is_far(const StateCurves& curves, float usual) {
+    return curves.largest() > std::max(kFar, kFar * usual);
+}
+
+// Whether the state explodes, beyond `usual` by far. What comes to rest, not too far, was to: a
+// population grows so to what the land bears.
+bool explodes(const Check& check, StateCurves& curves, Invariants& invariants, float usual) {
+    if (curves.explodes(usual)) {
+        const bool may_rest =
+            !curves.chatters() && (curves.rests() || play_curves(check, kConfirmed, curves,
+                                                                 invariants, kConfirmingShare));
+        if (!may_rest || !curves.rests() || is_far(curves, usual)) return true;
+    }
+    return chatters_by_steps(check, curves, usual);
+}
+
+// What begins as a growth may come to rest, too: then it goes on, and where time is too short to
+// tell, nothing is told.
 std::string why_not(const Check& check, StateCurves& curves, Invariants& invariants, float usual) {
     if (!check.subject.observed().is_finite()) return "";
-    if (curves.explodes(usual) || chatters_by_steps(check, curves, usual))
+    if (explodes(check, curves, invariants, usual))
         return fmt::format("the state explodes to {:.3g} (with the preset's values {:.3g})",
                            curves.largest(), usual);
     const std::size_t seen = curves.frames();
     std::string growth = curves.growth();
     if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
-    if (growth.empty() || !play_curves(check, kConfirmed, curves, invariants, kConfirmingShare))
+    const int confirmed = std::max(kConfirmed, check.effort.frames.value_or(0));
+    if (growth.empty() || !play_curves(check, confirmed, curves, invariants, kConfirmingShare))
         return invariants.broken();
     const bool goes_on =
-        static_cast<int>(curves.frames()) >= kConfirmed && !curves.growth(seen).empty();
-    const bool is_far = curves.largest() > std::max(kFar, kFar * usual);
-    return goes_on || is_far ? growth : invariants.broken();
+        static_cast<int>(curves.frames()) >= confirmed && !curves.growth(seen).empty();
+    return goes_on || is_far(curves, usual) ? growth : invariants.broken();
 }
 
 void run_end(std::size_t tweak, double value, Check& check, CaseResult& result) {

@@ -126,8 +126,16 @@ bool CheckSubject::play_frames(int first, int end, double fps) {
     return true;
 }
 
-bool CheckSubject::show(double time, double longest, const std::function<bool()>& is_enough) {
-    const Playback playback{.end = stateful() ? std::min(time, longest) : time};
+double CheckSubject::shown_time(double time, double played) const {
+    if (!stateful()) return time;
+    double two_steps = 0.0;
+    for (const Pass& pass : scene().passes)
+        if (pass.step) two_steps = std::max(two_steps, 2.0 * pass.step.seconds());
+    return played > 0.0 ? std::max(played, two_steps) : 0.0;
+}
+
+bool CheckSubject::show(double time, double played, const std::function<bool()>& is_enough) {
+    const Playback playback{.end = shown_time(time, played)};
     const int last = playback.last_frame();
     for (int k = stateful() ? 0 : last; k <= last; ++k) {
         const Frame frame = playback.frame(preset, k);

@@ -67,10 +67,12 @@ public:
     // Frames from `first` to `end`, each drawn, of a scene that is played at this rate from 0.
     bool play_frames(int first, int end, double fps);
 
-    // What a still at this time shows: a stateless scene draws one frame, another is played from 0
-    // for at most `longest` seconds.
-    // Ends sooner where `is_enough`, asked after each frame, says so.
-    bool show(double time, double longest, const std::function<bool()>& is_enough = nullptr);
+    // A stateless scene draws the frame of this time; a simulation is played from 0 for so many
+    // seconds, whatever time a still of it is of, with two of its steps at the least. Ends sooner
+    // where `is_enough`, asked after each frame, says so.
+    bool show(double time, double played, const std::function<bool()>& is_enough = nullptr);
+    // The time of that frame, s.
+    double shown_time(double time, double played) const;
 
     // Frame `index` of a playback that has reached `time`; the last frame took `delta`.
     Frame frame_at(double time, double delta, long index) const;

@@ -35,9 +35,7 @@ std::vector<Unset> unset_values(const CheckSubject& subject) {
 class Comparison {
 public:
     explicit Comparison(CheckSubject& subject)
-        : subject_(subject),
-          time_(subject.stateful() ? std::min(subject.preset.time, kUnsetPlayed)
-                                   : subject.preset.time) {
+        : subject_(subject), time_(subject.shown_time(subject.preset.time, kUnsetPlayed)) {
         sets_ = values_at_ends(subject, subject.specialised() ? 1 : kEnds);
     }
 
