@@ -1,6 +1,8 @@
 // Diagnostics as text, and the two small helps that make them readable: quoting and "did you mean".
 #include "base/diagnostic.h"
 
+#include "base/words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,14 +31,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         std::swap(row, below);
     }
     return row.back();
-}
-
-// Names of files and what a shader says in #error may hold what a terminal obeys.
-std::string harmless(std::string text, char instead, std::string_view kept = "") {
-    for (char& c : text)
-        if ((static_cast<unsigned char>(c) < 0x20 || c == 0x7F) && kept.find(c) == kept.npos)
-            c = instead;
-    return text;
 }
 
 }  // namespace

@@ -68,6 +68,10 @@ void set_signals(bool default_signals, sigset_t mask) {
     if (wanted.niceness != 0) ::setpriority(PRIO_PROCESS, 0, wanted.niceness);
     const rlimit none{.rlim_cur = 0, .rlim_max = 0};
     if (!wanted.core_files) ::setrlimit(RLIMIT_CORE, &none);
+    const rlimit time{wanted.most_seconds, wanted.most_seconds + 1};
+    const rlimit room{wanted.most_bytes, wanted.most_bytes};
+    if (wanted.most_seconds > 0) ::setrlimit(RLIMIT_CPU, &time);
+    if (wanted.most_bytes > 0) ::setrlimit(RLIMIT_AS, &room);
     if (place(plan.streams)) {
         set_signals(wanted.default_signals, plan.mask);
         ::execvp(plan.program, plan.words);

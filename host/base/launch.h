@@ -1,6 +1,7 @@
 // One way to start a program: what it gets of ours, and how it ends with us.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <optional>
@@ -25,6 +26,8 @@ struct Launch {
     bool default_signals = false;  // none ignored, none blocked; false: as here
     bool core_files = true;
     int niceness = 0;  // 0: ours
+    // Seconds of a processor and bytes of memory, beyond which it is ended; 0: as many as it takes.
+    rlim_t most_seconds = 0, most_bytes = 0;
 };
 
 struct Launched {

@@ -1,5 +1,7 @@
 #include "base/numbered_name.h"
 
+#include "base/temporary_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,8 +53,7 @@ std::filesystem::path free_picture_name(const std::filesystem::path& file) {
         const std::filesystem::path name =
             fmt::format("{}-{:04}.png", file.stem().string(), number);
         // One that cannot even be asked for is refused, with the reason, where it is written.
-        std::error_code error;
-        if (!std::filesystem::exists(name, error)) return name;
+        if (!is_taken(name)) return name;
     }
 }
 

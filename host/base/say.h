@@ -1,7 +1,10 @@
 // The two ways in which the program speaks: messages on stderr, results on stdout.
 #pragma once
 
+#include "base/words.h"
+
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -34,7 +37,9 @@ inline void flush_results() {
 // gives exit code 1 for result_error().
 template <class... Values>
 void say_result(fmt::format_string<Values...> format, Values&&... values) {
-    const std::string text = fmt::format(format, std::forward<Values>(values)...);
+    std::string text = fmt::format(format, std::forward<Values>(values)...);
+    static const bool is_terminal = ::isatty(STDOUT_FILENO) != 0;
+    if (is_terminal) text = harmless(text, '?', "\n\t\r");
     const bool sent = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (!sent && result_error() == 0) result_error() = errno;
 }

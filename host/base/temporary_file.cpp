@@ -40,6 +40,11 @@ std::runtime_error cannot_write(const fs::path& file, std::string_view cause) {
     return std::runtime_error(fmt::format("Cannot write {}: {}.", file.string(), cause));
 }
 
+bool is_taken(const fs::path& name) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(name, error));
+}
+
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);

@@ -20,6 +20,10 @@ void make_folder(const std::filesystem::path& folder);
 // Throws what a TemporaryFile of this target would; for those who only write after hours of work.
 void require_writable(const std::filesystem::path& target);
 
+// Whether anything has this name: a link that leads nowhere, too, through which a file would be
+// written wherever it points.
+bool is_taken(const std::filesystem::path& name);
+
 // "Cannot read NAME: CAUSE."
 std::runtime_error cannot_read(const std::filesystem::path& file, std::string_view cause);
 

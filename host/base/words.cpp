@@ -27,6 +27,35 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
+namespace {
+
+// Bytes of a character of UTF-8 here that a terminal obeys, or that turns what is read; 0: none.
+std::size_t obeyed_length(std::string_view rest) {
+    const auto byte = [&](std::size_t i) {
+        return i < rest.size() ? static_cast<unsigned char>(rest[i]) : 0u;
+    };
+    if (byte(0) < 0x20 || byte(0) == 0x7F) return 1;
+    if (byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) <= 0x9F) return 2;  // C1
+    if (byte(0) == 0xD8 && byte(1) == 0x9C) return 2;                     // U+061C
+    const bool is_mark = byte(1) == 0x80 && (byte(2) == 0x8E || byte(2) == 0x8F ||
+                                             (byte(2) >= 0xAA && byte(2) <= 0xAE));
+    const bool is_isolate = byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9;
+    return byte(0) == 0xE2 && (is_mark || is_isolate) ? 3 : 0;
+}
+
+}  // namespace
+
+std::string harmless(std::string_view text, char instead, std::string_view kept) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = obeyed_length(text.substr(i));
+        const bool stays = length == 0 || kept.find(text[i]) != kept.npos;
+        result += stays ? text[i] : instead;
+        i += stays ? 1 : length;
+    }
+    return result;
+}
+
 std::string quoted(std::string_view text, char mark, std::string_view inner) {
     std::string result(1, mark);
     for (const char c : text) result += c == mark ? inner : std::string_view(&c, 1);

@@ -30,6 +30,11 @@ std::string quoted(std::string_view text, char mark, std::string_view inner);
 std::string shell_word(const std::string& word);
 std::string shell_file(const std::string& name);
 
+// Names of files and what a shader says in #error may hold what a terminal obeys: control
+// characters but those that are kept, U+0080 to U+009F among them, and marks that turn the
+// direction of text.
+std::string harmless(std::string_view text, char instead, std::string_view kept = "");
+
 // Without the white space at both ends.
 std::string_view trimmed(std::string_view text);
 

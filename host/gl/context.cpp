@@ -99,10 +99,10 @@ void Context::check() {
                         reset_reason(status)));
     }
     if (const std::string text = take_complaint(); !text.empty()) {
-        throw std::runtime_error(
-            text.starts_with("GL_OUT_OF_MEMORY")
-                ? "There is not enough video memory: use smaller buffers or a smaller picture."
-                : "The GL driver refused a call: " + text);
+        throw std::runtime_error(text.starts_with("GL_OUT_OF_MEMORY")
+                                     ? "There is not enough video memory: use smaller buffers, "
+                                       "noise or a smaller picture."
+                                     : "The GL driver refused a call: " + text);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "base/readable_file.h"
 #include "base/temporary_file.h"
 #include "base/temporary_folder.h"
+#include "render/compile_watch.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -135,7 +136,11 @@ private:
 
 // False where the program is not there or refuses; its words on that are of no use to a person.
 bool runs(std::vector<std::string> words) {
-    const Launched launched = launch({.words = std::move(words)});
+    const CompileLimits limits = compile_limits();
+    const Launched launched = launch({.words = std::move(words),
+                                      .core_files = false,
+                                      .most_seconds = static_cast<rlim_t>(limits.seconds),
+                                      .most_bytes = limits.bytes});
     return launched.process != 0 && wait_for(launched.process) == 0;
 }
 
@@ -189,12 +194,12 @@ std::optional<ProgramSize> program_size(std::string_view text, std::string& why_
     // Relaxed rules let uniforms stand outside of blocks; nothing is ever drawn by this module.
     if (!runs({"glslangValidator", "-V", "-R", "--aml", "--amb", "-o", file("all.spv"),
                file("pass.frag")})) {
-        why_not = "glslangValidator is not installed, or does not take the text";
+        why_not = "glslangValidator is not installed, or does not take the text, or not in time";
         return std::nullopt;
     }
     if (!runs({"spirv-opt", "--eliminate-dead-branches", "--merge-return",
                "--eliminate-dead-functions", file("all.spv"), "-o", file("reached.spv")})) {
-        why_not = "spirv-opt is not installed";
+        why_not = "spirv-opt is not installed, or took too long";
         return std::nullopt;
     }
     return inlined_size(read_module(file("reached.spv")));

@@ -8,6 +8,8 @@
 #include "base/workers.h"
 #include "glsl/finding.h"
 #include "offline/site_text.h"
+#include "render/compile_watch.h"
+#include "render/driver_log.h"
 #include "render/own_overloads.h"
 #include "render/pass_text.h"
 #include "scene/scene_text.h"
@@ -91,10 +93,16 @@ std::optional<std::string> log_of(const std::string& text) {
     const TemporaryFolder folder;  // for each call; several threads may be here
     const std::string file = (folder.path() / "pass.frag").string();
     write_whole_file(file, std::as_bytes(std::span(text)));
-    const Launched launched = launch({.words = {"glslangValidator", file}, .output = kPipe});
+    const CompileLimits limits = compile_limits();
+    const Launched launched = launch({.words = {"glslangValidator", file},
+                                      .output = kPipe,
+                                      .core_files = false,
+                                      .most_seconds = static_cast<rlim_t>(limits.seconds),
+                                      .most_bytes = limits.bytes});
     if (launched.process == 0) return std::nullopt;
     std::string log = read_all(launched.pipe);
-    wait_for(launched.process);
+    if (wait_for(launched.process) < 0)
+        throw std::runtime_error("glslangValidator took more time or memory than a compiler may");
     return log;
 }
 
@@ -130,13 +138,14 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
     const std::string head = before(preset, pass, reading);
     const auto log = log_of(head + site.text + std::string(kBehind));
     if (!log) return std::nullopt;
-    static const std::regex error(R"(ERROR: [^\n:]*:(\d+): '([^\n]*)' : ([^\n]*))");
+    static const std::regex error(R"(ERROR: [^:]*:(\d+): '(.*)' : (.*))");
     const int head_lines = static_cast<int>(std::ranges::count(head, '\n'));
     std::vector<PlacedFinding> findings;
-    for (auto one = std::sregex_iterator(log->begin(), log->end(), error);
-         one != std::sregex_iterator(); ++one) {
+    for (const std::string& said : lines_of(*log)) {
+        std::smatch one;
+        if (!std::regex_search(said, one, error)) continue;
         int line = 0;
-        const std::string digits = (*one)[1], word = (*one)[2], why = (*one)[3];
+        const std::string digits = one[1], word = one[2], why = one[3];
         std::from_chars(digits.data(), digits.data() + digits.size(), line);
         if (is_refused_by_it_alone(why)) return std::vector<PlacedFinding>();
         if (why.starts_with("compilation terminated") || line <= head_lines) continue;

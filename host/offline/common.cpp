@@ -95,13 +95,16 @@ void Progress::update(long done) {
 }
 
 void report(const Diagnostics& diagnostics) {
+    constexpr std::size_t kMostSaid = 100;
     bool missing = false;
+    std::size_t said = 0;
     for (const Diagnostic& diagnostic : diagnostics) {
-        say_diagnostic(diagnostic);
+        if (++said <= kMostSaid) say_diagnostic(diagnostic);
         // No shader is at fault where a preset cannot be read.
         const bool unreadable = diagnostic.missing_file || diagnostic.place.file.ends_with(".toml");
         missing |= diagnostic.severity == Severity::error && unreadable;
     }
+    if (said > kMostSaid) say("… and {} more\n", said - kMostSaid);
     if (has_errors(diagnostics)) throw Stop(missing ? ExitCode::missing_file : ExitCode::shader);
 }
 

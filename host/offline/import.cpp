@@ -32,6 +32,25 @@ fs::path numbered(const fs::path& output, std::size_t index) {
            fmt::format("{}-{}{}", output.stem().string(), index + 1, output.extension().string());
 }
 
+void remove_all(const std::vector<fs::path>& files) {
+    std::error_code error;
+    for (const fs::path& file : files) fs::remove(file, error);
+}
+
+// None stays of those that this began, where one cannot be written.
+void write_all_or_none(const std::vector<fs::path>& names, const std::vector<std::string>& texts) {
+    std::vector<fs::path> written;
+    try {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            write_whole_file(names[i], std::as_bytes(std::span(texts[i])));
+            written.push_back(names[i]);
+        }
+    } catch (...) {
+        remove_all(written);
+        throw;
+    }
+}
+
 // Takes back what has been written where it names anything outside the folder.
 void confine(std::vector<fs::path>& scenes, const ImportOptions& options,
              Diagnostics& diagnostics) {
@@ -49,8 +68,7 @@ void confine(std::vector<fs::path>& scenes, const ImportOptions& options,
          fmt::format("its code names {}, which is outside its folder; --anywhere imports it",
                      in_quotes(outside.front().string())),
          true});
-    std::error_code error;
-    for (const fs::path& scene : scenes) fs::remove(scene, error);
+    remove_all(scenes);
     scenes.clear();
 }
 
@@ -70,15 +88,13 @@ std::vector<fs::path> import_shadertoys(const ImportOptions& options, Diagnostic
                                    diagnostics, options.anywhere));
     }
     if (has_errors(diagnostics)) return {};
-    std::error_code error;
     for (const fs::path& name : names) {
-        if (fs::exists(name, error))
+        if (is_taken(name))
             throw cannot_write(name,
                                "it is there already, and somebody may have worked on it; "
                                "name another file, or move it away");
     }
-    for (std::size_t i = 0; i < names.size(); ++i)
-        write_whole_file(names[i], std::as_bytes(std::span(texts[i])));
+    write_all_or_none(names, texts);
     if (!options.anywhere) confine(names, options, diagnostics);
     return names;
 }
@@ -92,8 +108,7 @@ bool is_shadertoy(const fs::path& file) {
 ImportedBeside import_beside(const fs::path& input) {
     const fs::path scene = fs::path(input).replace_extension(".frag");
     const std::string name = scene.filename().string();
-    std::error_code error;
-    if (fs::exists(scene, error)) return {scene, fmt::format("{} was there already", name)};
+    if (is_taken(scene)) return {scene, fmt::format("{} was there already", name)};
     Diagnostics diagnostics;
     try {
         import_shadertoys({.input = input, .output = scene}, diagnostics);

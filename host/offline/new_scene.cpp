@@ -20,9 +20,7 @@ fs::path write_new_scene(const fs::path& file, std::string_view from) {
     if (!file.has_filename() || file.filename() == "." || file.filename() == "..")
         throw UsageError("Name the new scene, such as rings.frag.");
     if (scene.extension() != ".frag") scene += ".frag";
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(scene, error)))
-        throw cannot_write(scene, "it is there already; name another file");
+    if (is_taken(scene)) throw cannot_write(scene, "it is there already; name another file");
     write_whole_file(scene, std::as_bytes(std::span(chosen->text)));
     return scene;
 }

@@ -1,6 +1,7 @@
 #include "render/channels.h"
 
 #include "gl/resample.h"
+#include "render/room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,10 @@ Channel make_channel(SamplerType type, const PixelView& pixels, bool mipmaps) {
 Channel make_noise(const Sampler& sampler) {
     const bool is_cube = sampler.type == SamplerType::samplerCube;
     const glm::ivec3 size(glm::ivec2(sampler.noise_size), is_cube ? 6 : sampler.noise_size.z);
+    const auto texels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                        static_cast<std::size_t>(size.z);
+    const WantedMemory wanted{"the noise of " + sampler.name, texels * (4 + 4) / 3 * 4};
+    require_memory({&wanted, 1}, "Make the noise smaller, such as 256.");
     const std::vector<std::byte> bytes = noise_bytes(size, sampler.noise_channels);
     const PixelView pixels{.size = glm::ivec2(size),
                            .slices = size.z,

@@ -242,22 +242,6 @@ int parse_count(const std::string& digits) {
 
 constexpr int kLastLine = 1 << 30;  // no text has as many
 
-// The lines of a log, without white space and zeros at their ends. One that quotes a name of 300 kB
-// is cut: nobody reads it, and matching a regular expression takes stack for every character.
-std::vector<std::string> lines_of(const std::string& log) {
-    constexpr std::size_t kLongestLine = 2000;
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin < log.size();) {
-        const std::size_t end = std::min(log.find('\n', begin), log.size());
-        std::string line = log.substr(begin, end - begin);
-        if (line.size() > kLongestLine) line.replace(kLongestLine, line.npos, "...");
-        line.erase(line.find_last_not_of(std::string_view(" \t\r\0", 4)) + 1);
-        lines.push_back(std::move(line));
-        begin = end + 1;
-    }
-    return lines;
-}
-
 // The type of the first of what stands between brackets: `texture(sampler2D, vec3)'.
 std::string_view first_type(std::string_view call) {
     const std::size_t open = std::min(call.find('('), call.size() - 1);
@@ -375,6 +359,20 @@ Diagnostics without_consequences(const Diagnostics& list) {
 }
 
 }  // namespace
+
+std::vector<std::string> lines_of(const std::string& log) {
+    constexpr std::size_t kLongestLine = 2000;
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < log.size();) {
+        const std::size_t end = std::min(log.find('\n', begin), log.size());
+        std::string line = log.substr(begin, end - begin);
+        if (line.size() > kLongestLine) line.replace(kLongestLine, line.npos, "...");
+        line.erase(line.find_last_not_of(std::string_view(" \t\r\0", 4)) + 1);
+        lines.push_back(std::move(line));
+        begin = end + 1;
+    }
+    return lines;
+}
 
 Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string text) {
     const bool is_image = pass == kImagePass;

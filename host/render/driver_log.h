@@ -3,11 +3,18 @@
 
 #include "render/pass_text.h"
 
+#include <string>
+#include <vector>
+
 namespace glint {
 
 // The driver's log about a text as diagnostics. Reads the forms of Mesa "0:12(5): error: …", NVIDIA
 // "0(12) : error C1: …" and ANGLE or Intel "ERROR: 0:12: …".
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text);
+
+// The lines of a log, without white space and zeros at their ends. One that quotes a name of 300 kB
+// is cut: nobody reads it, and matching a regular expression takes stack for every character.
+std::vector<std::string> lines_of(const std::string& log);
 
 // A complaint of the linker, which has no place. The commonest one is said better than drivers do.
 Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string text);

@@ -224,6 +224,8 @@ bool is_told_of(const Complaint& complaint, const Token& token) {
     return kind != kEnd;
 }
 
+constexpr std::size_t kLongestNumber = 1000;
+
 // A number as other languages write it, where the complaint is or right before it.
 std::optional<SyntaxError> bad_number(std::span<const Token> tokens, std::size_t at) {
     static const std::regex good(R"((0[0-7]*|[1-9]\d*|0[xX][\da-fA-F]+)[uU]?|)"
@@ -231,7 +233,8 @@ std::optional<SyntaxError> bad_number(std::span<const Token> tokens, std::size_t
     static const std::regex whole(R"((\d+)[a-zA-Z]+)"), octal(R"(0+(\d+))");
     for (const std::size_t i : {at, at - 1}) {
         if (i >= tokens.size() || tokens[i].kind != TokenKind::number) continue;
-        const std::string text(tokens[i].text);
+        // Matching takes stack for every character.
+        const std::string text(tokens[i].text.substr(0, kLongestNumber));
         if (std::regex_match(text, good)) continue;
         std::smatch m;
         std::string help;

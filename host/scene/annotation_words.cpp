@@ -30,7 +30,8 @@ Words Words::ahead() const {
 }
 
 void Words::complain(std::size_t at, std::string text) {
-    if (complaints_ != nullptr) complaints_->push_back({at, std::move(text)});
+    constexpr std::size_t kMost = 20;  // of one annotation; nobody reads on
+    if (complaints_ && complaints_->size() < kMost) complaints_->push_back({at, std::move(text)});
 }
 
 void Words::skip_space() {

@@ -198,6 +198,13 @@ std::optional<ShadertoyTab> JsonReader::tab(const std::string& name, const Json&
         return std::nullopt;
     }
     ShadertoyTab tab{.name = name, .code = word(pass, "code"), .inputs = {}};
+    if (tab.code.find('\0') != tab.code.npos) {
+        error(
+            fmt::format("the code of the tab {} is no text: there is a NUL in it; export the "
+                        "shader again",
+                        in_quotes(name)));
+        return std::nullopt;
+    }
     const Json& inputs = member(pass, "inputs");
     if (inputs.is_array())
         for (const Json& input : inputs) tab.inputs.push_back(read_input(input, tab_of_id));
@@ -277,21 +284,40 @@ std::string read_text(const fs::path& file, Diagnostics& diagnostics) {
     return bytes ? clean_text(*bytes).text : std::string();
 }
 
+// Copies and ends of what is nested deeper would overflow the stack.
+constexpr int kDeepest = 100;
+
+// How deep what a text of JSON has opened is nested.
+int depth_of(std::string_view text) {
+    int depth = 0, deepest = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') in_string = !in_string;
+        if (in_string && c == '\\') ++i;
+        if (in_string) continue;
+        if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+        if (c == ']' || c == '}') --depth;
+    }
+    return deepest;
+}
+
 }  // namespace
 
 std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagnostics) {
     std::vector<Shadertoy> shaders;
     const std::string text = read_text(file, diagnostics);
     if (has_errors(diagnostics)) return {};
+    if (depth_of(text) > kDeepest) {
+        diagnostics.push_back({Severity::error,
+                               {file.string()},
+                               "it is nested as no shader is; export the shader again",
+                               true});
+        return {};
+    }
     Json json;
-    bool too_deep = false;
     try {
-        // Copies and ends of what is nested deeper would overflow the stack.
-        constexpr int kDeepest = 100;
-        json = Json::parse(text, [&too_deep](int depth, Json::parse_event_t, Json&) {
-            too_deep |= depth > kDeepest;
-            return depth <= kDeepest;
-        });
+        json = Json::parse(text);
     } catch (const Json::parse_error& error) {
         const std::string before = text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
         const auto line = std::ranges::count(before, '\n') + 1;
@@ -306,13 +332,6 @@ std::vector<Shadertoy> read_shadertoys(const fs::path& file, Diagnostics& diagno
         diagnostics.push_back({Severity::error,
                                {file.string()},
                                "a number in it is too large; export the shader again",
-                               true});
-        return {};
-    }
-    if (too_deep) {
-        diagnostics.push_back({Severity::error,
-                               {file.string()},
-                               "it is nested as no shader is; export the shader again",
                                true});
         return {};
     }

@@ -300,6 +300,13 @@ std::string Writer::what_is_missing(const ShadertoyInput& input) const {
 }
 
 // A stranger's file names only what came with it.
+// Whether an annotation can name it, between quotes and on one line.
+static bool can_be_quoted(const fs::path& file) {
+    return std::ranges::none_of(file.string(), [](char c) {
+        return c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    });
+}
+
 bool Writer::may_read(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return false;
@@ -327,7 +334,7 @@ std::string Writer::file_beside(const ShadertoyInput& input) {
     };
     for (const fs::path& local :
          {from_.parent_path() / file, from_.parent_path() / file.filename()}) {
-        if (!may_read(local)) continue;
+        if (!may_read(local) || !can_be_quoted(local)) continue;
         std::string text = source + quoted(local);
         // The site's cubes are six files: NAME.png, and NAME_1.png to NAME_5.png.
         std::string others;

@@ -2,6 +2,7 @@
 
 #include "base/numbered_name.h"
 #include "base/say.h"
+#include "base/temporary_file.h"
 #include "base/terminal.h"
 #include "offline/examples.h"
 #include "offline/import.h"
@@ -53,8 +54,7 @@ void run_open(const ViewOptions& options, const Stopwatch& since_start) {
     still.view = options;
     // Nobody named it, so of what is there only a picture goes that Glint drew.
     still.output = options.file.stem().string() + ".png";
-    if (std::filesystem::exists(std::filesystem::symlink_status(still.output, error)) &&
-        !is_drawn_by_glint(still.output))
+    if (is_taken(still.output) && !is_drawn_by_glint(still.output))
         still.output = free_picture_name(options.file);
     say("There is no display; the picture goes to {}.\n", still.output.string());
     run_still(still, since_start);

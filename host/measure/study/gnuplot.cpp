@@ -10,7 +10,10 @@
 namespace glint {
 
 std::string gnuplot_word(const std::string& word) {
-    return quoted(word, '\'', "''");
+    std::string line = word;  // gnuplot takes what follows a line's end for a command
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    return quoted(line, '\'', "''");
 }
 
 std::string gnuplot_svg(const std::string& commands) {

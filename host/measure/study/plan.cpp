@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace glint {
@@ -235,7 +236,8 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
     const auto multiply = [&](const Tweak& of, double by) {
         double& number = result.setting.values[index(of)][0];
         number *= by;
-        if (of.type == TweakType::int1) number = std::floor(number);
+        constexpr double kMost = std::numeric_limits<int>::max();
+        if (of.type == TweakType::int1) number = std::clamp(std::floor(number), -kMost, kMost);
     };
     const std::string_view how = times > 1.0 ? "twice" : "half";
     const auto unless_same = [&] {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -156,9 +157,12 @@ std::string labels(const Study& study, const Span& x, const Span& y) {
 }
 
 std::string script(const Study& study) {
-    // Names of its parts, so that several diagrams can stand in one page.
-    const std::string name =
+    // Names of its parts, so that several diagrams can stand in one page. Of others than these
+    // characters gnuplot takes none.
+    std::string name =
         fmt::format("{}_{}", std::filesystem::path(study.scene).stem().string(), study.knob);
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     std::string text = fmt::format(
         "set terminal svg size {},{} dynamic font 'sans-serif,13' name {} background '#ffffff'\n",
         kPicture.x, kPicture.y, gnuplot_word(name));

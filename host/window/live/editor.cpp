@@ -85,7 +85,9 @@ std::vector<std::string> editor_command(const std::string& editor, const Place& 
     if (command.empty()) command.push_back(kDesktopsChoice);
     const std::string name = program_name(command);
     const int line = std::max(place.line, 1), column = std::max(place.column, 1);
-    const std::string at = fmt::format("{}:{}:{}", place.file, line, column);
+    // No name is taken for an option.
+    const std::string file = place.file.starts_with('-') ? "./" + place.file : place.file;
+    const std::string at = fmt::format("{}:{}:{}", file, line, column);
     if (is_one_of(name, {"code", "codium", "code-insiders"})) {
         command.push_back("--goto");
         command.push_back(at);
@@ -93,16 +95,16 @@ std::vector<std::string> editor_command(const std::string& editor, const Place& 
         command.push_back(at);
     } else if (is_one_of(name, {"emacs", "emacsclient", "gedit", "kak", "micro"})) {
         command.push_back(fmt::format("+{}:{}", line, column));
-        command.push_back(place.file);
+        command.push_back(file);
     } else if (name == "nano") {
         command.push_back(fmt::format("+{},{}", line, column));
-        command.push_back(place.file);
+        command.push_back(file);
     } else if (name == "kate") {
         command.insert(command.end(), {"-l", std::to_string(line), "-c", std::to_string(column)});
-        command.push_back(place.file);
+        command.push_back(file);
     } else {
         if (name != kDesktopsChoice) command.push_back(fmt::format("+{}", line));
-        command.push_back(place.file);
+        command.push_back(file);
     }
     return command;
 }

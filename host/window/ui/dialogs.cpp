@@ -1,4 +1,5 @@
 // What has to be answered before a person goes on: where to save, what to do with unsaved work.
+#include "base/temporary_file.h"
 #include "scene/preset.h"
 #include "window/ui/interface.h"
 #include "window/ui/widgets.h"
@@ -79,7 +80,7 @@ void ask_path(Build& build, SavingState& state) {
     fs::path path(state.path);
     if (!path.empty() && !is_preset(path)) path += ".toml";
     std::error_code error;
-    const bool exists = fs::exists(path, error), is_folder = fs::is_directory(path, error);
+    const bool exists = is_taken(path), is_folder = fs::is_directory(path, error);
     const bool is_named = path.has_filename() && path.filename() != ".toml" && !is_folder;
     const bool is_name = is_named && has_folder(path);
     text_in(exists || !is_name ? colours::kWarning : colours::kDim,
@@ -109,8 +110,7 @@ void ask_path(Build& build, SavingState& state) {
 fs::path proposed_scene(const fs::path& folder) {
     for (int number = 1;; ++number) {
         const std::string name = number == 1 ? "new.frag" : fmt::format("new-{}.frag", number);
-        std::error_code error;
-        if (!fs::exists(folder / name, error)) return folder / name;
+        if (!is_taken(folder / name)) return folder / name;
     }
 }
 
@@ -133,8 +133,7 @@ void ask_new_scene(Build& build, NewSceneState& state) {
     choose_template(build, state);
     fs::path path(state.path);
     if (!path.empty() && path.extension() != ".frag") path += ".frag";
-    std::error_code error;
-    const bool exists = fs::exists(path, error), is_free = !exists && has_folder(path);
+    const bool exists = is_taken(path), is_free = !exists && has_folder(path);
     text_in(is_free ? colours::kDim : colours::kWarning,
             exists    ? "This file is there already; name another."
             : is_free ? "It is written, and opened."
