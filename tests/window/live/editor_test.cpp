@@ -85,6 +85,14 @@ TEST_F(Editors, AreGivenThePlace) {
 }
 
 // Ctrl+C in the terminal goes to all that belong to its session.
+// A file that an #include names may be called "-c!rm *".
+TEST_F(Editors, TakeNoNameForAnOption) {
+    for (const char* name : {"vim", "code", "nano", "emacs", "kate", "hx", "other"})
+        for (const std::string& word : editor_command(name, {"-c!touch taken", 3, 1}))
+            EXPECT_FALSE(word.starts_with("-c!")) << name;
+    EXPECT_EQ(editor_command("vim", {"-c!touch taken", 3, 1}).back(), "./-c!touch taken");
+}
+
 TEST_F(Editors, OutliveTheTerminal) {
     const fs::path told = folder / "told";
     ::mkfifo(told.c_str(), 0600);
