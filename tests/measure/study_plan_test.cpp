@@ -198,6 +198,10 @@ TEST(StudyReference, SaysWhetherMoreIsBetter) {
         Planned("uniform float a; //@ 0.1 [0.1, 0.8] log quality reference=0.05\n").only();
     EXPECT_FALSE(length.more_is_better);
     EXPECT_EQ(length.second->text, "0.025") << "half the step";
+    const Planned low("uniform int a; //@ 16 [1, 256] log quality\n");
+    EXPECT_TRUE(low.only({.reference = {"a=64"}}).more_is_better) << "most octaves are below";
+    const Planned declared("uniform int a; //@ 16 [1, 256] quality reference=256\n");
+    EXPECT_TRUE(declared.only({.reference = {"a=64"}}).more_is_better) << "as the scene says";
     const Knob least = Planned("uniform int a; //@ 1 [1, 4] quality reference=0\n").only();
     EXPECT_FALSE(least.second) << "nothing is half of no step";
 }

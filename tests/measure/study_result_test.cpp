@@ -38,6 +38,19 @@ TEST(StudyClock, IsTheWallBesideAFrameTooShortToBeShared) {
 using glint::own_error;
 using glint::SecondWork;
 
+// The other row was told apart after a round; then the machine became half as fast.
+TEST(StudyTimes, AreBesideEachOtherWhateverRoundsARowWasIn) {
+    glint::Study study;
+    study.rows = {row(1.0, 1.0), row(0.9, 0.9)};
+    study.rows[0].is_preset = true;
+    for (std::vector<double>* times : {&study.rows[0].times.wall, &study.rows[0].times.processor})
+        times->resize(60, 2.0);
+    glint::judge(study, {}, true);
+    EXPECT_DOUBLE_EQ(study.rows[0].ms.median, 2.0);
+    EXPECT_DOUBLE_EQ(study.rows[1].ms.median, 1.8);
+    EXPECT_DOUBLE_EQ(study.rows[1].ms.high, 1.8);
+}
+
 TEST(StudyOwnError, OfTwoSeedsIsSharedByBoth) {
     EXPECT_DOUBLE_EQ(own_error(std::sqrt(2.0), {SecondWork::Kind::seed, 1.0}, {.order = 0.5}), 1.0);
 }

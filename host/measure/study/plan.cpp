@@ -187,7 +187,11 @@ void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
         least = std::min(least, v.work.value_or(least));
         most = std::max(most, v.work.value_or(most));
     }
-    knob.more_is_better = *knob.reference.work - least >= most - *knob.reference.work;
+    // By the end that the scene's own reference is nearer to, in the way that its slider goes.
+    const double declared = tweak.reference ? (*tweak.reference)[0] : *knob.reference.work;
+    knob.more_is_better = tweak.log && least > 0.0 && declared > 0.0
+                              ? declared / least >= most / declared
+                              : declared - least >= most - declared;
 }
 
 // A method that accumulates, of a scene that otherwise does not, is the truth only after it has.
@@ -239,7 +243,7 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
         constexpr double kMost = std::numeric_limits<int>::max();
         if (of.type == TweakType::int1) number = std::clamp(std::floor(number), -kMost, kMost);
     };
-    const std::string_view how = times > 1.0 ? "twice" : "half";
+    const bool is_more = times > 1.0;
     const auto unless_same = [&] {
         return result.setting == truth.setting ? std::nullopt : std::optional(result);
     };
@@ -252,7 +256,7 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
     }
     if (facts_.accumulates(result.setting.values)) {
         result.setting.settle = static_cast<int>((result.setting.settle + 1) * times) - 1;
-        result.text += fmt::format(", {} the frames", how);
+        result.text += is_more ? ", twice the frames" : ", half the frames";
         return unless_same();
     }
     const std::vector<bool> own = own_quality(tweak, knob, truth);
@@ -261,7 +265,8 @@ std::optional<KnobValue> Planner::with_work(const Tweak& tweak, const Knob& knob
         const bool is_wanted = any_own ? own[index(other)] : other.quality && is_number(other);
         if (is_wanted && &other != &tweak) multiply(other, times);
     }
-    result.text += fmt::format(", {} {} quality", how, any_own ? "its own" : "all other");
+    result.text += fmt::format(", {} quality {}", any_own ? "its own" : "all other",
+                               is_more ? "doubled" : "halved");
     return unless_same();
 }
 

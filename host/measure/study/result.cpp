@@ -3,6 +3,7 @@
 #include "base/median.h"
 #include "base/words.h"
 #include "measure/study/rounds.h"
+#include "measure/study/row_times.h"
 #include "measure/study/statistics.h"
 
 #include <fmt/format.h>
@@ -40,30 +41,6 @@ bool has_error(const StudyRow& row) {
 bool counts_for_order(const Study& study, const StudyRow& row) {
     if (!has_error(row) || !row.work || *row.work <= 0.0 || row.is_reference) return false;
     return row.error->rmse > std::max(kFitFactor * study.own_error, kLeastRmse);
-}
-
-Timing median_and_ends(const std::vector<double>& times) {
-    if (times.empty()) return {};
-    const auto [least, most] = std::ranges::minmax(times);
-    return {.median = median_of(times), .min = least, .max = most};
-}
-
-// Each row by each clock, and by the best.
-void take_times(Study& study, bool on_software) {
-    std::vector<FrameTimes> timed;
-    for (const StudyRow& row : study.rows)
-        if (!row.times.wall.empty()) timed.push_back(row.times);
-    study.clock = best_clock(timed, on_software);
-    for (StudyRow& row : study.rows) {
-        row.wall = median_and_ends(row.times.wall);
-        row.gpu = median_and_ends(row.times.gpu);
-        row.processor = median_and_ends(row.times.processor);
-        const std::vector<double>& times = times_by(study.clock, row.times);
-        const Interval interval = median_interval(times);
-        row.ms = median_and_ends(times);
-        row.ms.low = interval.low;
-        row.ms.high = interval.high;
-    }
 }
 
 TimeVerdicts verdicts_of(const Study& study, double least) {

@@ -24,8 +24,8 @@ struct Fall {
     bool one_shape = false;
 };
 
-// By three pictures, each of twice the work of the one before: how far (RMSE) the second is from the
-// first, the third from the second, and the third from the first.
+// By three pictures, each of twice the work of the one before: how far (RMSE) the second is from
+// the first, the third from the second, and the third from the first.
 Fall fall_by_doubling(double step, double last, double far);
 
 // How far a reference is from the truth, that differs by `rmse` from a second one.

@@ -114,7 +114,12 @@ Rounds time_rounds(std::size_t rows, const std::function<FrameTime(std::size_t)>
             }
         }
         rounds.look = static_cast<int>(std::lround(std::log2(next / options.least)));
-        open = open_rows(rounds, options.on_software);
+        // One that took no part for a while would have rounds beside other ones than the others'.
+        const std::vector<std::size_t> still = open_rows(rounds, options.on_software);
+        std::erase_if(open, [&](std::size_t row) {
+            return row != options.anchor && std::ranges::find(still, row) == still.end();
+        });
+        if (still.empty() || open.size() < 2) open.clear();
         if (told) told(rounds);
         if (spent_ms >= 1e3 * options.seconds) break;
     }

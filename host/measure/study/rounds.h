@@ -14,6 +14,7 @@ struct RoundsOptions {
     int least = 15;         // rounds
     double seconds = 30.0;  // on the wall, after which no look is waited for
     bool on_software = false;
+    std::size_t anchor = 0;  // a row that takes part in all rounds
 };
 
 struct Rounds {
@@ -23,9 +24,9 @@ struct Rounds {
 };
 
 // After the least rounds, and whenever there are twice as many, verdicts are looked at; rows that
-// are told from all others, or known to be alike, take part no more. There are 4096 rounds at most,
-// or the least. `draw` draws and times one frame of a row. `told`, when there is one, hears of each
-// look.
+// are told from all others, or known to be alike, take part no more, but for the anchor. There are
+// 4096 rounds at most, or the least. `draw` draws and times one frame of a row. `told`, when there
+// is one, hears of each look.
 struct FrameTime {
     double wall = 0.0, gpu = 0.0, processor = 0.0;  // ms
 };

@@ -304,17 +304,20 @@ void time_rows(const Scenery& scenery, const Knob& knob, Study& study, Scenes& s
         return tell(scenery, knob, study);
     }
     std::vector<std::size_t> rows;  // that can be drawn
+    std::size_t anchor = 0;         // of these, the preset's own
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
         if (study.rows[i].failed == kDoesNotCompile) continue;
         if (!scenes[i]) {
             open_scene(scenery, knob.values[i], scenes[i]);
             warm_up(*scenes[i], study.rows[i]);
         }
+        if (study.rows[i].is_preset) anchor = rows.size();
         rows.push_back(i);
     }
     const RoundsOptions options{.least = scenery.options.frames,
                                 .seconds = scenery.options.seconds,
-                                .on_software = scenery.context.is_software()};
+                                .on_software = scenery.context.is_software(),
+                                .anchor = anchor};
     Rounds all{.rows = std::vector<FrameTimes>(study.rows.size()),
                .all_passes = std::vector<double>(study.rows.size(), 0.0)};
     const auto spread = [&](const Rounds& rounds) {
