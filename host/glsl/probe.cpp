@@ -472,12 +472,13 @@ bool Instrumenter::is_site_of_its_own(const Call& call, SiteKind& kind) const {
 
 // `uint(x)`: of what a whole number cannot hold, it is what a driver likes.
 void Instrumenter::over_conversion(const Call& call) {
-    const TokenRange what = {call.brackets.begin + 1, call.brackets.end - 1};
-    if (call.arity != 1 || what.empty()) return;
-    if (what.size() == 1 && token(what.begin).kind == TokenKind::number) return;
     const bool is_unsigned = reading_.word(call.name).starts_with("u");
-    hand_through(SiteKind::whole, close_spelling(reading_, {call.name, call.brackets.end}),
-                 call.name, what, is_unsigned ? "glint0_to_uint" : "glint0_to_int");
+    for (const TokenRange what : reading_.arguments_of(call)) {
+        if (what.empty()) continue;
+        if (what.size() == 1 && token(what.begin).kind == TokenKind::number) continue;
+        hand_through(SiteKind::whole, close_spelling(reading_, {call.name, call.brackets.end}),
+                     call.name, what, is_unsigned ? "glint0_to_uint" : "glint0_to_int");
+    }
 }
 
 // `1 << n`, where nothing binds `n` more closely.

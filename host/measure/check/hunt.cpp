@@ -106,12 +106,8 @@ private:
 };
 
 std::string words_of(const ProbeFault& fault) {
-    std::string operands;
-    for (const double operand : fault.operands)
-        operands += fmt::format("{}{:.7g}", operands.empty() ? " of " : ", ", operand);
-    return fmt::format("{}:{}: in {}: {} is undefined, {}{}", fault.file, fault.line,
-                       fault.function, fault.expression, fault.what,
-                       fault.what.find('(') == std::string::npos ? operands : "");
+    return fmt::format("{}:{}: in {}: {} is undefined, {}", fault.file, fault.line, fault.function,
+                       fault.expression, fault.what);
 }
 
 // Of one that is known to fail, the smallest; leaves the subject there.

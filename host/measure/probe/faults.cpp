@@ -85,6 +85,11 @@ bool is_conversion(const ProbeSite& site) {
 }
 
 // What is wrong, in words, with its operands.
+// As many as tell it from every other float: acos(1.0000001) is not acos(1).
+std::string digits(double value) {
+    return fmt::format("{}", static_cast<float>(value));
+}
+
 void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
     const double a = as_float(cell.kept[0]), b = as_float(cell.kept[1]);
     const auto whole = [&](std::size_t i) {
@@ -102,10 +107,10 @@ void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
             return;
         case SiteKind::domain:
             fault.operands = {a};
-            fault.what = fmt::format("{}({:.7g})", name, a);
+            fault.what = fmt::format("{}({})", name, digits(a));
             if (name == "pow" || name == "mod" || name == "atan") {
                 fault.operands.push_back(b);
-                fault.what = fmt::format("{}({:.7g}, {:.7g})", name, a, b);
+                fault.what = fmt::format("{}({}, {})", name, digits(a), digits(b));
             } else if (name == "normalize") {
                 fault.what = "normalize of a vector of length 0";
             }
@@ -117,7 +122,7 @@ void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
             return;
         case SiteKind::whole:
             fault.operands = {a};
-            fault.what = is_conversion(site) ? fmt::format("{}({:.7g})", name, a)
+            fault.what = is_conversion(site) ? fmt::format("{}({})", name, digits(a))
                                              : fmt::format("shift({:.0f})", a);
             return;
         case SiteKind::assertion:
@@ -350,7 +355,8 @@ void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<Probe
         if (is_told) worst.kept[0] = worst.kept[3];
         describe(site, worst, *fault_);
         fault_->operands.resize(1);  // of the second nothing is known
-        if (site.kind == SiteKind::index) fault_->what = "out of range";
+        if (site.kind == SiteKind::index)
+            fault_->what = fmt::format("index {:.0f} out of range", fault_->operands.front());
         if (const auto comma = fault_->what.find(", "); comma != std::string::npos)
             fault_->what.replace(comma, std::string::npos, ", ...)");
         const int width = renderer_.buffer(index).shape().size.x;
