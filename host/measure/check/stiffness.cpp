@@ -18,13 +18,19 @@
 namespace glint {
 namespace {
 
-constexpr int kStiffPlayed = 4;      // s, after which a step that explodes has
-constexpr int kGrowthPlayed = 16;    // s, after which one that only grows has shown itself
-constexpr int kTurns = 32;           // steps, one by one, that tell whether it goes to and fro
-constexpr int kLooks = 10;           // a second, at the largest value
-constexpr double kCompared = 0.5;    // s, after which states of halved steps are compared
-constexpr double kMostTimes = 64.0;  // the step in use
-constexpr long kParts = 64;          // of a step; how finely it is told
+// A part of a course is a second, or so many steps where these are longer.
+constexpr double kStepsOfPart = 8.0;
+constexpr int kStiffPlayed = 4;        // parts, after which a step that explodes has
+constexpr int kGrowthPlayed = 16;      // parts, after which one that only grows has shown itself
+constexpr int kTurns = 32;             // steps, one by one, that tell whether it goes to and fro
+constexpr double kLooks = 10.0;        // a second, at the largest value, or each step
+constexpr double kCompareAfter = 4.0;  // s, after which what explodes is compared
+// Steps after which states of halved steps are compared, and how long they may last: what comes to
+// rest soon has no order then.
+constexpr int kCompared[] = {2, 8, 32, 128};
+constexpr double kComparedFor = 0.6;  // s, after the first two
+constexpr double kMostTimes = 64.0;   // the step in use
+constexpr long kParts = 64;           // of a step; how finely it is told
 constexpr double kLeastOrder = 0.25;
 constexpr std::size_t kStiffEnds = 9;            // sets of tweaks
 constexpr double kStiffShare = 0.1;              // of the seconds
@@ -46,18 +52,25 @@ std::set<StepKey> steps_of(const CheckSubject& subject) {
     return steps;
 }
 
-// What a step makes of the state: the largest value that is kept in each second, and at last.
+// What a step makes of the state: the largest value that is kept in each part, and at last.
 struct Course {
+    double part = 1.0;  // s
     std::vector<float> peaks;
-    float end = 0.0f;  // infinite where it was not finite
+    float early = 0.0f, end = 0.0f;  // after the first parts of 4 s, and at last
+    bool is_finite = true;
+
+    double seconds() const { return part * static_cast<double>(peaks.size()); }
 
     float peak() const { return std::ranges::max(peaks); }
-    // From a second to the next, as it mostly is.
+    // From a second to the next, as it mostly is, up to where it is largest: what a guard sets back
+    // has grown before.
     double growth() const {
         std::vector<double> ratios;
-        for (std::size_t i = 1; i < peaks.size(); ++i)
-            ratios.push_back(std::max(peaks[i], 1e-12f) / std::max(peaks[i - 1], 1e-12f));
-        return median_of(ratios);
+        const auto most = std::ranges::max_element(peaks) - peaks.begin();
+        for (std::size_t i = 1; i <= static_cast<std::size_t>(most); ++i)
+            ratios.push_back(static_cast<double>(std::max(peaks[i], 1e-12f)) /
+                             static_cast<double>(std::max(peaks[i - 1], 1e-12f)));
+        return ratios.empty() ? 1.0 : std::pow(median_of(ratios), 1.0 / part);
     }
     bool may_grow() const {
         const auto middle = peaks.begin() + static_cast<std::ptrdiff_t>(peaks.size() / 2);
@@ -67,8 +80,8 @@ struct Course {
 };
 
 bool grows(const Course& course, const Course& usual) {
-    return course.growth() > kGrows * std::max(usual.growth(), 1.0) &&
-           course.peak() > kFarther * usual.peak();
+    const double a_part = std::pow(course.growth() / std::max(usual.growth(), 1.0), course.part);
+    return a_part > static_cast<double>(kGrows) && course.peak() > kFarther * usual.peak();
 }
 
 double distance(const std::vector<float>& a, const std::vector<float>& b) {
@@ -106,51 +119,66 @@ public:
     Stepped(const Stepped&) = delete;
     Stepped& operator=(const Stepped&) = delete;
 
-    // From the start, so many seconds.
-    Course play(long parts, const std::vector<TweakValue>& values, int seconds) {
+    // From the start, so many parts.
+    Course play(long parts, const std::vector<TweakValue>& values, int count) {
         set(parts, kParts);
         subject_.restore();
         subject_.preset.values = values;
         Course course;
-        play_on(course, seconds);
+        course.part = std::max(1.0, kStepsOfPart * seconds());
+        play_on(course, count);
         return course;
     }
 
-    // What was played last, to so many seconds in all.
-    void play_on(Course& course, int seconds) {
-        constexpr int kApart = 60 / kLooks;
-        while (course.peaks.size() < static_cast<std::size_t>(seconds)) {
+    // What was played last, to so many parts in all: at 60 Hz, or a step a frame where one lasts
+    // longer than from look to look.
+    void play_on(Course& course, int count) {
+        const bool is_long = seconds() > 1.0 / kLooks;
+        const double fps = is_long ? 1.0 / seconds() : 60.0;
+        const int apart = is_long ? 1 : static_cast<int>(60.0 / kLooks);
+        const auto frame_of = [&](std::size_t part) {
+            return static_cast<int>(std::lround(course.part * static_cast<double>(part) * fps));
+        };
+        while (course.is_finite && course.peaks.size() < static_cast<std::size_t>(count)) {
             float peak = 0.0f;
-            const auto begin = static_cast<int>(course.peaks.size()) * 60;
-            for (int k = begin; k < begin + 60; k += kApart) {
-                if (!subject_.play_frames(k, k + kApart, 60.0)) {
-                    course.end = INFINITY;
-                    return;
-                }
+            const int end = frame_of(course.peaks.size() + 1);
+            for (int k = frame_of(course.peaks.size()); k < end; k += apart) {
+                course.is_finite = subject_.play_frames(k, std::min(k + apart, end), fps);
+                if (!course.is_finite) break;
                 course.end = subject_.largest_state();
                 peak = std::max(peak, course.end);
             }
             course.peaks.push_back(peak);
+            if (course.seconds() - course.part < kCompareAfter) course.early = course.end;
         }
     }
 
     // Whether the state then goes to and fro from step to step, and no less with time: as that of
     // an unstable step does that a limit holds.
     bool chatters(const Course& played) {
-        const double fps = 1.0 / subject_.preset.scene.passes[passes_.front()].step.seconds();
-        const auto first = static_cast<int>(static_cast<double>(played.peaks.size()) * fps);
+        const double fps = 1.0 / seconds();
+        const auto first = static_cast<int>(std::lround(played.seconds() * fps));
         std::vector<std::vector<float>> states;
         for (int k = first; k < first + kTurns && subject_.play_frames(k, k + 1, fps); ++k)
             states.push_back(state());
         return goes_to_and_fro(states);
     }
 
-    // What the passes hold when their step is a part of it.
-    std::vector<float> state_with_part(long of) {
-        set(1, of);
+    // What the passes hold after so many of its steps, each done in so many parts.
+    std::vector<std::vector<float>> states_with_parts(long parts) {
+        set(1, 1);
+        const double fps = 1.0 / seconds();
+        set(1, parts);
         subject_.restore();
-        subject_.play_frames(0, static_cast<int>(kCompared * 60.0) + 1, 60.0);
-        return state();
+        std::vector<std::vector<float>> states;
+        int begin = 0;
+        for (const int count : kCompared) {
+            if (states.size() >= 2 && count > kComparedFor * fps) break;
+            subject_.play_frames(begin, count + 1, fps);
+            states.push_back(state());
+            begin = count + 1;
+        }
+        return states;
     }
 
     // Whether any of it can know how long a step is.
@@ -163,6 +191,8 @@ public:
     }
 
 private:
+    double seconds() const { return subject_.preset.scene.passes[passes_.front()].step.seconds(); }
+
     bool steps(const GraphPass& drawn) const {
         return std::ranges::find(passes_, drawn.pass) != passes_.end();
     }
@@ -210,21 +240,25 @@ std::vector<std::vector<TweakValue>> values_at(const CheckSubject& subject) {
 // How many times the step in use is stable, with each of these values; by doubling, then halving.
 double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
     const Course usual = stepped.play(kParts, values, kStiffPlayed);
-    if (!std::isfinite(usual.end)) return 0.0;
+    if (!usual.is_finite) return 0.0;
     const bool usual_chatters = stepped.chatters(usual);
+    const float floor = usual.peak() > 0.0f ? usual.peak() : kLeast;
+    const auto is_beyond = [&](float value, float than) {
+        return !(value <= std::max(floor, kBeyond * than));
+    };
     // What explodes by the step in use is none to compare with; with half of it it does so less.
     const Course half = stepped.play(kParts / 2, values, kStiffPlayed);
-    if (!(usual.end <= std::max(kLeast, kBeyond * half.end))) return 0.0;
+    if (usual.early > std::max(kBeyond * half.early, half.peak())) return 0.0;
     if (usual_chatters && !stepped.chatters(half)) return 0.0;  // else it is what it is to do
     std::optional<Course> usual_for_long;
     const auto is_stable = [&](long parts) {
         Course course = stepped.play(parts, values, kStiffPlayed);
-        if (!(course.end <= std::max(kLeast, kBeyond * usual.end))) return false;
+        if (!course.is_finite || is_beyond(course.early, usual.early)) return false;
         if (!usual_chatters && stepped.chatters(course)) return false;
-        if (!course.may_grow() || course.peak() <= kLeast) return true;
+        if (!course.may_grow() || course.peak() <= floor) return true;
         stepped.play_on(course, kGrowthPlayed);
         if (!usual_for_long) usual_for_long = stepped.play(kParts, values, kGrowthPlayed);
-        return std::isfinite(course.end) && !grows(course, *usual_for_long);
+        return course.is_finite && !grows(course, *usual_for_long);
     };
     long good = kParts;
     while (good < kParts * static_cast<long>(kMostTimes) && is_stable(2 * good)) good *= 2;
@@ -237,20 +271,35 @@ double largest_stable(Stepped& stepped, const std::vector<TweakValue>& values) {
     return static_cast<double>(good) / static_cast<double>(kParts);
 }
 
-// What two states may differ by that are the same but for rounding: half a digit of each value with
-// every step of the shortest, which may all add up.
-double rounding_of(const std::vector<float>& state, double steps) {
+// What two states may differ by that are the same but for rounding: half a digit of each value that
+// differs with each of some operations of every step of the shortest, which may all add up.
+double rounding_of(const std::vector<float>& state, const std::vector<float>& other, double steps) {
     const double digit = std::numeric_limits<float>::epsilon();
-    return 0.5 * digit * steps * distance(state, std::vector<float>(state.size(), 0.0f));
+    double squares = 0.0;
+    for (std::size_t i = 0; i < std::min(state.size(), other.size()); ++i)
+        if (state[i] != other[i])
+            squares += static_cast<double>(state[i]) * static_cast<double>(state[i]);
+    constexpr double kOperations = 4.0;
+    return 0.5 * digit * kOperations * steps * std::sqrt(squares);
 }
 
-// By how many powers of two halving the step brings the state nearer to where it converges.
-std::string order_of(Stepped& stepped, double step_seconds) {
-    const auto whole = stepped.state_with_part(1), half = stepped.state_with_part(2),
-               quarter = stepped.state_with_part(4);
-    const double one = distance(whole, half), next = distance(half, quarter);
-    if (!(one > 0.0) || !(next > 0.0)) return "no order: halving it changes nothing";
-    if (std::max(one, next) <= rounding_of(quarter, 4.0 * kCompared / step_seconds))
+// By how many powers of two halving the step brings the state nearer to where it converges; told
+// where it matters most.
+std::string order_of(Stepped& stepped) {
+    const auto whole = stepped.states_with_parts(1), half = stepped.states_with_parts(2),
+               quarter = stepped.states_with_parts(4);
+    std::size_t at = 0;
+    double most = 0.0;
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        const double share =
+            distance(whole[k], half[k]) / std::max(rounding_of(whole[k], half[k], 1.0), 1e-30);
+        if (share > most) most = share, at = k;
+    }
+    const double one = distance(whole[at], half[at]), next = distance(half[at], quarter[at]);
+    const bool moves = distance(whole.front(), whole.back()) > 0.0;
+    if (!(one > 0.0) || !(next > 0.0))
+        return moves ? "no order: halving it changes nothing" : "no order is told: it is at rest";
+    if (std::max(one, next) <= rounding_of(quarter[at], whole[at], 4.0 * kCompared[at]))
         return "exact to rounding: halving it changes no more than last digits";
     const double order = std::log2(one / next);
     // One that does not converge has none: what is added a step is no share of iTimeDelta.
@@ -283,7 +332,7 @@ void run_stiffness(StepKey step, Check& check, CaseResult& result) {
     result.note =
         fmt::format("{} up to {:.3g} times the step in use, {:.3g} s, over the ranges' ends; {}",
                     least >= kMostTimes ? "stable at least" : "stable", least, seconds * least,
-                    order_of(stepped, seconds));
+                    order_of(stepped));
 }
 
 }  // namespace
