@@ -4,6 +4,7 @@
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/space.h"
+#include "measure/check/to_and_fro.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,6 @@ namespace {
 constexpr double kStepsOfPart = 8.0;
 constexpr int kStiffPlayed = 4;        // parts, after which a step that explodes has
 constexpr int kGrowthPlayed = 16;      // parts, after which one that only grows has shown itself
-constexpr int kTurns = 32;             // steps, one by one, that tell whether it goes to and fro
 constexpr double kLooks = 10.0;        // a second, at the largest value, or each step
 constexpr double kCompareAfter = 4.0;  // s, after which what explodes is compared
 // Steps after which states of halved steps are compared, and how long they may last: what comes to
@@ -91,19 +91,6 @@ double distance(const std::vector<float>& a, const std::vector<float>& b) {
     return std::sqrt(squares);
 }
 
-// Whether each step goes back what the one before went, and that is no small part of the state.
-// What swings faster than its steps tell goes to and fro, too, but hardly ever to where it was.
-bool goes_to_and_fro(const std::vector<std::vector<float>>& states) {
-    constexpr double kBack = 1e-3, kPart = 0.05;
-    std::size_t back = 0;
-    for (std::size_t i = 2; i < states.size(); ++i) {
-        const double gone = distance(states[i - 1], states[i]);
-        const double nothing = distance(states[i], std::vector<float>(states[i].size()));
-        back += gone > kPart * nothing && distance(states[i - 2], states[i]) <= kBack * gone;
-    }
-    return 4 * back >= 3 * states.size();
-}
-
 // A subject whose passes of one step have another, until the end of this.
 class Stepped {
 public:
@@ -157,11 +144,8 @@ public:
     // an unstable step does that a limit holds.
     bool chatters(const Course& played) {
         const double fps = 1.0 / seconds();
-        const auto first = static_cast<int>(std::lround(played.seconds() * fps));
-        std::vector<std::vector<float>> states;
-        for (int k = first; k < first + kTurns && subject_.play_frames(k, k + 1, fps); ++k)
-            states.push_back(state());
-        return goes_to_and_fro(states);
+        return goes_to_and_fro(subject_, static_cast<int>(std::lround(played.seconds() * fps)),
+                               fps);
     }
 
     // What the passes hold after so many of its steps, each done in so many parts.

@@ -1,0 +1,14 @@
+// What an unstable step does that a limit holds: it goes to and fro between two states for ever,
+// however large these are.
+#pragma once
+
+#include "measure/check/subject.h"
+
+namespace glint {
+
+// Plays on from this frame, at this rate: whether from frame to frame what is fed back goes back to
+// where it was, and that is no small part of it. What swings faster than its frames tell goes to
+// and fro, too, but hardly ever to where it was.
+bool goes_to_and_fro(CheckSubject& subject, int first, double fps);
+
+}  // namespace glint
