@@ -20,7 +20,9 @@ public:
     // Whether the largest value rose faster than any power of time, beyond `usual` by far; or
     // stands beyond it at a limit, its sign to and fro.
     bool explodes(float usual) const;
-    // Whether its sign goes to and fro where it stands.
+    // Whether it has come to stand beyond `usual`, by far, as what a clamp holds there; and whether
+    // its sign goes to and fro meanwhile.
+    bool stands_beyond(float usual) const;
     bool chatters() const;
     // Whether hardly anything has changed in the last eighth of the frames.
     bool rests() const;
@@ -31,7 +33,6 @@ public:
 
 private:
     std::size_t unchanged() const;
-    bool stands_beyond(float usual) const;  // by far, as what a clamp holds
 
     struct Curve {
         std::string name;           // of what: "waves.x", "waves"

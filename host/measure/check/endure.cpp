@@ -52,9 +52,13 @@ double steps_a_second(const CheckSubject& subject) {
     return rate;
 }
 
+constexpr const char* kHiddenByALimit =
+    "the step is unstable, though a limit hides it: the state goes to and fro from step to step";
+
 // Whether the step is unstable, and a limit hides it: the state goes to and fro from step to step,
-// and does not with half of each. The subject stands somewhere else afterwards.
-bool chatters_by_steps(const Check& check, const StateCurves& curves) {
+// and does not with half of each, or far beyond `usual`, whatever lengths a text gives its steps
+// itself. The subject stands somewhere else afterwards.
+bool chatters_by_steps(const Check& check, const StateCurves& curves, float usual) {
     CheckSubject& subject = check.subject;
     const double rate = steps_a_second(subject);
     const double played = static_cast<double>(curves.frames()) / 60.0;
@@ -69,7 +73,7 @@ bool chatters_by_steps(const Check& check, const StateCurves& curves) {
     const bool half =
         subject.play_frames(0, frames, 2.0 * rate) && goes_to_and_fro(subject, frames, 2.0 * rate);
     passes = whole;
-    return !half;
+    return !half || curves.stands_beyond(usual);
 }
 
 bool is_far(const StateCurves& curves, float usual) {
@@ -100,10 +104,7 @@ std::string why_not(const Check& check, StateCurves& curves, Invariants& invaria
     if (growth.empty()) growth = curves.growth(seen / 3);  // what it begins with has faded then
     const int confirmed = std::max(kConfirmed, check.effort.frames.value_or(0));
     if (growth.empty() && invariants.broken().empty())
-        return chatters_by_steps(check, curves) ? "the step is unstable, though a limit hides it: "
-                                                  "the state goes to and fro from "
-                                                  "step to step, and does not with half of each"
-                                                : "";
+        return chatters_by_steps(check, curves, usual) ? kHiddenByALimit : "";
     if (growth.empty() || !play_curves(check, confirmed, curves, invariants, kConfirmingShare))
         return invariants.broken();
     const bool goes_on =
