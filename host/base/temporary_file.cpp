@@ -40,6 +40,13 @@ std::runtime_error cannot_write(const fs::path& file, std::string_view cause) {
     return std::runtime_error(fmt::format("Cannot write {}: {}.", file.string(), cause));
 }
 
+const fs::path& cleared(const fs::path& name) {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(name, error);
+    if (!fs::is_regular_file(status) && !fs::is_directory(status)) fs::remove(name, error);
+    return name;
+}
+
 bool is_taken(const fs::path& name) {
     std::error_code error;
     return fs::exists(fs::symlink_status(name, error));

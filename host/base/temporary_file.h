@@ -24,6 +24,10 @@ void require_writable(const std::filesystem::path& target);
 // written wherever it points.
 bool is_taken(const std::filesystem::path& name);
 
+// The same name, for a file that Glint names itself in a folder: what stands there and is no file,
+// such as a link that would have it written elsewhere, goes first.
+const std::filesystem::path& cleared(const std::filesystem::path& name);
+
 // "Cannot read NAME: CAUSE."
 std::runtime_error cannot_read(const std::filesystem::path& file, std::string_view cause);
 

@@ -398,7 +398,7 @@ void Exporter::write_all(const fs::path& folder, const std::vector<std::string>&
             const bool is_tab = i < tabs_.size();
             if (!is_tab) warn_of_others(folder);
             const fs::path file = folder / (is_tab ? tabs_[i].name + ".glsl" : kShadertoyFile);
-            write_whole_file(file, std::as_bytes(std::span(texts[i])));
+            write_whole_file(cleared(file), std::as_bytes(std::span(texts[i])));
             say_result("{}\n", file.string());
         }
     } catch (...) {
@@ -410,6 +410,8 @@ void Exporter::write_all(const fs::path& folder, const std::vector<std::string>&
 }  // namespace
 
 void run_export(const ExportOptions& options) {
+    if (options.output.empty())
+        throw UsageError("Name with -o a folder for the tabs, or a .html file for a page.");
     if (is_page(options.output)) return write_page(options);
     if (!options.controls)
         throw UsageError("--no-controls is for a page; name one: -o scene.html.");

@@ -1,6 +1,7 @@
 #include "offline/page.h"
 
 #include "base/json_text.h"
+#include "base/markup.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "base/words.h"
@@ -113,7 +114,7 @@ void write_page(const ExportOptions& options) {
     replace_all(json, "<!", "\\u003c!");  // and this, before "<script", would keep it from ending
     const std::string classes = body_classes(preset, options.controls, reads_mouse(scene));
     page =
-        filled(page, {{"<!--TITLE-->", in_html(plan["title"].get<std::string>())},
+        filled(page, {{"<!--TITLE-->", markup_escaped(plan["title"].get<std::string>())},
                       {"<!--CLASSES-->", classes},
                       {"<!--SHAPE-->", fmt::format("--w:{};--h:{}", preset.size.x, preset.size.y)},
                       {"<!--CONTROLS-->", page_controls(preset)},

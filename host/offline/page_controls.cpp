@@ -1,5 +1,7 @@
 #include "offline/page_controls.h"
 
+#include "base/markup.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,7 +24,8 @@ std::string in_words(std::string_view name) {
 
 std::string menu(const Tweak& tweak) {
     std::string options;
-    for (const std::string& name : tweak.names) options += fmt::format("<option>{}", in_html(name));
+    for (const std::string& name : tweak.names)
+        options += fmt::format("<option>{}", markup_escaped(name));
     return fmt::format("<select aria-label=\"{}\">{}</select>", tweak.name, options);
 }
 
@@ -52,26 +55,11 @@ std::string row(const Tweak& tweak) {
     return fmt::format(
         "<div class=row><span title=\"{}: {}\">{}<i>{}</i></span>"
         "<button class=reset title=\"as in the preset\">\u21ba</button>{}</div>\n",
-        tweak.name, in_html(tweak.description), in_words(tweak.name), in_html(tweak.unit),
-        controls_of(tweak));
+        tweak.name, markup_escaped(tweak.description), in_words(tweak.name),
+        markup_escaped(tweak.unit), controls_of(tweak));
 }
 
 }  // namespace
-
-std::string in_html(std::string_view text) {
-    std::string html;
-    for (const char c : text) {
-        if (c == '&')
-            html += "&amp;";
-        else if (c == '<')
-            html += "&lt;";
-        else if (c == '"')
-            html += "&quot;";
-        else
-            html += c;
-    }
-    return html;
-}
 
 std::string page_controls(const Preset& preset) {
     std::string html, group;
@@ -80,7 +68,7 @@ std::string page_controls(const Preset& preset) {
         if (!is_open || tweak.group != group) {
             if (is_open) html += "</details>";
             html += fmt::format("<details open><summary>{}</summary>\n",
-                                tweak.group.empty() ? "tweaks" : in_html(tweak.group));
+                                tweak.group.empty() ? "tweaks" : markup_escaped(tweak.group));
             is_open = true;
         }
         group = tweak.group;

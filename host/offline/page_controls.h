@@ -7,9 +7,6 @@
 
 namespace glint {
 
-// What may stand in a text or between double quotes.
-std::string in_html(std::string_view text);
-
 // A row of every tweak in order, by group.
 std::string page_controls(const Preset& preset);
 

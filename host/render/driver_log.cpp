@@ -191,13 +191,16 @@ Place ReadText::first(std::string_view name) const {
     return Place{scene_.files.front().string()};
 }
 
-// Outside of functions; what stands above would be known.
+// Outside of functions, and nowhere used before: a function that stands above is used as a value.
 bool ReadText::is_declared_below(std::string_view name) const {
     int depth = 0;
+    bool is_used = false;
     for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
         const std::string_view text = read_.tokens[i].text;
         depth += text == "{" || text == "(" ? 1 : text == "}" || text == ")" ? -1 : 0;
-        if (depth == 0 && text == name && read_.tokens[i - 1].is_word()) return true;
+        if (text != name) continue;
+        if (depth == 0 && read_.tokens[i - 1].is_word()) return is_used;
+        is_used = true;
     }
     return false;
 }

@@ -1,6 +1,7 @@
 // What a stranger's files hold is no command, and is written nowhere but where the person says.
 #include "command.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace glint::cli::attack_test {
@@ -53,6 +54,36 @@ TEST_F(Attack, AnImportWritesThroughNoLink) {
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("it is there already"), std::string::npos) << outcome.err;
     EXPECT_TRUE(fs::is_empty(folder() / "home"));
+}
+
+// A folder from a stranger may hold them under the names that Glint gives its files itself.
+TEST_F(Attack, NoFileThatGlintNamesItselfIsWrittenThroughALink) {
+    write("s.frag", kStudied);
+    const char* const names[] = {"tabs/image.glsl", "tabs/shadertoy.json", "rep/study.csv",
+                                 "rep/index.html", "glint-check/s-age-1-day.png"};
+    const auto victim = [&](std::string name) {
+        std::ranges::replace(name, '/', '-');
+        return name;
+    };
+    for (const char* name : names) {
+        fs::create_directories((folder() / name).parent_path());
+        write(victim(name), "precious");
+        fs::create_symlink(folder() / victim(name), folder() / name);
+    }
+    EXPECT_EQ(glint({"export", "s.frag", "-o", "tabs"}).code, 0);
+    EXPECT_EQ(glint({"study", "s.frag", "--size", "16x8", "--seconds", "0", "-o", "rep"}).code, 0);
+    glint({"check", "s.frag", "--size", "16x8", "--case", "age 1 day"});
+    for (const char* name : names) EXPECT_EQ(bytes(victim(name)), "precious") << name;
+    EXPECT_FALSE(fs::is_symlink(folder() / "tabs/image.glsl"));
+}
+
+TEST_F(Attack, AStateTakesNoScenesPlace) {
+    write("s.frag", kGradient);
+    write("other.frag", kGradient);
+    const Outcome outcome = glint(
+        {"sequence", "s.frag", "--save-state", "other.frag", "--frames", "0:1", "--size", "16x8"});
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(bytes("other.frag"), kGradient);
 }
 
 TEST_F(Attack, AnImportOfManyObjectsTakesNoLongerThanToReadThem) {

@@ -45,7 +45,7 @@ fs::path file_with_events(const CheckSubject& subject, const fs::path& folder,
     const fs::path file = folder / (stem + ".toml");
     const PresetText written = write_preset(subject.preset, file);
     if (!written.text) throw std::runtime_error(to_string(written.diagnostics.front()));
-    write_whole_file(file, std::as_bytes(std::span(*written.text)));
+    write_whole_file(cleared(file), std::as_bytes(std::span(*written.text)));
     return file;
 }
 
@@ -108,7 +108,7 @@ void write_picture(const CheckSubject& subject, const fs::path& file) {
         push(shown ? values[i + 2] : 1.0f);
     }
     make_folder(file.parent_path());
-    write_image(file, image);
+    write_image(cleared(file), image);
 }
 
 // What buffers promise and what they did stands beside the pictures, held or broken.
@@ -118,7 +118,7 @@ void write_curves(const Check& check, CaseResult& result) {
     const fs::path file = check.folder / (case_stem(check.subject.opened(), result.name) + ".svg");
     try {
         make_folder(check.folder);
-        write_whole_file(file, std::as_bytes(std::span(svg)));
+        write_whole_file(cleared(file), std::as_bytes(std::span(svg)));
         result.diagram = file.string();
     } catch (const std::runtime_error& error) {  // the verdict stands all the same
         result.note += fmt::format("; no diagram: {}", error.what());

@@ -63,7 +63,9 @@ std::string plot(const ProbeSeries& series) {
 
 std::string range_of(const ProbeSeries& series) {
     std::string text;
-    if (!series.min.empty())
+    if (!series.min.empty() && series.min[0] > series.max[0])
+        text = "none is finite  ";
+    else if (!series.min.empty())
         text = fmt::format("min {}  max {}  ", shown_value(series.min, "float"),
                            shown_value(series.max, "float"));
     return text + fmt::format("NaN {}  Inf {}  not reached {}\n", series.nan, series.infinite,

@@ -95,7 +95,7 @@ std::string page(const Comparison& c) {
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-    write_whole_file(file, std::as_bytes(std::span(text)));
+    write_whole_file(cleared(file), std::as_bytes(std::span(text)));
 }
 
 Json to_json(const Timing& ms) {

@@ -194,7 +194,7 @@ void write_page(const std::filesystem::path& folder, std::span<const Study> stud
     text += index(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) text += section(studies[i], i);
     text += "</html>\n";
-    write_whole_file(folder / "index.html", std::as_bytes(std::span(text)));
+    write_whole_file(cleared(folder / "index.html"), std::as_bytes(std::span(text)));
 }
 
 }  // namespace glint

@@ -65,13 +65,6 @@ auto kept(const fs::path& name, Read read) -> decltype(read()) {
     return {};
 }
 
-// The same name, where something may stand that no file can replace, such as a FIFO; then it goes.
-const fs::path& cleared(const fs::path& name) {
-    std::error_code error;
-    if (!fs::is_regular_file(name, error)) fs::remove(name, error);
-    return name;
-}
-
 // Nothing where it is another's, whose digest is the same. Throws where it is not what keep()
 // wrote.
 std::optional<StudyRow> row_in(const fs::path& name, const StudyKey& key) {

@@ -586,9 +586,9 @@ void run_study(const StudyOptions& options) {
     std::string csv = csv_header();
     for (const Study& study : studies) csv += to_csv(study);
     if (!options.output.empty() && !to_preset) {
-        write_whole_file(options.output / "study.csv", std::as_bytes(std::span(csv)));
+        write_whole_file(cleared(options.output / "study.csv"), std::as_bytes(std::span(csv)));
         const std::string json = json_text(to_json(studies, context->renderer())) + "\n";
-        write_whole_file(options.output / "study.json", std::as_bytes(std::span(json)));
+        write_whole_file(cleared(options.output / "study.json"), std::as_bytes(std::span(json)));
         write_page(options.output, studies);
     }
     if (options.csv) say_result("{}", csv);

@@ -78,6 +78,16 @@ void UnsavedWork::keep(const fs::path& file, const std::string& text) {
     write(own_.path() / kText, text);
 }
 
+void UnsavedWork::discard_found() {
+    passed_.insert(found_.path());
+    found_.remove();
+}
+
+void UnsavedWork::pass_found() {
+    passed_.insert(found_.path());
+    leave_found();
+}
+
 std::optional<std::string> UnsavedWork::find(const fs::path& file) {
     found_ = {};
     const std::string wanted = canonical_name(file).string();
@@ -85,6 +95,7 @@ std::optional<std::string> UnsavedWork::find(const fs::path& file) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder_, error)) {
         const fs::path text = entry.path() / kText;
+        if (passed_.contains(entry.path())) continue;
         if (read(entry.path() / kFile) != wanted) continue;
         const auto written = fs::last_write_time(text, error);
         if (error || (found_ && written < newest)) continue;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace glint {
@@ -47,14 +48,19 @@ public:
     // The newest work on `file` of windows that have ended. It is this window's to offer until
     // discard_found(); where the window ends before, the next one finds it again.
     std::optional<std::string> find(const std::filesystem::path& file);
-    void discard_found() { found_.remove(); }
+    // Not found again by this window, even where its folder cannot be removed.
+    void discard_found();
 
     // Lets go of what was found for another file, unharmed.
     void leave_found() { found_ = {}; }
+    // The same of what this window can do nothing with, which it does not find again.
+    void pass_found();
+    const std::filesystem::path& found_folder() const { return found_.path(); }
 
 private:
     std::filesystem::path folder_;
     HeldFolder own_, found_;
+    std::set<std::filesystem::path> passed_;
 };
 
 }  // namespace glint

@@ -565,12 +565,14 @@ void PlaygroundWindow::find_unsaved() {
              read.preset->watch != watch() || read.preset->time != playground_.as_written()->time ||
              channel_texts(*read.preset) != channel_texts(*playground_.preset())))
             return;
-        // Of tweaks that the text lacks today, and may have again tomorrow.
-        if (read.preset && !read.diagnostics.empty()) {
-            unsaved_work_.leave_found();
-            return offer_.reset();
-        }
-        unsaved_work_.discard_found();
+        if (!read.preset)
+            notice(fmt::format("The work that was kept of {} is damaged; it stays in {}.",
+                               place_.filename().string(), unsaved_work_.found_folder().string()));
+        // Tweaks that the text lacks today it may have again tomorrow.
+        if (!read.diagnostics.empty())
+            unsaved_work_.pass_found();
+        else
+            unsaved_work_.discard_found();
     }
 }
 

@@ -19,28 +19,31 @@ bool is_whole(const Tweak& tweak) {
     return tweak.type == TweakType::int1 || tweak.type == TweakType::bool1;
 }
 
+constexpr double kMostDecimals = 18.0;
+
 // Decimals so that steps of this size can be told apart.
 int decimals_for(double size) {
     if (!(size > 0.0) || !std::isfinite(size)) return 3;
-    return static_cast<int>(std::clamp(std::ceil(-std::log10(size) - 1e-6), 0.0, 9.0));
+    return static_cast<int>(std::clamp(std::ceil(-std::log10(size) - 1e-6), 0.0, kMostDecimals));
 }
 
 // Decimals that write this number out: 2 for 0.25.
 int decimals_of(double number) {
-    for (int digits = 0; digits < 9; ++digits) {
+    for (int digits = 0; digits < static_cast<int>(kMostDecimals); ++digits) {
         const double scaled = number * std::pow(10.0, digits);
-        if (std::abs(scaled - std::round(scaled)) < 1e-6 * std::max(1.0, std::abs(scaled)))
-            return digits;
+        if (std::abs(scaled - std::round(scaled)) <= 1e-6 * std::abs(scaled)) return digits;
     }
-    return 9;
+    return static_cast<int>(kMostDecimals);
 }
 
 int decimals(const Tweak& tweak, double value) {
     if (is_whole(tweak)) return 0;
     if (tweak.step > 0.0)
         return std::max(decimals_of(tweak.step), tweak.min ? decimals_of(*tweak.min) : 0);
-    if (!has_range(tweak) || is_logarithmic(tweak))
-        return decimals_for(std::max(std::abs(value), 1e-6) / 1000.0);
+    if (!has_range(tweak) || is_logarithmic(tweak)) {
+        const double least = has_range(tweak) ? std::min(*tweak.min, 1e-6) : 1e-6;
+        return decimals_for(std::max(std::abs(value), least) / 1000.0);
+    }
     return std::max(decimals_for((*tweak.max - *tweak.min) / 1000.0), 1);
 }
 

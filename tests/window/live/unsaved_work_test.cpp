@@ -42,6 +42,28 @@ TEST_F(Unsaved, IsFoundByTheNextWindowOfTheSameFileUntilItIsDiscarded) {
     EXPECT_TRUE(is_empty());
 }
 
+// A window that found it again and again would do nothing else.
+TEST_F(Unsaved, ThatCannotBeRemovedIsDecidedOnOnce) {
+    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    UnsavedWork next(folder / "state");
+    ASSERT_EQ(next.find("a.toml"), "one");
+    const fs::path where = next.found_folder(), copy = folder / "copy";
+    fs::copy(where, copy);
+    next.discard_found();
+    fs::rename(copy, where);  // as where it may not be removed
+    EXPECT_EQ(next.find("a.toml"), std::nullopt);
+    EXPECT_EQ(found("a.toml"), "one") << "another window may";
+}
+
+TEST_F(Unsaved, ThatAWindowPassesIsLeftForTheNext) {
+    { UnsavedWork(folder / "state").keep("a.toml", "one"); }
+    UnsavedWork next(folder / "state");
+    ASSERT_EQ(next.find("a.toml"), "one");
+    next.pass_found();
+    EXPECT_EQ(next.find("a.toml"), std::nullopt);
+    EXPECT_EQ(found("a.toml"), "one");
+}
+
 TEST_F(Unsaved, IsNotOfferedWhileItsWindowIsOpen) {
     UnsavedWork open(folder / "state");
     open.keep("a.toml", "one");

@@ -1,0 +1,92 @@
+// What `glint check` says of states that grow, and of those that only come to rest.
+#include "report.h"
+
+#include <fmt/format.h>
+
+namespace glint::cli::check_growth_test {
+namespace {
+
+using Json = nlohmann::json;
+
+class CheckGrowth : public InAFolder {
+protected:
+    // Of a simulation in steps of 1/60 s: `text` makes the next `x` of the last.
+    void simulate(const std::string& text, const std::string& declared = "") const {
+        write("s.frag", declared +
+                            "uniform sampler2D s; //@ pass mainS step=1/60 size=8x8\n"
+                            "void mainS(out vec4 c, in vec2 p) {\n"
+                            "    vec4 x = texelFetch(s, ivec2(p), 0);\n"
+                            "    float h = iTimeDelta;\n    " +
+                            text +
+                            "\n    c = x;\n}\n"
+                            "void mainImage(out vec4 c, in vec2 p) {\n"
+                            "    c = vec4(vec3(0.4 + 0.01 * texelFetch(s, ivec2(0), 0).x), 1);\n"
+                            "}\n");
+    }
+    std::string verdict(const std::string& name, int code) {
+        const Json report = report_of(glint({"check", "s.frag", "--json", "--case", name}), code);
+        for (const Json& one : report["cases"])
+            if (one["case"] == name)
+                return one["verdict"].get<std::string>() + ": " + one["note"].get<std::string>();
+        return "none";
+    }
+};
+
+// Explicit Euler, by (1 + (h w)^2)^(1/2) a step; five to sixteen swings in the run, all in phase.
+TEST_F(CheckGrowth, OfFewSwingsIsFound) {
+    for (const double w : {1.0, 2.0, 3.0}) {
+        simulate(
+            fmt::format("if (iFrame == 0) x = vec4(1, 0, 0, 1);\n"
+                        "x.xy += h * vec2(x.y, {:.1f} * x.x);",
+                        -w * w));
+        EXPECT_TRUE(verdict("long run", 6).starts_with("fail: s.x grows steadily")) << w;
+        simulate(
+            fmt::format("if (iFrame == 0) x = vec4(1, 0, 0, 1);\n"
+                        "x.y -= h * {:.1f} * x.x; x.x += h * x.y;",
+                        w * w));
+        EXPECT_TRUE(verdict("long run", 0).starts_with("pass")) << w;
+    }
+}
+
+TEST_F(CheckGrowth, InOnePlaceIsFound) {
+    simulate(
+        "if (iFrame == 0) x = vec4(p.x < 1.0 && p.y < 1.0 ? 0.01 : 1.0, 0, 0, 1);\n"
+        "if (p.x < 1.0 && p.y < 1.0) x.y = 2.0 + (x.y - 2.0) * 1.0005 + (iFrame == 0 ? 2.1 : "
+        "0.0);");
+    EXPECT_TRUE(verdict("long run", 6).starts_with("fail: ")) << "a texel of 64";
+}
+
+// The exact flow of y' = y (1 - y / k): no step is too long for it.
+TEST_F(CheckGrowth, ThatComesToRestIsNone) {
+    simulate(
+        "if (iFrame == 0) x = vec4(0.1);\n"
+        "x = vec4(k / (1.0 + (k / x.x - 1.0) * exp(-h)));",
+        "uniform float k; //@ 1 [0.5, 50]\n");
+    EXPECT_TRUE(verdict("k=50 for long", 0).starts_with("pass"));
+}
+
+// From 120 on each step goes farther back than it came, and a limit holds both ends.
+TEST_F(CheckGrowth, ThatALimitHoldsIsFoundWithHalfTheStep) {
+    const char* tweak = "uniform float k; //@ 20 [1, 200]\n";
+    simulate(
+        "if (iFrame == 0) x = vec4(0.9);\n"
+        "x = clamp(x - h * k * (x - 0.4), 0.0, 1.0);",
+        tweak);
+    EXPECT_NE(verdict("k=200 for long", 6).find("though a limit hides it"), std::string::npos);
+    simulate(
+        "if (iFrame == 0) x = vec4(0.9);\n"
+        "x = clamp(0.4 + (x - 0.4) * exp(-h * k), 0.0, 1.0);",
+        tweak);
+    EXPECT_TRUE(verdict("k=200 for long", 0).starts_with("pass"));
+    simulate("x = vec4(1.0 - x.x, k, 0, 1);", tweak);
+    EXPECT_TRUE(verdict("k=200 for long", 0).starts_with("pass")) << "turns are what it is for";
+}
+
+// Without a preset a scene has the time 0, at which no step has been made.
+TEST_F(CheckGrowth, OfASceneWithoutAPresetItsSimulationIsPlayed) {
+    simulate("x = vec4(1.0 / (k - 5.0));", "uniform float k; //@ 1 [0, 5]\n");
+    EXPECT_TRUE(verdict("tweak k=5", 6).starts_with("fail"));
+}
+
+}  // namespace
+}  // namespace glint::cli::check_growth_test
