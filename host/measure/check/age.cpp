@@ -233,6 +233,30 @@ void run_same_phase(const Period& period, Check& check, CaseResult& result) {
     }
 }
 
+// The tick wraps after 65536 s, and is negative as an int from half of that on: nothing jumps there
+// by more than from frame to frame.
+void run_wrap(Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    constexpr double kMoves = 4.0, kJump = 0.01;  // times, RMSE
+    const auto picture = [&](double time) {
+        subject.draw(subject.frame_at(time, kFrame, kFirstSecond));
+        return subject.picture();
+    };
+    for (const double seam : {kTickPeriod / 2.0, kTickPeriod}) {
+        const std::vector<float> before = picture(seam - 1.5 * kFrame),
+                                 last = picture(seam - 0.5 * kFrame),
+                                 first = picture(seam + 0.5 * kFrame);
+        if (!subject.observed().is_finite()) return;
+        const double usual = difference(last, before).rmse, jump = difference(first, last).rmse;
+        if (jump <= kMoves * usual + kJump) continue;
+        subject.still = StillPlace{seam + 0.5 * kFrame, 60.0};
+        return result.fail(fmt::format(
+            "at {:.0f} s, where iTick {}, a frame is off the last by {:.2g}, and that off the one "
+            "before by {:.2g}; take what 2^32 is a multiple of, as in iTick & 0xFFFFu",
+            seam, seam < kTickPeriod ? "is negative as an int" : "wraps", jump, usual));
+    }
+}
+
 }  // namespace
 
 void add_age_cases(std::vector<Case>& list, const CheckSubject& subject) {
@@ -241,6 +265,7 @@ void add_age_cases(std::vector<Case>& list, const CheckSubject& subject) {
                         [&age](Check& check, CaseResult& result) { run_age(age, check, result); }});
     }
     if (!subject.reads(Builtin::tick)) return;
+    if (!subject.stateful()) list.push_back({"tick wraps", run_wrap});
     for (const Period& period : kPeriods) {
         list.push_back({fmt::format("same phase after {}", period.name),
                         [&period](Check& check, CaseResult& result) {

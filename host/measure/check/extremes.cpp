@@ -73,15 +73,19 @@ constexpr MousePlace kMousePlaces[] = {{"bottom left", {0, 0}},    {"bottom righ
                                        {"top left", {0, 1}},       {"top right", {1, 1}},
                                        {"outside, low", {-2, -2}}, {"outside, high", {3, 3}}};
 
-// Pressed at one place, held, dragged to another, released, and left alone.
+// Pressed at one place, held, dragged to another, released, and left alone; and the other way,
+// since an edge may be met with the button down alone.
 void run_mouse(glm::dvec2 press, glm::dvec2 drag, Check& check) {
     const auto frames = [](int count) { return count / 60.0; };
     check.subject.preset.events = {
         {.time = frames(1), .down = true, .mouse = press},
         {.time = frames(3), .down = true, .mouse = drag},
         {.time = frames(5), .down = false, .mouse = drag},
+        {.time = frames(8), .down = true, .mouse = drag},
+        {.time = frames(10), .down = true, .mouse = press},
+        {.time = frames(12), .down = false, .mouse = press},
     };
-    check.subject.play_frames(0, 8, 60.0);
+    check.subject.play_frames(0, 15, 60.0);
 }
 
 struct LoneLine {

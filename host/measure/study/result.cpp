@@ -158,6 +158,7 @@ void fit(Study& study, bool more_is_better) {
     study.order = order_from(std::move(errors));
     // Small sizes cost what a frame costs at all, so the larger half tells how the cost grows.
     std::ranges::sort(cost);
+    if (!more_is_better) std::ranges::reverse(cost);
     std::vector<double> size, ms;
     for (std::size_t i = cost.size() / 2; i < cost.size(); ++i) {
         size.push_back(cost[i].first);

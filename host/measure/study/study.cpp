@@ -437,6 +437,11 @@ std::string nothing_to_study(const Preset& preset) {
         return fmt::format(
             "{} has no tweaks, so that nothing is studied; what it costs: glint bench {}", file,
             file);
+    const auto marked = std::ranges::find_if(preset.scene.tweaks, &Tweak::quality);
+    if (marked != preset.scene.tweaks.end())
+        return fmt::format(
+            "nothing that {} draws reads {}, which is marked quality: nothing is studied", file,
+            marked->name);
     return fmt::format(
         "{} has no quality tweaks and accumulates nothing, so that nothing is studied; mark one "
         "with quality, or name one of {}: glint study {} --vary {}",

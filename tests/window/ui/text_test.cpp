@@ -38,6 +38,7 @@ TEST(NumberText, HasTheDigitsThatTheRangeDeserves) {
     EXPECT_EQ(number_text(ranged(-180, 180), 20), "20.0");
     EXPECT_EQ(number_text(ranged(0, 2, 0.25), 0.75), "0.75");
     EXPECT_EQ(number_text(ranged(0, 1e-3), 5e-4), "0.000500");
+    EXPECT_EQ(number_text(ranged(0, 1e-4, 1e-7), 5e-5), "0.0000500");
     Tweak whole = ranged(0, 9);
     whole.type = TweakType::int1;
     EXPECT_EQ(number_text(whole, 3), "3");
@@ -55,7 +56,10 @@ TEST(NumberText, ShortNumbersFitColumns) {
 TEST(NumberText, AFractionOfTheRangeLeadsBack) {
     Tweak logarithmic = ranged(0.1, 100);
     logarithmic.log = true;
-    for (const Tweak& tweak : {ranged(0, 1), ranged(-5, 3), ranged(0, 2, 0.25), logarithmic})
+    Tweak minute = ranged(1e-12, 1e-3);
+    minute.log = true;
+    for (const Tweak& tweak : {ranged(0, 1), ranged(-5, 3), ranged(0, 2, 0.25), logarithmic, minute,
+                               ranged(0, 1e-9), ranged(0, 8e-5, 1e-7)})
         for (const double t : {0.0, 0.125, 0.5, 0.875, 1.0}) {
             const double value = value_at(tweak, t);
             EXPECT_NEAR(fraction_of(tweak, value), t, 0.001);
