@@ -540,6 +540,26 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
     return facts;
 }
 
+std::string nothing_to_study(const Preset& preset) {
+    const std::string file = preset.file.string();
+    std::string names;
+    for (const Tweak& tweak : preset.scene.tweaks)
+        names += (names.empty() ? "" : ", ") + tweak.name;
+    if (names.empty())
+        return fmt::format(
+            "{} has no tweaks, so that nothing is studied; what it costs: glint bench {}", file,
+            file);
+    const auto marked = std::ranges::find_if(preset.scene.tweaks, &Tweak::quality);
+    if (marked != preset.scene.tweaks.end())
+        return fmt::format(
+            "nothing that {} draws reads {}, which is marked quality: nothing is studied", file,
+            marked->name);
+    return fmt::format(
+        "{} has no quality tweaks and accumulates nothing, so that nothing is studied; mark one "
+        "with quality, or name one of {}: glint study {} --vary {}",
+        file, names, file, preset.scene.tweaks.front().name);
+}
+
 StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options) {
     require_known(preset.scene, options.reference, "--reference");
     require_known(preset.scene, options.second, "--second");

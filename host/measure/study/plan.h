@@ -102,4 +102,7 @@ SceneFacts scene_facts(const Preset& preset, std::size_t root_pass);
 // asked.
 StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options);
 
+// Why there is nothing to study, and what there is to do about it.
+std::string nothing_to_study(const Preset& preset);
+
 }  // namespace glint

@@ -388,9 +388,9 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
         const Reference least = draw(*named.less), second = draw(*named.second);
         const bool is_more = named.work.kind == SecondWork::Kind::more;
         const Reference &middle = is_more ? rival : second, &most = is_more ? second : rival;
-        const Fall fall =
-            fall_by_doubling(apart(least, middle).rmse, last, apart(least, most).rmse);
-        return own_error(last, {SecondWork::Kind::more, is_more ? 2.0 : 0.5}, fall);
+        const double step = apart(least, middle).rmse, far = apart(least, most).rmse;
+        return own_error(last, {SecondWork::Kind::more, is_more ? 2.0 : 0.5},
+                         fall_by_doubling(step, last, far));
     };
     if (named.second) {
         const double rmse = beside(rival, named.second, named.more, named.work).rmse;
@@ -425,27 +425,6 @@ std::size_t output_of(const Scene& scene, std::size_t pass, const std::string& n
     if (pass == kImagePass) return 0;
     const auto& names = scene.passes[pass].outputs;
     return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-}
-
-// Why there is nothing to study, and what there is to do about it.
-std::string nothing_to_study(const Preset& preset) {
-    const std::string file = preset.file.string();
-    std::string names;
-    for (const Tweak& tweak : preset.scene.tweaks)
-        names += (names.empty() ? "" : ", ") + tweak.name;
-    if (names.empty())
-        return fmt::format(
-            "{} has no tweaks, so that nothing is studied; what it costs: glint bench {}", file,
-            file);
-    const auto marked = std::ranges::find_if(preset.scene.tweaks, &Tweak::quality);
-    if (marked != preset.scene.tweaks.end())
-        return fmt::format(
-            "nothing that {} draws reads {}, which is marked quality: nothing is studied", file,
-            marked->name);
-    return fmt::format(
-        "{} has no quality tweaks and accumulates nothing, so that nothing is studied; mark one "
-        "with quality, or name one of {}: glint study {} --vary {}",
-        file, names, file, preset.scene.tweaks.front().name);
 }
 
 // What a budget chooses from, as the values of one knob.
