@@ -377,10 +377,7 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
     if (!knob.rival) return reference;
     Rival& named = *knob.rival;
     const Reference rival = draw(named.value);
-    study.rival = {.value = named.value.text,
-                   .difference = apart(rival, reference),
-                   .own_error = 0,
-                   .cut = cut};
+    study.rival = {.value = named.value.text, .difference = apart(rival, reference), .cut = cut};
     tell(scenery, knob, study);
     // What it is off by the order that it has itself, which need not be the reference's.
     const auto by_its_own_fall = [&](double last) {
