@@ -349,7 +349,12 @@ Frame States::frame(int k) const {
 
 int States::start(int wanted) {
     if (!options_.from.empty()) {
-        if (numbered_name(options_.from)) return start_from_newest(options_.from, wanted);
+        if (const auto name = numbered_name(options_.from)) {
+            if (wanted > 0 && name->numbers_there().empty())
+                tell(Severity::warning, options_.from,
+                     "There is no state of such a name; all frames from 0 on are played.");
+            return start_from_newest(options_.from, wanted);
+        }
         try {
             return start_from(options_.from, wanted);
         } catch (const StateRefused& refused) {
