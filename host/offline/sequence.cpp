@@ -47,13 +47,6 @@ Target target_of(const SequenceOptions& options) {
     if (options.state.save.empty() && options.state.save_every > 0) {
         throw UsageError("--save-state-every needs --save-state, which names the files.");
     }
-    // A state by the name of a scene would take its place.
-    const std::string ending = fs::path(options.state.save).extension().string();
-    if (!ending.empty() && ending != ".exr" && ending.find('%') == ending.npos) {
-        throw UsageError(fmt::format(
-            "--save-state {}: a state is an OpenEXR file; name it {}", options.state.save,
-            fs::path(options.state.save).replace_extension(".exr").string()));
-    }
     const Target target = output.empty()                    ? Target::states
                           : output == "-"                   ? Target::raw
                           : is_film(output) && !is_numbered ? Target::film

@@ -271,6 +271,13 @@ Provenance provenance_of(const Preset& preset, double fps, bool specialise) {
 }
 
 void prepare_states(const StateOptions& options) {
+    // A state by the name of a scene would take its place.
+    const std::string ending = fs::path(options.save).extension().string();
+    if (!ending.empty() && ending != ".exr" && ending.find('%') == ending.npos) {
+        throw UsageError(fmt::format("--save-state {}: a state is an OpenEXR file; name it {}",
+                                     options.save,
+                                     fs::path(options.save).replace_extension(".exr").string()));
+    }
     if (!options.from.empty() || !options.save.empty()) prepare_image_library("state.exr");
 }
 

@@ -77,7 +77,6 @@ void run_other(const SubjectOptions& options, Check& check, CaseResult& result) 
     result.note = fmt::format("{:.1f} dB, {:.2f} % of pixels off by more than 1/255{}", found.psnr,
                               100.0 * found.share_off,
                               finite ? "" : "; NaN or Inf in " + other.observed().found[0].output);
-    constexpr float kLargestHalf = 65504.0f;
     const Observed& seen = other.observed();
     if (options.halved && std::max(-seen.min, seen.max) >= kLargestHalf)
         result.note +=
