@@ -83,13 +83,11 @@ bool is_far(const StateCurves& curves, float usual) {
 // Whether the state explodes, beyond `usual` by far. What comes to rest, not too far, was to: a
 // population grows so to what the land bears.
 bool explodes(const Check& check, StateCurves& curves, Invariants& invariants, float usual) {
-    if (curves.explodes(usual)) {
-        const bool may_rest =
-            !curves.chatters() && (curves.rests() || play_curves(check, kConfirmed, curves,
-                                                                 invariants, kConfirmingShare));
-        if (!may_rest || !curves.rests() || is_far(curves, usual)) return true;
-    }
-    return false;
+    if (!curves.explodes(usual)) return false;
+    if (curves.chatters()) return true;
+    if (!curves.rests() && !play_curves(check, kConfirmed, curves, invariants, kConfirmingShare))
+        return true;
+    return !curves.rests() || is_far(curves, usual);
 }
 
 // What begins as a growth may come to rest, too: then it goes on, and where time is too short to

@@ -56,7 +56,7 @@ std::set<StepKey> steps_of(const CheckSubject& subject) {
 struct Course {
     double part = 1.0;  // s
     std::vector<float> peaks;
-    float early = 0.0f, end = 0.0f;  // after the first parts of 4 s, and at last
+    float early = 0.0f;  // at the end of the first parts of 4 s
     bool is_finite = true;
 
     double seconds() const { return part * static_cast<double>(peaks.size()); }
@@ -82,13 +82,6 @@ struct Course {
 bool grows(const Course& course, const Course& usual) {
     const double a_part = std::pow(course.growth() / std::max(usual.growth(), 1.0), course.part);
     return a_part > static_cast<double>(kGrows) && course.peak() > kFarther * usual.peak();
-}
-
-double distance(const std::vector<float>& a, const std::vector<float>& b) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        squares += static_cast<double>(a[i] - b[i]) * static_cast<double>(a[i] - b[i]);
-    return std::sqrt(squares);
 }
 
 // A subject whose passes of one step have another, until the end of this.
@@ -127,21 +120,20 @@ public:
             return static_cast<int>(std::lround(course.part * static_cast<double>(part) * fps));
         };
         while (course.is_finite && course.peaks.size() < static_cast<std::size_t>(count)) {
-            float peak = 0.0f;
+            float peak = 0.0f, last = 0.0f;
             const int end = frame_of(course.peaks.size() + 1);
             for (int k = frame_of(course.peaks.size()); k < end; k += apart) {
                 course.is_finite = subject_.play_frames(k, std::min(k + apart, end), fps);
                 if (!course.is_finite) break;
-                course.end = subject_.largest_state();
-                peak = std::max(peak, course.end);
+                last = subject_.largest_state();
+                peak = std::max(peak, last);
             }
             course.peaks.push_back(peak);
-            if (course.seconds() - course.part < kCompareAfter) course.early = course.end;
+            if (course.seconds() - course.part < kCompareAfter) course.early = last;
         }
     }
 
-    // Whether the state then goes to and fro from step to step, and no less with time: as that of
-    // an unstable step does that a limit holds.
+    // Whether the state then goes to and fro from step to step.
     bool chatters(const Course& played) {
         const double fps = 1.0 / seconds();
         return goes_to_and_fro(subject_, static_cast<int>(std::lround(played.seconds() * fps)),

@@ -24,18 +24,17 @@ std::vector<float> all_kept(const CheckSubject& subject) {
     return all;
 }
 
-double size_of_state(const std::vector<float>& state) {
+}  // namespace
+
+double distance(const std::vector<float>& a, const std::vector<float>& b) {
     double squares = 0.0;
-    for (const float v : state) squares += static_cast<double>(v) * static_cast<double>(v);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double off =
+            static_cast<double>(a[i]) - (i < b.size() ? static_cast<double>(b[i]) : 0.0);
+        squares += off * off;
+    }
     return std::sqrt(squares);
 }
-
-double apart(std::vector<float> a, const std::vector<float>& b) {
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) a[i] -= b[i];
-    return size_of_state(a);
-}
-
-}  // namespace
 
 bool goes_to_and_fro(CheckSubject& subject, int first, double fps) {
     std::vector<std::vector<float>> last;
@@ -44,8 +43,8 @@ bool goes_to_and_fro(CheckSubject& subject, int first, double fps) {
         if (!subject.play_frames(k, k + 1, fps)) return false;
         last.push_back(all_kept(subject));
         if (last.size() < 3) continue;
-        const double gone = apart(last[1], last[2]);
-        back += gone > kPart * size_of_state(last[2]) && apart(last[0], last[2]) <= kBack * gone;
+        const double gone = distance(last[1], last[2]);
+        back += gone > kPart * distance(last[2], {}) && distance(last[0], last[2]) <= kBack * gone;
         last.erase(last.begin());
     }
     return 4 * back >= 3 * kTurns;
