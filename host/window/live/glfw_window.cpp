@@ -21,8 +21,7 @@
 namespace glint {
 namespace {
 
-// GLFW is one library for the process; the last window switches it off.
-int open_windows = 0;
+int glfw_users = 0;
 
 std::string last_error() {
     const char* text = nullptr;
@@ -75,21 +74,6 @@ void set_ground(GLFWwindow* window) {
     if (display && get) XSetWindowBackground(display, get(window), kGround);
 }
 
-void start_glfw() {
-    if (open_windows++ > 0) return;
-    Context::start_variables_at_zero();
-    Context::spare_full_disk();
-    if (!glfwInit()) {
-        --open_windows;
-        throw NoContext(fmt::format("There is no display: {}.", last_error()));
-    }
-    XSetIOErrorHandler(hear_lost_display);
-}
-
-void stop_glfw() {
-    if (--open_windows == 0) glfwTerminate();
-}
-
 // GLFW makes the window larger by the scale of the monitor.
 glm::ivec2 fitted_to_screen(glm::ivec2 size) {
     constexpr glm::ivec2 kLeast{320, 180};  // less would leave no room for a panel
@@ -111,8 +95,29 @@ Window& self(GLFWwindow* window) {
 
 }  // namespace
 
+Glfw::Glfw() {
+    if (glfw_users > 0) {
+        ++glfw_users;
+        return;
+    }
+    Context::start_variables_at_zero();
+    Context::spare_full_disk();
+    if (!glfwInit()) throw NoContext(fmt::format("There is no display: {}.", last_error()));
+    XSetIOErrorHandler(hear_lost_display);
+    ++glfw_users;
+}
+
+Glfw::~Glfw() {
+    if (--glfw_users == 0) glfwTerminate();
+}
+
+float Glfw::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &x, &y);
+    return std::max(x, y);
+}
+
 Window::Window(glm::ivec2 size, const std::string& title) {
-    start_glfw();
     size = fitted_to_screen(size);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
@@ -128,18 +133,13 @@ Window::Window(glm::ivec2 size, const std::string& title) {
         window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
         if (window_) break;
     }
-    if (!window_) {
-        const std::string reason = last_error();
-        stop_glfw();
-        throw NoContext(fmt::format("No window: {}.", reason));
-    }
+    if (!window_) throw NoContext(fmt::format("No window: {}.", last_error()));
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     try {
         start();
     } catch (...) {
         glfwDestroyWindow(window_);
-        stop_glfw();
         throw;
     }
     display_ = x11_descriptor();
@@ -152,7 +152,6 @@ Window::Window(glm::ivec2 size, const std::string& title) {
 Window::~Window() {
     forget_resampling();
     glfwDestroyWindow(window_);
-    stop_glfw();
 }
 
 glm::ivec2 Window::size() const {

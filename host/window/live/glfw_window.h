@@ -29,6 +29,18 @@ struct WindowEvent {
     std::vector<std::filesystem::path> files;  // drop
 };
 
+// The library itself, which is one for the process: on while any of these lives.
+class Glfw {
+public:
+    Glfw();  // throws NoContext when there is no display
+    ~Glfw();
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+
+    // What a window on the first monitor will most likely have.
+    float content_scale() const;
+};
+
 class Window final : public Context {
 public:
     // `size` is in pixels of a screen of scale 1; on a HiDPI screen the window has more. Where the
@@ -67,6 +79,7 @@ public:
     GLFWwindow* handle() const { return window_; }
 
 private:
+    const Glfw glfw_;
     GLFWwindow* window_ = nullptr;
     std::vector<WindowEvent> events_;
     // Where the mouse was at the event in hand; GLFW tells only where it has come to since.

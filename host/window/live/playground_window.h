@@ -30,6 +30,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <optional>
 #include <random>
 #include <string>
@@ -207,7 +208,9 @@ private:
     ViewOptions options_;  // size and tweaks are those of the file that was opened first
     KeptPictures kept_pictures_;
     StartPicture::Reading begun_picture_;
-    Trial trial_;  // its process loads its driver while this one loads the window's
+    Glfw glfw_;
+    std::future<Fonts> begun_fonts_;  // drawn while the window loads its driver
+    Trial trial_;                     // its process starts when the window has loaded its driver
     Window window_;
     Panels panels_;
     StartPicture start_picture_;

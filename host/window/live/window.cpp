@@ -64,10 +64,11 @@ PlaygroundWindow::PlaygroundWindow(const ViewOptions& options)
     : options_(options),
       kept_pictures_(home_folder("XDG_CACHE_HOME", ".cache") / "pictures"),
       begun_picture_(StartPicture::begin(kept_pictures_.find(canonical_name(options.file)))),
-      trial_({.device = options.device}),
+      begun_fonts_(std::async(std::launch::async, make_fonts, glfw_.content_scale())),
+      trial_({.device = options.device, .at_once = false}),
       window_(size_at_start(options), "Glint"),
       panels_(window_.handle(), window_.content_scale(),
-              home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini"),
+              home_folder("XDG_CONFIG_HOME", ".config") / "panels.ini", begun_fonts_.get()),
       start_picture_(std::move(begun_picture_)),
       crash_mark_(home_folder("XDG_STATE_HOME", ".local/state") / "open"),
       unsaved_work_(home_folder("XDG_STATE_HOME", ".local/state") / "unsaved"),
@@ -106,6 +107,7 @@ int PlaygroundWindow::run() {
     panels_.compile();  // while the screen makes room for the window
     // However soon the trial is over: what follows then takes its time.
     if (awaits_first_frame()) draw_frame();
+    trial_.get_ready();
     while (!window_.should_close() && end_signals_.arrived() == 0) {
         std::vector<int> descriptors = playground_.descriptors();
         descriptors.push_back(study_.process().descriptor());

@@ -59,6 +59,10 @@ void Trial::replace_process() {
     if (is_running()) process_.send(order_);
 }
 
+void Trial::get_ready() {
+    if (process_.id() == 0) spawn();
+}
+
 void Trial::start(const Candidate& candidate) {
     order_ = pack(++number_, candidate, options_.slow_ms);
     verdict_ = {};

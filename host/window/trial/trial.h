@@ -80,7 +80,7 @@ struct TrialOptions {
     double compile_seconds = 20.0;  // for a compile; it holds nobody up
     double slow_ms = 1000.0;        // a warning names the likely loop from this expected frame on
     int niceness = 0;               // of the other process
-    bool at_once = true;            // else the process starts with the first candidate
+    bool at_once = true;            // else by get_ready(), or the first candidate
 };
 
 // Keeps a process at hand; a new one is started in the background when one had to be killed. To be
@@ -92,6 +92,9 @@ public:
     ~Trial();
     Trial(const Trial&) = delete;
     Trial& operator=(const Trial&) = delete;
+
+    // Starts the process, unless there is one; does not wait.
+    void get_ready();
 
     // Does not wait. One that is still running gives way; its answer is never seen.
     void start(const Candidate& candidate);

@@ -115,6 +115,7 @@ struct Panels::State {
     using Keys = std::array<bool, IM_ARRAYSIZE(ImGuiIO::KeysDown)>;
     GLFWwindow* window;
     std::string memory;  // ImGui keeps a pointer to it
+    Fonts fonts;
     ImGuiContext* context;
     Interface interface;
     Memory remembered;
@@ -147,17 +148,19 @@ void Panels::State::replay(const Press& press, const std::function<void()>& sett
     io.KeyCtrl = control;
 }
 
-Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory) {
-    ImGuiContext* context = ImGui::CreateContext();
+Panels::Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory,
+               Fonts fonts) {
+    if (fonts.scale != content_scale) fonts = make_fonts(content_scale);
+    ImGuiContext* context = ImGui::CreateContext(fonts.atlas.get());
     ImGui::SetCurrentContext(context);
-    const float ratio = pixel_ratio(window);
-    state_ = std::unique_ptr<State>(
-        new State{.window = window,
-                  .memory = memory.string(),
-                  .context = context,
-                  .interface = Interface(make_theme(content_scale / ratio, ratio)),
-                  .remembered = {},
-                  .presses = {}});
+    const Theme theme = make_theme(fonts, pixel_ratio(window));
+    state_ = std::unique_ptr<State>(new State{.window = window,
+                                              .memory = memory.string(),
+                                              .fonts = std::move(fonts),
+                                              .context = context,
+                                              .interface = Interface(theme),
+                                              .remembered = {},
+                                              .presses = {}});
     configure_io();
     remember(state_->remembered, state_->memory);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
@@ -174,8 +177,9 @@ Panels::~Panels() {
 
 void Panels::rescale(float content_scale) {
     ImGui::SetCurrentContext(state_->context);
-    const float ratio = pixel_ratio(state_->window);
-    state_->interface.set_theme(make_theme(content_scale / ratio, ratio));
+    Fonts fonts = make_fonts(content_scale);
+    state_->interface.set_theme(make_theme(fonts, pixel_ratio(state_->window)));
+    state_->fonts = std::move(fonts);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     state_->frames_to_settle = 3;

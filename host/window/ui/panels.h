@@ -16,6 +16,7 @@
 #include "scene/transport.h"
 #include "scene/tweak_values.h"
 #include "window/ui/findings.h"
+#include "window/ui/fonts.h"
 #include "window/ui/probe_facts.h"
 
 #include <glm/vec2.hpp>
@@ -231,8 +232,9 @@ class Panels {
 public:
     // The window outlives the panels, and its GL context is current whenever they are called.
     // Places are remembered in `memory` (an .ini file); "" remembers nothing, nor does one that
-    // cannot be written.
-    Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory);
+    // cannot be written. Fonts of another scale are drawn anew.
+    Panels(GLFWwindow* window, float content_scale, const std::filesystem::path& memory,
+           Fonts fonts);
     ~Panels();
     Panels(const Panels&) = delete;
     Panels& operator=(const Panels&) = delete;

@@ -1,5 +1,7 @@
-// How the panels look: fonts, colours, sizes.
+// How the panels look: colours, sizes, and with which fonts.
 #pragma once
+
+#include "window/ui/fonts.h"
 
 #include <imgui.h>
 
@@ -27,16 +29,13 @@ inline constexpr ImU32 kNotFinite = IM_COL32(255, 110, 255, 255);
 
 struct Theme {
     float scale = 1.0f;  // screen units a point
-    ImFont* text = nullptr;
-    ImFont* bold = nullptr;
-    ImFont* mono = nullptr;
+    ImFont *text = nullptr, *bold = nullptr, *mono = nullptr;
 
     float px(float points) const { return std::round(points * scale); }
 };
 
-// Sets fonts and style of the current ImGui context. `scale` is that of the layout; fonts are drawn
-// with `pixels` dots a screen unit, which is more than 1 where windows are measured in points.
-// DejaVu comes through fontconfig; without it ImGui's own font must do.
-Theme make_theme(float scale, float pixels = 1.0f);
+// Sets fonts and style of the current ImGui context. `pixels` are the dots of a screen unit, more
+// than 1 where windows are measured in points. The fonts outlive the context, or the next theme.
+Theme make_theme(const Fonts& fonts, float pixels = 1.0f);
 
 }  // namespace glint

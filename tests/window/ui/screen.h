@@ -25,7 +25,9 @@ inline Tweak number(const char* name, double initial, double min, double max) {
 class Screen {
 public:
     explicit Screen(std::vector<Tweak> declared, ImVec2 size = {1280, 720}, float scale = 1.0f)
-        : context_(ImGui::CreateContext()), interface(make_theme(scale)) {
+        : fonts_(make_fonts(scale)),
+          context_(ImGui::CreateContext(fonts_.atlas.get())),
+          interface(make_theme(fonts_)) {
         scene.tweaks = std::move(declared);
         tweaks = TweakValues(scene.tweaks);
         facts.scene = &scene;
@@ -37,9 +39,6 @@ public:
         io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
         for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
         configure_io();
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
         for (int i = 0; i < 4; ++i) frame();
     }
     ~Screen() { ImGui::DestroyContext(context_); }
@@ -163,6 +162,7 @@ private:
         return rect;
     }
 
+    Fonts fonts_;
     ImGuiContext* context_;
 
 public:
