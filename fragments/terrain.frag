@@ -19,7 +19,8 @@
 //          the picture. Olano and Baker, I3D (2010): mean products of slopes. Ross, Dion, Potvin,
 //          JOSA A 22 (2005), and Bruneton, Neyret, Holzschuch, CGF 29 (2010): glitter. Nishita et
 //          al., SIGGRAPH (1993): sky. Born and Wolf, Principles of Optics, 1.5: Fresnel. Vogel
-//          (1979): phyllotaxis. Potmesil and Chakravarty, SIGGRAPH (1981): circles of confusion.
+//          (1979): phyllotaxis. Abramowitz and Stegun (1964), 25.4.40: quadrature. Potmesil and
+//          Chakravarty, SIGGRAPH (1981): circles of confusion.
 // Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
 // Passes   tile, cloudTile, bare, land, peaks, sky, ambient, lightMap: on change of a tweak. Every
 //          frame: waves, gathered, colours + normalDepth; picture where `tiltShift` blurs it.
@@ -72,7 +73,7 @@ uniform int   reflectionSteps; //@ 35 [4, 1024] log quality reference=1024 "of a
 uniform int   march;           //@ 0 {pyramid, steps} quality reference=1 second=pyramid "of rays to land"
 uniform int   marchSteps;      //@ 160 [8, 512] log quality reference=512 "most for one ray to land"
 uniform int   bends;           //@ 3 [1, 8] quality reference=8 "faces that light in water meets"
-uniform int   shadowSamples;   //@ 12 [1, 64] log quality reference=64 "rays to the sun's disc"
+uniform int   shadowSamples;   //@ 3 [1, 64] log quality reference=64 "columns of the sun's disc"
 uniform int   glitterSamples;  //@ 16 [1, 64] log quality reference=64 "of the waves in one pixel"
 uniform int   lensSamples;     //@ 32 [8, 256] log quality reference=256 "taps of a blur"
 
@@ -114,6 +115,7 @@ const float kSummit = 40.0;                // m, nor higher at relief 1
 const int   kCells = 512;                  // patches along a side
 const float kPerCell = 5.12;               // cells in a metre
 const vec2  kPeaks = vec2(640.0, 512.0);   // texels of the pyramid
+const int   kSunRows = 8;                  // rays to a column of the sun's disc
 const float kTreeGap = 1.9;                // m
 const int   kWaveCells = 64;               // of time, after which waves begin again
 const int   kSky = 0, kLand = 1, kWall = 2, kBottom = 3, kWater = 4, kSide = 5;
@@ -989,27 +991,48 @@ void mainAmbient(out vec4 colour, in vec2 pixel) {
     }
     colour = vec4(sum, 1.0);
 }
+// A ray to the sun's disc; a: where its column stands, from pi to 0; row: from the lowest.
+vec3 sunRay(float a, int row) {
+    vec3 sun = sunDirection();
+    float level = length(sun.xz), radius = radians(sunSize);
+    float side = clamp(sin(radius * cos(a)) / level, -1.0, 1.0), ahead = sqrt(1.0 - side * side);
+    vec2 along = sun.xz / level, way = ahead * along + side * vec2(-along.y, along.x);
+    vec2 mid = normalize(vec2(ahead * level, sun.y));
+    float rise = radius * sin(a) * (2.0 * (float(row) + 0.5) / float(kSunRows) - 1.0);
+    vec2 rd = mid * cos(rise) + vec2(-mid.y, mid.x) * sin(rise);
+    return vec3(way.x * rd.x, max(rd.y, 1e-3), way.y * rd.x);
+}
 // Share of the sun's disc seen from land (x; below water, from where the light enters it) and from
-// the water (y); how open the sky is (z).
+// the water (y); how open the sky is (z). The disc is summed over columns (Gauss and Chebyshev, of
+// the second kind). Above a ray to the sky that passes over land all in its upright plane do: of a
+// column the lowest ray is traced, then the highest, then the one between, and most need no more.
 void mainLightMap(out vec4 colour, in vec2 pixel) {
     vec2 p = (pixel - 0.5) / kPerCell - kHalf;
     vec4 g = texelFetch(land, ivec2(pixel), 0);
-    vec3 sun = sunDirection(), nor = normalize(vec3(-g.x, 1.0, -g.y)), face;
-    vec3 down = refractExactly(-sun, vec3(0.0, 1.0, 0.0), 1.0 / kIorWater);
+    vec3 nor = normalize(vec3(-g.x, 1.0, -g.y)), face;
+    vec3 down = refractExactly(-sunDirection(), vec3(0.0, 1.0, 0.0), 1.0 / kIorWater);
     bool wet = g.z < waterLevel;
     vec3 low = vec3(p.x, g.z, p.y) + 0.04 * nor, high = vec3(p.x, waterLevel, p.y);
     if (wet) low = vec3(p + down.xz * ((waterLevel - g.z) / down.y), waterLevel).xzy;
     low.xz = clamp(low.xz, -kHalf, kHalf);
-    vec3 u = normalize(cross(sun, vec3(0.0, 0.0, 1.0) + 0.01 * sun.zxy)), v = cross(u, sun);
     vec2 seen = vec2(0.0);
-    for (int k = 0; k < (wet ? 2 : 1) * shadowSamples; ++k) {
-        int sampled = k < shadowSamples ? k : k - shadowSamples;
-        float a = 2.0 * kPi * kGolden * float(sampled);
-        float r = tan(radians(sunSize)) * sqrt((float(sampled) + 0.5) / float(shadowSamples));
-        vec3 rd = normalize(sun + r * (u * cos(a) + v * sin(a))), ro = k == sampled ? low : high;
-        rd.y = max(rd.y, 1e-3);
-        float clear = step(kFar, hitLand(ro, rd, 0.0, blockSpan(ro, rd, face).y));
-        seen += k == sampled ? vec2(clear, 0.0) : vec2(0.0, clear);
+    int columns = wet ? 2 * shadowSamples : shadowSamples, column = 0;
+    int blocked = 0, clear = kSunRows;   // the first that may be clear, and the first that is
+    for (int k = 0; k < 5 * columns && column < columns; ++k) {
+        bool below = column < shadowSamples;
+        float a = kPi * float((below ? column : column - shadowSamples) + 1)
+            / float(shadowSamples + 1);
+        int row = blocked == 0 ? 0 : clear == kSunRows ? kSunRows - 1 : (blocked + clear) / 2;
+        vec3 ro = below ? low : high, rd = sunRay(a, row);
+        if (hitLand(ro, rd, 0.0, blockSpan(ro, rd, face).y) < kFar) blocked = row + 1;
+        else clear = row;
+        if (blocked < clear) continue;
+        float share = 2.0 * square(sin(a)) / float(shadowSamples + 1)
+            * (1.0 - float(blocked) / float(kSunRows));
+        seen += below ? vec2(share, 0.0) : vec2(0.0, share);
+        ++column;
+        blocked = 0;
+        clear = kSunRows;
     }
     float open = 0.0;
     for (int k = 0; k < 10; ++k) {
@@ -1021,7 +1044,7 @@ void mainLightMap(out vec4 colour, in vec2 pixel) {
         }
         open += 0.1 / (1.0 + rise * rise);   // squared cosine of the horizon's height
     }
-    colour = vec4(seen / float(shadowSamples), open, 0.0);
+    colour = vec4(seen, open, 0.0);
 }
 
 // Slope of the waves. Shallows are calm.

@@ -335,6 +335,63 @@ TEST_F(Terrain, RaysMeetLandWhereTheyShould) {
     }
 }
 
+// The map's share of the sun's disc against 400 rays spread over it (whose own share is within some
+// 0.003), where land and water lie. Columns may be searched by halves because a ray to the sky
+// passes where a lower one of its column does, but for the roundings at a surface that is touched.
+TEST_F(Terrain, SunlightIsThatOfAllRaysToTheDisc) {
+    const std::string body = R"(
+    ivec2 texel = 10 * ivec2(p);
+    vec4 g = texelFetch(land, texel, 0), lit = texelFetch(lightMap, texel, 0);
+    vec2 at = vec2(texel) / kPerCell - kHalf;
+    bool wet = g.z < waterLevel;
+    vec3 face, ro = vec3(at.x, g.z, at.y) + 0.04 * normalize(vec3(-g.x, 1.0, -g.y));
+    if (wet) ro = vec3(at.x, waterLevel, at.y);
+    ro.xz = clamp(ro.xz, -kHalf, kHalf);
+    vec3 sun = sunDirection(), u = normalize(cross(sun, vec3(0, 1, 0))), v = cross(u, sun);
+    float all = 0.0, upset = 0.0;
+    for (int k = 0; k < 400; ++k) {
+        float a = 2.0 * kPi * kGolden * float(k);
+        float r = tan(radians(sunSize) * sqrt((float(k) + 0.5) / 400.0));
+        vec3 rd = normalize(sun + r * (u * cos(a) + v * sin(a)));
+        rd.y = max(rd.y, 1e-3);
+        all += step(kFar, hitLand(ro, rd, 0.0, blockSpan(ro, rd, face).y)) / 400.0;
+    }
+    float lower = 0.0;
+    for (int k = 0; k < 3 * kSunRows; ++k) {
+        vec3 rd = sunRay(kPi * float(k / kSunRows + 1) / 4.0, k % kSunRows);
+        float clear = step(kFar, hitLand(ro, rd, 0.0, blockSpan(ro, rd, face).y));
+        if (k % kSunRows > 0 && clear < lower) ++upset;
+        lower = clear;
+    }
+    c = vec4(wet ? lit.y : lit.x, all, upset, 1.0);
+)";
+    struct Look {
+        const char* tweaks;
+        double bar;  // RMSE of the share, half more than was measured
+    };
+    for (const Look& look : {Look{"", 0.005},
+                             {"sunHeight = 3\nsunSize = 3\n", 0.027},
+                             {"sunHeight = 60\nsunSize = 3\ntrees = 1\nrelief = 1.6\n", 0.009},
+                             {"shadowSamples = 64\n", 0.0015}}) {
+        const auto pixels =
+            drawn(with_picture(kTerrainFile, body),
+                  {.size = {51, 51}, .preset = fmt::format("[tweaks]\n{}", look.tweaks)});
+        double sum = 0.0, upset = 0.0, half = 0.0;
+        for (const glm::vec4& pixel : pixels) {
+            sum += std::pow(pixel.x - pixel.y, 2.0);
+            upset += pixel.z;
+            half += pixel.y > 0.002f && pixel.y < 0.998f;
+        }
+        const auto count = static_cast<double>(pixels.size());
+        const double off = std::sqrt(sum / count);
+        fmt::print("{:.4f}, {} of {} out of order, {} in half shade\n", off, upset, 24.0 * count,
+                   half);
+        EXPECT_LE(off, look.bar) << look.tweaks;
+        EXPECT_LE(upset, 1e-4 * 24.0 * count) << look.tweaks;
+        EXPECT_GE(half, 20.0) << look.tweaks;
+    }
+}
+
 // Whoever aims from outside at a point inside land or water must meet something at that point or
 // before: from above, from the side, from below, and near edges and corners.
 TEST_F(Terrain, TheBlockIsClosed) {
