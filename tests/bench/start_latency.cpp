@@ -74,7 +74,9 @@ public:
         Glint glint(screen.name(), folder_.path(), {preset_},
                     {{"MESA_SHADER_CACHE_DIR", shaders.string()}});
         const auto is_drawn = [&] { return glint.count(": shown") > runs_; };
-        eventually([&] { return shows_a_picture(screen); }, kLongest);
+        // Not as often as tests look: the screen that answers is on the same processors.
+        while (!shows_a_picture(screen) && ms_since(start) < kLongest * 1e3)
+            std::this_thread::sleep_for(std::chrono::milliseconds(4));
         if (times && !with_keys) times->picture.push_back(ms_since(start));
         while (with_keys && !is_drawn() && ms_since(start) < kLongest * 1e3) {
             const std::optional<double> took = key_to_panel(screen);

@@ -208,6 +208,7 @@ private:
     ViewOptions options_;  // size and tweaks are those of the file that was opened first
     KeptPictures kept_pictures_;
     StartPicture::Reading begun_picture_;
+    std::future<glm::ivec2> begun_size_;  // read while GLFW asks the screen
     Glfw glfw_;
     std::future<Fonts> begun_fonts_;  // drawn while the window loads its driver
     Trial trial_;                     // its process starts when the window has loaded its driver
