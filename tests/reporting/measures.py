@@ -280,8 +280,9 @@ def as_fast(study, own):
 
 
 def as_near(study, own):
-    """The least time that is told to be less, at the same error."""
-    rows = [row for row in compared(study) if row["verdict"] == "faster" and is_no_farther(row, own, "rmse", "flip")]
+    """The least time that is told to be less, at the same error; less than a percent, told or not, is no gain."""
+    rows = [row for row in compared(study) if row["verdict"] == "faster" and row["ms"] <= 0.99 * own["ms"]
+            and is_no_farther(row, own, "rmse", "flip")]
     return min(rows, key=lambda row: row["ms"], default=None)
 
 

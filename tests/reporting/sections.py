@@ -280,8 +280,8 @@ def beaten(page, found):
     page.text("Each preset's quality tweaks were chosen one at a time. A joint setting beats them with an error that is told to "
               "be less (wherever the truth lies within its own error: by what two settings have in common both are off "
               "alike), and no more FLIP, in a time that is not told to be more, nor is its median by 2.5%, or in a time that "
-              "is told to be less with the same error, to 1% of RMSE and of FLIP; “no”: none of those that were tried does, with what the figures "
-              "say of it. The last column is what has the least error over all presets "
+              "is told to be less, and by 1%, with the same error, to 1% of RMSE and of FLIP; “no”: none of those that were "
+              "tried does, with what the figures say of it. The last column is what has the least error over all presets "
               "of the scene in no more time, of the own setting and those that beat it.")
     page.table(BUDGETS, lines)
 
