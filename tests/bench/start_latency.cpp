@@ -71,8 +71,7 @@ public:
         fs::create_directories(shaders);
         Screen screen(kScreen);
         const auto start = Clock::now();
-        Glint glint(screen.name(), folder_.path(), {preset_},
-                    {{"MESA_SHADER_CACHE_DIR", shaders.string()}});
+        Glint glint(screen.name(), folder_.path(), {preset_}, shader_cache(shaders));
         const auto is_drawn = [&] { return glint.count(": shown") > runs_; };
         // Not as often as tests look: the screen that answers is on the same processors.
         while (!shows_a_picture(screen) && ms_since(start) < kLongest * 1e3)

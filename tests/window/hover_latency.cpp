@@ -68,7 +68,7 @@ struct Bench {
         fs::copy_file(here / "fragments" / (name + ".frag"), text);
         write(preset, watch_of(read(text)) + read(here / "presets" / (name + ".toml")));
         glint.emplace(screen.name(), own, std::vector<std::string>{preset.string()},
-                      Environment{{"MESA_SHADER_CACHE_DIR", (own / "shaders").string()}});
+                      shader_cache(own / "shaders"));
         if (!eventually([&] { return screen.window() != 0; }, 60.0)) fail("no window");
         screen.resize_window(kSize);
         if (!glint->says(": shown", 1, 300.0)) fail(glint->errors());

@@ -45,7 +45,8 @@ double cpu_seconds_of(const std::string& process) {
     const char* path = std::getenv("PATH");
     ::setenv("PATH", ((folder / "bin").string() + ":" + (path ? path : "")).c_str(), 1);
     // Mesa does not ask $HOME. Shared: every window has the same panels to compile.
-    ::setenv("MESA_SHADER_CACHE_DIR", GLINT_SHADER_CACHE, 1);
+    for (const auto& [name, value] : shader_cache(GLINT_SHADER_CACHE))
+        ::setenv(name.c_str(), value.c_str(), 1);
     for (const char* name : {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME",
                              "WAYLAND_DISPLAY", "EDITOR", "VISUAL"}) {
         ::unsetenv(name);
@@ -102,6 +103,11 @@ std::string flat(const Colour& colour) {
     return fmt::format(
         "void mainImage(out vec4 c, in vec2 p) {{ c = vec4({}, {}, {}, 255) / 255.0; }}\n",
         colour.r, colour.g, colour.b);
+}
+
+Environment shader_cache(const fs::path& folder) {
+    return {{"MESA_SHADER_CACHE_DIR", folder.string()},
+            {"__GL_SHADER_DISK_CACHE_PATH", folder.string()}};
 }
 
 fs::path repository() {

@@ -37,6 +37,9 @@ std::string flat(const Colour& colour);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
+// Where the driver keeps what it compiled, Mesa's and NVIDIA's.
+Environment shader_cache(const fs::path& folder);
+
 // A process of glint; what it says goes to a file.
 class Glint {
 public:

@@ -130,7 +130,7 @@ std::string long_text(const Colour& colour) {
 
 TEST_F(Reload, ATextThatIsCompiledForLongIsSketchedFirst) {
     // A driver that has not seen it, however often the test is run.
-    environment_ = {{"MESA_SHADER_CACHE_DIR", (folder_->path() / "driver").string()}};
+    environment_ = shader_cache(folder_->path() / "driver");
     open(long_text({0, 200, 0}));
     ASSERT_TRUE(shows({0, 200, 0}, kMargin));
     EXPECT_EQ(glint_->count("sketched"), 0) << "there is no window's picture before the first";

@@ -152,7 +152,7 @@ struct Bench {
         glint.emplace(
             screen.name(), folder.path(), std::vector<std::string>{preset.string()},
             // Its own: the one that tests share may hold these very edits, from another call.
-            Environment{{"MESA_SHADER_CACHE_DIR", (folder.path() / "shaders").string()}});
+            shader_cache(folder.path() / "shaders"));
         if (!eventually([&] { return screen.window() != 0; }, 60.0))
             fail("no window: " + glint->errors());
         screen.resize_window(kSize);
