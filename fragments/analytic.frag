@@ -173,8 +173,11 @@ float fresnel(float cosI, float eta) {
 // The direction behind a surface; eta: index before over index beyond. Where nothing gets through,
 // along the surface: fresnel() is 1 there.
 vec3 refractExactly(vec3 rd, vec3 nor, float eta) {
-    float cosine = clamp(-dot(rd, nor), 0.0, 1.0);
-    float k = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
+    float cosine = clamp(-dot(rd, nor), 0.0, 1.0), sine = eta * length(cross(rd, nor));
+    // 1 - sine^2, of what is small: near the critical angle of a dense glass the cosine, near 1, has
+    // lost the digits that decide.
+    float k = cosine < 0.7 ? (1.0 - eta) * (1.0 + eta) + square(eta * cosine)
+        : (1.0 - sine) * (1.0 + sine);
     return unit(eta * rd + (eta * cosine - sqrt(max(k, 0.0))) * nor);
 }
 
@@ -501,11 +504,16 @@ void meetGem(vec3 ro, vec3 rd, inout Hit h) {
     vec3 pole = vec3(0.0, size, 0.0), a = gemCorner(0, 1.0), b = gemCorner(0, -1.0);
     vec3 poleS = sheared(pole - near, q), footS = sheared(-pole - near, q);
     vec3 aS = sheared(a - near, q), bS = sheared(b - near, q);
+    // The rings close on the numbers that they began with: worked out again, they may be rounded
+    // elsewhere, and the edge would leak.
+    mat4x3 first = mat4x3(a, b, aS, bS);
     float t = h.t;
     mat3 met = mat3(1.0);
     for (int k = 1; k <= 5; ++k) {
         vec3 c = gemCorner(k, 1.0), d = gemCorner(k, -1.0);
-        vec3 cS = sheared(c - near, q), dS = sheared(d - near, q);
+        mat4x3 next = k == 5 ? first : mat4x3(c, d, sheared(c - near, q), sheared(d - near, q));
+        c = next[0]; d = next[1];
+        vec3 cS = next[2], dS = next[3];
         meetTriangle(ro, rd, mat3(pole, a, c), mat3(poleS, aS, cS), slid, t, met);
         meetTriangle(ro, rd, mat3(a, b, c), mat3(aS, bS, cS), slid, t, met);
         meetTriangle(ro, rd, mat3(b, d, c), mat3(bS, dS, cS), slid, t, met);

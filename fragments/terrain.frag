@@ -172,8 +172,11 @@ float fresnel(float cosI, float eta) {
 // The direction behind a surface; eta: index before over index beyond. Where nothing gets through,
 // along the surface: fresnel() is 1 there.
 vec3 refractExactly(vec3 rd, vec3 nor, float eta) {
-    float cosine = clamp(-dot(rd, nor), 0.0, 1.0);
-    float k = (1.0 - eta) * (1.0 + eta) + square(eta * cosine);
+    float cosine = clamp(-dot(rd, nor), 0.0, 1.0), sine = eta * length(cross(rd, nor));
+    // 1 - sine^2, of what is small: near the critical angle of a dense glass the cosine, near 1, has
+    // lost the digits that decide.
+    float k = cosine < 0.7 ? (1.0 - eta) * (1.0 + eta) + square(eta * cosine)
+        : (1.0 - sine) * (1.0 + sine);
     return unit(eta * rd + (eta * cosine - sqrt(max(k, 0.0))) * nor);
 }
 vec3 safeInverse(vec3 rd) {   // never infinite, so a slab never multiplies 0 by infinity

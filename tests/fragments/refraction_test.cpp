@@ -102,6 +102,17 @@ TEST_F(Refraction, IsRightWhateverTheCase) {
     });
 }
 
+// Where the cosine, which is near 1, decides by its last digits whether anything gets through.
+TEST_F(Refraction, IsRightNearTheCriticalAngleOfADenseGlass) {
+    Bar bar("Q7 analytic: directions, rad", 5e-6);
+    Random random{std::mt19937(7)};
+    std::vector<Ray> all;
+    while (all.size() < 65536)
+        all.push_back(ray_at(random, 1.339 * random.uniform(0.95, 1.05),
+                             4.0 * random.uniform(0.99, 1.01)));
+    expect_to_bend_rightly(all, bar, "indices 4, 76.72 degrees up");
+}
+
 TEST_F(Refraction, EqualIndicesDoNotBend) {
     Bar bar("Q7 analytic: bend at equal indices, rad", 1e-6);
     const auto all = rays(1.0);
