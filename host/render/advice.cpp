@@ -111,16 +111,17 @@ std::string advice_on_types(std::string_view complaint) {
             return "; GLSL ES makes no int a uint by itself: write 2u for 2, or uint(i)";
         return fmt::format("{}2.0 for 2, or float(i); beside a uint, 2u or uint(i)", kNoChange);
     }
-    if (complaint.starts_with(
-            "initializer of type int cannot be assigned to variable of type uint"))
-        return "; write 1u for 1, or uint(i)";
-    if (complaint.starts_with(
-            "initializer of type int cannot be assigned to variable of type float"))
-        return fmt::format("{}1.0 for 1, or float(i)", kNoChange);
-    if (complaint.starts_with(
-            "initializer of type float cannot be assigned to variable of type int"))
-        return "; write int(x)";
-    if (complaint.starts_with("illegal use of reserved word `varying'"))
+    const auto mistakes = [&](std::string_view given, std::string_view wanted) {
+        return complaint == fmt::format(kTypeForAnother, given, wanted) ||
+               complaint.starts_with(
+                   fmt::format("initializer of type {} cannot be assigned to variable of type {}",
+                               given, wanted));
+    };
+    if (mistakes("int", "uint")) return "; write 1u for 1, or uint(i)";
+    if (mistakes("int", "float")) return fmt::format("{}1.0 for 1, or float(i)", kNoChange);
+    if (mistakes("float", "int")) return "; write int(x)";
+    if (complaint.starts_with("illegal use of reserved word `varying'") ||
+        complaint.starts_with("'varying' is deprecated"))
         return "; nothing feeds it, for no vertices stand before a picture: write a value of its "
                "own, such as gl_FragCoord.xy / iResolution.xy";
     if (complaint.ends_with("of operator % must be an integer"))

@@ -6,6 +6,9 @@
 
 namespace glint {
 
+// What is said where a driver tells of two types and of nothing else.
+inline constexpr const char* kTypeForAnother = "a value of type {} cannot stand for one of type {}";
+
 // A complaint of Mesa's, without advice that is none for GLSL ES.
 std::string said_better(std::string complaint);
 

@@ -5,6 +5,7 @@
 #include "glsl/parser.h"
 #include "glsl/preprocess.h"
 #include "render/advice.h"
+#include "render/nvidia_words.h"
 #include "render/syntax_error.h"
 #include "scene/builtin.h"
 
@@ -34,6 +35,15 @@ struct Spot {
     std::size_t token = 0;      // of those that a compiler sees
 };
 
+// What a driver says of a place in its text.
+struct Said {
+    Severity severity = Severity::error;
+    int line = 0, column = 0;  // in characters from 1
+    bool is_expanded = false;  // it counts behind its preprocessor
+    std::string words = {};
+    std::optional<std::size_t> token = {};  // that it is about, where that is known instead
+};
+
 // The text as the driver read it, taken apart.
 class ReadText {
 public:
@@ -42,10 +52,11 @@ public:
         find_lines();
     }
 
-    // What the driver says of a line and a column, in characters from 1. Expanded: where it counts
-    // behind its preprocessor.
-    Diagnostic complaint(Severity severity, int line, int column, bool is_expanded,
-                         std::string words) const;
+    Diagnostic complaint(Said said) const;
+    // The same of what NVIDIA says of a line; nothing where a person has nothing to mend.
+    std::optional<Said> from_nvidia(Said said) const;
+    // A bracket that nobody closes, if there is one.
+    std::optional<Diagnostic> open_bracket() const;
 
     // Where a name stands first; the file alone where it does not.
     Place first(std::string_view name) const;
@@ -61,6 +72,7 @@ private:
                          const std::set<std::string, std::less<>>& unknown) const;
     void find_lines();
     std::size_t offset(int line, int column) const;
+    Spot spot_of(std::size_t token) const;
     Spot expanded_spot(int line, int column) const;
     std::span<const Token> users_tokens() const;
     Place place_of(const SyntaxError& error) const;
@@ -113,6 +125,17 @@ std::size_t ReadText::offset(int line, int column) const {
     return at;
 }
 
+// Of a macro's token in its use.
+Spot ReadText::spot_of(std::size_t index) const {
+    if (index >= read_.tokens.size()) return {pass_.text.size(), kNone, 0, index};
+    const Token& token = read_.tokens[index];
+    const Span place = written(token);
+    const bool in_text =
+        token.use == kNone || (place.begin <= token.begin && token.end <= place.end);
+    return in_text ? Spot{token.begin, kNone, 0, index}
+                   : Spot{place.begin, token.use, token.begin, index};
+}
+
 // Mesa counts bytes of what its preprocessor makes of a line: macros expanded, and one space for a
 // run of spaces and comments.
 Spot ReadText::expanded_spot(int line, int column) const {
@@ -128,12 +151,9 @@ Spot ReadText::expanded_spot(int line, int column) const {
         at += (is_first ? place.begin > begin : token.space_before) ? 1 : 0;
         is_first = false;
         if (at > column) break;
-        const bool in_text =
-            token.use == kNone || (place.begin <= token.begin && token.end <= place.end);
-        spot = in_text ? Spot{token.begin} : Spot{place.begin, token.use, token.begin};
-        spot.token = static_cast<std::size_t>(&token - read_.tokens.data());
+        spot = spot_of(static_cast<std::size_t>(&token - read_.tokens.data()));
         const auto within = static_cast<std::size_t>(column - at);
-        if (in_text && within < token.text.size()) spot.at += within;
+        if (spot.use == kNone && within < token.text.size()) spot.at += within;
         at += static_cast<int>(token.text.size());
     }
     return spot;
@@ -157,18 +177,46 @@ Place ReadText::place_of(const SyntaxError& error) const {
     return where;
 }
 
-Diagnostic ReadText::complaint(Severity severity, int line, int column, bool is_expanded,
-                               std::string words) const {
-    Spot spot = is_expanded ? expanded_spot(line, column) : Spot{offset(line, column)};
+std::optional<Said> ReadText::from_nvidia(Said said) const {
+    const std::size_t begin = at_line(line_begins_, said.line);
+    const std::size_t end = std::max(at_line(line_begins_, said.line + 1), begin + 1);
+    const auto first_from = [&](std::size_t at) {
+        return static_cast<std::uint32_t>(
+            std::ranges::find_if(read_.tokens,
+                                 [&](const Token& token) { return written(token).begin >= at; }) -
+            read_.tokens.begin());
+    };
+    auto [words, token] =
+        read_nvidia(std::move(said.words), read_.tokens, {first_from(begin), first_from(end)});
+    if (words.empty()) return std::nullopt;
+    said.words = std::move(words);
+    said.token = token;
+    return said;
+}
+
+std::optional<Diagnostic> ReadText::open_bracket() const {
+    const std::string words = "syntax error, unexpected end of file";
+    const auto tokens = users_tokens();
+    const auto error = read_syntax_error(words, tokens, tokens.size());
+    if (!error || error->is_behind) return std::nullopt;
+    return Diagnostic{Severity::error, place_of(*error), error->text};
+}
+
+Diagnostic ReadText::complaint(Said said) const {
+    const auto& [severity, line, column, is_expanded, said_words, token] = said;
+    Spot spot = token         ? spot_of(*token)
+                : is_expanded ? expanded_spot(line, column)
+                              : Spot{offset(line, column)};
     Place where = place(spot.at);
     if (spot.at >= pass_.user_end) {
         const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);
         const auto host_lines = std::count(pass_.text.begin(), user, '\n');
         where = scene_.place(line - static_cast<int>(host_lines), column);
     }
-    if (column == 0) where.column = 0;
+    if (column == 0 && !token) where.column = 0;
+    std::string words = said_words;
     std::optional<SyntaxError> syntax;
-    if (is_expanded) syntax = read_syntax_error(words, users_tokens(), spot.token);
+    if (is_expanded || token) syntax = read_syntax_error(words, users_tokens(), spot.token);
     words = syntax ? syntax->text : said_better(std::move(words));
     if (syntax && (syntax->is_behind || syntax->token != spot.token)) {
         where = place_of(*syntax);
@@ -289,28 +337,34 @@ std::string unknown_name(const std::string& complaint) {
 
 // All that a log does not know: of two mistyped names one does not mean the other.
 std::set<std::string, std::less<>> unknown_names(const std::string& log) {
-    static const std::regex said(R"(`(\w+)' undeclared|no function with name '(\w+)')");
+    static const std::regex said(
+        R"re(`(\w+)' undeclared|no function with name '(\w+)'|undefined variable "(\w+)")re");
     std::set<std::string, std::less<>> names;
     for (const std::string& line : lines_of(log)) {
         std::smatch m;
-        if (line.size() <= kLongestComplaint && std::regex_search(line, m, said))
-            names.insert(m[1].matched ? m[1] : m[2]);
+        if (line.size() > kLongestComplaint || !std::regex_search(line, m, said)) continue;
+        names.insert(m.str(1) + m.str(2) + m.str(3));  // one of them
     }
     return names;
 }
 
-// The f of "function `float f(float)' has static recursion", which Mesa says of line 0.
+// The f of "function `float f(float)' has static recursion", which Mesa says of line 0, and of
+// NVIDIA's "recursive call to function "float f(float){", which goes on with its body.
 std::string recursive_name(const std::string& complaint) {
-    static const std::regex mesa(R"(^function `(?:\w+ )?(\w+)\(.*' has static recursion$)");
+    static const std::regex said(
+        R"re(^(?:function `|recursive call to function ")(?:\w+ )?(\w+)\(.*)re");
     std::smatch m;
-    return std::regex_match(complaint, m, mesa) ? std::string(m[1]) : "";
+    const bool is_told =
+        complaint.starts_with("recursive call") || complaint.ends_with("' has static recursion");
+    return is_told && std::regex_match(complaint, m, said) ? std::string(m[1]) : "";
 }
 
 // The function that a linker finds nowhere; "" where it complains of something else.
 std::string bodiless_function(const std::string& words) {
-    static const std::regex said(R"(unresolved reference to function `(\w+)')");
+    static const std::regex said(
+        R"re(unresolved reference to function `(\w+)'|call to undefined function "(?:\w+ )?(\w+)\()re");
     std::smatch m;
-    return std::regex_search(words, m, said) ? m[1].str() : std::string();
+    return std::regex_search(words, m, said) ? m.str(1) + m.str(2) : std::string();
 }
 
 // "Too many fragment shader texture samplers", of which Mesa tells no line.
@@ -361,6 +415,87 @@ Diagnostics without_consequences(const Diagnostics& list) {
     return left;
 }
 
+// A log, line by line.
+class LogReader {
+public:
+    LogReader(const Scene& scene, const std::string& log, const PassText& text)
+        : scene_(scene), text_(text), unknown_(unknown_names(log)) {}
+
+    void read(const std::string& line) {
+        static const std::regex mesa(
+            R"(^\d+:(\d+)\((\d+)\):\s*(preprocessor )?(error|warning):\s*(.*)$)");
+        static const std::regex nvidia(R"(^\d*\((\d+)\) ?: (error|warning) (?:C\d+: )?(.*)$)");
+        static const std::regex angle(R"(^(ERROR|WARNING): \d+:(\d+): (.*)$)");
+        static const std::regex unplaced(R"(^(?:error|ERROR):\s*(.*)$)");
+        static const std::regex total(R"(^ERROR: .*\d+ compilation errors?\..*$)");
+        std::smatch m;
+        if (std::regex_match(line, m, mesa)) {
+            const bool is_expanded = !m[3].matched;
+            add({severity(m[4] == "error"), at(m[1]), parse_count(m[2]), is_expanded,
+                 is_expanded ? m.str(5) : read_preprocessor_error(m[5])});
+        } else if (std::regex_match(line, m, nvidia)) {
+            if (!bodiless_function(m[3]).empty()) return add_of_link(m[3]);
+            auto told = taken_apart().from_nvidia(
+                {.severity = severity(m[2] == "error"), .line = at(m[1]), .words = m[3]});
+            if (told) add(std::move(*told));
+        } else if (std::regex_match(line, m, angle)) {
+            add({.severity = severity(m[1] == "ERROR"), .line = at(m[2]), .words = m[3]});
+        } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
+            add_of_link(m[1]);
+        }
+    }
+
+    Diagnostics list;
+
+private:
+    static Severity severity(bool is_error) {
+        return is_error ? Severity::error : Severity::warning;
+    }
+    static int at(const std::string& line) { return std::min(parse_count(line), kLastLine); }
+    // Most texts compile.
+    const ReadText& taken_apart() { return apart_ ? *apart_ : apart_.emplace(scene_, text_); }
+    void add(Said said);
+    void add_of_link(const std::string& words);
+
+    const Scene& scene_;
+    const PassText& text_;
+    std::set<std::string, std::less<>> unknown_;
+    std::optional<ReadText> apart_;
+};
+
+void LogReader::add(Said said) {
+    if (said.words.starts_with("Error: ")) said.words.erase(0, 7);  // which it is anyway
+    said.words += advice_on_types(said.words);
+    if (const std::string name = unknown_name(said.words); !name.empty())
+        said.words += taken_apart().help_with(name, unknown_);
+    if (const std::string name = recursive_name(said.words); !name.empty()) {
+        list.push_back({Severity::error, taken_apart().first(name),
+                        name + " calls itself, at once or by way of others; GLSL has no "
+                               "recursion, write a loop"});
+        return;
+    }
+    list.push_back(taken_apart().complaint(std::move(said)));
+}
+
+void LogReader::add_of_link(const std::string& words) {
+    list.push_back(link_diagnostic(scene_, text_.pass, words));
+    Diagnostic& told = list.back();
+    if (has_too_many_samplers(words) && !scene_.samplers.empty()) {
+        told.place = taken_apart().first(scene_.samplers.back().name);
+        told.text += " for this driver; put what several of them hold into one";
+    }
+    const std::string input = unfed_input(words), bare = bodiless_function(words);
+    if (!input.empty()) {
+        told.place = taken_apart().first(input);
+        told.text = "nothing feeds " + input +
+                    ": no vertices stand before a picture; write a value of its own, such as "
+                    "fragCoord / iResolution.xy";
+    } else if (!bare.empty() && bare != entry_of(scene_, text_.pass)) {
+        told.place = taken_apart().first(bare);
+        told.text = bare + " is declared and called, but has no body; write one";
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> lines_of(const std::string& log) {
@@ -379,10 +514,9 @@ std::vector<std::string> lines_of(const std::string& log) {
 
 Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string text) {
     const bool is_image = pass == kImagePass;
-    const std::string& entry = is_image ? scene.image_entry : scene.passes[pass].entry;
+    const std::string& entry = entry_of(scene, pass);
     Place place{scene.files.front().string(), 0, 0};
-    if (text.find("unresolved reference to function") != text.npos &&
-        text.find(entry) != text.npos) {
+    if (bodiless_function(text) == entry) {
         if (!is_image) place = scene.passes[pass].place;
         text = fmt::format(
             "there is no `void {}(out vec4 fragColor, in vec2 fragCoord)`{}; write "
@@ -394,64 +528,14 @@ Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string tex
 }
 
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text) {
-    static const std::regex mesa(
-        R"(^\d+:(\d+)\((\d+)\):\s*(preprocessor )?(error|warning):\s*(.*)$)");
-    static const std::regex nvidia(R"(^\d+\((\d+)\) ?: (error|warning) (?:C\d+: )?(.*)$)");
-    static const std::regex angle(R"(^(ERROR|WARNING): \d+:(\d+): (.*)$)");
-    static const std::regex unplaced(R"(^(?:error|ERROR):\s*(.*)$)");
-    static const std::regex total(R"(^ERROR: .*\d+ compilation errors?\..*$)");
-    Diagnostics list;
-    std::optional<ReadText> read;  // most texts compile
-    const auto unknown = unknown_names(log);
-    const auto add = [&](bool is_error, const std::string& line, int column, bool is_expanded,
-                         std::string words) {
-        if (words.starts_with("Error: ")) words.erase(0, 7);  // which it is anyway
-        if (!read) read.emplace(scene, text);
-        words += advice_on_types(words);
-        if (const std::string name = unknown_name(words); !name.empty())
-            words += read->help_with(name, unknown);
-        if (const std::string name = recursive_name(words); !name.empty()) {
-            list.push_back({Severity::error, read->first(name),
-                            name + " calls itself, at once or by way of others; GLSL has no "
-                                   "recursion, write a loop"});
-            return;
-        }
-        list.push_back(read->complaint(is_error ? Severity::error : Severity::warning,
-                                       std::min(parse_count(line), kLastLine), column, is_expanded,
-                                       std::move(words)));
-    };
-    for (const std::string& line : lines_of(log)) {
-        std::smatch m;
-        if (std::regex_match(line, m, mesa)) {
-            const bool is_expanded = !m[3].matched;
-            add(m[4] == "error", m[1], parse_count(m[2]), is_expanded,
-                is_expanded ? std::string(m[5]) : read_preprocessor_error(m[5]));
-        } else if (std::regex_match(line, m, nvidia)) {
-            add(m[2] == "error", m[1], 0, false, m[3]);
-        } else if (std::regex_match(line, m, angle)) {
-            add(m[1] == "ERROR", m[2], 0, false, m[3]);
-        } else if (!std::regex_match(line, total) && std::regex_match(line, m, unplaced)) {
-            list.push_back(link_diagnostic(scene, text.pass, m[1]));
-            if (has_too_many_samplers(m[1]) && !scene.samplers.empty()) {
-                if (!read) read.emplace(scene, text);
-                list.back().place = read->first(scene.samplers.back().name);
-                list.back().text += " for this driver; put what several of them hold into one";
-            }
-            const std::string input = unfed_input(m[1]), bare = bodiless_function(m[1]);
-            if (input.empty() && (bare.empty() || bare == scene.image_entry)) continue;
-            if (!read) read.emplace(scene, text);
-            if (input.empty()) {
-                list.back().place = read->first(bare);
-                list.back().text = bare + " is declared and called, but has no body; write one";
-                continue;
-            }
-            list.back().place = read->first(input);
-            list.back().text = "nothing feeds " + input +
-                               ": no vertices stand before a picture; write a value of its own, "
-                               "such as fragCoord / iResolution.xy";
-        }
-    }
-    return without_consequences(with_candidates_joined(std::move(list)));
+    LogReader reader(scene, log, text);
+    for (const std::string& line : lines_of(log)) reader.read(line);
+    return without_consequences(with_candidates_joined(std::move(reader.list)));
+}
+
+Diagnostic refusal_without_words(const Scene& scene, const PassText& text) {
+    if (auto open = ReadText(scene, text).open_bracket()) return std::move(*open);
+    return link_diagnostic(scene, text.pass, "the driver refused the shader without a word");
 }
 
 }  // namespace glint

@@ -16,6 +16,9 @@ Diagnostics read_driver_log(const Scene& scene, const std::string& log, const Pa
 // is cut: nobody reads it, and matching a regular expression takes stack for every character.
 std::vector<std::string> lines_of(const std::string& log);
 
+// Of a text that the driver refused, and said nothing that we can read.
+Diagnostic refusal_without_words(const Scene& scene, const PassText& text);
+
 // A complaint of the linker, which has no place. The commonest one is said better than drivers do.
 Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string text);
 

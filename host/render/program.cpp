@@ -254,8 +254,7 @@ CompiledPass compile_text(const Preset& preset, std::size_t pass, PassText sourc
     LinkedProgram linked = make_pass_program(source.text);
     Diagnostics said = read_driver_log(preset.scene, linked.log, source);
     if (!linked.program && !has_errors(said)) {
-        said.push_back(
-            link_diagnostic(preset.scene, pass, "the driver refused the shader without a word"));
+        said.push_back(refusal_without_words(preset.scene, source));
     }
     CompiledPass result;
     if (linked.program)

@@ -153,9 +153,7 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
 std::optional<SyntaxError> inner_function(const Around& around) {
     const auto head = around.head();
     if (!around.is(0, "{") || !around.is_in_function() || !head) return std::nullopt;
-    return SyntaxError{
-        "a function begins within another one, which GLSL has not; is a '}' missing before it?",
-        *head};
+    return SyntaxError{std::string(kInnerFunction), *head};
 }
 
 std::optional<SyntaxError> unmatched_bracket(const Complaint& complaint, const Around& around,
@@ -248,6 +246,14 @@ std::optional<SyntaxError> bad_number(std::span<const Token> tokens, std::size_t
 }
 
 }  // namespace
+
+bool is_type_of_glsl(std::string_view word) {
+    return is_one_of(word, kTypes);
+}
+
+bool is_qualifier_of_glsl(std::string_view word) {
+    return is_one_of(word, kQualifiers);
+}
 
 std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<const Token> tokens,
                                              std::size_t at) {

@@ -10,6 +10,13 @@
 
 namespace glint {
 
+// What a driver may say in several ways.
+inline constexpr std::string_view kInnerFunction =
+    "a function begins within another one, which GLSL has not; is a '}' missing before it?";
+
+bool is_type_of_glsl(std::string_view word);       // such as vec3
+bool is_qualifier_of_glsl(std::string_view word);  // such as const
+
 struct SyntaxError {
     std::string text;        // what is wrong, and what to do
     std::size_t token = 0;   // where

@@ -473,12 +473,12 @@ TEST(DriverLog, OfEachDriverIsRead) {
         {"NVIDIA 535",
          "0(13) : error C1503: undefined variable \"undeclared\"\n"
          "0(14) : warning C7050: \"x\" might be used before being initialized\n",
-         {"lib.glsl:2: error: undefined variable \"undeclared\"",
+         {"lib.glsl:2: error: `undeclared' undeclared",
           "wave.frag:3: warning: \"x\" might be used before being initialized"}},
         {"NVIDIA, at linking",
          "Fragment info\n-------------\n0(11) : error C3002: call to undefined function \"float "
          "helper(float);\"\n",
-         {"wave.frag:1: error: call to undefined function \"float helper(float);\""}},
+         {"wave.frag: error: helper is declared and called, but has no body; write one"}},
         {"ANGLE",
          "ERROR: 0:11: 'undeclared' : undeclared identifier\n"
          "WARNING: 0:13: 'x' : used before set\n\n",
