@@ -19,16 +19,8 @@ bool addresses_are_rationed() {
 
 ContextBeside::ContextBeside() {
     if (addresses_are_rationed()) return;
-    const EGLContext current = eglGetCurrentContext();
-    if (current == EGL_NO_CONTEXT) return;
     display_ = eglGetCurrentDisplay();
-    EGLint id = 0, count = 0;
-    EGLConfig config = EGL_NO_CONFIG_KHR;
-    if (eglQueryContext(display_, current, EGL_CONFIG_ID, &id) && id != 0) {
-        const EGLint wanted[] = {EGL_CONFIG_ID, id, EGL_NONE};
-        eglChooseConfig(display_, wanted, &config, 1, &count);
-    }
-    context_ = create_context(display_, config, current);
+    beside_ = eglGetCurrentContext();
 }
 
 ContextBeside::~ContextBeside() {
@@ -41,8 +33,17 @@ ContextBeside::Current::~Current() {
 }
 
 std::unique_ptr<ContextBeside::Current> ContextBeside::make_current() {
-    if (!eglBindAPI(EGL_OPENGL_API) ||
-        !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+    if (!eglBindAPI(EGL_OPENGL_API)) return nullptr;
+    if (!context_) {
+        EGLint id = 0, count = 0;
+        EGLConfig config = EGL_NO_CONFIG_KHR;
+        if (eglQueryContext(display_, beside_, EGL_CONFIG_ID, &id) && id != 0) {
+            const EGLint wanted[] = {EGL_CONFIG_ID, id, EGL_NONE};
+            eglChooseConfig(display_, wanted, &config, 1, &count);
+        }
+        context_ = create_context(display_, config, beside_);
+    }
+    if (!context_ || !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
         return nullptr;
     return std::make_unique<Current>(display_);
 }

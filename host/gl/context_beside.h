@@ -14,10 +14,11 @@ public:
     ContextBeside(const ContextBeside&) = delete;
     ContextBeside& operator=(const ContextBeside&) = delete;
 
-    // Not where the driver has none to give, or addresses are rationed.
-    bool is_there() const { return context_ != nullptr; }
+    // Not where there is none to share with, or addresses are rationed.
+    bool may_be() const { return beside_ != nullptr; }
 
-    // Makes it the calling thread's context until the result goes; null where that fails.
+    // Makes it the calling thread's context until the result goes; null where the driver has none
+    // to give. It begins here, for the driver's work on it takes up to 40 ms.
     struct Current {
         ~Current();
         void* display;
@@ -25,7 +26,8 @@ public:
     std::unique_ptr<Current> make_current();
 
 private:
-    void* display_ = nullptr;  // EGLDisplay and EGLContext
+    void* display_ = nullptr;  // EGLDisplay, and EGLContexts
+    void* beside_ = nullptr;
     void* context_ = nullptr;
 };
 

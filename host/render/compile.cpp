@@ -1,7 +1,6 @@
 #include "render/compile.h"
 
 #include "base/process_time.h"
-#include "gl/context.h"
 #include "glsl/lean.h"
 #include "render/programs_ahead.h"
 #include "scene/scene_text.h"
@@ -91,7 +90,7 @@ constexpr std::size_t kWorthAThread = 16 * 1024;  // bytes
 
 bool is_worth_a_thread(const Preset& preset, const CompileOptions& options,
                        const ProgramShelf* shelf) {
-    return options.side_by_side && options.root == kImagePass && draws_in_software() &&
+    return options.side_by_side && options.root == kImagePass &&
            std::thread::hardware_concurrency() > 1 && !preset.scene.passes.empty() &&
            preset.scene.text.size() > kWorthAThread && (!shelf || shelf->size() == 0);
 }

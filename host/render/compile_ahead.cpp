@@ -16,7 +16,7 @@ CompileAhead::CompileAhead(std::size_t passes, Compile compile, WorksOn works_on
     const unsigned most = std::min(std::thread::hardware_concurrency(), kMostTraps);
     for (unsigned i = 1; i < most; ++i) {
         ContextBeside& context = contexts_.emplace_back();
-        if (!context.is_there()) break;
+        if (!context.may_be()) break;
         threads_.emplace_back([this, &context] { work(context); });
     }
 }

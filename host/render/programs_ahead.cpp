@@ -1,5 +1,7 @@
 #include "render/programs_ahead.h"
 
+#include "gl/context.h"
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -22,7 +24,9 @@ std::vector<std::size_t> passes_read(const Preset& preset, std::size_t reader,
 ProgramsAhead::ProgramsAhead(const Preset& preset, const ProgramOptions& options,
                              const GiveUp& give_up)
     : preset_(preset), options_(options), give_up_(give_up), passes_(preset.scene.passes.size()) {
-    if (context_.is_there()) thread_ = std::thread([this] { work(); });
+    using namespace std::chrono_literals;
+    const auto patience = draws_in_software() ? 0ms : 60ms;
+    if (context_.may_be()) thread_ = std::thread([this, patience] { work(patience); });
 }
 
 ProgramsAhead::~ProgramsAhead() {
@@ -30,6 +34,7 @@ ProgramsAhead::~ProgramsAhead() {
         const std::lock_guard lock(mutex_);
         ends_ = true;
     }
+    changed_.notify_all();
     if (thread_.joinable()) thread_.join();
 }
 
@@ -42,7 +47,14 @@ std::optional<ProgramsAhead::Linked> ProgramsAhead::take(std::size_t pass) {
     return std::exchange(one.linked, std::nullopt);
 }
 
-void ProgramsAhead::work() {
+// A GPU's driver that has kept what it compiled needs no help, and its contexts take 10 to 40 ms.
+bool ProgramsAhead::ends_before(std::chrono::milliseconds patience) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return ends_; });
+}
+
+void ProgramsAhead::work(std::chrono::milliseconds patience) {
+    if (ends_before(patience)) return;
     const auto current = context_.make_current();
     if (!current) return;
     std::vector<std::size_t> wanted =

@@ -5,6 +5,7 @@
 #include "render/compile_watch.h"
 #include "render/program.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -40,7 +41,8 @@ private:
         std::optional<Linked> linked;
     };
 
-    void work();
+    bool ends_before(std::chrono::milliseconds patience);
+    void work(std::chrono::milliseconds patience);
     bool begin(std::size_t pass);
     void end(std::size_t pass, std::optional<Linked> linked);
 
