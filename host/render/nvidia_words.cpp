@@ -189,69 +189,71 @@ struct Form {
     std::function<NvidiaComplaint(const std::smatch& m, const Line& line)> read;
 };
 
-const std::vector<Form>& forms() {
-    static const auto number = [](const char* kind) {
-        return [kind](const std::smatch&, const Line& line) {
-            return NvidiaComplaint{
-                std::string("syntax error, unexpected ") + kind, line.first([&](std::size_t i) {
-                    const std::string_view text = line.text(i);
-                    const bool is_octal =
-                        text.size() > 1 && text[0] == '0' && std::isdigit(text[1]) != 0;
-                    const bool is_bare = text.find('.') == text.npos && line.is_float(i);
-                    return line.is_number(i) && (is_octal || is_bare);
-                })};
-        };
+// Of a number as other languages write it; read_syntax_error says which.
+NvidiaComplaint of_number(const char* kind, const Line& line) {
+    const auto is_strange = [&](std::size_t i) {
+        const std::string_view text = line.text(i);
+        const bool is_octal = text.size() > 1 && text[0] == '0' && std::isdigit(text[1]) != 0;
+        const bool is_bare = text.find('.') == text.npos && line.is_float(i);
+        return line.is_number(i) && (is_octal || is_bare);
     };
+    return {std::string("syntax error, unexpected ") + kind, line.first(is_strange)};
+}
+
+NvidiaComplaint of_function_within(const std::string& function, const Line& line) {
+    const auto name = line.first(function);
+    return {std::string(kInnerFunction), name && *name > 0 ? std::optional(*name - 1) : name};
+}
+
+NvidiaComplaint of_word_as_name(const Line& line) {
+    const auto word = line.first([&](std::size_t i) {
+        return is_qualifier_of_glsl(line.text(i)) && is_type_of_glsl(line.text(i - 1));
+    });
+    const std::string name(word ? line.text(*word) : "it");
+    return {fmt::format("'{}' is a word of GLSL, and a name is expected", name), word};
+}
+
+const std::vector<Form>& forms() {
+    using Match = const std::smatch&;
     static const std::vector<Form> list = {
-        {std::regex(R"re(undefined variable "(\w+)")re"),
-         [](const auto& m, const Line& line) { return of_unknown(m.str(1), line); }},
-        {std::regex(R"re(OpenGL does not define the global function (\w+))re"),
-         [](const auto& m, const Line& line) { return of_unknown(m.str(1), line); }},
+        {std::regex(
+             R"re((?:undefined variable "|OpenGL does not define the global function )(\w+)"?)re"),
+         [](Match m, const Line& line) { return of_unknown(m[1], line); }},
         {std::regex(R"re(OpenGL does not define the global type (\w+))re"),
-         [](const auto& m, const Line& line) {
+         [](Match m, const Line& line) {
              return NvidiaComplaint{
                  fmt::format("'{}' is no type{}", m.str(1), advice_on_foreign_type(m.str(1))),
                  line.first(m.str(1))};
          }},
         {std::regex(R"re(unable to find compatible overloaded function "(\w+)\((.*)\)")re"),
-         [](const auto& m, const Line& line) { return of_call(m.str(1), m.str(2), line); }},
+         [](Match m, const Line& line) { return of_call(m[1], m[2], line); }},
         {std::regex(R"re(implicit cast from "(\w+)" to "(\w+)")re"),
-         [](const auto& m, const Line& line) { return of_types(m.str(1), m.str(2), line); }},
+         [](Match m, const Line& line) { return of_types(m[1], m[2], line); }},
         {std::regex(R"re(swizzle mask element not present in operand "(\w+)")re"),
-         [](const auto& m, const Line& line) {
+         [](Match m, const Line& line) {
              return NvidiaComplaint{fmt::format("invalid swizzle / mask `{}'", m.str(1)),
                                     line.first(m.str(1))};
          }},
         {std::regex(R"re(operands to "(\S+)" must be integral)re"),
-         [](const auto& m, const Line& line) {
+         [](Match m, const Line& line) {
              return NvidiaComplaint{
                  fmt::format("each operand of operator {} must be an integer", m.str(1)),
                  line.first(m.str(1))};
          }},
-        {std::regex("invalid digit .* in octal constant"), number("INTCONSTANT")},
+        {std::regex("invalid digit .* in octal constant"),
+         [](Match, const Line& line) { return of_number("INTCONSTANT", line); }},
         {std::regex("floating point constant must have exponent when no .*"),
-         number("FLOATCONSTANT")},
+         [](Match, const Line& line) { return of_number("FLOATCONSTANT", line); }},
         {std::regex(R"re((\w+): function declaration in non global scope not allowed)re"),
-         [](const auto& m, const Line& line) {
-             const auto name = line.first(m.str(1));
-             return NvidiaComplaint{std::string(kInnerFunction),
-                                    name && *name > 0 ? std::optional(*name - 1) : name};
-         }},
-        {std::regex(R"re(OpenGL does not allow '(\w+)' after a type specifier)re"),
-         [](const auto&, const Line& line) {
-             const auto word = line.first([&](std::size_t i) {
-                 return is_qualifier_of_glsl(line.text(i)) && is_type_of_glsl(line.text(i - 1));
-             });
-             const std::string name(word ? line.text(*word) : "it");
-             return NvidiaComplaint{
-                 fmt::format("'{}' is a word of GLSL, and a name is expected", name), word};
-         }},
-        {std::regex(R"re(expression type incompatible with function return type)re"),
-         [](const auto& m, const Line& line) {
+         [](Match m, const Line& line) { return of_function_within(m[1], line); }},
+        {std::regex(R"re(OpenGL does not allow '\w+' after a type specifier)re"),
+         [](Match, const Line& line) { return of_word_as_name(line); }},
+        {std::regex("expression type incompatible with function return type"),
+         [](Match m, const Line& line) {
              return NvidiaComplaint{m.str(0), line.first("return")};
          }},
         {std::regex("not unrolling loop that .*"),  // a hint to who writes compilers
-         [](const auto&, const Line&) { return NvidiaComplaint{}; }},
+         [](Match, const Line&) { return NvidiaComplaint{}; }},
     };
     return list;
 }

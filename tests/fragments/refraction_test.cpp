@@ -108,8 +108,8 @@ TEST_F(Refraction, IsRightNearTheCriticalAngleOfADenseGlass) {
     Random random{std::mt19937(7)};
     std::vector<Ray> all;
     while (all.size() < 65536)
-        all.push_back(ray_at(random, 1.339 * random.uniform(0.95, 1.05),
-                             4.0 * random.uniform(0.99, 1.01)));
+        all.push_back(
+            ray_at(random, 1.339 * random.uniform(0.95, 1.05), 4.0 * random.uniform(0.99, 1.01)));
     expect_to_bend_rightly(all, bar, "indices 4, 76.72 degrees up");
 }
 
