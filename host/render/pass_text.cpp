@@ -345,19 +345,16 @@ std::string literal(TweakType type, double value) {
     return text;
 }
 
-// As a constant; or as a variable that has its value, where an index is made of it: with a constant
-// out of the array's range no driver compiles, and with one of no constant expression all do.
-std::string constant(const Tweak& tweak, const TweakValue& value, bool is_index) {
+std::string constant(const Tweak& tweak, const TweakValue& value) {
     const int count = component_count(tweak.type);
     std::string components;
     for (int i = 0; i < count; ++i) {
         if (i > 0) components += ", ";
         components += literal(tweak.type, value[static_cast<std::size_t>(i)]);
     }
-    const char* how = is_index ? "" : "const ";
     const char* type = glsl_name(tweak.type);
-    return count == 1 ? fmt::format("{}{} {} = {};", how, type, tweak.name, components)
-                      : fmt::format("{0}{1} {2} = {1}({3});", how, type, tweak.name, components);
+    return count == 1 ? fmt::format("const {} {} = {};", type, tweak.name, components)
+                      : fmt::format("const {0} {1} = {0}({2});", type, tweak.name, components);
 }
 
 // Whether this bracket begins the size of what is declared here, as in `float a[`.
@@ -388,17 +385,19 @@ bool is_constant(const ProgramOptions& options, std::size_t tweak) {
            std::ranges::find(options.constants, tweak) != options.constants.end();
 }
 
-// Every tweak that the options want so, as a constant; nothing for those that are unused.
+// Every tweak that the options want so, as a constant; nothing for those that are unused. What an
+// index is made of stays a uniform: with a number that it can tell is out of the array's range no
+// driver compiles, and NVIDIA's tells of variables, too.
 void specialise(const Preset& preset, const ProgramOptions& options, const Reading& reading,
                 const std::unordered_set<std::string_view>& unused, Edits& edits) {
     const std::unordered_set<std::string_view> indices = words_of_indices(reading);
     for (std::size_t i = 0; i < preset.scene.tweaks.size(); ++i) {
         if (!is_constant(options, i)) continue;
         const Tweak& tweak = preset.scene.tweaks[i];
+        const bool is_unused = unused.contains(tweak.name);
+        if (indices.contains(tweak.name) && !is_unused) continue;
         edits.replace_bytes({tweak.declaration_begin, tweak.declaration_end},
-                            unused.contains(tweak.name)
-                                ? ""
-                                : constant(tweak, preset.values[i], indices.contains(tweak.name)));
+                            is_unused ? "" : constant(tweak, preset.values[i]));
     }
 }
 
