@@ -58,15 +58,22 @@ public:
     bool ends_value(std::size_t i) const {
         return is_number(i) || is_name(i) || text(i) == ")" || text(i) == "]";
     }
-    // The bracket that is open before a token, or "".
-    std::string_view open_before(std::size_t token) const {
-        std::vector<std::string_view> open;
+    // The bracket that is open before a token, and the word before that; "" where there is none.
+    std::pair<std::string_view, std::string_view> open_before(std::size_t token) const {
+        std::vector<std::size_t> open;
         for (std::size_t i = 0; i < token && i < tokens_.size(); ++i) {
             const std::string_view one = text(i);
-            if (one == "(" || one == "[" || one == "{") open.push_back(one);
+            if (one == "(" || one == "[" || one == "{") open.push_back(i);
             if ((one == ")" || one == "]" || one == "}") && !open.empty()) open.pop_back();
         }
-        return open.empty() ? "" : open.back();
+        if (open.empty()) return {};
+        return {text(open.back()), text(open.back() - 1)};
+    }
+    // Whether a declaration may begin there.
+    bool begins(std::size_t i) const {
+        static constexpr std::array<std::string_view, 7> kBefore = {"",  "{", "}",   ";",
+                                                                    "(", ",", "else"};
+        return is_one_of(text(i - 1), kBefore) || is_qualifier_of_glsl(text(i - 1));
     }
     std::size_t end_of_text() const { return tokens_.size(); }
 
@@ -111,9 +118,8 @@ std::string expected_in_mesa(std::string_view list) {
 
 // To NVIDIA a name that is no type is a value: it complains of what stands behind the next name.
 std::optional<std::size_t> name_behind_unknown_type(const Line& line, std::size_t at) {
-    if (line.is_name(at) && line.is_name(at - 1)) return at;
-    if (line.is_name(at) && line.is_name(at + 1)) return at + 1;
-    if (line.is_name(at - 1) && line.is_name(at - 2)) return at - 1;
+    for (const std::size_t name : {at, at + 1, at - 1})
+        if (line.is_name(name) && line.is_name(name - 1) && line.begins(name - 1)) return name;
     return std::nullopt;
 }
 
@@ -128,10 +134,10 @@ std::optional<std::size_t> out_of_place(const Line& line, const std::string& kin
     const auto is_wrong = [&](std::size_t i) {
         const std::string_view one = line.text(i);
         if (one == ")" || one == "]" || one == "}") {
-            const std::string_view open = line.open_before(i);
-            return open != (one == ")" ? "(" : one == "]" ? "[" : "{");
+            return line.open_before(i).first != (one == ")" ? "(" : one == "]" ? "[" : "{");
         }
-        if (one == ";" && line.open_before(i) == "(") return line.text(i - 1) != "for";
+        const auto [open, opened_by] = line.open_before(i);
+        if (one == ";" && open == "(" && opened_by != "for") return true;
         const std::string_view before = line.text(i - 1);
         if (line.is_number(i) || line.is_name(i))
             return line.ends_value(i - 1) || before == "if" || before == "while";

@@ -86,6 +86,10 @@ TEST(NvidiaWords, OfSyntaxSayWhatIsMissing) {
          "2:4: '(' is missing before 'c'"},
         {"c = vec4(1.0) * ;", "unexpected ';', expecting \"::\" at token \";\"",
          "2:17: ';' is not expected behind '*'"},
+        {"for (int i = 0; i < 3; i++) c.x += 1.0 * ;",
+         "unexpected ';', expecting \"::\" at token \";\"", "2:42: ';' is not expected behind '*'"},
+        {"c.x = p.y\nc.y = 1.0;", "unexpected identifier, expecting ',' or ';' at token \"c\"",
+         "2:10: ';' is missing here", 3},
         {"c = vec4(1));", "unexpected ')', expecting ',' or ';' at token \")\"",
          "2:12: no '(' is open that this ')' closes; take it out, or write the '(' that is "
          "missing"},
