@@ -207,8 +207,8 @@ TEST_F(Specialised, ATweakMayBoundALoopOrSizeAnArray) {
     EXPECT_EQ(player.colour(), glm::vec3(3));
 }
 
-// With a constant no driver compiles it, and NVIDIA's with a variable neither; what is read there is
-// of no interest.
+// With a constant no driver compiles it, and NVIDIA's with a variable neither; what is read there
+// is of no interest.
 TEST_F(Specialised, AnIndexOutOfRangeCompiles) {
     Player player(
         "uniform int n; //@ 7 [0, 9]\n"
