@@ -55,6 +55,12 @@ Target target_of(const SequenceOptions& options) {
         throw UsageError(fmt::format("--from-pictures {}: name them as in frames/%06d.png.",
                                      options.from_pictures));
     }
+    if (!options.from_pictures.empty() &&
+        !(options.state.save.empty() && options.state.from.empty())) {
+        throw UsageError(
+            "--from-pictures draws nothing that a state could be kept of or begin with; leave "
+            "--save-state and --from-state out.");
+    }
     if (!options.from_pictures.empty() && target == Target::pictures) {
         throw UsageError(
             "--from-pictures joins pictures to a film; name it .mp4, .webm, .mov or .gif, or - for "
@@ -200,6 +206,13 @@ void simulate_to(Run& run, int frame) {
     }
 }
 
+// Keeps what the last frame is drawn from. Frames before it count for simulations alone.
+void leave_state(Run& run, int last) {
+    if (!run.renderer.graph().stateful) run.next = last;
+    simulate_to(run, last);
+    run.keep_state();
+}
+
 // The samples that are heard while a film's frames are shown.
 struct Heard {
     long first = 0, count = 0;
@@ -337,12 +350,22 @@ void require_folder(const SequenceOptions& options, const NumberedName& pictures
     throw Stop(ExitCode::check_failed);
 }
 
+// Of a film whose folder may come with its last picture: what no waiting mends.
+void require_no_folder(const fs::path& film) {
+    std::error_code error;
+    if (fs::is_directory(film, error)) throw cannot_write(film, "Is a directory");
+    const fs::path folder = film.parent_path();
+    if (!folder.empty() && fs::exists(folder, error) && !fs::is_directory(folder, error))
+        throw cannot_write(film, "Not a directory");
+}
+
 // The pictures of this very sequence, which others have drawn, become the film that drawing them
 // here would have given. Only their sound is computed.
 void join_pictures(const SequenceOptions& options, Target target, const Preset& preset,
                    const Frames& frames, const std::string& inputs) {
     const Stopwatch clock;
     const NumberedName pictures = *numbered_name(options.from_pictures);
+    if (target == Target::film) require_no_folder(options.output);
     require_folder(options, pictures, frames);
     const std::vector<int> missing =
         missing_frames(pictures, frames, inputs, glm::uvec2(preset.size));
@@ -393,6 +416,7 @@ void run_sequence(const SequenceOptions& options) {
     if (!options.from_pictures.empty()) {
         return join_pictures(options, target, preset, frames, inputs);
     }
+    const bool has_work = frames.count > 0;  // a share of few frames may be none
     if (target == Target::states) frames.count = 0;
     warn_of_settle(preset);
 
@@ -423,13 +447,10 @@ void run_sequence(const SequenceOptions& options) {
     context->finish();  // the buffers count as taken only once they are cleared
     if (frames.count > 0) run.room = output.pictures_in_memory();
     skip_to_first_missing(run, frames);
-    run.next = states.start(frames.count > 0 ? frames[0] : last);
+    if (has_work) run.next = states.start(frames.count > 0 ? frames[0] : last);
     if (renderer.graph().stateful && frames.count > 0) simulate_to(run, frames[0]);
     draw_frames(run, frames);
-    if (!options.state.save.empty() && run.next <= last) {
-        simulate_to(run, last);
-        run.keep_state();
-    }
+    if (has_work && !options.state.save.empty() && run.next <= last) leave_state(run, last);
     output.finish();
     print_result(options, run, clock.ms());
 }

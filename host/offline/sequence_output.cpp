@@ -109,7 +109,8 @@ void SequenceOutput::encode(const Frame& frame, std::vector<std::byte> rgba) {
     if (target_ == Target::film) return film_->write(image);
     if (target_ == Target::raw) return write_to_stdout(image);
     Metadata metadata = metadata_of(options_, preset_, frame, gpu_);
-    metadata.emplace_back("glint:inputs", making_.of(frame.frame));
+    // Before what may be long: the head of a file is read for it.
+    metadata.emplace(metadata.begin(), "glint:inputs", making_.of(frame.frame));
     write_image(name_->name(frame.frame), image, metadata, options_.format);
 }
 

@@ -199,8 +199,11 @@ std::string event_digest(const Preset& preset) {
     return hash.text();
 }
 
+// The bytes of files, and what a preset fills channels with: of these the text tells nothing.
 std::string image_digest(const Preset& preset) {
     Hash hash;
+    for (const Sampler& channel : preset.channels)
+        if (channel.source != Source::none) hash.add(reading_of(channel));
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);
         for (const std::filesystem::path& file : sampler.files) add_content(hash, file);

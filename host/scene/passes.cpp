@@ -2,6 +2,8 @@
 
 #include "glsl/token.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -25,6 +27,15 @@ const Sampler& sampler_at(const Preset& preset, std::size_t index) {
 
 std::size_t sampler_count(const Preset& preset) {
     return preset.scene.samplers.size() + preset.channels.size();
+}
+
+std::string reading_of(const Sampler& sampler) {
+    return fmt::format("{} {} {} {} {} {} {} {} {} {}x{}x{} {}", sampler.name,
+                       static_cast<int>(sampler.type), static_cast<int>(sampler.source),
+                       static_cast<int>(sampler.filter), static_cast<int>(sampler.wrap),
+                       sampler.vflip, sampler.pass, sampler.output, sampler.noise_channels,
+                       sampler.noise_size.x, sampler.noise_size.y, sampler.noise_size.z,
+                       sampler.plays);
 }
 
 std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,

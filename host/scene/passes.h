@@ -33,6 +33,8 @@ std::string entry_of(const Scene& scene, std::size_t pass);
 // A sampler that some pass may read: one of the scene's, or one of the four channels of a preset.
 const Sampler& sampler_at(const Preset& preset, std::size_t index);  // channels follow the scene's
 std::size_t sampler_count(const Preset& preset);
+// What a sampler reads and how, in one line, for digests; of files neither names nor bytes.
+std::string reading_of(const Sampler& sampler);
 // The one that a pass knows by this name.
 std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
                                         std::string_view name);

@@ -487,5 +487,36 @@ TEST_F(Sequence, WhatMakesNoSenseIsSaidBeforeAnythingIsDrawn) {
     EXPECT_EQ(sequence({"absent.frag", "-o", "%d.png"}).code, 4);
 }
 
+// A picture's head says what it is made of, however much else it says.
+TEST_F(Sequence, ThousandsOfTweaksDoNotHideWhatAPictureIsMadeOf) {
+    std::string text;
+    for (int i = 0; i < 1200; ++i)
+        text += fmt::format(
+            "uniform float aTweakWithALongNameThatFillsTheHeadOfTheFile{}; //@ 0.5\n", i);
+    write("many.frag", text + "void mainImage(out vec4 c, in vec2 p) { c = vec4(iTime); }\n");
+    const std::vector<std::string> words = {"sequence", "many.frag", "--size",   "16x9",
+                                            "-o",       "m%d.png",   "--frames", "0:2",
+                                            "--resume", "--json"};
+    EXPECT_EQ(report_of(glint(words))["frames"], 3);
+    EXPECT_EQ(report_of(glint(words))["skipped"], 3);
+}
+
+TEST_F(Sequence, JoiningPicturesRefusesWhatItWouldLeaveOutOrCouldNeverWrite) {
+    fs::create_directory(folder() / "film.mp4");
+    write("file", "");
+    write("scene.frag", kMoving);
+    for (const char* film : {"film.mp4", "file/film.mp4"}) {
+        const Outcome outcome = sequence(
+            {"scene.frag", "--frames", "0:1", "--from-pictures", "/dev/null/%d.png", "-o", film});
+        EXPECT_EQ(outcome.code, 1) << film << outcome.err;
+        EXPECT_NE(outcome.err.find("directory"), outcome.err.npos) << outcome.err;
+    }
+    for (const char* option : {"--save-state", "--from-state"})
+        EXPECT_EQ(sequence({"scene.frag", "--frames", "0:1", "--from-pictures", "n%d.png", option,
+                            "s.exr"})
+                      .code,
+                  2);
+}
+
 }  // namespace
 }  // namespace glint::cli::sequence_test

@@ -166,6 +166,53 @@ TEST_F(State, AWalkLeavesStatesForOthersAndDrawsNothing) {
     expect_same_frames("one", "two", 13, 34);
 }
 
+// What a preset fills a channel with stands in no text of the scene's.
+TEST_F(State, AndPicturesOfAnotherChannelAreOfAnotherLook) {
+    const auto with = [&](const std::string& channel) {
+        write("look.toml", "scene = \"look.frag\"\n[channels]\niChannel0 = { " + channel + " }\n");
+    };
+    write("look.frag",
+          "uniform sampler2D b; //@ pass mainB\n"
+          "void mainB(out vec4 c, in vec2 p) { c = fract(texelFetch(b, ivec2(p), 0)\n"
+          "    + texture(iChannel0, p / 9.0) + 0.1); }\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(b, ivec2(p), 0); }\n");
+    const auto run = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"sequence", "look.toml", "--size", "16x9", "-o", "l%d.png"});
+        return glint(std::move(more));
+    };
+    for (const char* other : {"noise = \"r 64\"", "noise = \"rgba 64\", filter = \"nearest\"",
+                              "noise = \"rgba 64\", wrap = \"clamp\"", "keyboard = true"}) {
+        with("noise = \"rgba 64\"");
+        ASSERT_EQ(run({"--frames", "0:2", "--save-state", "l.exr"}).code, 0);
+        const std::string before = bytes("l1.png");
+        with(other);
+        const Outcome state = run({"--frames", "2:2", "--from-state", "l.exr"});
+        EXPECT_EQ(state.code, 2) << other << state.err;
+        const Json again = report_of(run({"--frames", "0:2", "--resume", "--json"}));
+        EXPECT_EQ(again["frames"], 3) << other;
+        EXPECT_NE(bytes("l1.png"), before) << other;
+    }
+}
+
+TEST_F(State, AShareOfNoFrameNeedsNoneAndLeavesNone) {
+    result({"-o", "all%d.png", "--frames", "0:20", "--save-state", "half.exr"});
+    const std::string half = bytes("half.exr");
+    const Json from = result(
+        {"-o", "a%d.png", "--frames", "20:22", "--shard", "5/7", "--from-state", "half.exr"});
+    EXPECT_EQ(from["frames"], 0);
+    result({"-o", "a%d.png", "--frames", "20:22", "--shard", "5/7", "--save-state", "half.exr"});
+    EXPECT_EQ(bytes("half.exr"), half);
+}
+
+TEST_F(State, OfASceneWithNothingToSimulateIsThereAtOnce) {
+    write("scene.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(iTime); }\n");
+    write("scene.toml", "scene = \"scene.frag\"\n");
+    const Json walk = result(
+        {"--frames", "1000000:1000020", "--save-state", "w%08d.exr", "--save-state-every", "10"});
+    EXPECT_EQ(walk["simulated"], 0);
+    EXPECT_LE(walk["states_saved"], 1);
+}
+
 TEST_F(State, KilledARunGoesOnFromItsNewestState) {
     result({"-o", "one%02d.png", "--frames", "0:99"});
     const std::vector<std::string> words = {"-o",      "two%02d.png",        "--frames",

@@ -141,8 +141,7 @@ std::string key_of_preset(const Preset& preset, const std::string& renderer,
                         format_number(preset.date.seconds));
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);
-        text += fmt::format("{} {} {} {}", sampler.name, static_cast<int>(sampler.source),
-                            static_cast<int>(sampler.filter), static_cast<int>(sampler.wrap));
+        text += reading_of(sampler);
         for (const fs::path& file : sampler.files) text += " " + file_facts(file);
         text += '\n';
     }

@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "base/readable_file.h"
 #include "base/temporary_file.h"
+#include "scene/passes.h"
 #include "window/trial/message.h"
 
 #include <fmt/format.h>
@@ -29,9 +30,7 @@ std::string digest_of(const Candidate& candidate, const std::string& driver) {
     for (std::size_t i = 0; i < preset.values.size(); ++i)
         digest.add(format_value(preset.scene.tweaks[i], preset.values[i]));
     for (const Sampler& channel : preset.channels) {
-        digest.add(fmt::format("{} {} {} {} {} {}", static_cast<int>(channel.type),
-                               static_cast<int>(channel.source), static_cast<int>(channel.filter),
-                               static_cast<int>(channel.wrap), channel.pass, channel.output));
+        digest.add(reading_of(channel));
         for (const fs::path& file : channel.files) digest.add(file.string());
     }
     digest.add(fmt::format("{}x{} {}", candidate.size.x, candidate.size.y,
