@@ -200,10 +200,10 @@ std::string event_digest(const Preset& preset) {
 }
 
 // The bytes of files, and what a preset fills channels with: of these the text tells nothing.
-std::string image_digest(const Preset& preset) {
+std::string input_digest(const Preset& preset) {
     Hash hash;
     for (const Sampler& channel : preset.channels)
-        if (channel.source != Source::none) hash.add(reading_of(channel));
+        if (channel.source != Source::none) hash.add(sampler_facts(channel));
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);
         for (const std::filesystem::path& file : sampler.files) add_content(hash, file);
@@ -268,7 +268,7 @@ Provenance provenance_of(const Preset& preset, double fps, bool specialise) {
             {"--fps", fmt::format("{}", fps)},
             {"tweaks", tweak_texts(preset)},
             {"events", event_digest(preset)},
-            {"images", image_digest(preset)},
+            {"images", input_digest(preset)},
             {"date", fmt::format("{}-{}-{} {}", date.year, date.month, date.day, date.seconds)},
             {"specialisation", specialise ? "on" : "off"}};
 }

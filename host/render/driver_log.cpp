@@ -514,7 +514,7 @@ std::vector<std::string> lines_of(const std::string& log) {
 
 Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string text) {
     const bool is_image = pass == kImagePass;
-    const std::string& entry = entry_of(scene, pass);
+    const std::string entry = entry_of(scene, pass);
     Place place{scene.files.front().string(), 0, 0};
     if (bodiless_function(text) == entry) {
         if (!is_image) place = scene.passes[pass].place;

@@ -69,12 +69,6 @@ public:
         if (open.empty()) return {};
         return {text(open.back()), text(open.back() - 1)};
     }
-    // Whether a declaration may begin there.
-    bool begins(std::size_t i) const {
-        static constexpr std::array<std::string_view, 7> kBefore = {"",  "{", "}",   ";",
-                                                                    "(", ",", "else"};
-        return is_one_of(text(i - 1), kBefore) || is_qualifier_of_glsl(text(i - 1));
-    }
     std::size_t end_of_text() const { return tokens_.size(); }
 
 private:
@@ -119,7 +113,8 @@ std::string expected_in_mesa(std::string_view list) {
 // To NVIDIA a name that is no type is a value: it complains of what stands behind the next name.
 std::optional<std::size_t> name_behind_unknown_type(const Line& line, std::size_t at) {
     for (const std::size_t name : {at, at + 1, at - 1})
-        if (line.is_name(name) && line.is_name(name - 1) && line.begins(name - 1)) return name;
+        if (line.is_name(name) && line.is_name(name - 1) && may_declare_behind(line.text(name - 2)))
+            return name;
     return std::nullopt;
 }
 
@@ -199,7 +194,8 @@ struct Form {
 NvidiaComplaint of_number(const char* kind, const Line& line) {
     const auto is_strange = [&](std::size_t i) {
         const std::string_view text = line.text(i);
-        const bool is_octal = text.size() > 1 && text[0] == '0' && std::isdigit(text[1]) != 0;
+        const bool is_octal = text.size() > 1 && text[0] == '0' &&
+                              std::isdigit(static_cast<unsigned char>(text[1])) != 0;
         const bool is_bare = text.find('.') == text.npos && line.is_float(i);
         return line.is_number(i) && (is_octal || is_bare);
     };

@@ -98,11 +98,7 @@ public:
                !is_known_type(away);
     }
     // Whether a declaration may begin there.
-    bool begins(std::ptrdiff_t away) const {
-        static constexpr std::array<std::string_view, 8> kBefore = {"",  "{", "}", ";",
-                                                                    "(", ")", ",", "else"};
-        return is_one_of(word(away - 1), kBefore) || is_one_of(word(away - 1), kQualifiers);
-    }
+    bool begins(std::ptrdiff_t away) const { return may_declare_behind(word(away - 1)); }
     // The innermost bracket that is open there.
     std::optional<std::size_t> open() const {
         return open_.empty() ? std::nullopt : std::optional(open_.back());
@@ -253,6 +249,12 @@ bool is_type_of_glsl(std::string_view word) {
 
 bool is_qualifier_of_glsl(std::string_view word) {
     return is_one_of(word, kQualifiers);
+}
+
+bool may_declare_behind(std::string_view token) {
+    static constexpr std::array<std::string_view, 8> kBefore = {"",  "{", "}", ";",
+                                                                "(", ")", ",", "else"};
+    return is_one_of(token, kBefore) || is_one_of(token, kQualifiers);
 }
 
 std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<const Token> tokens,

@@ -29,7 +29,7 @@ std::size_t sampler_count(const Preset& preset) {
     return preset.scene.samplers.size() + preset.channels.size();
 }
 
-std::string reading_of(const Sampler& sampler) {
+std::string sampler_facts(const Sampler& sampler) {
     return fmt::format("{} {} {} {} {} {} {} {} {} {}x{}x{} {}", sampler.name,
                        static_cast<int>(sampler.type), static_cast<int>(sampler.source),
                        static_cast<int>(sampler.filter), static_cast<int>(sampler.wrap),

@@ -34,7 +34,7 @@ std::string entry_of(const Scene& scene, std::size_t pass);
 const Sampler& sampler_at(const Preset& preset, std::size_t index);  // channels follow the scene's
 std::size_t sampler_count(const Preset& preset);
 // What a sampler reads and how, in one line, for digests; of files neither names nor bytes.
-std::string reading_of(const Sampler& sampler);
+std::string sampler_facts(const Sampler& sampler);
 // The one that a pass knows by this name.
 std::optional<std::size_t> find_sampler(const Preset& preset, std::size_t pass,
                                         std::string_view name);

@@ -141,7 +141,7 @@ std::string key_of_preset(const Preset& preset, const std::string& renderer,
                         format_number(preset.date.seconds));
     for (std::size_t i = 0; i < sampler_count(preset); ++i) {
         const Sampler& sampler = sampler_at(preset, i);
-        text += reading_of(sampler);
+        text += sampler_facts(sampler);
         for (const fs::path& file : sampler.files) text += " " + file_facts(file);
         text += '\n';
     }

@@ -30,7 +30,7 @@ std::string digest_of(const Candidate& candidate, const std::string& driver) {
     for (std::size_t i = 0; i < preset.values.size(); ++i)
         digest.add(format_value(preset.scene.tweaks[i], preset.values[i]));
     for (const Sampler& channel : preset.channels) {
-        digest.add(reading_of(channel));
+        digest.add(sampler_facts(channel));
         for (const fs::path& file : channel.files) digest.add(file.string());
     }
     digest.add(fmt::format("{}x{} {}", candidate.size.x, candidate.size.y,
