@@ -22,8 +22,8 @@
 //          Wolf, Principles of Optics, 1.5: Fresnel. Sun et al., SIGGRAPH (2005): airlight.
 // Units    1 unit = 1 m, y up from the sand, linear sRGB colour until the display curve. The wreck
 //          has a frame of its own: x to the bow, y up from the keel, z to starboard.
-// Passes   ground to grain, rig, garden: on change of a tweak only. swarm, surface, splat,
-//          gathered, caustics: every frame, small.
+// Passes   ground to grain: on change of a tweak only. things, surface, splat, gathered, caustics:
+//          every frame, small.
 // Bounds   The loops of a pixel stay below 30,000 turns with every reference on.
 // Defaults From `glint study presets/deep_ocean.toml`: marchSteps 128 would draw what 1024 do; 256
 //          leave no more than 0.1 % of the rays out of steps over any floor; 24 shaftSamples are
@@ -89,9 +89,7 @@ uniform sampler2D tops;        //@ pass mainTops size=128x128 wrap=repeat filter
 uniform sampler2D summits;     //@ pass mainSummits size=32x32 format=r32f wrap=repeat filter=nearest
 uniform sampler2D shade;       //@ pass mainShade size=256x256 format=rg32f wrap=repeat
 uniform sampler2D grain;       //@ pass mainGrain size=256x256 wrap=repeat filter=mipmap
-uniform sampler2D rig;         //@ pass mainRig size=32x2 filter=nearest
-uniform sampler2D garden;      //@ pass mainGarden size=64x2 filter=nearest
-uniform sampler2D swarm;       //@ pass mainSwarm size=16x1 filter=nearest
+uniform sampler2D things;      //@ pass mainThings size=64x5 filter=nearest
 uniform sampler2D surface;     //@ pass mainSurface size=128x128 wrap=repeat filter=mipmap
 uniform sampler2D splat;       //@ pass mainSurface size=128x128 wrap=repeat filter=nearest
 uniform sampler2D gathered;    //@ pass mainGathered size=64x64 filter=nearest
@@ -156,6 +154,7 @@ vec3 random3(ivec3 q) { return vec3(hash3(q) >> 8u) / 16777216.0; }
 vec4 fetch(sampler2D buffer, vec2 place, vec2 texels) {
     return textureLod(buffer, (place + 0.5) / texels, 0.0);
 }
+vec4 thing(int k, int row) { return fetch(things, vec2(k, row), vec2(64.0, 5.0)); }
 
 // Cycles since the start, modulo 1, of a motion; its frequency is cut to a multiple of 1/65536 Hz.
 float cycles(float hz) { return float(uint(hz * animation * 65536.0) * iTick) / 4294967296.0; }
@@ -494,7 +493,7 @@ float openTo(float t, float pixel) {
 
 // A tapering pole: the pixel's share of it, where its surface is, its normal; a round end.
 Layer spar(int k, vec3 ro, vec3 rd, float pixel) {
-    vec4 a = fetch(rig, vec2(k, 0), vec2(32.0, 2.0)), b = fetch(rig, vec2(k, 1), vec2(32.0, 2.0));
+    vec4 a = thing(k, 0), b = thing(k, 1);
     vec3 axis = b.xyz - a.xyz, f = a.xyz - ro;
     float size = dot(axis, axis), lean = dot(axis, rd), fd = dot(f, rd);
     float s = clamp((fd * lean - dot(f, axis)) / max(size - lean * lean, 1e-4 * size), 0.0, 1.0);
@@ -630,7 +629,7 @@ float plantCover(float u, float v, float tall, float swing, float seed, float w)
 }
 // Whether a ray passes over a group of plants no higher than they grow.
 bool meetsGroup(int g, vec3 ro, vec3 rd, float level2) {
-    vec4 bound = fetch(garden, vec2(g, 1), vec2(64.0, 2.0));
+    vec4 bound = thing(g, 3);
     vec2 f = bound.xz - ro.xz;
     float t = dot(f, rd.xz) / level2, slack = bound.w + 1.2, part = slack * inversesqrt(level2);
     float low = ro.y + rd.y * (rd.y < 0.0 ? t + part : max(t - part, 0.0));
@@ -639,7 +638,7 @@ bool meetsGroup(int g, vec3 ro, vec3 rd, float level2) {
 }
 // A plant: the pixel's share of it, where its strip is, its normal.
 Layer plantLayer(int k, vec3 ro, vec3 rd, float level2, float pixel) {
-    vec4 plant = fetch(garden, vec2(k, 0), vec2(64.0, 2.0));
+    vec4 plant = thing(k, 2);
     vec2 f = plant.xz - ro.xz, across = vec2(rd.z, -rd.x) * inversesqrt(level2);
     float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y, seed = float(k) * 1.7;
     float swing = 0.12 * plant.w * across.x
@@ -657,7 +656,7 @@ void meetKelp(vec3 ro, vec3 rd, float pixel, float tMax) {
     for (; groups != 0; groups &= groups - 1) {
         int first = 5 * lowestBit(groups), marks = 0;
         for (int k = first; k < min(first + 5, kelp); ++k) {
-            vec4 plant = fetch(garden, vec2(k, 0), vec2(64.0, 2.0));
+            vec4 plant = thing(k, 2);
             vec2 f = plant.xz - ro.xz;
             float t = dot(f, rd.xz) / level2, v = ro.y + t * rd.y - plant.y;
             bool met = abs(dot(f, across)) < 1.3 + 0.2 * plant.w && v > 0.0 && v < plant.w + 0.5;
@@ -881,7 +880,7 @@ vec3 layerLight(Layer l, vec3 ro, vec3 rd, float pixel, Medium m) {
     // The jellyfish light what is near them.
     float near = 0.0;
     for (int k = 0; k < (jellyLamps ? jellyfish : 0); ++k) {
-        vec4 jelly = fetch(swarm, vec2(k, 0), vec2(16.0, 1.0));
+        vec4 jelly = thing(k, 4);
         vec3 to = jelly.xyz - p;
         float d2 = dot(to, to) + 0.3;
         near += exp(-m.extinction.g * sqrt(d2)) * (1.2 * jelly.w * jelly.w / d2)
@@ -941,7 +940,7 @@ float halosAlong(vec3 ro, vec3 rd, vec2 across, float tMax, float mean, float di
     float halo = 0.0, level2 = dot(rd.xz, rd.xz);
     marks = 0;
     for (int k = 0; k < jellyfish; ++k) {
-        vec4 jelly = fetch(swarm, vec2(k, 0), vec2(16.0, 1.0));
+        vec4 jelly = thing(k, 4);
         vec3 f = jelly.xyz - ro;
         float t = dot(f, rd), away = sqrt(max(dot(f, f) - t * t, 0.0) + square(0.6 * jelly.w));
         vec2 ends = vec2(mean - t, t) / away;   // their arcs, about
@@ -966,7 +965,7 @@ vec3 jellyLight(vec3 ro, vec3 rd, float pixel, float tMax, float mean, Medium m)
     float halo = halosAlong(ro, rd, across, tMax, mean, dim.g, marks);
     for (; marks != 0; marks &= marks - 1) {
         int k = lowestBit(marks);
-        vec4 jelly = fetch(swarm, vec2(k, 0), vec2(16.0, 1.0));
+        vec4 jelly = thing(k, 4);
         float beat = 2.0 * kPi * (cycles(0.375 + 0.03125 * float(k % 3)) + kGolden * float(k));
         float squeeze = 0.5 + 0.5 * sin(beat + 0.6 * sin(beat));
         vec2 size = jelly.w * vec2(1.0 - 0.17 * squeeze, 0.62 + 0.13 * squeeze);
@@ -1080,10 +1079,10 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
 }
 
 // ---- Passes -------------------------------------------------------------------------------------
-// Drawn once per look: the floor, what follows from it (slopes, highest points, its shadow),
-// textures, and where ropes and kelp are. Each frame: jellyfish, waves, and the net of light, for
-// which each point of the waves says where its light lands, and each texel of the floor asks the
-// points nearby.
+// Drawn once per look: the floor, what follows from it (slopes, highest points, its shadow), and
+// textures. Each frame: where thin things are (most stand still, but one small program for all is
+// compiled sooner than three), waves, and the net of light, for which each point of the waves says
+// where its light lands, and each texel of the floor asks the points nearby.
 
 void mainGround(out vec4 colour, in vec2 pixel) {
     vec2 p = (pixel / float(kGround) - step(0.5, pixel / float(kGround))) * kTile;
@@ -1155,8 +1154,8 @@ void mainGrain(out vec4 colour, in vec2 pixel) {
     }
     colour.zw = rise * 128.0;
 }
-// Both ends of spars and ropes, with their radius.
-void mainRig(out vec4 colour, in vec2 pixel) {
+// An end of a spar or a rope, the first or the second, with its radius.
+vec4 ropeEnd(int k, int end) {
     readWreck();
     // Foremast, mainmast, stump of the mizzen, bowsprit, four yards, a fallen yard, a fallen spar.
     const vec4 from[kSpars] = vec4[kSpars](
@@ -1169,7 +1168,6 @@ void mainRig(out vec4 colour, in vec2 pixel) {
         vec4(15.6, 7.6, 0.0, 0.09), vec4(kYardTo[0].xyz, 0.10), vec4(kYardTo[1].xyz, 0.07),
         vec4(kYardTo[2].xyz, 0.11), vec4(kYardTo[3].xyz, 0.08), vec4(-2.0, 3.0, 4.2, 0.10),
         vec4(-3.2, 0.9, -4.7, 0.08));
-    int k = int(pixel.x), row = int(pixel.y);
     vec4 a = vec4(0.0), b = vec4(0.0);
     if (k < kSpars) {
         a = from[k];
@@ -1191,7 +1189,7 @@ void mainRig(out vec4 colour, in vec2 pixel) {
             : stay == 2 ? vec4(-1.1, 13.6, 0.0, 0.02) : stay == 3 ? vec4(-7.7, 9.1, 0.2, 0.02)
             : vec4(3.0, 5.4, 3.6, 0.014);
     }
-    colour = row == 0 ? a : b;
+    return end == 0 ? a : b;
 }
 vec4 plantAt(int k) {   // its foot and its height; they stand in groups of five
     int group = k / 5;
@@ -1206,25 +1204,22 @@ vec4 plantAt(int k) {   // its foot and its height; they stand in groups of five
     float foot = groundHeight(at) - 0.1, tall = kelpHeight * mix(0.5, 1.25, r.z);
     return vec4(at.x, foot, at.y, clamp(tall, 0.5, max(depth - 1.5 - foot, 0.5)));
 }
-// Row 0 the plants; row 1 for each group its middle, its top and its radius.
-void mainGarden(out vec4 colour, in vec2 pixel) {
-    int k = int(pixel.x);
-    colour = plantAt(k);
-    if (pixel.y < 1.0) return;
+// A plant, or of a group its middle, its top and its radius.
+vec4 kelpAt(int k, bool group) {
     vec3 lo = vec3(kFar), hi = vec3(-kFar);
+    vec4 plant = vec4(0.0);
     float reach = 0.0;
-    for (int j = 5 * k; j < 5 * k + 5; ++j) {
-        vec4 plant = plantAt(j);
+    for (int j = 0; j < (group ? 5 : 1); ++j) {
+        plant = plantAt(group ? 5 * k + j : k);
         lo = min(lo, plant.xyz);
         hi = max(hi, vec3(plant.x, plant.y + plant.w, plant.z));
         reach = max(reach, 0.2 * plant.w);   // how far it swings
     }
-    colour = vec4(0.5 * (lo + hi), 0.5 * length((hi - lo).xz) + reach);
-    colour.y = hi.y;
+    vec3 mid = 0.5 * (lo + hi);
+    return group ? vec4(mid.x, hi.y, mid.z, 0.5 * length((hi - lo).xz) + reach) : plant;
 }
 // The middle of each bell and its radius: slow rounds about a place of its own beside the wreck.
-void mainSwarm(out vec4 colour, in vec2 pixel) {
-    int k = int(pixel.x);
+vec4 jellyAt(int k) {
     vec3 r = random3(ivec3(k, 31, 6));
     float a = 2.0 * kPi * (kGolden * float(k) + 0.06);
     vec2 at = vec2(sin(a), cos(a)), hull = turn(at, radians(wreckAngle)) / vec2(17.5, 9.0);
@@ -1234,7 +1229,12 @@ void mainSwarm(out vec4 colour, in vec2 pixel) {
         + vec3(1.4 * sin(now.x), 0.8 * sin(now.y), 1.4 * cos(now.z));
     float size = mix(0.38, 0.85, r.z);
     p.y = clamp(p.y, groundHeight(p.xz) + 3.0, depth - 2.0);
-    colour = vec4(p, size);
+    return vec4(p, size);
+}
+// Rows 0 and 1: ends of spars and ropes. 2: plants. 3: groups of them. 4: jellyfish.
+void mainThings(out vec4 colour, in vec2 pixel) {
+    int k = int(pixel.x), row = int(pixel.y);
+    colour = row < 2 ? ropeEnd(k, row) : row < 4 ? kelpAt(k, row == 3) : jellyAt(k);
 }
 
 // Whole waves in the tile along x and z, and slope, relative; whole cycles in a loop.

@@ -22,7 +22,7 @@
 //          (1979): phyllotaxis. Abramowitz and Stegun (1964), 25.4.40: quadrature. Potmesil and
 //          Chakravarty, SIGGRAPH (1981): circles of confusion.
 // Units    1 unit = 1 m, y up, linear colour; the sun gives kSunPower above the air.
-// Passes   tile, cloudTile, bare, land, peaks, sky, ambient, lightMap: on change of a tweak. Every
+// Passes   tile + cloudTile, bare, land, peaks, sky, ambient, lightMap: on change of a tweak. Every
 //          frame: waves, gathered, colours + normalDepth; picture where `tiltShift` blurs it.
 // Bounds   Biased: waves tilt the water and do not move it; light that leaves the water meets the
 //          sky, and land where reflections are traced, but never water again. The loops of a pixel
@@ -79,7 +79,7 @@ uniform int   lensSamples;     //@ 32 [8, 256] log quality reference=256 "taps o
 
 precision highp sampler2D;     // the default is lowp: Mesa then reads 32-bit buffers as halves
 uniform sampler2D tile;        //@ pass mainTile size=512x512 filter=mipmap wrap=repeat
-uniform sampler2D cloudTile;   //@ pass mainCloudTile size=512x512 format=rg32f filter=mipmap wrap=repeat
+uniform sampler2D cloudTile;   //@ pass mainTile size=512x512 filter=mipmap wrap=repeat
 uniform sampler2D bare;        //@ pass mainBare size=513x513
 uniform sampler2D land;        //@ pass mainLand size=513x513
 uniform sampler2D peaks;       //@ pass mainPeaks size=640x512 filter=nearest
@@ -442,11 +442,12 @@ vec3 background(vec3 rd, float width, bool disc) {
     if (clouds > 0.0) {
         float y = abs(rd.y) + 0.30, w = 0.26 * width / (y * sqrt(y));   // both axes' mean
         vec2 p = rd.xz / y * 0.26 + (rd.y < 0.0 ? 0.37 : 0.0), wind = vec2(cycles(0.0012), 0.0);
-        vec2 n = 0.66 * textureLod(cloudTile, p + wind, lodOf(w)).xy
-            + 0.34 * textureLod(cloudTile, 3.0 * p.yx - wind.yx, lodOf(3.0 * w)).xy;
+        vec3 n = 0.66 * textureLod(cloudTile, p + wind, lodOf(w)).xyz
+            + 0.34 * textureLod(cloudTile, 3.0 * p.yx - wind.yx, lodOf(3.0 * w)).xyz;
+        vec2 sunward = normalize(sun.xz + vec2(0.0, 1e-9));
         float soft = 0.17 + min(3.0 * w, 0.3), level = 1.02 - 0.9 * clouds;
         float cover = smoothstep(level - soft, level + soft, n.x);
-        float lit = clamp(0.5 + 1.2 * n.y, 0.0, 1.0) * (1.0 - 0.35 * cover);
+        float lit = clamp(0.5 + 1.2 * dot(n.yz, sunward), 0.0, 1.0) * (1.0 - 0.35 * cover);
         float silver = 0.03 + 0.15 * lit + 0.20 / (1.0 + 14.0 * away2);
         vec3 sunny = mix(sunBeam(), vec3(dot(sunBeam(), vec3(1.0 / 3.0))), 0.5);
         vec3 white = sunny * silver + texelFetch(ambient, ivec2(2, 0), 0).rgb * 0.12
@@ -871,29 +872,22 @@ float walkPicture(Eye e, vec3 ro, vec3 rd, float reach, bool wanted, out vec2 fo
 // From what never changes to what always does: noise, land, its pyramid, sky and light are drawn
 // once per look; waves and the picture's geometry every frame.
 
-// A tile of noise: x and y are about 0 to 1; zw is a noise's slope, about -1 to 1. Six octaves of
-// x, from 4 cells on, six of y, from 8, three of zw, from 16.
-void mainTile(out vec4 colour, in vec2 pixel) {
+// Tiles of noise. Of the ground x and y are about 0 to 1, zw is a noise's slope, about -1 to 1: six
+// octaves of x, from 4 cells on, six of y, from 8, three of zw, from 16. Of clouds x is thickness,
+// about 0 to 1, and yz the slope of their bumps, down: six octaves from 4 cells on.
+void mainTile(out vec4 ground, out vec4 cloud, in vec2 pixel) {
     vec2 p = pixel / iResolution.xy;
-    colour = vec4(0.5, 0.5, 0.0, 0.0);
-    for (int k = 0; k < 15; ++k) {
-        int what = k / 6, octave = k - 6 * what, cells = 4 << what + octave;
+    ground = vec4(0.5, 0.5, 0.0, 0.0);
+    cloud = vec4(0.5, 0.0, 0.0, 0.0);
+    for (int k = 0; k < 21; ++k) {
+        int what = k < 15 ? k / 6 : 3, octave = k < 15 ? k - 6 * what : k - 15;
+        int cells = 4 << (k < 15 ? what + octave : octave);
         vec3 n = perlinPlane(p * float(cells), 2 + 10 * what + octave, cells - 1);
-        float gain = 0.72 * exp2(-float(octave));
-        if (what == 0) colour.x += gain * n.z;
-        else if (what == 1) colour.y += gain * n.z;
-        else colour.zw += 0.5 * n.xy;
-    }
-}
-// A tile of clouds: x thickness, about 0 to 1, y how much the sun's side of a bump is lit.
-void mainCloudTile(out vec4 colour, in vec2 pixel) {
-    vec2 p = pixel / iResolution.xy, sun = unit(vec3(sunDirection().xz, 1e-6)).xy;
-    colour = vec4(0.5, 0.0, 0.0, 0.0);
-    for (int k = 0; k < 6; ++k) {
-        int cells = 4 << k;
-        vec3 n = perlinPlane(p * float(cells), 32 + k, cells - 1);
-        colour.x += 0.78 * exp2(-0.95 * float(k)) * n.z;
-        colour.y -= 0.30 * exp2(-0.45 * float(k)) * dot(n.xy, sun);
+        float o = float(octave), gain = 0.72 * exp2(-o);
+        if (what == 0) ground.x += gain * n.z;
+        else if (what == 1) ground.y += gain * n.z;
+        else if (what == 2) ground.zw += 0.5 * n.xy;
+        else cloud.xyz += vec3(-0.30 * exp2(-0.45 * o) * n.xy, 0.78 * exp2(-0.95 * o) * n.z).zxy;
     }
 }
 void mainBare(out vec4 colour, in vec2 pixel) {

@@ -43,7 +43,20 @@ std::optional<ProgramsAhead::Linked> ProgramsAhead::take(std::size_t pass) {
     std::unique_lock lock(mutex_);
     Pass& one = passes_[pass];
     if (one.state == State::waiting) one.state = State::done;
-    changed_.wait(lock, [&] { return one.state == State::done; });
+    while (one.state != State::done) {
+        const auto other = std::ranges::find_if(wanted_.rbegin(), wanted_.rend(), [&](auto at) {
+            return passes_[at].state == State::waiting;
+        });
+        if (other == wanted_.rend()) {
+            changed_.wait(lock);
+            continue;
+        }
+        const std::size_t begun = *other;
+        passes_[begun].state = State::begun;
+        lock.unlock();
+        link(begun);
+        lock.lock();
+    }
     return std::exchange(one.linked, std::nullopt);
 }
 
@@ -57,35 +70,37 @@ void ProgramsAhead::work(std::chrono::milliseconds patience) {
     if (ends_before(patience)) return;
     const auto current = context_.make_current();
     if (!current) return;
-    std::vector<std::size_t> wanted =
-        passes_read(preset_, kImagePass, pass_text(preset_, kImagePass, options_).text);
-    for (std::size_t next = 0; next < wanted.size(); ++next) {
-        const std::size_t pass = wanted[next];
-        if (!begin(pass)) continue;
-        PassText source = pass_text(preset_, pass, options_);
-        for (const std::size_t read : passes_read(preset_, pass, source.text))
-            if (std::ranges::find(wanted, read) == wanted.end()) wanted.push_back(read);
-        std::optional<CompileWatch> watch;
-        if (give_up_) watch.emplace(give_up_, preset_, pass);
-        LinkedProgram linked = make_pass_program(source.text);
-        watch.reset();
-        if (linked.program && linked.log.empty())
-            end(pass, Linked{std::move(source), std::move(linked.program)});
-        else
-            end(pass, std::nullopt);
-    }
+    want(passes_read(preset_, kImagePass, pass_text(preset_, kImagePass, options_).text));
+    while (const auto pass = begin_next()) link(*pass);
 }
 
-bool ProgramsAhead::begin(std::size_t pass) {
+std::optional<std::size_t> ProgramsAhead::begin_next() {
     const std::lock_guard lock(mutex_);
-    if (ends_ || passes_[pass].state != State::waiting) return false;
-    passes_[pass].state = State::begun;
-    return true;
+    const auto next = std::ranges::find_if(
+        wanted_, [&](std::size_t pass) { return passes_[pass].state == State::waiting; });
+    if (ends_ || next == wanted_.end()) return std::nullopt;
+    passes_[*next].state = State::begun;
+    return *next;
 }
 
-void ProgramsAhead::end(std::size_t pass, std::optional<Linked> linked) {
+void ProgramsAhead::want(const std::vector<std::size_t>& passes) {
     const std::lock_guard lock(mutex_);
-    passes_[pass] = {State::done, std::move(linked)};
+    for (const std::size_t pass : passes)
+        if (std::ranges::find(wanted_, pass) == wanted_.end()) wanted_.push_back(pass);
+}
+
+void ProgramsAhead::link(std::size_t pass) {
+    PassText source = pass_text(preset_, pass, options_);
+    want(passes_read(preset_, pass, source.text));
+    std::optional<CompileWatch> watch;
+    if (give_up_) watch.emplace(give_up_, preset_, pass);
+    LinkedProgram linked = make_pass_program(source.text);
+    watch.reset();
+    const std::lock_guard lock(mutex_);
+    Pass& one = passes_[pass];
+    if (linked.program && linked.log.empty())
+        one.linked = Linked{std::move(source), std::move(linked.program)};
+    one.state = State::done;
     changed_.notify_all();
 }
 

@@ -30,8 +30,9 @@ public:
     ProgramsAhead(const ProgramsAhead&) = delete;
     ProgramsAhead& operator=(const ProgramsAhead&) = delete;
 
-    // Waits where it is at that one. Nothing where it has not come to it, and then never will, or
-    // where there is something to say of it.
+    // Where it is at that one, links others meanwhile, from the last one down, and waits when none
+    // is left. Nothing where it has not come to it, and then never will, or where there is
+    // something to say of it.
     std::optional<Linked> take(std::size_t pass);
 
 private:
@@ -43,8 +44,9 @@ private:
 
     bool ends_before(std::chrono::milliseconds patience);
     void work(std::chrono::milliseconds patience);
-    bool begin(std::size_t pass);
-    void end(std::size_t pass, std::optional<Linked> linked);
+    std::optional<std::size_t> begin_next();
+    void want(const std::vector<std::size_t>& passes);
+    void link(std::size_t pass);  // on any thread that has begun it
 
     const Preset& preset_;
     const ProgramOptions options_;
@@ -54,6 +56,7 @@ private:
     std::condition_variable changed_;
     bool ends_ = false;
     std::vector<Pass> passes_;
+    std::vector<std::size_t> wanted_;  // in the order in which they are met
     std::thread thread_;
 };
 
