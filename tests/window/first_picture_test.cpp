@@ -128,6 +128,28 @@ TEST_F(FirstPicture, ASlowSceneIsSmallerFromItsFirstFrameOnAndAStillOfItIsNot) {
     EXPECT_EQ(std::to_integer<int>(image.pixels[0]), 255) << "red: drawn at the full size";
 }
 
+TEST_F(FirstPicture, APressIsAtItsPixelOfTheFullSizeInAStillOfASlowScene) {
+    open(R"(
+void mainImage(out vec4 c, in vec2 p) {
+    float x = p.x + iTime;
+    for (int i = 0; i < 600; ++i) x = sin(x + float(i));
+    vec3 place = vec3(mod(iMouse.x, 256.0), floor(iMouse.x / 256.0), mod(iMouse.y, 256.0));
+    c = vec4(iMouse.x > 0.0 ? place / 255.0 : vec3(0, 1, x * 1e-6), 1);
+}
+)");
+    ASSERT_TRUE(shows_green());
+    screen_->click({701, 499});
+    ASSERT_TRUE(eventually([&] { return screen_->pixel({300, 300}).g < 100; }));
+    screen_->tap("F12");
+    const fs::path still = folder_->path() / "scene-0001.png";
+    ASSERT_TRUE(eventually([&] { return fs::exists(still); }));
+    const Image image = read_image(still);
+    ASSERT_EQ(image.size, glm::ivec2(1280, 720));
+    const auto byte = [&](std::size_t at) { return std::to_integer<int>(image.pixels[at]); };
+    EXPECT_EQ(256 * byte(1) + byte(0), 701);
+    EXPECT_NEAR(byte(2), 720 - 499, 1) << "the row that the pointer is in, or between two";
+}
+
 TEST_F(FirstPicture, TheWordsInTheTransportBarChooseTheFullSizeWhichIsRemembered) {
     open(kSlow);
     ASSERT_TRUE(shows_green());

@@ -158,6 +158,7 @@ public:
     glm::ivec2 size() const { return size_; }
     // The size that stills have and others are told of, where the screen shows a share of it.
     void set_full_size(glm::ivec2 size) { full_size_ = size; }
+    glm::ivec2 still_size() const { return keeps_size() ? size_ : full_size_; }
     // Its buffers would be cropped by another size: it keeps the one that its first frame had, in
     // stills, too.
     bool keeps_size() const {
@@ -276,7 +277,7 @@ private:
     void replay_events(double from, double to);
     Frame frame_again() const;
     Frame frame_at_full_size() const;
-    glm::ivec2 still_size() const { return keeps_size() ? size_ : full_size_; }
+    glm::vec4 drawn_mouse(glm::ivec2 size) const;  // iMouse of that frame at another size
     Programs still_programs() const {
         const bool refused = reloader_.programs() == Programs::uniforms_for_good;
         return refused ? Programs::uniforms : Programs::constants;
@@ -338,6 +339,7 @@ private:
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;
     Recorder recent_;  // for the steps of simulations
+    InputState being_drawn_, drawn_inputs_;  // as the frame began
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;

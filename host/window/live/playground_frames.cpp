@@ -85,6 +85,7 @@ Frame Playground::next_frame(double wall_seconds) {
     frame.frame = instant_.frame;
     frame.date = shadertoy_date(local_now(), 0.0);
     if (transport_.playing() && !instant_.jumped) replay_events(before, frame.time);
+    being_drawn_ = input_;
     frame.input = input_.next_frame(size_);
     frame.longest_catch_up = kLongestCatchUp;
     recorder.frame(frame.time);
@@ -142,6 +143,7 @@ bool Playground::draw(double wall_seconds) {
     if (drawn) ++pictures_;
     renderer_->after_pass = nullptr;
     context_.finish();
+    drawn_inputs_ = being_drawn_;
     drawn_input_ = frame.input;
     drawn_date_ = frame.date;
     if (drawn) frame_ms_ = clock.ms();

@@ -9,9 +9,13 @@ namespace glint {
 // At the full size, whatever the screen shows; from the buffers as they stand.
 Frame Playground::frame_at_full_size() const {
     Frame frame = frame_again();
-    const glm::vec2 ratio = glm::vec2(still_size()) / glm::vec2(size_);
-    frame.input.mouse *= glm::vec4(ratio, ratio);
+    frame.input.mouse = drawn_mouse(still_size());
     return frame;
+}
+
+// From where the mouse was: of a pixel of another size the place in it is not known.
+glm::vec4 Playground::drawn_mouse(glm::ivec2 size) const {
+    return InputState(drawn_inputs_).next_frame(size).mouse;
 }
 
 Image Playground::still() {

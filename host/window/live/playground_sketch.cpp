@@ -43,8 +43,6 @@ bool has_picture_size(const Scene& scene, const std::vector<GivenBuffer>& given)
 void draw_coarsely(RefineOrder& order) {
     const glm::ivec2 size(kSketchShare * glm::vec2(order.preset.size));
     if (size.x * size.y < kLeastPixels || has_picture_size(order.preset.scene, order.given)) return;
-    const glm::vec2 ratio = glm::vec2(size) / glm::vec2(order.preset.size);
-    order.input.mouse *= glm::vec4(ratio, ratio);
     order.preset.size = size;
 }
 
@@ -103,6 +101,7 @@ void Playground::start_sketch() {
     order.given = standing_buffers(all);
     note_texts(order.given);
     draw_coarsely(order);
+    order.input.mouse = drawn_mouse(order.preset.size);
     if (sketcher_.process() != 0) note_known(order.given, known_to_sketch_);
     read_buffers(order.given, sketcher_.memory());
     sketcher_.start(order);

@@ -16,7 +16,7 @@ glm::dvec2 PlaygroundWindow::on_picture(glm::dvec2 position) const {
     const ScreenArea area = picture_area();
     const glm::dvec2 room(glm::max(area.size, glm::ivec2(1)));
     const glm::dvec2 at = position - glm::dvec2(area.origin);
-    const glm::ivec2 size = playground_.size();
+    const glm::ivec2 size = playground_.still_size();  // a held one has coarser pixels
     return mouse_fraction(glm::dvec2(at.x, room.y - at.y) / room * glm::dvec2(size), size);
 }
 
