@@ -135,7 +135,6 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     }
     if (!window_) throw NoContext(fmt::format("No window: {}.", last_error()));
     glfwMakeContextCurrent(window_);
-    glfwSwapInterval(1);
     try {
         start();
     } catch (...) {
@@ -145,12 +144,15 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     display_ = x11_descriptor();
     is_wayland_ = display_ < 0;
     if (display_ < 0) display_ = wayland_descriptor();
+    glfwSwapInterval(is_wayland_ ? 0 : 1);  // no swap is to wait for what WaylandFrames hears
+    if (is_wayland_) wayland_frames_.emplace(window_);
     listen();
     set_ground(window_);
 }
 
 Window::~Window() {
     forget_resampling();
+    wayland_frames_.reset();
     glfwDestroyWindow(window_);
 }
 
@@ -174,7 +176,8 @@ double Window::refresh_rate() const {
 
 bool Window::is_visible() const {
     return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE &&
-           glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE;
+           glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE &&
+           !(wayland_frames_ && wayland_frames_->is_unseen());
 }
 
 bool Window::should_close() const {
@@ -248,6 +251,7 @@ std::vector<WindowEvent> Window::events(double wait_seconds, std::span<const int
 }
 
 void Window::swap() {
+    if (wayland_frames_) wayland_frames_->ask();
     glfwSwapBuffers(window_);
 }
 

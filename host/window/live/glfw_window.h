@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context.h"
+#include "window/live/wayland_frames.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,7 +56,7 @@ public:
     glm::ivec2 size() const;      // pixels of the framebuffer; 0x0 when minimised
     float content_scale() const;  // 2 on a HiDPI screen
     double refresh_rate() const;  // Hz; 60 when the monitor does not tell
-    bool is_visible() const;      // false while minimised
+    bool is_visible() const;      // false while minimised, or not shown by a Wayland compositor
     bool should_close() const;
     void close();  // at once; what a person closes arrives as an event
     void show();   // it is hidden at first, and may be minimised
@@ -86,6 +88,7 @@ private:
     glm::dvec2 cursor_{0.0};
     int display_ = -1;  // readable when the display has something to say; -1: nobody can tell
     bool is_wayland_ = false, has_lost_display_ = false;
+    std::optional<WaylandFrames> wayland_frames_;
     int held_keys_ = 0;
     glm::ivec4 windowed_{0};  // position and size to return to from full screen
 
