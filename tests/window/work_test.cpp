@@ -237,6 +237,25 @@ TEST_F(Work, IsSavedWhereItsFileHasBeenDeleted) {
     EXPECT_NE(read(look()).find("level = "), std::string::npos) << read(look());
 }
 
+// As among installed examples, which belong to root.
+TEST_F(Work, WhosePresetCannotBeWrittenIsSavedSomewhereElseAlsoOnTheWayOut) {
+    const fs::path folder = folder_->path() / "examples";
+    fs::create_directory(folder);
+    write(folder / "look.toml", "scene = \"../scene.frag\"\n[tweaks]\nlevel = 0.2\n");
+    write(scene(),
+          "uniform float level; //@ 0.2 [0, 1]\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(level, 0.2, 0.3, 1); }\n");
+    start({(folder / "look.toml").string()});
+    ASSERT_TRUE(glint_->says(": shown")) << glint_->errors();
+    change();
+    fs::remove_all(folder);
+    screen_->tap("Control_L+q");
+    ASSERT_TRUE(asks());
+    // Save; and, where that cannot be done, under the name that is proposed.
+    EXPECT_TRUE(enter_until([&] { return !glint_->runs(); }));
+    EXPECT_NE(read(folder_->path() / "look.toml").find("level"), std::string::npos);
+}
+
 TEST_F(Work, IsKeptWhereTheFolderThatTheProgramStandsInIsGone) {
     write(scene(),
           "uniform float level; //@ 0.2 [0, 1]\n"

@@ -197,24 +197,25 @@ bool Window::is_full_screen() const {
     return glfwGetWindowMonitor(window_) != nullptr;
 }
 
-void Window::set_full_screen(bool full_screen) {
-    if (full_screen == is_full_screen()) return;
+bool Window::set_full_screen(bool full_screen) {
+    if (full_screen == is_full_screen()) return true;
     // GLFW before 3.4 counts the frame that it draws under Wayland as part of a full screen, for
     // which compositors end the program. Their own ways to fill the screen are left.
     int major = 0, minor = 0;
     glfwGetVersion(&major, &minor, nullptr);
-    if (is_wayland_ && major == 3 && minor < 4) return;
+    if (is_wayland_ && major == 3 && minor < 4) return false;
     if (!full_screen) {
         glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.z, windowed_.w,
                              GLFW_DONT_CARE);
-        return;
+        return true;
     }
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-    if (!mode) return;
+    if (!mode) return false;
     glfwGetWindowPos(window_, &windowed_.x, &windowed_.y);
     glfwGetWindowSize(window_, &windowed_.z, &windowed_.w);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    return true;
 }
 
 // A Wayland compositor that goes while events of it wait to be handled leaves GLFW in a loop for

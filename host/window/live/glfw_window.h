@@ -61,7 +61,7 @@ public:
     void close();  // at once; what a person closes arrives as an event
     void show();   // it is hidden at first, and may be minimised
     void set_title(const std::string& title);
-    void set_full_screen(bool full_screen);
+    bool set_full_screen(bool full_screen);  // false where it cannot be had
     bool is_full_screen() const;
 
     // Handles what has arrived and returns it. Waits for at most this long until something arrives

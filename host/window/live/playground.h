@@ -338,7 +338,7 @@ private:
 
     std::unique_ptr<Buffer> other_picture_;
     InputState input_;
-    Recorder recent_;  // for the steps of simulations
+    Recorder recent_;                        // for the steps of simulations
     InputState being_drawn_, drawn_inputs_;  // as the frame began
     Input drawn_input_;
     glm::vec4 drawn_date_{0.0f};

@@ -79,6 +79,7 @@ private:
     void edit(const Diagnostic& diagnostic);
     void close_one();
     void toggle_free_aspect();
+    void toggle_full_screen();
     // Words that stand in the window for a while; "" takes them away.
     void notice(std::string text);
     void tell_overruled();
@@ -106,6 +107,7 @@ private:
     bool write_look(const Preset& preset, const std::filesystem::path& file);
     void go_on_in(const std::filesystem::path& file, const Preset& preset);
     // A sentence, or "" where it is possible.
+    std::string why_nothing_is_open() const;
     std::string why_no_save() const;
     std::string why_no_revert() const;
     void revert();

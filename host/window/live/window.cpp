@@ -466,7 +466,7 @@ void PlaygroundWindow::grant(const Wishes& wishes) {
     if (wishes.still) take_still();
     if (wishes.toggle_recording) toggle_recording();
     if (wishes.answer) take_answer(*wishes.answer);
-    if (wishes.toggle_full_screen) window_.set_full_screen(!window_.is_full_screen());
+    if (wishes.toggle_full_screen) toggle_full_screen();
     if (wishes.edit) edit(*wishes.edit);
     if (wishes.fill) playground_.fill(*wishes.fill);
     browser_.draw_first(wishes.seen);

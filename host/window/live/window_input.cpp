@@ -144,7 +144,10 @@ void PlaygroundWindow::close_one() {
     }
     const bool any = (settings_.visible && (settings_.help || settings_.browser)) ||
                      settings_.shown != Shown::scene;
-    if (!any) return window_.set_full_screen(false);
+    if (!any) {
+        window_.set_full_screen(false);
+        return;
+    }
     settings_.help = settings_.browser = false;
     settings_.shown = Shown::scene;
 }
@@ -236,12 +239,36 @@ void PlaygroundWindow::act(Action action) {
         case Action::edit:
             return edit_first();
         case Action::full_screen:
-            return window_.set_full_screen(!window_.is_full_screen());
+            return toggle_full_screen();
         case Action::free_aspect:
             return toggle_free_aspect();
         case Action::quit:
             return leave({Leaving::For::quit, {}});
     }
+}
+
+std::string PlaygroundWindow::why_nothing_is_open() const {
+    return awaits_first_frame() ? "It is still being compiled." : "Nothing is open.";
+}
+
+std::string PlaygroundWindow::why_no_save() const {
+    if (!playground_.is_open()) return why_nothing_is_open();
+    if (!is_preset(file_) || is_gone()) return "";
+    if (!values_known_ || playground_.shows_older_text())
+        return "It is not saved while it, or its scene, has errors.";
+    const bool same_size = preset_to_save().size == playground_.as_written()->size;
+    return differs_from_file() || !same_size ? "" : "Nothing has changed since it was saved.";
+}
+
+std::string PlaygroundWindow::why_no_revert() const {
+    if (!playground_.is_open()) return why_nothing_is_open();
+    if (!values_known_) return "The file has errors.";
+    return differs_from_file() ? "" : "Nothing has changed since it was saved.";
+}
+
+void PlaygroundWindow::toggle_full_screen() {
+    if (!window_.set_full_screen(!window_.is_full_screen()))
+        notice("GLFW before 3.4 has no full screen under Wayland; the desktop's own key has.");
 }
 
 // A scene alone has no place for values: they go to a preset, whose name is asked for.

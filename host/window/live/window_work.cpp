@@ -204,6 +204,7 @@ void PlaygroundWindow::take_answer(Answer answer) {
     const Leaving leaving = *leaving_;
     leaving_.reset();
     if (answer == Answer::save && save(file_)) leave(leaving);
+    if (answer == Answer::save && settings_.save_as) leaving_ = leaving;
     if (overwriting_) overwriting_->then = leaving;
     if (answer == Answer::discard) playground_.tweaks.forget_waiting();
     if (answer == Answer::discard) go(leaving);
@@ -369,6 +370,7 @@ bool PlaygroundWindow::write_look(const Preset& preset, const fs::path& file) {
         write_whole_file(file, std::as_bytes(std::span(*text.text)));
     } catch (const std::runtime_error& error) {
         notice(error.what());
+        settings_.save_as = true;  // some other place will take it
         return false;
     }
     return true;
@@ -390,21 +392,6 @@ void PlaygroundWindow::go_on_in(const fs::path& file, const Preset& preset) {
     list_files();
     playground_.go_on_in(file, preset);
     dirty_ = true;
-}
-
-std::string PlaygroundWindow::why_no_save() const {
-    if (!playground_.is_open()) return "Nothing is open.";
-    if (!is_preset(file_) || is_gone()) return "";
-    if (!values_known_ || playground_.shows_older_text())
-        return "It is not saved while it, or its scene, has errors.";
-    const bool same_size = preset_to_save().size == playground_.as_written()->size;
-    return differs_from_file() || !same_size ? "" : "Nothing has changed since it was saved.";
-}
-
-std::string PlaygroundWindow::why_no_revert() const {
-    if (!playground_.is_open()) return "Nothing is open.";
-    if (!values_known_) return "The file has errors.";
-    return differs_from_file() ? "" : "Nothing has changed since it was saved.";
 }
 
 void PlaygroundWindow::revert() {

@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace glint {
@@ -18,13 +20,23 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSaveAs = "Save as";
 
-// Where a new preset would go: beside an open preset, else into the folder of presets.
+bool may_write(const fs::path& folder) {
+    return ::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+}
+
+// Where a new preset would go: beside an open preset, else into the folder of presets; where
+// nothing can be written, as among installed examples, to where the program was started, or home.
 fs::path proposed_path(const fs::path& file) {
-    if (is_preset(file)) return file.parent_path() / (file.stem().string() + "-2.toml");
+    const std::string name = file.stem().string();
+    if (is_preset(file) && may_write(file.parent_path()))
+        return file.parent_path() / (name + "-2.toml");
     const fs::path beside = file.parent_path().parent_path() / "presets";
     std::error_code error;
-    const fs::path folder = fs::is_directory(beside, error) ? beside : file.parent_path();
-    return folder / (file.stem().string() + ".toml");
+    fs::path folder = fs::is_directory(beside, error) ? beside : file.parent_path();
+    const char* home = std::getenv("HOME");
+    if (!may_write(folder)) folder = may_write(".") || !home ? "" : home;
+    const fs::path proposed = folder / (name + ".toml");
+    return is_preset(file) && is_taken(proposed) ? folder / (name + "-2.toml") : proposed;
 }
 
 // In the upper middle, over all else, until it is answered. ImGui::EndPopup() follows where it is
