@@ -66,6 +66,13 @@ int wayland_descriptor() {
     return get ? get(display) : -1;
 }
 
+// Debian 12 has a package of GLFW for each.
+std::string advice_on_wayland() {
+    const bool speaks_it = find_function<void* (*)()>("glfwGetWaylandDisplay") != nullptr;
+    if (speaks_it || !std::getenv("WAYLAND_DISPLAY")) return {};
+    return " Under Wayland this GLFW needs Xwayland; that of libglfw3-wayland needs none.";
+}
+
 // What X11 shows of a window before its first picture, in place of black.
 void set_ground(GLFWwindow* window) {
     auto* display = find_display<Display>("glfwGetX11Display");
@@ -102,7 +109,9 @@ Glfw::Glfw() {
     }
     Context::start_variables_at_zero();
     Context::spare_full_disk();
-    if (!glfwInit()) throw NoContext(fmt::format("There is no display: {}.", last_error()));
+    if (!glfwInit())
+        throw NoContext(
+            fmt::format("There is no display: {}.{}", last_error(), advice_on_wayland()));
     XSetIOErrorHandler(hear_lost_display);
     ++glfw_users;
 }
