@@ -109,6 +109,14 @@ TEST(StudyFall, TellsASumThatNeverEnds) {
     ASSERT_FALSE(study.findings.empty());
     EXPECT_NE(study.findings[0].find("does not converge"), std::string::npos);
     for (const StudyRow& row : study.rows) EXPECT_FALSE(row.pareto) << row.value;
+    const Study amid = judged(harmonic, kDoubled, 64);
+    EXPECT_TRUE(amid.converges) << "of rows beyond the reference nothing is known";
+    // A reference that leads away by itself, as a sum of too many floats does.
+    const Method worn = [](int pixel, int work) {
+        return (0.5 + 0.001 * pixel) * (1.0 / (work * work) + 1e-9 * work * work);
+    };
+    for (const std::string& finding : judged(worn, kDoubled, 60000).findings)
+        EXPECT_EQ(finding.find("the rows are as far"), std::string::npos) << finding;
     // One whose steps become shorter, however slowly, has an end.
     EXPECT_TRUE(judged(of_order(0.3), kDoubled, 1024).converges);
 }

@@ -202,6 +202,13 @@ TEST(StudyReference, SaysWhetherMoreIsBetter) {
     EXPECT_TRUE(low.only({.reference = {"a=64"}}).more_is_better) << "most octaves are below";
     const Planned declared("uniform int a; //@ 16 [1, 256] quality reference=256\n");
     EXPECT_TRUE(declared.only({.reference = {"a=64"}}).more_is_better) << "as the scene says";
+    const Planned amid("uniform int a; //@ 64 [4, 64] quality reference=32\n");
+    EXPECT_TRUE(amid.only().more_is_better) << "a number of steps";
+    EXPECT_EQ(amid.only().second->text, "64");
+    EXPECT_TRUE(amid.only().notes[0].starts_with("the reference, 32, lies among the values"));
+    EXPECT_TRUE(amid.only({.reference = {"a=1024"}}).notes.empty());
+    const Planned step("uniform float a; //@ 0.1 [0.01, 0.5] log quality reference=0.2\n");
+    EXPECT_FALSE(step.only({.reference = {"a=0.001"}}).more_is_better) << "beyond the least";
     const Knob least = Planned("uniform int a; //@ 1 [1, 4] quality reference=0\n").only();
     EXPECT_FALSE(least.second) << "nothing is half of no step";
 }

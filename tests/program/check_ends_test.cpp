@@ -33,6 +33,15 @@ TEST_F(CheckEnds, ATickThatIsUsedSoThatItJumpsWhereItWraps) {
               std::string::npos);
 }
 
+// What jumps at the end of each of its periods, as slides do, jumps at those of the tick as well.
+TEST_F(CheckEnds, ATickWhoseOwnPeriodEndsWithACutIsUsedWell) {
+    const char* slides =
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    uint slide = (iTick >> 19) & 3u;\n"
+        "    c = vec4(vec3(slide == 0u ? 0.9 : 0.2 * float(slide)), 1);\n}\n";
+    EXPECT_EQ(note_of(slides, "tick wraps", 0), "");
+}
+
 TEST_F(CheckEnds, WhatIsAssertedDoesNotHoldWithAnotherValue) {
     const std::string scene =
         "uniform float r; //@ 1 [0, 2]\n"

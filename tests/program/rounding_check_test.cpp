@@ -31,6 +31,14 @@ TEST_F(RoundingCheck, NamesTheLineInWhichASumCancels) {
         << one;
 }
 
+TEST_F(RoundingCheck, TellsAPictureOfWhichNothingIsLeft) {
+    const Json one = found(
+        "    float y = sqrt(9010203.0 + 0.4 * q.x) - sqrt(9010203.0);\n"
+        "    c = vec4(vec3(3000.0 * y), 1.0);");
+    EXPECT_EQ(one["max"], 0.0) << one;
+    EXPECT_NE(one["note"].get<std::string>().find(" digits of 7.2"), std::string::npos) << one;
+}
+
 // A buffer that nothing changes has been drawn when the check begins.
 TEST_F(RoundingCheck, LooksIntoBuffersOfNoState) {
     write("scene.frag",

@@ -37,7 +37,6 @@ double digits_lost(const std::vector<ProbeCell>& usual, const std::vector<ProbeC
             if (std::isfinite(cell.colour[c]))
                 squares += static_cast<double>(cell.colour[c]) * cell.colour[c] / 3.0;
     const double size = std::sqrt(squares / std::max(1.0, static_cast<double>(usual.size())));
-    if (size == 0.0) return 0.0;
     double sum = 0.0;
     for (std::size_t i = 0; i < usual.size(); ++i) {
         double off = 0.0;
@@ -45,9 +44,11 @@ double digits_lost(const std::vector<ProbeCell>& usual, const std::vector<ProbeC
             const double one = std::abs(static_cast<double>(usual[i].colour[c]) - now[i].colour[c]);
             if (std::isfinite(one)) off = std::max(off, one);
         }
-        sum += std::log10(std::max(1.0, off / size * 0x1p23));
+        // Where nothing is left of a picture, nothing was right in what is now there.
+        const double digits = size > 0.0 ? std::log10(std::max(1.0, off / size * 0x1p23)) : kDigits;
+        sum += off > 0.0 ? std::min(digits, kDigits) : 0.0;
     }
-    return std::min(kDigits, sum / static_cast<double>(usual.size()));
+    return sum / static_cast<double>(usual.size());
 }
 
 class RoundingCase {

@@ -104,6 +104,7 @@ private:
     bool is_studied(const std::string& name) const;
     KnobValue truth(const Tweak& tweak, const TweakValue& value) const;
     void choose_reference(const Tweak& tweak, Knob& knob) const;
+    void choose_direction(const Tweak& tweak, Knob& knob) const;
     void settle_accumulating(KnobValue& truth, Knob& knob) const;
     std::optional<KnobValue> second_seed(const KnobValue& truth) const;
     KnobValue turned(KnobValue value, const std::vector<Turned>& list) const;
@@ -181,17 +182,30 @@ void Planner::choose_reference(const Tweak& tweak, Knob& knob) const {
         }
     }
     if (!is_number(tweak)) settle_accumulating(knob.reference, knob);
-    if (!knob.reference.work) return;
+    if (knob.reference.work) choose_direction(tweak, knob);
+}
+
+// By a reference beyond the values, the scene's own before another one; else of whole numbers,
+// which count something, more is better, and of others the end that it is nearer to, in the way
+// that its slider goes.
+void Planner::choose_direction(const Tweak& tweak, Knob& knob) const {
     double least = knob.values.front().work.value_or(0.0), most = least;
     for (const KnobValue& v : knob.values) {
         least = std::min(least, v.work.value_or(least));
         most = std::max(most, v.work.value_or(most));
     }
-    // By the end that the scene's own reference is nearer to, in the way that its slider goes.
-    const double declared = tweak.reference ? (*tweak.reference)[0] : *knob.reference.work;
-    knob.more_is_better = tweak.log && least > 0.0 && declared > 0.0
-                              ? declared / least >= most / declared
-                              : declared - least >= most - declared;
+    const double truth = *knob.reference.work;
+    const double declared = tweak.reference ? (*tweak.reference)[0] : truth;
+    const auto is_among = [&](double work) { return least < work && work < most; };
+    if (is_among(truth) && !options_.time_only)
+        knob.notes.push_back(fmt::format(
+            "the reference, {}, lies among the values: what lies beyond it counts as farther from "
+            "the truth, even where it is nearer; name another with --reference",
+            knob.reference.text));
+    const double by = is_among(declared) ? truth : declared;
+    if (is_among(by) && tweak.type == TweakType::int1) return;
+    knob.more_is_better =
+        tweak.log && least > 0.0 && by > 0.0 ? by / least >= most / by : by - least >= most - by;
 }
 
 // A method that accumulates, of a scene that otherwise does not, is the truth only after it has.
@@ -492,53 +506,6 @@ KnobValue own_value(const Planner& planner, const Preset& preset, const Knob& kn
 }
 
 }  // namespace
-
-SceneFacts scene_facts(const Preset& preset, std::size_t root_pass) {
-    const auto read_by = [](const Preset& view, const CompiledScene& compiled) {
-        std::vector<bool> read(view.scene.tweaks.size(), false);
-        for (const PassProgram& program : compiled.programs) {
-            for (const TweakUniform& uniform : program.tweaks) read[uniform.tweak] = true;
-        }
-        return read;
-    };
-    const CompiledScene fed =
-        compile_or_stop(preset, {.root = root_pass, .program = {.specialise = false}});
-    SceneFacts facts{.drawn = std::vector<bool>(preset.scene.passes.size(), false),
-                     .read = read_by(preset, fed),
-                     .acts = std::vector<bool>(preset.scene.tweaks.size(), false),
-                     .read_with = {},
-                     .accumulates = {}};
-    for (const GraphPass& pass : fed.graph.passes) {
-        if (pass.pass != kImagePass) facts.drawn[pass.pass] = true;
-    }
-    for (std::size_t i = 0; i < fed.programs.size(); ++i) {
-        if (!fed.graph.passes[i].feeds_state) continue;
-        for (const TweakUniform& uniform : fed.programs[i].tweaks) facts.acts[uniform.tweak] = true;
-    }
-    facts.read_with = [&preset, root_pass, read_by](std::size_t tweak, const TweakValue& value) {
-        Preset turned = preset;
-        turned.values[tweak] = value;
-        return read_by(
-            turned,
-            compile_or_stop(turned, {.root = root_pass,
-                                     .program = {.specialise = false, .constants = {tweak}}}));
-    };
-    const auto any_state = [](const CompiledScene& compiled) {
-        const auto& passes = compiled.graph.passes;
-        return std::ranges::any_of(passes, [](const GraphPass& pass) {
-            return pass.feeds_state && pass.runs == Runs::every_frame;
-        });
-    };
-    // Tweaks can only take a state away from what the uniform-fed form has.
-    facts.accumulates = [&preset, root_pass, any_state,
-                         possible = any_state(fed)](const std::vector<TweakValue>& values) {
-        if (!possible) return false;
-        Preset turned = preset;
-        turned.values = values;
-        return any_state(compile_or_stop(turned, {.root = root_pass, .program = {}}));
-    };
-    return facts;
-}
 
 std::string nothing_to_study(const Preset& preset) {
     const std::string file = preset.file.string();

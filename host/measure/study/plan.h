@@ -2,9 +2,9 @@
 #pragma once
 
 #include "measure/study/options.h"
+#include "measure/study/scene_facts.h"
 #include "scene/preset.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -83,19 +83,6 @@ struct StudyPlan {
     std::vector<Knob> knobs;            // in the order in which they are studied
     std::vector<std::string> left_out;  // what is not studied, and why
 };
-
-// What the compiled scene tells.
-struct SceneFacts {
-    std::vector<bool> drawn;  // by pass: the picture needs it, with some values
-    std::vector<bool> read;   // by tweak: something reads it, with some values of the others
-    std::vector<bool> acts;   // by tweak: what later frames depend on reads it, or may
-    // The same while one tweak has this value.
-    std::function<std::vector<bool>(std::size_t tweak, const TweakValue&)> read_with;
-    // Whether frames with time held bring something new, with these values.
-    std::function<bool(const std::vector<TweakValue>&)> accumulates;
-};
-// Compiles the scene; throws Stop where that fails. The facts keep the preset by reference.
-SceneFacts scene_facts(const Preset& preset, std::size_t root_pass);
 
 // Every quality tweak with its own values and the preset's, then settle; or what the options name,
 // in that order. Throws UsageError for what they name and the scene has not. `facts` are only

@@ -259,8 +259,9 @@ void find_wrong_reference(Study& study, const Steps& steps) {
 // Steps that are as long at the reference as they are among the rows never end: as those of a sum
 // that grows with the logarithm of its terms. By the same factor of work.
 bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
-    if (steps.to_next.size() < 3 || !study.reference_error || !knob.reference.work ||
-        knob.second_work.kind != SecondWork::Kind::more || knob.second_work.ratio <= 1.0)
+    if (steps.to_next.size() < 3 || !study.reference_error || !study.has_own_error() ||
+        !knob.reference.work || knob.second_work.kind != SecondWork::Kind::more ||
+        knob.second_work.ratio <= 1.0)
         return false;
     std::vector<double> work, step;
     for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
@@ -271,7 +272,16 @@ bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
     work.push_back((knob.more_is_better ? reference : 1.0 / reference) * ratio);
     step.push_back(study.reference_error->rmse / std::log(ratio));
     if (std::ranges::min(step) <= kLeastRmse) return false;
+    // Longer than the last of them by far, it is the reference alone that leads away.
+    if (step.back() > kSurely * step[step.size() - 2]) return false;
     return -*log_slope(work, step) < kNoOrder;
+}
+
+// Of rows beyond it nothing is known.
+bool lies_among(const Knob& knob, const Steps& steps) {
+    if (!knob.reference.work || *knob.reference.work <= 0.0 || steps.work.empty()) return false;
+    const double work = knob.more_is_better ? *knob.reference.work : 1.0 / *knob.reference.work;
+    return steps.work.front() < work && work < steps.work.back();
 }
 
 // More work that brings no row nearer to the reference, and the reference no nearer to its second,
@@ -279,6 +289,8 @@ bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
 void find_convergence(Study& study, const Knob& knob, const Steps& steps) {
     std::vector<double> errors;
     for (const StudyRow* row : steps.rows) errors.push_back(std::max(row->error->rmse, 1e-12));
+    study.converges = true;
+    if (lies_among(knob, steps)) return;
     study.converges = !goes_on(study, knob, steps);
     if (!study.converges) {
         study.findings.push_back(fmt::format(
@@ -292,7 +304,8 @@ void find_convergence(Study& study, const Knob& knob, const Steps& steps) {
     if (errors.size() < 3 || steps.work.back() < kWideWork * steps.work.front() || !slope ||
         typical <= kLeastRmse || -*slope > kNoOrder)
         return;
-    const double apart = study.reference_error ? study.reference_error->rmse : 0.0;
+    const bool is_known = study.reference_error && study.has_own_error();
+    const double apart = is_known ? study.reference_error->rmse : 0.0;
     study.converges = apart < kNoNearer * typical && -*slope > kGrowingOrder;
     if (study.converges) return;
     study.findings.push_back(
