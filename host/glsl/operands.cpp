@@ -145,6 +145,9 @@ bool is_computed(const Reading& reading, TokenRange range) {
     return false;
 }
 
+namespace {
+
+// Whether both are numbers that are spelled out, and the latter is the larger.
 bool is_in_order(const Reading& reading, TokenRange low, TokenRange high) {
     const auto number = [&](TokenRange range) -> std::optional<double> {
         const bool is_negative = !range.empty() && reading.tokens[range.begin].is("-");
@@ -155,6 +158,24 @@ bool is_in_order(const Reading& reading, TokenRange low, TokenRange high) {
     };
     const auto a = number(low), b = number(high);
     return a && b && *a < *b;
+}
+
+}  // namespace
+
+bool may_have_no_result(const Reading& reading, const Call& call) {
+    constexpr std::string_view kDomains[] = {"sqrt",  "inversesqrt", "log",       "log2",
+                                             "pow",   "acos",        "asin",      "acosh",
+                                             "atanh", "mod",         "normalize", "inverse"};
+    const std::string_view name = reading.word(call.name);
+    return is_one_of(name, kDomains) || (name == "atan" && call.arity == 2);
+}
+
+bool has_bounds_to_see_to(const Reading& reading, const Call& call) {
+    const std::string_view name = reading.word(call.name);
+    if ((name != "clamp" && name != "smoothstep") || call.arity != 3) return false;
+    const std::vector<TokenRange> arguments = reading.arguments_of(call);
+    const std::size_t low = name == "clamp" ? 1 : 0;
+    return arguments.size() == 3 && !is_in_order(reading, arguments[low], arguments[low + 1]);
 }
 
 // Up to the comma, semicolon, colon or bracket that ends it.

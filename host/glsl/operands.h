@@ -27,8 +27,10 @@ std::vector<TokenRange> sides_of_sum(const Reading& reading, std::uint32_t at, T
 // Whether it has an operation that rounds.
 bool is_computed(const Reading& reading, TokenRange range);
 
-// Whether both are numbers that are spelled out, and the latter is the larger.
-bool is_in_order(const Reading& reading, TokenRange low, TokenRange high);
+// Of sqrt, log, …: operands outside its domain.
+bool may_have_no_result(const Reading& reading, const Call& call);
+// Of clamp and smoothstep, but where both are numbers that are spelled out, in their order.
+bool has_bounds_to_see_to(const Reading& reading, const Call& call);
 
 // The comma, semicolon, colon or bracket that ends what begins at `at`.
 std::uint32_t expression_end(const Reading& reading, std::uint32_t at, std::uint32_t stop);

@@ -23,9 +23,9 @@ constexpr std::array<std::string_view, 11> kReads = {
     "texture2D",   "texture2DLodEXT", "textureCube"};
 constexpr std::array<std::string_view, 8> kWhole = {"int",  "ivec2", "ivec3", "ivec4",
                                                     "uint", "uvec2", "uvec3", "uvec4"};
-constexpr std::array<std::string_view, 12> kDomains = {
-    "sqrt", "inversesqrt", "log",   "log2", "pow",       "acos",
-    "asin", "acosh",       "atanh", "mod",  "normalize", "inverse"};
+// Of no number they make one.
+constexpr std::array<std::string_view, 6> kHiding = {"clamp", "max",  "min",
+                                                     "mix",   "step", "smoothstep"};
 
 class Instrumenter {
 public:
@@ -164,7 +164,6 @@ private:
     void over_index(std::uint32_t at);
     void over_sum(std::uint32_t at, TokenRange room);
     void over_call(const Call& call);
-    bool is_site_of_its_own(const Call& call, SiteKind& kind) const;
     void over_conversion(const Call& call);
     void over_shift(std::uint32_t at, TokenRange room);
     void over_loop(std::uint32_t index);
@@ -405,14 +404,23 @@ void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
     const std::uint32_t end = assigns ? expression_end(reading_, at + 1, room.end)
                                       : operand_end(reading_, at + 1, room.end);
     const TokenRange divisor = {at + 1, end};
-    if (divisor.empty() || (divisor.size() == 1 && token(at + 1).kind == TokenKind::number)) return;
+    if (divisor.empty()) return;
+    const bool is_number = divisor.size() == 1 && token(at + 1).kind == TokenKind::number;
     const std::uint32_t begin = operand_begin(reading_, at, room.begin);
+    const std::uint32_t first = product_begin(reading_, at, room.begin);
+    const std::string spelling = close_spelling(reading_, {begin, end});
+    if (token(at).text[0] == '%') {
+        if (!is_number) hand_through(SiteKind::remainder, spelling, begin, divisor, "glint0_by");
+        if (!assigns)
+            hand_through(SiteKind::remainder, spelling, begin, {first, at}, "glint0_rest");
+        return;
+    }
+    if (is_number) return;
     const std::size_t site = probed_.sites.size();
-    hand_through(SiteKind::division, close_spelling(reading_, {begin, end}), begin, divisor,
-                 "glint0_d");
+    hand_through(SiteKind::division, spelling, begin, divisor, "glint0_d");
     // 1/0 is infinite, 0/0 nothing: what comes of it tells.
     if (assigns || probed_.sites.size() == site) return;
-    wrap({product_begin(reading_, at, room.begin), end}, fmt::format("glint0_q({},", site), ")");
+    wrap({first, end}, fmt::format("glint0_q({},", site), ")");
 }
 
 void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {
@@ -446,8 +454,13 @@ void Instrumenter::over_call(const Call& call) {
     if (wish_.kind != ProbeKind::faults) return;
     if (name == "texelFetch") return over_fetch(call);
     if (is_one_of(name, kWhole)) return over_conversion(call);
-    SiteKind kind = SiteKind::domain;
-    if (!is_site_of_its_own(call, kind)) return;
+    if (is_one_of(name, kHiding))
+        for (const TokenRange one : reading_.arguments_of(call))
+            if (is_computed(reading_, one))
+                hand_through(SiteKind::operand, close_spelling(reading_, one), one.begin, one);
+    const bool has_bounds = has_bounds_to_see_to(reading_, call);
+    if (!has_bounds && !may_have_no_result(reading_, call)) return;
+    const SiteKind kind = has_bounds ? SiteKind::bounds : SiteKind::domain;
     if (!edits_.takes_replacement(call.name) || !edits_.takes_after(call.brackets.begin)) return;
     const auto site = add_site(kind, close_spelling(reading_, whole), call.name);
     if (!site) return;
@@ -456,18 +469,6 @@ void Instrumenter::over_call(const Call& call) {
                       {call.name, call.name + 1},
                       fmt::format("glint0_{}", name)});
     words_.push_back({call.brackets.begin, Words::Where::after, whole, fmt::format("{},", *site)});
-}
-
-// Of an operation that may have no result.
-bool Instrumenter::is_site_of_its_own(const Call& call, SiteKind& kind) const {
-    const std::string_view name = reading_.word(call.name);
-    if (is_one_of(name, kDomains)) return true;
-    if (name == "atan") return call.arity == 2;
-    if ((name != "clamp" && name != "smoothstep") || call.arity != 3) return false;
-    kind = SiteKind::bounds;
-    const std::vector<TokenRange> arguments = reading_.arguments_of(call);
-    const std::size_t low = name == "clamp" ? 1 : 0;
-    return arguments.size() == 3 && !is_in_order(reading_, arguments[low], arguments[low + 1]);
 }
 
 // `uint(x)`: of what a whole number cannot hold, it is what a driver likes.

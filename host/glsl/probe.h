@@ -37,10 +37,12 @@ enum class SiteKind : std::uint8_t {
     read,        // of a texture
     call,        // of a function
     sum,         // what is added or subtracted
+    operand,     // of clamp, max, …: what comes of it hides what it is
     division,
-    domain,  // of sqrt, log, …
-    bounds,  // of clamp and smoothstep
-    whole,   // a float that becomes a whole number, or by how many bits one is shifted
+    remainder,  // of whole numbers
+    domain,     // of sqrt, log, …
+    bounds,     // of clamp and smoothstep
+    whole,      // a float that becomes a whole number, or by how many bits one is shifted
     index,
 };
 

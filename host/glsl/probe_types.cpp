@@ -266,10 +266,11 @@ std::string cost_functions() {
 }
 
 constexpr std::string_view kFaults =
-    R"(int glint0_id = 0, glint0_last = 0, glint0_found = 0, glint0_first = 0, glint0_worst = 0, glint0_zero = -1;
+    R"(int glint0_id = 0, glint0_last = 0, glint0_found = 0, glint0_first = 0, glint0_worst = 0, glint0_divided = -1;
 bool glint0_mends = false;
 float glint0_scale = 7.0, glint0_inside = 0.37;
 uvec4 glint0_bits = uvec4(0u, 0u, 0x7F7FFFFFu, 0u);
+vec4 glint0_divisor = vec4(1.0);
 void glint0_f(int i, bool is_wrong, uint a, uint b) {
     if (is_wrong && glint0_found == 0) { glint0_first = i + 1; glint0_bits.xy = uvec2(a, b); }
     glint0_found += int(is_wrong);
@@ -287,14 +288,33 @@ float glint0_v(int i, float v) {
     glint0_u(i, is_nan, v, 3e38);
     return glint0_mends && is_nan ? 0.05 * glint0_scale : v;
 }
-float glint0_d(int i, float b) { if (b == 0.0) glint0_zero = i; glint0_f(i, b == 0.0, b); glint0_u(i, false, b, abs(b)); return b; }
-float glint0_q(int i, float v) {
-    bool is_nan = (floatBitsToUint(v) & 0x7FFFFFFFu) > 0x7F800000u && glint0_zero == i;
-    glint0_u(i, is_nan, v, 3e38);
-    return glint0_mends && is_nan ? 0.05 * glint0_scale : v;
+float glint0_d(int i, float b) {
+    glint0_divided = i;
+    glint0_divisor = vec4(b);
+    glint0_f(i, b == 0.0, b);
+    glint0_u(i, false, b, abs(b));
+    return b;
 }
+float glint0_q(int i, float v, float b) {
+    bool is_none = b == 0.0 && glint0_divided == i && (floatBitsToUint(v) & 0x7FFFFFFFu) != 0x7F800000u;
+    glint0_u(i, is_none, 0x7FC00000u, 3e38);
+    return glint0_mends && is_none ? 0.05 * glint0_scale : v;
+}
+float glint0_q(int i, float v) { return glint0_q(i, v, glint0_divisor.x); }
 int glint0_d(int i, int b) { glint0_f(i, b == 0, uint(b), 0u); glint0_u(i, b == 0, uint(b), abs(float(b))); return b; }
 uint glint0_d(int i, uint b) { glint0_f(i, b == 0u, b, 0u); glint0_u(i, b == 0u, b, float(b)); return b; }
+int glint0_by(int i, int b) {
+    glint0_f(i, b <= 0, uint(b), 0u);
+    glint0_u(i, b <= 0, uint(b), b == 0 ? 0.0 : 3e38);
+    return glint0_mends && b < 0 ? int(glint0_scale) : b;
+}
+uint glint0_by(int i, uint b) { return glint0_d(i, b); }
+int glint0_rest(int i, int a) {
+    glint0_f(i, a < 0, uint(a), 0u);
+    glint0_u(i, a < 0, uint(a), 3e38);
+    return glint0_mends && a < 0 ? int(glint0_scale) : a;
+}
+uint glint0_rest(int i, uint a) { return a; }
 int glint0_i(int i, int at, int count) {
     bool is_out = at < 0 || at >= count;
     glint0_f(i, is_out, uint(at), uint(count));
@@ -450,6 +470,10 @@ std::string faults_of_other_types() {
         const int n = type[4] - '0';
         text += fmt::format("{0} glint0_d(int i, {0} v) {{ {1}return v; }}\n", type,
                             for_each(n, "glint0_d(i, v{of}); "));
+        for (const char* name : {"by", "rest"})
+            text +=
+                fmt::format("{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
+                            for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));
     }
     for (const std::string_view matrix : kMatrices) {
         text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
@@ -467,7 +491,13 @@ std::string faults_functions() {
     for (int n = 1; n <= 4; ++n) {
         const std::string type = kTypes[static_cast<std::size_t>(n) - 1];
         if (n > 1) {
-            for (const char* name : {"v", "d", "q", "to_int", "to_uint"})
+            text += fmt::format(
+                "{0} glint0_d(int i, {0} v) {{ {1}glint0_divisor.{2} = v; return v; }}\n"
+                "{0} glint0_q(int i, {0} v) {{ {3}return v; }}\n",
+                type, for_each(n, "glint0_d(i, v{of}); "),
+                std::string_view("xyzw").substr(0, static_cast<std::size_t>(n)),
+                for_each(n, "v{of} = glint0_q(i, v{of}, glint0_divisor{of}); "));
+            for (const char* name : {"v", "to_int", "to_uint"})
                 text += fmt::format(
                     "{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
                     for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));

@@ -38,6 +38,9 @@ TEST_F(ProbeFaults, NameTheOperationItsOperandsAndThePixel) {
         {"vec3 d = vec3(p.x - 0.5); c = vec4(normalize(d), 1);", "normalize(d)",
          "normalize of a vector of length 0"},
         {"float d = exp(p.x * 200.0); c = vec4(d);", "d", "Inf is born"},
+        {"int i = (int(p.x) - 20) % 7; c = vec4(i);", "(int(p.x) - 20) % 7",
+         "% of a negative number"},
+        {"int i = 20 % int(p.x); c = vec4(i);", "20 % int(p.x)", "division by zero"},
     };
     for (const auto& [body, expression, what] : cases) {
         Player player(image(body), {.size = {1, 1}});
@@ -47,8 +50,28 @@ TEST_F(ProbeFaults, NameTheOperationItsOperandsAndThePixel) {
         EXPECT_EQ(fault->what, what);
         EXPECT_EQ(fault->line, 2);
         EXPECT_EQ(fault->function, "mainImage");
-        EXPECT_TRUE(fault->is_seen) << body;
+        const bool is_whole = std::string_view(expression).find('%') != std::string_view::npos;
+        EXPECT_EQ(fault->is_seen, !is_whole) << body;
     }
+}
+
+// They need no name, and the driver may make 0 of 0/d itself.
+TEST_F(ProbeFaults, AreFoundInWhatOthersHide) {
+    for (const char* body : {"float a = p.x * 1e38 * 9.0; c = vec4(clamp(a - a * 2.0, 0.0, 1.0));",
+                             "vec2 zero = vec2(0, 1), d = floor(p / vec2(9, 0.1)); c = "
+                             "vec4(max(zero / d, 0.1), 0, 1);"}) {
+        Player player(image(body), {.size = {1, 1}});
+        EXPECT_TRUE(first_fault(player)) << body;
+    }
+    // A part of a divisor that is 0, of a quotient that is none, is not that of another part.
+    Player parts(image("vec2 d = vec2(floor(p.x), 2); c = vec4(min(vec2(1, 0) / d, 2.0), 0, 1);"),
+                 {.size = {1, 1}});
+    FaultSurvey survey(parts.preset, parts.renderer(), {});
+    const Frame frame = parts.frame(0);
+    survey.begin(frame, true);
+    parts.draw(frame);
+    survey.end();
+    EXPECT_FALSE(survey.fault()) << "1/0 is infinite";
 }
 
 TEST_F(ProbeFaults, AreNotSeenWhereNothingIsWrong) {
@@ -99,8 +122,8 @@ TEST_F(ProbeFaults, OfALongTextAreWhatASurveyGoesBy) {
     survey.begin(frame, true);
     player.draw(frame);
     survey.end();
-    ASSERT_EQ(survey.distances().size(), 1u) << "one operation may have no result";
-    EXPECT_FLOAT_EQ(survey.distances()[0], 0.0f);
+    ASSERT_EQ(survey.distances().size(), 2u) << "the root, and the operand that begins with it";
+    EXPECT_FLOAT_EQ(std::ranges::min(survey.distances()), 0.0f);
     ASSERT_TRUE(survey.fault());
     EXPECT_EQ(survey.fault()->expression, "sqrt(p.x - 2.0)");
 }

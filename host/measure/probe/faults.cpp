@@ -45,9 +45,10 @@ std::vector<Span> parts_of(const Preset& preset, const std::vector<ProbeSite>& s
     return parts;
 }
 
-// Where all operations are too many at once, those without what is wrong rarely: bounds, and what
-// becomes a whole number; where these are too many, too, what may have no result at all. Few of a
-// long text do, and where something is not finite, one of them is mostly why.
+// Where all operations are too many at once, those without what is wrong rarely: operands of others
+// that hide it, then bounds, and what becomes a whole number; where these are too many, too, what
+// may have no result at all. Few of a long text do, and where something is not finite, one of them
+// is mostly why.
 std::vector<Span> likely(const Preset& preset, const std::vector<ProbeSite>& sites) {
     if (parts_of(preset, sites).size() <= 1) return {};
     const auto only = [&](const auto& is_wanted) {
@@ -56,8 +57,11 @@ std::vector<Span> likely(const Preset& preset, const std::vector<ProbeSite>& sit
             if (is_wanted(site)) places.push_back({site.at, site.at + 1});
         return places;
     };
-    const std::vector<Span> often = only([](const ProbeSite& site) {
-        return site.kind != SiteKind::bounds && site.kind != SiteKind::whole;
+    const auto is_no_operand = [](const ProbeSite& site) { return site.kind != SiteKind::operand; };
+    const std::vector<Span> all_others = only(is_no_operand);
+    if (all_others.size() <= kMostAtOnce + 1) return all_others;
+    const std::vector<Span> often = only([&](const ProbeSite& site) {
+        return is_no_operand(site) && site.kind != SiteKind::bounds && site.kind != SiteKind::whole;
     });
     if (often.size() <= kMostAtOnce + 1) return often;
     return only([](const ProbeSite& site) {
@@ -100,6 +104,10 @@ void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
         case SiteKind::division:
             fault.what = "division by zero";
             fault.operands = {std::isnan(a) ? 0.0 : a};  // NaN: of 0/0, what comes of it
+            return;
+        case SiteKind::remainder:
+            fault.what = whole(0) == 0.0 ? "division by zero" : "% of a negative number";
+            fault.operands = {whole(0)};
             return;
         case SiteKind::index:
             fault.operands = {whole(0), whole(1)};
@@ -303,6 +311,7 @@ bool is_another(const ProbeCell& a, const ProbeCell& b) {
 bool is_never_right(const ProbeSite& site, const ProbeCell& cell) {
     const bool is_whole = !std::isnan(as_float(cell.kept[3]));
     return (site.kind == SiteKind::division && is_whole) ||
+           (site.kind == SiteKind::remainder && cell.kept[3] == 0) ||
            (site.kind == SiteKind::index && !site.name.starts_with("texelFetch"));
 }
 

@@ -45,8 +45,12 @@ const char* kind_of(SiteKind kind) {
             return "call";
         case SiteKind::sum:
             return "sum";
+        case SiteKind::operand:
+            return "operand";
         case SiteKind::division:
             return "division";
+        case SiteKind::remainder:
+            return "remainder";
         case SiteKind::domain:
             return "domain";
         case SiteKind::bounds:
