@@ -37,6 +37,7 @@ public:
         for (const std::uint32_t open : open_)
             result_.not_understood.push_back(
                 {result_.directives[open].span, "this #if is never ended"});
+        if (!open_.empty()) result_.open_condition = result_.directives[open_.front()].span.begin;
     }
     int line_of(std::size_t offset);
 

@@ -52,6 +52,7 @@ struct Preprocessed {
     std::vector<Branch> branches;  // in the order of their ends
     std::vector<Comment> comments;
     std::optional<std::size_t> unclosed_comment;
+    std::optional<std::size_t> open_condition;  // the first #if that has no end
     std::vector<NotUnderstood> not_understood;
     std::deque<std::string> spellings;
 

@@ -68,6 +68,7 @@ public:
 
 private:
     bool is_declared_below(std::string_view name) const;
+    bool is_function(std::string_view name) const;
     std::string meant_by(std::string_view mistyped,
                          const std::set<std::string, std::less<>>& unknown) const;
     void find_lines();
@@ -253,9 +254,23 @@ bool ReadText::is_declared_below(std::string_view name) const {
     return false;
 }
 
+bool may_be_type(const Token& token) {
+    return token.is_word() && !token.is("return") && !token.is("else") && !token.is("case");
+}
+
+// Declared above: what is used as a value has no parentheses.
+bool ReadText::is_function(std::string_view name) const {
+    for (std::size_t i = 1; i + 1 < read_.tokens.size(); ++i)
+        if (read_.tokens[i].is(name) && may_be_type(read_.tokens[i - 1]) &&
+            read_.tokens[i + 1].is("("))
+            return true;
+    return false;
+}
+
 std::string ReadText::help_with(std::string_view name,
                                 const std::set<std::string, std::less<>>& unknown) const {
     if (is_declared_below(name)) return "; it stands below, and GLSL reads in order: move it up";
+    if (is_function(name)) return fmt::format("; it is a function: call it, {}(\u2026)", name);
     const std::string foreign = advice_on_foreign_function(name);
     return foreign.empty() ? meant_by(name, unknown) : foreign;
 }
@@ -271,10 +286,13 @@ std::string ReadText::meant_by(std::string_view mistyped,
         const bool is_name = !is_keyword(name) && name != "highp" && name != "precision";
         if (is_near && is_name && !unknown.contains(name)) names.emplace(name);
     };
-    // Of the host's part, what a scene may use.
-    for (const Token& token : read_.tokens) {
+    // Of the host's part, what a scene may use; of its own what may be a declaration.
+    for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
+        const Token &token = read_.tokens[i], &before = read_.tokens[i - 1];
         if (token.text == kPlainColour) add("gl_FragColor");
-        if (pass_.origin(token.begin) ? token.is_word() : find_builtin(token.text) != nullptr)
+        const bool may_declare =
+            token.is_word() && (may_be_type(before) || before.is(",") || before.is("]"));
+        if (pass_.origin(token.begin) ? may_declare : find_builtin(token.text) != nullptr)
             add(token.text);
     }
     for (const Macro& macro : read_.macros)

@@ -51,7 +51,9 @@ private:
     void find_entries();
     void check_function(const PassCall& call, const std::string& why);
     void check_seconds();
-    bool misses_a_file() const;
+    bool misses_a_file() const {  // in which may stand what is not here
+        return std::ranges::any_of(diagnostics_, &Diagnostic::missing_file);
+    }
     void check_image();
 
     std::optional<Span> note_of(const Uniform& declaration, std::size_t next_begin);
@@ -117,11 +119,6 @@ Scene Builder::build() {
     return std::move(scene_);
 }
 
-// Then what is not here may stand in what could not be read.
-bool Builder::misses_a_file() const {
-    return std::ranges::any_of(diagnostics_, [](const Diagnostic& d) { return d.missing_file; });
-}
-
 void Builder::check_image() {
     if (has_own_main(reading_)) scene_.image_entry = "main";
     if (scene_.image_entry == "mainImage")
@@ -129,6 +126,8 @@ void Builder::check_image() {
     else if (const auto missing = why_no_colour(reading_))
         error(missing->at, missing->text);
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_file()) return;
+    if (const auto open = reading_.open_condition)  // the rest of the text goes with it
+        return error(*open, "this #if is never ended; write #endif behind its part");
     const std::string own[] = {"mainImage"};
     for (const Function& function : reading_.functions)
         if (!nearest(reading_.word(function.name), own).empty())

@@ -147,6 +147,10 @@ TEST_F(BrokenScene, TellsWhatDoesNotLink) {
          3, "scene.frag:1:7: error: missing is declared and called, but has no body"},
         {"no mainImage", "float f() { return 1.0; }\n", 3,
          "scene.frag: error: there is no mainImage here; write void mainImage("},
+        {"an #ifdef that takes mainImage with it",
+         "#define A\n#ifdef B\nfloat b;\n\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n",
+         3, "scene.frag:2:1: error: this #if is never ended; write #endif"},
         {"mainImage mistyped", "// x\nvoid mainimage(out vec4 c, in vec2 p) { c = vec4(1); }\n", 3,
          "scene.frag:2:6: error: there is no mainImage here; did you mean this one?"},
         {"an input", "in vec2 uv;\nvoid mainImage(out vec4 c, in vec2 p) { c = uv.xyxy; }\n", 3,

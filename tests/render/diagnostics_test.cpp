@@ -417,6 +417,7 @@ TEST_F(Complaints, OfANameThatIsMistypedHaveTheNearest) {
         {"PIXL", "`PIXL' undeclared; did you mean 'PIXEL'?"},
         {"turbulense(u)", "no function with name 'turbulense'; did you mean 'turbulence'?"},
         {"nrmalize(u).x", "no function with name 'nrmalize'; did you mean 'normalize'?"},
+        {"turbulence", "`turbulence' undeclared; it is a function: call it, turbulence(\u2026)"},
         {"foo", "`foo' undeclared"},
         {"unlikeAnything", "`unlikeAnything' undeclared"},
     };

@@ -29,11 +29,11 @@ MOST_SECONDS = 400   # of one step of a scene, which then goes on at the next ca
 # times nearer than one ray is. Each adds rays of shadow of its own, of which it then needs few. llvmpipe ends the
 # loops of a pixel after 65,535 turns together, which all references at once would need.
 TRUTHS = {"analytic": ["antialiasing=64", "bounces=48", "shadowSamples=2"],
-          "boat": ["antialias=96", "sunSamples=2", "substeps=16"],
+          "boat": ["antialias=192", "sunSamples=2", "substeps=16"],
           "caustics": ["settle=63"],   # frames of photons, of which each takes eight times that of any other method
           "christmas": ["mirrorBlur=10000"],   # never
-          "deep_ocean": ["antialias=64", "shaftSamples=64"],
-          "water": ["antialias=64"]}
+          "deep_ocean": ["antialias=64", "shaftSamples=128"],
+          "water": ["antialias=128"]}
 TRUTHS_ALONE = {"analytic": ["antialiasing=128"], "boat": ["antialias=64"], "caustics": ["settle=63"],
                 "deep_ocean": ["antialias=64"], "water": ["antialias=128"]}
 # Under caustics' low sun a frame of photons takes four seconds. Every setting that is compared there is one of `area`, whose
