@@ -32,7 +32,7 @@ TRUTHS = {"analytic": ["antialiasing=64", "bounces=48", "shadowSamples=2"],
           "boat": ["antialias=192", "sunSamples=2", "substeps=16"],
           "caustics": ["settle=63"],   # frames of photons, of which each takes eight times that of any other method
           "christmas": ["mirrorBlur=10000"],   # never
-          "deep_ocean": ["antialias=64", "shaftSamples=128"],
+          "deep_ocean": ["antialias=32", "shaftSamples=128"],
           "water": ["antialias=128"]}
 TRUTHS_ALONE = {"analytic": ["antialiasing=128"], "boat": ["antialias=64"], "caustics": ["settle=63"],
                 "deep_ocean": ["antialias=64"], "water": ["antialias=128"]}
