@@ -115,6 +115,16 @@ inline void add_far_places(std::vector<Planted>& list) {
                image("float y; paint(q.x, y); c = vec4(y);");
     };
     list.push_back({"far/out_parameter", handed_out(""), handed_out("y = 0.0; ")});
+    const auto half = [](const char* light) {
+        return fmt::format(
+            "uniform float a; //@ 0.5 [0, 1]\n"
+            "uniform sampler2D glow; //@ pass mainGlow format=rgba16f\n"
+            "void mainGlow(out vec4 c, in vec2 p) {{ c = vec4({}); }}\n"
+            "void mainImage(out vec4 c, in vec2 p) {{\n"
+            "    c = min(texelFetch(glow, ivec2(p), 0), 1.0);\n}}\n",
+            light);
+    };
+    list.push_back({"far/half_float", half("a * 8e4"), half("min(a * 8e4, 65504.0)")});
     list.push_back({"far/growth_of_a_twentieth_per_mille",
                     fed("c = s.w == 0.0 ? vec4(1.0) : min(s * 1.00005, 6e4);"),
                     fed("c = s.w == 0.0 ? vec4(1.0) : s;")});

@@ -19,7 +19,6 @@ namespace {
 
 constexpr int kFramesBefore = 30, kFramesToHeal = 2;
 constexpr double kBuffersPlayed = 2.0;  // s of a simulation, drawn in another way
-constexpr float kLargestHalf = 65504.0f;
 
 struct Poison {
     const char* name;
@@ -78,7 +77,7 @@ void run_other(const SubjectOptions& options, Check& check, CaseResult& result) 
                               100.0 * found.share_off,
                               finite ? "" : "; NaN or Inf in " + other.observed().found[0].output);
     const Observed& seen = other.observed();
-    if (options.halved && std::max(-seen.min, seen.max) >= kLargestHalf)
+    if (!seen.at_largest_half.empty())
         result.note +=
             "; values reach 65504, the largest that 16 bits have, beyond which some "
             "drivers have Inf";
@@ -166,7 +165,7 @@ void add_other_cases(std::vector<Case>& list, const CheckSubject& subject) {
     });
     if (any) {
         list.push_back({"buffers of rgba16f", [](Check& check, CaseResult& result) {
-                            run_other({.halved = true}, check, result);
+                            run_other({.float_bytes = 2}, check, result);
                         }});
     }
     if (!subject.scene().tweaks.empty()) {

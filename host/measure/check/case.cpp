@@ -240,6 +240,7 @@ CaseResult run_case(Check& check, const Case& wanted) {
     if (!seen.is_finite()) {
         result.fail(describe(seen) + (result.note.empty() ? "" : "; " + result.note));
     }
+    judge_overflow(check, result);
     write_curves(check, result);
     if (result.verdict != CaseVerdict::fail) return result;
     result.reproduce = command_for_case(subject.view(), result.name);

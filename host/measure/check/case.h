@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ struct Check {
     std::optional<Motion> young{};
     std::optional<float> usual_largest{};   // of what is fed back, over some hundred frames
     std::optional<State> early{}, later{};  // after 0.25 s and 1 s
+    std::unique_ptr<CheckSubject> wide{};   // with all floats of buffers of 32 bits
 
     // How many frames to draw where a quick scene gets so many.
     int paced(int frames, int least) const {
@@ -92,6 +94,10 @@ void add_other_cases(std::vector<Case>& list, const CheckSubject& subject);
 bool is_another_look(const CheckSubject& subject, CaseResult& result);
 
 CasePlace place_of(const ProbeFault& fault);
+
+// Fails where a buffer of 16-bit floats is to hold more than they can, which the driver at hand may
+// hide: what the case drew last is drawn again with floats of 32 bits.
+void judge_overflow(Check& check, CaseResult& result);
 
 // "random tweaks 7" of "christmas.toml" as "christmas-random-tweaks-7": its pictures' names.
 std::string case_stem(const Preset& preset, const std::string& name);

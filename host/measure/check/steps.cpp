@@ -24,7 +24,6 @@ constexpr float kMostStateOff = 1e-3f;  // of the largest value
 constexpr double kMostTilesOff = 0.02;  // root mean square, in display values
 constexpr glm::ivec2 kTiles(8, 5);
 // Beyond this, and beyond a thousand times what it is at 60 Hz, a state has exploded.
-constexpr float kLargestHalf = 65504.0f;
 constexpr int kMoments = 240;
 constexpr double kMomentsSpan = 600.0;  // s
 constexpr float kGrowth = 20.0f;        // from the first quarter of a long run to its last

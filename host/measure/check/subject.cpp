@@ -33,8 +33,8 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
       specialised_(options.specialise),
       context_(context) {
     for (Pass& pass : preset.scene.passes) {
-        if (options.halved && bytes_a_channel(pass.format) == 4)
-            pass.format = with_channel_bytes(pass.format, 2);
+        if (options.float_bytes != 0 && bytes_a_channel(pass.format) != 1)
+            pass.format = with_channel_bytes(pass.format, options.float_bytes);
     }
     CompiledScene compiled = compile_or_stop(
         preset, {.program = {.specialise = options.specialise, .marked = options.marked},
@@ -101,6 +101,9 @@ void CheckSubject::look(std::size_t graph_index) {
             observed_.min = observed_.any ? std::min(observed_.min, found.min[c]) : found.min[c];
             observed_.max = observed_.any ? std::max(observed_.max, found.max[c]) : found.max[c];
             observed_.any = true;
+            const bool at_end = std::max(-found.min[c], found.max[c]) >= kLargestHalf;
+            if (at_end && bytes_a_channel(shape.format) == 2 && observed_.at_largest_half.empty())
+                observed_.at_largest_half = names[output];
         }
         if (found.nan + found.infinite == 0) continue;
         observed_.nan += found.nan;

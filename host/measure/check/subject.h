@@ -11,6 +11,8 @@
 
 namespace glint {
 
+constexpr float kLargestHalf = 65504.0f;  // of floats of 16 bits
+
 // What has been seen since the last restore().
 struct Observed {
     // The first frame that had any: how many pixels, and in which outputs, in drawing order.
@@ -24,7 +26,10 @@ struct Observed {
     std::vector<float> values;
     glm::ivec2 size{0};            // of `values`
     float min = 0.0f, max = 0.0f;  // of all finite values so far
-    bool any = false;              // there were some
+    // The first buffer of 16-bit floats that held their largest, where some drivers end and others
+    // go on to Inf.
+    std::string at_largest_half{};
+    bool any = false;  // there were some
     bool is_finite() const { return nan == 0 && infinite == 0; }
 };
 
@@ -34,7 +39,7 @@ struct StillPlace {
 };
 
 struct SubjectOptions {
-    bool halved = false;  // floats of 16 bits in buffers, where the scene says 32
+    int float_bytes = 0;  // of the floats in buffers, 2 or 4; 0: as the scene says
     // Tweaks written in as constants, as a still draws them, and passes left out that they switch
     // off; the preset's values cannot be changed then.
     bool specialise = true;
