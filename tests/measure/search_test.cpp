@@ -99,6 +99,28 @@ TEST(Search, TheSmallestReproducerDiffersInWhatItMust) {
     EXPECT_EQ(found[3], 0.5);
 }
 
+// A pole fails at one number alone, which no move meets: 0.37 in the third of these ranges.
+TEST(Search, FollowsAnOperationToTheNumberOfFewDigitsAtWhichItFails) {
+    int trials = 0;
+    const auto attempt = [&](const Point& p) {
+        ++trials;
+        const double divisor = 0.2 * p[0] + 3.0 * (p[2] - 0.37) - 0.2 * 0.5;
+        return Trial{.fails = divisor == 0.0,
+                     .distances = {1.0f, static_cast<float>(std::abs(divisor))}};
+    };
+    const auto rounded = [](Point point, std::size_t axis) {
+        const double hundredths = std::round(100.0 * point[axis]) / 100.0;
+        if (std::abs(hundredths - point[axis]) < 1e-5) point[axis] = hundredths;
+        return point;
+    };
+    const Point from = {0.5, 0.5, 0.42};
+    const auto found =
+        follow_to_zero({.operation = 1, .point = from, .distance = 0.15f}, attempt, rounded, 64);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(*found, (Point{0.5, 0.5, 0.37}));
+    EXPECT_LE(trials, 20);
+}
+
 // Of faults whose place and radius are drawn, half of them without any distance to go by.
 TEST(Search, FindsTwiceWhatUniformNumbersFindAtEqualEvaluations) {
     constexpr int kFaults = 400, kTrials = 256;

@@ -125,6 +125,12 @@ inline void add_far_places(std::vector<Planted>& list) {
             light);
     };
     list.push_back({"far/half_float", half("a * 8e4"), half("min(a * 8e4, 65504.0)")});
+    const auto pole = [&](const char* divisor) {
+        return std::string(kA) + "uniform float b; //@ 0.2 [-3, 7]\n" +
+               image(fmt::format("c = vec4(q, 0.5 + 0.001 / ({}), 1.0);", divisor));
+    };
+    list.push_back({"far/pole_of_a_round_number", pole("b - 1.843"), pole("b + 3.157")});
+    list.push_back({"far/pole_of_two", pole("0.37 - b - 2.0 * a"), pole("3.37 + b + 2.0 * a")});
     list.push_back({"far/growth_of_a_twentieth_per_mille",
                     fed("c = s.w == 0.0 ? vec4(1.0) : min(s * 1.00005, 6e4);"),
                     fed("c = s.w == 0.0 ? vec4(1.0) : s;")});

@@ -18,7 +18,9 @@ namespace {
 constexpr int kHuntedFrames = 8;      // of a simulation, at each point
 constexpr int kSmallest = 160;        // trials for the smallest reproducer
 constexpr double kHuntShare = 0.12;   // of the seconds, that a search may take
+constexpr double kSpreadShare = 0.1;  // before it follows single operations
 constexpr int kEvaluations = 256;     // of one effort
+constexpr int kFollowed = 64;         // more, to where an operation's distance would be 0
 constexpr int kOfSizes = 192;         // where there is nothing but the size to change
 constexpr std::size_t kMostKeys = 6;  // that the search presses
 constexpr int kSmallestLong = 16;     // trials, each a long run
@@ -211,11 +213,24 @@ void run_search(Check& check, CaseResult& result) {
     if (!zeros.empty() && hunter(zeros[0]).fails) return report(hunter, check, zeros[0], result);
     int done = 0;
     for (; done < wanted; ++done) {
-        if (clock.is_over(kHuntShare)) break;
+        if (clock.is_over(kSpreadShare)) break;
         const Point point = search.next();
         const Trial trial = hunter(point);
         if (trial.fails) return report(hunter, check, point, result);
         search.tell(point, trial);
+    }
+    int left = kFollowed;
+    for (const Search::Near& near : search.nearest()) {
+        if (left <= 0 || clock.is_over(kHuntShare)) break;
+        const auto attempt = [&](const Point& point) {
+            --left;
+            return hunter(point);
+        };
+        const auto rounded = [&](Point point, std::size_t axis) {
+            return space.rounded(std::move(point), axis);
+        };
+        if (const auto failing = follow_to_zero(near, attempt, rounded, left))
+            return report(hunter, check, *failing, result);
     }
     for (std::size_t i = 1; i < zeros.size() && !clock.is_over(kHuntShare); ++i)
         if (hunter(zeros[i]).fails) return report(hunter, check, zeros[i], result);

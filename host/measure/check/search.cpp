@@ -106,6 +106,50 @@ void Search::tell(const Point& point, const Trial& trial) {
     }
 }
 
+std::vector<Search::Near> Search::nearest() const {
+    std::vector<Near> list;
+    for (std::size_t i = 0; i < goals_.size(); ++i)
+        if (goals_[i].varies && goals_[i].nearest > 0.0f)
+            list.push_back({i, goals_[i].best, goals_[i].nearest});
+    std::ranges::stable_sort(list, {}, [&](const Near& near) {
+        return near.distance / std::max(goals_[near.operation].first, 1e-30f);
+    });
+    return list;
+}
+
+std::optional<Point> follow_to_zero(const Search::Near& from, const Try& attempt,
+                                    const std::function<Point(Point, std::size_t)>& rounded,
+                                    int most) {
+    constexpr int kSteps = 5;
+    constexpr double kFirstStep = 1e-3;
+    for (std::size_t axis = 0; axis < from.point.size() && most > 0; ++axis) {
+        double nearer = from.point[axis], other = nearer;
+        double nearer_distance = from.distance, other_distance = nearer_distance;
+        double share = nearer < 0.5 ? nearer + kFirstStep : nearer - kFirstStep;
+        for (int step = 0; step <= kSteps && most > 0; ++step, --most) {
+            Point point = from.point;
+            point[axis] = share;
+            if (step > 0) {  // of a step from a place, not the place that gives the slope
+                const Point round = rounded(point, axis);
+                if (round != point && attempt(round).fails) return round;
+            }
+            const Trial trial = attempt(point);
+            if (trial.fails) return point;
+            const double distance = trial.distances[from.operation];
+            if (!std::isfinite(distance)) break;
+            const bool is_nearer = distance < nearer_distance;
+            other = is_nearer ? nearer : share;
+            other_distance = is_nearer ? nearer_distance : distance;
+            if (is_nearer) nearer = share, nearer_distance = distance;
+            if (other_distance == nearer_distance) break;
+            share =
+                nearer + (nearer - other) * nearer_distance / (other_distance - nearer_distance);
+            if (share < 0.0 || share > 1.0 || share == nearer) break;
+        }
+    }
+    return std::nullopt;
+}
+
 Point smallest(Point failing, const Point& usual, const std::function<bool(const Point&)>& fails,
                int most) {
     constexpr int kHalvings = 7;

@@ -40,6 +40,15 @@ public:
     Point next();
     void tell(const Point& point, const Trial& trial);
 
+    // Where an operation came nearest to a fault, for those that can be moved at all; first those
+    // that came nearest, as a share of where they began.
+    struct Near {
+        std::size_t operation;  // of Trial::distances
+        Point point;
+        float distance;
+    };
+    std::vector<Near> nearest() const;
+
 private:
     struct Goal {
         Point best{};
@@ -58,6 +67,13 @@ private:
     std::size_t asked_ = 0, spread_ = 0, turn_ = 0, moves_ = 0, moving_ = SIZE_MAX;
     std::mt19937 random_{1};
 };
+
+// Follows an operation along each range to where its distance would be 0, by the secant method: a
+// moved point comes near, but meets no pole. `rounded` gives what a person would set there, a
+// share whose number has few digits. The point that fails, if any; at most `most` trials.
+std::optional<Point> follow_to_zero(const Search::Near& from, const Try& attempt,
+                                    const std::function<Point(Point, std::size_t)>& rounded,
+                                    int most);
 
 // The point between a failing one and the usual that differs in the fewest ranges, and by the
 // least; at most `most` trials.

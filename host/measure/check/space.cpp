@@ -53,12 +53,13 @@ std::optional<Range> range_of(const Tweak& tweak) {
 double at_share(const Tweak& tweak, const Range& range, double share) {
     if (is_logarithmic(tweak, range)) return range.min * std::pow(range.max / range.min, share);
     const double value = std::lerp(range.min, range.max, share);
-    return std::abs(value) < 1e-12 * (range.max - range.min) ? 0.0 : value;
+    if (std::abs(value) < 1e-12 * (range.max - range.min)) return 0.0;
+    return std::stod(fmt::format("{:.15g}", value));  // 1.843, not 1.8429999999999997
 }
 
 Space::Space(const CheckSubject& subject, const std::vector<int>& keys)
-    : usual_size_(subject.opened().size) {
-    const auto& tweaks = subject.scene().tweaks;
+    : tweaks_(subject.opened().scene.tweaks), usual_size_(subject.opened().size) {
+    const std::vector<Tweak>& tweaks = tweaks_;
     for (std::size_t i = 0; i < tweaks.size(); ++i) {
         const auto range = range_of(tweaks[i]);
         const auto count = static_cast<std::size_t>(component_count(tweaks[i].type));
@@ -103,6 +104,21 @@ std::vector<Point> Space::zeros() const {
     return points;
 }
 
+Point Space::rounded(Point point, std::size_t axis) const {
+    constexpr double kAsGood = 1e-5;  // of the range
+    if (axes_[axis].of != Axis::Of::tweak) return point;
+    const Tweak& tweak = tweaks_[axes_[axis].index];
+    const Range range = *range_of(tweak);
+    const double value = at_share(tweak, range, point[axis]);
+    for (int digits = 1; digits <= 7; ++digits) {
+        const double round = std::stod(fmt::format("{:.{}g}", value, digits));
+        if (std::abs(round - value) > kAsGood * (range.max - range.min)) continue;
+        point[axis] = share_of(tweak, range, round);
+        break;
+    }
+    return point;
+}
+
 glm::ivec2 Space::size_at(const Point& point) const {
     glm::ivec2 size = usual_size_;
     const std::size_t first = point.size() - 2;
@@ -135,7 +151,7 @@ double Space::apply(const Point& point, CheckSubject& subject) const {
         } else if (axis.of == Axis::Of::key) {
             if (point[i] >= 0.5) held.push_back(static_cast<int>(axis.index));
         } else if (axis.of == Axis::Of::tweak) {
-            const Tweak& tweak = subject.scene().tweaks[axis.index];
+            const Tweak& tweak = tweaks_[axis.index];
             TweakValue& value = subject.preset.values[axis.index];
             value[axis.component] = at_share(tweak, *range_of(tweak), point[i]);
             value = clamp_to_range(tweak, value);
@@ -169,7 +185,7 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
             add("key " + key_name(static_cast<int>(axis.index)));
         if (axis.of != Axis::Of::tweak || told == axis.index) continue;
         told = axis.index;
-        const Tweak& tweak = subject.scene().tweaks[axis.index];
+        const Tweak& tweak = tweaks_[axis.index];
         add(tweak.name + "=" + format_value(tweak, subject.preset.values[axis.index]));
     }
     if (const glm::ivec2 size = size_at(point); size != usual_size_)

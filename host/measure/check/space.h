@@ -30,6 +30,9 @@ public:
     // Each tweak at 0 whose range has that within, and all of those: directions and lengths have
     // none there, and neither ends nor a sequence meet it.
     std::vector<Point> zeros() const;
+    // The point with this range's tweak at the number of fewest digits that is as good as the one
+    // there; itself for other ranges.
+    Point rounded(Point point, std::size_t axis) const;
     // How many of the last ranges are dear to change: those of the size.
     std::size_t rare() const { return 2; }
     // Sets tweaks, events and size; gives the time.
@@ -45,6 +48,7 @@ private:
     };
     glm::ivec2 size_at(const Point& point) const;
 
+    const std::vector<Tweak>& tweaks_;
     std::vector<Axis> axes_;
     std::vector<std::optional<double>> zero_;  // the share at which a tweak is 0
     Point usual_;
