@@ -2,6 +2,7 @@
 
 #include "base/words.h"
 #include "glsl/division.h"
+#include "glsl/hidden_zero.h"
 #include "glsl/lean.h"
 #include "glsl/numbers.h"
 #include "render/macro_mends.h"
@@ -562,12 +563,14 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (is_lean) leave_out_constants(reading, unused, edits);
     if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, is_lean, edits);
     result.unset = write_zeros(reading, edits, entry, options.marked);
+    const bool hides = hide_zeros(reading, result.unset, edits);
     if (probe)
         result.probed =
             instrument(reading, *probe, reading.reached_from({entry_of(scene, pass)}), edits);
     result.text = prologue(preset, pass, options, probe, reading, defined);
     if (needs_gap) result.text += kGap;
     result.text += numbers_uniform(result.numbers);
+    if (hides) result.text += fmt::format("uniform float {};\n", kHiddenZero);
     if (plain_main) result.text += kBeforePlainMain;
     if (has_main) result.text += before_own_main(reading, plain_main);
     result.user_begin = result.text.size();

@@ -4,6 +4,7 @@
 #include "../base/test_folder.h"
 #include "glsl/division.h"
 #include "glsl/finding.h"
+#include "glsl/hidden_zero.h"
 #include "glsl/lean.h"
 #include "glsl/numbers.h"
 #include "glsl/raw_text.h"
@@ -66,7 +67,9 @@ void read_text(std::string_view raw) {
         if (is_lean) leave_out_constants(reading, unused_constants(reading, reached, {}), lean);
         feed_numbers(reading, reached, "numbers", is_lean, lean);
         without_comments(lean.apply().text);
-        write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()});
+        hide_zeros(reading,
+                   write_zeros(reading, edits, "mainImage", Span{text.size() / 2, text.size()}),
+                   edits);
         for (const Declaration& declaration : reading.declarations)
             for (const Declarator& one : declaration.names) edits.after(one.tokens.end - 1, "/**/");
         for (const Statement& statement : reading.statements)

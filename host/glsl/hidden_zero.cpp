@@ -1,0 +1,174 @@
+#include "glsl/hidden_zero.h"
+
+#include "glsl/operands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace glint {
+namespace {
+
+enum class NumberKind : std::uint8_t { other, whole, floating };
+
+NumberKind kind_of(std::string_view type) {
+    if (type == "float" || type == "vec2" || type == "vec3" || type == "vec4")
+        return NumberKind::floating;
+    return type == "int" ? NumberKind::whole : NumberKind::other;
+}
+
+class ZeroHider {
+public:
+    ZeroHider(const Reading& reading, Edits& edits) : reading_(reading), edits_(edits) {
+        find_divisors();
+    }
+
+    bool hide(const std::vector<Unset>& unset) {
+        if (divisors_.empty()) return false;
+        for (const Unset& one : unset)
+            if (one.why_not.empty() && !one.is_result) unset_.insert(one.at);
+        for (const Declaration& declaration : reading_.declarations)
+            if (declaration.scope == Scope::local && !declaration.is_const) hide_in(declaration);
+        for (std::uint32_t at = 1; at + 1 < reading_.tokens.size(); ++at)
+            if (reading_.tokens[at].is("=")) hide_assigned(at);
+        for (const Call& call : reading_.calls) hide_arguments(call);
+        return is_any_;
+    }
+
+private:
+    bool is_name(std::uint32_t at) const {
+        const auto& tokens = reading_.tokens;
+        return tokens[at].kind == TokenKind::word && !(at > 0 && tokens[at - 1].is(".")) &&
+               !(at + 1 < tokens.size() && tokens[at + 1].is("("));
+    }
+
+    // By name, with the kind of all variables that are called so.
+    void find_divisors() {
+        const auto& tokens = reading_.tokens;
+        const auto count = static_cast<std::uint32_t>(tokens.size());
+        for (std::uint32_t at = 0; at < count; ++at) {
+            const bool assigns = tokens[at].is("/=");
+            if (!assigns && !tokens[at].is("/")) continue;
+            const std::uint32_t end = assigns ? expression_end(reading_, at + 1, count)
+                                              : operand_end(reading_, at + 1, count);
+            bool adds = false;
+            for (std::uint32_t i = at + 1; i < end; ++i)
+                adds |= tokens[i].is("+") || tokens[i].is("-");
+            for (std::uint32_t i = at + 1; i < end && !adds; ++i)
+                if (is_name(i)) divisors_.emplace(tokens[i].text, NumberKind::other);
+        }
+        std::unordered_set<std::string_view> seen;
+        for (const Declaration& declaration : reading_.declarations) {
+            if (declaration.scope == Scope::member) continue;
+            for (const Declarator& one : declaration.names) {
+                const auto found = divisors_.find(reading_.word(one.name));
+                if (found == divisors_.end()) continue;
+                const bool is_array = !one.array.empty() || !declaration.type_array.empty();
+                const NumberKind kind =
+                    is_array ? NumberKind::other : kind_of(reading_.word(declaration.type));
+                const bool is_first = seen.insert(found->first).second;
+                found->second = is_first || found->second == kind ? kind : NumberKind::other;
+            }
+        }
+    }
+
+    NumberKind divisor(std::uint32_t name) const {
+        const auto found = divisors_.find(reading_.word(name));
+        return found == divisors_.end() ? NumberKind::other : found->second;
+    }
+
+    // `0.0`, `0` for whole numbers, `vec3(0)`, `vec2(0.0, 0)`.
+    bool is_zero(TokenRange range) const {
+        bool any = false;
+        for (std::uint32_t at = range.begin; at < range.end; ++at) {
+            const Token& token = reading_.tokens[at];
+            if (token.kind == TokenKind::number) {
+                if (token.text.find_first_not_of("0.fF") != std::string_view::npos) return false;
+                any = true;
+            } else if (!token.is("(") && !token.is(")") && !token.is(",") &&
+                       kind_of(token.text) == NumberKind::other) {
+                return false;
+            }
+        }
+        return any;
+    }
+
+    void add_behind(std::uint32_t token, NumberKind kind) {
+        const bool is_whole = kind == NumberKind::whole;
+        is_any_ |= edits_.after(token, fmt::format(" + {}{}{}", is_whole ? "int(" : "", kHiddenZero,
+                                                   is_whole ? ")" : ""));
+    }
+
+    void hide_in(const Declaration& declaration) {
+        for (const Declarator& one : declaration.names) {
+            const NumberKind kind = divisor(one.name);
+            if (kind == NumberKind::other) continue;
+            const bool is_ours =
+                one.initial.empty() && unset_.contains(reading_.place(one.name).begin);
+            if (is_ours)
+                add_behind(one.tokens.end - 1, kind);
+            else if (is_zero(one.initial))
+                add_behind(one.initial.end - 1, kind);
+        }
+    }
+
+    void hide_assigned(std::uint32_t at) {
+        if (!is_name(at - 1) || is_declared(at - 1)) return;
+        const NumberKind kind = divisor(at - 1);
+        const auto count = static_cast<std::uint32_t>(reading_.tokens.size());
+        const TokenRange value = {at + 1, expression_end(reading_, at + 1, count)};
+        if (kind != NumberKind::other && is_zero(value)) add_behind(value.end - 1, kind);
+    }
+
+    bool is_declared(std::uint32_t name) {
+        if (declared_.empty())
+            for (const Declaration& declaration : reading_.declarations)
+                for (const Declarator& one : declaration.names) declared_.insert(one.name);
+        return declared_.contains(name);
+    }
+
+    void hide_arguments(const Call& call) {
+        if (call.function == kNone) return;  // a constant's value knows no uniform
+        const std::vector<TokenRange> arguments = reading_.arguments_of(call);
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            if (!is_zero(arguments[i])) continue;
+            const NumberKind kind = parameter_kind(call, i);
+            if (kind != NumberKind::other) add_behind(arguments[i].end - 1, kind);
+        }
+    }
+
+    // Of the parameter that a function of this name has there, where it divides.
+    NumberKind parameter_kind(const Call& call, std::size_t number) const {
+        NumberKind kind = NumberKind::other;
+        bool is_first = true;
+        for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name))) {
+            const Function& function = reading_.functions[index];
+            if (function.parameters.size() != call.arity) continue;
+            const Declaration& one = reading_.declarations[function.parameters[number]];
+            if (one.names.empty()) continue;  // a prototype
+            const NumberKind its =
+                one.is_const ? NumberKind::other : divisor(one.names.front().name);
+            kind = is_first || kind == its ? its : NumberKind::other;
+            is_first = false;
+        }
+        return kind;
+    }
+
+    const Reading& reading_;
+    Edits& edits_;
+    std::unordered_map<std::string_view, NumberKind> divisors_;
+    std::unordered_set<std::size_t> unset_;
+    std::unordered_set<std::uint32_t> declared_;
+    bool is_any_ = false;
+};
+
+}  // namespace
+
+bool hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits) {
+    return reading.is_balanced && ZeroHider(reading, edits).hide(unset);
+}
+
+}  // namespace glint

@@ -1,0 +1,21 @@
+// Zeros that divide, hidden from the driver's compiler.
+#pragma once
+
+#include "glsl/edits.h"
+#include "glsl/zeros.h"
+
+namespace glint {
+
+// A float that the compiler cannot know to be 0.
+inline constexpr std::string_view kHiddenZero = "glint_zero";
+
+// Mesa 22.3 makes garbage of `w / z` where it finds out that z is 0 and does not know w, so in the
+// first turn of a loop that it unrolls; browsers make it infinite. Where a variable divides, and is
+// given a written zero or ours (of `unset`, glsl/zeros.h), kHiddenZero is added: `z = 0.0` becomes
+// `z = 0.0 + glint_zero`, and so does an argument. What a divisor adds to is no zero for long:
+// `w / (z + 1.0)` is left alone. True where anything was added.
+//
+// Not constants: mend_division_by_zero() sees to them.
+bool hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits);
+
+}  // namespace glint

@@ -1,0 +1,62 @@
+// Zeros that divide are hidden from the compiler; all others stay.
+#include "glsl/hidden_zero.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+namespace glint::hidden_zero_test {
+namespace {
+
+std::string hidden(std::string_view text) {
+    const Reading reading = read_glsl(text, {});
+    Edits edits(reading);
+    hide_zeros(reading, write_zeros(reading, edits), edits);
+    return edits.apply().text;
+}
+
+void expect_alone(const std::string& text) {
+    EXPECT_EQ(hidden(text), text);
+}
+
+TEST(HiddenZero, IsAddedWhereAVariableThatDividesIsGivenZero) {
+    EXPECT_EQ(hidden("void f() { float z = 0.; float a = w / z; }"),
+              "void f() { float z = 0. + glint_zero; float a = w / z; }");
+    EXPECT_EQ(hidden("void f() { vec3 z = vec3(0), y = vec3(1); y /= z; z = vec3(0., 0, 0.0); }"),
+              "void f() { vec3 z = vec3(0) + glint_zero, y = vec3(1); y /= z; z = vec3(0., 0, 0.0) "
+              "+ glint_zero; }");
+    EXPECT_EQ(hidden("void f() { for (int i = 0; i < 4; i++) a += w / float(i); }"),
+              "void f() { for (int i = 0 + int(glint_zero); i < 4; i++) a += w / float(i); }");
+    EXPECT_EQ(hidden("void f() { vec2 z = vec2(0.0); a = w / length(z * 2.0).x; }"),
+              "void f() { vec2 z = vec2(0.0) + glint_zero; a = w / length(z * 2.0).x; }");
+}
+
+TEST(HiddenZero, IsAddedToTheZeroOfWhatIsUnset) {
+    EXPECT_EQ(hidden("void f() { float z; a = w / z; z += 1.0; }"),
+              "void f() { float z = 0. + glint_zero; a = w / z; z += 1.0; }");
+}
+
+TEST(HiddenZero, IsAddedToAnArgumentByWhichTheFunctionDivides) {
+    const std::string function = "float f(float x, float z) { return x / z; }\n";
+    EXPECT_EQ(hidden(function + "void g() { f(0.0, 0.0); f(0.0, 1.0); }"),
+              function + "void g() { f(0.0, 0.0 + glint_zero); f(0.0, 1.0); }");
+    expect_alone(function + "const float c = f(1.0, 0.0);\n");
+}
+
+TEST(HiddenZero, LeavesAloneWhatIsNoZeroOrDividesNothing) {
+    expect_alone("void f() { float z = 0.0; float a = z / 2.0 + z; }");
+    expect_alone("void f() { float z = 0.0; float a = w / (z + 1.0); }");
+    expect_alone("void f() { float z = 0.5; float a = w / z; }");
+    expect_alone("void f() { const float z = 0.0; float a = w / z; }");
+    expect_alone("float z = 0.0;\nvoid f() { float a = w / z; }");
+    expect_alone("struct S { float z; };\nvoid f(S s) { s.z = 0.0; float a = w / s.z; }");
+    expect_alone("void f() { float[2] z = float[2](0.0, 0.0); float a = w / z[0]; }");
+}
+
+TEST(HiddenZero, LeavesAloneANameOfBothKindsOfNumbers) {
+    expect_alone("void f() { int z = 0; int a = 4 / z; }\nvoid g() { float z = 0.0; a = w / z; }");
+}
+
+}  // namespace
+}  // namespace glint::hidden_zero_test
