@@ -22,13 +22,12 @@ void make_notes_plain(const Reading& reading, Edits& edits) {
 }
 
 // What the site's names are for those of other programs, which the text declares.
-std::string_view name_there(std::string_view type, const Declarator& declarator,
-                            const Reading& reading) {
-    const std::string_view name = reading.word(declarator.name);
-    if (!is_old_name(type, name) || !declarator.array.empty()) return {};
-    if (name.ends_with("resolution")) return "(iResolution.xy)";
-    if (name == "u_mouse") return "(iMouse.xy)";
-    return name == "mouse" ? "(iMouse.xy / iResolution.xy)" : "iTime";
+std::string name_there(std::string_view type, const Declarator& declarator,
+                       const Reading& reading) {
+    const ForeignName* known = find_foreign_name(type, reading.word(declarator.name));
+    if (!known || !declarator.array.empty()) return {};
+    const bool is_name = known->words.find('.') == std::string_view::npos;
+    return is_name ? std::string(known->words) : fmt::format("({})", known->words);
 }
 
 // Uniforms that nothing fills are 0. So are the site's globals without a value: browsers see to it.
@@ -43,12 +42,12 @@ EditedText without_own_uniforms(const Reading& reading) {
             if (reading.tokens[at].is("uniform")) edits.replace({at, at + 1}, "");
         const Span place = reading.place(declaration.tokens);
         for (const Declarator& declarator : declaration.names) {
-            const std::string_view theirs = name_there(type, declarator, reading);
+            const std::string theirs = name_there(type, declarator, reading);
             if (theirs.empty()) continue;
             for (const Token& token : reading.written)
                 if (token.is(reading.word(declarator.name)) &&
                     (token.begin < place.begin || token.begin >= place.end))
-                    edits.replace_bytes(token.span(), std::string(theirs));
+                    edits.replace_bytes(token.span(), theirs);
         }
     }
     return edits.apply();

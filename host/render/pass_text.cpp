@@ -264,19 +264,29 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output)
     const std::string_view colour =
         output ? reading.word(output->names.front().name) : kPlainColour;
     const bool is_opaque = output && reading.word(output->type) == "vec3";
+    std::string coordinates;
+    for (const Declaration& declaration : reading.declarations)
+        if (is_texture_coordinate(reading, declaration))
+            coordinates += fmt::format("    {} = glint_coord / iResolution.xy;\n",
+                                       reading.word(declaration.names.front().name));
     return fmt::format(
         "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
         "    {0} = glint_color{1};\n"
-        "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n"
+        "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n{3}"
         "    main();\n    glint_color = {2};\n}}\n",
         colour, is_opaque ? ".rgb" : "",
-        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour));
+        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour), coordinates);
 }
 
-// A pass has outputs of its own: those of the text become plain variables, of their precision.
-void make_outputs_variables(const Reading& reading, Edits& edits) {
+// A pass has outputs of its own, and no inputs: those of the text become plain variables, of their
+// precision.
+void make_ends_variables(const Reading& reading, Edits& edits) {
     for (const Declaration& declaration : reading.declarations) {
-        if (declaration.scope != Scope::global || !declaration.is_out) continue;
+        const bool is_output = declaration.scope == Scope::global && declaration.is_out;
+        const bool is_input = is_texture_coordinate(reading, declaration);
+        if (!is_output && !is_input) continue;
+        // Else the driver warns of what is read before main() is called.
+        if (is_input) edits.after(declaration.names.front().tokens.end - 1, " = vec2(0.0)");
         const TokenRange words = declaration.qualifiers;
         for (std::uint32_t at = words.begin; at < words.end; ++at)
             if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");
@@ -546,7 +556,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
     if (has_main) put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
     if (has_main) put_in_place_of_data(reading, edits);
-    if (plain_main) make_outputs_variables(reading, edits);
+    if (plain_main) make_ends_variables(reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
     else if (probe)

@@ -19,18 +19,10 @@ namespace {
 struct BuiltinName {
     std::string_view name;
     Builtin builtin;
-    GLenum type = GL_NONE;  // where the scene declares it, and may declare another one by that name
 };
 constexpr std::array kBuiltinNames = {
     BuiltinName{"iResolution", Builtin::resolution},
     BuiltinName{"iTime", Builtin::time},
-    BuiltinName{"iGlobalTime", Builtin::time, GL_FLOAT},
-    BuiltinName{"u_time", Builtin::time, GL_FLOAT},
-    BuiltinName{"u_resolution", Builtin::resolution_2d, GL_FLOAT_VEC2},
-    BuiltinName{"u_mouse", Builtin::mouse_2d, GL_FLOAT_VEC2},
-    BuiltinName{"time", Builtin::time, GL_FLOAT},
-    BuiltinName{"resolution", Builtin::resolution_2d, GL_FLOAT_VEC2},
-    BuiltinName{"mouse", Builtin::mouse_share, GL_FLOAT_VEC2},
     BuiltinName{"iTimeDelta", Builtin::time_delta},
     BuiltinName{"iFrameRate", Builtin::frame_rate},
     BuiltinName{"iFrame", Builtin::frame},
@@ -43,13 +35,28 @@ constexpr std::array kBuiltinNames = {
     BuiltinName{"glint_origin", Builtin::origin},
 };
 
+// Where the scene declares one, it may mean another by that name.
+std::optional<Builtin> foreign_builtin(std::string_view name, GLenum type) {
+    constexpr std::pair<std::string_view, Builtin> kWords[] = {
+        {"iTime", Builtin::time},
+        {"iResolution.xy", Builtin::resolution_2d},
+        {"iMouse.xy", Builtin::mouse_2d},
+        {"iMouse.xy / iResolution.xy", Builtin::mouse_share}};
+    const char* type_name = type == GL_FLOAT ? "float" : type == GL_FLOAT_VEC2 ? "vec2" : "";
+    const ForeignName* known = find_foreign_name(type_name, name);
+    if (!known) return std::nullopt;
+    return std::ranges::find(kWords, known->words, &std::pair<std::string_view, Builtin>::first)
+        ->second;
+}
+
 // "iCh2.size" is a member of channel 2; "iChannelTime[0]" an array of four.
 std::optional<BuiltinUniform> builtin_uniform(const std::string& name, GLenum type,
                                               GLint location) {
     for (const BuiltinName& known : kBuiltinNames) {
-        if (name == known.name && (known.type == GL_NONE || known.type == type))
-            return BuiltinUniform{known.builtin, name, 0, location};
+        if (name == known.name) return BuiltinUniform{known.builtin, name, 0, location};
     }
+    if (const auto foreign = foreign_builtin(name, type))
+        return BuiltinUniform{*foreign, name, 0, location};
     if (name.starts_with("iChannelTime")) {
         return BuiltinUniform{Builtin::channel_time, name, 0, location};
     }

@@ -1,6 +1,8 @@
 // The table of built-in uniforms.
 #include "scene/builtin.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 
 namespace glint {
@@ -18,12 +20,25 @@ const std::map<std::string_view, HostUniform> kBuiltins = {
     {"iChannel3", {"sampler", ""}},
 };
 
+constexpr std::array kForeign = {
+    ForeignName{"float", "iGlobalTime", "iTime"},
+    ForeignName{"float", "time", "iTime"},
+    ForeignName{"float", "u_time", "iTime"},
+    ForeignName{"float", "uTime", "iTime"},
+    ForeignName{"vec2", "resolution", "iResolution.xy"},
+    ForeignName{"vec2", "u_resolution", "iResolution.xy"},
+    ForeignName{"vec2", "uResolution", "iResolution.xy"},
+    ForeignName{"vec2", "u_mouse", "iMouse.xy"},
+    ForeignName{"vec2", "mouse", "iMouse.xy / iResolution.xy"},
+};
+
 }  // namespace
 
-bool is_old_name(std::string_view type, std::string_view name) {
-    return (type == "float" && (name == "u_time" || name == "time" || name == "iGlobalTime")) ||
-           (type == "vec2" && (name == "u_resolution" || name == "resolution" ||
-                               name == "u_mouse" || name == "mouse"));
+const ForeignName* find_foreign_name(std::string_view type, std::string_view name) {
+    const auto found = std::ranges::find_if(kForeign, [&](const ForeignName& known) {
+        return known.type == type && known.name == name;
+    });
+    return found == kForeign.end() ? nullptr : &*found;
 }
 
 const HostUniform* find_builtin(std::string_view name) {

@@ -11,9 +11,14 @@ struct HostUniform {
     std::string_view array;  // the length, or ""
 };
 
-// Whether it is one that other programs feed and this one too, where the text declares it: u_time,
-// u_resolution and u_mouse of the Book of Shaders, time, resolution and mouse of GLSL Sandbox.
-bool is_old_name(std::string_view type, std::string_view name);
+// What other programs feed and this one too, where the text declares it: the Book of Shaders, GLSL
+// Sandbox, twigl, three.js, and the site in its first years.
+struct ForeignName {
+    std::string_view type, name;
+    std::string_view words;  // what it is here: "iMouse.xy / iResolution.xy"
+};
+// Null for any other.
+const ForeignName* find_foreign_name(std::string_view type, std::string_view name);
 
 // The built-in of this name, or null.
 const HostUniform* find_builtin(std::string_view name);

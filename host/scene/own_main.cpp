@@ -1,5 +1,8 @@
 #include "scene/own_main.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace glint {
 namespace {
 
@@ -47,6 +50,22 @@ const Declaration* colour_output(const Reading& reading) {
             return &declaration;
     }
     return nullptr;
+}
+
+bool is_texture_coordinate(const Reading& reading, const Declaration& declaration) {
+    const auto& tokens = reading.tokens;
+    bool is_input = false;
+    for (std::uint32_t at = declaration.qualifiers.begin; at < declaration.qualifiers.end; ++at)
+        is_input |= tokens[at].is("varying") || tokens[at].is("in");
+    if (!is_input || declaration.scope != Scope::global || declaration.names.size() != 1 ||
+        reading.word(declaration.type) != "vec2" || !declaration.names.front().array.empty())
+        return false;
+    std::string name;
+    for (const char c : reading.word(declaration.names.front().name))
+        if (c != '_') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::string_view kWords[] = {"uv", "texcoord", "texturecoord", "fragnormcoord"};
+    return std::ranges::any_of(
+        kWords, [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
 
 std::optional<NoColour> why_no_colour(const Reading& reading) {

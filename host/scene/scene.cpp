@@ -216,7 +216,7 @@ void Builder::warn_unannotated(const Uniform& declaration) {
                               declaration.type, declarator.name));
             continue;
         }
-        if (is_old_name(declaration.type, declarator.name) && !declarator.is_array) continue;
+        if (find_foreign_name(declaration.type, declarator.name) && !declarator.is_array) continue;
         const bool is_sampler = declaration.type.find("sampler") != std::string_view::npos;
         warning(declarator.span.begin,
                 fmt::format("{} has no annotation, so it stays 0; say what fills it, such as {}",

@@ -187,6 +187,26 @@ TEST_F(Foreign, AMainOfTheBookOfShadersDraws) {
               std::string::npos);
 }
 
+TEST_F(Foreign, AFragmentShaderOfThreeJsOrADesktopProgramHasItsTextureCoordinates) {
+    for (const std::string& text :
+         {std::string(
+              "varying vec2 vUv;\nuniform float uTime;\nuniform vec2 uResolution;\n"
+              "void main() { gl_FragColor = vec4(vUv * uResolution / 64.0, uTime, 1.0); }\n"),
+          std::string(
+              "#version 330 core\nin highp vec2 v_texcoord;\nout vec4 colour;\n"
+              "uniform float time;\nuniform vec2 resolution;\n"
+              "void main() { colour = vec4(v_texcoord * resolution / 64.0, time, 1.0); }\n")}) {
+        write("a.glsl", text);
+        EXPECT_EQ(draw({"--time", "0.2"}), (std::array{130, 74, 51})) << text << errors_;
+        EXPECT_EQ(errors_, "");
+    }
+    write("a.glsl", "varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(vNormal, 1.0); }\n");
+    const std::string said = glint({"still", "a.glsl", "-o", "x.png"}).err;
+    EXPECT_NE(said.find("a.glsl:1:1: error: illegal use of reserved word `varying'"),
+              std::string::npos)
+        << said;
+}
+
 // GLSL ES 3.00 and desktop GLSL have no gl_FragColor.
 TEST_F(Foreign, AMainMayHaveAnOutputOfItsOwn) {
     const std::string body = "void main() { colour = vec4(0.4, 0.8, 0.2, 1.0); }\n";

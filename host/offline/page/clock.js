@@ -15,7 +15,7 @@ export const dateAfter = ({day, seconds}, elapsed) => {
 
 // The uniforms that tell the time. iTick counts 1/65536 s, modulo 2^32.
 export const timed = (time, delta, frame) => ({
-    iTime: time, iGlobalTime: time, u_time: time, time, iTimeDelta: delta, iFrameRate: 1 / delta, iFrame: frame,
+    iTime: time, iGlobalTime: time, u_time: time, uTime: time, time, iTimeDelta: delta, iFrameRate: 1 / delta, iFrame: frame,
     iTick: floor(time % 65536 * 65536) >>> 0,
 });
 

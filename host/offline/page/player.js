@@ -150,7 +150,7 @@ export const makePlayer = (gl, plan, planned, fell) => {
 
     const drawPass = (pass, frame, force) => {
         const {program, buffer, pixels, channels} = pass, told = {
-            __proto__: null, ...frame, iResolution: [...pixels, 1], u_resolution: pixels, resolution: pixels,
+            __proto__: null, ...frame, iResolution: [...pixels, 1], u_resolution: pixels, uResolution: pixels, resolution: pixels,
             ...channels && channelsTold(channels.map(i => inputs[i]), frame.iTime, sizeOf),
         };
         plan.tweaks.forEach(({name}, i) => told[name] = player.values[i]);
