@@ -26,8 +26,8 @@ public:
         find_divisors();
     }
 
-    bool hide(const std::vector<Unset>& unset) {
-        if (divisors_.empty()) return false;
+    void hide(const std::vector<Unset>& unset) {
+        if (divisors_.empty()) return;
         for (const Unset& one : unset)
             if (one.why_not.empty() && !one.is_result) unset_.insert(one.at);
         for (const Declaration& declaration : reading_.declarations)
@@ -35,7 +35,6 @@ public:
         for (std::uint32_t at = 1; at + 1 < reading_.tokens.size(); ++at)
             if (reading_.tokens[at].is("=")) hide_assigned(at);
         for (const Call& call : reading_.calls) hide_arguments(call);
-        return is_any_;
     }
 
 private:
@@ -98,8 +97,8 @@ private:
 
     void add_behind(std::uint32_t token, NumberKind kind) {
         const bool is_whole = kind == NumberKind::whole;
-        is_any_ |= edits_.after(token, fmt::format(" + {}{}{}", is_whole ? "int(" : "", kHiddenZero,
-                                                   is_whole ? ")" : ""));
+        edits_.after(token, fmt::format(" + {}{}{}", is_whole ? "int(" : "", kHiddenZero,
+                                        is_whole ? ")" : ""));
     }
 
     void hide_in(const Declaration& declaration) {
@@ -162,13 +161,12 @@ private:
     std::unordered_map<std::string_view, NumberKind> divisors_;
     std::unordered_set<std::size_t> unset_;
     std::unordered_set<std::uint32_t> declared_;
-    bool is_any_ = false;
 };
 
 }  // namespace
 
-bool hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits) {
-    return reading.is_balanced && ZeroHider(reading, edits).hide(unset);
+void hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits) {
+    if (reading.is_balanced) ZeroHider(reading, edits).hide(unset);
 }
 
 }  // namespace glint

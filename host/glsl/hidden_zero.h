@@ -13,9 +13,9 @@ inline constexpr std::string_view kHiddenZero = "glint_zero";
 // first turn of a loop that it unrolls; browsers make it infinite. Where a variable divides, and is
 // given a written zero or ours (of `unset`, glsl/zeros.h), kHiddenZero is added: `z = 0.0` becomes
 // `z = 0.0 + glint_zero`, and so does an argument. What a divisor adds to is no zero for long:
-// `w / (z + 1.0)` is left alone. True where anything was added.
+// `w / (z + 1.0)` is left alone.
 //
 // Not constants: mend_division_by_zero() sees to them.
-bool hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits);
+void hide_zeros(const Reading& reading, const std::vector<Unset>& unset, Edits& edits);
 
 }  // namespace glint

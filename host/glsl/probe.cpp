@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -24,8 +25,7 @@ constexpr std::array<std::string_view, 11> kReads = {
 constexpr std::array<std::string_view, 8> kWhole = {"int",  "ivec2", "ivec3", "ivec4",
                                                     "uint", "uvec2", "uvec3", "uvec4"};
 // Of no number they make one.
-constexpr std::array<std::string_view, 6> kHiding = {"clamp", "max",  "min",
-                                                     "mix",   "step", "smoothstep"};
+constexpr std::string_view kHiding[] = {"clamp", "max", "min", "mix", "step", "smoothstep"};
 
 class Instrumenter {
 public:
@@ -45,8 +45,9 @@ public:
         }
     }
 
-    Probed run(const std::vector<bool>& reached) {
+    Probed run(const std::vector<bool>& reached, const std::vector<Remainder>& remainders) {
         if (!reading_.is_balanced) return std::move(probed_);
+        add_remainders(remainders);
         for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
             if (reached[i] && reading_.functions[i].is_defined()) over_function(i);
         probed_.refused.assign(wish_.expressions.size(), "it stands in no function that is run");
@@ -87,18 +88,24 @@ private:
     }
 
     // Words on both sides of a range, or none.
-    bool wrap(TokenRange range, std::string before, std::string after) {
+    bool wrap(TokenRange range, std::string before, std::string after, std::int64_t order = -1) {
         if (range.empty()) return false;
-        if (!edits_.takes_before(range.begin) || !edits_.takes_after(range.end - 1)) {
-            probed_.left_out.push_back(reading_.place(range.begin).begin);
-            return false;
-        }
-        const auto order = static_cast<std::int64_t>(words_.size());
+        if (!edits_.takes_before(range.begin) || !edits_.takes_after(range.end - 1))
+            return probed_.left_out.push_back(reading_.place(range.begin).begin), false;
+        if (order < 0) order = static_cast<std::int64_t>(words_.size());
         if (!before.empty())
             words_.push_back({range.begin, Words::Where::before, range, std::move(before), order});
         if (!after.empty())
             words_.push_back({range.end - 1, Words::Where::after, range, std::move(after), -order});
         return true;
+    }
+
+    // Nearest to what they stand around, for each has a comma of its own.
+    void add_remainders(const std::vector<Remainder>& remainders) {
+        for (const Remainder& one : remainders) {
+            wrap(one.range, one.before, ")", std::numeric_limits<std::int32_t>::max());
+            words_.push_back({one.sign, Words::Where::instead, {}, one.instead});
+        }
     }
 
     // `a, b`, which is not to be taken for two arguments.
@@ -528,7 +535,7 @@ void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
                  asked.line.begin);
     const std::string call =
         fmt::format("{}({},({}));", wish_.kind == ProbeKind::assertions ? "glint0_a" : "glint0_v",
-                    site, with_true_place(asked.text));
+                    site, with_true_place(with_mended_remainders(asked.text)));
     bool is_there = false;
     if (room.brace != kNone) {
         const bool opens = token(room.brace).is("{");
@@ -570,8 +577,8 @@ void Instrumenter::add_structs() {
 void Instrumenter::write() {
     std::ranges::stable_sort(words_, {}, [](const Words& one) {
         const bool is_after = one.where == Words::Where::after;
-        const auto size = static_cast<std::int64_t>(one.of.size());
-        return std::tuple(one.token, one.where, is_after ? size : -size, one.order);
+        const auto size = static_cast<std::int64_t>(one.of.size()) * (is_after ? 1 : -1);
+        return std::tuple(one.token, one.where, size, one.order);
     });
     for (Words& one : words_) {
         if (one.where == Words::Where::before)
@@ -586,8 +593,8 @@ void Instrumenter::write() {
 }  // namespace
 
 Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vector<bool>& reached,
-                  Edits& edits) {
-    return Instrumenter(reading, wish, edits).run(reached);
+                  Edits& edits, const std::vector<Remainder>& remainders) {
+    return Instrumenter(reading, wish, edits).run(reached, remainders);
 }
 
 }  // namespace glint

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "glsl/edits.h"
+#include "glsl/remainder.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -81,9 +82,10 @@ struct Probed {
     std::vector<std::string> refused;   // of the expressions: why; "" for those that are there
 };
 
-// Of the functions alone that are reached, by number.
+// Of the functions alone that are reached, by number. The remainders are mended with it, since
+// their words stand among these.
 Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vector<bool>& reached,
-                  Edits& edits);
+                  Edits& edits, const std::vector<Remainder>& remainders = {});
 
 // Why this is no expression that may be evaluated beside a text; "" where it is one.
 std::string refusal_of_expression(std::string_view text);

@@ -1,9 +1,12 @@
 #include "render/advice.h"
 
+#include "glsl/remainder.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <span>
 #include <utility>
 
@@ -98,6 +101,26 @@ std::string said_better(std::string complaint) {
         return "GLSL ES has no lists in braces; write the array's type and its values, such as "
                "float[](1.0, 2.0)";
     return complaint;
+}
+
+std::optional<std::string> said_of_remainder(std::string complaint) {
+    const std::string name = std::string(kRemainder) + "(";
+    if (complaint.find(name) == complaint.npos) return complaint;
+    static const std::regex call(R"(^no matching function for call to `\w+\((\w+), ?(\w+)\)'.*)");
+    std::smatch types;
+    if (!std::regex_match(complaint, types, call)) return std::nullopt;
+    const auto is_unsigned = [](const std::string& type) { return type.starts_with('u'); };
+    const auto is_whole = [&](const std::string& type) {
+        return type == "int" || type == "uint" || type.starts_with("ivec") ||
+               type.starts_with("uvec");
+    };
+    const std::string left = types[1], right = types[2];
+    if (left == "error" || right == "error") return "type mismatch";
+    if (!is_whole(left)) return "LHS of operator % must be an integer";
+    if (!is_whole(right)) return "RHS of operator % must be an integer";
+    return is_unsigned(left) != is_unsigned(right)
+               ? "could not implicitly convert operands to modulus (%) operator"
+               : "type mismatch";
 }
 
 std::string advice_on_types(std::string_view complaint) {

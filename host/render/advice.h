@@ -1,6 +1,7 @@
 // What to do about a driver's complaint, where it does not say so itself.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,10 @@ inline constexpr const char* kTypeForAnother = "a value of type {} cannot stand 
 
 // A complaint of Mesa's, without advice that is none for GLSL ES.
 std::string said_better(std::string complaint);
+
+// A complaint that names the function that stands for `%` (glsl/remainder.h), as Mesa has it of the
+// operator; nothing for one that only lists that function's types.
+std::optional<std::string> said_of_remainder(std::string complaint);
 
 // "; write 1.0 for 1", to be put behind a complaint of Mesa's about types, or "".
 std::string advice_on_types(std::string_view complaint);

@@ -483,6 +483,9 @@ private:
 
 void LogReader::add(Said said) {
     if (said.words.starts_with("Error: ")) said.words.erase(0, 7);  // which it is anyway
+    auto words = said_of_remainder(std::move(said.words));
+    if (!words) return;
+    said.words = std::move(*words);
     said.words += advice_on_types(said.words);
     if (const std::string name = unknown_name(said.words); !name.empty())
         said.words += taken_apart().help_with(name, unknown_);

@@ -5,7 +5,9 @@
 #include "glsl/hidden_zero.h"
 #include "glsl/lean.h"
 #include "glsl/numbers.h"
+#include "glsl/remainder.h"
 #include "render/macro_mends.h"
+#include "render/own_main_text.h"
 #include "render/own_overloads.h"
 #include "scene/own_main.h"
 #include "scene/scene_text.h"
@@ -52,11 +54,6 @@ constexpr std::string_view kDecode = R"(vec3 glint_decode(vec3 c) {
     return sign(c) * mix(a / 12.92, pow((a + 0.055) / 1.055, vec3(2.4)), greaterThan(a, vec3(0.04045)));
 }
 )";
-
-// Whether the text declares a name for all of itself: as a global or a macro.
-bool declares(const Reading& reading, std::string_view name) {
-    return reading.find_global(name) || reading.defines_macro(name);
-}
 
 std::string channel_declarations(const Preset& preset, std::size_t pass, const Reading& reading) {
     const Scene& scene = preset.scene;
@@ -202,95 +199,6 @@ void put_in_place_of(std::string_view theirs, std::string_view ours, const Readi
                      Edits& edits) {
     for (const Token& token : reading.written)
         if (token.is(theirs)) edits.replace_bytes(token.span(), std::string(ours));
-}
-
-// gl_FragData[0] is gl_FragColor by another name.
-void put_in_place_of_data(const Reading& reading, Edits& edits) {
-    const auto& tokens = reading.written;
-    for (std::size_t i = 0; i + 3 < tokens.size(); ++i) {
-        if (!tokens[i].is("gl_FragData") || !tokens[i + 1].is("[") || !tokens[i + 2].is("0") ||
-            !tokens[i + 3].is("]"))
-            continue;
-        const Span all{tokens[i].span().begin, tokens[i + 3].span().end};
-        std::string name(kPlainColour);
-        name.resize(std::max(name.size(), all.end - all.begin), ' ');  // so that no column moves
-        edits.replace_bytes(all, name);
-    }
-}
-
-// What a text with a main() of its own, GLSL ES 1.00 of the web, may count on. Names of GLSL itself
-// cannot be macros; others stand for them. Of GLSL ES 3.00 it may define functions itself, and use
-// its words.
-std::string before_own_main(const Reading& reading, bool plain_main) {
-    constexpr std::array<std::string_view, 16> kNewerFunctions = {
-        "round",        "roundEven", "trunc",     "sinh",       "cosh",  "tanh",
-        "asinh",        "acosh",     "atanh",     "isnan",      "isinf", "modf",
-        "outerProduct", "inverse",   "transpose", "determinant"};
-    constexpr std::string_view kNewerWords[] = {
-        "sample",   "filter",   "common",    "partition",  "active",
-        "resource", "patch",    "smooth",    "subroutine", "coherent",
-        "restrict", "readonly", "writeonly", "centroid",   "noperspective"};
-    constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
-        {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
-    std::string text = fmt::format("vec4 {} = vec4(0.0);\n", kPlainColour);
-    for (const auto& [name, sampler, place] : kOlderTextures) {
-        if (means_its_own(reading, name)) continue;
-        if (!declares(reading, "texture")) {
-            text += fmt::format("#define {} texture\n", name);
-            continue;
-        }
-        // A name of the text's hides the function behind it.
-        text += fmt::format(
-            "vec4 glint_{0}({1} s, {2} p) {{ return texture(s, p); }}\n"
-            "vec4 glint_{0}({1} s, {2} p, float bias) {{ return texture(s, p, bias); }}\n"
-            "#define {0} glint_{0}\n",
-            name, sampler, place);
-    }
-    for (const std::string_view name : kNewerFunctions)
-        if (!reading.functions_named(name).empty())
-            text += fmt::format("#define {0} glint_{0}\n", name);
-    for (const std::string_view word : kNewerWords)
-        if (plain_main && is_of_older_glsl(reading) && reading.mentions(word) &&
-            !reading.defines_macro(word))
-            text += fmt::format("#define {0} glint_{0}\n", word);
-    if (plain_main && reading.mentions("mainImage")) text += "#define mainImage glint_mainImage\n";
-    return text + "#define main glint_main\n";
-}
-
-// Where nothing else draws the picture, it is called from the site's mainImage.
-constexpr std::string_view kBeforePlainMain =
-    "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n";
-std::string behind_plain_main(const Reading& reading, const Declaration* output) {
-    const std::string_view colour =
-        output ? reading.word(output->names.front().name) : kPlainColour;
-    const bool is_opaque = output && reading.word(output->type) == "vec3";
-    std::string coordinates;
-    for (const Declaration& declaration : reading.declarations)
-        if (is_texture_coordinate(reading, declaration))
-            coordinates += fmt::format("    {} = glint_coord / iResolution.xy;\n",
-                                       reading.word(declaration.names.front().name));
-    return fmt::format(
-        "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
-        "    {0} = glint_color{1};\n"
-        "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n{3}"
-        "    main();\n    glint_color = {2};\n}}\n",
-        colour, is_opaque ? ".rgb" : "",
-        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour), coordinates);
-}
-
-// A pass has outputs of its own, and no inputs: those of the text become plain variables, of their
-// precision.
-void make_ends_variables(const Reading& reading, Edits& edits) {
-    for (const Declaration& declaration : reading.declarations) {
-        const bool is_output = declaration.scope == Scope::global && declaration.is_out;
-        const bool is_input = is_texture_coordinate(reading, declaration);
-        if (!is_output && !is_input) continue;
-        // Else the driver warns of what is read before main() is called.
-        if (is_input) edits.after(declaration.names.front().tokens.end - 1, " = vec2(0.0)");
-        const TokenRange words = declaration.qualifiers;
-        for (std::uint32_t at = words.begin; at < words.end; ++at)
-            if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");
-    }
 }
 
 std::string buffer_main(const Pass& pass, const char* out, const ProgramOptions& options) {
@@ -495,6 +403,25 @@ std::string numbers_uniform(const std::vector<float>& numbers) {
     return fmt::format("uniform vec4 {}[{}];\n", kNumbers, (numbers.size() + 3) / 4);
 }
 
+void mend_divisions(const Preset& preset, const ProgramOptions& options, const Reading& reading,
+                    Edits& edits) {
+    mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
+    if (options.named) name_divisions(reading, float_tweaks(preset.scene), edits);
+}
+
+// What the mends of a text need.
+std::string mends_named_in(std::string_view text) {
+    const bool has_zero = text.find(kHiddenZero) != text.npos;
+    const std::string zero = has_zero ? fmt::format("uniform float {};\n", kHiddenZero) : "";
+    return zero + (text.find(kRemainder) != text.npos ? remainder_functions() : "");
+}
+
+void mend_own_main(const Reading& reading, bool plain_main, Edits& edits) {
+    put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
+    put_in_place_of_data(reading, edits);
+    if (plain_main) make_ends_variables(reading, edits);
+}
+
 // Passes of a text are asked for one after the other, and reading it is half of the work. A text
 // without a part for one pass alone reads the same for all.
 const Reading& reading_for(const Scene& scene, std::size_t pass) {
@@ -511,6 +438,10 @@ const Reading& reading_for(const Scene& scene, std::size_t pass) {
 }
 
 }  // namespace
+
+bool declares(const Reading& reading, std::string_view name) {
+    return reading.find_global(name) || reading.defines_macro(name);
+}
 
 bool means_its_own(const Reading& reading, std::string_view name) {
     return declares(reading, name) || !reading.functions_named(name).empty() ||
@@ -554,18 +485,17 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
         specialise(preset, options, reading, unused, edits);
     const std::string entry = sound ? "" : entry_of(scene, pass);
     const bool defined = plain_main || (!sound && make_colour_defined(reading, entry, edits));
-    if (has_main) put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
-    if (has_main) put_in_place_of_data(reading, edits);
-    if (plain_main) make_ends_variables(reading, edits);
     if (plain_main || (image && options.tiles))
         put_in_place_of("gl_FragCoord", "glFragCoord_", reading, edits);
     else if (probe)
         put_in_place_of("gl_FragCoord", "glint0_coord", reading, edits);
+    if (has_main) mend_own_main(reading, plain_main, edits);
     const bool needs_gap = mend_macros(reading, edits);
     if (!plain_main) hide_extensions(reading, edits);
     name_parameters(reading, edits);
-    mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
-    if (options.named) name_divisions(reading, float_tweaks(scene), edits);
+    const std::vector<Remainder> remainders = find_remainders(reading);
+    if (!probe) mend_remainders(remainders, edits);
+    mend_divisions(preset, options, reading, edits);
 
     PassText result;
     result.pass = pass;
@@ -573,18 +503,18 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (is_lean) leave_out_constants(reading, unused, edits);
     if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, is_lean, edits);
     result.unset = write_zeros(reading, edits, entry, options.marked);
-    const bool hides = hide_zeros(reading, result.unset, edits);
+    hide_zeros(reading, result.unset, edits);
     if (probe)
-        result.probed =
-            instrument(reading, *probe, reading.reached_from({entry_of(scene, pass)}), edits);
+        result.probed = instrument(reading, *probe, reading.reached_from({entry_of(scene, pass)}),
+                                   edits, remainders);
     result.text = prologue(preset, pass, options, probe, reading, defined);
     if (needs_gap) result.text += kGap;
     result.text += numbers_uniform(result.numbers);
-    if (hides) result.text += fmt::format("uniform float {};\n", kHiddenZero);
+    EditedText edited = edits.apply();
+    result.text += mends_named_in(edited.text);
     if (plain_main) result.text += kBeforePlainMain;
     if (has_main) result.text += before_own_main(reading, plain_main);
     result.user_begin = result.text.size();
-    EditedText edited = edits.apply();
     result.text += edited.text;
     result.user_end = result.text.size();
     result.map = std::move(edited.map);

@@ -57,6 +57,10 @@ struct PassText {
     // The byte of Scene::text that one of these stands for; nothing for the host's own text.
     std::optional<std::size_t> origin(std::size_t at) const;
 };
+
+// Whether the text declares a name for all of itself: as a global or a macro.
+bool declares(const Reading& reading, std::string_view name);
+
 // Whether a text gives a name a meaning of its own, in all of itself: it declares no uniform of the
 // host's then.
 bool means_its_own(const Reading& reading, std::string_view name);

@@ -20,8 +20,8 @@ bool is_of_older_glsl(const Reading& reading);
 // where the text has none.
 const Declaration* colour_output(const Reading& reading);
 
-// `varying vec2 vUv;` or `in vec2 v_texcoord;`: a place in the picture, from (0, 0) to (1, 1), which
-// a vertex shader gives elsewhere.
+// `varying vec2 vUv;` or `in vec2 v_texcoord;`: a place in the picture, from (0, 0) to (1, 1),
+// which a vertex shader gives elsewhere.
 bool is_texture_coordinate(const Reading& reading, const Declaration& declaration);
 
 // What is wrong with a main() that writes no colour, and where, in bytes.

@@ -191,13 +191,13 @@ TEST_F(Foreign, AFragmentShaderOfThreeJsOrADesktopProgramHasItsTextureCoordinate
     for (const std::string& text :
          {std::string(
               "varying vec2 vUv;\nuniform float uTime;\nuniform vec2 uResolution;\n"
-              "void main() { gl_FragColor = vec4(vUv * uResolution / 64.0, uTime, 1.0); }\n"),
+              "void main() { gl_FragColor = vec4(vUv * uResolution * 0.8, uTime, 1.0); }\n"),
           std::string(
               "#version 330 core\nin highp vec2 v_texcoord;\nout vec4 colour;\n"
               "uniform float time;\nuniform vec2 resolution;\n"
-              "void main() { colour = vec4(v_texcoord * resolution / 64.0, time, 1.0); }\n")}) {
+              "void main() { colour = vec4(v_texcoord * resolution * 0.8, time, 1.0); }\n")}) {
         write("a.glsl", text);
-        EXPECT_EQ(draw({"--time", "0.2"}), (std::array{130, 74, 51})) << text << errors_;
+        EXPECT_EQ(draw({"--time", "0.2"}), (std::array{102, 102, 51})) << text << errors_;
         EXPECT_EQ(errors_, "");
     }
     write("a.glsl", "varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(vNormal, 1.0); }\n");

@@ -1,0 +1,27 @@
+// What stands around a text with a main() of its own (scene/own_main.h).
+#pragma once
+
+#include "glsl/edits.h"
+
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+// gl_FragData[0] is gl_FragColor by another name.
+void put_in_place_of_data(const Reading& reading, Edits& edits);
+
+// A pass has outputs of its own, and no inputs: those of the text become plain variables, of their
+// precision.
+void make_ends_variables(const Reading& reading, Edits& edits);
+
+// What such a text may count on, as GLSL ES 1.00 of the web may. `plain_main`: main() draws the
+// picture.
+std::string before_own_main(const Reading& reading, bool plain_main);
+
+// Where nothing else draws the picture, main() is called from the site's mainImage.
+inline constexpr std::string_view kBeforePlainMain =
+    "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n";
+std::string behind_plain_main(const Reading& reading, const Declaration* output);
+
+}  // namespace glint
