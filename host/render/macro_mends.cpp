@@ -15,25 +15,43 @@ bool is_of_the_text(const Macro& macro) {
     return macro.definition.begin != macro.definition.end;
 }
 
+bool names(const Macro& macro, std::string_view name) {
+    return std::ranges::any_of(macro.body, [&](const Token& token) { return token.is(name); });
+}
+
+// By number: those that the text uses, or that one of these names, and so on.
+std::vector<bool> used_macros(const Reading& reading) {
+    std::vector<bool> used(reading.macros.size());
+    std::vector<std::size_t> next;
+    const auto use = [&](std::size_t index) {
+        if (!used[index]) next.push_back(index);
+        used[index] = true;
+    };
+    for (const auto& one : reading.uses) use(one.macro);
+    while (!next.empty()) {
+        const Macro& macro = reading.macros[next.back()];
+        next.pop_back();
+        for (std::size_t i = 0; i < reading.macros.size(); ++i)
+            if (!used[i] && names(macro, reading.macros[i].name)) use(i);
+    }
+    return used;
+}
+
 // GLSL has no `#a` and no `a##b`. Mesa refuses a macro that has them where it is defined, the site
 // where it is used; so that nothing is left of the body of one that nobody uses.
 void empty_idle_macros(const Reading& reading, Edits& edits) {
-    const auto names = [](const Macro& macro, std::string_view name) {
-        return std::ranges::any_of(macro.body, [&](const Token& token) { return token.is(name); });
-    };
+    std::vector<bool> used;
     for (std::uint32_t i = 0; i < reading.macros.size(); ++i) {
         const Macro& macro = reading.macros[i];
         if (!is_of_the_text(macro) || macro.body.empty() ||
             (!names(macro, "#") && !names(macro, "##")))
             continue;
-        const bool is_used =
-            std::ranges::any_of(reading.uses, [&](const auto& use) { return use.macro == i; }) ||
-            std::ranges::any_of(reading.macros,
-                                [&](const Macro& other) { return names(other, macro.name); });
+        if (used.empty()) used = used_macros(reading);
+        if (used[i]) continue;
         const Span body{macro.body.front().begin, macro.definition.end};
         const auto lines =
             std::ranges::count(reading.text.substr(body.begin, body.end - body.begin), '\n');
-        if (!is_used) edits.replace_bytes(body, std::string(static_cast<std::size_t>(lines), '\n'));
+        edits.replace_bytes(body, std::string(static_cast<std::size_t>(lines), '\n'));
     }
 }
 

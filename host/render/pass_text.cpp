@@ -122,7 +122,9 @@ constexpr std::array<std::string_view, 18> kOtherFunctions = {
     "atomicXor",    "atomicExchange", "atomicCompSwap"};
 
 // Ordinary names on the site, and reserved in Mesa.
-constexpr std::array<std::string_view, 4> kOrdinaryNames = {"packed", "dmat2", "dmat3", "dmat4"};
+constexpr std::string_view kOrdinaryNames[] = {
+    "packed",  "dmat2",   "dmat3",   "dmat4",   "dmat2x2", "dmat2x3", "dmat2x4",
+    "dmat3x2", "dmat3x3", "dmat3x4", "dmat4x2", "dmat4x3", "dmat4x4"};
 
 std::string renamed_words(const Reading& reading) {
     std::string text;

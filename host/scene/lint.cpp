@@ -212,6 +212,7 @@ void Linter::look_into_functions() {
         };
         add_all(find_shadowed_names(view.reading, view.reached));
         add_all(find_reserved_names(view.reading, view.reached));
+        add_all(find_refused_by_browsers(view.reading, view.reached));
         add_all(find_long_loops(view.reading, view.reached, values));
     }
 }

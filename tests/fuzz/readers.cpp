@@ -58,6 +58,7 @@ void read_text(std::string_view raw) {
         const std::vector<bool> all(reading.functions.size(), true);
         find_shadowed_names(reading, all);
         find_reserved_names(reading, all);
+        find_refused_by_browsers(reading, all);
         find_long_loops(reading, all, {{"steps", 100.0}});
         mend_division_by_zero(reading, {}, edits);
         Edits lean(reading);

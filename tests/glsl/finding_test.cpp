@@ -79,6 +79,34 @@ TEST(ReservedNames, AreToldOnce) {
     EXPECT_TRUE(find_reserved_names(reading, {false}).size() == 1);
 }
 
+std::vector<std::string> refused(const std::string& text) {
+    const Reading reading = read_glsl(text, known_of_driver());
+    std::vector<std::string> list;
+    for (const Finding& one :
+         find_refused_by_browsers(reading, std::vector<bool>(reading.functions.size(), true)))
+        list.push_back(text.substr(one.at, 12) + " " + one.text.substr(0, 40));
+    return list;
+}
+
+TEST(BrowserRules, RefuseAChoiceOfWhatIsNoNumber) {
+    const std::string head = "struct S { float a; };\nS f(bool c, S s, S t) { ";
+    using Words = std::vector<std::string>;
+    const Words choice = {"? s : t; ret browsers refuse ?: for structures, which"};
+    EXPECT_EQ(refused(head + "S u = c ? s : t; return u; }"), choice);
+    EXPECT_EQ(refused(head + "S u; u = (c ? s : t); return u; }").size(), 1u);
+    EXPECT_EQ(refused(head + "return c ? s : t; }").size(), 1u);
+    EXPECT_EQ(refused(head + "float x = c ? s.a : t.a; x = c ? 1.0 : g(c ? 1 : 2); return s; }"),
+              Words());
+    EXPECT_EQ(refused("void f(bool c) { float a[2], b[2]; float d[2] = c ? a : b; }").size(), 1u);
+    EXPECT_EQ(refused("void g() {}\nvoid f(bool c) { c ? g() : g(); }").size(), 1u);
+    EXPECT_EQ(refused("float g() { return 1.0; }\nvoid f(bool c) { c ? g() : g(); }"), Words());
+}
+
+TEST(BrowserRules, RefuseAColourThatIsInout) {
+    EXPECT_EQ(refused("void mainImage(inout vec4 c, in vec2 p) { c = vec4(1); }").size(), 1u);
+    EXPECT_TRUE(refused("void mainImage(out vec4 c, vec2 p) { c = vec4(1); }").empty());
+}
+
 struct Loop {
     const char* text;
     LoopBound::Kind kind;
