@@ -104,8 +104,6 @@ void TextSource::obey(const DirectiveLine& line, std::string_view word) {
     if (word == "define") {
         if (!macros_.define(tokens, line.tokens, line.span))
             complain(line.span, "this definition is not understood");
-        for (std::uint32_t at = line.tokens.begin; at < line.tokens.end; ++at)
-            if (tokens[at].is("##")) complain(tokens[at].span(), "GLSL ES puts no names together");
     } else if (word == "undef" && line.tokens.size() > 2) {
         macros_.undefine(tokens[line.tokens.begin + 2].text);
     } else if (word == "line") {
@@ -187,6 +185,9 @@ Preprocessed preprocess(std::string_view text, const Known& known) {
         result.not_understood.push_back(
             {{at, at}, "macros nested this deep, or grown this large, are not expanded"});
     }
+    for (const Token& token : result.tokens)  // of a macro that nobody uses it is no error
+        if (token.is("##"))
+            result.not_understood.push_back({token.span(), "GLSL ES puts no names together"});
     result.macros = macros.take();
     result.written = std::move(scanned.tokens);
     result.comments = std::move(scanned.comments);

@@ -57,8 +57,12 @@ TEST(NvidiaWords, OfTypesSayWhatToDo) {
                    "unable to find compatible overloaded function \"max(int, mediump float)\""),
               "2:7: no matching function for call to `max(int, float)'; GLSL ES makes no int a "
               "float by itself: write 2.0 for 2, or float(i)");
-    EXPECT_EQ(told(in_image("c.x = p.x % 2.0;"), 2, "operands to \"%\" must be integral"),
-              "2:11: each operand of operator % must be an integer; of floats mod(a, b) is left");
+    EXPECT_EQ(told(in_image("c.x = p.x % 2.0;"), 2,
+                   "unable to find compatible overloaded function \"glint_rem(float, float)\""),
+              "2:7: LHS of operator % must be an integer; of floats mod(a, b) is left");
+    EXPECT_EQ(told(in_image("const float x = 3.0 % 2.0;"), 2,
+                   "operands to \"%\" must be integral"),
+              "2:21: each operand of operator % must be an integer; of floats mod(a, b) is left");
     EXPECT_EQ(
         told(in_image("c.x = c.xyq.x;"), 2, "swizzle mask element not present in operand \"xyq\""),
         "2:9: invalid swizzle / mask `xyq'");
