@@ -3,7 +3,7 @@
 // Each place of interest, a site, has a number. An expression is handed through a function that
 // notes it and gives it back, `glint0_v(7, h = map(p))`, so that nothing is evaluated that was not,
 // nor in another order, and GLSL's own overloading finds the types. What a fragment keeps of the
-// many values that come by is told by uniforms (see probe_prologue); so one program, drawn once,
+// many values that come by is told by uniforms (probe_declarations); so one program, drawn once,
 // answers for as many sites, hits or pixels as are asked.
 #pragma once
 

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-// The inverse of the decoding that the averaged picture's prologue does (render/program.cpp).
+// The inverse of the decoding that the averaged picture's prologue does (render/pass_text.cpp).
 constexpr const char* kEncode = R"(#version 300 es
 precision highp float;
 uniform highp sampler2D sum;

@@ -34,11 +34,9 @@ PassReads reads_of(const Preset& preset, const PassProgram& program,
     const bool reads_itself = std::ranges::find(reads.buffers, program.pass) != reads.buffers.end();
     if (!reads_itself && keeps_pixels(preset, program.pass, options))
         reads.buffers.push_back(program.pass);
-    reads.changes_by_itself =
-        std::any_of(program.builtins.begin(), program.builtins.end(), [](const BuiltinUniform& u) {
-            return u.builtin == Builtin::time || u.builtin == Builtin::frame ||
-                   u.builtin == Builtin::tick || u.builtin == Builtin::date;
-        });
+    reads.changes_by_itself = std::ranges::any_of(
+        program.builtins,
+        [](const BuiltinUniform& uniform) { return changes_by_itself(uniform.builtin); });
     const auto sounds = [&](std::size_t sampler) {
         return sampler_at(preset, sampler).source == Source::sound;
     };

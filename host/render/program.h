@@ -39,6 +39,33 @@ constexpr bool is_of_mouse(Builtin builtin) {
            builtin == Builtin::mouse_share;
 }
 
+// Whether it is another in every frame, so that a pass that reads it is drawn in each.
+constexpr bool changes_by_itself(Builtin builtin) {
+    switch (builtin) {
+        case Builtin::time:
+        case Builtin::frame:
+        case Builtin::tick:
+        case Builtin::date:
+            return true;
+        case Builtin::resolution:
+        case Builtin::time_delta:
+        case Builtin::frame_rate:
+        case Builtin::mouse:
+        case Builtin::sample_rate:
+        case Builtin::channel_time:
+        case Builtin::channel_resolution:
+        case Builtin::channel_struct:
+        case Builtin::resolution_2d:
+        case Builtin::mouse_2d:
+        case Builtin::mouse_share:
+        case Builtin::jitter:
+        case Builtin::face:
+        case Builtin::origin:
+            return false;
+    }
+    return false;
+}
+
 // An active uniform: where it is, and which value belongs there.
 struct BuiltinUniform {
     Builtin builtin;

@@ -46,4 +46,11 @@ const HostUniform* find_builtin(std::string_view name) {
     return found == kBuiltins.end() ? nullptr : &found->second;
 }
 
+std::vector<std::string_view> builtin_names() {
+    std::vector<std::string_view> names;
+    for (const auto& [name, uniform] : kBuiltins) names.push_back(name);
+    for (const ForeignName& foreign : kForeign) names.push_back(foreign.name);
+    return names;
+}
+
 }  // namespace glint

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 namespace glint {
 
@@ -22,5 +23,8 @@ const ForeignName* find_foreign_name(std::string_view type, std::string_view nam
 
 // The built-in of this name, or null.
 const HostUniform* find_builtin(std::string_view name);
+
+// Of all of these, and of those of other programs.
+std::vector<std::string_view> builtin_names();
 
 }  // namespace glint

@@ -15,7 +15,7 @@
 
 namespace glint {
 
-// How a scene moves at an age: see check_age.cpp.
+// How a scene moves at an age: see age.cpp.
 struct Motion {
     double moving = 0.0;         // share of frames at 60 Hz that differ from the one before
     double finely_moving = 0.0;  // of frames 1/960 s apart

@@ -44,8 +44,10 @@ Watches::Watches(const Preset& preset, std::size_t pass, const ProgramOptions& o
         probe_.emplace(preset, pass, options, wish);
     } catch (const ProbeRefused&) {
         wish.expressions = accepted(
-            preset, pass, options, wish,
-            [&](const ProbeExpression&, const std::string& why) { refused_.push_back(why); });
+            preset, pass, options, wish, [&](const ProbeExpression& one, const std::string& why) {
+                const Place place = preset.scene.place_at(one.line.begin);
+                refused_.push_back(fmt::format("watch {}@{}: {}", one.text, place.line, why));
+            });
         if (!wish.expressions.empty()) probe_.emplace(preset, pass, options, wish);
     }
 }

@@ -3,6 +3,7 @@
 //
 // playground.cpp opens, places what has passed its trial, and follows tweaks; playground_frames.cpp
 // draws; playground_replay.cpp and playground_start.cpp play simulations to a time;
+// playground_sketch.cpp draws a coarse picture where the fast programs take long;
 // playground_inputs.cpp has the files of samplers; playground_pictures.cpp draws for others than
 // the screen.
 #pragma once
