@@ -67,6 +67,7 @@ public:
                           const std::set<std::string, std::less<>>& unknown) const;
 
 private:
+    std::string help_at(std::string_view words, const Spot& spot) const;
     bool is_declared_below(std::string_view name) const;
     bool is_function(std::string_view name) const;
     std::string meant_by(std::string_view mistyped,
@@ -203,6 +204,26 @@ std::optional<Diagnostic> ReadText::open_bracket() const {
     return Diagnostic{Severity::error, place_of(*error), error->text};
 }
 
+// "; == compares, = gives a value", "; did you mean 'include'?", or "".
+std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
+    if (words.ends_with("condition must be scalar boolean")) {
+        int depth = 0;
+        for (std::size_t i = spot.token; i < read_.tokens.size() && depth >= 0; ++i) {
+            const Token& token = read_.tokens[i];
+            if (token.is("=")) return "; == compares, = gives a value";
+            depth += token.is("(") ? 1 : token.is(")") || token.is(";") ? -1 : 0;
+        }
+    }
+    if (words.starts_with("Illegal non-directive after #")) {
+        static const std::vector<std::string> kDirectives = {"include", "define", "undef", "ifdef",
+                                                             "ifndef",  "elif",   "else",  "endif"};
+        std::string_view word = std::string_view(pass_.text).substr(spot.at);
+        word.remove_prefix(std::min(word.find_first_not_of("# \t"), word.size()));
+        return did_you_mean(word.substr(0, word.find_first_of(" \t\n\"(")), kDirectives);
+    }
+    return "";
+}
+
 Diagnostic ReadText::complaint(Said said) const {
     const auto& [severity, line, column, is_expanded, said_words, token] = said;
     Spot spot = token         ? spot_of(*token)
@@ -218,7 +239,7 @@ Diagnostic ReadText::complaint(Said said) const {
     std::string words = said_words;
     std::optional<SyntaxError> syntax;
     if (is_expanded || token) syntax = read_syntax_error(words, users_tokens(), spot.token);
-    words = syntax ? syntax->text : said_better(std::move(words));
+    words = syntax ? syntax->text : said_better(std::move(words)) + help_at(words, spot);
     if (syntax && (syntax->is_behind || syntax->token != spot.token)) {
         where = place_of(*syntax);
         spot.use = kNone;

@@ -38,6 +38,12 @@ TEST_F(BrokenScene, TellsTheLineAndColumnOfASyntaxError) {
          "void mainImage(out vec4 c, in vec2 p) { c = vec4(wrong); }\n"
          "float unused() { return 1.0; }\n",
          3, "scene.frag:1:50: error: `wrong' undeclared"},
+        {"of a value that is given in a condition",
+         "void mainImage(out vec4 c, in vec2 p) {\n    if (p.x = .5) c = vec4(1);\n}\n", 3,
+         "scene.frag:2:9: error: if-statement condition must be scalar boolean; == compares"},
+        {"of a mistyped directive",
+         "#inlcude \"x.glsl\"\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n", 3,
+         "scene.frag:1:1: error: Illegal non-directive after #; did you mean 'include'?"},
         {"on the last line, which has no end",
          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n\nfloat f() { return 1.0", 3,
          "scene.frag:3:"},

@@ -60,8 +60,7 @@ TEST(NvidiaWords, OfTypesSayWhatToDo) {
     EXPECT_EQ(told(in_image("c.x = p.x % 2.0;"), 2,
                    "unable to find compatible overloaded function \"glint_rem(float, float)\""),
               "2:7: LHS of operator % must be an integer; of floats mod(a, b) is left");
-    EXPECT_EQ(told(in_image("const float x = 3.0 % 2.0;"), 2,
-                   "operands to \"%\" must be integral"),
+    EXPECT_EQ(told(in_image("const float x = 3.0 % 2.0;"), 2, "operands to \"%\" must be integral"),
               "2:21: each operand of operator % must be an integer; of floats mod(a, b) is left");
     EXPECT_EQ(
         told(in_image("c.x = c.xyq.x;"), 2, "swizzle mask element not present in operand \"xyq\""),
