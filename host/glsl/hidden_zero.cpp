@@ -32,8 +32,11 @@ public:
             if (one.why_not.empty() && !one.is_result) unset_.insert(one.at);
         for (const Declaration& declaration : reading_.declarations)
             if (declaration.scope == Scope::local && !declaration.is_const) hide_in(declaration);
-        for (std::uint32_t at = 1; at + 1 < reading_.tokens.size(); ++at)
-            if (reading_.tokens[at].is("=")) hide_assigned(at);
+        for (const auto& [index, names] : divisors_) {
+            const TokenRange body = reading_.functions[index].body;
+            for (std::uint32_t at = body.begin + 1; at < body.end; ++at)
+                if (reading_.tokens[at].is("=")) hide_assigned(index, at);
+        }
         for (const Call& call : reading_.calls) hide_arguments(call);
     }
 
@@ -44,39 +47,52 @@ private:
                !(at + 1 < tokens.size() && tokens[at + 1].is("("));
     }
 
-    // By name, with the kind of all variables that are called so.
+    // By function and name, with the kind of all variables that are called so in it.
     void find_divisors() {
         const auto& tokens = reading_.tokens;
-        const auto count = static_cast<std::uint32_t>(tokens.size());
-        for (std::uint32_t at = 0; at < count; ++at) {
-            const bool assigns = tokens[at].is("/=");
-            if (!assigns && !tokens[at].is("/")) continue;
-            const std::uint32_t end = assigns ? expression_end(reading_, at + 1, count)
-                                              : operand_end(reading_, at + 1, count);
-            bool adds = false;
-            for (std::uint32_t i = at + 1; i < end; ++i)
-                adds |= tokens[i].is("+") || tokens[i].is("-");
-            for (std::uint32_t i = at + 1; i < end && !adds; ++i)
-                if (is_name(i)) divisors_.emplace(tokens[i].text, NumberKind::other);
+        for (std::uint32_t index = 0; index < reading_.functions.size(); ++index) {
+            const TokenRange body = reading_.functions[index].body;
+            for (std::uint32_t at = body.begin; at < body.end; ++at) {
+                const bool assigns = tokens[at].is("/=");
+                if (!assigns && !tokens[at].is("/")) continue;
+                add_divisors(index, {at + 1, assigns ? expression_end(reading_, at + 1, body.end)
+                                                     : operand_end(reading_, at + 1, body.end)});
+            }
         }
-        std::unordered_set<std::string_view> seen;
+        std::unordered_set<const NumberKind*> seen;
         for (const Declaration& declaration : reading_.declarations) {
-            if (declaration.scope == Scope::member) continue;
+            if (declaration.scope != Scope::local && declaration.scope != Scope::parameter)
+                continue;
             for (const Declarator& one : declaration.names) {
-                const auto found = divisors_.find(reading_.word(one.name));
-                if (found == divisors_.end()) continue;
+                NumberKind* kind = find(declaration.owner, one.name);
+                if (!kind) continue;
                 const bool is_array = !one.array.empty() || !declaration.type_array.empty();
-                const NumberKind kind =
+                const NumberKind its =
                     is_array ? NumberKind::other : kind_of(reading_.word(declaration.type));
-                const bool is_first = seen.insert(found->first).second;
-                found->second = is_first || found->second == kind ? kind : NumberKind::other;
+                *kind = seen.insert(kind).second || *kind == its ? its : NumberKind::other;
             }
         }
     }
 
-    NumberKind divisor(std::uint32_t name) const {
-        const auto found = divisors_.find(reading_.word(name));
-        return found == divisors_.end() ? NumberKind::other : found->second;
+    // What is added to is no zero for long.
+    void add_divisors(std::uint32_t function, TokenRange divisor) {
+        const auto& tokens = reading_.tokens;
+        for (std::uint32_t at = divisor.begin; at < divisor.end; ++at)
+            if (tokens[at].is("+") || tokens[at].is("-")) return;
+        for (std::uint32_t at = divisor.begin; at < divisor.end; ++at)
+            if (is_name(at)) divisors_[function].emplace(tokens[at].text, NumberKind::other);
+    }
+
+    NumberKind* find(std::uint32_t function, std::uint32_t name) {
+        const auto names = divisors_.find(function);
+        if (names == divisors_.end()) return nullptr;
+        const auto found = names->second.find(reading_.word(name));
+        return found == names->second.end() ? nullptr : &found->second;
+    }
+
+    NumberKind divisor(std::uint32_t function, std::uint32_t name) {
+        const NumberKind* kind = find(function, name);
+        return kind ? *kind : NumberKind::other;
     }
 
     // `0.0`, `0` for whole numbers, `vec3(0)`, `vec2(0.0, 0)`.
@@ -103,7 +119,7 @@ private:
 
     void hide_in(const Declaration& declaration) {
         for (const Declarator& one : declaration.names) {
-            const NumberKind kind = divisor(one.name);
+            const NumberKind kind = divisor(declaration.owner, one.name);
             if (kind == NumberKind::other) continue;
             const bool is_ours =
                 one.initial.empty() && unset_.contains(reading_.place(one.name).begin);
@@ -114,9 +130,9 @@ private:
         }
     }
 
-    void hide_assigned(std::uint32_t at) {
+    void hide_assigned(std::uint32_t function, std::uint32_t at) {
         if (!is_name(at - 1) || is_declared(at - 1)) return;
-        const NumberKind kind = divisor(at - 1);
+        const NumberKind kind = divisor(function, at - 1);
         const auto count = static_cast<std::uint32_t>(reading_.tokens.size());
         const TokenRange value = {at + 1, expression_end(reading_, at + 1, count)};
         if (kind != NumberKind::other && is_zero(value)) add_behind(value.end - 1, kind);
@@ -140,7 +156,7 @@ private:
     }
 
     // Of the parameter that a function of this name has there, where it divides.
-    NumberKind parameter_kind(const Call& call, std::size_t number) const {
+    NumberKind parameter_kind(const Call& call, std::size_t number) {
         NumberKind kind = NumberKind::other;
         bool is_first = true;
         for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name))) {
@@ -149,7 +165,7 @@ private:
             const Declaration& one = reading_.declarations[function.parameters[number]];
             if (one.names.empty()) continue;  // a prototype
             const NumberKind its =
-                one.is_const ? NumberKind::other : divisor(one.names.front().name);
+                one.is_const ? NumberKind::other : divisor(index, one.names.front().name);
             kind = is_first || kind == its ? its : NumberKind::other;
             is_first = false;
         }
@@ -158,7 +174,7 @@ private:
 
     const Reading& reading_;
     Edits& edits_;
-    std::unordered_map<std::string_view, NumberKind> divisors_;
+    std::unordered_map<std::uint32_t, std::unordered_map<std::string_view, NumberKind>> divisors_;
     std::unordered_set<std::size_t> unset_;
     std::unordered_set<std::uint32_t> declared_;
 };

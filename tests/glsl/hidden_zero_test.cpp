@@ -54,8 +54,9 @@ TEST(HiddenZero, LeavesAloneWhatIsNoZeroOrDividesNothing) {
     expect_alone("void f() { float[2] z = float[2](0.0, 0.0); float a = w / z[0]; }");
 }
 
-TEST(HiddenZero, LeavesAloneANameOfBothKindsOfNumbers) {
-    expect_alone("void f() { int z = 0; int a = 4 / z; }\nvoid g() { float z = 0.0; a = w / z; }");
+TEST(HiddenZero, LeavesAloneANameOfBothKindsOfNumbersInOneFunction) {
+    expect_alone("void f() { int z = 0; int a = 4 / z; { float z = 0.0; b = w / z; } }");
+    expect_alone("void g() { b = w / z; }\nvoid f() { float z = 0.0; b = z; }");
 }
 
 }  // namespace
