@@ -308,6 +308,20 @@ TEST_F(Check, LoopsOfABufferOfNoStateAreCounted) {
     EXPECT_EQ(report["cases"][0]["verdict"], "fail") << report;
 }
 
+TEST_F(Check, LoopsThatATweakMakesTooLongNameIt) {
+    write(
+        "scene.frag",
+        "uniform float scale; //@ 1 [0, 2]\nuniform int steps; //@ 20 [1, 300]\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n    float s = 0.0;\n"
+        "    for (int i = 0; i < steps; ++i) for (int k = 0; k < steps; ++k) s += sin(float(i));\n"
+        "    c = vec4(fract(s * scale)); }\n");
+    const auto report = report_of(glint({"check", "scene.frag", "--case", "loop budget", "--json",
+                                         "--size", "8x4", "-o", "out"}),
+                                  6);
+    const std::string note = report["cases"][0]["note"];
+    EXPECT_TRUE(note.ends_with("; at steps=300")) << note;
+}
+
 TEST_F(Check, AFloatClockFailsAfterADay) {
     const std::set<std::string> names = failed(check("planted_age", {}, 6));
     // Its wave swings 16 times a second.

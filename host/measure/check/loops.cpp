@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -18,6 +20,29 @@ constexpr std::size_t kLoopEnds = 16;  // sets of tweaks
 std::vector<std::vector<TweakValue>> values_to_try(const CheckSubject& subject) {
     if (subject.specialised()) return {subject.preset.values};
     return values_at_ends(subject, kLoopEnds);
+}
+
+// Of the tweaks those stay that it takes.
+void fail(CheckSubject& subject,
+          const std::function<bool(const std::vector<TweakValue>&)>& runs_out,
+          const LoopTurns& turns, bool with_neighbours, std::vector<TweakValue> values,
+          CaseResult& result) {
+    const std::string pass = with_neighbours ? "image" : turns.pass();
+    std::string at;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Tweak& tweak = subject.scene().tweaks[i];
+        const TweakValue tried = std::exchange(values[i], subject.opened().values[i]);
+        if (tried == values[i] || runs_out(values)) continue;
+        values[i] = tried;
+        at += fmt::format("{}{}={}", at.empty() ? "; at " : ", ", tweak.name,
+                          format_value(tweak, tried));
+    }
+    subject.restore();
+    subject.preset.values = std::move(values);
+    result.fail(
+        fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel{}, then "
+                    "end silently; split the work over passes, frames or --tile{}",
+                    pass, kLoopBudget, with_neighbours ? " and its neighbours" : "", at));
 }
 
 void run_loops(Check& check, CaseResult& result) {
@@ -33,28 +58,29 @@ void run_loops(Check& check, CaseResult& result) {
     }
     const Frame frame = subject.frame_at(subject.preset.time, 1.0 / 60, 0);
     const CaseClock clock(check);
-    bool with_neighbours = false;
-    for (const auto& values : values_to_try(subject)) {
+    bool with_neighbours = false, is_finite = false;
+    std::uint32_t most = 0;
+    const auto runs_out = [&](const std::vector<TweakValue>& values) {
         subject.restore();
         subject.preset.values = values;
-        bool is_finite = false;
+        turns->forget();
         turns->count(frame, [&] { is_finite = subject.draw(frame); });
-        if (!is_finite || turns->is_cut()) break;
+        most = std::max(most, turns->most());
+        if (!is_finite || turns->is_cut()) return turns->is_cut();
         with_neighbours = turns->most() >= kFewTurns && !subject.stateful() &&
                           differs_alone(subject.opened(), subject.renderer(), program, frame);
         if (subject.after_frame) subject.after_frame();  // compiling is no hang
-        if (with_neighbours || clock.is_over(0.03)) break;
+        return with_neighbours;
+    };
+    for (const auto& values : values_to_try(subject)) {
+        if (runs_out(values))
+            return fail(subject, runs_out, *turns, with_neighbours, values, result);
+        if (!is_finite || clock.is_over(0.03)) break;
     }
-    result.note = fmt::format("at most {} turns in a pixel{}", turns->most(),
+    result.note = fmt::format("at most {} turns in a pixel{}", most,
                               subject.specialised() && !subject.preset.values.empty()
                                   ? ", with the preset's values"
                                   : "");
-    if (turns->is_cut() || with_neighbours)
-        result.fail(
-            fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel{}, then "
-                        "end silently; split the work over passes, frames or --tile",
-                        with_neighbours ? "image" : turns->pass(), kLoopBudget,
-                        with_neighbours ? " and its neighbours" : ""));
 }
 
 }  // namespace
