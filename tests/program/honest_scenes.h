@@ -34,6 +34,9 @@ inline std::vector<std::pair<std::string, std::string>> honest_scenes() {
                "/ 6.3, length(d), 0.5, 1.0);")},
         {"reversed_edges",
          image("c = vec4(smoothstep(0.32, 0.3, distance(q, vec2(0.5))), 0.0, 0.0, 1.0);")},
+        {"lightning", image("float t = float(iTick & 0x7ffffu) / 65536.0;"
+                            " c = vec4(vec3(0.1 + 0.8 * exp(-9.0 * abs(t - 4.0))), 1.0);")},
+        {"daylight", image("c = vec4(q, 0.5 + 0.4 * sin(6.2831853 * iTime / 86400.0), 1.0);")},
         {"smoke", fed("c = s * 0.99 + vec4(exp(-dot(p - 4.0, p - 4.0)));", "size=8x8 step=1/60")},
     };
 }

@@ -115,6 +115,17 @@ inline void add_far_places(std::vector<Planted>& list) {
                image("float y; paint(q.x, y); c = vec4(y);");
     };
     list.push_back({"far/out_parameter", handed_out(""), handed_out("y = 0.0; ")});
+    const std::string menu = "uniform int mode; //@ 0 {calm, disco, dawn}\n";
+    const auto disco = [](const char* rate) {
+        return fmt::format(
+            "c = vec4(mode == 1 ? step(0.5, fract(float(iTick & 65535u) / 65536.0 * {})) : 0.3);",
+            rate);
+    };
+    add("flashes_within_a_menu", menu, disco("8.0"), disco("1.0"));
+    const auto unset = [](const char* first) {
+        return fmt::format("float s{}; if (mode != 1) s = q.x; c = vec4(s);", first);
+    };
+    add("unset_within_a_menu", menu, unset(""), unset(" = 0.0"));
     const auto half = [](const char* light) {
         return fmt::format(
             "uniform float a; //@ 0.5 [0, 1]\n"

@@ -30,6 +30,10 @@ constexpr double kLeastMoving = 0.75, kLeastFinelyMoving = 0.5;
 constexpr double kBeats = 2.0;  // frames: what beats slowly has one more or less, now and then
 // A change a frame that is lost in a colour's last digits, as where something slows down for good.
 constexpr double kHardly = 1e-6;
+constexpr double kSeen = 0.5 / 255.0;
+// What stands still in most frames, such as a lightning, may be seen between two: at other moments.
+constexpr double kSeldom = 0.5;
+constexpr double kOtherMoments[] = {0.0, 1.1, 2.3, 3.4, 4.6, 5.7, 6.9, 8.0};  // s later
 constexpr double kUnevennessFactor = 2.0, kUnevennessAllowed = 0.1;
 // The same phase: where a display shows a difference.
 constexpr double kLeastPsnr = 55.0, kMostOff = 0.0005;
@@ -184,14 +188,22 @@ void run_age(const Age& age, Check& check, CaseResult& result) {
     }
     const Motion young = young_motion(check);
     if (!subject.observed().is_finite()) return;
-    const Motion old = motion_at(check, age.seconds);
-    if (!subject.observed().is_finite()) return;
-    if (young.moving == 0.0)
-        result.note = "comes to rest within its first minute";
-    else if (old.mean > 0.0 && old.mean < kHardly && old.mean < young.mean)
-        result.note = "hardly moves any more";
-    else
-        judge_motion(young, old, result);
+    const double float_step = std::nextafter(static_cast<float>(age.seconds), 1e9f) - age.seconds;
+    const bool is_slow = young.mean < kHardly && young.mean * 60.0 * float_step < kSeen;
+    CaseResult judged;
+    for (const double later : kOtherMoments) {
+        const Motion old = motion_at(check, age.seconds + later);
+        if (!subject.observed().is_finite()) return;
+        judged = {.name = result.name};
+        if (young.moving == 0.0)
+            judged.note = "comes to rest within its first minute";
+        else if (is_slow || (old.mean > 0.0 && old.mean < kHardly && old.mean < young.mean))
+            judged.note = "hardly moves any more";
+        else
+            judge_motion(young, old, judged);
+        if (judged.verdict != CaseVerdict::fail || young.moving >= kSeldom) break;
+    }
+    result = std::move(judged);
 }
 
 // The picture some frames after the clock has jumped to a time. iFrame and iDate are the same

@@ -82,6 +82,13 @@ void compare_rates(CheckSubject& subject, CaseResult& result) {
                         kMet, fine, coarse, frame));
 }
 
+// At some values of its tweaks, where it stands still at the preset's.
+bool reads_a_clock(std::string_view text) {
+    constexpr std::string_view kClocks[] = {"iTime", "iTick", "iFrame"};
+    return std::ranges::any_of(kClocks,
+                               [&](std::string_view name) { return text.find(name) != text.npos; });
+}
+
 // With the preset's values, and where all tweaks are at an end of their ranges.
 void run_frame_rates(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
@@ -211,7 +218,7 @@ void add_frame_rate_case(std::vector<Case>& list, const CheckSubject& subject) {
 
 void add_flash_case(std::vector<Case>& list, const CheckSubject& subject) {
     const bool ends = !subject.stateful() && !subject.scene().tweaks.empty();
-    if (subject.moves())
+    if (subject.moves() || (ends && reads_a_clock(subject.scene().text)))
         list.push_back({"flashes", run_flashes, ends ? Case::Tweaks::all : Case::Tweaks::none});
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr double kMinute = 60.0, kLongest = 3600.0;  // s
 constexpr double kInMinute = 0.75;                   // of the range; behind it, by logarithms
 constexpr double kLongestSide = 1920.0;
+constexpr std::size_t kMostOfMenus = 8;  // sets for the middle entries of menus
 // The usual number of pixels. The shorter side gives way, so that no point is dearer than others.
 constexpr double kMostPixels = 3.0;
 
@@ -197,6 +198,9 @@ std::string Space::words(const Point& point, const CheckSubject& subject) const 
 std::vector<std::vector<TweakValue>> values_at_ends(const CheckSubject& subject, std::size_t most) {
     const auto& tweaks = subject.scene().tweaks;
     std::vector<std::vector<TweakValue>> sets = {subject.opened().values};
+    const auto add = [&](std::vector<TweakValue> values) {
+        if (std::ranges::find(sets, values) == sets.end()) sets.push_back(std::move(values));
+    };
     Search search(Point(tweaks.size(), 0.5));
     search.next();
     const std::size_t ends = tweaks.empty() ? 0 : 2 * std::bit_ceil(tweaks.size() + 1);
@@ -209,7 +213,17 @@ std::vector<std::vector<TweakValue>> values_at_ends(const CheckSubject& subject,
             values[i].fill(point[i] < 0.5 ? range->min : range->max);
             values[i] = clamp_to_range(tweaks[i], values[i]);
         }
-        if (std::ranges::find(sets, values) == sets.end()) sets.push_back(std::move(values));
+        add(std::move(values));
+    }
+    // What stands within a menu is no less than what stands at its ends.
+    const std::size_t most_of_menus = sets.size() + kMostOfMenus;
+    for (std::size_t i = 0; i < tweaks.size() && most > 1; ++i) {
+        for (std::size_t n = 1; n + 1 < tweaks[i].names.size(); ++n) {
+            if (sets.size() >= most_of_menus) return sets;
+            std::vector<TweakValue> values = sets.front();
+            values[i][0] = static_cast<double>(n);
+            add(std::move(values));
+        }
     }
     return sets;
 }

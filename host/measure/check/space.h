@@ -56,7 +56,8 @@ private:
 };
 
 // The preset's values, and the ends of all ranges, so combined that any two tweaks take every
-// combination of theirs; at most `most` sets.
+// combination of theirs, at most `most` sets; then the other entries of menus, each alone, where
+// more than one set is wanted.
 std::vector<std::vector<TweakValue>> values_at_ends(const CheckSubject& subject, std::size_t most);
 
 }  // namespace glint
