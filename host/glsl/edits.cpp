@@ -43,6 +43,13 @@ bool Edits::takes_replacement(std::uint32_t token) const {
            may_write_out(reading_.uses[reading_.tokens[token].use]);
 }
 
+bool Edits::is_replaced(Span span) const {
+    return std::ranges::any_of(changes_, [&](const Change& change) {
+        return change.span.begin < change.span.end && change.span.begin < span.end &&
+               span.begin < change.span.end;
+    });
+}
+
 bool Edits::before(std::uint32_t token, std::string words) {
     const std::uint32_t use = reading_.tokens[token].use;
     if (use != kNone && reading_.uses[use].tokens.begin != token)

@@ -50,6 +50,9 @@ public:
     bool takes_after(std::uint32_t token) const;
     bool takes_replacement(std::uint32_t token) const;
 
+    // Whether words stand instead of any of these bytes.
+    bool is_replaced(Span span) const;
+
     bool empty() const { return changes_.empty() && within_.empty(); }
     // Changes that overlap an earlier place are left out.
     EditedText apply() const;

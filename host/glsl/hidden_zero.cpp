@@ -20,6 +20,8 @@ NumberKind kind_of(std::string_view type) {
     return type == "int" ? NumberKind::whole : NumberKind::other;
 }
 
+constexpr std::uint32_t kLongest = 64;  // tokens of a divisor or a zero that are looked at
+
 class ZeroHider {
 public:
     ZeroHider(const Reading& reading, Edits& edits) : reading_(reading), edits_(edits) {
@@ -55,8 +57,9 @@ private:
             for (std::uint32_t at = body.begin; at < body.end; ++at) {
                 const bool assigns = tokens[at].is("/=");
                 if (!assigns && !tokens[at].is("/")) continue;
-                add_divisors(index, {at + 1, assigns ? expression_end(reading_, at + 1, body.end)
-                                                     : operand_end(reading_, at + 1, body.end)});
+                const std::uint32_t stop = std::min(body.end, at + 1 + kLongest);
+                add_divisors(index, {at + 1, assigns ? expression_end(reading_, at + 1, stop)
+                                                     : operand_end(reading_, at + 1, stop)});
             }
         }
         std::unordered_set<const NumberKind*> seen;
@@ -112,17 +115,17 @@ private:
     }
 
     void add_behind(std::uint32_t token, NumberKind kind) {
-        const bool is_whole = kind == NumberKind::whole;
-        edits_.after(token, fmt::format(" + {}{}{}", is_whole ? "int(" : "", kHiddenZero,
-                                        is_whole ? ")" : ""));
+        edits_.after(token,
+                     fmt::format(" + {}{}", kHiddenZero, kind == NumberKind::whole ? "_i" : ""));
     }
 
     void hide_in(const Declaration& declaration) {
         for (const Declarator& one : declaration.names) {
             const NumberKind kind = divisor(declaration.owner, one.name);
             if (kind == NumberKind::other) continue;
-            const bool is_ours =
-                one.initial.empty() && unset_.contains(reading_.place(one.name).begin);
+            // Several names of one macro stand at one place.
+            const bool is_ours = one.initial.empty() && reading_.tokens[one.name].use == kNone &&
+                                 unset_.contains(reading_.place(one.name).begin);
             if (is_ours)
                 add_behind(one.tokens.end - 1, kind);
             else if (is_zero(one.initial))
@@ -133,9 +136,11 @@ private:
     void hide_assigned(std::uint32_t function, std::uint32_t at) {
         if (!is_name(at - 1) || is_declared(at - 1)) return;
         const NumberKind kind = divisor(function, at - 1);
+        if (kind == NumberKind::other) return;
         const auto count = static_cast<std::uint32_t>(reading_.tokens.size());
-        const TokenRange value = {at + 1, expression_end(reading_, at + 1, count)};
-        if (kind != NumberKind::other && is_zero(value)) add_behind(value.end - 1, kind);
+        const std::uint32_t stop = std::min(count, at + 1 + kLongest);
+        const TokenRange value = {at + 1, expression_end(reading_, at + 1, stop)};
+        if (value.end < stop && is_zero(value)) add_behind(value.end - 1, kind);
     }
 
     bool is_declared(std::uint32_t name) {

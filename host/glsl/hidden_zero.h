@@ -6,7 +6,7 @@
 
 namespace glint {
 
-// A float that the compiler cannot know to be 0.
+// A float that the compiler cannot know to be 0; with `_i` behind it, an int.
 inline constexpr std::string_view kHiddenZero = "glint_zero";
 
 // Mesa 22.3 makes garbage of `w / z` where it finds out that z is 0 and does not know w, so in the

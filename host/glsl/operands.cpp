@@ -17,6 +17,13 @@ TokenRange without_parentheses(const Reading& reading, TokenRange range) {
     return range;
 }
 
+bool closes_head(const Reading& reading, std::uint32_t at) {
+    constexpr std::string_view kHeads[] = {"if", "for", "while", "switch"};
+    const std::uint32_t open = reading.tokens[at].is(")") ? reading.partner[at] : kNone;
+    return open != kNone && open > 0 &&
+           std::ranges::find(kHeads, reading.tokens[open - 1].text) != std::end(kHeads);
+}
+
 // Of what ends before `end`: `a[i].x`, `(a + b)`, `f(x).y`.
 std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop) {
     const auto token = [&](std::uint32_t i) -> const Token& { return reading.tokens[i]; };
@@ -24,6 +31,7 @@ std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint
     while (at > stop) {
         const Token& last = token(at - 1);
         if ((last.is(")") || last.is("]")) && reading.partner[at - 1] != kNone) {
+            if (closes_head(reading, at - 1)) break;
             at = reading.partner[at - 1];
             if (at > stop &&
                 (token(at - 1).is_word() || token(at - 1).is(")") || token(at - 1).is("]")))

@@ -11,6 +11,9 @@ namespace glint {
 // `a.x` of `((a.x))`.
 TokenRange without_parentheses(const Reading& reading, TokenRange range);
 
+// Whether this `)` ends the head of an if, for, while or switch: then it ends no operand.
+bool closes_head(const Reading& reading, std::uint32_t at);
+
 // The first token of what ends before `end`: of `a[i].x`, `(a + b)`, `f(x).y`; `end` for none.
 std::uint32_t operand_begin(const Reading& reading, std::uint32_t end, std::uint32_t stop);
 

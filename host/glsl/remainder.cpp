@@ -5,18 +5,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace glint {
 namespace {
 
+constexpr std::ptrdiff_t kMost = 512;  // each is a call that drivers inline
+
 class Finder {
 public:
-    explicit Finder(const Reading& reading)
-        : reading_(reading), takes_(reading), is_constant_(reading.tokens.size()) {}
+    Finder(const Reading& reading, const Edits& edits)
+        : reading_(reading), edits_(edits), is_constant_(reading.tokens.size()) {}
 
     std::vector<Remainder> find() {
+        const auto signs = std::ranges::count_if(
+            reading_.tokens, [](const Token& one) { return one.is("%") || one.is("%="); });
+        if (signs > kMost) return {};
         bool any = false;
         for (std::uint32_t at = 1; at + 1 < count(); ++at) {
             if (!token(at).is("%") && !token(at).is("%=")) continue;
@@ -25,8 +33,9 @@ public:
             if (is_constant_[at]) continue;
             Remainder one = token(at).is("%") ? remainder(at) : assignment(at);
             const TokenRange range = one.range;
-            if (!range.empty() && takes_.takes_before(range.begin) &&
-                takes_.takes_replacement(at) && takes_.takes_after(range.end - 1))
+            if (!range.empty() && !(token(at).is("%") && is_known(range)) && takes(range.begin) &&
+                takes(at) && takes(range.end - 1) && edits_.takes_before(range.begin) &&
+                edits_.takes_replacement(at) && edits_.takes_after(range.end - 1))
                 found_.push_back(std::move(one));
         }
         return std::move(found_);
@@ -45,6 +54,8 @@ private:
             mark(declaration.qualifiers);
             mark(declaration.type_array);
             for (const Declarator& one : declaration.names) {
+                if (declaration.is_const && declaration.scope != Scope::parameter)
+                    constants_.insert(reading_.word(one.name));
                 mark(one.array);
                 if (declaration.is_const || declaration.scope == Scope::global) mark(one.initial);
             }
@@ -60,6 +71,24 @@ private:
         }
     }
 
+    // Of a macro's use that another mend has written out nothing is left to change.
+    bool takes(std::uint32_t at) const {
+        const std::uint32_t use = token(at).use;
+        return use == kNone || !edits_.is_replaced(reading_.uses[use].span);
+    }
+
+    // Numbers and constants, which the compiler reckons, and right: offsets of textures must be
+    // such.
+    bool is_known(TokenRange range) const {
+        for (std::uint32_t at = range.begin; at < range.end; ++at) {
+            const Token& one = token(at);
+            const bool is_type = one.text.starts_with("int") || one.text.starts_with("uint") ||
+                                 one.text.starts_with("ivec") || one.text.starts_with("uvec");
+            if (one.is_word() && !is_type && !constants_.contains(one.text)) return false;
+        }
+        return true;
+    }
+
     bool is_sign(std::uint32_t at) const {
         return token(at).is("-") || token(at).is("+") || token(at).is("~") || is_step(at);
     }
@@ -67,8 +96,8 @@ private:
 
     bool ends_operand(std::uint32_t at) const {
         const Token& one = token(at);
-        return one.is(")") || one.is("]") || one.kind == TokenKind::number ||
-               (one.is_word() && !is_keyword(one.text)) ||
+        return (one.is(")") && !closes_head(reading_, at)) || one.is("]") ||
+               one.kind == TokenKind::number || (one.is_word() && !is_keyword(one.text)) ||
                (is_step(at) && at > 0 && ends_operand(at - 1));
     }
 
@@ -108,7 +137,8 @@ private:
         const std::uint32_t end = expression_end(reading_, at + 1, count());
         if (begin == at || end == at + 1) return {};
         for (std::uint32_t i = begin; i < at; ++i)
-            if (is_step(i) || token(i).is("(") || is_assignment(token(i))) return {};
+            if (is_step(i) || token(i).is("(") || token(i).is("%") || is_assignment(token(i)))
+                return {};
         return {
             {at, end}, at, "", fmt::format("= {}({},", kRemainder, reading_.spelled({begin, at}))};
     }
@@ -116,7 +146,8 @@ private:
     std::uint32_t count() const { return static_cast<std::uint32_t>(reading_.tokens.size()); }
 
     const Reading& reading_;
-    const Edits takes_;
+    const Edits& edits_;
+    std::unordered_set<std::string_view> constants_;
     std::vector<bool> is_constant_;
     std::vector<Remainder> found_;
 };
@@ -143,8 +174,8 @@ std::string remainder_functions() {
     return text;
 }
 
-std::vector<Remainder> find_remainders(const Reading& reading) {
-    return reading.is_balanced ? Finder(reading).find() : std::vector<Remainder>();
+std::vector<Remainder> find_remainders(const Reading& reading, const Edits& edits) {
+    return reading.is_balanced ? Finder(reading, edits).find() : std::vector<Remainder>();
 }
 
 void mend_remainders(const std::vector<Remainder>& remainders, Edits& edits) {
@@ -158,7 +189,7 @@ void mend_remainders(const std::vector<Remainder>& remainders, Edits& edits) {
 std::string with_mended_remainders(std::string_view expression) {
     const Reading reading = read_glsl(expression, {});
     Edits edits(reading);
-    mend_remainders(find_remainders(reading), edits);
+    mend_remainders(find_remainders(reading, edits), edits);
     return edits.apply().text;
 }
 

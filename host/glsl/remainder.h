@@ -22,7 +22,8 @@ struct Remainder {
     std::uint32_t sign = kNone;  // `%` or `%=`
     std::string before, instead;
 };
-std::vector<Remainder> find_remainders(const Reading& reading);
+// Not within what `edits` replaces; none of a text of more than 512, each of which is a call.
+std::vector<Remainder> find_remainders(const Reading& reading, const Edits& edits);
 void mend_remainders(const std::vector<Remainder>& remainders, Edits& edits);
 
 // The same of an expression that stands in no text.

@@ -106,9 +106,10 @@ std::string said_better(std::string complaint) {
 std::optional<std::string> said_of_remainder(std::string complaint) {
     const std::string name = std::string(kRemainder) + "(";
     if (complaint.find(name) == complaint.npos) return complaint;
-    static const std::regex call(R"(^no matching function for call to `\w+\((\w+), ?(\w+)\)'.*)");
+    if (!complaint.starts_with("no matching function")) return std::nullopt;
+    static const std::regex call(R"(\w+\(([^,()]+), ?([^,()]+)\))");
     std::smatch types;
-    if (!std::regex_match(complaint, types, call)) return std::nullopt;
+    if (!std::regex_search(complaint, types, call)) return "type mismatch";
     const auto is_unsigned = [](const std::string& type) { return type.starts_with('u'); };
     const auto is_whole = [&](const std::string& type) {
         return type == "int" || type == "uint" || type.starts_with("ivec") ||

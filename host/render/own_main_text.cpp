@@ -9,6 +9,22 @@
 #include <array>
 
 namespace glint {
+namespace {
+
+// Declared here, before names and macros of the text.
+std::string texture_coordinates(const Reading& reading) {
+    std::string variables, values;
+    for (const Declaration& declaration : reading.declarations) {
+        if (!is_texture_coordinate(reading, declaration)) continue;
+        const std::string_view name = reading.word(declaration.names.front().name);
+        variables += fmt::format("vec2 {} = vec2(0.0);\n", name);
+        values += fmt::format(" {} = p / iResolution.xy;", name);
+    }
+    if (variables.empty()) return {};
+    return fmt::format("{}void glint_place(vec2 p) {{{} }}\n", variables, values);
+}
+
+}  // namespace
 
 void put_in_place_of_data(const Reading& reading, Edits& edits) {
     const auto& tokens = reading.written;
@@ -61,22 +77,22 @@ std::string before_own_main(const Reading& reading, bool plain_main) {
     return text + "#define main glint_main\n";
 }
 
+std::string before_plain_main(const Reading& reading) {
+    return "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n" + texture_coordinates(reading);
+}
+
 std::string behind_plain_main(const Reading& reading, const Declaration* output) {
     const std::string_view colour =
         output ? reading.word(output->names.front().name) : kPlainColour;
     const bool is_opaque = output && reading.word(output->type) == "vec3";
-    std::string coordinates;
-    for (const Declaration& declaration : reading.declarations)
-        if (is_texture_coordinate(reading, declaration))
-            coordinates += fmt::format("    {} = glint_coord / iResolution.xy;\n",
-                                       reading.word(declaration.names.front().name));
     return fmt::format(
         "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
         "    {0} = glint_color{1};\n"
         "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n{3}"
         "    main();\n    glint_color = {2};\n}}\n",
         colour, is_opaque ? ".rgb" : "",
-        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour), coordinates);
+        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour),
+        texture_coordinates(reading).empty() ? "" : "    glint_place(glint_coord);\n");
 }
 
 void make_ends_variables(const Reading& reading, Edits& edits) {
@@ -84,8 +100,8 @@ void make_ends_variables(const Reading& reading, Edits& edits) {
         const bool is_output = declaration.scope == Scope::global && declaration.is_out;
         const bool is_input = is_texture_coordinate(reading, declaration);
         if (!is_output && !is_input) continue;
-        // Else the driver warns of what is read before main() is called.
-        if (is_input) edits.after(declaration.names.front().tokens.end - 1, " = vec2(0.0)");
+        if (is_input) edits.replace(declaration.tokens, "");  // texture_coordinates() has it
+        if (is_input) continue;
         const TokenRange words = declaration.qualifiers;
         for (std::uint32_t at = words.begin; at < words.end; ++at)
             if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");

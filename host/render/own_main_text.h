@@ -11,8 +11,8 @@ namespace glint {
 // gl_FragData[0] is gl_FragColor by another name.
 void put_in_place_of_data(const Reading& reading, Edits& edits);
 
-// A pass has outputs of its own, and no inputs: those of the text become plain variables, of their
-// precision.
+// A pass has outputs of its own, and no inputs: outputs of the text become plain variables, of
+// their precision; inputs that are fed stand in before_plain_main().
 void make_ends_variables(const Reading& reading, Edits& edits);
 
 // What such a text may count on, as GLSL ES 1.00 of the web may. `plain_main`: main() draws the
@@ -20,8 +20,7 @@ void make_ends_variables(const Reading& reading, Edits& edits);
 std::string before_own_main(const Reading& reading, bool plain_main);
 
 // Where nothing else draws the picture, main() is called from the site's mainImage.
-inline constexpr std::string_view kBeforePlainMain =
-    "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n";
+std::string before_plain_main(const Reading& reading);
 std::string behind_plain_main(const Reading& reading, const Declaration* output);
 
 }  // namespace glint

@@ -414,7 +414,8 @@ void mend_divisions(const Preset& preset, const ProgramOptions& options, const R
 // What the mends of a text need.
 std::string mends_named_in(std::string_view text) {
     const bool has_zero = text.find(kHiddenZero) != text.npos;
-    const std::string zero = has_zero ? fmt::format("uniform float {};\n", kHiddenZero) : "";
+    const std::string zero =
+        has_zero ? fmt::format("uniform float {0};\nuniform int {0}_i;\n", kHiddenZero) : "";
     return zero + (text.find(kRemainder) != text.npos ? remainder_functions() : "");
 }
 
@@ -495,7 +496,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     const bool needs_gap = mend_macros(reading, edits);
     if (!plain_main) hide_extensions(reading, edits);
     name_parameters(reading, edits);
-    const std::vector<Remainder> remainders = find_remainders(reading);
+    const std::vector<Remainder> remainders = find_remainders(reading, edits);
     if (!probe) mend_remainders(remainders, edits);
     mend_divisions(preset, options, reading, edits);
 
@@ -514,7 +515,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.text += numbers_uniform(result.numbers);
     EditedText edited = edits.apply();
     result.text += mends_named_in(edited.text);
-    if (plain_main) result.text += kBeforePlainMain;
+    if (plain_main) result.text += before_plain_main(reading);
     if (has_main) result.text += before_own_main(reading, plain_main);
     result.user_begin = result.text.size();
     result.text += edited.text;

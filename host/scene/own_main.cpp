@@ -53,6 +53,7 @@ const Declaration* colour_output(const Reading& reading) {
 }
 
 bool is_texture_coordinate(const Reading& reading, const Declaration& declaration) {
+    if (reading.find_global("iResolution")) return false;  // then what the place is is not known
     const auto& tokens = reading.tokens;
     bool is_input = false;
     for (std::uint32_t at = declaration.qualifiers.begin; at < declaration.qualifiers.end; ++at)

@@ -12,7 +12,7 @@ namespace {
 std::string mended(std::string_view text) {
     const Reading reading = read_glsl(text, {});
     Edits edits(reading);
-    mend_remainders(find_remainders(reading), edits);
+    mend_remainders(find_remainders(reading, edits), edits);
     return edits.apply().text;
 }
 
@@ -60,6 +60,34 @@ TEST(Remainder, StaysWhereGlslWantsAConstant) {
     expect_alone("void f() { switch (a) { case 7 % 4: b = 1; break; } }");
     EXPECT_EQ(mended("void f() { int a[2] = int[5 % 3](i % 2, 1); a[i % 2] = 1; }"),
               "void f() { int a[2] = int[5 % 3](glint_rem(i , 2), 1); a[glint_rem(i , 2)] = 1; }");
+}
+
+// Offsets of textures and indices of samplers are constants, too.
+TEST(Remainder, OfNumbersAndConstantsIsTheCompilers) {
+    expect_alone(
+        "const int k = 2;\nvoid f() { x = textureOffset(s, p, ivec2(5 % 3 - 1, k % 2)); }");
+    expect_alone("#define TAP(k) textureOffset(s, p, ivec2(k % 3))\nvoid f() { x = TAP(7); }");
+}
+
+TEST(Remainder, TakesNothingOfAHeadBeforeIt) {
+    EXPECT_EQ(mended("void f() { if (a > 0) ++k % 4 == 0 ? b : c; }"),
+              "void f() { if (a > 0) glint_rem(++k , 4) == 0 ? b : c; }");
+    EXPECT_EQ(mended("void f() { while (g(a)) (k) % 2 == 1 ? b : c; }"),
+              "void f() { while (g(a)) glint_rem((k) , 2) == 1 ? b : c; }");
+}
+
+TEST(Remainder, LeavesAloneATextOfVeryMany) {
+    std::string text = "void f() { x = a";
+    for (int i = 0; i < 100'000; ++i) text += " % b";
+    expect_alone(text + "; }");
+}
+
+TEST(Remainder, LeavesAloneAUseThatIsWrittenOutAlready) {
+    const std::string text = "#define R(a, b) a % b\nvoid f() { x = R(i, n); }";
+    const Reading reading = read_glsl(text, {});
+    Edits edits(reading);
+    edits.replace_bytes(reading.uses.front().span, "i % n");
+    EXPECT_TRUE(find_remainders(reading, edits).empty());
 }
 
 TEST(Remainder, IsMendedWithinMacros) {

@@ -200,6 +200,10 @@ TEST_F(Foreign, AFragmentShaderOfThreeJsOrADesktopProgramHasItsTextureCoordinate
         EXPECT_EQ(draw({"--time", "0.2"}), (std::array{102, 102, 51})) << text << errors_;
         EXPECT_EQ(errors_, "");
     }
+    write("a.glsl",
+          "varying vec2 vUv;\n#define vUv (vUv * 2.0)\n"
+          "void main() { gl_FragColor = vec4(vUv * 25.6 * 0.5, 1.0, 1.0); }\n");
+    EXPECT_EQ(draw()[2], 255) << errors_;
     write("a.glsl", "varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(vNormal, 1.0); }\n");
     const std::string said = glint({"still", "a.glsl", "-o", "x.png"}).err;
     EXPECT_NE(said.find("a.glsl:1:1: error: illegal use of reserved word `varying'"),
