@@ -25,13 +25,6 @@ public:
             if (is_wanted(statement.function)) look_at(statement);
         for (const std::uint32_t index : reading_.functions_named("mainImage"))
             look_at_entry(reading_.functions[index]);
-        // A text with a main() of its own is none for the site.
-        const bool is_whole = !reading_.functions_named("main").empty();
-        for (const Directive& line : reading_.directives)
-            if (!is_whole && line.word == "version" && line.live == Live::yes)
-                add(line.span.begin,
-                    "browsers refuse a #version here: the site puts lines of its own before the "
-                    "text; leave it out");
         std::ranges::stable_sort(findings_, {}, &Finding::at);
         return std::move(findings_);
     }

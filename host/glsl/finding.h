@@ -40,8 +40,8 @@ std::vector<Finding> find_long_loops(const Reading& reading, const std::vector<b
 // Names that GLSL ES keeps for itself, and that browsers refuse where glslang and Mesa take them.
 std::vector<Finding> find_reserved_names(const Reading& reading, const std::vector<bool>& wanted);
 
-// What browsers refuse by rules of their own: `?:` for structures, arrays and void, a mainImage
-// whose colour is inout, a #version.
+// What browsers refuse by rules of their own: `?:` for structures, arrays and void, and a mainImage
+// whose colour is inout.
 std::vector<Finding> find_refused_by_browsers(const Reading& reading,
                                               const std::vector<bool>& wanted);
 

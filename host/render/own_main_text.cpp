@@ -97,11 +97,9 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output)
 
 void make_ends_variables(const Reading& reading, Edits& edits) {
     for (const Declaration& declaration : reading.declarations) {
-        const bool is_output = declaration.scope == Scope::global && declaration.is_out;
-        const bool is_input = is_texture_coordinate(reading, declaration);
-        if (!is_output && !is_input) continue;
-        if (is_input) edits.replace(declaration.tokens, "");  // texture_coordinates() has it
-        if (is_input) continue;
+        if (is_texture_coordinate(reading, declaration))  // texture_coordinates() declares it
+            edits.replace(declaration.tokens, "");
+        if (declaration.scope != Scope::global || !declaration.is_out) continue;
         const TokenRange words = declaration.qualifiers;
         for (std::uint32_t at = words.begin; at < words.end; ++at)
             if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");

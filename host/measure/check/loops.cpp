@@ -37,8 +37,7 @@ void fail(CheckSubject& subject,
         at += fmt::format("{}{}={}", at.empty() ? "; at " : ", ", tweak.name,
                           format_value(tweak, tried));
     }
-    subject.restore();
-    subject.preset.values = std::move(values);
+    runs_out(values);  // the picture is of these
     result.fail(
         fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel{}, then "
                     "end silently; split the work over passes, frames or --tile{}",

@@ -23,7 +23,6 @@ constexpr int kSteppedFrames = 64, kLeastStepped = 8;  // at each frame time
 constexpr float kMostStateOff = 1e-3f;  // of the largest value
 constexpr double kMostTilesOff = 0.02;  // root mean square, in display values
 constexpr glm::ivec2 kTiles(8, 5);
-// Beyond this, and beyond a thousand times what it is at 60 Hz, a state has exploded.
 constexpr int kMoments = 240;
 constexpr double kMomentsSpan = 600.0;  // s
 constexpr float kGrowth = 20.0f;        // from the first quarter of a long run to its last
@@ -146,6 +145,7 @@ void compare_states(const State& now, const State& at_60_hz, double time, glm::i
     }
 }
 
+// Beyond what halves hold, and beyond a thousand times what it is at 60 Hz, a state has exploded.
 void judge_growth(const CheckSubject& subject, const State& at_60_hz, CaseResult& result) {
     const float largest = subject.largest_state();
     if (largest > std::max(kLargestHalf, 1000.0f * at_60_hz.largest)) {

@@ -26,10 +26,10 @@ struct Observed {
     std::vector<float> values;
     glm::ivec2 size{0};            // of `values`
     float min = 0.0f, max = 0.0f;  // of all finite values so far
+    bool any = false;              // there were some
     // The first buffer of 16-bit floats that held their largest, where some drivers end and others
     // go on to Inf.
     std::string at_largest_half{};
-    bool any = false;  // there were some
     bool is_finite() const { return nan == 0 && infinite == 0; }
 };
 
