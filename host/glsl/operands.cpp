@@ -145,6 +145,13 @@ std::vector<TokenRange> sides_of_sum(const Reading& reading, std::uint32_t at, T
             {at + 1, term_end(reading, at + 1, room.end)}};
 }
 
+int bracket_pairs(const Reading& reading, TokenRange range) {
+    int count = 0;
+    for (std::uint32_t at = range.begin; at < range.end; ++at)
+        if (const std::uint32_t close = reading.close_of(at); close != kNone) ++count, at = close;
+    return count;
+}
+
 bool is_computed(const Reading& reading, TokenRange range) {
     constexpr std::string_view kComputing[] = {"+", "-", "*", "/", "("};
     for (std::uint32_t at = range.begin; at < range.end; ++at)

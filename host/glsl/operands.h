@@ -27,6 +27,9 @@ std::uint32_t operand_end(const Reading& reading, std::uint32_t begin, std::uint
 // product behind it. Nothing of a sign.
 std::vector<TokenRange> sides_of_sum(const Reading& reading, std::uint32_t at, TokenRange room);
 
+// How many `[…]` stand side by side in it.
+int bracket_pairs(const Reading& reading, TokenRange range);
+
 // Whether it has an operation that rounds.
 bool is_computed(const Reading& reading, TokenRange range);
 

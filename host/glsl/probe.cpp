@@ -1,194 +1,15 @@
-#include "glsl/probe.h"
-
+#include "glsl/instrumenter.h"
 #include "glsl/operands.h"
 #include "glsl/parser.h"
-#include "glsl/probe_record.h"
 #include "glsl/probe_room.h"
-#include "glsl/probe_types.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 namespace glint {
-namespace {
-
-constexpr std::array<std::string_view, 11> kReads = {
-    "texture",     "textureLod",      "texelFetch",     "textureGrad",
-    "textureProj", "textureOffset",   "textureProjLod", "textureLodOffset",
-    "texture2D",   "texture2DLodEXT", "textureCube"};
-constexpr std::array<std::string_view, 8> kWhole = {"int",  "ivec2", "ivec3", "ivec4",
-                                                    "uint", "uvec2", "uvec3", "uvec4"};
-// Of no number they make one.
-constexpr std::string_view kHiding[] = {"clamp", "max", "min", "mix", "step", "smoothstep"};
-
-class Instrumenter {
-public:
-    Instrumenter(const Reading& reading, const ProbeWish& wish, Edits& edits)
-        : reading_(reading), wish_(wish), edits_(edits), records_(reading) {
-        fixed_.resize(reading.tokens.size());
-        for (const Declaration& declaration : reading.declarations) {
-            const auto mark = [&](TokenRange range) {
-                std::fill(fixed_.begin() + range.begin, fixed_.begin() + range.end, true);
-            };
-            if (declaration.is_const && declaration.scope != Scope::parameter)
-                mark(declaration.tokens);
-            for (const Declarator& one : declaration.names) {
-                mark(one.array);
-                if (!one.initial.empty()) fixed_[one.initial.begin - 1] = true;  // its `=`
-            }
-        }
-    }
-
-    Probed run(const std::vector<bool>& reached, const std::vector<Remainder>& remainders) {
-        if (!reading_.is_balanced) return std::move(probed_);
-        add_remainders(remainders);
-        for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
-            if (reached[i] && reading_.functions[i].is_defined()) over_function(i);
-        probed_.refused.assign(wish_.expressions.size(), "it stands in no function that is run");
-        for (std::size_t i = 0; i < wish_.expressions.size(); ++i) {
-            for (std::uint32_t f = 0; f < reading_.functions.size(); ++f)
-                if (reached[f] && reading_.functions[f].is_defined()) place_expression(i, f);
-        }
-        add_structs();
-        write();
-        return std::move(probed_);
-    }
-
-private:
-    struct Words {
-        std::uint32_t token;
-        enum class Where : std::uint8_t { before, instead, after } where;
-        TokenRange of;  // what they belong to: of two at one place the inner one is nearer to it
-        std::string words;
-        // Of two around the same: the former goes around the latter.
-        std::int64_t order = 0;
-    };
-    const Token& token(std::uint32_t at) const { return reading_.tokens[at]; }
-
-    // The number of a new site; nothing where none is wanted.
-    std::optional<std::size_t> add_site(SiteKind kind, std::string name, std::uint32_t at) {
-        const std::size_t place = reading_.place(at).begin;
-        const auto holds = [&](Span span) { return span.begin <= place && place < span.end; };
-        if (!wish_.only.empty() && std::ranges::none_of(wish_.only, holds)) return {};
-        if (std::ranges::find(wish_.without, place) != wish_.without.end()) return {};
-        if (!wish_.expressions.empty()) return {};
-        return new_site(kind, std::move(name), place);
-    }
-    std::size_t new_site(SiteKind kind, std::string name, std::size_t place) {
-        probed_.sites.push_back({kind, std::move(name),
-                                 std::string(reading_.word(reading_.functions[function_].name)),
-                                 place});
-        return probed_.sites.size() - 1;
-    }
-
-    // Words on both sides of a range, or none.
-    bool wrap(TokenRange range, std::string before, std::string after, std::int64_t order = -1) {
-        if (range.empty()) return false;
-        if (!edits_.takes_before(range.begin) || !edits_.takes_after(range.end - 1))
-            return probed_.left_out.push_back(reading_.place(range.begin).begin), false;
-        if (order < 0) order = static_cast<std::int64_t>(words_.size());
-        if (!before.empty())
-            words_.push_back({range.begin, Words::Where::before, range, std::move(before), order});
-        if (!after.empty())
-            words_.push_back({range.end - 1, Words::Where::after, range, std::move(after), -order});
-        return true;
-    }
-
-    // Nearest to what they stand around, for each has a comma of its own.
-    void add_remainders(const std::vector<Remainder>& remainders) {
-        for (const Remainder& one : remainders) {
-            wrap(one.range, one.before, ")", std::numeric_limits<std::int32_t>::max());
-            words_.push_back({one.sign, Words::Where::instead, {}, one.instead});
-        }
-    }
-
-    // `a, b`, which is not to be taken for two arguments.
-    bool has_comma(TokenRange range) const {
-        return expression_end(reading_, range.begin, range.end) != range.end;
-    }
-
-    // Hands an expression through `glint0_v(7, …)`.
-    void hand_through(SiteKind kind, std::string name, std::uint32_t at, TokenRange range,
-                      const char* function = "glint0_v", const std::string& more = "") {
-        if (wish_.kind == ProbeKind::rounding && !is_computed(reading_, range)) return;
-        const auto site = add_site(kind, std::move(name), at);
-        if (!site) return;
-        const char *open = has_comma(range) ? "(" : "", *close = has_comma(range) ? ")" : "";
-        if (!wrap(range, fmt::format("{}({},{}", function, *site, open), close + more + ")"))
-            probed_.sites.pop_back();
-    }
-
-    void add_statement(SiteKind kind, std::string name, std::uint32_t at, TokenRange statement,
-                       const char* call) {
-        const auto site = add_site(kind, std::move(name), at);
-        if (!site) return;
-        if (!wrap(statement, fmt::format("{{{}; ", fmt::format(fmt::runtime(call), *site)), "}"))
-            probed_.sites.pop_back();
-    }
-
-    // Of a variable, behind a brace or a statement.
-    void add_record(SiteKind kind, TokenRange variable, std::uint32_t at, std::uint32_t behind) {
-        const auto site = add_site(kind, close_spelling(reading_, variable), at);
-        if (!site) return;
-        const std::string record = records_.record_of(*site, variable, function_);
-        if (record.empty() || !edits_.takes_after(behind)) {
-            probed_.left_out.push_back(reading_.place(variable.begin).begin);
-            return probed_.sites.pop_back();
-        }
-        words_.push_back({behind, Words::Where::after, {behind, behind + 1}, " " + record + ";"});
-    }
-
-    // Behind the brace of a body.
-    void add_at_head(SiteKind kind, const std::string& name, std::uint32_t at, std::uint32_t brace,
-                     const std::string& call) {
-        const auto site = add_site(kind, name, at);
-        if (!site) return;
-        if (!edits_.takes_after(brace)) return probed_.sites.pop_back();
-        words_.push_back({brace,
-                          Words::Where::after,
-                          {brace, brace + 1},
-                          " " + fmt::format(fmt::runtime(call), *site) + ";"});
-    }
-
-    std::string new_record(TokenRange variable, bool can_be_told);
-
-    void over_function(std::uint32_t index);
-    void over_statement(std::uint32_t index);
-    void over_tokens(TokenRange range);
-    void over_assignment(std::uint32_t at, TokenRange room);
-    void over_whole(TokenRange variable, TokenRange assignment);
-    void over_step(std::uint32_t at, TokenRange room);
-    void over_declaration(const Declaration& declaration);
-    void over_condition(const Statement& statement, TokenRange condition);
-    void over_division(std::uint32_t at, TokenRange room);
-    void over_fetch(const Call& call);
-    void over_index(std::uint32_t at);
-    void over_sum(std::uint32_t at, TokenRange room);
-    void over_call(const Call& call);
-    void over_conversion(const Call& call);
-    void over_shift(std::uint32_t at, TokenRange room);
-    void over_loop(std::uint32_t index);
-    std::vector<TokenRange> outs_of(const Call& call, bool& gives_nothing) const;
-    void over_outs(const Call& call, bool is_statement);
-    void place_expression(std::size_t index, std::uint32_t function);
-    void add_structs();
-    void write();
-
-    const Reading& reading_;
-    const ProbeWish& wish_;
-    Edits& edits_;
-    ProbeRecords records_;
-    std::vector<bool> fixed_;  // by token: what must stay a constant, or is no expression
-    std::vector<Words> words_;
-    std::uint32_t function_ = 0;
-    Probed probed_;
-};
 
 // Of a new site; "" where none is wanted, or it is left out.
 std::string Instrumenter::new_record(TokenRange variable, bool can_be_told) {
@@ -283,7 +104,7 @@ void Instrumenter::over_tokens(TokenRange range) {
             over_division(at, range);
         if (token(at).is("<<") || token(at).is(">>") || token(at).is("<<=") || token(at).is(">>="))
             over_shift(at, range);
-        if (token(at).is("[")) over_index(at);
+        if (token(at).is("[")) over_index(at, range);
     }
     if (wish_.kind != ProbeKind::values) return;
     for (const Call& call : reading_.calls)
@@ -406,122 +227,6 @@ void Instrumenter::over_loop(std::uint32_t index) {
         add_statement(SiteKind::turn, name, loop.tokens.begin, body.tokens, "glint0_n({},0)");
 }
 
-void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
-    const bool assigns = token(at).text.size() == 2;
-    const std::uint32_t end = assigns ? expression_end(reading_, at + 1, room.end)
-                                      : operand_end(reading_, at + 1, room.end);
-    const TokenRange divisor = {at + 1, end};
-    if (divisor.empty()) return;
-    const bool is_number = divisor.size() == 1 && token(at + 1).kind == TokenKind::number;
-    const std::uint32_t begin = operand_begin(reading_, at, room.begin);
-    const std::uint32_t first = product_begin(reading_, at, room.begin);
-    const std::string spelling = close_spelling(reading_, {begin, end});
-    if (token(at).text[0] == '%') {
-        if (!is_number) hand_through(SiteKind::remainder, spelling, begin, divisor, "glint0_by");
-        if (!assigns)
-            hand_through(SiteKind::remainder, spelling, begin, {first, at}, "glint0_rest");
-        return;
-    }
-    if (is_number) return;
-    const std::size_t site = probed_.sites.size();
-    hand_through(SiteKind::division, spelling, begin, divisor, "glint0_d");
-    // 1/0 is infinite, 0/0 nothing: what comes of it tells.
-    if (assigns || probed_.sites.size() == site) return;
-    wrap({first, end}, fmt::format("glint0_q({},", site), ")");
-}
-
-void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {
-    for (const TokenRange side : sides_of_sum(reading_, at, room))
-        hand_through(SiteKind::sum, close_spelling(reading_, side), side.begin, side);
-}
-
-void Instrumenter::over_index(std::uint32_t at) {
-    const std::uint32_t close = reading_.close_of(at);
-    if (close == kNone || at == 0 || !token(at - 1).is_word() || close - at < 2) return;
-    if (at >= 2 && token(at - 2).is(".")) return;
-    if (close - at == 2 && token(at + 1).kind == TokenKind::number) return;
-    const auto found = records_.variables().find(at - 1, function_);
-    if (!found.declaration) return;
-    const std::string_view type = reading_.word(found.declaration->type);
-    std::string length = fmt::format("{}.length()", token(at - 1).text);
-    if (found.name->array.empty() && found.declaration->type_array.empty()) {
-        const std::size_t digit = type.find_first_of("234");
-        if (digit == type.npos) return;
-        length = type[digit];
-    }
-    hand_through(SiteKind::index, close_spelling(reading_, {at - 1, close + 1}), at - 1,
-                 {at + 1, close}, "glint0_i", "," + length);
-}
-
-void Instrumenter::over_call(const Call& call) {
-    const TokenRange whole = {call.name, call.brackets.end};
-    const std::string_view name = reading_.word(call.name);
-    if (wish_.kind == ProbeKind::cost && is_one_of(name, kReads))
-        return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint0_n");
-    if (wish_.kind != ProbeKind::faults) return;
-    if (name == "texelFetch") return over_fetch(call);
-    if (is_one_of(name, kWhole)) return over_conversion(call);
-    if (is_one_of(name, kHiding))
-        for (const TokenRange one : reading_.arguments_of(call))
-            if (is_computed(reading_, one))
-                hand_through(SiteKind::operand, close_spelling(reading_, one), one.begin, one);
-    const bool has_bounds = has_bounds_to_see_to(reading_, call);
-    if (!has_bounds && !may_have_no_result(reading_, call)) return;
-    const SiteKind kind = has_bounds ? SiteKind::bounds : SiteKind::domain;
-    if (!edits_.takes_replacement(call.name) || !edits_.takes_after(call.brackets.begin)) return;
-    const auto site = add_site(kind, close_spelling(reading_, whole), call.name);
-    if (!site) return;
-    words_.push_back({call.name,
-                      Words::Where::instead,
-                      {call.name, call.name + 1},
-                      fmt::format("glint0_{}", name)});
-    words_.push_back({call.brackets.begin, Words::Where::after, whole, fmt::format("{},", *site)});
-}
-
-// `uint(x)`: of what a whole number cannot hold, it is what a driver likes.
-void Instrumenter::over_conversion(const Call& call) {
-    const bool is_unsigned = reading_.word(call.name).starts_with("u");
-    for (const TokenRange what : reading_.arguments_of(call)) {
-        if (what.empty()) continue;
-        if (what.size() == 1 && token(what.begin).kind == TokenKind::number) continue;
-        hand_through(SiteKind::whole, close_spelling(reading_, {call.name, call.brackets.end}),
-                     call.name, what, is_unsigned ? "glint0_to_uint" : "glint0_to_int");
-    }
-}
-
-// `1 << n`, where nothing binds `n` more closely.
-void Instrumenter::over_shift(std::uint32_t at, TokenRange room) {
-    const bool assigns = token(at).text.size() == 3;
-    const std::uint32_t end = assigns ? expression_end(reading_, at + 1, room.end)
-                                      : operand_end(reading_, at + 1, room.end);
-    const TokenRange by = {at + 1, end};
-    if (by.empty() || (by.size() == 1 && token(at + 1).kind == TokenKind::number)) return;
-    const std::string_view next = end < room.end ? token(end).text : ";";
-    if (!assigns && next.size() == 1 &&
-        std::string_view("+-*/%").find(next[0]) != std::string_view::npos)
-        return;
-    const std::uint32_t begin = operand_begin(reading_, at, room.begin);
-    hand_through(SiteKind::whole, close_spelling(reading_, {begin, end}), begin, by, "glint0_s");
-}
-
-// `texelFetch(buffer, at, 0)` of a sampler that has a name, and a level that is a number.
-void Instrumenter::over_fetch(const Call& call) {
-    const std::uint32_t first = call.brackets.begin + 1, last = call.brackets.end - 2;
-    if (call.arity != 3 || !token(first).is_word() || !token(first + 1).is(",")) return;
-    if (token(last).kind != TokenKind::number || !token(last - 1).is(",")) return;
-    const TokenRange whole = {call.name, call.brackets.end};
-    hand_through(SiteKind::index, close_spelling(reading_, whole), call.name, {first + 2, last - 1},
-                 "glint0_t",
-                 fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, token(last).text));
-    if (token(last).text == "0") return;
-    // Of a level that there is not, drivers tell a size of 0.
-    hand_through(SiteKind::index,
-                 fmt::format("level {} of {}", token(last).text, token(first).text), call.name,
-                 {last, last + 1}, "glint0_i",
-                 fmt::format(",textureSize({},{}).x>0?{}+1:1", token(first).text, token(last).text,
-                             token(last).text));
-}
-
 void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
     const ProbeExpression& asked = wish_.expressions[index];
     const Span whole = reading_.place(reading_.functions[f].tokens);
@@ -589,8 +294,6 @@ void Instrumenter::write() {
             edits_.replace({one.token, one.token + 1}, std::move(one.words));
     }
 }
-
-}  // namespace
 
 Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vector<bool>& reached,
                   Edits& edits, const std::vector<Remainder>& remainders) {

@@ -24,15 +24,9 @@ bool ProbeRecords::is_variable(TokenRange range) const {
 bool ProbeRecords::is_whole_array(TokenRange range, std::uint32_t function) const {
     const auto found = variables_.find(range.begin, function);
     if (!found.declaration) return false;
-    const auto brackets = [&](TokenRange array) {
-        int count = 0;
-        for (std::uint32_t at = array.begin; at < array.end; ++at)
-            if (const std::uint32_t close = reading_.close_of(at); close != kNone)
-                ++count, at = close;
-        return count;
-    };
-    const int known = brackets(found.name->array) + brackets(found.declaration->type_array);
-    return known > brackets({range.begin, range.end});
+    const int known = bracket_pairs(reading_, found.name->array) +
+                      bracket_pairs(reading_, found.declaration->type_array);
+    return known > bracket_pairs(reading_, range);
 }
 
 // Into structs: that of this variable or element, where no function takes it, since the function

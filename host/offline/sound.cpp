@@ -27,11 +27,10 @@ float audible(float value) {
 
 }  // namespace
 
-SoundRenderer::SoundRenderer(const Preset& preset, bool specialise)
+SoundRenderer::SoundRenderer(const Preset& preset, const ProgramOptions& options)
     : preset_(preset),
       renderer_(
-          preset,
-          compile_or_stop(preset, {.root = kSoundPass, .program = {.specialise = specialise}}),
+          preset, compile_or_stop(preset, {.root = kSoundPass, .program = options}),
           {.size = {kSoundBlockWidth, kSoundBlockRows}, .picture_format = PixelFormat::rgba32f}) {
     load_inputs(preset, renderer_);
 }
@@ -64,7 +63,7 @@ std::vector<float> SoundRenderer::block(long index) {
 int write_sound(const Preset& preset, bool specialise, long first, long count,
                 const TemporaryFile& out, const std::filesystem::path& name) {
     SoundWriter writer(out.descriptor(), name);
-    SoundRenderer renderer(preset, specialise);
+    SoundRenderer renderer(preset, {.specialise = specialise});
     Progress progress("sound", count);
     std::vector<std::int16_t> samples;
     long done = 0;

@@ -18,7 +18,7 @@ void run_sound(const SoundOptions& options);
 class SoundRenderer {
 public:
     // The preset must outlive this. Throws Stop when it does not compile.
-    SoundRenderer(const Preset& preset, bool specialise);
+    SoundRenderer(const Preset& preset, const ProgramOptions& options);
 
     static constexpr long kBlock = long{kSoundBlockWidth} * kSoundBlockRows;  // samples
 

@@ -37,6 +37,7 @@ struct Event {
     int key = -1;           // key code; -1: a mouse event
     bool down = false;      // of the key, or of the mouse button, after the event
     glm::dvec2 mouse{0.0};  // fraction of the picture, y up; mouse events only
+    bool operator==(const Event&) const = default;
 };
 
 // Follows events and gives the input of each frame by the site's rules (mouse signs, pressed in

@@ -51,7 +51,7 @@ TEST_F(CheckEnds, WhatIsAssertedDoesNotHoldWithAnotherValue) {
     EXPECT_EQ(note_of(scene, "asserted values", 0), "");
     const std::string found = note_of(scene, "asserted at the ranges' ends", 6);
     EXPECT_NE(found.find("s.frag:3:5: assert r > 0.0"), std::string::npos) << found;
-    EXPECT_TRUE(found.ends_with("; with r=0")) << found;
+    EXPECT_TRUE(found.ends_with("; at r=0")) << found;
 }
 
 TEST_F(CheckEnds, AnEdgeThatTheMouseIsDraggedTo) {

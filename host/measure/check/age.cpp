@@ -7,7 +7,10 @@
 //
 // Simulations cannot be played for a year. They run for their first second; then the clock jumps,
 // as when a laptop wakes: time is late, buffers and iFrame go on from where they were.
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
+#include "measure/check/situation.h"
+#include "measure/check/space.h"
 #include "measure/rows/difference.h"
 
 #include <fmt/format.h>
@@ -37,6 +40,8 @@ constexpr double kOtherMoments[] = {0.0, 1.1, 2.3, 3.4, 4.6, 5.7, 6.9, 8.0};  //
 constexpr double kUnevennessFactor = 2.0, kUnevennessAllowed = 0.1;
 // The same phase: where a display shows a difference.
 constexpr double kLeastPsnr = 55.0, kMostOff = 0.0005;
+// What a tweak switches on may age though the preset does not: then a year is seen with others.
+constexpr std::size_t kSetsAtAYear = 5;
 
 struct Age {
     const char* name;
@@ -140,17 +145,14 @@ Motion motion_at(const Check& check, double age) {
 }
 
 // The least that can be asked: a scene may come to rest within its first minute.
-Motion young_motion(Check& check) {
-    if (!check.young) {
-        const Motion at_1 = motion_at(check, 1.0), at_60 = motion_at(check, 60.0);
-        check.young = {.moving = std::min(at_1.moving, at_60.moving),
-                       .finely_moving = std::min(at_1.finely_moving, at_60.finely_moving),
-                       .unevenness = std::max(at_1.unevenness, at_60.unevenness),
-                       .mean = std::max(at_1.mean, at_60.mean),
-                       .frame = at_1.frame,
-                       .fine_frame = at_1.fine_frame};
-    }
-    return *check.young;
+Motion young_motion(const Check& check) {
+    const Motion at_1 = motion_at(check, 1.0), at_60 = motion_at(check, 60.0);
+    return {.moving = std::min(at_1.moving, at_60.moving),
+            .finely_moving = std::min(at_1.finely_moving, at_60.finely_moving),
+            .unevenness = std::max(at_1.unevenness, at_60.unevenness),
+            .mean = std::max(at_1.mean, at_60.mean),
+            .frame = at_1.frame,
+            .fine_frame = at_1.fine_frame};
 }
 
 void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
@@ -174,19 +176,8 @@ void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
     }
 }
 
-void run_age(const Age& age, Check& check, CaseResult& result) {
+void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    if (!subject.moves()) {
-        subject.show(age.seconds, 1.0);
-        result.note = "nothing moves";
-        return;
-    }
-    if (age.seconds <= 1.0) {
-        AgedClock clock(subject, age.seconds);
-        changes(clock, subject, 0.0, kFrame, check.paced(kFrames, kLeastFrames));
-        return;
-    }
-    const Motion young = young_motion(check);
     if (!subject.observed().is_finite()) return;
     const double float_step = std::nextafter(static_cast<float>(age.seconds), 1e9f) - age.seconds;
     const bool is_slow = young.mean < kHardly && young.mean * 60.0 * float_step < kSeen;
@@ -204,6 +195,40 @@ void run_age(const Age& age, Check& check, CaseResult& result) {
         if (judged.verdict != CaseVerdict::fail || young.moving >= kSeldom) break;
     }
     result = std::move(judged);
+}
+
+void run_age(const Age& age, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    if (!subject.moves()) {
+        subject.show(age.seconds, 1.0);
+        result.note = "nothing moves";
+        return;
+    }
+    if (age.seconds <= 1.0) {
+        AgedClock clock(subject, age.seconds);
+        changes(clock, subject, 0.0, kFrame, check.paced(kFrames, kLeastFrames));
+        return;
+    }
+    if (!check.young) check.young = young_motion(check);
+    judge_age(age, check, *check.young, result);
+}
+
+// At the end of its ranges, and with other entries of its menus, as long as there is time.
+void run_age_of_others(const Age& age, Check& check, CaseResult& result) {
+    CheckSubject& subject = check.subject;
+    const CaseClock clock(check);
+    std::vector<std::vector<TweakValue>> sets = values_at_ends(subject, kSetsAtAYear);
+    for (std::size_t i = 1; i < sets.size() && !clock.is_over(0.03); ++i) {
+        if (result.verdict == CaseVerdict::fail || !subject.observed().is_finite()) return;
+        subject.restore();
+        subject.preset.values = sets[i];
+        CaseResult judged{.name = result.name};
+        judge_age(age, check, young_motion(check), judged);
+        if (judged.verdict != CaseVerdict::fail) continue;
+        result = std::move(judged);
+        const Preset& opened = subject.opened();
+        result.note += where_words({sets[i], opened.events, opened.time}, subject);
+    }
 }
 
 // The picture some frames after the clock has jumped to a time. iFrame and iDate are the same
@@ -278,8 +303,14 @@ void run_wrap(Check& check, CaseResult& result) {
 
 void add_age_cases(std::vector<Case>& list, const CheckSubject& subject) {
     for (const Age& age : kAges) {
+        const bool with_others = &age == std::end(kAges) - 1 && !subject.scene().tweaks.empty() &&
+                                 reads_a_clock(subject.scene().text);
         list.push_back({fmt::format("age {}", age.name),
-                        [&age](Check& check, CaseResult& result) { run_age(age, check, result); }});
+                        [&age, with_others](Check& check, CaseResult& result) {
+                            run_age(age, check, result);
+                            if (with_others) run_age_of_others(age, check, result);
+                        },
+                        with_others ? Case::Tweaks::all : Case::Tweaks::none});
     }
     if (!subject.reads(Builtin::tick)) return;
     if (!subject.stateful()) list.push_back({"tick wraps", run_wrap});

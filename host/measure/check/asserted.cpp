@@ -1,5 +1,6 @@
 // What the scene's own text asserts: `//@ assert t >= 0.0 "behind the eye"`.
 #include "measure/check/case.h"
+#include "measure/check/situation.h"
 #include "measure/check/space.h"
 #include "measure/probe/assertions.h"
 
@@ -10,30 +11,19 @@ namespace {
 
 constexpr double kAssertedPlayed = 2.0;  // s of a simulation
 constexpr std::size_t kAssertedSets = 17;
+constexpr int kAssertedSpread = 16;  // points within all ranges
 
-// "; with a=0, b=2": what is not as the preset has it.
-std::string turned_values(const CheckSubject& subject) {
-    std::string text;
-    const auto& tweaks = subject.scene().tweaks;
-    for (std::size_t i = 0; i < tweaks.size(); ++i)
-        if (subject.preset.values[i] != subject.opened().values[i])
-            text += fmt::format("{}{}={}", text.empty() ? "; with " : ", ", tweaks[i].name,
-                                format_value(tweaks[i], subject.preset.values[i]));
-    return text;
-}
-
-// With each of these values, as long as all hold.
-void check_assertions(const std::vector<std::vector<TweakValue>>& sets, Check& check,
-                      CaseResult& result) {
+// In each of these situations, as long as all hold.
+void check_assertions(const std::vector<Situation>& all, Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
+    std::size_t at = 0;
     // Of a simulation every frame, up to the first in which one does not hold.
     const auto draw = [&](const BrokenAssertions& found) {
         const std::size_t before = found.size();
-        for (std::size_t i = 0; i < sets.size() && found.size() == before; ++i) {
-            subject.restore();
-            subject.preset.values = sets[i];
-            subject.show(subject.opened().time, kAssertedPlayed,
-                         [&] { return found.size() > before; });
+        for (std::size_t i = 0; i < all.size() && found.size() == before; ++i) {
+            at = i;
+            all[i].bring(subject);
+            subject.show(all[i].time, kAssertedPlayed, [&] { return found.size() > before; });
         }
     };
     const std::vector<BrokenAssertion> broken = broken_assertions(
@@ -44,28 +34,32 @@ void check_assertions(const std::vector<std::vector<TweakValue>>& sets, Check& c
                              .line = first.line,
                              .expression = first.expression,
                              .what = "an assertion"};
-    std::string all;
+    std::string words;
     for (const BrokenAssertion& one : broken)
-        all += fmt::format("{}{}:{}:{}: {}", all.empty() ? "" : "; ", one.file, one.line,
-                           one.column, sentence_of(one));
-    result.fail(all + turned_values(subject));
+        words += fmt::format("{}{}:{}:{}: {}", words.empty() ? "" : "; ", one.file, one.line,
+                             one.column, sentence_of(one));
+    result.fail(words + where_words(all[at], subject));
 }
 
 }  // namespace
 
 void add_assertion_case(std::vector<Case>& list, const CheckSubject& subject) {
-    if (has_assertions(subject.scene()))
-        list.push_back({.name = "asserted values", .run = [](Check& check, CaseResult& result) {
-                            check_assertions({check.subject.opened().values}, check, result);
-                        }});
-    if (!has_assertions(subject.scene()) || subject.scene().tweaks.empty()) return;
+    if (!has_assertions(subject.scene())) return;
+    list.push_back(
+        {.name = "asserted values", .run = [](Check& check, CaseResult& result) {
+             const Preset& opened = check.subject.opened();
+             check_assertions({{opened.values, opened.events, opened.time}}, check, result);
+         }});
+    const bool has_tweaks = !subject.scene().tweaks.empty();
+    if (!has_tweaks && Space(subject).inputs().empty()) return;
     list.push_back({.name = "asserted at the ranges' ends",
                     .run =
                         [](Check& check, CaseResult& result) {
-                            check_assertions(values_at_ends(check.subject, kAssertedSets), check,
-                                             result);
+                            check_assertions(
+                                situations(check.subject, kAssertedSets, kAssertedSpread), check,
+                                result);
                         },
-                    .tweaks = Case::Tweaks::all});
+                    .tweaks = has_tweaks ? Case::Tweaks::all : Case::Tweaks::none});
 }
 
 }  // namespace glint

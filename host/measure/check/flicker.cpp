@@ -2,9 +2,10 @@
 #include "measure/check/flicker.h"
 
 #include "measure/check/budget.h"
-#include "measure/check/space.h"
+#include "measure/check/situation.h"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -82,22 +83,16 @@ void compare_rates(CheckSubject& subject, CaseResult& result) {
                         kMet, fine, coarse, frame));
 }
 
-// At some values of its tweaks, where it stands still at the preset's.
-bool reads_a_clock(std::string_view text) {
-    constexpr std::string_view kClocks[] = {"iTime", "iTick", "iFrame"};
-    return std::ranges::any_of(kClocks,
-                               [&](std::string_view name) { return text.find(name) != text.npos; });
-}
-
-// With the preset's values, and where all tweaks are at an end of their ranges.
+// With the preset's values, where all tweaks are at an end of their ranges, and with the mouse or
+// keys held.
 void run_frame_rates(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     const CaseClock clock(check);
     std::string first;
-    for (const auto& values : values_at_ends(subject, kSetsOfEnds)) {
-        subject.restore();
-        subject.preset.values = values;
+    for (const Situation& one : situations(subject, kSetsOfEnds, 0)) {
+        one.bring(subject);
         compare_rates(subject, result);
+        if (result.verdict == CaseVerdict::fail) result.note += where_words(one, subject);
         if (!subject.observed().is_finite() || result.verdict == CaseVerdict::fail) return;
         if (first.empty()) first = result.note;
         if (clock.is_over(0.03)) break;
@@ -107,10 +102,12 @@ void run_frame_rates(Check& check, CaseResult& result) {
 
 // ---- Flashes ------------------------------------------------------------------------------------
 
-// A general flash after WCAG 2.3.1: the luminance of more than a quarter of the picture goes up and
-// down, or down and up, by a tenth of the brightest more than three times within a second, the
-// darker one below 0.8.
+// After WCAG 2.3.1. A general flash: the luminance of more than a quarter of the picture goes up
+// and down, or down and up, by a tenth of the brightest more than three times within a second, the
+// darker one below 0.8. A red flash: so does a red that is at least 0.8 of its colour, by 20 of 320
+// of what it has more than green and blue.
 constexpr double kChange = 0.1, kDark = 0.8, kArea = 0.25;
+constexpr double kRedChange = 20.0 / 320.0, kRedShare = 0.8;
 constexpr int kMostFlashes = 3, kSecond = 60, kFlickerFrames = 90;  // frames at 60 Hz
 constexpr glm::ivec2 kTiles(8, 6);
 
@@ -119,30 +116,43 @@ double linear(float shown) {
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-std::vector<double> luminances(const std::vector<float>& picture, glm::ivec2 size) {
-    std::vector<double> sums(static_cast<std::size_t>(kTiles.x * kTiles.y)), counts(sums);
+double luminance(glm::dvec3 colour) {
+    return glm::dot(colour, {0.2126, 0.7152, 0.0722});
+}
+
+double saturated_red(glm::dvec3 colour) {
+    const double others = colour.g + colour.b;
+    return colour.r >= kRedShare * (colour.r + others) ? std::max(0.0, colour.r - others) : 0.0;
+}
+
+// The mean linear colours of tiles.
+std::vector<glm::dvec3> tile_colours(const std::vector<float>& picture, glm::ivec2 size) {
+    std::vector<glm::dvec3> sums(static_cast<std::size_t>(kTiles.x * kTiles.y));
+    std::vector<double> counts(sums.size());
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
             const auto tile =
                 static_cast<std::size_t>(y * kTiles.y / size.y * kTiles.x + x * kTiles.x / size.x);
             const float* pixel = &picture[static_cast<std::size_t>(y * size.x + x) * 4];
-            sums[tile] +=
-                0.2126 * linear(pixel[0]) + 0.7152 * linear(pixel[1]) + 0.0722 * linear(pixel[2]);
+            sums[tile] += glm::dvec3(linear(pixel[0]), linear(pixel[1]), linear(pixel[2]));
             counts[tile] += 1.0;
         }
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
     return sums;
 }
 
-// The changes of a tile that count, as they come: in which frames its luminance turned.
+// The changes of a tile that count, as they come: in which frames its luminance, or its red,
+// turned.
 class Turns {
 public:
+    Turns(double change, double dark) : change_(change), dark_(dark) {}
+
     void add(double now, int frame) {
         if (frame == 0) low_ = high_ = now;
         low_ = std::min(low_, now);
         high_ = std::max(high_, now);
-        const bool rises = now - low_ >= kChange && low_ < kDark;
-        const bool falls = high_ - now >= kChange && now < kDark;
+        const bool rises = now - low_ >= change_ && low_ < dark_;
+        const bool falls = high_ - now >= change_ && now < dark_;
         if (rises && direction_ != 1) turn(1, now, frame);
         if (falls && direction_ != -1) turn(-1, now, frame);
         if (direction_ == 1) low_ = now < high_ ? low_ : now;
@@ -164,43 +174,50 @@ private:
         low_ = high_ = now;
         frames_.push_back(frame);
     }
-    double low_ = 0.0, high_ = 0.0;
+    double change_, dark_, low_ = 0.0, high_ = 0.0;
     int direction_ = 0;
     std::vector<int> frames_;
 };
 
 // With the preset's values, and where all tweaks are at an end of their ranges; of a simulation
-// with the preset's alone: at its stiffest it may well flash, and nobody knows what was meant.
+// with the preset's alone: at its stiffest it may well flash, and nobody knows what was meant. With
+// the mouse or keys held, and later.
 void run_flashes(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     const CaseClock clock(check);
-    for (const auto& values : values_at_ends(subject, subject.stateful() ? 1 : kSetsOfEnds)) {
-        subject.restore();
-        subject.preset.values = values;
-        const auto area = flashing_area(check);
+    for (const Situation& one : situations(subject, subject.stateful() ? 1 : kSetsOfEnds, 0)) {
+        one.bring(subject);
+        const auto area = flashing_area(check, one.time);
         if (!area) return;
         if (result.note.empty())
             result.note = fmt::format("{:.0f} % of the picture flashes", 100.0 * *area);
         const std::string why = too_many_flashes(*area);
-        if (!why.empty()) return result.fail(why);
+        if (!why.empty()) return result.fail(why + where_words(one, subject));
         if (clock.is_over(0.03)) break;
     }
 }
 
 }  // namespace
 
-std::optional<double> flashing_area(Check& check) {
+std::optional<double> flashing_area(Check& check, double time) {
     CheckSubject& subject = check.subject;
-    std::vector<Turns> tiles(static_cast<std::size_t>(kTiles.x * kTiles.y));
+    struct Tile {
+        Turns any{kChange, kDark}, red{kRedChange, 1.0};
+    };
+    std::vector<Tile> tiles(static_cast<std::size_t>(kTiles.x * kTiles.y));
     const int frames = check.paced(kFlickerFrames, kSecond / 2);
-    const int first = subject.stateful() ? 0 : static_cast<int>(subject.preset.time * 60.0);
+    const int first = subject.stateful() ? 0 : static_cast<int>(time * 60.0);
     for (int k = 0; k < frames; ++k) {
         if (!subject.play_frames(first + k, first + k + 1, 60.0)) return {};
-        const auto now = luminances(subject.picture(), subject.preset.size);
-        for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].add(now[i], k);
+        const auto now = tile_colours(subject.picture(), subject.preset.size);
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            tiles[i].any.add(luminance(now[i]), k);
+            tiles[i].red.add(saturated_red(now[i]), k);
+        }
     }
-    const auto flashing = std::ranges::count_if(
-        tiles, [](const Turns& tile) { return tile.flashes() > kMostFlashes; });
+    const auto flashing = std::ranges::count_if(tiles, [](const Tile& tile) {
+        return std::max(tile.any.flashes(), tile.red.flashes()) > kMostFlashes;
+    });
     return static_cast<double>(flashing) / static_cast<double>(tiles.size());
 }
 

@@ -1,80 +1,114 @@
-// Whether every sample of a scene's sound is a number. What is none is silence in a file, and
-// whatever the driver likes in a browser.
+// Whether every sample of a scene's sound is a number, and one that all drivers give. What is none
+// is silence in a file, and whatever the driver likes in a browser.
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
-#include "measure/check/space.h"
+#include "measure/check/situation.h"
+#include "measure/check/unset.h"
 #include "measure/probe/faults.h"
 #include "offline/sound.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace glint {
 namespace {
 
 constexpr double kHeard = 20.0;  // s from the start, with the preset's values
-// s, of which a fifth of a second each is heard at the ends of all ranges; `samp` ends after 13 h.
+// s, of which a fifth of a second each is heard at other values; `samp` ends after 13 h.
 constexpr double kMoments[] = {0.0, 1.0, 60.0, 3600.0, 43200.0};
-constexpr std::size_t kEnds = 16;  // sets of tweaks
+constexpr std::size_t kEnds = 16;     // sets of tweaks
+constexpr int kHeardSpread = 8;       // points within all ranges
+constexpr double kHeardShare = 0.05;  // of the seconds
 
 long block_at(double seconds) {
     return static_cast<long>(seconds * kSampleRate) / SoundRenderer::kBlock;
 }
 
-std::vector<std::vector<TweakValue>> values_to_hear(CheckSubject& subject) {
-    std::vector<std::vector<TweakValue>> all = values_at_ends(subject, kEnds);
-    const Space space(subject);
-    for (const Point& point : space.zeros()) {
-        space.apply(point, subject);
-        all.push_back(subject.preset.values);
-    }
-    subject.restore();
-    return all;
-}
-
-std::string tweak_words(const CheckSubject& subject, const std::vector<TweakValue>& values) {
-    std::string words;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i] == subject.opened().values[i]) continue;
-        const Tweak& tweak = subject.scene().tweaks[i];
-        words += fmt::format("{}{}={}", words.empty() ? " with " : ", ", tweak.name,
-                             format_value(tweak, values[i]));
-    }
-    return words;
-}
-
 class Ear {
 public:
     Ear(Check& check, CaseResult& result)
-        : subject_(check.subject), result_(result), sound_(subject_.opened(), false) {}
+        : subject_(check.subject),
+          result_(result),
+          sound_(subject_.opened(), {.specialise = false}) {
+        try {
+            survey_.emplace(subject_.opened(), sound_.renderer(),
+                            ProgramOptions{.specialise = false});
+        } catch (const ProbeRefused&) {  // then samples alone tell
+        }
+        compiled();
+    }
 
     // False once a sample was no number.
-    bool hears(long index, const std::vector<TweakValue>& values) {
-        sound_.renderer().set_values(values);
+    bool hears(long index, const Situation& situation) {
         const Frame frame = sound_.frame_of(index);
-        const std::vector<float> rgba = sound_.drawn(frame);
-        if (subject_.after_frame) subject_.after_frame();
+        const std::vector<float> rgba = drawn(sound_, index, situation);
         for (std::size_t i = 0; i < rgba.size(); i += 4) {
             const bool left = !std::isfinite(rgba[i]);
             if (!left && std::isfinite(rgba[i + 1])) continue;
             const long sample = index * SoundRenderer::kBlock + static_cast<long>(i / 4);
-            result_.fail(fmt::format(
-                "{} in the {} channel at {:.5f} s, sample {}{}",
-                std::isnan(rgba[i + (left ? 0 : 1)]) ? "NaN" : "Inf", left ? "left" : "right",
-                static_cast<double>(sample) / kSampleRate, sample, tweak_words(subject_, values)));
+            result_.fail(fmt::format("{} in the {} channel at {:.5f} s, sample {}{}",
+                                     std::isnan(rgba[i + (left ? 0 : 1)]) ? "NaN" : "Inf",
+                                     left ? "left" : "right",
+                                     static_cast<double>(sample) / kSampleRate, sample,
+                                     where_words(situation, subject_)));
             find_birth(frame);
             return false;
         }
         return true;
     }
 
+    // Whether all of this block is what any driver gives, though all its samples are numbers.
+    bool is_sure_of(long index, const Situation& situation) {
+        if (!survey_) return true;
+        const Frame frame = sound_.frame_of(index);
+        survey_->begin(frame, false);
+        drawn(sound_, index, situation);
+        survey_->end();
+        const auto& fault = survey_->fault();
+        if (!fault) return true;
+        result_.where = place_of(*fault);
+        result_.fail(fmt::format("{}:{}: in {}: {} is undefined, {}; at {:.3f} s{}", fault->file,
+                                 fault->line, fault->function, fault->expression, fault->what,
+                                 frame.time, where_words(situation, subject_)));
+        return false;
+    }
+
+    // Whether it counts on nothing that is unset, in the first block of these situations.
+    bool sets_all(const std::vector<Situation>& all) {
+        const std::vector<Unset> list = unset_values(subject_.opened(), sound_.renderer(), false);
+        const auto shows = [&](Span range) {
+            SoundRenderer marked(subject_.opened(), {.specialise = false, .marked = range});
+            compiled();
+            const auto is_other = [&](const Situation& one) {
+                return drawn(marked, 0, one) != drawn(sound_, 0, one);
+            };
+            return std::ranges::any_of(all, is_other);
+        };
+        if (list.empty() || !shows({0, subject_.scene().text.size()})) return true;
+        result_.fail(words_of(subject_.scene(), first_that_shows(list, shows)));
+        return false;
+    }
+
 private:
+    void compiled() const {  // that is no hang
+        if (subject_.after_frame) subject_.after_frame();
+    }
+
+    std::vector<float> drawn(SoundRenderer& sound, long index, const Situation& situation) const {
+        sound.renderer().set_values(situation.values);
+        std::vector<float> rgba = sound.drawn(sound.frame_of(index));
+        if (subject_.after_frame) subject_.after_frame();
+        return rgba;
+    }
+
     // The operation at which it came about, where the probe can tell.
     void find_birth(const Frame& frame) {
         try {
             FaultWatch watch(subject_.opened(), sound_.renderer(), {.specialise = false});
-            watch.after_program = subject_.after_frame;  // compiling is no hang
+            watch.after_program = subject_.after_frame;
             watch.begin(frame);
             sound_.drawn(frame);
             const auto& fault = watch.first();
@@ -89,29 +123,36 @@ private:
     CheckSubject& subject_;
     CaseResult& result_;
     SoundRenderer sound_;
+    std::optional<FaultSurvey> survey_;
 };
 
 void run_sound_case(Check& check, CaseResult& result) {
     const CaseClock clock(check);
     Ear ear(check, result);
+    const std::vector<Situation> all = situations(check.subject, kEnds, kHeardSpread);
     long index = 0;
-    for (; index <= block_at(kHeard) && !clock.is_over(0.05); ++index)
-        if (!ear.hears(index, check.subject.opened().values)) return;
+    for (; index <= block_at(kHeard) && !clock.is_over(kHeardShare); ++index)
+        if (!ear.hears(index, all.front())) return;
     result.note =
         fmt::format("{:.0f} s", static_cast<double>(index * SoundRenderer::kBlock) / kSampleRate);
+    if (!ear.sets_all(all)) return;
     for (const double moment : kMoments)
-        for (const auto& values : values_to_hear(check.subject)) {
-            if (clock.is_over(0.05)) return;
-            if (!ear.hears(block_at(moment), values)) return;
+        for (const Situation& one : all) {
+            if (clock.is_over(kHeardShare)) return;
+            if (!ear.hears(block_at(moment), one) || !ear.is_sure_of(block_at(moment), one)) return;
         }
-    result.note += ", and moments of 12 hours at the ends of all ranges";
+    result.note += ", and moments of 12 hours with other values";
 }
 
 }  // namespace
 
 void add_sound_case(std::vector<Case>& list, const CheckSubject& subject) {
     if (subject.scene().has_sound)
-        list.push_back({.name = "sound", .run = run_sound_case, .shows = false});
+        list.push_back(
+            {.name = "sound",
+             .run = run_sound_case,
+             .tweaks = subject.scene().tweaks.empty() ? Case::Tweaks::none : Case::Tweaks::all,
+             .shows = false});
 }
 
 }  // namespace glint

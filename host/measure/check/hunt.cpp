@@ -2,13 +2,13 @@
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/endure.h"
+#include "measure/check/keys.h"
 #include "measure/check/space.h"
 #include "measure/probe/faults.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <utility>
 
@@ -21,6 +21,7 @@ constexpr double kHuntShare = 0.12;   // of the seconds, that a search may take
 constexpr double kSpreadShare = 0.1;  // before it follows single operations
 constexpr int kEvaluations = 256;     // of one effort
 constexpr int kFollowed = 64;         // more, to where an operation's distance would be 0
+constexpr int kDescended = 192;       // as many, along all ranges
 constexpr int kOfSizes = 192;         // where there is nothing but the size to change
 constexpr std::size_t kMostKeys = 6;  // that the search presses
 constexpr int kSmallestLong = 16;     // trials, each a long run
@@ -146,33 +147,6 @@ void endure_worst(const Hunter& hunter, Check& check, CaseResult& result) {
     }
 }
 
-std::vector<int> keys_in_order();
-
-// Of a name or a fraction.
-bool is_in_a_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
-}
-
-// Numbers of the text that may be keys.
-std::vector<int> keys_named(const CheckSubject& subject) {
-    constexpr int kLeast = 8;  // below are no keys, but many numbers
-    std::vector<int> named;
-    std::string_view text = subject.scene().text;
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        if (!is_digit(text[at])) continue;
-        const std::size_t begin = at;
-        int number = 0;
-        while (at < text.size() && is_digit(text[at]))
-            number = std::min(1000, 10 * number + text[at++] - '0');
-        const bool is_alone = (begin == 0 || !is_in_a_word(text[begin - 1])) &&
-                              (at == text.size() || !is_in_a_word(text[at]));
-        const bool is_key = is_alone && number >= kLeast && number < kKeyCount;
-        if (is_key && std::ranges::find(named, number) == named.end()) named.push_back(number);
-    }
-    return named;
-}
-
 // Keys that change the picture or what is kept, each alone and with the preset's values; where
 // none does, those that the text names, which may do so together.
 std::vector<int> keys_that_matter(Check& check) {
@@ -197,9 +171,33 @@ std::vector<int> keys_that_matter(Check& check) {
         if (clock.is_over(0.03)) break;
         if (seen(key) != usual) keys.push_back(key);
     }
-    if (keys.empty()) keys = keys_named(subject);
+    if (keys.empty()) keys = keys_named(subject.scene().text);
     keys.resize(std::min(keys.size(), kMostKeys));
     return keys;
+}
+
+// Each operation to its zero: along one range, then along all, one after the other, from where they
+// have few digits.
+std::optional<Point> followed(Hunter& hunter, const Search& search, const CaseClock& clock) {
+    const Space& space = hunter.space();
+    const auto rounded = [&](Point point, std::size_t axis) {
+        return space.rounded(std::move(point), axis);
+    };
+    for (const bool along_all : {false, true}) {
+        int left = along_all ? kDescended : kFollowed;
+        const auto attempt = [&](const Point& point) {
+            --left;
+            return hunter(point);
+        };
+        for (const Search::Near& near : search.nearest()) {
+            if (left <= 0 || clock.is_over(kHuntShare)) break;
+            const auto failing =
+                along_all ? descend_to_zero(space.usual(), near.operation, attempt, rounded, left)
+                          : follow_to_zero(near, attempt, rounded, left);
+            if (failing) return failing;
+        }
+    }
+    return std::nullopt;
 }
 
 void run_search(Check& check, CaseResult& result) {
@@ -219,35 +217,14 @@ void run_search(Check& check, CaseResult& result) {
         if (trial.fails) return report(hunter, check, point, result);
         search.tell(point, trial);
     }
-    int left = kFollowed;
-    for (const Search::Near& near : search.nearest()) {
-        if (left <= 0 || clock.is_over(kHuntShare)) break;
-        const auto attempt = [&](const Point& point) {
-            --left;
-            return hunter(point);
-        };
-        const auto rounded = [&](Point point, std::size_t axis) {
-            return space.rounded(std::move(point), axis);
-        };
-        if (const auto failing = follow_to_zero(near, attempt, rounded, left))
-            return report(hunter, check, *failing, result);
-    }
+    if (const auto failing = followed(hunter, search, clock))
+        return report(hunter, check, *failing, result);
     for (std::size_t i = 1; i < zeros.size() && !clock.is_over(kHuntShare); ++i)
         if (hunter(zeros[i]).fails) return report(hunter, check, zeros[i], result);
     result.note =
         fmt::format("{}{} points{}", done, done < wanted ? fmt::format(" of {}", wanted) : "",
                     hunter.is_guided() ? "" : ", without a guide");
     if (check.subject.stateful()) endure_worst(hunter, check, result);
-}
-
-// Arrows, space, letters and digits first, then all others.
-std::vector<int> keys_in_order() {
-    std::vector<int> keys = {37, 38, 39, 40, 32, 13, 27, 16, 17};
-    for (int key = 'A'; key <= 'Z'; ++key) keys.push_back(key);
-    for (int key = '0'; key <= '9'; ++key) keys.push_back(key);
-    for (int key = 0; key < kKeyCount; ++key)
-        if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
-    return keys;
 }
 
 // Down in frame 1, up in frame 3; seen in frames 1 (pressed), 2 (held) and 3 (toggled).

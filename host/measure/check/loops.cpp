@@ -1,13 +1,14 @@
 // Loops of one software renderer share 65,535 turns a pixel, then end without a word.
 #include "measure/check/budget.h"
 #include "measure/check/case.h"
-#include "measure/check/space.h"
+#include "measure/check/situation.h"
 #include "measure/check/subject.h"
 #include "measure/probe/loop_turns.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -15,33 +16,26 @@ namespace glint {
 namespace {
 
 constexpr std::size_t kLoopEnds = 16;  // sets of tweaks
-
-// What is specialised has no other values than the preset's.
-std::vector<std::vector<TweakValue>> values_to_try(const CheckSubject& subject) {
-    if (subject.specialised()) return {subject.preset.values};
-    return values_at_ends(subject, kLoopEnds);
-}
+constexpr int kLoopSpread = 8;         // points within all ranges
 
 // Of the tweaks those stay that it takes.
-void fail(CheckSubject& subject,
-          const std::function<bool(const std::vector<TweakValue>&)>& runs_out,
-          const LoopTurns& turns, bool with_neighbours, std::vector<TweakValue> values,
-          CaseResult& result) {
+void fail(CheckSubject& subject, const std::function<bool(const Situation&)>& runs_out,
+          const LoopTurns& turns, bool with_neighbours, Situation at, CaseResult& result) {
     const std::string pass = with_neighbours ? "image" : turns.pass();
-    std::string at;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const Tweak& tweak = subject.scene().tweaks[i];
-        const TweakValue tried = std::exchange(values[i], subject.opened().values[i]);
-        if (tried == values[i] || runs_out(values)) continue;
-        values[i] = tried;
-        at += fmt::format("{}{}={}", at.empty() ? "; at " : ", ", tweak.name,
-                          format_value(tweak, tried));
+    for (std::size_t i = 0; i < at.values.size(); ++i) {
+        const TweakValue tried = std::exchange(at.values[i], subject.opened().values[i]);
+        if (tried != at.values[i] && !runs_out(at)) at.values[i] = tried;
     }
-    runs_out(values);  // the picture is of these
+    Situation as_opened = at;
+    as_opened.events = subject.opened().events;
+    as_opened.time = subject.opened().time;
+    if (runs_out(as_opened)) at = as_opened;
+    runs_out(at);  // the picture is of this
+    const std::string where = where_words(at, subject);
     result.fail(
         fmt::format("loops of {} use all {} turns that llvmpipe has for a pixel{}, then "
                     "end silently; split the work over passes, frames or --tile{}",
-                    pass, kLoopBudget, with_neighbours ? " and its neighbours" : "", at));
+                    pass, kLoopBudget, with_neighbours ? " and its neighbours" : "", where));
 }
 
 void run_loops(Check& check, CaseResult& result) {
@@ -55,13 +49,13 @@ void run_loops(Check& check, CaseResult& result) {
         result.note = fmt::format("left out: {}", refused.what());
         return;
     }
-    const Frame frame = subject.frame_at(subject.preset.time, 1.0 / 60, 0);
     const CaseClock clock(check);
     bool with_neighbours = false, is_finite = false;
     std::uint32_t most = 0;
-    const auto runs_out = [&](const std::vector<TweakValue>& values) {
-        subject.restore();
-        subject.preset.values = values;
+    const auto runs_out = [&](const Situation& one) {
+        one.bring(subject);
+        const long index = subject.stateful() ? 0 : std::lround(one.time * 60.0);
+        const Frame frame = subject.frame_at(one.time, 1.0 / 60, index);
         turns->forget();
         turns->count(frame, [&] { is_finite = subject.draw(frame); });
         most = std::max(most, turns->most());
@@ -71,9 +65,8 @@ void run_loops(Check& check, CaseResult& result) {
         if (subject.after_frame) subject.after_frame();  // compiling is no hang
         return with_neighbours;
     };
-    for (const auto& values : values_to_try(subject)) {
-        if (runs_out(values))
-            return fail(subject, runs_out, *turns, with_neighbours, values, result);
+    for (const Situation& one : situations(subject, kLoopEnds, kLoopSpread)) {
+        if (runs_out(one)) return fail(subject, runs_out, *turns, with_neighbours, one, result);
         if (!is_finite || clock.is_over(0.03)) break;
     }
     result.note = fmt::format("at most {} turns in a pixel{}", most,

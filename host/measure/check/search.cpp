@@ -1,6 +1,7 @@
 #include "measure/check/search.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -118,8 +119,7 @@ std::vector<Search::Near> Search::nearest() const {
 }
 
 std::optional<Point> follow_to_zero(const Search::Near& from, const Try& attempt,
-                                    const std::function<Point(Point, std::size_t)>& rounded,
-                                    int most) {
+                                    const Rounded& rounded, int most) {
     constexpr int kSteps = 5;
     constexpr double kFirstStep = 1e-3;
     for (std::size_t axis = 0; axis < from.point.size() && most > 0; ++axis) {
@@ -145,6 +145,57 @@ std::optional<Point> follow_to_zero(const Search::Near& from, const Try& attempt
             share =
                 nearer + (nearer - other) * nearer_distance / (other_distance - nearer_distance);
             if (share < 0.0 || share > 1.0 || share == nearer) break;
+        }
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+// Where the parabola through three places is least; nothing where it is not.
+std::optional<double> least_of(const std::array<double, 3>& x, const std::array<double, 3>& y) {
+    const double left = (y[1] - y[0]) / (x[1] - x[0]), right = (y[2] - y[1]) / (x[2] - x[1]);
+    const double bend = (right - left) / (x[2] - x[0]);
+    if (!(bend > 0.0)) return std::nullopt;
+    return (x[0] + x[1]) / 2.0 - left / (2.0 * bend);
+}
+
+}  // namespace
+
+std::optional<Point> descend_to_zero(Point from, std::size_t operation, const Try& attempt,
+                                     const Rounded& rounded, int most) {
+    constexpr double kStep = 0.1;
+    const auto distance_at = [&](const Point& point, bool& fails) {
+        const Trial trial = attempt(point);
+        fails = trial.fails;
+        --most;
+        return fails ? 0.0 : static_cast<double>(trial.distances[operation]);
+    };
+    bool fails = false;
+    double here = distance_at(from, fails);
+    for (std::size_t axis = 0; axis < from.size() && most > 0 && !fails; ++axis) {
+        std::array<double, 3> x{}, y{};
+        const double step = from[axis] < 0.5 ? kStep : -kStep;
+        for (std::size_t i = 0; i < 3 && !fails; ++i) {
+            Point point = from;
+            point[axis] = x[i] = from[axis] + static_cast<double>(i) * step;
+            y[i] = i == 0 ? here : distance_at(point, fails);
+            if (fails) return point;
+            if (i > 0 && (y[i] == y[0] || !std::isfinite(y[i]))) break;
+        }
+        if (y[2] == 0.0) continue;
+        const Point start = from;
+        for (const double power : {2.0, 1.0}) {
+            std::array<double, 3> raised{};
+            std::ranges::transform(y, raised.begin(), [&](double v) { return std::pow(v, power); });
+            const auto least = least_of(x, raised);
+            if (!least || *least < 0.0 || *least > 1.0) continue;
+            Point point = start;
+            point[axis] = *least;
+            point = rounded(std::move(point), axis);
+            const double distance = distance_at(point, fails);
+            if (fails) return point;
+            if (distance < here) from = point, here = distance;
         }
     }
     return std::nullopt;

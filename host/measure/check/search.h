@@ -38,6 +38,8 @@ public:
         : usual_(std::move(usual)), often_(usual_.size() - rare) {}
 
     Point next();
+    // The next of the sequence alone.
+    Point spread_point();
     void tell(const Point& point, const Trial& trial);
 
     // Where an operation came nearest to a fault, for those that can be moved at all; first those
@@ -58,7 +60,6 @@ private:
     };
     double drawn() { return static_cast<double>(random_()) / 4294967296.0; }
     Point end_point(std::size_t row) const;
-    Point spread_point();
     std::optional<Point> moved_point();
 
     Point usual_;
@@ -68,12 +69,19 @@ private:
     std::mt19937 random_{1};
 };
 
+// A point with what a person would set in this range: a share whose number has few digits.
+using Rounded = std::function<Point(Point, std::size_t)>;
+
 // Follows an operation along each range to where its distance would be 0, by the secant method: a
-// moved point comes near, but meets no pole. `rounded` gives what a person would set there, a
-// share whose number has few digits. The point that fails, if any; at most `most` trials.
+// moved point comes near, but meets no pole. The point that fails, if any; at most `most` trials.
 std::optional<Point> follow_to_zero(const Search::Near& from, const Try& attempt,
-                                    const std::function<Point(Point, std::size_t)>& rounded,
-                                    int most);
+                                    const Rounded& rounded, int most);
+
+// The same along one range after the other, each to where the distance is least by the parabola
+// through three trials, or that through the squares of these: so two points meet that have three
+// tweaks each, and poles of even order are found.
+std::optional<Point> descend_to_zero(Point from, std::size_t operation, const Try& attempt,
+                                     const Rounded& rounded, int most);
 
 // The point between a failing one and the usual that differs in the fewest ranges, and by the
 // least; at most `most` trials.

@@ -105,6 +105,28 @@ std::vector<Point> Space::zeros() const {
     return points;
 }
 
+std::vector<Point> Space::inputs() const {
+    constexpr double kTimes[] = {100.0, 3000.0};  // s
+    constexpr double kPlaces[][2] = {{0.12, 0.18}, {0.5, 0.51}, {0.87, 0.81}};
+    std::vector<Point> points;
+    Point all_keys = usual_;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const auto with = [&](std::initializer_list<double> values) {
+            points.push_back(usual_);
+            std::ranges::copy(values, points.back().begin() + static_cast<std::ptrdiff_t>(i));
+        };
+        if (axes_[i].of == Axis::Of::time)
+            for (const double time : kTimes) with({share_of_time(time)});
+        if (axes_[i].of == Axis::Of::mouse && axes_[i].component == 0)
+            for (const auto& place : kPlaces) with({place[0], place[1]});
+        if (axes_[i].of != Axis::Of::key) continue;
+        with({1.0});
+        all_keys[i] = 1.0;
+    }
+    if (all_keys != usual_ && points.back() != all_keys) points.push_back(all_keys);
+    return points;
+}
+
 Point Space::rounded(Point point, std::size_t axis) const {
     constexpr double kAsGood = 1e-5;  // of the range
     if (axes_[axis].of != Axis::Of::tweak) return point;

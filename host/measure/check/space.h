@@ -30,6 +30,9 @@ public:
     // Each tweak at 0 whose range has that within, and all of those: directions and lengths have
     // none there, and neither ends nor a sequence meet it.
     std::vector<Point> zeros() const;
+    // The preset's tweaks with what else there is: the mouse pressed at some places, each key held
+    // and all of them, a late time.
+    std::vector<Point> inputs() const;
     // The point with this range's tweak at the number of fewest digits that is as good as the one
     // there; itself for other ranges.
     Point rounded(Point point, std::size_t axis) const;

@@ -3,8 +3,10 @@
 // Drivers owe such values nothing. Glint and browsers write zeros (glsl/zeros.h); here they are
 // NaN, 0x7FC0DEAD and true instead. Where that shows, halves of what was unset are tried until the
 // first is found that shows on its own.
+#include "measure/check/unset.h"
+
 #include "measure/check/case.h"
-#include "measure/check/space.h"
+#include "measure/check/situation.h"
 #include "measure/rows/difference.h"
 
 #include <fmt/format.h>
@@ -16,74 +18,44 @@ namespace {
 
 constexpr double kUnsetPlayed = 0.5;  // s of a simulation
 constexpr std::size_t kEnds = 16;     // sets of tweaks
-
-// Of all passes that are drawn, each once, in the order of the text.
-std::vector<Unset> unset_values(const CheckSubject& subject) {
-    std::vector<Unset> list;
-    for (const GraphPass& pass : subject.renderer().graph().passes) {
-        const PassText text =
-            pass_text(subject.opened(), pass.pass, {.specialise = subject.specialised()});
-        list.insert(list.end(), text.unset.begin(), text.unset.end());
-    }
-    std::ranges::stable_sort(list, {}, &Unset::at);
-    const auto same = std::ranges::unique(list, {}, &Unset::at);
-    list.erase(same.begin(), same.end());
-    return list;
-}
+constexpr int kUnsetSpread = 8;       // points within all ranges
 
 // The pictures with and without marks.
 class Comparison {
 public:
     explicit Comparison(CheckSubject& subject)
-        : subject_(subject), time_(subject.shown_time(subject.preset.time, kUnsetPlayed)) {
-        sets_ = values_at_ends(subject, subject.specialised() ? 1 : kEnds);
-    }
+        : subject_(subject), situations_(situations(subject, kEnds, kUnsetSpread)) {}
 
     // False where the scene is not finite by itself.
     bool draw_usual() {
         bool finite = true;
-        for (const auto& values : sets_) {
-            subject_.restore();
-            subject_.preset.values = values;
-            finite &= subject_.show(time_, kUnsetPlayed);
+        for (const Situation& one : situations_) {
+            one.bring(subject_);
+            finite &= subject_.show(one.time, kUnsetPlayed);
             usual_.push_back(subject_.picture());
         }
         return finite;
     }
 
-    bool shows(Span range) const {
+    // The first situation, if any, in which these show.
+    const Situation* where_shows(Span range) const {
         CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
                             {.specialise = subject_.specialised(), .marked = range});
         marked.after_frame = subject_.after_frame;
-        for (std::size_t i = 0; i < sets_.size(); ++i) {
-            marked.restore();
-            marked.preset.values = sets_[i];
-            if (!marked.show(time_, kUnsetPlayed)) return true;
+        for (std::size_t i = 0; i < situations_.size(); ++i) {
+            situations_[i].bring(marked);
+            if (!marked.show(situations_[i].time, kUnsetPlayed)) return &situations_[i];
             const Difference found = difference(marked.picture(), usual_[i]);
-            if (found.not_finite > 0 || found.share_off > 0.0) return true;
+            if (found.not_finite > 0 || found.share_off > 0.0) return &situations_[i];
         }
-        return false;
+        return nullptr;
     }
 
 private:
     CheckSubject& subject_;
-    double time_;
-    std::vector<std::vector<TweakValue>> sets_;
-    std::vector<std::vector<float>> usual_;  // by set
+    std::vector<Situation> situations_;
+    std::vector<std::vector<float>> usual_;  // by situation
 };
-
-// `list` shows as a whole. Of two that show only together it is the first.
-const Unset& first_that_shows(const Comparison& comparison, const std::vector<Unset>& list) {
-    std::size_t begin = 0, end = list.size();
-    while (end - begin > 1) {
-        const std::size_t middle = begin + (end - begin) / 2;
-        if (comparison.shows({list[begin].at, list[middle].at}))
-            end = middle;
-        else
-            begin = middle;
-    }
-    return list[begin];
-}
 
 // Some are marked, too, where nothing jumps over them.
 bool is_never_marked(const Unset& one) {
@@ -104,30 +76,63 @@ std::string words_of_unmarked(const CheckSubject& subject, const std::vector<Uns
 
 void run_unset(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
-    std::vector<Unset> list = unset_values(subject);
+    std::vector<Unset> list =
+        unset_values(subject.opened(), subject.renderer(), subject.specialised());
     const std::string unmarked = words_of_unmarked(subject, list);
     std::erase_if(list, is_never_marked);
     Comparison comparison(subject);
     if (!comparison.draw_usual()) return;
-    if (list.empty() || !comparison.shows({0, subject.scene().text.size()})) {
+    if (list.empty() || !comparison.where_shows({0, subject.scene().text.size()})) {
         result.note = fmt::format("{} values, none shows{}", list.size(), unmarked);
         return;
     }
-    const Unset& first = first_that_shows(comparison, list);
-    const Place place = subject.scene().place_at(first.at);
+    const Unset& first = first_that_shows(
+        list, [&](Span range) { return comparison.where_shows(range) != nullptr; });
+    const Situation* situation = comparison.where_shows({first.at, first.at + 1});
     subject.still.reset();
-    result.fail(fmt::format(
-        "counts on uninitialised values: {}:{}:{}: {}", place.file, place.line, place.column,
-        first.is_result
-            ? fmt::format("the function `{}` may end without a return", first.name)
-            : fmt::format("`{}` is read where nothing has set it; give it a first value",
-                          first.name)));
+    result.fail(words_of(subject.scene(), first) +
+                (situation ? where_words(*situation, subject) : ""));
 }
 
 }  // namespace
 
+std::vector<Unset> unset_values(const Preset& preset, const Renderer& renderer, bool specialise) {
+    std::vector<Unset> list;
+    for (const GraphPass& pass : renderer.graph().passes) {
+        const PassText text = pass_text(preset, pass.pass, {.specialise = specialise});
+        list.insert(list.end(), text.unset.begin(), text.unset.end());
+    }
+    std::ranges::stable_sort(list, {}, &Unset::at);
+    const auto same = std::ranges::unique(list, {}, &Unset::at);
+    list.erase(same.begin(), same.end());
+    return list;
+}
+
+const Unset& first_that_shows(const std::vector<Unset>& list,
+                              const std::function<bool(Span)>& shows) {
+    std::size_t begin = 0, end = list.size();
+    while (end - begin > 1) {
+        const std::size_t middle = begin + (end - begin) / 2;
+        if (shows({list[begin].at, list[middle].at}))
+            end = middle;
+        else
+            begin = middle;
+    }
+    return list[begin];
+}
+
+std::string words_of(const Scene& scene, const Unset& unset) {
+    const Place place = scene.place_at(unset.at);
+    return fmt::format(
+        "counts on uninitialised values: {}:{}:{}: {}", place.file, place.line, place.column,
+        unset.is_result
+            ? fmt::format("the function `{}` may end without a return", unset.name)
+            : fmt::format("`{}` is read where nothing has set it; give it a first value",
+                          unset.name));
+}
+
 void add_unset_case(std::vector<Case>& list, const CheckSubject& subject) {
-    if (!unset_values(subject).empty())
+    if (!unset_values(subject.opened(), subject.renderer(), subject.specialised()).empty())
         list.push_back({"uninitialised values", run_unset,
                         subject.scene().tweaks.empty() ? Case::Tweaks::none : Case::Tweaks::all});
 }

@@ -141,11 +141,9 @@ void run_worst(Check& check, CaseResult& result) {
     tell(WorstJudge::of_frames, "a frame is off the next by {:.2f} at {}", 1.0);
     const WorstJudge::Found& jumps = judge.worst(WorstJudge::of_frames);
     if (jumps.most >= kDull && check.subject.moves()) {
-        check.subject.preset.time = judge.bring_to(jumps.at);
-        const auto area = flashing_area(check);
+        const auto area = flashing_area(check, judge.bring_to(jumps.at));
         const std::string flashes = area ? too_many_flashes(*area) : "";
         if (!flashes.empty()) words += fmt::format("; {} there", flashes);
-        check.subject.preset.time = check.subject.opened().time;
     }
     result.note = words.empty() ? "nothing jumps or stands out" : words;
 }

@@ -280,12 +280,17 @@ void FaultSurvey::end() {
 }
 
 void FaultSurvey::look(std::size_t index) {
+    if (probes_[index].probed().sites.empty()) return;
+    const int faces = renderer_.buffer(index).shape().cube ? 6 : 1;
+    for (int face = 0; face < faces; ++face) look_at(index, face);
+}
+
+void FaultSurvey::look_at(std::size_t index, int face) {
     Probe& probe = probes_[index];
     const std::size_t sites = probe.probed().sites.size();
-    if (sites == 0 || renderer_.buffer(index).shape().cube) return;
     std::size_t before = 0;
     for (std::size_t i = 0; i < index; ++i) before += probes_[i].probed().sites.size();
-    const std::vector<ProbeCell> cells = probe.survey(renderer_, *frame_, turn_, 0);
+    const std::vector<ProbeCell> cells = probe.survey(renderer_, *frame_, turn_, 0, face);
     const auto width = static_cast<std::size_t>(renderer_.buffer(index).shape().size.x);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         const float off = std::bit_cast<float>(cells[at].kept[2]);
@@ -293,7 +298,7 @@ void FaultSurvey::look(std::size_t index) {
             (static_cast<std::size_t>(turn_) + at % width + 37 * (at / width)) % sites;
         if (off < 1e38f) distances_[before + site] = std::min(distances_[before + site], off);
     }
-    if (!fault_) judge(probe, index, cells);
+    if (!fault_) judge(probe, index, face, cells);
 }
 
 namespace {
@@ -328,14 +333,14 @@ bool is_undefined(const ProbeCell& cell) {
 }
 
 // Another colour with any of the results that it may have.
-std::vector<bool> shows(Probe& probe, Renderer& renderer, const Frame& frame, int turn,
+std::vector<bool> shows(Probe& probe, Renderer& renderer, const Frame& frame, int turn, int face,
                         const std::vector<ProbeCell>& cells) {
     std::vector<bool> shown(cells.size());
     for (std::size_t at = 0; at < cells.size(); ++at)
         shown[at] = is_undefined(cells[at]) && !is_finite(cells[at]);
     for (int mend = 1; mend <= Probe::kMends && std::ranges::find(shown, true) == shown.end();
          ++mend) {
-        const std::vector<ProbeCell> mended = probe.survey(renderer, frame, turn, mend);
+        const std::vector<ProbeCell> mended = probe.survey(renderer, frame, turn, mend, face);
         for (std::size_t at = 0; at < cells.size(); ++at)
             shown[at] = is_undefined(cells[at]) && is_another(cells[at], mended[at]);
     }
@@ -344,9 +349,10 @@ std::vector<bool> shows(Probe& probe, Renderer& renderer, const Frame& frame, in
 
 }  // namespace
 
-void FaultSurvey::judge(Probe& probe, std::size_t index, const std::vector<ProbeCell>& cells) {
+void FaultSurvey::judge(Probe& probe, std::size_t index, int face,
+                        const std::vector<ProbeCell>& cells) {
     if (std::ranges::none_of(cells, is_undefined)) return;
-    const std::vector<bool> shown = shows(probe, renderer_, *frame_, turn_, cells);
+    const std::vector<bool> shown = shows(probe, renderer_, *frame_, turn_, face, cells);
     for (std::size_t at = 0; at < cells.size(); ++at) {
         if (!is_undefined(cells[at])) continue;
         const bool is_told = cells[at].told[2] != 0;

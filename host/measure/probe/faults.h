@@ -74,7 +74,8 @@ public:
 
 private:
     void look(std::size_t index);
-    void judge(Probe& probe, std::size_t index, const std::vector<ProbeCell>& cells);
+    void look_at(std::size_t index, int face);
+    void judge(Probe& probe, std::size_t index, int face, const std::vector<ProbeCell>& cells);
 
     const Preset& preset_;
     Renderer& renderer_;

@@ -354,10 +354,11 @@ std::vector<ProbeCell> Probe::rounded(Renderer& renderer, const Frame& frame, in
     return target.read();
 }
 
-std::vector<ProbeCell> Probe::survey(Renderer& renderer, const Frame& frame, int first, int mend) {
+std::vector<ProbeCell> Probe::survey(Renderer& renderer, const Frame& frame, int first, int mend,
+                                     int face) {
     const ProbeTarget target(renderer.buffer(index_in(renderer)).shape().size, outputs_);
     draw(renderer, frame, target, {.site = first, .hit = mend},
-         {0, 0, 0, static_cast<int>(probed_.sites.size())}, 0);
+         {0, 0, 0, static_cast<int>(probed_.sites.size())}, face);
     return target.read();
 }
 

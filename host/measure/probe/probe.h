@@ -81,7 +81,8 @@ public:
     // to kMends: what is undefined gets a result all the same, a usual, a small or a large one. See
     // probe_declarations.
     static constexpr int kMends = 3;
-    std::vector<ProbeCell> survey(Renderer& renderer, const Frame& frame, int first, int mend);
+    std::vector<ProbeCell> survey(Renderer& renderer, const Frame& frame, int first, int mend,
+                                  int face = 0);
     // Of ProbeKind::rounding: what is drawn where results of a site, or of those that these stand
     // for, are rounded by chance.
     static constexpr int kEverySite = -1, kNoSite = -2, kPixelsMoved = -3;

@@ -39,7 +39,7 @@ public:
             files_.push_back(read_sound(file));
         if (!preset_.scene.has_sound) return;
         if (!context) context = make_egl_context(device);
-        renderer_.emplace(preset_, true);
+        renderer_.emplace(preset_, ProgramOptions{});
     }
 
     std::vector<float> block(long index) {

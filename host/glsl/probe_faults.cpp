@@ -1,0 +1,142 @@
+// The sites of operations: what is outside of a domain, how often something is read, what rounds.
+#include "glsl/instrumenter.h"
+#include "glsl/operand_type.h"
+#include "glsl/operands.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace glint {
+namespace {
+
+constexpr std::array<std::string_view, 11> kReads = {
+    "texture",     "textureLod",      "texelFetch",     "textureGrad",
+    "textureProj", "textureOffset",   "textureProjLod", "textureLodOffset",
+    "texture2D",   "texture2DLodEXT", "textureCube"};
+constexpr std::array<std::string_view, 8> kWhole = {"int",  "ivec2", "ivec3", "ivec4",
+                                                    "uint", "uvec2", "uvec3", "uvec4"};
+// Of no number they make one.
+constexpr std::string_view kHiding[] = {"clamp", "max", "min", "mix", "step", "smoothstep"};
+
+}  // namespace
+
+void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
+    const bool assigns = token(at).text.size() == 2;
+    const std::uint32_t end = assigns ? expression_end(reading_, at + 1, room.end)
+                                      : operand_end(reading_, at + 1, room.end);
+    const TokenRange divisor = {at + 1, end};
+    if (divisor.empty()) return;
+    const bool is_number = divisor.size() == 1 && token(at + 1).kind == TokenKind::number;
+    const std::uint32_t begin = operand_begin(reading_, at, room.begin);
+    const std::uint32_t first = product_begin(reading_, at, room.begin);
+    const std::string spelling = close_spelling(reading_, {begin, end});
+    if (token(at).text[0] == '%') {
+        if (!is_number) hand_through(SiteKind::remainder, spelling, begin, divisor, "glint0_by");
+        if (!assigns)
+            hand_through(SiteKind::remainder, spelling, begin, {first, at}, "glint0_rest");
+        return;
+    }
+    if (is_number) return;
+    const std::size_t site = probed_.sites.size();
+    hand_through(SiteKind::division, spelling, begin, divisor, "glint0_d");
+    // 1/0 is infinite, 0/0 nothing: what comes of it tells.
+    if (assigns || probed_.sites.size() == site) return;
+    wrap({first, end}, fmt::format("glint0_q({},", site), ")");
+}
+
+void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {
+    for (const TokenRange side : sides_of_sum(reading_, at, room))
+        hand_through(SiteKind::sum, close_spelling(reading_, side), side.begin, side);
+}
+
+void Instrumenter::over_index(std::uint32_t at, TokenRange room) {
+    const std::uint32_t close = reading_.close_of(at);
+    if (close == kNone || close - at < 2) return;
+    if (close - at == 2 && token(at + 1).kind == TokenKind::number) return;
+    const TokenRange what = {operand_begin(reading_, at, room.begin), at};
+    const auto type = type_of_operand(reading_, records_.variables(), what, function_);
+    if (!type) return;
+    std::string length = reading_.spelled(what) + ".length()";
+    if (type->lengths == 0) {
+        const std::size_t digit = type->name.find_first_of("234");
+        if (digit == type->name.npos || type->structure != kNone) return;
+        length = type->name[digit];  // of a matrix, how many columns
+    } else if (!records_.is_variable(what)) {
+        return;
+    }
+    hand_through(SiteKind::index, close_spelling(reading_, {what.begin, close + 1}), what.begin,
+                 {at + 1, close}, "glint0_i", "," + length);
+}
+
+void Instrumenter::over_call(const Call& call) {
+    const TokenRange whole = {call.name, call.brackets.end};
+    const std::string_view name = reading_.word(call.name);
+    if (wish_.kind == ProbeKind::cost && is_one_of(name, kReads))
+        return hand_through(SiteKind::read, std::string(name), call.name, whole, "glint0_n");
+    if (wish_.kind != ProbeKind::faults) return;
+    if (name == "texelFetch") return over_fetch(call);
+    if (is_one_of(name, kWhole)) return over_conversion(call);
+    if (is_one_of(name, kHiding))
+        for (const TokenRange one : reading_.arguments_of(call))
+            if (is_computed(reading_, one))
+                hand_through(SiteKind::operand, close_spelling(reading_, one), one.begin, one);
+    const bool has_bounds = has_bounds_to_see_to(reading_, call);
+    if (!has_bounds && !may_have_no_result(reading_, call)) return;
+    const SiteKind kind = has_bounds ? SiteKind::bounds : SiteKind::domain;
+    if (!edits_.takes_replacement(call.name) || !edits_.takes_after(call.brackets.begin)) return;
+    const auto site = add_site(kind, close_spelling(reading_, whole), call.name);
+    if (!site) return;
+    words_.push_back({call.name,
+                      Words::Where::instead,
+                      {call.name, call.name + 1},
+                      fmt::format("glint0_{}", name)});
+    words_.push_back({call.brackets.begin, Words::Where::after, whole, fmt::format("{},", *site)});
+}
+
+// `uint(x)`: of what a whole number cannot hold, it is what a driver likes.
+void Instrumenter::over_conversion(const Call& call) {
+    const bool is_unsigned = reading_.word(call.name).starts_with("u");
+    for (const TokenRange what : reading_.arguments_of(call)) {
+        if (what.empty()) continue;
+        if (what.size() == 1 && token(what.begin).kind == TokenKind::number) continue;
+        hand_through(SiteKind::whole, close_spelling(reading_, {call.name, call.brackets.end}),
+                     call.name, what, is_unsigned ? "glint0_to_uint" : "glint0_to_int");
+    }
+}
+
+// `1 << n`, where nothing binds `n` more closely.
+void Instrumenter::over_shift(std::uint32_t at, TokenRange room) {
+    const bool assigns = token(at).text.size() == 3;
+    const std::uint32_t end = assigns ? expression_end(reading_, at + 1, room.end)
+                                      : operand_end(reading_, at + 1, room.end);
+    const TokenRange by = {at + 1, end};
+    if (by.empty() || (by.size() == 1 && token(at + 1).kind == TokenKind::number)) return;
+    const std::string_view next = end < room.end ? token(end).text : ";";
+    if (!assigns && next.size() == 1 &&
+        std::string_view("+-*/%").find(next[0]) != std::string_view::npos)
+        return;
+    const std::uint32_t begin = operand_begin(reading_, at, room.begin);
+    hand_through(SiteKind::whole, close_spelling(reading_, {begin, end}), begin, by, "glint0_s");
+}
+
+// `texelFetch(buffer, at, 0)` of a sampler that has a name, and a level that is a number.
+void Instrumenter::over_fetch(const Call& call) {
+    const std::uint32_t first = call.brackets.begin + 1, last = call.brackets.end - 2;
+    if (call.arity != 3 || !token(first).is_word() || !token(first + 1).is(",")) return;
+    if (token(last).kind != TokenKind::number || !token(last - 1).is(",")) return;
+    const TokenRange whole = {call.name, call.brackets.end};
+    hand_through(SiteKind::index, close_spelling(reading_, whole), call.name, {first + 2, last - 1},
+                 "glint0_t",
+                 fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, token(last).text));
+    if (token(last).text == "0") return;
+    // Of a level that there is not, drivers tell a size of 0.
+    hand_through(SiteKind::index,
+                 fmt::format("level {} of {}", token(last).text, token(first).text), call.name,
+                 {last, last + 1}, "glint0_i",
+                 fmt::format(",textureSize({},{}).x>0?{}+1:1", token(first).text, token(last).text,
+                             token(last).text));
+}
+
+}  // namespace glint
