@@ -19,8 +19,9 @@ namespace glint {
 
 class Instrumenter {
 public:
-    Instrumenter(const Reading& reading, const ProbeWish& wish, Edits& edits)
-        : reading_(reading), wish_(wish), edits_(edits), records_(reading) {
+    Instrumenter(const Reading& reading, const ProbeWish& wish, Edits& edits,
+                 const std::vector<Unset>& marked)
+        : reading_(reading), wish_(wish), edits_(edits), marked_(marked), records_(reading) {
         fixed_.resize(reading.tokens.size());
         for (const Declaration& declaration : reading.declarations) {
             const auto mark = [&](TokenRange range) {
@@ -33,10 +34,14 @@ public:
                 if (!one.initial.empty()) fixed_[one.initial.begin - 1] = true;  // its `=`
             }
         }
+        for (const Statement& one : reading.statements)
+            if (is_declaration(one.condition)) fixed_[one.condition.begin + 2] = true;
     }
 
-    Probed run(const std::vector<bool>& reached, const std::vector<Remainder>& remainders) {
+    Probed run(std::string_view entry, const std::vector<Remainder>& remainders) {
         if (!reading_.is_balanced) return std::move(probed_);
+        entry_ = entry;
+        const std::vector<bool> reached = reading_.reached_from({entry});
         add_remainders(remainders);
         for (std::uint32_t i = 0; i < reading_.functions.size(); ++i)
             if (reached[i] && reading_.functions[i].is_defined()) over_function(i);
@@ -148,6 +153,15 @@ private:
 
     std::string new_record(TokenRange variable, bool can_be_told);
 
+    // `bool goes = i < 3`
+    bool is_declaration(TokenRange condition) const {
+        return condition.size() > 3 && token(condition.begin).is_word() &&
+               token(condition.begin + 1).is_word();
+    }
+    bool may_be_no_number(TokenRange value) const;
+    bool is_marked(std::uint32_t name) const;
+
+    void over_globals(const Function& entry);
     void over_function(std::uint32_t index);
     void over_statement(std::uint32_t index);
     void over_tokens(TokenRange range);
@@ -160,6 +174,9 @@ private:
     void over_fetch(const Call& call);
     void over_index(std::uint32_t at, TokenRange room);
     void over_sum(std::uint32_t at, TokenRange room);
+    void over_reads_of_unset(const Function& function);
+    void over_read_of_unset(std::uint32_t at, const Function& function,
+                            const std::vector<TokenRange>& outs);
     void over_call(const Call& call);
     void over_conversion(const Call& call);
     void over_shift(std::uint32_t at, TokenRange room);
@@ -173,6 +190,8 @@ private:
     const Reading& reading_;
     const ProbeWish& wish_;
     Edits& edits_;
+    const std::vector<Unset>& marked_;
+    std::string_view entry_;
     ProbeRecords records_;
     std::vector<bool> fixed_;  // by token: what must stay a constant, or is no expression
     std::vector<Words> words_;

@@ -185,6 +185,12 @@ bool may_have_no_result(const Reading& reading, const Call& call) {
     return is_one_of(name, kDomains) || (name == "atan" && call.arity == 2);
 }
 
+bool hands_out(std::string_view function, std::size_t argument) {
+    if (function == "modf" || function == "frexp") return argument == 1;
+    if (function == "uaddCarry" || function == "usubBorrow") return argument == 2;
+    return argument >= 2 && (function == "umulExtended" || function == "imulExtended");
+}
+
 bool has_bounds_to_see_to(const Reading& reading, const Call& call) {
     const std::string_view name = reading.word(call.name);
     if ((name != "clamp" && name != "smoothstep") || call.arity != 3) return false;

@@ -35,6 +35,8 @@ bool is_computed(const Reading& reading, TokenRange range);
 
 // Of sqrt, log, …: operands outside its domain.
 bool may_have_no_result(const Reading& reading, const Call& call);
+// Whether a function of GLSL's own hands out this argument.
+bool hands_out(std::string_view function, std::size_t argument);
 // Of clamp and smoothstep, but where both are numbers that are spelled out, in their order.
 bool has_bounds_to_see_to(const Reading& reading, const Call& call);
 

@@ -31,6 +31,7 @@ void Instrumenter::over_function(std::uint32_t index) {
     if (wish_.kind == ProbeKind::cost)
         add_at_head(SiteKind::call, std::string(reading_.word(function.name)), function.name, brace,
                     "glint0_n({},2)");
+    if (reading_.is_for_the_host(function, entry_)) over_globals(function);
     for (const std::uint32_t parameter : function.parameters) {
         const Declaration& one = reading_.declarations[parameter];
         if (wish_.kind != ProbeKind::values || one.names.empty() || (one.is_out && !one.is_in))
@@ -44,6 +45,29 @@ void Instrumenter::over_function(std::uint32_t index) {
     if (wish_.kind == ProbeKind::values) return;
     for (const Call& call : reading_.calls)
         if (call.function == index && !fixed_[call.name]) over_call(call);
+    if (wish_.kind == ProbeKind::faults && !marked_.empty()) over_reads_of_unset(function);
+}
+
+// What they are from the first, told at the head of the entry; of constants a line that is asked
+// for alone, and of faults what may be no number.
+void Instrumenter::over_globals(const Function& entry) {
+    if (wish_.kind != ProbeKind::values && wish_.kind != ProbeKind::faults) return;
+    const bool values = wish_.kind == ProbeKind::values;
+    for (const Declaration& declaration : reading_.declarations) {
+        if (declaration.scope != Scope::global || declaration.is_uniform) continue;
+        if (values && declaration.is_const && wish_.only.empty()) continue;
+        for (const Declarator& one : declaration.names) {
+            const auto hides = [&](std::uint32_t parameter) {
+                const auto& names = reading_.declarations[parameter].names;
+                return !names.empty() &&
+                       reading_.word(names.front().name) == reading_.word(one.name);
+            };
+            if (one.initial.empty() || std::ranges::any_of(entry.parameters, hides)) continue;
+            const TokenRange name = {one.name, one.name + 1};
+            if (values || may_be_no_number(one.initial))
+                add_record(SiteKind::assigned, name, one.name, entry.body.begin);
+        }
+    }
 }
 
 void Instrumenter::over_statement(std::uint32_t index) {
@@ -174,7 +198,12 @@ std::vector<TokenRange> Instrumenter::outs_of(const Call& call, bool& gives_noth
     std::vector<TokenRange> outs;
     const std::vector<TokenRange> arguments = reading_.arguments_of(call);
     gives_nothing = true;
-    for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name))) {
+    const auto functions = reading_.functions_named(reading_.word(call.name));
+    for (std::size_t i = 0; i < arguments.size() && functions.empty(); ++i) {
+        gives_nothing = reading_.word(call.name).ends_with("mulExtended");
+        if (hands_out(reading_.word(call.name), i)) outs.push_back(arguments[i]);
+    }
+    for (const std::uint32_t index : functions) {
         const Function& function = reading_.functions[index];
         if (function.parameters.size() != arguments.size()) continue;
         gives_nothing &= reading_.word(function.type) == "void";
@@ -211,6 +240,9 @@ void Instrumenter::over_outs(const Call& call, bool is_statement) {
 void Instrumenter::over_condition(const Statement& statement, TokenRange condition) {
     const bool declares = statement.declaration != kNone && statement.kind != StatementKind::for_;
     if (wish_.kind != ProbeKind::values || condition.empty() || declares) return;
+    if (is_declaration(condition))
+        return hand_through(SiteKind::assigned, std::string(token(condition.begin + 1).text),
+                            condition.begin + 1, {condition.begin + 3, condition.end});
     hand_through(SiteKind::condition, close_spelling(reading_, condition), condition.begin,
                  condition);
 }
@@ -234,7 +266,7 @@ void Instrumenter::place_expression(std::size_t index, std::uint32_t f) {
     function_ = f;
     probed_.refused[index] = asked.is_assertion ? "" : refusal_of_calls(reading_, asked.text);
     if (!probed_.refused[index].empty()) return;
-    const ProbeRoom room = room_at(reading_, asked.line, f);
+    const ProbeRoom room = room_at(reading_, asked.line, f, asked.is_note);
     const std::size_t site =
         new_site(asked.is_assertion ? SiteKind::assertion : SiteKind::expression, asked.text,
                  asked.line.begin);
@@ -295,9 +327,10 @@ void Instrumenter::write() {
     }
 }
 
-Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vector<bool>& reached,
-                  Edits& edits, const std::vector<Remainder>& remainders) {
-    return Instrumenter(reading, wish, edits).run(reached, remainders);
+Probed instrument(const Reading& reading, const ProbeWish& wish, std::string_view entry,
+                  Edits& edits, const std::vector<Remainder>& remainders,
+                  const std::vector<Unset>& marked) {
+    return Instrumenter(reading, wish, edits, marked).run(entry, remainders);
 }
 
 }  // namespace glint

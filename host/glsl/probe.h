@@ -9,6 +9,7 @@
 
 #include "glsl/edits.h"
 #include "glsl/remainder.h"
+#include "glsl/zeros.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,7 @@ enum class SiteKind : std::uint8_t {
     bounds,     // of clamp and smoothstep
     whole,      // a float that becomes a whole number, or by how many bits one is shifted
     index,
+    unset,  // what is read and has no value
 };
 
 struct ProbeSite {
@@ -59,7 +61,8 @@ struct ProbeExpression {
     std::string text;
     Span line;  // bytes of the text: of the line, or of what the expression stands before
     bool is_assertion = false;
-    bool may_be_unreached = false;  // by the pass: then there is no such site, and no complaint
+    // Of the text's own: a pass may not reach it; then there is no such site, and no complaint.
+    bool is_note = false;
 };
 
 struct ProbeWish {
@@ -82,10 +85,11 @@ struct Probed {
     std::vector<std::string> refused;   // of the expressions: why; "" for those that are there
 };
 
-// Of the functions alone that are reached, by number. The remainders are mended with it, since
-// their words stand among these.
-Probed instrument(const Reading& reading, const ProbeWish& wish, const std::vector<bool>& reached,
-                  Edits& edits, const std::vector<Remainder>& remainders = {});
+// Of the functions alone that the entry reaches. The remainders are mended with it, since their
+// words stand among these. `marked`: what is unset and has a mark, whose reads are sites of faults.
+Probed instrument(const Reading& reading, const ProbeWish& wish, std::string_view entry,
+                  Edits& edits, const std::vector<Remainder>& remainders = {},
+                  const std::vector<Unset>& marked = {});
 
 // Why this is no expression that may be evaluated beside a text; "" where it is one.
 std::string refusal_of_expression(std::string_view text);

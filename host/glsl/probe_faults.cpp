@@ -2,6 +2,7 @@
 #include "glsl/instrumenter.h"
 #include "glsl/operand_type.h"
 #include "glsl/operands.h"
+#include "glsl/probe_types.h"
 
 #include <fmt/format.h>
 
@@ -31,11 +32,15 @@ void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
     const bool is_number = divisor.size() == 1 && token(at + 1).kind == TokenKind::number;
     const std::uint32_t begin = operand_begin(reading_, at, room.begin);
     const std::uint32_t first = product_begin(reading_, at, room.begin);
-    const std::string spelling = close_spelling(reading_, {begin, end});
+    const std::string spelling = close_spelling(reading_, {assigns ? begin : first, end});
     if (token(at).text[0] == '%') {
         if (!is_number) hand_through(SiteKind::remainder, spelling, begin, divisor, "glint0_by");
         if (!assigns)
-            hand_through(SiteKind::remainder, spelling, begin, {first, at}, "glint0_rest");
+            return hand_through(SiteKind::remainder, spelling, begin, {first, at}, "glint0_rest");
+        const TokenRange left = {begin, at};
+        if (records_.is_variable(left))
+            hand_through(SiteKind::remainder, spelling, begin, divisor, "glint0_rest",
+                         "," + reading_.spelled(left));
         return;
     }
     if (is_number) return;
@@ -44,6 +49,55 @@ void Instrumenter::over_division(std::uint32_t at, TokenRange room) {
     // 1/0 is infinite, 0/0 nothing: what comes of it tells.
     if (assigns || probed_.sites.size() == site) return;
     wrap({first, end}, fmt::format("glint0_q({},", site), ")");
+}
+
+bool Instrumenter::may_be_no_number(TokenRange value) const {
+    for (std::uint32_t at = value.begin; at + 1 < value.end; ++at)
+        if (token(at).is("/") && token(at + 1).kind != TokenKind::number) return true;
+    return std::ranges::any_of(reading_.calls, [&](const Call& call) {
+        return value.begin <= call.name && call.name < value.end &&
+               may_have_no_result(reading_, call);
+    });
+}
+
+bool Instrumenter::is_marked(std::uint32_t name) const {
+    const std::size_t at = reading_.place(name).begin;
+    return std::ranges::any_of(marked_, [&](const Unset& one) { return one.at == at; });
+}
+
+// Each read of what is unset, or call of what may give nothing back, is a site, so that it is named
+// itself and not what becomes of it.
+void Instrumenter::over_reads_of_unset(const Function& function) {
+    std::vector<TokenRange> outs;
+    bool gives_nothing = false;
+    for (const Call& call : reading_.calls) {
+        if (call.function != function_) continue;
+        const std::vector<TokenRange> its = outs_of(call, gives_nothing);
+        outs.insert(outs.end(), its.begin(), its.end());
+        for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name)))
+            if (is_marked(reading_.functions[index].name) && !fixed_[call.name])
+                over_read_of_unset(call.name, function, outs);
+    }
+    for (std::uint32_t at = function.body.begin + 1; at + 1 < function.body.end; ++at) {
+        if (fixed_[at] || !token(at).is_word() || token(at - 1).is(".")) continue;
+        const auto found = records_.variables().find(at, function_);
+        if (found.declaration && found.name->name != at && is_marked(found.name->name))
+            over_read_of_unset(at, function, outs);
+    }
+}
+
+void Instrumenter::over_read_of_unset(std::uint32_t at, const Function& function,
+                                      const std::vector<TokenRange>& outs) {
+    const TokenRange what = {at, operand_end(reading_, at, function.body.end)};
+    const Token &next = token(what.end), &last = token(what.end - 1), &before = token(at - 1);
+    const auto steps = [](const Token& one) { return one.is("++") || one.is("--"); };
+    if (is_assignment(next) || steps(next) || steps(last) || steps(before)) return;
+    if (std::ranges::find(outs, what) != outs.end()) return;
+    const auto type = type_of_operand(reading_, records_.variables(), what, function_);
+    if (!type || type->lengths > 0 || type->structure != kNone || type->name.starts_with("b") ||
+        (probe_type_of(type->name) < 0 && matrix_columns(type->name) == 0))
+        return;
+    hand_through(SiteKind::unset, close_spelling(reading_, what), at, what, "glint0_m");
 }
 
 void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {

@@ -1,5 +1,6 @@
 #include "glsl/probe_record.h"
 
+#include "glsl/operand_type.h"
 #include "glsl/operands.h"
 
 #include <fmt/format.h>
@@ -22,11 +23,8 @@ bool ProbeRecords::is_variable(TokenRange range) const {
 
 // Which nothing is overloaded for.
 bool ProbeRecords::is_whole_array(TokenRange range, std::uint32_t function) const {
-    const auto found = variables_.find(range.begin, function);
-    if (!found.declaration) return false;
-    const int known = bracket_pairs(reading_, found.name->array) +
-                      bracket_pairs(reading_, found.declaration->type_array);
-    return known > bracket_pairs(reading_, range);
+    const auto type = type_of_operand(reading_, variables_, range, function);
+    return type && type->lengths > 0;
 }
 
 // Into structs: that of this variable or element, where no function takes it, since the function
@@ -64,15 +62,10 @@ std::string ProbeRecords::record_of(std::size_t site, TokenRange variable,
     if (!is_told_behind(variable, function)) return fmt::format("glint0_v({},{})", site, name);
     if (!is_whole_array(variable, function))
         return structs_.record(bare_struct_of(variable, function), std::to_string(site), name);
-    const auto found = variables_.find(variable.begin, function);
-    const TokenRange brackets =
-        found.name->array.empty() ? found.declaration->type_array : found.name->array;
-    const bool has_one = reading_.close_of(brackets.begin) + 1 == brackets.end &&
-                         (found.name->array.empty() || found.declaration->type_array.empty());
-    if (variable.size() != 1 || !has_one) return {};
-    const std::uint32_t structure = struct_of(*found.declaration, function);
-    return structure == kNone ? array_record(site, name, reading_.word(found.declaration->type))
-                              : structs_.array_record(structure, site, name);
+    const auto type = type_of_operand(reading_, variables_, variable, function);
+    if (type->lengths != 1 || !is_variable(variable)) return {};
+    return type->structure == kNone ? array_record(site, name, type->name)
+                                    : structs_.array_record(type->structure, site, name);
 }
 
 // Whether it is the same element behind a call that hands out these, or changes globals.

@@ -12,7 +12,38 @@
 
 namespace glint {
 
-ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f) {
+namespace {
+
+// `if (t < 0.0) return c;`: behind it stands what did not leave.
+bool leaves(const Reading& reading, std::uint32_t index) {
+    const Statement& one = reading.statements[index];
+    if (one.kind != StatementKind::if_ || one.has_else) return false;
+    for (std::uint32_t i = index + 1; i < one.next; ++i) {
+        const StatementKind kind = reading.statements[i].kind;
+        if (kind == StatementKind::return_ || kind == StatementKind::discard ||
+            kind == StatementKind::break_ || kind == StatementKind::continue_)
+            return true;
+    }
+    return false;
+}
+
+bool is_loop(StatementKind kind) {
+    return kind == StatementKind::for_ || kind == StatementKind::while_ ||
+           kind == StatementKind::do_;
+}
+
+// Of one that the line holds as a whole, whether its end is the place.
+bool is_behind_whole(const Reading& reading, std::uint32_t index, bool is_note) {
+    const StatementKind kind = reading.statements[index].kind;
+    if (is_loop(kind)) return is_note;
+    if (kind == StatementKind::if_) return is_note || !leaves(reading, index);
+    return kind == StatementKind::switch_ || kind == StatementKind::declaration ||
+           kind == StatementKind::expression || kind == StatementKind::empty;
+}
+
+}  // namespace
+
+ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f, bool is_note) {
     const Function& function = reading.functions[f];
     const auto& statements = reading.statements;
     const std::uint32_t end = statements[function.first_statement].next;
@@ -33,11 +64,12 @@ ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f) {
         return {statements[around].tokens.end - 1, kNone};
     }
     const StatementKind kind = statements[chosen].kind;
-    const bool is_loop =
-        kind == StatementKind::for_ || kind == StatementKind::while_ || kind == StatementKind::do_;
-    if (is_loop && statements[chosen + 1].kind == StatementKind::block)
+    if (reading.place(statements[chosen].tokens).end <= line.end &&
+        is_behind_whole(reading, chosen, is_note))
+        return {kNone, chosen, true};
+    if (is_loop(kind) && statements[chosen + 1].kind == StatementKind::block)
         return {statements[chosen + 1].tokens.begin, kNone};
-    if (is_loop) return {kNone, chosen + 1};
+    if (is_loop(kind)) return {kNone, chosen + 1};
     return {kNone, chosen,
             kind == StatementKind::declaration || kind == StatementKind::expression ||
                 kind == StatementKind::empty};

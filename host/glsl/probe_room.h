@@ -15,8 +15,9 @@ struct ProbeRoom {
 };
 
 // Behind the last statement of the line (its bytes), as it stands in no other of that line; before
-// what leaves the place; at the head of a loop's or a function's body.
-ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t function);
+// what leaves the place; at the head of a loop's or a function's body. A note stands behind all of
+// the line, where that holds the whole of a loop, too.
+ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t function, bool is_note);
 
 // The expression with what stands for gl_FragCoord, whose own counts cells.
 std::string with_true_place(const std::string& expression);

@@ -475,6 +475,15 @@ std::string faults_of_other_types() {
                 fmt::format("{0} glint0_{1}(int i, {0} v) {{ {2}return v; }}\n", type, name,
                             for_each(n, fmt::format("v{{of}} = glint0_{}(i, v{{of}}); ", name)));
     }
+    // `v %= by`, where v is looked at.
+    for (const std::string one : {"int", "uint"})
+        for (int n = 1; n <= 4; ++n) {
+            const std::string type = n == 1 ? one : fmt::format("{}vec{}", one[0], n);
+            for (int k = 0; k < (n == 1 ? 1 : 2); ++k)
+                text += fmt::format(
+                    "{0} glint0_rest(int i, {0} by, {1} v) {{ glint0_rest(i, v); return by; }}\n",
+                    k == 0 ? type : one, type);
+        }
     for (const std::string_view matrix : kMatrices) {
         text += fmt::format("{0} glint0_v(int i, {0} v) {{ ", matrix);
         for (int c = 0; c < matrix_columns(matrix); ++c)
@@ -482,6 +491,27 @@ std::string faults_of_other_types() {
         text += fmt::format("return v; }}\n", matrix);
         for (const char* name : {"d", "q"})
             text += fmt::format("{0} glint0_{1}(int i, {0} v) {{ return v; }}\n", matrix, name);
+    }
+    return text;
+}
+
+// What hands a mark through and notes it; glsl/zero_value.h writes these.
+std::string faults_of_marks() {
+    std::string text =
+        "void glint0_x(int i, uint bits) { bool is_mark = bits == 0x7FC0DEADu; "
+        "glint0_f(i, is_mark, bits, 0u); glint0_u(i, is_mark, bits, 3e38); }\n"
+        "float glint0_m(int i, float v) { glint0_x(i, floatBitsToUint(v)); return v; }\n"
+        "int glint0_m(int i, int v) { glint0_x(i, uint(v)); return v; }\n"
+        "uint glint0_m(int i, uint v) { glint0_x(i, v); return v; }\n";
+    for (const char* kind : {"", "i", "u"})
+        for (int n = 2; n <= 4; ++n)
+            text += fmt::format("{0}vec{1} glint0_m(int i, {0}vec{1} v) {{ {2}return v; }}\n", kind,
+                                n, for_each(n, "glint0_m(i, v{of}); "));
+    for (const std::string_view matrix : kMatrices) {
+        text += fmt::format("{0} glint0_m(int i, {0} v) {{ ", matrix);
+        for (int c = 0; c < matrix_columns(matrix); ++c)
+            text += fmt::format("glint0_m(i, v[{}]); ", c);
+        text += "return v; }\n";
     }
     return text;
 }
@@ -540,7 +570,7 @@ std::string faults_functions() {
             "a); glint0_u(i, a == 0.0, a, abs(a)); return inverse(glint0_mends && a == 0.0 ? v + "
             "{0}(glint0_scale) : v); }}\n",
             matrix);
-    return text + faults_of_all_bounds() + faults_of_other_types();
+    return text + faults_of_all_bounds() + faults_of_other_types() + faults_of_marks();
 }
 
 std::string functions_of(ProbeKind kind) {

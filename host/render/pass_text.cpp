@@ -508,8 +508,8 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.unset = write_zeros(reading, edits, entry, options.marked);
     hide_zeros(reading, result.unset, edits);
     if (probe)
-        result.probed = instrument(reading, *probe, reading.reached_from({entry_of(scene, pass)}),
-                                   edits, remainders);
+        result.probed = instrument(reading, *probe, entry_of(scene, pass), edits, remainders,
+                                   options.marked ? result.unset : std::vector<Unset>());
     result.text = prologue(preset, pass, options, probe, reading, defined);
     if (needs_gap) result.text += kGap;
     result.text += numbers_uniform(result.numbers);

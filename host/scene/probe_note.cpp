@@ -52,6 +52,10 @@ std::vector<ProbeNote> find_probe_notes(const Scene& scene) {
         note->begin = before == scene.text.npos ? 0 : before + 1;
         note->end = behind == scene.text.npos ? scene.text.size() : behind + 1;
         note->place = scene.place_at(span.begin - 3);
+        note->is_in_function = std::ranges::any_of(reading.functions, [&](const Function& one) {
+            const Span whole = reading.place(one.tokens);
+            return note->begin < whole.end && whole.begin < note->end;
+        });
         notes.push_back(std::move(*note));
     }
     return notes;

@@ -13,6 +13,7 @@ namespace glint {
 
 struct ProbeNote {
     bool is_assertion = false;  // else it is watched
+    bool is_in_function = false;
     std::string expression{};
     std::string why{};               // "" where nothing is said
     std::size_t begin = 0, end = 0;  // bytes of Scene::text: the line on which it stands

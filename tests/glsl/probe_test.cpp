@@ -11,7 +11,7 @@ namespace {
 std::string instrumented(const std::string& text, const ProbeWish& wish = {}) {
     const Reading reading = read_glsl(text, known_of_driver());
     Edits edits(reading);
-    instrument(reading, wish, std::vector<bool>(reading.functions.size(), true), edits);
+    instrument(reading, wish, reading.word(reading.functions.back().name), edits);
     return edits.apply().text;
 }
 

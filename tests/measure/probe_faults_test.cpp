@@ -160,13 +160,97 @@ TEST_F(ProbeFaults, FindAValueThatNothingHasGiven) {
                   {.size = {1, 1}});
     const auto fault = first_fault(player, 1, {.marked = Span{0, player.preset.scene.text.size()}});
     ASSERT_TRUE(fault);
-    EXPECT_EQ(fault->expression, "d");
+    EXPECT_EQ(fault->expression, "never");
     EXPECT_EQ(fault->what, "a value that nothing has given it");
+}
+
+// Not what becomes of it, which is in order, nor what hides it.
+TEST_F(ProbeFaults, NameTheVariableThatIsReadWithoutAValue) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"int i; int k = i + 1; c = vec4(k);", "i"},
+        {"uvec2 u; c = vec4(max(u.y, 7u));", "u.y"},
+        {"float un; c = vec4(un > -3.0 ? 0.2 : 0.4);", "un"},
+        {"float un; c = vec4(clamp(un, 0.2, 0.8));", "un"},
+        {"float good = p.y; float un; good += un; c = vec4(good);", "un"},
+        {"float w[3]; w[0] = 1.0; c = vec4(w[0] + w[2]);", "w[2]"},
+        {"float un; modf(p.x, un); c = vec4(un); float b; c += b;", "b"},
+        {"c = vec4(half_set(p.x - 9.0));", "half_set(p.x - 9.0)"},
+    };
+    for (const auto& [body, name] : texts) {
+        Player player("float half_set(float x) { if (x > 0.0) return 1.0; }\n" + image(body),
+                      {.size = {1, 1}});
+        const auto fault =
+            first_fault(player, 1, {.marked = Span{0, player.preset.scene.text.size()}});
+        ASSERT_TRUE(fault) << body;
+        EXPECT_EQ(fault->expression, name) << body;
+        EXPECT_EQ(fault->what, "a value that nothing has given it");
+    }
+}
+
+TEST_F(ProbeFaults, FindIndicesOfColumnsMembersAndResults) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"mat3x2 m = mat3x2(1); c = vec4(m[1][n]);", "m[1][n]"},
+        {"S s = S(float[](.1, .2), vec3(0)); c = vec4(s.w[n]);", "s.w[n]"},
+        {"vec2 v[3] = vec2[](vec2(0), vec2(1), vec2(2)); c = vec4(v[n][n]);", "v[n][n]"},
+        {"c = vec4(pick()[n]);", "pick()[n]"},
+        {"c = vec4(vec2(1, 2)[n]);", "vec2(1, 2)[n]"},
+    };
+    for (const auto& [body, name] : texts) {
+        Player player("struct S { float w[2]; vec3 v; };\nvec2 pick() { return vec2(1); }\n" +
+                          image(std::string("int n = int(p.x) + 2; ") + body),
+                      {.size = {1, 1}});
+        const auto fault = first_fault(player, 1);
+        ASSERT_TRUE(fault) << body;
+        EXPECT_EQ(fault->expression, name);
+        EXPECT_EQ(fault->what, "index 2 of 2");
+    }
+}
+
+TEST_F(ProbeFaults, FindANegativeNumberWhoseRestIsAssigned) {
+    Player player(image("ivec2 i = ivec2(p) - 3; i %= 3; c = vec4(i, 0, 1);"), {.size = {8, 1}});
+    const auto fault = first_fault(player, 1);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->expression, "i %= 3");
+    EXPECT_EQ(fault->what, "% of a negative number");
+}
+
+TEST_F(ProbeFaults, AreBornWhereAGlobalBeginsWithThem) {
+    Player player("const float none = 2.0 - 2.0;\nfloat first = 1.0 / none;\n" +
+                      image("float q = first * p.x; c = vec4(q);"),
+                  {.size = {1, 1}});
+    const auto fault = first_fault(player, 1);
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->line, 2);
+    EXPECT_EQ(fault->expression, "first");
 }
 
 std::vector<BrokenAssertion> broken(Player& player, int frame = 0) {
     return broken_assertions(player.preset, player.renderer(), {},
                              [&](const BrokenAssertions&) { player.draw(frame); });
+}
+
+TEST_F(ProbeFaults, AnAssertionStandsBehindAllOfItsLine) {
+    const std::pair<const char*, bool> lines[] = {
+        {"if (p.x > 0.0) z = 1.0; else z = 2.0; //@ assert z < 3.0", true},
+        {"if (p.x > 0.0) { z = 8.0; } //@ assert z == 8.0", true},
+        {"switch (1) { case 1: z = 9.0; } //@ assert z == 9.0", true},
+        {"for (int i = 0; i < 3; i++) z += 1.0; //@ assert z == 8.0", true},
+        {"for (int i = 0; i < 3; i++) z += 1.0; //@ assert z < 8.0", false},
+        {"if (z > 9.0) return; //@ assert z <= 9.0", true},
+        {"if (p.x > 0.0) //@ assert z == 5.0\n z = 1.0;", true},
+    };
+    for (const auto& [line, holds] : lines) {
+        Player player(image(fmt::format("float z = 5.0;\n{}\nc = vec4(z);", line)),
+                      {.size = {1, 1}});
+        EXPECT_EQ(broken(player).empty(), holds) << line;
+    }
+}
+
+TEST_F(ProbeFaults, AnAssertionOutsideOfAllFunctionsIsRefused) {
+    Player player("//@ assert 1.0 > 2.0\n" + image("c = vec4(1);"), {.size = {1, 1}});
+    const std::vector<BrokenAssertion> found = broken(player);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].refused, "it stands in no function");
 }
 
 TEST_F(ProbeFaults, BrokenAssertionsAreFoundWhereNothingHasMovedSince) {

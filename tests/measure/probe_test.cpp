@@ -312,6 +312,20 @@ TEST_F(ProbeTest, TellsStructsThatAFunctionDeclares) {
     EXPECT_EQ(same_colour(all.plain, all.colour, PixelFormat::rgba32f), "bits");
 }
 
+// Nothing beside it on its line is lost.
+TEST_F(ProbeTest, TellsAnArrayInAStructAndTheConditionThatDeclares) {
+    Player player("struct Held { int k[2]; float t; };\n" +
+                  image("Held r; r.t = 2.0; r.k = int[2](4, 5); float z = r.t;\n"
+                        "for (int i = 0; bool goes = i < 2; i++) z += float(r.k[i]);\n"
+                        "float whole; float part = modf(z, whole); c = vec4(z + part + whole);"));
+    const Answer all = ask(player, {0, 0});
+    EXPECT_EQ(all.number("r.k[1]"), 5.0);
+    EXPECT_EQ(all.number("r.t"), 2.0);
+    EXPECT_EQ(all.number("goes"), 0.0);
+    EXPECT_EQ(all.number("whole"), 11.0);
+    EXPECT_EQ(all.notes, std::vector<std::string>());
+}
+
 // Of an array in a struct, which may have the length of an expression, its elements alone are told.
 TEST_F(ProbeTest, LeavesOutWhatItCannotTellAndSaysSo) {
     Player player("const int two = 2; struct Many { float x[two]; };\n" +

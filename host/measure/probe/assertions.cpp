@@ -18,7 +18,7 @@ ProbeExpression expression_of(const ProbeNote& note) {
     return {.text = note.expression,
             .line = {note.begin, note.end},
             .is_assertion = note.is_assertion,
-            .may_be_unreached = true};
+            .is_note = true};
 }
 
 BrokenAssertion broken(const ProbeNote& note) {
@@ -100,7 +100,9 @@ BrokenAssertions broken_assertions(const Preset& preset, Renderer& renderer,
     ProbeWish wish{.kind = ProbeKind::assertions};
     std::map<std::size_t, std::string> refused;  // by the number of the note
     for (std::size_t i = 0; i < notes.size(); ++i) {
-        if (i < kMostAssertions)
+        if (!notes[i].is_in_function)
+            refused[i] = "it stands in no function";
+        else if (i < kMostAssertions)
             wish.expressions.push_back(expression_of(notes[i]));
         else
             refused[i] = fmt::format("a text has at most {} of them", kMostAssertions);

@@ -189,6 +189,8 @@ std::string shown(const ProbeCost& cost) {
                             cost.runs.size(), cost.runs.front().size.x, cost.runs.front().size.y,
                             cost.runs.back().size.x, cost.runs.back().size.y,
                             cost.runs.front().time, cost.runs.back().time);
+    if (!cost.lines.empty())
+        text += fmt::format("lines, counted at {}x{} pixels\n", kGrid.x, kGrid.y);
     for (const ProbeLineCost& line : cost.lines)
         text +=
             fmt::format("{}:{}: {}: {} {}  {:.1f} a pixel, {:.0f} at most\n", line.file, line.line,

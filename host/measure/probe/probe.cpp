@@ -57,6 +57,8 @@ const char* kind_of(SiteKind kind) {
             return "bounds";
         case SiteKind::whole:
             return "whole";
+        case SiteKind::unset:
+            return "unset";
         case SiteKind::index:
             return "index";
     }
@@ -144,7 +146,7 @@ void Probe::compile(const ProgramOptions& options, ProbeWish& wish) {
         PassText text = pass_text(preset_, pass_, options, &wish);
         probed_ = std::move(text.probed);
         for (std::size_t k = 0; k < probed_.refused.size(); ++k)
-            if (!probed_.refused[k].empty() && !wish.expressions[k].may_be_unreached)
+            if (!probed_.refused[k].empty() && !wish.expressions[k].is_note)
                 throw ProbeRefused(fmt::format("{}: {}.", in_quotes(wish.expressions[k].text),
                                                probed_.refused[k]));
         CompiledPass compiled = compile_text(preset_, pass_, std::move(text));
@@ -180,8 +182,9 @@ std::vector<std::string> Probe::notes() const {
     for (const std::size_t at : places) {
         const Place place = preset_.scene.place_at(at);
         notes.push_back(
-            fmt::format("{}:{}:{}: what is given a value here is not told: it is an array in a "
-                        "struct, a macro's, or an element whose index changes",
+            fmt::format("{}:{}:{}: what is given a value here is not told: it is an array of "
+                        "arrays, a macro's, "
+                        "or an element whose index changes",
                         place.file, place.line, place.column));
     }
     return notes;
@@ -384,8 +387,11 @@ std::string same_colour(const glm::vec4& plain, const std::array<float, 4>& prob
     for (int c = 0; c < channel_count(format); ++c) {
         float a = plain[c], b = probed[static_cast<std::size_t>(c)];
         if (bytes_a_channel(format) == 2) b = as_half(b, a);
-        if (bytes_a_channel(format) == 1) b = static_cast<float>(byte(b)) / 255.0f;
         const bool both_nan = std::isnan(a) && std::isnan(b);
+        if (bytes_a_channel(format) == 1 && b > 0.0f) {  // of halves a driver takes either byte
+            constexpr float kHalf = 0.5f + 1e-4f;
+            if (std::abs(std::min(b, 1.0f) * 255.0f - a * 255.0f) <= kHalf) b = a;
+        }
         same_bits &= both_nan || a == b;
         same_bytes &= byte(a) == byte(b);
     }

@@ -37,6 +37,12 @@ void require_sense(const ProbeOptions& options) {
             "--cost and --faults are of the whole pass: leave --line, --expr, --hit "
             "and --along away.");
     const bool is_map = !options.map.empty() && !options.cost;
+    if (options.faults && is_map)
+        throw UsageError("--map is of one value or of --cost; --faults tells one place.");
+    if (options.cost && holds_floats(options.map))
+        throw UsageError(fmt::format(
+            "--map {}: --cost is drawn in colours from black to white: name a .png or .jpg file.",
+            options.map.string()));
     if (!has_site && (options.hit || !options.along.empty() || is_map))
         throw UsageError("--hit, --along and --map are of one value: name it by --line or --expr.");
     if (!options.along.empty() && !options.map.empty())
@@ -57,8 +63,8 @@ ProbeWish wish_of(const ProbeOptions& options, const ProbeSession& session) {
 [[noreturn]] void stop_at_line(const ProbeSession& session, const ProbeOptions& options,
                                const std::string& sentence) {
     const std::string& expression = options.expression;
-    const Span line = session.line(
-        options.line.empty() ? expression.substr(expression.rfind('@') + 1) : options.line);
+    const Span line =
+        options.line.empty() ? session.expression(expression).line : session.line(options.line);
     const Preset& preset = session.preset();
     const std::size_t first = preset.scene.text.find_first_not_of(" \t", line.begin);
     say_diagnostic({Severity::error, preset.scene.place_at(std::min(first, line.end)), sentence});
@@ -77,6 +83,11 @@ std::size_t only_site(const ProbeSession& session, const Probe& probe,
     const auto is_value = [](const ProbeSite& site) { return site.kind != SiteKind::reached; };
     const auto last = std::find_if(sites.rbegin(), sites.rend(), is_value);
     if (last == sites.rend()) stop_at_line(session, options, no_value(session));
+    if (const auto count = std::ranges::count_if(sites, is_value); count > 1)
+        say_warning(
+            fmt::format("of the {} values of this line, {} alone is told; name another by "
+                        "--expr",
+                        count, in_quotes(last->name)));
     return static_cast<std::size_t>(sites.rend() - last) - 1;
 }
 

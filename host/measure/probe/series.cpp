@@ -66,8 +66,8 @@ std::string range_of(const ProbeSeries& series) {
     if (!series.min.empty() && series.min[0] > series.max[0])
         text = "none is finite  ";
     else if (!series.min.empty())
-        text = fmt::format("min {}  max {}  ", shown_value(series.min, "float"),
-                           shown_value(series.max, "float"));
+        text = fmt::format("min {}  max {}  ", shown_value(series.min, series.what.type),
+                           shown_value(series.max, series.what.type));
     return text + fmt::format("NaN {}  Inf {}  not reached {}\n", series.nan, series.infinite,
                               series.unreached);
 }
@@ -104,7 +104,8 @@ std::string shown(const ProbeSeries& series) {
                                    series.what.function, series.what.name, series.along);
     for (std::size_t i = 0; i < series.values.size(); ++i) {
         text += fmt::format("{:>12g}", series.at[i]);
-        for (const double v : series.values[i]) text += fmt::format("  {:>14.7g}", v);
+        for (const double v : series.values[i])
+            text += fmt::format("  {:>14}", shown_value({v}, series.what.type));
         text += series.values[i].empty() ? "  not reached\n" : "\n";
     }
     return text + range_of(series) + plot(series);

@@ -95,16 +95,17 @@ Span ProbeSession::line(const std::string& text) const {
     const std::string digits = text.substr(text.rfind(':') + 1);
     if (digits.empty() || digits.find_first_not_of("0123456789") != digits.npos)
         throw UsageError(
-            fmt::format("--line {}: write a line, as in 412 or shared.glsl:12.", text));
+            fmt::format("{} is no line: write one as in 412 or shared.glsl:12.", text));
     throw UsageError(fmt::format("There is no line {} in the scene.", text));
 }
 
 ProbeExpression ProbeSession::expression(const std::string& text) const {
     const std::size_t at = text.rfind('@');
-    if (at == text.npos)
+    const std::size_t number = at == text.npos ? at : text.find_first_not_of(' ', at + 1);
+    if (number == text.npos)
         throw UsageError(fmt::format(
             "--expr {}: write an expression and its line, as in 'dot(nor, rd)@412'.", text));
-    return {.text = text.substr(0, at), .line = line(text.substr(at + 1))};
+    return {.text = text.substr(0, at), .line = line(text.substr(number))};
 }
 
 }  // namespace glint

@@ -8,7 +8,7 @@ namespace glint {
 namespace {
 
 ProbeExpression watched_expression(const ProbeNote& note) {
-    return {.text = note.expression, .line = {note.begin, note.end}, .may_be_unreached = true};
+    return {.text = note.expression, .line = {note.begin, note.end}, .is_note = true};
 }
 
 }  // namespace

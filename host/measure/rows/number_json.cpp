@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -19,6 +20,7 @@ ordered_json number_json(double value) {
 }
 
 double number_from(const ordered_json& json) {
+    if (json.is_number_integer()) return static_cast<double>(json.get<std::int64_t>());
     if (json.is_number()) return static_cast<double>(json.get<float>());
     const std::string word = json.get<std::string>();
     if (word == "nan") return std::numeric_limits<double>::quiet_NaN();

@@ -5,14 +5,28 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
 namespace glint {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json numbers(const std::vector<double>& values) {
+bool is_whole(std::string_view type) {
+    return type.starts_with('i') || type.starts_with('u');
+}
+
+// Of whole numbers all digits, which a float has not.
+Json numbers(const std::vector<double>& values, std::string_view type = "float") {
     Json list = Json::array();
-    for (const double value : values) list.push_back(number_json(value));
+    for (const double value : values) {
+        if (is_whole(type) && std::isfinite(value))
+            list.push_back(static_cast<std::int64_t>(value));
+        else
+            list.push_back(number_json(value));
+    }
     return list;
 }
 
@@ -21,12 +35,17 @@ Json pair(glm::ivec2 v) {
 }
 
 Json to_json(const ProbeValue& value) {
-    return {{"file", value.file},           {"line", value.line},
-            {"column", value.column},       {"function", value.function},
-            {"name", value.name},           {"kind", value.kind},
-            {"type", value.type},           {"hit", value.hit},
-            {"hits", value.hits},           {"order", value.order},
-            {"value", numbers(value.value)}};
+    return {{"file", value.file},
+            {"line", value.line},
+            {"column", value.column},
+            {"function", value.function},
+            {"name", value.name},
+            {"kind", value.kind},
+            {"type", value.type},
+            {"hit", value.hit},
+            {"hits", value.hits},
+            {"order", value.order},
+            {"value", numbers(value.value, value.type)}};
 }
 
 ProbeValue value_from(const Json& json) {
@@ -45,14 +64,20 @@ ProbeValue value_from(const Json& json) {
 }
 
 Json to_json(const ProbeSeries& series) {
-    Json json = {
-        {"along", series.along},    {"name", series.what.name},    {"line", series.what.line},
-        {"type", series.what.type}, {"min", numbers(series.min)},  {"max", numbers(series.max)},
-        {"nan", series.nan},        {"infinite", series.infinite}, {"unreached", series.unreached}};
+    const std::string& type = series.what.type;
+    Json json = {{"along", series.along},
+                 {"name", series.what.name},
+                 {"line", series.what.line},
+                 {"type", type},
+                 {"min", numbers(series.min, type)},
+                 {"max", numbers(series.max, type)},
+                 {"nan", series.nan},
+                 {"infinite", series.infinite},
+                 {"unreached", series.unreached}};
     if (series.along == "map") return json;
     Json rows = Json::array();
     for (std::size_t i = 0; i < series.values.size(); ++i)
-        rows.push_back({{"at", series.at[i]}, {"value", numbers(series.values[i])}});
+        rows.push_back({{"at", series.at[i]}, {"value", numbers(series.values[i], type)}});
     json["rows"] = std::move(rows);
     return json;
 }
@@ -159,7 +184,7 @@ std::string shown_value(const std::vector<double>& value, const std::string& typ
         if (!text.empty()) text += ", ";
         if (type.starts_with('b'))
             text += number != 0.0 ? "true" : "false";
-        else if (type.starts_with('i') || type.starts_with('u'))
+        else if (is_whole(type) && std::isfinite(number))
             text += fmt::format("{:.0f}", number);
         else
             text += fmt::format("{:.7g}", number);
