@@ -3,11 +3,18 @@
 
 #include "glsl/probe.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace glint {
+
+inline constexpr std::array<const char*, 16> kProbeTypes = {
+    "float", "vec2",  "vec3",  "vec4",  "int",  "ivec2", "ivec3", "ivec4",
+    "uint",  "uvec2", "uvec3", "uvec4", "bool", "bvec2", "bvec3", "bvec4"};
+inline constexpr std::array<const char*, 9> kProbeMatrices = {
+    "mat2", "mat2x3", "mat2x4", "mat3x2", "mat3", "mat3x4", "mat4x2", "mat4x3", "mat4"};
 
 // 0 to 15 of "float" … "bvec4"; -1 of others.
 int probe_type_of(std::string_view type);
