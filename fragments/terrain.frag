@@ -608,7 +608,7 @@ vec3 landLight(Ground s, vec3 p, vec3 d, bool wet) {
     vec3 nor = normalize(vec3(-slope, 1.0).xzy), sun = sunDirection();
     float damp = 1.0 - smoothstep(0.0, 0.5, p.y - waterLevel);
     vec3 sunny = sunBeam() * lit.x, around = ambientLight(nor) * lit.z;
-    c = mix(c, 0.7 * c * sqrt(c), damp);
+    c = mix(c, 0.7 * c * sqrt(max(c, 0.0)), damp);
     float mirrorLine = max(dot(reflect(d, nor), sun), 0.0);   // Phong
     float shine = wet ? 0.0 : (0.25 + 0.75 * damp) * exp2(34.0 * (mirrorLine - 1.0));
     around += 0.12 * c * daylight() * (1.0 - up + (1.0 - lit.z));   // from ground to ground

@@ -26,15 +26,14 @@ public:
     explicit Comparison(CheckSubject& subject)
         : subject_(subject), situations_(situations(subject, kEnds, kUnsetSpread)) {}
 
-    // False where the scene is not finite by itself.
+    // False where the scene is not finite by itself; then the subject stands there.
     bool draw_usual() {
-        bool finite = true;
         for (const Situation& one : situations_) {
             one.bring(subject_);
-            finite &= subject_.show(one.time, kUnsetPlayed);
+            if (!subject_.show(one.time, kUnsetPlayed)) return false;
             usual_.push_back(subject_.picture());
         }
-        return finite;
+        return true;
     }
 
     // The first situation, if any, in which these show.
