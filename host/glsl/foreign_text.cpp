@@ -346,7 +346,8 @@ bool is_foreign(const ScannedText& text) {
     return std::ranges::any_of(text.directives, [&](const DirectiveLine& line) {
         if (line.tokens.size() < 2) return false;
         const std::string_view word = text.tokens[line.tokens.begin + 1].text;
-        return word == "iUniform" || is_channel(word) || word == "iKeyboard";
+        return word == "iUniform" || is_channel(word) || word == "iKeyboard" ||
+               word == "StrictCompatibility";
     });
 }
 

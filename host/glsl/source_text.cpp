@@ -26,10 +26,9 @@ constexpr std::size_t kLargestText = 64u << 20;
 constexpr int kMostIncludes = 4096;
 constexpr std::size_t kDeepestInclude = 200;
 
-// What texts for WebGL 1 ask for by #extension, and GLSL ES 3.00 has without; of "all" there is
-// none.
+// What texts for WebGL 1 require by #extension, and GLSL ES 3.00 has without.
 constexpr auto kExtensionsWithin = std::to_array<std::string_view>(
-    {"all", "GL_OES_standard_derivatives", "GL_EXT_shader_texture_lod", "GL_EXT_frag_depth"});
+    {"GL_OES_standard_derivatives", "GL_EXT_shader_texture_lod", "GL_EXT_frag_depth"});
 
 // A path without "x/.." in it, where that names the same file.
 fs::path tidied(const fs::path& path) {
@@ -173,10 +172,15 @@ void Reader::obey(File& file, const DirectiveLine& directive) {
     if (word == "pragma" && what == "once" && line.size() == 3) once_.insert(file.identity);
     if (word == "include")
         include(file, directive);
-    else if (word == "version" || word == "line" || word == "pragma" ||
-             (word == "extension" &&
-              std::ranges::find(kExtensionsWithin, what) != kExtensionsWithin.end()))
+    else if (word == "version" || word == "line" || word == "pragma" || word == "extension")
         append_blanked(file, directive);
+    const std::string_view how = line.size() > 4 ? tokens[line.begin + 4].text : "";
+    if (word == "extension" && how == "require" &&
+        std::ranges::find(kExtensionsWithin, what) == kExtensionsWithin.end())
+        error(place_in(file, directive.span.begin),
+              fmt::format("{} is not here: texts are GLSL ES 3.00, without extensions; leave the "
+                          "line out, or write enable where the text does without it",
+                          what));
 }
 
 Place Reader::place_in(const File& file, std::size_t offset) const {

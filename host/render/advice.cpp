@@ -77,6 +77,13 @@ bool mixes_int_and_float(std::string_view arguments) {
     return has_int && has_float;
 }
 
+// Of a call that mixes whole numbers and floats.
+std::string advice_on_arguments(std::string_view call) {
+    if (call.starts_with("texelFetch("))
+        return "; the place is in whole texels, write ivec2(p), and the level an int";
+    return fmt::format("{}2.0 for 2, or float(i)", kNoChange);
+}
+
 }  // namespace
 
 std::string advice_on_foreign_function(std::string_view name) {
@@ -96,7 +103,15 @@ std::string said_better(std::string complaint) {
     if (complaint.starts_with(kNoFunction) && end != complaint.npos &&
         mixes_int_and_float(
             std::string_view(complaint).substr(0, end).substr(std::min(complaint.find('('), end))))
-        complaint.insert(end + 1, fmt::format("{}2.0 for 2, or float(i)", kNoChange));
+        complaint.insert(end + 1, advice_on_arguments(complaint.substr(kNoFunction.size())));
+    if (complaint.starts_with("no matching function for call to `mod(int, int)'"))
+        complaint.insert(end + 1, "; mod is of floats; of whole numbers a % b is left");
+    if (complaint.starts_with("function `mainImage' parameter `"))
+        return "mainImage has to be void mainImage(out vec4 fragColor, in vec2 fragCoord)";
+    if (complaint.ends_with("return type doesn't match prototype"))
+        complaint +=
+            "; functions of one name differ in what they are given, not in what they "
+            "give back";
     if (complaint.starts_with("C-style initialization requires"))
         return "GLSL ES has no lists in braces; write the array's type and its values, such as "
                "float[](1.0, 2.0)";
@@ -148,6 +163,11 @@ std::string advice_on_types(std::string_view complaint) {
         complaint.starts_with("'varying' is deprecated"))
         return "; nothing feeds it, for no vertices stand before a picture: write a value of its "
                "own, such as gl_FragCoord.xy / iResolution.xy";
+    if (complaint.ends_with("of type double")) return "; write float, there is no double here";
+    constexpr std::string_view kIdle[] = {"static", "inline", "extern", "public", "volatile"};
+    for (const std::string_view word : kIdle)
+        if (complaint == fmt::format("illegal use of reserved word `{}'", word))
+            return "; leave it out, GLSL has no such word";
     if (complaint.ends_with("of operator % must be an integer"))
         return "; of floats mod(a, b) is left";
     return "";

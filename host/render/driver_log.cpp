@@ -5,6 +5,7 @@
 #include "glsl/parser.h"
 #include "glsl/preprocess.h"
 #include "render/advice.h"
+#include "render/consequences.h"
 #include "render/nvidia_words.h"
 #include "render/syntax_error.h"
 #include "scene/builtin.h"
@@ -23,9 +24,6 @@
 
 namespace glint {
 namespace {
-
-constexpr std::string_view kCandidates = "; candidates are:";
-constexpr std::string_view kInMacro = " (in what ";
 
 // Where a complaint stands in the text that the driver read.
 struct Spot {
@@ -57,6 +55,8 @@ public:
     std::optional<Said> from_nvidia(Said said) const;
     // A bracket that nobody closes, if there is one.
     std::optional<Diagnostic> open_bracket() const;
+    // The use of a macro whose arguments go on to the text's end, if there is one.
+    std::optional<Diagnostic> open_use() const;
 
     // Where a name stands first; the file alone where it does not.
     Place first(std::string_view name) const;
@@ -204,6 +204,30 @@ std::optional<Diagnostic> ReadText::open_bracket() const {
     return Diagnostic{Severity::error, place_of(*error), error->text};
 }
 
+std::optional<Diagnostic> ReadText::open_use() const {
+    const auto& tokens = read_.written;
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+        const auto is_named = [&](const Macro& macro) {
+            return macro.takes_arguments && tokens[i].is(macro.name);
+        };
+        if (!tokens[i + 1].is("(") || !pass_.origin(tokens[i].begin) ||
+            std::ranges::none_of(read_.macros, is_named))
+            continue;
+        int depth = 0;
+        std::size_t end = i + 1;
+        for (; end < tokens.size(); ++end) {
+            depth += tokens[end].is("(") ? 1 : tokens[end].is(")") ? -1 : 0;
+            if (depth == 0) break;
+        }
+        if (end == tokens.size())
+            return Diagnostic{Severity::error, place(tokens[i].begin),
+                              fmt::format("the arguments of the macro {} are never closed; write "
+                                          "the ')' that is missing",
+                                          tokens[i].text)};
+    }
+    return std::nullopt;
+}
+
 // "; == compares, = gives a value", "; did you mean 'include'?", or "".
 std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
     if (words.ends_with("condition must be scalar boolean")) {
@@ -237,6 +261,8 @@ Diagnostic ReadText::complaint(Said said) const {
     }
     if (column == 0 && !token) where.column = 0;
     std::string words = said_words;
+    if (words.starts_with("this is not expected here"))
+        if (auto open = open_use()) return *open;
     std::optional<SyntaxError> syntax;
     if (is_expanded || token) syntax = read_syntax_error(words, users_tokens(), spot.token);
     words = syntax ? syntax->text : said_better(std::move(words)) + help_at(words, spot);
@@ -291,6 +317,11 @@ bool ReadText::is_function(std::string_view name) const {
 std::string ReadText::help_with(std::string_view name,
                                 const std::set<std::string, std::less<>>& unknown) const {
     if (is_declared_below(name)) return "; it stands below, and GLSL reads in order: move it up";
+    const auto is_named = [&](const Macro& macro) {
+        return macro.name == name && macro.takes_arguments;
+    };
+    if (std::ranges::any_of(read_.macros, is_named))
+        return fmt::format("; it is a macro that takes arguments: write {}(\u2026)", name);
     if (is_function(name)) return fmt::format("; it is a function: call it, {}(\u2026)", name);
     const std::string foreign = advice_on_foreign_function(name);
     return foreign.empty() ? meant_by(name, unknown) : foreign;
@@ -311,6 +342,7 @@ std::string ReadText::meant_by(std::string_view mistyped,
     for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
         const Token &token = read_.tokens[i], &before = read_.tokens[i - 1];
         if (token.text == kPlainColour) add("gl_FragColor");
+        if (token.text == "glFragCoord_") add("gl_FragCoord");
         const bool may_declare =
             token.is_word() && (may_be_type(before) || before.is(",") || before.is("]"));
         if (pass_.origin(token.begin) ? may_declare : find_builtin(token.text) != nullptr)
@@ -319,6 +351,7 @@ std::string ReadText::meant_by(std::string_view mistyped,
     for (const Macro& macro : read_.macros)
         if (macro.definition.end > 0 && pass_.origin(macro.definition.begin)) add(macro.name);
     std::ranges::for_each(built_in_functions(), add);
+    for (const char* name : {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"}) add(name);
     return did_you_mean(mistyped, std::vector<std::string>(names.begin(), names.end()));
 }
 
@@ -331,38 +364,6 @@ int parse_count(const std::string& digits) {
 }
 
 constexpr int kLastLine = 1 << 30;  // no text has as many
-
-// The type of the first of what stands between brackets: `texture(sampler2D, vec3)'.
-std::string_view first_type(std::string_view call) {
-    const std::size_t open = std::min(call.find('('), call.size() - 1);
-    return call.substr(open + 1, call.find_first_of(",)", open) - open - 1);
-}
-
-// Mesa makes an error of its own of each function that a call could have meant, whatever its
-// samplers: 47 for texture(). They join the call's, those alone that take what it gives first.
-Diagnostics with_candidates_joined(Diagnostics list) {
-    Diagnostics joined;
-    for (std::size_t i = 0; i < list.size();) {
-        const std::size_t call = i++;
-        const Place& place = list[call].place;
-        const auto is_candidate = [&](const Diagnostic& one) {
-            return one.place.line == place.line && one.place.column == place.column &&
-                   one.text.ends_with(')');
-        };
-        if (list[call].text.ends_with(kCandidates))
-            while (i < list.size() && is_candidate(list[i])) ++i;
-        const auto begin = list.begin() + static_cast<std::ptrdiff_t>(call) + 1;
-        const auto end = list.begin() + static_cast<std::ptrdiff_t>(i);
-        const std::string given(first_type(list[call].text));
-        const auto fits = [&](const Diagnostic& one) { return first_type(one.text) == given; };
-        const bool any_fits = std::any_of(begin, end, fits);
-        joined.push_back(std::move(list[call]));
-        for (auto one = begin; one != end; ++one)
-            if (!any_fits || fits(*one))
-                joined.back().text += "\n    " + one->text.substr(0, one->text.find(kInMacro));
-    }
-    return joined;
-}
 
 constexpr std::size_t kLongestComplaint = 200;  // that names something
 
@@ -418,40 +419,6 @@ std::string unfed_input(const std::string& complaint) {
         R"(^fragment shader input [`'](\w+)'.* has no matching output.*$)");
     std::smatch m;
     return std::regex_match(complaint, m, mesa) ? std::string(m[1]) : "";
-}
-
-// Mesa gives what it does not understand no type, and then complains of each expression round it,
-// all of which stand behind that complaint and begin no later in the text.
-bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
-    static const std::regex words(
-        "^operands to |^type mismatch$|^cannot construct |^condition of |condition must be scalar|"
-        "[(, ]error[,)]|of type error$|with wrong type error,|convert error to |^[LR]HS of .* must "
-        "be ");
-    const Place &at = one.place, &before = cause.place;
-    const bool encloses =
-        at.file == before.file && at.column > 0 &&
-        (at.line < before.line || (at.line == before.line && at.column <= before.column));
-    return one.severity == Severity::error && encloses &&
-           std::regex_search(
-               one.text.substr(0, std::min(one.text.find('\n'), one.text.find(kInMacro))), words);
-}
-
-// Of a text with an error Mesa also warns that what should hold its value has none.
-Diagnostics without_consequences(const Diagnostics& list) {
-    Diagnostics left;
-    const bool fails = has_errors(list);
-    for (const Diagnostic& one : list) {
-        if (fails && one.text.ends_with("' used uninitialized")) continue;
-        // Behind a word that no text may have Mesa understands nothing.
-        const bool is_behind_reserved = !left.empty() && one.place.line == left.back().place.line &&
-                                        left.back().text.starts_with("illegal use of reserved");
-        if (is_behind_reserved) continue;
-        const auto causes = [&](const Diagnostic& cause) {
-            return cause.severity == Severity::error && is_consequence(one, cause);
-        };
-        if (std::ranges::none_of(left, causes)) left.push_back(one);
-    }
-    return left;
 }
 
 // A log, line by line.

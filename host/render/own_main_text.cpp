@@ -1,6 +1,7 @@
 #include "render/own_main_text.h"
 
 #include "render/pass_text.h"
+#include "scene/builtin.h"
 #include "scene/own_main.h"
 
 #include <fmt/format.h>
@@ -15,13 +16,68 @@ namespace {
 std::string texture_coordinates(const Reading& reading) {
     std::string variables, values;
     for (const Declaration& declaration : reading.declarations) {
-        if (!is_texture_coordinate(reading, declaration)) continue;
-        const std::string_view name = reading.word(declaration.names.front().name);
-        variables += fmt::format("vec2 {} = vec2(0.0);\n", name);
-        values += fmt::format(" {} = p / iResolution.xy;", name);
+        const auto fed = fed_input(reading, declaration);
+        for (const std::uint32_t token : fed.value_or(std::vector<std::uint32_t>())) {
+            variables += fmt::format("vec2 {} = vec2(0.0);\n", reading.word(token));
+            values += fmt::format(" {} = p / iResolution.xy;", reading.word(token));
+        }
     }
     if (variables.empty()) return {};
     return fmt::format("{}void glint_place(vec2 p) {{{} }}\n", variables, values);
+}
+
+// `in VertexData { vec4 v_position; vec2 v_texcoord; } inData;`, with its one name.
+bool is_input_block(const Reading& reading, const Declaration& declaration) {
+    return declaration.is_block && declaration.structure != kNone &&
+           declaration.names.size() == 1 && is_input(reading, declaration);
+}
+
+// What members of an input block are over a picture that faces the eye.
+std::string values_of_block(const Reading& reading, const Declaration& block) {
+    std::string values;
+    for (const std::uint32_t index : reading.structs[block.structure].members) {
+        const Declaration& member = reading.declarations[index];
+        const std::string_view type = reading.word(member.type);
+        for (const Declarator& one : member.names) {
+            const std::string_view name = reading.word(one.name);
+            const auto add = [&](std::string_view value) {
+                values += fmt::format("    {}.{} = {};\n", reading.word(block.names.front().name),
+                                      name, value);
+            };
+            if (type == "vec2" && is_coordinate_name(name)) add("glint_coord / iResolution.xy");
+            if (type == "vec4" && name.ends_with("position"))
+                add("vec4(2.0 * glint_coord / iResolution.xy - 1.0, 0.0, 1.0)");
+            if (type == "vec3" && name.ends_with("normal")) add("vec3(0.0, 0.0, 1.0)");
+        }
+    }
+    return values;
+}
+
+// Whether no constant expression is: GLSL ES 1.00 of the web and desktop GLSL allow that of a
+// global's first value.
+bool hangs_on_more(const Reading& reading, TokenRange value) {
+    for (std::uint32_t at = value.begin; at < value.end; ++at) {
+        const Token& token = reading.tokens[at];
+        if (!token.is_word() || (at > 0 && reading.tokens[at - 1].is("."))) continue;
+        const Declaration* global = reading.find_global(token.text);
+        if ((global && !global->is_const) || token.text.starts_with("gl_") ||
+            !reading.functions_named(token.text).empty() || find_builtin(token.text))
+            return true;
+    }
+    return false;
+}
+
+bool is_put_off(const Reading& reading, const Declaration& declaration, const Declarator& one) {
+    return declaration.scope == Scope::global && !declaration.is_const && !declaration.is_uniform &&
+           declaration.structure == kNone && hangs_on_more(reading, one.initial);
+}
+
+// `layout(binding = 1)`, which desktop GLSL has: what fills a uniform is said elsewhere.
+void leave_out_layout(const Reading& reading, TokenRange words, Edits& edits) {
+    for (std::uint32_t at = words.begin; at + 1 < words.end; ++at)
+        if (const std::uint32_t close = reading.close_of(at + 1);
+            reading.tokens[at].is("layout") && close != kNone)
+            edits.replace({at, close + 1}, "");
 }
 
 }  // namespace
@@ -42,10 +98,41 @@ void put_in_place_of_data(const Reading& reading, Edits& edits) {
 // Names of GLSL itself cannot be macros; others stand for them. Of GLSL ES 3.00 a text of the older
 // one may define functions itself, and use its words.
 std::string before_own_main(const Reading& reading, bool plain_main) {
-    constexpr std::array<std::string_view, 16> kNewerFunctions = {
-        "round",        "roundEven", "trunc",     "sinh",       "cosh",  "tanh",
-        "asinh",        "acosh",     "atanh",     "isnan",      "isinf", "modf",
-        "outerProduct", "inverse",   "transpose", "determinant"};
+    constexpr auto kNewerFunctions = std::to_array<std::string_view>({"round",
+                                                                      "roundEven",
+                                                                      "trunc",
+                                                                      "sinh",
+                                                                      "cosh",
+                                                                      "tanh",
+                                                                      "asinh",
+                                                                      "acosh",
+                                                                      "atanh",
+                                                                      "isnan",
+                                                                      "isinf",
+                                                                      "modf",
+                                                                      "outerProduct",
+                                                                      "inverse",
+                                                                      "transpose",
+                                                                      "determinant",
+                                                                      "dFdx",
+                                                                      "dFdy",
+                                                                      "fwidth",
+                                                                      "textureProj",
+                                                                      "textureLod",
+                                                                      "textureGrad",
+                                                                      "textureSize",
+                                                                      "textureOffset",
+                                                                      "texelFetch",
+                                                                      "floatBitsToInt",
+                                                                      "floatBitsToUint",
+                                                                      "intBitsToFloat",
+                                                                      "uintBitsToFloat",
+                                                                      "packHalf2x16",
+                                                                      "unpackHalf2x16",
+                                                                      "packSnorm2x16",
+                                                                      "unpackSnorm2x16",
+                                                                      "packUnorm2x16",
+                                                                      "unpackUnorm2x16"});
     constexpr std::string_view kNewerWords[] = {
         "sample",   "filter",   "common",    "partition",  "active",
         "resource", "patch",    "smooth",    "subroutine", "coherent",
@@ -73,6 +160,9 @@ std::string before_own_main(const Reading& reading, bool plain_main) {
         if (plain_main && is_of_older_glsl(reading) && reading.mentions(word) &&
             !reading.defines_macro(word))
             text += fmt::format("#define {0} glint_{0}\n", word);
+    for (const std::string_view name : builtin_names())
+        if (plain_main && !reading.functions_named(name).empty())
+            text += fmt::format("#define {0} glint_{0}\n", name);
     if (plain_main && reading.mentions("mainImage")) text += "#define mainImage glint_mainImage\n";
     return text + "#define main glint_main\n";
 }
@@ -85,24 +175,60 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output)
     const std::string_view colour =
         output ? reading.word(output->names.front().name) : kPlainColour;
     const bool is_opaque = output && reading.word(output->type) == "vec3";
+    std::string before =
+        texture_coordinates(reading).empty() ? "" : "    glint_place(glint_coord);\n";
+    for (const Declaration& declaration : reading.declarations) {
+        if (is_input_block(reading, declaration)) before += values_of_block(reading, declaration);
+        for (const Declarator& one : declaration.names)
+            if (is_put_off(reading, declaration, one))
+                before += fmt::format("    glint_set_{}();\n", reading.word(one.name));
+    }
     return fmt::format(
         "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
         "    {0} = glint_color{1};\n"
         "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n{3}"
         "    main();\n    glint_color = {2};\n}}\n",
         colour, is_opaque ? ".rgb" : "",
-        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour),
-        texture_coordinates(reading).empty() ? "" : "    glint_place(glint_coord);\n");
+        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour), before);
 }
 
 void make_ends_variables(const Reading& reading, Edits& edits) {
     for (const Declaration& declaration : reading.declarations) {
-        if (is_texture_coordinate(reading, declaration))  // texture_coordinates() declares it
+        if (fed_input(reading, declaration))  // texture_coordinates() declares what is read
             edits.replace(declaration.tokens, "");
-        if (declaration.scope != Scope::global || !declaration.is_out) continue;
+        if (is_input_block(reading, declaration)) edits.replace(declaration.qualifiers, "struct");
         const TokenRange words = declaration.qualifiers;
+        if (declaration.is_uniform && !declaration.is_block)
+            leave_out_layout(reading, words, edits);
+        if (declaration.scope != Scope::global || !declaration.is_out) continue;
         for (std::uint32_t at = words.begin; at < words.end; ++at)
             if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");
+    }
+}
+
+// `float t = 0.5 * time, u;` becomes `float t;void glint_set_t(){t= 0.5 * time;} float u;`.
+void put_off_values(const Reading& reading, Edits& edits) {
+    for (const Declaration& declaration : reading.declarations) {
+        const bool any = std::ranges::any_of(declaration.names, [&](const Declarator& one) {
+            return is_put_off(reading, declaration, one);
+        });
+        const TokenRange head = {declaration.tokens.begin, declaration.names.empty()
+                                                               ? declaration.tokens.begin
+                                                               : declaration.names.front().name};
+        for (std::size_t i = 0; any && i < declaration.names.size(); ++i) {
+            const Declarator& one = declaration.names[i];
+            const bool is_off = is_put_off(reading, declaration, one);
+            const std::string_view name = reading.word(one.name);
+            if (is_off)
+                edits.replace({one.initial.begin - 1, one.initial.begin},
+                              fmt::format(";void glint_set_{0}(){{{0}=", name));
+            const std::uint32_t end = one.tokens.end;  // its comma or semicolon
+            if (i + 1 < declaration.names.size())
+                edits.replace({end, end + 1},
+                              fmt::format(";{} {} ", is_off ? "}" : "", reading.spelled(head)));
+            else if (is_off)
+                edits.after(end, "}");
+        }
     }
 }
 

@@ -15,6 +15,9 @@ void put_in_place_of_data(const Reading& reading, Edits& edits);
 // their precision; inputs that are fed stand in before_plain_main().
 void make_ends_variables(const Reading& reading, Edits& edits);
 
+// First values of globals that are no constants are set before main() (behind_plain_main()).
+void put_off_values(const Reading& reading, Edits& edits);
+
 // What such a text may count on, as GLSL ES 1.00 of the web may. `plain_main`: main() draws the
 // picture.
 std::string before_own_main(const Reading& reading, bool plain_main);

@@ -423,6 +423,7 @@ void mend_own_main(const Reading& reading, bool plain_main, Edits& edits) {
     put_in_place_of("gl_FragColor", kPlainColour, reading, edits);
     put_in_place_of_data(reading, edits);
     if (plain_main) make_ends_variables(reading, edits);
+    if (plain_main) put_off_values(reading, edits);
 }
 
 // Passes of a text are asked for one after the other, and reading it is half of the work. A text

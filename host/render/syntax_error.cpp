@@ -143,6 +143,10 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
     const std::string_view name = around.word(away);
     std::string help = did_you_mean(name, std::vector<std::string>(kTypes.begin(), kTypes.end()));
     if (std::string ours = advice_on_foreign_type(name); !ours.empty()) help = std::move(ours);
+    if (name == "and" || name == "or")
+        return SyntaxError{fmt::format("{} is no operator here; write {}", in_quotes(name),
+                                       name == "and" ? "&&" : "||"),
+                           around.index(away)};
     return SyntaxError{fmt::format("{} is no type{}", in_quotes(name), help), around.index(away)};
 }
 
@@ -187,6 +191,14 @@ std::optional<std::string> known_mistake(const Complaint& complaint, const Aroun
         return "outside of functions only declarations stand; move this into one, or write its "
                "type before it";
     return std::nullopt;
+}
+
+// `(float)3`
+std::optional<SyntaxError> cast(const Around& around) {
+    if (!around.is(0, ")") || !around.is_known_type(-1) || !around.is(-2, "(")) return std::nullopt;
+    return SyntaxError{
+        fmt::format("types are changed by a call here: write {}(\u2026)", around.word(-1)),
+        around.index(-2)};
 }
 
 // The least that can be said of it.
@@ -270,6 +282,7 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
     if (at < tokens.size()) {
         if (auto error = unknown_type(*complaint, around)) return error;
         if (auto error = inner_function(around)) return error;
+        if (auto error = cast(around)) return error;
         if (auto text = known_mistake(*complaint, around)) return SyntaxError{std::move(*text), at};
     }
     return missing(*complaint, around);

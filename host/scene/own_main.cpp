@@ -1,5 +1,7 @@
 #include "scene/own_main.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -52,27 +54,52 @@ const Declaration* colour_output(const Reading& reading) {
     return nullptr;
 }
 
-bool is_texture_coordinate(const Reading& reading, const Declaration& declaration) {
-    if (reading.find_global("iResolution")) return false;  // then what the place is is not known
-    const auto& tokens = reading.tokens;
-    bool is_input = false;
-    for (std::uint32_t at = declaration.qualifiers.begin; at < declaration.qualifiers.end; ++at)
-        is_input |= tokens[at].is("varying") || tokens[at].is("in");
-    if (!is_input || declaration.scope != Scope::global || declaration.names.size() != 1 ||
-        reading.word(declaration.type) != "vec2" || !declaration.names.front().array.empty())
-        return false;
-    std::string name;
-    for (const char c : reading.word(declaration.names.front().name))
-        if (c != '_') name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+bool is_coordinate_name(std::string_view name) {
+    std::string letters;
+    for (const char c : name)
+        if (c != '_') letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     constexpr std::string_view kWords[] = {"uv", "texcoord", "texturecoord", "fragnormcoord"};
     return std::ranges::any_of(
-        kWords, [&](std::string_view word) { return name.find(word) != std::string::npos; });
+        kWords, [&](std::string_view word) { return letters.find(word) != std::string::npos; });
+}
+
+bool is_input(const Reading& reading, const Declaration& declaration) {
+    if (declaration.scope != Scope::global) return false;
+    const TokenRange words = declaration.qualifiers;
+    for (std::uint32_t at = words.begin; at < words.end; ++at)
+        if (reading.tokens[at].is("varying") || reading.tokens[at].is("in")) return true;
+    return false;
+}
+
+std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
+                                                    const Declaration& declaration) {
+    if (!is_input(reading, declaration) || declaration.is_block) return std::nullopt;
+    const bool is_place_known = !reading.find_global("iResolution");
+    std::vector<std::uint32_t> fed;
+    for (const Declarator& one : declaration.names) {
+        const std::string_view name = reading.word(one.name);
+        const bool is_place = is_place_known && reading.word(declaration.type) == "vec2" &&
+                              one.array.empty() && declaration.type_array.empty() &&
+                              is_coordinate_name(name);
+        const bool is_read =
+            std::ranges::count_if(reading.tokens, [&](const Token& t) { return t.is(name); }) > 1;
+        if (is_place)
+            fed.push_back(one.name);
+        else if (is_read)
+            return std::nullopt;
+    }
+    return fed;
 }
 
 std::optional<NoColour> why_no_colour(const Reading& reading) {
     const auto mains = reading.functions_named("main");
     if (writes_plain_colour(reading) || colour_output(reading) || mains.empty())
         return std::nullopt;
+    for (const Token& token : reading.tokens)
+        if (token.text.starts_with("gl_F") && !token.is("gl_FragCoord") &&
+            !token.is("gl_FrontFacing") && !token.is("gl_FragDepth"))
+            return NoColour{token.span().begin,
+                            fmt::format("no {} is known; did you mean gl_FragColor?", token.text)};
     const std::string_view other =
         reading.mentions("gl_Position")             ? "this main() is of a vertex shader"
         : reading.mentions("gl_GlobalInvocationID") ? "this main() is of a compute shader"

@@ -4,8 +4,11 @@
 
 #include "glsl/reading.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace glint {
 
@@ -20,9 +23,17 @@ bool is_of_older_glsl(const Reading& reading);
 // where the text has none.
 const Declaration* colour_output(const Reading& reading);
 
-// `varying vec2 vUv;` or `in vec2 v_texcoord;`: a place in the picture, from (0, 0) to (1, 1),
-// which a vertex shader gives elsewhere.
-bool is_texture_coordinate(const Reading& reading, const Declaration& declaration);
+// `vUv`, `v_texcoord`: a vec2 of this name is a place in the picture, from (0, 0) to (1, 1), which
+// a vertex shader gives elsewhere.
+bool is_coordinate_name(std::string_view name);
+
+// `varying …`, `in …`, outside of all functions.
+bool is_input(const Reading& reading, const Declaration& declaration);
+
+// The tokens of those of its names that are places in the picture. Nothing of what is no input, is
+// a block, or has a name that is read and that nothing feeds.
+std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
+                                                    const Declaration& declaration);
 
 // What is wrong with a main() that writes no colour, and where, in bytes.
 struct NoColour {

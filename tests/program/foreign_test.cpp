@@ -204,11 +204,52 @@ TEST_F(Foreign, AFragmentShaderOfThreeJsOrADesktopProgramHasItsTextureCoordinate
           "varying vec2 vUv;\n#define vUv (vUv * 2.0)\n"
           "void main() { gl_FragColor = vec4(vUv * 25.6 * 0.5, 1.0, 1.0); }\n");
     EXPECT_EQ(draw()[2], 255) << errors_;
+    write("a.glsl",
+          "varying vec2 vUv, v_texcoord;\nvarying vec3 vNormal;\n"
+          "void main() { gl_FragColor = vec4(vUv + v_texcoord, 1.0, 1.0) * 51.2; }\n");
+    EXPECT_EQ(draw()[0], 204) << errors_ << "and what is not read may stay";
     write("a.glsl", "varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(vNormal, 1.0); }\n");
     const std::string said = glint({"still", "a.glsl", "-o", "x.png"}).err;
     EXPECT_NE(said.find("a.glsl:1:1: error: illegal use of reserved word `varying'"),
               std::string::npos)
         << said;
+}
+
+TEST_F(Foreign, AGlobalMayBeginWithWhatIsNoConstant) {
+    for (const std::string head :
+         {"uniform float time;\nfloat t = 0.5 * time, two = 2.0;\nfloat u = t * two;\n",
+          "#version 330\nuniform float time;\nfloat half_of(float x) { return 0.5 * x; }\n"
+          "float t = half_of(time);\nvec2 two[2] = vec2[2](vec2(t), vec2(time));\n"
+          "float u = two[1].x;\n"}) {
+        const bool is_newer = head.starts_with("#version");
+        write("a.glsl", head + (is_newer ? "out vec4 ink;\n" : "") + "void main() { " +
+                            (is_newer ? "ink" : "gl_FragColor") + " = vec4(t, u, 0.2, 1.0); }\n");
+        EXPECT_EQ(draw({"--time", "0.8"}), (std::array{102, 204, 51})) << head << errors_;
+        EXPECT_EQ(errors_, "");
+    }
+    write(
+        "a.glsl",
+        "uniform float time;\nfloat t =\n  0.5 * tim;\nvoid main() { gl_FragColor = vec4(t); }\n");
+    EXPECT_NE(glint({"still", "a.glsl", "-o", "x.png"}).err.find("a.glsl:3:9: error: `tim' undecl"),
+              std::string::npos);
+}
+
+TEST_F(Foreign, ABlockOfInputsIsThatOfAPictureBeforeTheEye) {
+    write("a.glsl",
+          "#version 450\nlayout(location = 0) in VertexData { vec4 v_position; vec3 v_normal; "
+          "vec2 v_texcoord; } inData;\nlayout(binding = 1) uniform float dim; //@ 0.4 [0, 1]\n"
+          "layout(location = 0) out vec4 colour;\nvoid main() { colour = vec4(dim, "
+          "inData.v_normal.z * 0.8, inData.v_texcoord.x * 12.8 + inData.v_position.w * 0.1, 1); "
+          "}\n");
+    EXPECT_EQ(draw(), (std::array{102, 204, 51})) << errors_;
+}
+
+TEST_F(Foreign, NamesThatOnlyNewerLanguagesOrOtherHostsHaveAreFree) {
+    write("a.glsl",
+          "#extension GL_EXT_draw_buffers : enable\n"
+          "float fwidth(float x) { return 0.4 * x; }\nfloat iTime(float x) { return 0.8 * x; }\n"
+          "void main() { gl_FragColor = vec4(fwidth(1.0), iTime(1.0), 0.2, 1.0); }\n");
+    EXPECT_EQ(draw(), (std::array{102, 204, 51})) << errors_;
 }
 
 // GLSL ES 3.00 and desktop GLSL have no gl_FragColor.

@@ -214,12 +214,18 @@ TEST(Blanked, ArePragmas) {
     EXPECT_EQ(scene.text, "                        // fast\n" + kImage);
 }
 
-TEST(Blanked, AreExtensionsThatTheLanguageHasByNow) {
-    const std::string text =
-        good("#extension GL_OES_standard_derivatives : enable\n#extension GL_X : enable\n" + kImage)
-            .text;
-    EXPECT_EQ(text.find("GL_OES_standard_derivatives"), std::string::npos);
-    EXPECT_NE(text.find("GL_X"), std::string::npos) << "of others the driver decides";
+// A text has to do without those that it enables; one that it requires is not here.
+TEST(Blanked, AreExtensions) {
+    const std::string text = good(
+                                 "#extension GL_OES_standard_derivatives : require\n"
+                                 "#extension GL_X : enable\n#extension all : warn\n" +
+                                 kImage)
+                                 .text;
+    EXPECT_EQ(text.find("#extension"), std::string::npos);
+    const ReadScene required = read("\n#extension GL_X : require\n" + kImage);
+    ASSERT_EQ(required.diagnostics.size(), 1u);
+    EXPECT_EQ(required.diagnostics[0].place.line, 2);
+    EXPECT_TRUE(required.diagnostics[0].text.starts_with("GL_X is not here"));
 }
 
 TEST(Uniforms, MayComeFromMacros) {

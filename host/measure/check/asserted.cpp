@@ -24,6 +24,7 @@ void check_assertions(const std::vector<Situation>& all, Check& check, CaseResul
             at = i;
             all[i].bring(subject);
             subject.show(all[i].time, kAssertedPlayed, [&] { return found.size() > before; });
+            if (!subject.observed().is_finite()) return;
         }
     };
     const std::vector<BrokenAssertion> broken = broken_assertions(

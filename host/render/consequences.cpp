@@ -1,0 +1,107 @@
+#include "render/consequences.h"
+
+#include <algorithm>
+#include <regex>
+#include <string>
+#include <utility>
+
+namespace glint {
+namespace {
+
+constexpr std::string_view kOtherResult = "return type doesn't match prototype";
+
+// The type of the first of what stands between brackets: `texture(sampler2D, vec3)'.
+std::string_view first_type(std::string_view call) {
+    const std::size_t open = std::min(call.find('('), call.size() - 1);
+    return call.substr(open + 1, call.find_first_of(",)", open) - open - 1);
+}
+
+// Mesa gives what it does not understand no type, and then complains of each expression round it,
+// all of which stand behind that complaint and begin no later in the text.
+bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
+    static const std::regex words(
+        "^operands to |^type mismatch$|^cannot construct |^condition of |condition must be scalar|"
+        "[(, ]error[,)]|of type error$|with wrong type error,|convert error to |^[LR]HS of .* must "
+        "be ");
+    const Place &at = one.place, &before = cause.place;
+    // Of what a macro stands for the place is that of its use.
+    const bool is_within = cause.text.find(kInMacro) != cause.text.npos && at.line == before.line;
+    const bool encloses =
+        at.file == before.file && at.column > 0 &&
+        (at.line < before.line || (at.line == before.line && at.column <= before.column));
+    return one.severity == Severity::error && (encloses || (is_within && at.file == before.file)) &&
+           std::regex_search(
+               one.text.substr(0, std::min(one.text.find('\n'), one.text.find(kInMacro))), words);
+}
+
+// Complaints of Mesa's about what it could not make of the mistake that it told before, by how both
+// begin; on the same line.
+struct Repeated {
+    std::string_view cause, consequence;
+};
+constexpr Repeated kRepeated[] = {
+    {"array constructor must have", "initializer of const variable"},
+    {"array size must be", "unsized array declarations"},
+    {"array size must be", "length called on unsized array"},
+    {"redeclaration of `", "initializer of type"},
+    {"redeclaration of `", "operands to"},
+    {"function `", "`return' with wrong type"},
+};
+
+bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
+    if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
+    if (one.text.ends_with("' redefined") && cause.text.find(kOtherResult) != cause.text.npos)
+        return true;
+    return std::ranges::any_of(kRepeated, [&](const Repeated& both) {
+        return cause.text.starts_with(both.cause) && one.text.starts_with(both.consequence);
+    });
+}
+
+}  // namespace
+
+// Mesa makes an error of its own of each function that a call could have meant, whatever its
+// samplers: 47 for texture(). They join the call's, those alone that take what it gives first.
+Diagnostics with_candidates_joined(Diagnostics list) {
+    Diagnostics joined;
+    for (std::size_t i = 0; i < list.size();) {
+        const std::size_t call = i++;
+        const Place& place = list[call].place;
+        const auto is_candidate = [&](const Diagnostic& one) {
+            return one.place.line == place.line && one.place.column == place.column &&
+                   one.text.ends_with(')');
+        };
+        if (list[call].text.ends_with(kCandidates))
+            while (i < list.size() && is_candidate(list[i])) ++i;
+        const auto begin = list.begin() + static_cast<std::ptrdiff_t>(call) + 1;
+        const auto end = list.begin() + static_cast<std::ptrdiff_t>(i);
+        const std::string given(first_type(list[call].text));
+        const auto fits = [&](const Diagnostic& one) { return first_type(one.text) == given; };
+        const bool any_fits = std::any_of(begin, end, fits);
+        joined.push_back(std::move(list[call]));
+        for (auto one = begin; one != end; ++one)
+            if (!any_fits || fits(*one))
+                joined.back().text += "\n    " + one->text.substr(0, one->text.find(kInMacro));
+    }
+    return joined;
+}
+
+// Of a text with an error Mesa also warns that what should hold its value has none.
+Diagnostics without_consequences(const Diagnostics& list) {
+    Diagnostics left;
+    const bool fails = has_errors(list);
+    for (const Diagnostic& one : list) {
+        if (fails && one.text.ends_with("' used uninitialized")) continue;
+        // Behind a word that no text may have Mesa understands nothing.
+        const bool is_behind_reserved = !left.empty() && one.place.line == left.back().place.line &&
+                                        left.back().text.starts_with("illegal use of reserved");
+        if (is_behind_reserved) continue;
+        const auto causes = [&](const Diagnostic& cause) {
+            return cause.severity == Severity::error &&
+                   (is_consequence(one, cause) || is_repeated(one, cause));
+        };
+        if (std::ranges::none_of(left, causes)) left.push_back(one);
+    }
+    return left;
+}
+
+}  // namespace glint

@@ -1,0 +1,16 @@
+// Of several complaints of a driver about one mistake, one is told.
+#pragma once
+
+#include "base/diagnostic.h"
+
+#include <string_view>
+
+namespace glint {
+
+// How a complaint ends whose candidates follow, and how it goes on where the place is a macro's.
+inline constexpr std::string_view kCandidates = "; candidates are:", kInMacro = " (in what ";
+
+Diagnostics with_candidates_joined(Diagnostics list);
+Diagnostics without_consequences(const Diagnostics& list);
+
+}  // namespace glint
