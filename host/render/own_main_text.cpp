@@ -80,6 +80,86 @@ void leave_out_layout(const Reading& reading, TokenRange words, Edits& edits) {
             edits.replace({at, close + 1}, "");
 }
 
+// Of GLSL ES 3.00 a text of the older one may define functions itself, and use its words.
+constexpr std::string_view kNewerFunctions[] = {"round",
+                                                "roundEven",
+                                                "trunc",
+                                                "sinh",
+                                                "cosh",
+                                                "tanh",
+                                                "asinh",
+                                                "acosh",
+                                                "atanh",
+                                                "isnan",
+                                                "isinf",
+                                                "modf",
+                                                "outerProduct",
+                                                "inverse",
+                                                "transpose",
+                                                "determinant",
+                                                "dFdx",
+                                                "dFdy",
+                                                "fwidth",
+                                                "textureProj",
+                                                "textureLod",
+                                                "textureGrad",
+                                                "textureSize",
+                                                "textureOffset",
+                                                "texelFetch",
+                                                "floatBitsToInt",
+                                                "floatBitsToUint",
+                                                "intBitsToFloat",
+                                                "uintBitsToFloat",
+                                                "packHalf2x16",
+                                                "unpackHalf2x16",
+                                                "packSnorm2x16",
+                                                "unpackSnorm2x16",
+                                                "packUnorm2x16",
+                                                "unpackUnorm2x16"};
+constexpr std::string_view kNewerWords[] = {"sample",     "filter",   "common",       "partition",
+                                            "active",     "resource", "patch",        "smooth",
+                                            "subroutine", "coherent", "restrict",     "readonly",
+                                            "writeonly",  "centroid", "noperspective"};
+
+// texture2D and textureCube, by which the older language reads.
+std::string older_textures(const Reading& reading) {
+    constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
+        {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
+    std::string text;
+    for (const auto& [name, sampler, place] : kOlderTextures) {
+        if (means_its_own(reading, name)) continue;
+        if (!declares(reading, "texture")) {
+            text += fmt::format("#define {} texture\n", name);
+            continue;
+        }
+        // A name of the text's hides the function behind it.
+        text += fmt::format(
+            "vec4 glint_{0}({1} s, {2} p) {{ return texture(s, p); }}\n"
+            "vec4 glint_{0}({1} s, {2} p, float bias) {{ return texture(s, p, bias); }}\n"
+            "#define {0} glint_{0}\n",
+            name, sampler, place);
+    }
+    return text;
+}
+
+// Other names for those of the text that GLSL ES 3.00, or the host, has for itself.
+std::string freed_names(const Reading& reading, bool plain_main) {
+    std::string text;
+    const auto free = [&](std::string_view name) {
+        text += fmt::format("#define {0} glint_{0}\n", name);
+    };
+    for (const std::string_view name : kNewerFunctions)
+        if (!reading.functions_named(name).empty()) free(name);
+    if (!plain_main) return text;
+    for (const std::string_view word : kNewerWords)
+        if (is_of_older_glsl(reading) && reading.mentions(word) && !reading.defines_macro(word))
+            free(word);
+    for (const std::string_view name : builtin_names())
+        if (!reading.functions_named(name).empty()) free(name);
+    if (reading.mentions("mainImage")) free("mainImage");
+    return text;
+}
+
 }  // namespace
 
 void put_in_place_of_data(const Reading& reading, Edits& edits) {
@@ -95,76 +175,9 @@ void put_in_place_of_data(const Reading& reading, Edits& edits) {
     }
 }
 
-// Names of GLSL itself cannot be macros; others stand for them. Of GLSL ES 3.00 a text of the older
-// one may define functions itself, and use its words.
 std::string before_own_main(const Reading& reading, bool plain_main) {
-    constexpr auto kNewerFunctions = std::to_array<std::string_view>({"round",
-                                                                      "roundEven",
-                                                                      "trunc",
-                                                                      "sinh",
-                                                                      "cosh",
-                                                                      "tanh",
-                                                                      "asinh",
-                                                                      "acosh",
-                                                                      "atanh",
-                                                                      "isnan",
-                                                                      "isinf",
-                                                                      "modf",
-                                                                      "outerProduct",
-                                                                      "inverse",
-                                                                      "transpose",
-                                                                      "determinant",
-                                                                      "dFdx",
-                                                                      "dFdy",
-                                                                      "fwidth",
-                                                                      "textureProj",
-                                                                      "textureLod",
-                                                                      "textureGrad",
-                                                                      "textureSize",
-                                                                      "textureOffset",
-                                                                      "texelFetch",
-                                                                      "floatBitsToInt",
-                                                                      "floatBitsToUint",
-                                                                      "intBitsToFloat",
-                                                                      "uintBitsToFloat",
-                                                                      "packHalf2x16",
-                                                                      "unpackHalf2x16",
-                                                                      "packSnorm2x16",
-                                                                      "unpackSnorm2x16",
-                                                                      "packUnorm2x16",
-                                                                      "unpackUnorm2x16"});
-    constexpr std::string_view kNewerWords[] = {
-        "sample",   "filter",   "common",    "partition",  "active",
-        "resource", "patch",    "smooth",    "subroutine", "coherent",
-        "restrict", "readonly", "writeonly", "centroid",   "noperspective"};
-    constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
-        {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
-    std::string text = fmt::format("vec4 {} = vec4(0.0);\n", kPlainColour);
-    for (const auto& [name, sampler, place] : kOlderTextures) {
-        if (means_its_own(reading, name)) continue;
-        if (!declares(reading, "texture")) {
-            text += fmt::format("#define {} texture\n", name);
-            continue;
-        }
-        // A name of the text's hides the function behind it.
-        text += fmt::format(
-            "vec4 glint_{0}({1} s, {2} p) {{ return texture(s, p); }}\n"
-            "vec4 glint_{0}({1} s, {2} p, float bias) {{ return texture(s, p, bias); }}\n"
-            "#define {0} glint_{0}\n",
-            name, sampler, place);
-    }
-    for (const std::string_view name : kNewerFunctions)
-        if (!reading.functions_named(name).empty())
-            text += fmt::format("#define {0} glint_{0}\n", name);
-    for (const std::string_view word : kNewerWords)
-        if (plain_main && is_of_older_glsl(reading) && reading.mentions(word) &&
-            !reading.defines_macro(word))
-            text += fmt::format("#define {0} glint_{0}\n", word);
-    for (const std::string_view name : builtin_names())
-        if (plain_main && !reading.functions_named(name).empty())
-            text += fmt::format("#define {0} glint_{0}\n", name);
-    if (plain_main && reading.mentions("mainImage")) text += "#define mainImage glint_mainImage\n";
-    return text + "#define main glint_main\n";
+    return fmt::format("vec4 {} = vec4(0.0);\n", kPlainColour) + older_textures(reading) +
+           freed_names(reading, plain_main) + "#define main glint_main\n";
 }
 
 std::string before_plain_main(const Reading& reading) {
