@@ -147,12 +147,104 @@ inline void add_far_places(std::vector<Planted>& list) {
                     fed("c = s.w == 0.0 ? vec4(1.0) : s;")});
 }
 
+// What a person brings it to: the mouse, a key, patience, or a value within a range.
+inline void add_situations(std::vector<Planted>& list) {
+    const auto add = [&](const char* name, const std::string& tweaks, const std::string& fault,
+                         const std::string& twin) {
+        list.push_back(
+            {std::string("situation/") + name, tweaks + image(fault), tweaks + image(twin)});
+    };
+    const auto unset = [](const char* first, const char* where) {
+        return fmt::format("float x{}; if ({}) x = 0.5; c = vec4(0.7 * x);", first, where);
+    };
+    add("unset_with_the_mouse", "", unset("", "iMouse.z <= 0.0"),
+        unset(" = 0.2", "iMouse.z <= 0.0"));
+    add("unset_late", "", unset("", "iTime < 50.0"), unset(" = 0.2", "iTime < 50.0"));
+    add("unset_within_a_range", kA, unset("", "a < 0.6 || a > 0.85"),
+        unset(" = 0.2", "a < 0.6 || a > 0.85"));
+    const auto flash = [](const char* when, const char* rate) {
+        return fmt::format("c = vec4({} ? step(0.5, fract({} * iTime)) : 0.5);", when, rate);
+    };
+    add("flash_with_the_mouse", "", flash("iMouse.z > 0.0", "10.0"),
+        flash("iMouse.z > 0.0", "1.0"));
+    add("flash_late", "", flash("iTime > 90.0", "10.0"), flash("iTime > 90.0", "1.0"));
+    const auto loop = [](const char* turns) {
+        return fmt::format(
+            "float s = 0.0; for (int i = 0; i < {}; i++) s += 1e-5 * fract(q.x * "
+            "float(i)); c = vec4(s);",
+            turns);
+    };
+    add("loop_late", "", loop("100 + 1000 * int(iTime)"), loop("100 + 10 * int(min(iTime, 9.0))"));
+    add("loop_within_a_range", kA, loop("(a > 0.6 && a < 0.85 ? 70000 : 100)"),
+        loop("(a > 0.6 && a < 0.85 ? 700 : 100)"));
+    add("assertion_within_a_range", kA, "//@ assert abs(a - 0.7) > 0.1\n    c = vec4(a);",
+        "//@ assert abs(a - 0.7) < 0.8\n    c = vec4(a);");
+    const auto driven = [](const char* held, const char* step) {
+        return fmt::format(
+            "uniform sampler2D keys; //@ keyboard\n"
+            "uniform sampler2D kept; //@ pass mainKept size=4x4 format=rgba32f\n"
+            "void mainKept(out vec4 c, in vec2 p) {{\n"
+            "    vec4 s = texelFetch(kept, ivec2(0), 0);\n"
+            "    s = mix(vec4(0), s, lessThanEqual(abs(s), vec4(1)));\n"
+            "    c = {} ? fract(s + {}) : s;\n}}\n{}",
+            held, step, image("c = vec4(step(abs(q.x - texelFetch(kept, ivec2(0), 0).x), 0.1));"));
+    };
+    const char* const mouse = "iMouse.z > 0.0";
+    const char* const key = "texelFetch(keys, ivec2(39, 0), 0).x > 0.5";
+    list.push_back({"situation/rate_with_the_mouse", driven(mouse, "0.01"),
+                    driven(mouse, "0.6 * iTimeDelta")});
+    list.push_back(
+        {"situation/rate_with_a_key", driven(key, "0.01"), driven(key, "0.6 * iTimeDelta")});
+    const std::string exact = "uniform bool exact; //@ true\n";
+    const auto phase = [](const char* other) {
+        return fmt::format(
+            "float turns = exact ? float(iTick & 65535u) / 65536.0 : {}; c = "
+            "vec4(0.5 + 0.5 * sin(6.2831853 * (turns + q.x)));",
+            other);
+    };
+    add("age_of_another_entry", exact, phase("fract(iTime)"),
+        phase("float(iTick >> 1 & 65535u) / 65536.0"));
+    const std::string two =
+        "uniform vec3 a; //@ 0.3, 0.2, 0.3 [0.1, 0.9]\nuniform vec3 b; //@ 0.5, 0.4, 0.6 [0.2, "
+        "0.8]\n";
+    add("two_points_that_meet", two, "c = vec4(0.5 + 0.5 * normalize(a - b), 1);",
+        "c = vec4(0.5 + 0.5 * (a - b) / max(length(a - b), 1e-6), 1);");
+    const std::string x = "uniform float x; //@ 0.1 [0, 1]\n";
+    add("pole_of_even_order", x, "float d = x - 0.37; c = vec4(q, 1e-6 / (d * d), 1);",
+        "float d = x - 0.37; c = vec4(q, 1e-6 / (d * d + 1e-6), 1);");
+}
+
+// A sound and a cube are watched as a picture is.
+inline void add_other_passes(std::vector<Planted>& list) {
+    const auto sound = [](const char* body) {
+        return image("c = vec4(q, 0.5, 1);") + "vec2 mainSound(int samp, float time) {\n    " +
+               body + "\n    return vec2(x * sin(6.2831853 * 440.0 * fract(time)));\n}\n";
+    };
+    list.push_back({"other/sound_index",
+                    sound("float v[4] = float[](.1, .2, .3, .4); float x = v[int(time) % 5];"),
+                    sound("float v[4] = float[](.1, .2, .3, .4); float x = v[int(time) % 4];")});
+    list.push_back({"other/sound_unset", sound("float x; if (samp < 0) x = 0.5;"),
+                    sound("float x = 0.0; if (samp < 0) x = 0.5;")});
+    list.push_back({"other/sound_hidden", sound("float x = max(0.0, sqrt(0.5 - fract(time)));"),
+                    sound("float x = sqrt(max(0.0, 0.5 - fract(time)));")});
+    const auto cube = [](const char* light) {
+        return "uniform samplerCube sky; //@ pass mainCubemap size=32\n"
+               "void mainCubemap(out vec4 c, in vec2 p, in vec3 ro, in vec3 rd) {\n    c = vec4(" +
+               std::string(light) + ");\n}\n" +
+               image("c = texture(sky, normalize(vec3(q - 0.5, 1)));");
+    };
+    list.push_back(
+        {"other/cube_hidden", cube("max(0.0, sqrt(rd.y))"), cube("sqrt(max(0.0, rd.y))")});
+}
+
 }  // namespace planting
 
 inline std::vector<Planted> outside_faults() {
     std::vector<Planted> list;
     planting::add_open(list);
     planting::add_far_places(list);
+    planting::add_situations(list);
+    planting::add_other_passes(list);
     return list;
 }
 
