@@ -208,6 +208,37 @@ TEST_F(Study, AWrongReferenceIsFound) {
     EXPECT_NE(findings(json).find("the reference is wrong"), std::string::npos) << findings(json);
 }
 
+// Of a step so small that the difference is rounding, though its own error is as large as that
+// says.
+TEST_F(Study, AReferenceOfRoundingIsWrong) {
+    write("s.frag",
+          "uniform float e; //@ 0.01 [1e-4, 0.3] log quality reference=1e-7\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    vec2 x = 3.0 * p / iResolution.xy + 1.0;\n"
+          "    c = vec4(0.5 + 0.2 * (sin(x.x + e) - sin(x.x - e)) * cos(x.y) / e);\n}\n");
+    const Json json =
+        report_of(glint({"study", "s.frag", "--size", "64x36", "--json", "--seconds", "0"}));
+    EXPECT_NE(findings(json).find("the reference is wrong"), std::string::npos) << findings(json);
+}
+
+TEST_F(Study, WorkThatTheTextDoesNotUseHasNoStar) {
+    write("s.frag",
+          "uniform int n; //@ 16 [1, 256] log quality reference=1024\n"
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float s = 0.0, h = 1.0 / float(min(n, 16));\n"
+          "    for (int i = 0; i < min(n, 16); i++) s += h * sqrt(float(i) * h);\n"
+          "    c = vec4(s);\n}\n");
+    const Json json = report_of(glint({"study", "s.frag", "--size", "16x9", "--json", "--seconds",
+                                       "0", "--vary", "n=8,16,64,256"}));
+    EXPECT_NE(json["notes"].dump().find("3 rows draw the reference's very picture"),
+              std::string::npos)
+        << json["notes"];
+    int stars = 0;
+    for (const Json& row : json["rows"])
+        stars += row["pareto"] == true && row["value"] != "8" ? 1 : 0;
+    EXPECT_EQ(stars, 1);
+}
+
 // By each rule: what its order is, within what the first values and the display's curve bend.
 constexpr struct {
     const char* rule;

@@ -5,6 +5,7 @@
 // first is found that shows on its own.
 #include "measure/check/unset.h"
 
+#include "measure/check/budget.h"
 #include "measure/check/case.h"
 #include "measure/check/situation.h"
 #include "measure/rows/difference.h"
@@ -17,6 +18,7 @@ namespace glint {
 namespace {
 
 constexpr double kUnsetPlayed = 0.5;  // s of a simulation
+constexpr double kUnsetShare = 0.03;  // of the seconds, before marks are looked for
 constexpr std::size_t kEnds = 16;     // sets of tweaks
 constexpr int kUnsetSpread = 8;       // points within all ranges
 
@@ -26,13 +28,16 @@ public:
     explicit Comparison(CheckSubject& subject)
         : subject_(subject), situations_(situations(subject, kEnds, kUnsetSpread)) {}
 
-    // False where the scene is not finite by itself; then the subject stands there.
-    bool draw_usual() {
+    // As many situations as there is time for. False where the scene is not finite by itself; then
+    // the subject stands there.
+    bool draw_usual(const CaseClock& clock) {
         for (const Situation& one : situations_) {
             one.bring(subject_);
             if (!subject_.show(one.time, kUnsetPlayed)) return false;
             usual_.push_back(subject_.picture());
+            if (clock.is_over(kUnsetShare)) break;
         }
+        situations_.resize(usual_.size());
         return true;
     }
 
@@ -80,7 +85,7 @@ void run_unset(Check& check, CaseResult& result) {
     const std::string unmarked = words_of_unmarked(subject, list);
     std::erase_if(list, is_never_marked);
     Comparison comparison(subject);
-    if (!comparison.draw_usual()) return;
+    if (!comparison.draw_usual(CaseClock(check))) return;
     if (list.empty() || !comparison.where_shows({0, subject.scene().text.size()})) {
         result.note = fmt::format("{} values, none shows{}", list.size(), unmarked);
         return;

@@ -32,6 +32,7 @@ constexpr double kRounding = 1e-6;      // that sums of thousands of floats diff
 // Values that agree with each other so much better than with the reference do not converge to it:
 // a method of order 1 that doubles its work still has a distance to go as long as its last step.
 constexpr double kPlateau = 0.2;
+constexpr double kBeyondClaim = 2.0;  // times its own error, by which no true reference is off them
 
 bool has_error(const StudyRow& row) {
     return row.failed.empty() && row.error.has_value();
@@ -96,6 +97,10 @@ std::vector<std::size_t> comparable_rows(const Study& study) {
     return rows;
 }
 
+bool is_same_picture(const StudyRow& row) {
+    return has_error(row) && row.error->max == 0.0;
+}
+
 // A row stands when each row with less error is told to be slower, and when it is told to be nearer
 // than each faster row that stands. One that cannot be told from the truth does not stand, and
 // beats those that it is told to be nearer than.
@@ -105,6 +110,9 @@ void mark_pareto(Study& study, const TimeVerdicts& verdicts) {
     const std::vector<std::size_t> rows = comparable_rows(study);
     const auto beats = [&](std::size_t k, std::size_t i) {
         const StudyRow &other = study.rows[k], &row = study.rows[i];
+        // Of two that draw the very picture of the reference the one of less work is enough.
+        if (is_same_picture(other) && is_same_picture(row) && other.work < row.work)
+            return verdicts.of(k, i) != TimeVerdict::slower;
         if (other.error->rmse < row.error->rmse)
             return verdicts.of(k, i) != TimeVerdict::slower &&
                    (is_told_off(study, other) || is_nearer(study, k, i));
@@ -248,7 +256,7 @@ void find_wrong_reference(Study& study, const Steps& steps) {
     if (error <= kRounding) return;
     const auto rest = distance_to_limit(steps);
     if (rest ? error <= kSurely * *rest + study.own_error
-             : best.near_reference || steps.to_next.back() >= kPlateau * error)
+             : error <= kBeyondClaim * study.own_error || steps.to_next.back() >= kPlateau * error)
         return;
     study.findings.push_back(fmt::format(
         "{} and {} agree with each other to {}, and with the reference only to {}: the "
@@ -373,6 +381,20 @@ void find_what_looks_wrong(Study& study) {
     const bool nothing = std::ranges::none_of(
         study.rows, [](const StudyRow& row) { return has_error(row) && row.error->max > 0.0; });
     if (any && nothing) study.findings.push_back("it changes nothing in this picture");
+    const bool unseen = std::ranges::none_of(study.rows, [](const StudyRow& row) {
+        return has_error(row) && (row.error->share_off > 0.0 || row.error->flip > 0.0);
+    });
+    const auto same = std::ranges::count_if(
+        study.rows, [](const StudyRow& row) { return is_same_picture(row) && !row.is_reference; });
+    if (!nothing && same > 1)
+        study.notes.push_back(fmt::format(
+            "{} rows draw the reference's very picture: the first of them is "
+                        "enough, or the text uses no more",
+                        same));
+    if (any && !nothing && unseen)
+        study.notes.push_back(
+            "no display shows any of it: all pixels are as those of the "
+            "reference, or as bright as can be");
     const auto near =
         std::ranges::count_if(study.rows, [](const StudyRow& row) { return row.near_reference; });
     if (near > 0) {
@@ -400,17 +422,6 @@ void compare_with_none(Study& study) {
     study.own_error = 0.0;
     find_broken_reference(study);
     find_failed_rows(study);
-}
-
-std::string psnr_text(double psnr) {
-    return std::isinf(psnr) ? "inf" : fmt::format("{:.1f}", psnr);
-}
-
-// One character that tells how to take a row.
-char mark(const Study& study, const StudyRow& row) {
-    if (!row.failed.empty() || !study.converges) return '!';
-    if (row.is_reference) return '=';
-    return row.near_reference ? '~' : ' ';
 }
 
 }  // namespace
@@ -494,99 +505,6 @@ void judge(Study& study, const Knob& knob, bool on_software) {
     // By what anybody asks for: a step between what is told and what matters would have its star or
     // not by how long it was timed.
     mark_pareto(study, verdicts_of(study, kEnough));
-}
-
-std::string own_error_text(const Study& study) {
-    if (study.reference_not_finite > 0)
-        return fmt::format("is not known: {} of its pixels are not finite",
-                           study.reference_not_finite);
-    for (const std::string& cut : {study.reference_cut, study.second_cut})
-        if (!cut.empty()) return "is not known: it is " + loops_cut(cut);
-    if (!study.reference_error) return "is not known: name another method with --second";
-    if (!study.has_own_error())
-        return fmt::format("is not known: {} pixels of {} are not finite",
-                           study.reference_error->not_finite, study.second);
-    return fmt::format("{} by {}", three_digits(study.own_error), study.second);
-}
-
-std::string to_table(const Study& study) {
-    std::size_t widest = study.knob.size();
-    for (const StudyRow& row : study.rows) widest = std::max(widest, row.value.size());
-    std::string text =
-        fmt::format("{}  {}  {}x{}  {}\nclock: {}\n", study.scene, study.knob, study.size.x,
-                    study.size.y, study.renderer, to_string(study.clock));
-    if (!study.time_only) {
-        text +=
-            fmt::format("reference {}; its own error {}\n", study.reference, own_error_text(study));
-        if (study.rival) {
-            text += fmt::format("second reference {}; its own error {}; they differ by {}\n",
-                                study.rival->value, three_digits(study.rival->own_error),
-                                three_digits(study.rival->difference.rmse));
-        }
-    }
-    text += fmt::format("    {:>{}} {:>10} {:>19} {:>14}", study.knob, widest, "ms",
-                        "95 of 100 within", "time");
-    if (!study.time_only) {
-        text += fmt::format(" {:>9} {:>9} {:>6} {:>8} {:>9} {:>9}", "rmse", "max", "psnr",
-                            "> 1/255", "rel. mse", "flip");
-    }
-    text += "\n";
-    for (const StudyRow& row : study.rows) {
-        const Timing& ms = row.ms;
-        text += fmt::format("{} {} {:>{}} {:>10.3f} {:>9.3f} {:>9.3f} {:>14}",
-                            row.pareto ? '*' : ' ', mark(study, row), row.value, widest, ms.median,
-                            ms.low, ms.high, row.verdict ? to_string(*row.verdict) : "");
-        if (!row.failed.empty()) text += " " + row.failed;
-        if (has_error(row)) {
-            text +=
-                fmt::format(" {:>9.3g} {:>9.3g} {:>6} {:>6.2f} % {:>9.3g} {:>9.3g}",
-                            row.error->rmse, row.error->max, psnr_text(row.error->psnr),
-                            100.0 * row.error->share_off, row.error->relative_mse, row.error->flip);
-        }
-        if (row.worst)
-            text += fmt::format("  worst {} in {}", three_digits(row.worst->rmse), row.worst->view);
-        text += "\n";
-    }
-    if (study.order) text += fmt::format("order {:.2f} (error ~ work^-order)\n", *study.order);
-    if (study.cost_exponent) {
-        text += fmt::format("time ~ {}^{:.2f} over the larger half\n", study.knob,
-                            *study.cost_exponent);
-    }
-    if (study.best) {
-        const StudyRow& best = study.rows[*study.best];
-        text += fmt::format("best: {}  {:.3f} ms, RMSE {}, FLIP {}\n", best.value, best.ms.median,
-                            three_digits(best.error->rmse), three_digits(best.error->flip));
-    }
-    for (const std::string& finding : study.findings) text += "finding: " + finding + "\n";
-    for (const std::string& note : study.notes) text += "note: " + note + "\n";
-    return text;
-}
-
-std::string csv_header() {
-    return "scene,knob,value,ms,ms_min,ms_max,ms_low,ms_high,verdict,rmse,max,psnr,share_off,"
-           "relative_mse,flip,pareto,"
-           "near_reference,failed,renderer,width,height\n";
-}
-
-std::string to_csv(const Study& study) {
-    const auto word = [](const std::string& text) { return quoted(text, '"', "\"\""); };
-    std::string text;
-    for (const StudyRow& row : study.rows) {
-        const Timing& ms = row.ms;
-        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", word(study.scene),
-                            study.knob, word(row.value), ms.median, ms.min, ms.max, ms.low, ms.high,
-                            row.verdict ? to_string(*row.verdict) : "");
-        if (has_error(row)) {
-            text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g},{:.6g}", row.error->rmse,
-                                row.error->max, psnr_text(row.error->psnr), row.error->share_off,
-                                row.error->relative_mse, row.error->flip);
-        } else {
-            text += ",,,,,";
-        }
-        text += fmt::format(",{},{},{},{},{},{}\n", row.pareto, row.near_reference,
-                            word(row.failed), word(study.renderer), study.size.x, study.size.y);
-    }
-    return text;
 }
 
 }  // namespace glint
