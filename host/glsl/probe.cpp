@@ -56,13 +56,19 @@ void Instrumenter::over_globals(const Function& entry) {
     for (const Declaration& declaration : reading_.declarations) {
         if (declaration.scope != Scope::global || declaration.is_uniform) continue;
         if (values && declaration.is_const && wish_.only.empty()) continue;
+        const bool is_seen =
+            declaration.tokens.end <= entry.tokens.begin &&
+            reading_.live_at(reading_.place(declaration.tokens).begin) == Live::yes;
+        if (!is_seen) continue;
         for (const Declarator& one : declaration.names) {
             const auto hides = [&](std::uint32_t parameter) {
                 const auto& names = reading_.declarations[parameter].names;
                 return !names.empty() &&
                        reading_.word(names.front().name) == reading_.word(one.name);
             };
-            if (one.initial.empty() || std::ranges::any_of(entry.parameters, hides)) continue;
+            if (one.initial.empty() || std::ranges::any_of(entry.parameters, hides) ||
+                reading_.defines_macro(reading_.word(one.name)))
+                continue;
             const TokenRange name = {one.name, one.name + 1};
             if (values || may_be_no_number(one.initial))
                 add_record(SiteKind::assigned, name, one.name, entry.body.begin);

@@ -89,10 +89,16 @@ void Instrumenter::over_reads_of_unset(const Function& function) {
 void Instrumenter::over_read_of_unset(std::uint32_t at, const Function& function,
                                       const std::vector<TokenRange>& outs) {
     const TokenRange what = {at, operand_end(reading_, at, function.body.end)};
-    const Token &next = token(what.end), &last = token(what.end - 1), &before = token(at - 1);
+    TokenRange around = what;  // `(v).x`
+    while (token(around.begin - 1).is("(") && reading_.close_of(around.begin - 1) == around.end &&
+           !token(around.begin - 2).is_word())
+        around = {around.begin - 1, operand_end(reading_, around.begin - 1, function.body.end)};
+    const Token &next = token(around.end), &last = token(around.end - 1),
+                &before = token(around.begin - 1);
     const auto steps = [](const Token& one) { return one.is("++") || one.is("--"); };
     if (is_assignment(next) || steps(next) || steps(last) || steps(before)) return;
-    if (std::ranges::find(outs, what) != outs.end()) return;
+    const auto is_handed_out = [&](TokenRange out) { return out == what || out == around; };
+    if (std::ranges::any_of(outs, is_handed_out)) return;
     const auto type = type_of_operand(reading_, records_.variables(), what, function_);
     if (!type || type->lengths > 0 || type->structure != kNone || type->name.starts_with("b") ||
         (probe_type_of(type->name) < 0 && matrix_columns(type->name) == 0))

@@ -41,12 +41,43 @@ bool is_behind_whole(const Reading& reading, std::uint32_t index, bool is_note) 
            kind == StatementKind::expression || kind == StatementKind::empty;
 }
 
+// The outermost statement of a block that ends in the line, behind which none begins there: of
+// `} while (t < 1.0);` the loop, of `{ … }` the block. Not what leaves the place.
+std::uint32_t last_that_ends(const Reading& reading, Span line, const Function& function) {
+    const auto& statements = reading.statements;
+    const std::uint32_t end = statements[function.first_statement].next;
+    const auto ends_here = [&](std::uint32_t i) {
+        const Span place = reading.place(statements[i].tokens);
+        return line.begin < place.end && place.end <= line.end;
+    };
+    std::uint32_t last = kNone;
+    for (std::uint32_t i = function.first_statement + 1; i < end; ++i) {
+        const Statement& one = statements[i];
+        const Span place = reading.place(one.tokens);
+        const bool begins_here = line.begin <= place.begin && place.begin < line.end;
+        const bool is_in_block = statements[one.parent].kind == StatementKind::block;
+        if (last != kNone && statements[last].next > i) continue;  // within it
+        if (ends_here(i) && is_in_block && one.kind != StatementKind::case_)
+            last = i;
+        else if (begins_here)
+            last = kNone;
+    }
+    if (last == kNone || ends_here(function.first_statement)) return kNone;
+    const StatementKind kind = statements[last].kind;
+    const bool is_left = kind == StatementKind::return_ || kind == StatementKind::discard ||
+                         kind == StatementKind::break_ || kind == StatementKind::continue_;
+    return is_left ? kNone : last;
+}
+
 }  // namespace
 
 ProbeRoom room_at(const Reading& reading, Span line, std::uint32_t f, bool is_note) {
     const Function& function = reading.functions[f];
     const auto& statements = reading.statements;
     const std::uint32_t end = statements[function.first_statement].next;
+    if (const std::uint32_t last = is_note ? last_that_ends(reading, line, function) : kNone;
+        last != kNone)
+        return {kNone, last, true};
     std::uint32_t chosen = kNone, around = function.first_statement, next = kNone;
     for (std::uint32_t i = function.first_statement + 1; i < end; ++i) {
         const Statement& one = statements[i];

@@ -175,7 +175,7 @@ void Reader::obey(File& file, const DirectiveLine& directive) {
     else if (word == "version" || word == "line" || word == "pragma" || word == "extension")
         append_blanked(file, directive);
     const std::string_view how = line.size() > 4 ? tokens[line.begin + 4].text : "";
-    if (word == "extension" && how == "require" &&
+    if (word == "extension" && how == "require" && conditions_.live() == Live::yes &&
         std::ranges::find(kExtensionsWithin, what) == kExtensionsWithin.end())
         error(place_in(file, directive.span.begin),
               fmt::format("{} is not here: texts are GLSL ES 3.00, without extensions; leave the "

@@ -24,37 +24,34 @@ bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
         "[(, ]error[,)]|of type error$|with wrong type error,|convert error to |^[LR]HS of .* must "
         "be ");
     const Place &at = one.place, &before = cause.place;
-    // Of what a macro stands for the place is that of its use.
-    const bool is_within = cause.text.find(kInMacro) != cause.text.npos && at.line == before.line;
     const bool encloses =
         at.file == before.file && at.column > 0 &&
         (at.line < before.line || (at.line == before.line && at.column <= before.column));
-    return one.severity == Severity::error && (encloses || (is_within && at.file == before.file)) &&
+    return one.severity == Severity::error && encloses &&
            std::regex_search(
                one.text.substr(0, std::min(one.text.find('\n'), one.text.find(kInMacro))), words);
 }
 
-// Complaints of Mesa's about what it could not make of the mistake that it told before, by how both
-// begin; on the same line.
+// Complaints of Mesa's about what it could not make of the mistake that it told before, in the same
+// declaration: whose type, or name, stands no later.
 struct Repeated {
     std::string_view cause, consequence;
 };
 constexpr Repeated kRepeated[] = {
     {"array constructor must have", "initializer of const variable"},
     {"array size must be", "unsized array declarations"},
-    {"array size must be", "length called on unsized array"},
     {"redeclaration of `", "initializer of type"},
-    {"redeclaration of `", "operands to"},
-    {"function `", "`return' with wrong type"},
 };
 
 bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
     if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
-    if (one.text.ends_with("' redefined") && cause.text.find(kOtherResult) != cause.text.npos)
-        return true;
-    return std::ranges::any_of(kRepeated, [&](const Repeated& both) {
-        return cause.text.starts_with(both.cause) && one.text.starts_with(both.consequence);
-    });
+    if (cause.text.find(kOtherResult) != cause.text.npos)
+        return one.text.ends_with("' redefined") ||
+               one.text.starts_with("`return' with wrong type");
+    return one.place.column <= cause.place.column &&
+           std::ranges::any_of(kRepeated, [&](const Repeated& both) {
+               return cause.text.starts_with(both.cause) && one.text.starts_with(both.consequence);
+           });
 }
 
 }  // namespace

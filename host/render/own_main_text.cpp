@@ -1,5 +1,6 @@
 #include "render/own_main_text.h"
 
+#include "glsl/zero_value.h"
 #include "render/pass_text.h"
 #include "scene/builtin.h"
 #include "scene/own_main.h"
@@ -44,6 +45,7 @@ std::string values_of_block(const Reading& reading, const Declaration& block) {
                 values += fmt::format("    {}.{} = {};\n", reading.word(block.names.front().name),
                                       name, value);
             };
+            if (!one.array.empty() || !member.type_array.empty()) continue;
             if (type == "vec2" && is_coordinate_name(name)) add("glint_coord / iResolution.xy");
             if (type == "vec4" && name.ends_with("position"))
                 add("vec4(2.0 * glint_coord / iResolution.xy - 1.0, 0.0, 1.0)");
@@ -60,16 +62,43 @@ bool hangs_on_more(const Reading& reading, TokenRange value) {
         const Token& token = reading.tokens[at];
         if (!token.is_word() || (at > 0 && reading.tokens[at - 1].is("."))) continue;
         const Declaration* global = reading.find_global(token.text);
-        if ((global && !global->is_const) || token.text.starts_with("gl_") ||
-            !reading.functions_named(token.text).empty() || find_builtin(token.text))
+        const bool is_of_gl = token.text.starts_with("gl_") && !token.text.starts_with("gl_M");
+        if ((global && !global->is_const) || is_of_gl ||  // gl_MaxDrawBuffers and gl_MinProgram…
+            !reading.functions_named(token.text).empty() || (!global && find_builtin(token.text)))
             return true;
     }
     return false;
 }
 
 bool is_put_off(const Reading& reading, const Declaration& declaration, const Declarator& one) {
+    const auto has_no_length = [&](TokenRange array) {  // which its first value gives it
+        for (std::uint32_t at = array.begin; at + 1 < array.end; ++at)
+            if (reading.tokens[at].is("[") && reading.tokens[at + 1].is("]")) return true;
+        return false;
+    };
     return declaration.scope == Scope::global && !declaration.is_const && !declaration.is_uniform &&
-           declaration.structure == kNone && hangs_on_more(reading, one.initial);
+           declaration.structure == kNone && !has_no_length(one.array) &&
+           !has_no_length(declaration.type_array) && hangs_on_more(reading, one.initial) &&
+           reading.live_at(reading.place(declaration.tokens).begin) == Live::yes;
+}
+
+// Functions that set them have names of their own.
+std::string setter_of(const Declarator& one) {
+    return fmt::format("glint_set{}", one.name);
+}
+
+// `struct VertexData { … } inData=VertexData(…);`, of whose members precisions are left.
+void make_block_a_variable(const Reading& reading, const Declaration& block, Edits& edits) {
+    edits.replace(block.qualifiers, "struct");
+    for (const std::uint32_t index : reading.structs[block.structure].members) {
+        const TokenRange words = reading.declarations[index].qualifiers;
+        for (std::uint32_t at = words.begin; at < words.end; ++at)
+            if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");
+    }
+    const auto zero = ZeroValues(reading).value(
+        {.type = block.type, .structure = block.structure, .array = {}, .type_array = {}}, false);
+    const std::uint32_t name = block.names.front().name;
+    if (zero && block.names.front().array.empty()) edits.after(name, "=" + *zero);
 }
 
 // `layout(binding = 1)`, which desktop GLSL has: what fills a uniform is said elsewhere.
@@ -148,14 +177,22 @@ std::string freed_names(const Reading& reading, bool plain_main) {
     const auto free = [&](std::string_view name) {
         text += fmt::format("#define {0} glint_{0}\n", name);
     };
+    // Not where the driver may leave them out.
+    const auto is_own = [&](std::string_view name) {
+        const auto all = reading.functions_named(name);
+        return !all.empty() && std::ranges::all_of(all, [&](std::uint32_t index) {
+            const Function& one = reading.functions[index];
+            return reading.live_at(reading.place(one.name).begin) == Live::yes;
+        });
+    };
     for (const std::string_view name : kNewerFunctions)
-        if (!reading.functions_named(name).empty()) free(name);
+        if (is_own(name)) free(name);
     if (!plain_main) return text;
     for (const std::string_view word : kNewerWords)
         if (is_of_older_glsl(reading) && reading.mentions(word) && !reading.defines_macro(word))
             free(word);
     for (const std::string_view name : builtin_names())
-        if (!reading.functions_named(name).empty()) free(name);
+        if (is_own(name)) free(name);
     if (reading.mentions("mainImage")) free("mainImage");
     return text;
 }
@@ -194,7 +231,7 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output)
         if (is_input_block(reading, declaration)) before += values_of_block(reading, declaration);
         for (const Declarator& one : declaration.names)
             if (is_put_off(reading, declaration, one))
-                before += fmt::format("    glint_set_{}();\n", reading.word(one.name));
+                before += fmt::format("    {}();\n", setter_of(one));
     }
     return fmt::format(
         "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
@@ -209,7 +246,8 @@ void make_ends_variables(const Reading& reading, Edits& edits) {
     for (const Declaration& declaration : reading.declarations) {
         if (fed_input(reading, declaration))  // texture_coordinates() declares what is read
             edits.replace(declaration.tokens, "");
-        if (is_input_block(reading, declaration)) edits.replace(declaration.qualifiers, "struct");
+        if (is_input_block(reading, declaration))
+            make_block_a_variable(reading, declaration, edits);
         const TokenRange words = declaration.qualifiers;
         if (declaration.is_uniform && !declaration.is_block)
             leave_out_layout(reading, words, edits);
@@ -219,7 +257,7 @@ void make_ends_variables(const Reading& reading, Edits& edits) {
     }
 }
 
-// `float t = 0.5 * time, u;` becomes `float t;void glint_set_t(){t= 0.5 * time;} float u;`.
+// `float t = 0.5 * time, u;` becomes `float t;void glint_set7(){t= 0.5 * time;} float u;`.
 void put_off_values(const Reading& reading, Edits& edits) {
     for (const Declaration& declaration : reading.declarations) {
         const bool any = std::ranges::any_of(declaration.names, [&](const Declarator& one) {
@@ -234,7 +272,7 @@ void put_off_values(const Reading& reading, Edits& edits) {
             const std::string_view name = reading.word(one.name);
             if (is_off)
                 edits.replace({one.initial.begin - 1, one.initial.begin},
-                              fmt::format(";void glint_set_{0}(){{{0}=", name));
+                              fmt::format(";void {}(){{{}=", setter_of(one), name));
             const std::uint32_t end = one.tokens.end;  // its comma or semicolon
             if (i + 1 < declaration.names.size())
                 edits.replace({end, end + 1},

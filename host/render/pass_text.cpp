@@ -6,6 +6,7 @@
 #include "glsl/lean.h"
 #include "glsl/numbers.h"
 #include "glsl/remainder.h"
+#include "glsl/stored_index.h"
 #include "render/macro_mends.h"
 #include "render/own_main_text.h"
 #include "render/own_overloads.h"
@@ -508,6 +509,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     if (options.feed) result.numbers = feed_numbers(reading, reached, kNumbers, is_lean, edits);
     result.unset = write_zeros(reading, edits, entry, options.marked);
     hide_zeros(reading, result.unset, edits);
+    mend_stored_indices(reading, edits);
     if (probe)
         result.probed = instrument(reading, *probe, entry_of(scene, pass), edits, remainders,
                                    options.marked ? result.unset : std::vector<Unset>());
