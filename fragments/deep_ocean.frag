@@ -1059,7 +1059,7 @@ vec3 render(vec3 ro, vec3 rd, float pixel, float jitter) {
     float left = 1.0;
     while (left > 0.004 && (solid.kind > 0 || layers[0].t < solid.t)) {
         Layer l = layers[0];
-        for (int j = 0; j + 1 < kLayers; ++j) layers[j] = layers[j + 1];
+        for (int j = 1; j < kLayers; ++j) layers[j - 1] = layers[j];
         layers[kLayers - 1].t = kFar;
         if (l.t >= solid.t) {
             l = solid;

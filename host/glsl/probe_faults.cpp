@@ -181,22 +181,24 @@ void Instrumenter::over_shift(std::uint32_t at, TokenRange room) {
     hand_through(SiteKind::whole, close_spelling(reading_, {begin, end}), begin, by, "glint0_s");
 }
 
-// `texelFetch(buffer, at, 0)` of a sampler that has a name, and a level that is a number.
+// `texelFetch(buffer, at, 0)` of a sampler that has a name, and a level that may be asked once
+// more.
 void Instrumenter::over_fetch(const Call& call) {
-    const std::uint32_t first = call.brackets.begin + 1, last = call.brackets.end - 2;
+    const std::uint32_t first = call.brackets.begin + 1;
+    const std::vector<TokenRange> arguments = reading_.arguments_of(call);
     if (call.arity != 3 || !token(first).is_word() || !token(first + 1).is(",")) return;
-    if (token(last).kind != TokenKind::number || !token(last - 1).is(",")) return;
-    const TokenRange whole = {call.name, call.brackets.end};
-    hand_through(SiteKind::index, close_spelling(reading_, whole), call.name, {first + 2, last - 1},
-                 "glint0_t",
-                 fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, token(last).text));
-    if (token(last).text == "0") return;
+    const TokenRange place = arguments[1], last = arguments[2];
+    const bool is_number = last.size() == 1 && token(last.begin).kind == TokenKind::number;
+    if (last.empty() || (!is_number && !records_.is_variable(last))) return;
+    const std::string level = reading_.spelled(last);
+    hand_through(SiteKind::index, close_spelling(reading_, {call.name, call.brackets.end}),
+                 call.name, place, "glint0_t",
+                 fmt::format(",max(textureSize({},0)>>{},1)", token(first).text, level));
+    if (level == "0") return;
     // Of a level that there is not, drivers tell a size of 0.
-    hand_through(SiteKind::index,
-                 fmt::format("level {} of {}", token(last).text, token(first).text), call.name,
-                 {last, last + 1}, "glint0_i",
-                 fmt::format(",textureSize({},{}).x>0?{}+1:1", token(first).text, token(last).text,
-                             token(last).text));
+    hand_through(SiteKind::index, fmt::format("level {} of {}", level, token(first).text),
+                 call.name, last, "glint0_i",
+                 fmt::format(",textureSize({0},{1}).x>0?{1}+1:1", token(first).text, level));
 }
 
 }  // namespace glint

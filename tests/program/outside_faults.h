@@ -209,6 +209,18 @@ inline void add_situations(std::vector<Planted>& list) {
         "0.8]\n";
     add("two_points_that_meet", two, "c = vec4(0.5 + 0.5 * normalize(a - b), 1);",
         "c = vec4(0.5 + 0.5 * (a - b) / max(length(a - b), 1e-6), 1);");
+    const std::string tilt = "uniform float tilt; //@ 0.3 [-0.8, 0.8]\n";
+    add("level_row_at_odd_heights", tilt, "float y = q.y - 0.5 + tilt; c = vec4(fract(0.1 / y));",
+        "float y = q.y - 0.5 + tilt; c = vec4(fract(0.1 / (abs(y) + 1e-3)));");
+    const auto level = [](const char* most) {
+        return fmt::format(
+            "uniform int lod; //@ 0 [0, {}]\n"
+            "uniform sampler2D n; //@ noise 64\n",
+            most);
+    };
+    list.push_back({"situation/level_that_is_not",
+                    level("8") + image("c = texelFetch(n, ivec2(0), lod);"),
+                    level("6") + image("c = texelFetch(n, ivec2(0), lod);")});
     const std::string x = "uniform float x; //@ 0.1 [0, 1]\n";
     add("pole_of_even_order", x, "float d = x - 0.37; c = vec4(q, 1e-6 / (d * d), 1);",
         "float d = x - 0.37; c = vec4(q, 1e-6 / (d * d + 1e-6), 1);");

@@ -379,5 +379,31 @@ TEST_F(WrappedProgram, TheChannelStructsAreThereInTheImagePass) {
     EXPECT_EQ(player.colour(3), glm::vec3(0));
 }
 
+// Mesa keeps an index and the next one in one register (glsl/stored_index.h).
+TEST_F(WrappedProgram, AnElementIsStoredWhereTheTextSays) {
+    struct {
+        const char* body;
+        float sum;  // of w[k] * (k + 1)
+    } const cases[] = {
+        {"for (int i = 0; i < n; i++) w[i] = float(i + 1);", 1 + 4 + 9 + 16 + 25},
+        {"for (int i = 0; i < n; i++) w[i] = w[i + 1];", 2 + 6 + 12 + 20 + 30 + 36},
+        {"for (int i = n; i > 0; i--) w[i] = w[i - 1];", 1 + 2 + 6 + 12 + 20 + 30},
+        {"int m = 0; while (m < n) { if (p.x > 0.0) { w[m] = 2.0 * float(m + 1); m++; } }",
+         2 + 8 + 18 + 32 + 50 + 36},
+    };
+    for (const auto& [body, sum] : cases) {
+        const bool begins_empty = std::string_view(body).find("float(i + 1)") != std::string::npos;
+        Player player(
+            "uniform int n; //@ 5 [0, 9]\nvoid mainImage(out vec4 c, vec2 p) {\n"
+            "    float w[6] = float[](" +
+            std::string(begins_empty ? "0.,0.,0.,0.,0.,0." : "1.,2.,3.,4.,5.,6.") + ");\n    " +
+            body +
+            "\n    c = vec4(w[0] + 2. * w[1] + 3. * w[2] + 4. * w[3] + 5. * w[4] + 6. * "
+            "w[5]);\n}\n");
+        player.draw(0);
+        EXPECT_EQ(player.pixel(0, 0).x, sum) << body;
+    }
+}
+
 }  // namespace
 }  // namespace glint::conformance_program_test

@@ -155,6 +155,16 @@ Motion young_motion(const Check& check) {
             .fine_frame = at_1.fine_frame};
 }
 
+// Whether nothing moves any more after an hour, when a float clock has all digits of a frame.
+bool rests_after_an_hour(CheckSubject& subject) {
+    constexpr double kHour = 3600.0, kLater[] = {0.3, 7.0, 31.0};  // s
+    if (subject.stateful() || !subject.show(kHour, 0.0)) return false;
+    const std::vector<float> at_the_hour = subject.picture();
+    return std::ranges::all_of(kLater, [&](double later) {
+        return subject.show(kHour + later, 0.0) && subject.picture() == at_the_hour;
+    });
+}
+
 void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
     const double least = kLeastMoving * young.moving - kBeats * young.frame;
     const double finely_least =
@@ -209,6 +219,12 @@ void run_age(const Age& age, Check& check, CaseResult& result) {
         changes(clock, subject, 0.0, kFrame, check.paced(kFrames, kLeastFrames));
         return;
     }
+    if (!check.rests) check.rests = rests_after_an_hour(subject);
+    if (*check.rests) {
+        result.note = "comes to rest within its first hour";
+        subject.show(age.seconds, 0.0);
+        return;
+    }
     if (!check.young) check.young = young_motion(check);
     judge_age(age, check, *check.young, result);
 }
@@ -222,6 +238,7 @@ void run_age_of_others(const Age& age, Check& check, CaseResult& result) {
         if (result.verdict == CaseVerdict::fail || !subject.observed().is_finite()) return;
         subject.restore();
         subject.preset.values = sets[i];
+        if (rests_after_an_hour(subject)) continue;
         CaseResult judged{.name = result.name};
         judge_age(age, check, young_motion(check), judged);
         if (judged.verdict != CaseVerdict::fail) continue;

@@ -39,8 +39,9 @@ struct Check {
     double pace = 1.0;               // 0.1 to 1, less for a scene whose frames take long
     std::filesystem::path folder{};  // for pictures of failures; made when there is one
     int birthplaces = 3;  // how many failures may still be led back to the operation they came from
-    std::optional<Motion> young{};          // of the preset
-    std::optional<float> usual_largest{};   // of what is fed back, over some hundred frames
+    std::optional<Motion> young{};         // of the preset
+    std::optional<bool> rests{};           // whether the motion of the preset is over after an hour
+    std::optional<float> usual_largest{};  // of what is fed back, over some hundred frames
     std::optional<State> early{}, later{};  // after 0.25 s and 1 s
     std::unique_ptr<CheckSubject> wide{};   // with all floats of buffers of 32 bits
 

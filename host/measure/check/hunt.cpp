@@ -219,8 +219,9 @@ void run_search(Check& check, CaseResult& result) {
     }
     if (const auto failing = followed(hunter, search, clock))
         return report(hunter, check, *failing, result);
-    for (std::size_t i = 1; i < zeros.size() && !clock.is_over(kHuntShare); ++i)
-        if (hunter(zeros[i]).fails) return report(hunter, check, zeros[i], result);
+    for (std::size_t i = 0; i < zeros.size() && !clock.is_over(kHuntShare); ++i)
+        for (const Point& point : {zeros[i], space.at_odd_size(zeros[i])})
+            if (hunter(point).fails) return report(hunter, check, point, result);
     result.note =
         fmt::format("{}{} points{}", done, done < wanted ? fmt::format(" of {}", wanted) : "",
                     hunter.is_guided() ? "" : ", without a guide");

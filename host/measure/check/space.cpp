@@ -105,6 +105,12 @@ std::vector<Point> Space::zeros() const {
     return points;
 }
 
+Point Space::at_odd_size(Point point) const {
+    constexpr double kOdd[] = {203.0, 207.0};
+    for (const std::size_t c : {0u, 1u}) point[point.size() - 2 + c] = kOdd[c] / kLongestSide;
+    return point;
+}
+
 std::vector<Point> Space::inputs() const {
     constexpr double kTimes[] = {100.0, 3000.0};  // s
     constexpr double kPlaces[][2] = {{0.12, 0.18}, {0.5, 0.51}, {0.87, 0.81}};
