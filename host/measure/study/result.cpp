@@ -387,8 +387,8 @@ void find_what_looks_wrong(Study& study) {
     const auto same = std::ranges::count_if(
         study.rows, [](const StudyRow& row) { return is_same_picture(row) && !row.is_reference; });
     if (!nothing && same > 1)
-        study.notes.push_back(fmt::format(
-            "{} rows draw the reference's very picture: the first of them is "
+        study.notes.push_back(
+            fmt::format("{} rows draw the reference's very picture: the first of them is "
                         "enough, or the text uses no more",
                         same));
     if (any && !nothing && unseen)
