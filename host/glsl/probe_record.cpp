@@ -30,29 +30,14 @@ bool ProbeRecords::is_whole_array(TokenRange range, std::uint32_t function) cons
 // Into structs: that of this variable or element, where no function takes it, since the function
 // itself declares it, or not all of it can be told.
 std::uint32_t ProbeRecords::bare_struct_of(TokenRange range, std::uint32_t function) const {
-    const auto found = variables_.find(range.begin, function);
-    if (!found.declaration) return kNone;
     for (std::uint32_t at = range.begin; at < range.end; ++at)
         if (reading_.tokens[at].is(".")) return kNone;
-    const std::uint32_t structure = struct_of(*found.declaration, function);
-    if (structure == kNone) return kNone;
+    const auto type = type_of_operand(reading_, variables_, range, function);
+    if (!type || type->structure == kNone) return kNone;
+    const std::uint32_t structure = type->structure;
     const bool is_bare =
         reading_.structs[structure].function != kNone || structs_.leaves(structure).empty();
     return is_bare ? structure : kNone;
-}
-
-// Into structs: the type of what it declares, in this function or outside of all.
-std::uint32_t ProbeRecords::struct_of(const Declaration& declaration,
-                                      std::uint32_t function) const {
-    std::uint32_t global = kNone;
-    for (std::uint32_t i = 0; i < reading_.structs.size(); ++i) {
-        const Struct& one = reading_.structs[i];
-        if (one.name == kNone || reading_.word(one.name) != reading_.word(declaration.type))
-            continue;
-        if (one.function == function && declaration.owner == function) return i;
-        if (one.function == kNone) global = i;
-    }
-    return global;
 }
 
 // `glint0_v(8,t)`, of a variable that has its value; "" where that cannot be told.

@@ -38,7 +38,6 @@ public:
 
 private:
     bool is_whole_array(TokenRange range, std::uint32_t function) const;
-    std::uint32_t struct_of(const Declaration& declaration, std::uint32_t function) const;
 
     const Reading& reading_;
     Variables variables_;

@@ -342,7 +342,6 @@ std::string ReadText::meant_by(std::string_view mistyped,
     for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
         const Token &token = read_.tokens[i], &before = read_.tokens[i - 1];
         if (token.text == kPlainColour) add("gl_FragColor");
-        if (token.text == "glFragCoord_") add("gl_FragCoord");
         const bool may_declare =
             token.is_word() && (may_be_type(before) || before.is(",") || before.is("]"));
         if (pass_.origin(token.begin) ? may_declare : find_builtin(token.text) != nullptr)

@@ -38,7 +38,7 @@ public:
                             ProgramOptions{.specialise = false});
         } catch (const ProbeRefused&) {  // then samples alone tell
         }
-        compiled();
+        answered();
     }
 
     // False once a sample was no number.
@@ -81,7 +81,7 @@ public:
         const std::vector<Unset> list = unset_values(subject_.opened(), sound_.renderer(), false);
         const auto shows = [&](Span range) {
             SoundRenderer marked(subject_.opened(), {.specialise = false, .marked = range});
-            compiled();
+            answered();
             const auto is_other = [&](const Situation& one) {
                 return drawn(marked, 0, one) != drawn(sound_, 0, one);
             };
@@ -93,14 +93,14 @@ public:
     }
 
 private:
-    void compiled() const {  // that is no hang
+    void answered() const {  // what compiles, or draws, is no hang
         if (subject_.after_frame) subject_.after_frame();
     }
 
     std::vector<float> drawn(SoundRenderer& sound, long index, const Situation& situation) const {
         sound.renderer().set_values(situation.values);
         std::vector<float> rgba = sound.drawn(sound.frame_of(index));
-        if (subject_.after_frame) subject_.after_frame();
+        answered();
         return rgba;
     }
 

@@ -43,6 +43,8 @@ struct WorstView {
 };
 
 struct StudyRow {
+    bool has_error() const { return failed.empty() && error.has_value(); }
+
     std::string value{};                // of the knob, as a person types it
     std::optional<double> work{};       // the number; none for menus and switches. Not in JSON
     Timing wall{}, gpu{}, processor{};  // JSON has the medians alone

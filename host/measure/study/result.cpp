@@ -34,13 +34,9 @@ constexpr double kRounding = 1e-6;      // that sums of thousands of floats diff
 constexpr double kPlateau = 0.2;
 constexpr double kBeyondClaim = 2.0;  // times its own error, by which no true reference is off them
 
-bool has_error(const StudyRow& row) {
-    return row.failed.empty() && row.error.has_value();
-}
-
 // Rows that tell how the error falls.
 bool counts_for_order(const Study& study, const StudyRow& row) {
-    if (!has_error(row) || !row.work || *row.work <= 0.0 || row.is_reference) return false;
+    if (!row.has_error() || !row.work || *row.work <= 0.0 || row.is_reference) return false;
     return row.error->rmse > std::max(kFitFactor * study.own_error, kLeastRmse);
 }
 
@@ -69,14 +65,14 @@ void tell_verdicts(Study& study, const TimeVerdicts& verdicts) {
         StudyRow& row = study.rows[i];
         row.verdict.reset();
         if (i != than && !row.times.wall.empty()) row.verdict = verdicts.of(i, than);
-        row.nearer = study.has_truth() && i != than && own != study.rows.end() && has_error(row) &&
-                     has_error(*own) && is_nearer(study, i, than);
+        row.nearer = study.has_truth() && i != than && own != study.rows.end() && row.has_error() &&
+                     own->has_error() && is_nearer(study, i, than);
     }
 }
 
 void mark_near_reference(Study& study) {
     for (StudyRow& row : study.rows) {
-        row.near_reference = has_error(row) && !row.is_reference &&
+        row.near_reference = row.has_error() && !row.is_reference &&
                              row.error->rmse < kNearFactor * study.reference_rmse();
     }
 }
@@ -91,14 +87,14 @@ bool is_told_off(const Study& study, const StudyRow& row) {
 std::vector<std::size_t> comparable_rows(const Study& study) {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
-        if (has_error(study.rows[i]) && !study.rows[i].times.wall.empty()) rows.push_back(i);
+        if (study.rows[i].has_error() && !study.rows[i].times.wall.empty()) rows.push_back(i);
     }
     std::ranges::stable_sort(rows, {}, [&](std::size_t i) { return study.rows[i].ms.median; });
     return rows;
 }
 
 bool is_same_picture(const StudyRow& row) {
-    return has_error(row) && row.error->max == 0.0;
+    return row.has_error() && row.error->max == 0.0;
 }
 
 // A row stands when each row with less error is told to be slower, and when it is told to be nearer
@@ -206,7 +202,7 @@ Steps steps_of(const Study& study, bool more_is_better) {
     Steps steps;
     for (const StudyRow& row : study.rows) {
         const bool compares = row.work && *row.work > 0.0 && !row.is_reference && !row.is_between;
-        if (has_error(row) && compares) steps.rows.push_back(&row);
+        if (row.has_error() && compares) steps.rows.push_back(&row);
     }
     const auto work = [&](const StudyRow* row) {
         return more_is_better ? *row->work : 1.0 / *row->work;
@@ -377,12 +373,12 @@ void find_failed_rows(Study& study) {
 }
 
 void find_what_looks_wrong(Study& study) {
-    const bool any = std::ranges::any_of(study.rows, has_error);
+    const bool any = std::ranges::any_of(study.rows, &StudyRow::has_error);
     const bool nothing = std::ranges::none_of(
-        study.rows, [](const StudyRow& row) { return has_error(row) && row.error->max > 0.0; });
+        study.rows, [](const StudyRow& row) { return row.has_error() && row.error->max > 0.0; });
     if (any && nothing) study.findings.push_back("it changes nothing in this picture");
     const bool unseen = std::ranges::none_of(study.rows, [](const StudyRow& row) {
-        return has_error(row) && (row.error->share_off > 0.0 || row.error->flip > 0.0);
+        return row.has_error() && (row.error->share_off > 0.0 || row.error->flip > 0.0);
     });
     const auto same = std::ranges::count_if(
         study.rows, [](const StudyRow& row) { return is_same_picture(row) && !row.is_reference; });

@@ -9,11 +9,7 @@
 namespace glint {
 namespace {
 
-constexpr double kLeastOrder = 0.05;  // below, an error does not fall
-
-bool has_error(const StudyRow& row) {
-    return row.failed.empty() && row.error.has_value();
-}
+constexpr double kFalls = 0.05;  // an order below which an error does not fall
 
 std::string psnr_text(double psnr) {
     return std::isinf(psnr) ? "inf" : fmt::format("{:.1f}", psnr);
@@ -69,7 +65,7 @@ std::string to_table(const Study& study) {
                             row.pareto ? '*' : ' ', mark(study, row), row.value, widest, ms.median,
                             ms.low, ms.high, row.verdict ? to_string(*row.verdict) : "");
         if (!row.failed.empty()) text += " " + row.failed;
-        if (has_error(row)) {
+        if (row.has_error()) {
             text +=
                 fmt::format(" {:>9.3g} {:>9.3g} {:>6} {:>6.2f} % {:>9.3g} {:>9.3g}",
                             row.error->rmse, row.error->max, psnr_text(row.error->psnr),
@@ -79,7 +75,7 @@ std::string to_table(const Study& study) {
             text += fmt::format("  worst {} in {}", three_digits(row.worst->rmse), row.worst->view);
         text += "\n";
     }
-    if (study.order && *study.order >= kLeastOrder)
+    if (study.order && *study.order >= kFalls)
         text += fmt::format("order {:.2f} (error ~ work^-order)\n", *study.order);
     if (study.cost_exponent) {
         text += fmt::format("time ~ {}^{:.2f} over the larger half\n", study.knob,
@@ -109,7 +105,7 @@ std::string to_csv(const Study& study) {
         text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},", word(study.scene),
                             study.knob, word(row.value), ms.median, ms.min, ms.max, ms.low, ms.high,
                             row.verdict ? to_string(*row.verdict) : "");
-        if (has_error(row)) {
+        if (row.has_error()) {
             text += fmt::format("{:.6g},{:.6g},{},{:.6g},{:.6g},{:.6g}", row.error->rmse,
                                 row.error->max, psnr_text(row.error->psnr), row.error->share_off,
                                 row.error->relative_mse, row.error->flip);
