@@ -4,16 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace glint {
 namespace {
 
 constexpr int kMostNumbers = 1024;
 
-struct Scalar {
-    std::string_view zero, mark;
-};
-constexpr Scalar kFloat = {"0.", "uintBitsToFloat(0x7FC0DEADu)"}, kInt = {"0", "0x7FC0DEAD"},
-                 kUint = {"0u", "0x7FC0DEADu"}, kBool = {"false", "true"};
+// By FirstValue.
+using Scalar = std::array<std::string_view, 4>;
+constexpr Scalar kFloat = {"0.", "uintBitsToFloat(0x7FC0DEADu)", "1e9", "-1e9"},
+                 kInt = {"0", "0x7FC0DEAD", "1000000000", "-1000000000"},
+                 kUint = {"0u", "0x7FC0DEADu", "1000000000u", "0u"},
+                 kBool = {"false", "true", "true", "true"};
 
 const Scalar* scalar_of(std::string_view type) {
     if (type == "float") return &kFloat;
@@ -42,16 +45,16 @@ bool is_matrix(std::string_view type) {
             (type.size() == 6 && type[4] == 'x' && is_length(type.substr(5, 1))));
 }
 
-std::string basic_value(std::string_view type, bool is_marked) {
-    if (const Scalar* scalar = scalar_of(type))
-        return std::string(is_marked ? scalar->mark : scalar->zero);
+std::string basic_value(std::string_view type, FirstValue first) {
+    const auto index = static_cast<std::size_t>(first);
+    if (const Scalar* scalar = scalar_of(type)) return std::string((*scalar)[index]);
     if (const Scalar* scalar = scalar_of_vector(type))
-        return fmt::format("{}({})", type, is_marked ? scalar->mark : scalar->zero);
+        return fmt::format("{}({})", type, (*scalar)[index]);
     if (!is_matrix(type)) return "";
-    if (!is_marked) return fmt::format("{}(0)", type);
+    if (first == FirstValue::zero) return fmt::format("{}(0)", type);
     std::string columns;
     for (char i = '0'; i < type[3]; ++i)
-        columns += fmt::format("{}vec{}({})", i == '0' ? "" : ",", type.back(), kFloat.mark);
+        columns += fmt::format("{}vec{}({})", i == '0' ? "" : ",", type.back(), kFloat[index]);
     return fmt::format("{}({})", type, columns);
 }
 
@@ -138,7 +141,7 @@ SpelledType ZeroValues::type_of(const Declaration& member, const Declarator& dec
             .type_array = member.type_array};
 }
 
-std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool is_marked,
+std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, FirstValue first,
                                                  int& count) const {
     const Struct& one = reading_.structs[structure];
     std::string name = made_name(structure), members;
@@ -149,7 +152,7 @@ std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool i
     for (const std::uint32_t index : one.members) {
         const Declaration& member = reading_.declarations[index];
         for (const Declarator& declarator : member.names) {
-            const auto value = whole(type_of(member, declarator), is_marked, count);
+            const auto value = whole(type_of(member, declarator), first, count);
             if (!value) return {};
             members += (members.empty() ? "" : ",") + *value;
         }
@@ -158,25 +161,25 @@ std::optional<std::string> ZeroValues::of_struct(std::uint32_t structure, bool i
     return name + "(" + members + ")";
 }
 
-std::optional<std::string> ZeroValues::element(const SpelledType& type, bool is_marked,
+std::optional<std::string> ZeroValues::element(const SpelledType& type, FirstValue first,
                                                int& count) const {
     if (++count > kMostNumbers) return {};
     const std::string_view name = reading_.word(type.type);
     if (!may_be_written(name)) return {};
-    if (std::string value = basic_value(name, is_marked); !value.empty()) return value;
+    if (std::string value = basic_value(name, first); !value.empty()) return value;
     const std::uint32_t structure = struct_of(type);
     if (structure == kNone) return {};
-    return of_struct(structure, is_marked, count);
+    return of_struct(structure, first, count);
 }
 
-std::optional<std::string> ZeroValues::whole(const SpelledType& type, bool is_marked,
+std::optional<std::string> ZeroValues::whole(const SpelledType& type, FirstValue first,
                                              int& count) const {
-    if (type.array.empty() && type.type_array.empty()) return element(type, is_marked, count);
+    if (type.array.empty() && type.type_array.empty()) return element(type, first, count);
     if (!type.array.empty() && !type.type_array.empty()) return {};
     const auto size = length(type.array.empty() ? type.type_array : type.array);
     if (!size || *size < 1 || *size > kMostNumbers) return {};
     const int before = count;
-    const auto value = element(type, is_marked, count);
+    const auto value = element(type, first, count);
     count = before + (count - before) * static_cast<int>(*size);
     if (!value || count > kMostNumbers) return {};
     std::string values = *value;
@@ -187,11 +190,11 @@ std::optional<std::string> ZeroValues::whole(const SpelledType& type, bool is_ma
 }
 
 bool ZeroValues::set_parts(std::string& words, const std::string& what, const SpelledType& type,
-                           bool is_marked, int depth) const {
+                           FirstValue first, int depth) const {
     constexpr int kDeepest = 16;
     if (depth > kDeepest) return false;
     int count = 0;
-    if (const auto value = whole(type, is_marked, count)) {
+    if (const auto value = whole(type, first, count)) {
         words += fmt::format(" {} = {};", what, *value);
         return true;
     }
@@ -204,7 +207,7 @@ bool ZeroValues::set_parts(std::string& words, const std::string& what, const Sp
         const std::string index = fmt::format("glint_part{}", depth);
         words += fmt::format(" for (int {0} = 0; {0} < int({1}.length()); ++{0}) {{", index, what);
         const std::string part = fmt::format("{}[{}]", what, index);
-        if (!set_parts(words, part, element, is_marked, depth + 1)) return false;
+        if (!set_parts(words, part, element, first, depth + 1)) return false;
         words += " }";
         return true;
     }
@@ -217,7 +220,7 @@ bool ZeroValues::set_parts(std::string& words, const std::string& what, const Sp
             const std::string_view name = reading_.word(declarator.name);
             if (reading_.defines_macro(name)) return false;
             if (!set_parts(words, fmt::format("{}.{}", what, name), type_of(member, declarator),
-                           is_marked, depth + 1))
+                           first, depth + 1))
                 return false;
         }
     }
@@ -225,17 +228,17 @@ bool ZeroValues::set_parts(std::string& words, const std::string& what, const Sp
 }
 
 std::optional<std::string> ZeroValues::statements(const std::string& what, const SpelledType& type,
-                                                  bool is_marked) const {
+                                                  FirstValue first) const {
     for (const char* used : {"int", "length", "glint_part0"})
         if (reading_.defines_macro(used)) return {};
     std::string words;
-    if (!set_parts(words, what, type, is_marked, 0)) return {};
+    if (!set_parts(words, what, type, first, 0)) return {};
     return words;
 }
 
-std::optional<std::string> ZeroValues::value(const SpelledType& type, bool is_marked) const {
+std::optional<std::string> ZeroValues::value(const SpelledType& type, FirstValue first) const {
     int count = 0;
-    return whole(type, is_marked, count);
+    return whole(type, first, count);
 }
 
 }  // namespace glint

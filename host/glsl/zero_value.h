@@ -17,28 +17,33 @@ struct SpelledType {
     TokenRange array, type_array;
 };
 
+// What a variable begins with: NaN, in integers 0x7FC0DEAD; max() and min() may leave a NaN out,
+// and then 1e9 shows, or -1e9. Bools are true where it is not zero.
+enum class FirstValue { zero, nan, large, negative };
+
 class ZeroValues {
 public:
     // `reading` must outlive this.
     explicit ZeroValues(const Reading& reading);
 
     // `vec3(0)`, `Hit(0.,vec3(0))`, `float[2](0.,0.)`; nothing where there is no such constructor.
-    std::optional<std::string> value(const SpelledType& type, bool is_marked) const;
+    std::optional<std::string> value(const SpelledType& type, FirstValue first) const;
 
     // Statements that give it this value part by part, `for (…) w[i] = 0.;`, whatever its lengths
     // are; nothing where there are none. `what` is how it is called there.
     std::optional<std::string> statements(const std::string& what, const SpelledType& type,
-                                          bool is_marked) const;
+                                          FirstValue first) const;
 
     // What a struct without a name is called in these constructors.
     static std::string made_name(std::uint32_t structure);
 
 private:
-    std::optional<std::string> element(const SpelledType& type, bool is_marked, int& count) const;
-    std::optional<std::string> whole(const SpelledType& type, bool is_marked, int& count) const;
-    std::optional<std::string> of_struct(std::uint32_t structure, bool is_marked, int& count) const;
+    std::optional<std::string> element(const SpelledType& type, FirstValue first, int& count) const;
+    std::optional<std::string> whole(const SpelledType& type, FirstValue first, int& count) const;
+    std::optional<std::string> of_struct(std::uint32_t structure, FirstValue first,
+                                         int& count) const;
     bool set_parts(std::string& words, const std::string& what, const SpelledType& type,
-                   bool is_marked, int depth) const;
+                   FirstValue first, int depth) const;
     std::uint32_t struct_of(const SpelledType& type) const;
     std::uint32_t find_struct(std::string_view name, std::uint32_t from) const;
     std::uint32_t brace_round(std::uint32_t token) const;

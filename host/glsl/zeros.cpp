@@ -142,10 +142,10 @@ public:
         : reading_(reading), values_(reading), edits_(edits), is_named_(reading.structs.size()) {}
 
     // False where it cannot be done.
-    bool write(const Site& site, bool is_marked) {
+    bool write(const Site& site, FirstValue first) {
         if (site.kind == Site::Kind::none) return true;
-        const auto value = values_.value(site.type, is_marked);
-        if (!value) return write_statements(site, is_marked);
+        const auto value = values_.value(site.type, first);
+        if (!value) return write_statements(site, first);
         if (!name_struct(site.type)) return false;
         switch (site.kind) {
             case Site::Kind::initial:
@@ -162,10 +162,10 @@ public:
 
 private:
     // For arrays whose length only the compiler knows, or that are long.
-    bool write_statements(const Site& site, bool is_marked) {
+    bool write_statements(const Site& site, FirstValue first) {
         const bool is_result = site.kind == Site::Kind::result;
         const std::string name = is_result ? "glint_result" : site.unset.name;
-        const auto words = values_.statements(name, site.type, is_marked);
+        const auto words = values_.statements(name, site.type, first);
         if (!words) return false;
         if (is_result) {
             const std::string type = fmt::format("{}{}", reading_.word(site.type.type),
@@ -194,13 +194,14 @@ private:
 }  // namespace
 
 std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry,
-                               std::optional<Span> marked) {
+                               std::optional<Marked> marked) {
     std::vector<Unset> unset;
     if (!reading.is_balanced) return unset;
     Writer writer(reading, edits);
     for (Site& site : ZeroFinder(reading, entry).find()) {
         const std::size_t at = site.unset.at;
-        if (!writer.write(site, marked && marked->begin <= at && at < marked->end))
+        const bool is_marked = marked && marked->bytes.begin <= at && at < marked->bytes.end;
+        if (!writer.write(site, is_marked ? marked->value : FirstValue::zero))
             site.unset.why_not = "no value can be written for its type, or a macro keeps it";
         unset.push_back(std::move(site.unset));
     }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "glsl/edits.h"
+#include "glsl/zero_value.h"
 
 #include <optional>
 #include <string>
@@ -26,10 +27,14 @@ struct Unset {
     std::string_view why_not{};
 };
 
-// What was unset, in the order of the text. The outputs of `entry` are the host's to set. What is
-// declared in the bytes `marked` gets values that show in a picture instead: NaN, in integers
-// 0x7FC0DEAD, true.
+// What is declared in these bytes begins with a value that shows in a picture.
+struct Marked {
+    Span bytes;
+    FirstValue value = FirstValue::nan;
+};
+
+// What was unset, in the order of the text. The outputs of `entry` are the host's to set.
 std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry = {},
-                               std::optional<Span> marked = {});
+                               std::optional<Marked> marked = {});
 
 }  // namespace glint

@@ -112,6 +112,8 @@ std::string said_better(std::string complaint) {
         complaint +=
             "; functions of one name differ in what they are given, not in what they "
             "give back";
+    if (complaint.starts_with("A shader cannot redefine or overload built-in function `"))
+        complaint += "; give yours another name";
     if (complaint.starts_with("C-style initialization requires"))
         return "GLSL ES has no lists in braces; write the array's type and its values, such as "
                "float[](1.0, 2.0)";

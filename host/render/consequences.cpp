@@ -43,6 +43,18 @@ constexpr Repeated kRepeated[] = {
     {"redeclaration of `", "initializer of type"},
 };
 
+// A call of what the text was not allowed to define.
+bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
+    constexpr std::string_view kCall = "no matching function for call to `";
+    constexpr std::string_view kRefused = "cannot redefine or overload built-in function `";
+    const std::size_t at = cause.text.find(kRefused);
+    if (at == cause.text.npos || !one.text.starts_with(kCall)) return false;
+    const std::string_view name = std::string_view(cause.text).substr(at + kRefused.size());
+    return std::string_view(one.text)
+        .substr(kCall.size())
+        .starts_with(std::string(name.substr(0, name.find('\''))) + "(");
+}
+
 bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
     if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
     if (cause.text.find(kOtherResult) != cause.text.npos)
@@ -94,7 +106,8 @@ Diagnostics without_consequences(const Diagnostics& list) {
         if (is_behind_reserved) continue;
         const auto causes = [&](const Diagnostic& cause) {
             return cause.severity == Severity::error &&
-                   (is_consequence(one, cause) || is_repeated(one, cause));
+                   (is_consequence(one, cause) || is_repeated(one, cause) ||
+                    calls_refused(one, cause));
         };
         if (std::ranges::none_of(left, causes)) left.push_back(one);
     }

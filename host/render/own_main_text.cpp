@@ -96,7 +96,8 @@ void make_block_a_variable(const Reading& reading, const Declaration& block, Edi
             if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");
     }
     const auto zero = ZeroValues(reading).value(
-        {.type = block.type, .structure = block.structure, .array = {}, .type_array = {}}, false);
+        {.type = block.type, .structure = block.structure, .array = {}, .type_array = {}},
+        FirstValue::zero);
     const std::uint32_t name = block.names.front().name;
     if (zero && block.names.front().array.empty()) edits.after(name, "=" + *zero);
 }

@@ -28,7 +28,7 @@ struct ProgramOptions {
     bool lean = false;
     bool feed = false;  // without `specialise`: numbers come from outside too (glsl/numbers.h)
     // What is unset in these bytes of Scene::text gets values that show, in place of 0.
-    std::optional<Span> marked{};
+    std::optional<Marked> marked{};
 };
 
 // The scene's text with every tweak as a constant, on the same lines. A declaration may span lines;
@@ -41,10 +41,10 @@ std::string named_tweak(std::size_t tweak);
 // The uniform of vec4s that numbers are fed by.
 inline constexpr const char* kNumbers = "glint_numbers";
 
-// The GLSL ES 3.00 text that the driver sees for one pass.
 // What stands for gl_FragColor in a text with a main() of its own, as long as that.
 inline constexpr std::string_view kPlainColour = "glFragColor_";
 
+// The GLSL ES 3.00 text that the driver sees for one pass.
 struct PassText {
     std::string text;
     std::size_t pass = kImagePass;

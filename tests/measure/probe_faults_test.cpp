@@ -158,7 +158,7 @@ TEST_F(ProbeFaults, FindAValueThatNothingHasGiven) {
     Player player(image("float never; if (p.x < 0.0) never = 1.0; float d = never + 1.0; c = "
                         "vec4(d);"),
                   {.size = {1, 1}});
-    const auto fault = first_fault(player, 1, {.marked = Span{0, player.preset.scene.text.size()}});
+    const auto fault = first_fault(player, 1, {.marked = Marked{{0, player.preset.scene.text.size()}}});
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->expression, "never");
     EXPECT_EQ(fault->what, "a value that nothing has given it");
@@ -180,7 +180,7 @@ TEST_F(ProbeFaults, NameTheVariableThatIsReadWithoutAValue) {
         Player player("float half_set(float x) { if (x > 0.0) return 1.0; }\n" + image(body),
                       {.size = {1, 1}});
         const auto fault =
-            first_fault(player, 1, {.marked = Span{0, player.preset.scene.text.size()}});
+            first_fault(player, 1, {.marked = Marked{{0, player.preset.scene.text.size()}}});
         ASSERT_TRUE(fault) << body;
         EXPECT_EQ(fault->expression, name) << body;
         EXPECT_EQ(fault->what, "a value that nothing has given it");

@@ -41,6 +41,9 @@ TEST_F(CheckUnset, EveryKindOfValueIsFound) {
         {"int n; c = vec4(n == 0);", "scene.frag:2:57: `n`"},
         {"bool b; c = vec4(b);", "scene.frag:2:58: `b`"},
         {"vec2 used; used.x = 0.5; float a[3]; c = vec4(used.x + a[1]);", "scene.frag:2:84: `a`"},
+        // A NaN does not show in these.
+        {"float most; most = max(most, 0.01 * p.x); c = vec4(most);", "scene.frag:2:59: `most`"},
+        {"float least; least = min(p.x, least); c = vec4(least);", "scene.frag:2:59: `least`"},
         {"c = vec4(half_(p.x));", "scene.frag:1:7: the function `half_` may end without a return"},
     };
     for (const auto& [body, words] : kinds) {

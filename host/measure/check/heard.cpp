@@ -79,16 +79,22 @@ public:
     // Whether it counts on nothing that is unset, in the first block of these situations.
     bool sets_all(const std::vector<Situation>& all) {
         const std::vector<Unset> list = unset_values(subject_.opened(), sound_.renderer(), false);
-        const auto shows = [&](Span range) {
-            SoundRenderer marked(subject_.opened(), {.specialise = false, .marked = range});
+        const auto shows = [&](Span range, FirstValue mark) {
+            SoundRenderer marked(subject_.opened(),
+                                 {.specialise = false, .marked = Marked{range, mark}});
             answered();
             const auto is_other = [&](const Situation& one) {
                 return drawn(marked, 0, one) != drawn(sound_, 0, one);
             };
             return std::ranges::any_of(all, is_other);
         };
-        if (list.empty() || !shows({0, subject_.scene().text.size()})) return true;
-        result_.fail(words_of(subject_.scene(), first_that_shows(list, shows)));
+        const auto mark = std::ranges::find_if(kMarks, [&](FirstValue value) {
+            return !list.empty() && shows({0, subject_.scene().text.size()}, value);
+        });
+        if (mark == std::end(kMarks)) return true;
+        const Unset& first =
+            first_that_shows(list, [&](Span range) { return shows(range, *mark); });
+        result_.fail(words_of(subject_.scene(), first));
         return false;
     }
 

@@ -44,7 +44,7 @@ struct SubjectOptions {
     // off; the preset's values cannot be changed then.
     bool specialise = true;
     // What is unset and gets values that show.
-    std::optional<Span> marked{};
+    std::optional<Marked> marked{};
 };
 
 class CheckSubject {

@@ -1,8 +1,8 @@
 // What a scene reads before setting it: is the picture another one where that is not 0?
 //
 // Drivers owe such values nothing. Glint and browsers write zeros (glsl/zeros.h); here they are
-// NaN, 0x7FC0DEAD and true instead. Where that shows, halves of what was unset are tried until the
-// first is found that shows on its own.
+// marks instead. Where these show, halves of what was unset are tried until the first is found that
+// shows on its own.
 #include "measure/check/unset.h"
 
 #include "measure/check/budget.h"
@@ -42,7 +42,7 @@ public:
     }
 
     // The first situation, if any, in which these show.
-    const Situation* where_shows(Span range) const {
+    const Situation* where_shows(const Marked& range) const {
         CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
                             {.specialise = subject_.specialised(), .marked = range});
         marked.after_frame = subject_.after_frame;
@@ -86,13 +86,17 @@ void run_unset(Check& check, CaseResult& result) {
     std::erase_if(list, is_never_marked);
     Comparison comparison(subject);
     if (!comparison.draw_usual(CaseClock(check))) return;
-    if (list.empty() || !comparison.where_shows({0, subject.scene().text.size()})) {
+    const auto mark = std::ranges::find_if(kMarks, [&](FirstValue value) {
+        return !list.empty() && comparison.where_shows({{0, subject.scene().text.size()}, value});
+    });
+    if (mark == std::end(kMarks)) {
         result.note = fmt::format("{} values, none shows{}", list.size(), unmarked);
         return;
     }
-    const Unset& first = first_that_shows(
-        list, [&](Span range) { return comparison.where_shows(range) != nullptr; });
-    const Situation* situation = comparison.where_shows({first.at, first.at + 1});
+    const Unset& first = first_that_shows(list, [&](Span range) {
+        return comparison.where_shows({range, *mark}) != nullptr;
+    });
+    const Situation* situation = comparison.where_shows({{first.at, first.at + 1}, *mark});
     subject.still.reset();
     result.fail(words_of(subject.scene(), first) +
                 (situation ? where_words(*situation, subject) : ""));

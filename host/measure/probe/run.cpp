@@ -258,7 +258,7 @@ void probe_faults(ProbeSession& session, const ProbeOptions& options, const Prob
     ProgramOptions program = session.program_options();
     found.first_bad = find_fault(session, options, program);
     if (!found.first_bad) {
-        program.marked = Span{0, session.preset().scene.text.size()};
+        program.marked = Marked{{0, session.preset().scene.text.size()}};
         found.first_bad = find_fault(session, options, program);
     }
     std::optional<ProbeFault> fault = std::move(found.first_bad);
