@@ -1,5 +1,9 @@
 #include "glsl/division.h"
 
+#include "glsl/hidden_zero.h"
+
+#include <fmt/format.h>
+
 #include <ranges>
 #include <vector>
 
@@ -102,6 +106,16 @@ void mend_division_by_zero(const Reading& reading, const Names& zero_uniforms, E
     each_division(reading, zero_uniforms, [&](std::uint32_t at, bool assigns, std::uint32_t zero) {
         const std::string before = reading.spelled({at + 1, zero});  // `vec3 (`
         edits.replace({at, zero + 1}, (assigns ? "*= " : "* ") + before + "1e39");
+    });
+}
+
+void hide_named_zeros(const Reading& reading, const Names& zero_uniforms, Edits& edits) {
+    each_division(reading, zero_uniforms, [&](std::uint32_t at, bool assigns, std::uint32_t zero) {
+        const std::string before = reading.spelled({at + 1, zero});
+        if (reading.tokens[zero].is_word())
+            edits.after(zero, fmt::format("+{}", kHiddenZero));
+        else
+            edits.replace({at, zero + 1}, (assigns ? "*= " : "* ") + before + "1e39");
     });
 }
 

@@ -15,6 +15,10 @@ namespace glint {
 void mend_division_by_zero(const Reading& reading,
                            const std::unordered_set<std::string_view>& zero_uniforms, Edits& edits);
 
+// For who watches divisors: the driver learns nothing of those that have names, and they stay.
+void hide_named_zeros(const Reading& reading,
+                      const std::unordered_set<std::string_view>& zero_uniforms, Edits& edits);
+
 // For whoever writes other constants of uniforms into one text: what the mending would change where
 // one is 0 becomes names, `glint_over3` for `/`, `glint_by3` for `/=`, `glint_divisor3` for the
 // uniform, whose number is 3 here.

@@ -73,7 +73,7 @@ ivec2 glint0_t(int i, ivec2 at, ivec2 size) {
 }
 ivec3 glint0_t(int i, ivec3 at, ivec3 size) { return at; }
 float glint0_to_int(int i, float v) {
-    bool is_out = !(abs(v) < 2147483648.0);
+    bool is_out = !(v >= -2147483648.0 && v < 2147483648.0);
     glint0_f(i, is_out, v);
     glint0_u(i, is_out, v, 2147483648.0 - abs(v));
     return glint0_mends && is_out ? min(glint0_scale, 2e9) : v;

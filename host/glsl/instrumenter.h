@@ -176,7 +176,7 @@ private:
     void over_sum(std::uint32_t at, TokenRange room);
     void over_reads_of_unset(const Function& function);
     void over_read_of_unset(std::uint32_t at, const Function& function,
-                            const std::vector<TokenRange>& outs);
+                            const std::vector<TokenRange>& outs, bool marked);
     void over_call(const Call& call);
     void over_conversion(const Call& call);
     void over_shift(std::uint32_t at, TokenRange room);

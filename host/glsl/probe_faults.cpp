@@ -76,18 +76,20 @@ void Instrumenter::over_reads_of_unset(const Function& function) {
         outs.insert(outs.end(), its.begin(), its.end());
         for (const std::uint32_t index : reading_.functions_named(reading_.word(call.name)))
             if (is_marked(reading_.functions[index].name) && !fixed_[call.name])
-                over_read_of_unset(call.name, function, outs);
+                over_read_of_unset(call.name, function, outs, true);
     }
     for (std::uint32_t at = function.body.begin + 1; at + 1 < function.body.end; ++at) {
         if (fixed_[at] || !token(at).is_word() || token(at - 1).is(".")) continue;
         const auto found = records_.variables().find(at, function_);
-        if (found.declaration && found.name->name != at && is_marked(found.name->name))
-            over_read_of_unset(at, function, outs);
+        if (found.declaration && found.name->name != at)
+            over_read_of_unset(at, function, outs, is_marked(found.name->name));
     }
 }
 
+// Of what is not `marked` itself whole numbers alone, to which a mark may have come from elsewhere:
+// of floats it is a NaN, which is told of anyway.
 void Instrumenter::over_read_of_unset(std::uint32_t at, const Function& function,
-                                      const std::vector<TokenRange>& outs) {
+                                      const std::vector<TokenRange>& outs, bool marked) {
     const TokenRange what = {at, operand_end(reading_, at, function.body.end)};
     TokenRange around = what;  // `(v).x`
     while (token(around.begin - 1).is("(") && reading_.close_of(around.begin - 1) == around.end &&
@@ -96,14 +98,29 @@ void Instrumenter::over_read_of_unset(std::uint32_t at, const Function& function
     const Token &next = token(around.end), &last = token(around.end - 1),
                 &before = token(around.begin - 1);
     const auto steps = [](const Token& one) { return one.is("++") || one.is("--"); };
-    if (is_assignment(next) || steps(next) || steps(last) || steps(before)) return;
+    if (next.is("=")) return;
     const auto is_handed_out = [&](TokenRange out) { return out == what || out == around; };
     if (std::ranges::any_of(outs, is_handed_out)) return;
-    const auto type = type_of_operand(reading_, records_.variables(), what, function_);
+    const TokenRange variable = {what.begin, steps(last) ? what.end - 1 : what.end};
+    const auto type = type_of_operand(reading_, records_.variables(), variable, function_);
     if (!type || type->lengths > 0 || type->structure != kNone || type->name.starts_with("b") ||
         (probe_type_of(type->name) < 0 && matrix_columns(type->name) == 0))
         return;
-    hand_through(SiteKind::unset, close_spelling(reading_, what), at, what, "glint0_m");
+    const bool is_whole = type->name.starts_with("i") || type->name.starts_with("u");
+    if (!marked && !is_whole) return;
+    const std::string name = close_spelling(reading_, variable);
+    const bool assigns = is_assignment(next);
+    if (!assigns && !steps(next) && !steps(last) && !steps(before))
+        return hand_through(SiteKind::unset, name, at, what, "glint0_m");
+    if (!records_.is_variable(variable)) return;  // which is read twice below
+    TokenRange all = around;
+    if (assigns) all.end = expression_end(reading_, around.end + 1, function.body.end);
+    if (!assigns && steps(next)) ++all.end;
+    if (steps(before)) --all.begin;
+    const auto site = add_site(SiteKind::unset, name, at);
+    if (!site) return;
+    const std::string read = fmt::format("(glint0_m({},{}),", *site, reading_.spelled(variable));
+    if (!wrap(all, read, ")")) probed_.sites.pop_back();
 }
 
 void Instrumenter::over_sum(std::uint32_t at, TokenRange room) {

@@ -86,7 +86,14 @@ std::string advice_on_arguments(std::string_view call) {
 
 }  // namespace
 
-std::string advice_on_foreign_function(std::string_view name) {
+std::string advice_on_foreign_name(std::string_view name) {
+    constexpr Foreign kEscapes[] = {{"lt", "<"}, {"gt", ">"}, {"amp", "&"}, {"quot", "\""}};
+    const auto escape = std::ranges::find(kEscapes, name, &Foreign::first);
+    if (escape != std::end(kEscapes))
+        return fmt::format("; where &{}; stands for {} in what was copied, write that",
+                           escape->first, escape->second);
+    if (name == "gl_FragColor" || name == "gl_FragData")
+        return "; a mainImage writes its first parameter";
     return found(kFunctions, name);
 }
 
@@ -114,6 +121,9 @@ std::string said_better(std::string complaint) {
             "give back";
     if (complaint.starts_with("A shader cannot redefine or overload built-in function `"))
         complaint += "; give yours another name";
+    if (complaint.starts_with("GL_OES_shader_io_blocks"))
+        return "nothing feeds this block: no vertices stand before a picture; write values of "
+               "your own";
     if (complaint.starts_with("C-style initialization requires"))
         return "GLSL ES has no lists in braces; write the array's type and its values, such as "
                "float[](1.0, 2.0)";

@@ -21,7 +21,7 @@ std::optional<std::string> said_of_remainder(std::string complaint);
 std::string advice_on_types(std::string_view complaint);
 
 // "; GLSL's is mix" of a function that other languages have by this name, or "".
-std::string advice_on_foreign_function(std::string_view name);
+std::string advice_on_foreign_name(std::string_view name);
 
 // "; GLSL's is vec3" of a type of other languages, or "".
 std::string advice_on_foreign_type(std::string_view name);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -20,9 +21,12 @@ std::string_view first_type(std::string_view call) {
 // all of which stand behind that complaint and begin no later in the text.
 bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
     static const std::regex words(
-        "^operands to |^type mismatch$|^cannot construct |^condition of |condition must be scalar|"
+        "^operands? (to|of) |^type mismatch$|^cannot construct |^condition of |condition must be "
+        "scalar|"
         "[(, ]error[,)]|of type error$|with wrong type error,|convert error to |^[LR]HS of .* must "
-        "be ");
+        "be |^second and third operands|^array size must be|^array index must be|"
+        "^switch-statement expression|must be a constant expression$|[(]error vs |found error$|"
+        "^unknown method: ");
     const Place &at = one.place, &before = cause.place;
     const bool encloses =
         at.file == before.file && at.column > 0 &&
@@ -36,11 +40,17 @@ bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
 // declaration: whose type, or name, stands no later.
 struct Repeated {
     std::string_view cause, consequence;
+    bool is_behind = false;  // it may stand later, too
 };
 constexpr Repeated kRepeated[] = {
-    {"array constructor must have", "initializer of const variable"},
+    {"array constructor must have", "unsized array declarations"},
     {"array size must be", "unsized array declarations"},
-    {"redeclaration of `", "initializer of type"},
+    // What has no first value has one of ours.
+    {"redeclaration of `", "initializer of type", true},
+    {"redeclaration of `", "cannot initialize uniform", true},
+    {"image/sampler variables may only", "opaque variables must be", true},
+    {"image/sampler variables may only", "cannot initialize", true},
+    {"image/sampler variables may only", "non-lvalue in assignment", true},
 };
 
 // A call of what the text was not allowed to define.
@@ -56,14 +66,35 @@ bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
 }
 
 bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
+    if (cause.text.starts_with("Illegal non-directive") && one.text == "Unterminated #if")
+        return true;
     if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
     if (cause.text.find(kOtherResult) != cause.text.npos)
         return one.text.ends_with("' redefined") ||
                one.text.starts_with("`return' with wrong type");
-    return one.place.column <= cause.place.column &&
-           std::ranges::any_of(kRepeated, [&](const Repeated& both) {
-               return cause.text.starts_with(both.cause) && one.text.starts_with(both.consequence);
-           });
+    const bool is_before = one.place.column <= cause.place.column;
+    if (cause.text.ends_with("' redeclared"))
+        return one.text.starts_with("cannot initialize uniform") ||
+               one.text.starts_with("assignment to read-only variable");
+    if (is_before && one.text == cause.text) return true;
+    return std::ranges::any_of(kRepeated, [&](const Repeated& both) {
+        return (is_before || both.is_behind) && cause.text.starts_with(both.cause) &&
+               one.text.starts_with(both.consequence);
+    });
+}
+
+// Where the candidates say nothing of the mistake.
+std::string why_none_fits(const std::string& call, std::span<const Diagnostic> candidates) {
+    constexpr std::string_view kCall = "no matching function for call to `";
+    if (!call.starts_with(kCall) || !call.ends_with(kCandidates)) return "";
+    const std::string given = call.substr(kCall.size(), call.find('\'') - kCall.size());
+    const bool samples = given.starts_with("texture") || given.starts_with("texelFetch");
+    if (samples && first_type(given).find("sampler") == std::string_view::npos)
+        return "its first argument has to be a sampler, such as iChannel0";
+    const auto is_called = [&](const Diagnostic& one) { return one.text.ends_with(" " + given); };
+    if (std::ranges::any_of(candidates, is_called))
+        return "a variable of that name hides the function here; give it another";
+    return "";
 }
 
 }  // namespace
@@ -86,7 +117,13 @@ Diagnostics with_candidates_joined(Diagnostics list) {
         const std::string given(first_type(list[call].text));
         const auto fits = [&](const Diagnostic& one) { return first_type(one.text) == given; };
         const bool any_fits = std::any_of(begin, end, fits);
+        const std::string why = why_none_fits(list[call].text, {begin, end});
         joined.push_back(std::move(list[call]));
+        if (!why.empty()) {
+            std::string& text = joined.back().text;
+            text.replace(text.size() - kCandidates.size(), kCandidates.size(), "; " + why);
+            continue;
+        }
         for (auto one = begin; one != end; ++one)
             if (!any_fits || fits(*one))
                 joined.back().text += "\n    " + one->text.substr(0, one->text.find(kInMacro));
@@ -98,8 +135,12 @@ Diagnostics with_candidates_joined(Diagnostics list) {
 Diagnostics without_consequences(const Diagnostics& list) {
     Diagnostics left;
     const bool fails = has_errors(list);
-    for (const Diagnostic& one : list) {
-        if (fails && one.text.ends_with("' used uninitialized")) continue;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Diagnostic& one = list[i];
+        const std::string_view said = std::string_view(one.text).substr(0, one.text.find(kInMacro));
+        if (fails && said.ends_with("' used uninitialized")) continue;
+        if (said.ends_with(kAgain)) continue;
+        if (said == "this is the previous case label") continue;  // a note
         // Behind a word that no text may have Mesa understands nothing.
         const bool is_behind_reserved = !left.empty() && one.place.line == left.back().place.line &&
                                         left.back().text.starts_with("illegal use of reserved");
@@ -109,7 +150,8 @@ Diagnostics without_consequences(const Diagnostics& list) {
                    (is_consequence(one, cause) || is_repeated(one, cause) ||
                     calls_refused(one, cause));
         };
-        if (std::ranges::none_of(left, causes)) left.push_back(one);
+        if (std::none_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(i), causes))
+            left.push_back(one);
     }
     return left;
 }

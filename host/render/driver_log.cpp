@@ -7,6 +7,7 @@
 #include "render/advice.h"
 #include "render/consequences.h"
 #include "render/nvidia_words.h"
+#include "render/own_words.h"
 #include "render/syntax_error.h"
 #include "scene/builtin.h"
 
@@ -20,6 +21,7 @@
 #include <set>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -63,20 +65,23 @@ public:
 
     // "; did you mean 'density'?" of a name that is not declared, or "". Nor are the `unknown`
     // ones.
-    std::string help_with(std::string_view name,
+    std::string help_with(std::string_view name, bool is_called,
                           const std::set<std::string, std::less<>>& unknown) const;
+    // Which of the blocks outside of all others that is in; another for each function.
+    std::ptrdiff_t block_of(const Said& said) const;
 
 private:
     std::string help_at(std::string_view words, const Spot& spot) const;
     bool is_declared_below(std::string_view name) const;
     bool is_function(std::string_view name) const;
-    std::string meant_by(std::string_view mistyped,
+    std::string meant_by(std::string_view mistyped, bool is_called,
                          const std::set<std::string, std::less<>>& unknown) const;
     void find_lines();
     std::size_t offset(int line, int column) const;
     Spot spot_of(std::size_t token) const;
+    Spot spot_of(const Said& said) const;
     Spot expanded_spot(int line, int column) const;
-    std::span<const Token> users_tokens() const;
+    std::optional<Diagnostic> end_in_macro(std::size_t token) const;
     Place place_of(const SyntaxError& error) const;
     // Where a token stands: those of a macro where it is used.
     Span written(const Token& token) const {
@@ -161,14 +166,6 @@ Spot ReadText::expanded_spot(int line, int column) const {
     return spot;
 }
 
-// With those of the host before them, which are whole.
-std::span<const Token> ReadText::users_tokens() const {
-    std::span<const Token> tokens = read_.tokens;
-    while (!tokens.empty() && written(tokens.back()).begin >= pass_.user_end)
-        tokens = tokens.first(tokens.size() - 1);
-    return tokens;
-}
-
 // Behind a token means behind the last one that a person wrote.
 Place ReadText::place_of(const SyntaxError& error) const {
     std::size_t token = std::min(error.token, read_.tokens.size() - 1);
@@ -177,6 +174,12 @@ Place ReadText::place_of(const SyntaxError& error) const {
     Place where = place(written(read_.tokens[token]).end - 1);
     ++where.column;
     return where;
+}
+
+Spot ReadText::spot_of(const Said& said) const {
+    return said.token         ? spot_of(*said.token)
+           : said.is_expanded ? expanded_spot(said.line, said.column)
+                              : Spot{offset(said.line, said.column)};
 }
 
 std::optional<Said> ReadText::from_nvidia(Said said) const {
@@ -198,7 +201,7 @@ std::optional<Said> ReadText::from_nvidia(Said said) const {
 
 std::optional<Diagnostic> ReadText::open_bracket() const {
     const std::string words = "syntax error, unexpected end of file";
-    const auto tokens = users_tokens();
+    const std::vector<Token> tokens = tokens_as_written(read_, pass_);
     const auto error = read_syntax_error(words, tokens, tokens.size());
     if (!error || error->is_behind) return std::nullopt;
     return Diagnostic{Severity::error, place_of(*error), error->text};
@@ -248,11 +251,20 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
     return "";
 }
 
+// `#define PI 3.14;`: the semicolon before what is not understood is a macro's last token.
+std::optional<Diagnostic> ReadText::end_in_macro(std::size_t token) const {
+    if (token == 0 || token >= read_.tokens.size()) return std::nullopt;
+    const Token &end = read_.tokens[token - 1], &behind = read_.tokens[token];
+    if (end.use == kNone || end.use == behind.use || !end.is(";") || !pass_.origin(end.begin))
+        return std::nullopt;
+    return Diagnostic{Severity::error, place(end.begin),
+                      fmt::format("this ';' goes wherever the macro {} is used; take it out",
+                                  read_.macros[read_.uses[end.use].macro].name)};
+}
+
 Diagnostic ReadText::complaint(Said said) const {
     const auto& [severity, line, column, is_expanded, said_words, token] = said;
-    Spot spot = token         ? spot_of(*token)
-                : is_expanded ? expanded_spot(line, column)
-                              : Spot{offset(line, column)};
+    Spot spot = spot_of(said);
     Place where = place(spot.at);
     if (spot.at >= pass_.user_end) {
         const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);
@@ -264,7 +276,9 @@ Diagnostic ReadText::complaint(Said said) const {
     if (words.starts_with("this is not expected here"))
         if (auto open = open_use()) return *open;
     std::optional<SyntaxError> syntax;
-    if (is_expanded || token) syntax = read_syntax_error(words, users_tokens(), spot.token);
+    if (is_expanded || token)
+        syntax = read_syntax_error(words, tokens_as_written(read_, pass_), spot.token);
+    if (auto end = syntax ? end_in_macro(syntax->token) : std::nullopt) return *end;
     words = syntax ? syntax->text : said_better(std::move(words)) + help_at(words, spot);
     if (syntax && (syntax->is_behind || syntax->token != spot.token)) {
         where = place_of(*syntax);
@@ -283,8 +297,21 @@ Diagnostic ReadText::complaint(Said said) const {
 
 Place ReadText::first(std::string_view name) const {
     for (const Token& token : read_.tokens)
-        if (token.is(name) && pass_.origin(token.begin)) return place(token.begin);
+        if (token.is(name) && pass_.origin(written(token).begin))
+            return place(written(token).begin);
     return Place{scene_.files.front().string()};
+}
+
+std::ptrdiff_t ReadText::block_of(const Said& said) const {
+    const Spot spot = spot_of(said);
+    int depth = 0;
+    std::ptrdiff_t ended = 0;
+    for (const Token& token : read_.tokens) {
+        if (written(token).begin >= spot.at) break;
+        depth += token.is("{") ? 1 : token.is("}") ? -1 : 0;
+        ended += depth == 0 && token.is("}") ? 1 : 0;
+    }
+    return ended;
 }
 
 // Outside of functions, and nowhere used before: a function that stands above is used as a value.
@@ -314,7 +341,7 @@ bool ReadText::is_function(std::string_view name) const {
     return false;
 }
 
-std::string ReadText::help_with(std::string_view name,
+std::string ReadText::help_with(std::string_view name, bool is_called,
                                 const std::set<std::string, std::less<>>& unknown) const {
     if (is_declared_below(name)) return "; it stands below, and GLSL reads in order: move it up";
     const auto is_named = [&](const Macro& macro) {
@@ -322,15 +349,20 @@ std::string ReadText::help_with(std::string_view name,
     };
     if (std::ranges::any_of(read_.macros, is_named))
         return fmt::format("; it is a macro that takes arguments: write {}(\u2026)", name);
-    if (is_function(name)) return fmt::format("; it is a function: call it, {}(\u2026)", name);
-    const std::string foreign = advice_on_foreign_function(name);
-    return foreign.empty() ? meant_by(name, unknown) : foreign;
+    if (is_function(name))
+        return is_called ? "; a variable of that name hides the function here; give it another"
+                         : fmt::format("; it is a function: call it, {}(\u2026)", name);
+    const std::string foreign = advice_on_foreign_name(name);
+    return foreign.empty() ? meant_by(name, is_called, unknown) : foreign;
 }
 
-std::string ReadText::meant_by(std::string_view mistyped,
+std::string ReadText::meant_by(std::string_view mistyped, bool is_called,
                                const std::set<std::string, std::less<>>& unknown) const {
     if (mistyped.size() < 2) return {};  // any other letter is as near
     const std::size_t most_letters_apart = (mistyped.size() + 2) / 3;
+    const auto is_of_kind = [&](std::size_t i) {
+        return (i + 1 < read_.tokens.size() && read_.tokens[i + 1].is("(")) == is_called;
+    };
     std::set<std::string, std::less<>> names;
     const auto add = [&](std::string_view name) {
         const std::size_t longer = std::max(name.size(), mistyped.size());
@@ -341,16 +373,21 @@ std::string ReadText::meant_by(std::string_view mistyped,
     // Of the host's part, what a scene may use; of its own what may be a declaration.
     for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
         const Token &token = read_.tokens[i], &before = read_.tokens[i - 1];
-        if (token.text == kPlainColour) add("gl_FragColor");
+        if (!is_called && token.text == kPlainColour) add("gl_FragColor");
         const bool may_declare =
             token.is_word() && (may_be_type(before) || before.is(",") || before.is("]"));
-        if (pass_.origin(token.begin) ? may_declare : find_builtin(token.text) != nullptr)
+        if (pass_.origin(token.begin) ? may_declare && is_of_kind(i)
+                                      : !is_called && find_builtin(token.text))
             add(token.text);
     }
     for (const Macro& macro : read_.macros)
-        if (macro.definition.end > 0 && pass_.origin(macro.definition.begin)) add(macro.name);
-    std::ranges::for_each(built_in_functions(), add);
-    for (const char* name : {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"}) add(name);
+        if (macro.definition.end > 0 && pass_.origin(macro.definition.begin) &&
+            macro.takes_arguments == is_called)
+            add(macro.name);
+    if (is_called)
+        std::ranges::for_each(built_in_functions(), add);
+    else
+        for (const char* name : {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"}) add(name);
     return did_you_mean(mistyped, std::vector<std::string>(names.begin(), names.end()));
 }
 
@@ -465,6 +502,8 @@ private:
     const Scene& scene_;
     const PassText& text_;
     std::set<std::string, std::less<>> unknown_;
+    std::set<std::pair<std::string, std::ptrdiff_t>> told_;  // of these, and in which block
+    bool is_recursion_told_ = false;
     std::optional<ReadText> apart_;
 };
 
@@ -474,12 +513,17 @@ void LogReader::add(Said said) {
     if (!words) return;
     said.words = std::move(*words);
     said.words += advice_on_types(said.words);
-    if (const std::string name = unknown_name(said.words); !name.empty())
-        said.words += taken_apart().help_with(name, unknown_);
+    if (const std::string name = unknown_name(said.words); !name.empty()) {
+        const bool is_called = said.words.starts_with("no function");
+        said.words += taken_apart().help_with(name, is_called, unknown_);
+        // Of a name that a function does not know it is told once.
+        if (!told_.emplace(name, taken_apart().block_of(said)).second) said.words += kAgain;
+    }
     if (const std::string name = recursive_name(said.words); !name.empty()) {
-        list.push_back({Severity::error, taken_apart().first(name),
-                        name + " calls itself, at once or by way of others; GLSL has no "
-                               "recursion, write a loop"});
+        if (!std::exchange(is_recursion_told_, true))  // all functions of one circle follow
+            list.push_back({Severity::error, taken_apart().first(name),
+                            name + " calls itself, at once or by way of others; GLSL has no "
+                                   "recursion, write a loop"});
         return;
     }
     list.push_back(taken_apart().complaint(std::move(said)));
@@ -538,6 +582,7 @@ Diagnostic link_diagnostic(const Scene& scene, std::size_t pass, std::string tex
 Diagnostics read_driver_log(const Scene& scene, const std::string& log, const PassText& text) {
     LogReader reader(scene, log, text);
     for (const std::string& line : lines_of(log)) reader.read(line);
+    for (Diagnostic& one : reader.list) one.text = in_own_words(one.text);
     return without_consequences(with_candidates_joined(std::move(reader.list)));
 }
 

@@ -19,38 +19,53 @@ std::string texture_coordinates(const Reading& reading) {
     for (const Declaration& declaration : reading.declarations) {
         const auto fed = fed_input(reading, declaration);
         for (const std::uint32_t token : fed.value_or(std::vector<std::uint32_t>())) {
-            variables += fmt::format("vec2 {} = vec2(0.0);\n", reading.word(token));
-            values += fmt::format(" {} = p / iResolution.xy;", reading.word(token));
+            const std::string_view type = reading.word(declaration.type),
+                                   name = reading.word(token);
+            variables += fmt::format("{0} {1} = {0}(0.0);\n", type, name);
+            values += fmt::format(" {}{} = p / iResolution.xy;", name, type == "vec2" ? "" : ".xy");
+            if (type == "vec4") values += fmt::format(" {}.w = 1.0;", name);
         }
     }
     if (variables.empty()) return {};
     return fmt::format("{}void glint_place(vec2 p) {{{} }}\n", variables, values);
 }
 
-// `in VertexData { vec4 v_position; vec2 v_texcoord; } inData;`, with its one name.
-bool is_input_block(const Reading& reading, const Declaration& declaration) {
-    return declaration.is_block && declaration.structure != kNone &&
-           declaration.names.size() == 1 && is_input(reading, declaration);
+// What a member of an input block is over a picture that faces the eye; "" where nothing is known.
+std::string value_of_member(const Reading& reading, const Declaration& member,
+                            const Declarator& one) {
+    const std::string_view type = reading.word(member.type), name = reading.word(one.name);
+    if (!one.array.empty() || !member.type_array.empty()) return "";
+    if (type == "vec2" && is_coordinate_name(name)) return "glint_coord / iResolution.xy";
+    if (type == "vec4" && name.ends_with("position"))
+        return "vec4(2.0 * glint_coord / iResolution.xy - 1.0, 0.0, 1.0)";
+    if (type == "vec3" && name.ends_with("normal")) return "vec3(0.0, 0.0, 1.0)";
+    return "";
 }
 
-// What members of an input block are over a picture that faces the eye.
+// `in VertexData { vec4 v_position; vec2 v_texcoord; } inData;`, with its one name, of which
+// nothing is read that nothing feeds.
+bool is_input_block(const Reading& reading, const Declaration& declaration) {
+    if (!declaration.is_block || declaration.structure == kNone || declaration.names.size() != 1 ||
+        !is_input(reading, declaration))
+        return false;
+    const auto& members = reading.structs[declaration.structure].members;
+    return std::ranges::all_of(members, [&](std::uint32_t index) {
+        const Declaration& member = reading.declarations[index];
+        return std::ranges::all_of(member.names, [&](const Declarator& one) {
+            return !value_of_member(reading, member, one).empty() ||
+                   times_named(reading, reading.word(one.name)) == 1;
+        });
+    });
+}
+
 std::string values_of_block(const Reading& reading, const Declaration& block) {
     std::string values;
+    const std::string_view name = reading.word(block.names.front().name);
     for (const std::uint32_t index : reading.structs[block.structure].members) {
         const Declaration& member = reading.declarations[index];
-        const std::string_view type = reading.word(member.type);
-        for (const Declarator& one : member.names) {
-            const std::string_view name = reading.word(one.name);
-            const auto add = [&](std::string_view value) {
-                values += fmt::format("    {}.{} = {};\n", reading.word(block.names.front().name),
-                                      name, value);
-            };
-            if (!one.array.empty() || !member.type_array.empty()) continue;
-            if (type == "vec2" && is_coordinate_name(name)) add("glint_coord / iResolution.xy");
-            if (type == "vec4" && name.ends_with("position"))
-                add("vec4(2.0 * glint_coord / iResolution.xy - 1.0, 0.0, 1.0)");
-            if (type == "vec3" && name.ends_with("normal")) add("vec3(0.0, 0.0, 1.0)");
-        }
+        for (const Declarator& one : member.names)
+            if (const std::string value = value_of_member(reading, member, one); !value.empty())
+                values += fmt::format("    {}.{} = {};\n", name, reading.word(one.name), value);
     }
     return values;
 }
@@ -100,6 +115,12 @@ void make_block_a_variable(const Reading& reading, const Declaration& block, Edi
         FirstValue::zero);
     const std::uint32_t name = block.names.front().name;
     if (zero && block.names.front().array.empty()) edits.after(name, "=" + *zero);
+}
+
+// `varying` is `in` today.
+void name_newer(const Reading& reading, const Declaration& declaration, Edits& edits) {
+    for (std::uint32_t at = declaration.qualifiers.begin; at < declaration.qualifiers.end; ++at)
+        if (reading.tokens[at].is("varying")) edits.replace({at, at + 1}, "in");
 }
 
 // `layout(binding = 1)`, which desktop GLSL has: what fills a uniform is said elsewhere.
@@ -234,6 +255,9 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output)
             if (is_put_off(reading, declaration, one))
                 before += fmt::format("    {}();\n", setter_of(one));
     }
+    if (reading.mentions("origin_upper_left"))
+        before += "    glFragCoord_.y = iResolution.y - glint_coord.y;\n";
+    if (reading.mentions("pixel_center_integer")) before += "    glFragCoord_.xy -= 0.5;\n";
     return fmt::format(
         "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
         "    {0} = glint_color{1};\n"
@@ -247,11 +271,16 @@ void make_ends_variables(const Reading& reading, Edits& edits) {
     for (const Declaration& declaration : reading.declarations) {
         if (fed_input(reading, declaration))  // texture_coordinates() declares what is read
             edits.replace(declaration.tokens, "");
-        if (is_input_block(reading, declaration))
+        else if (is_input_block(reading, declaration))
             make_block_a_variable(reading, declaration, edits);
+        else if (is_input(reading, declaration))  // which the driver then tells of
+            name_newer(reading, declaration, edits);
         const TokenRange words = declaration.qualifiers;
-        if (declaration.is_uniform && !declaration.is_block)
-            leave_out_layout(reading, words, edits);
+        if (declaration.is_uniform) leave_out_layout(reading, words, edits);
+        if (is_of_gl(reading, declaration)) {
+            edits.replace(declaration.tokens, "");
+            continue;
+        }
         if (declaration.scope != Scope::global || !declaration.is_out) continue;
         for (std::uint32_t at = words.begin; at < words.end; ++at)
             if (!reading.tokens[at].text.ends_with('p')) edits.replace({at, at + 1}, "");

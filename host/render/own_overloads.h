@@ -8,10 +8,10 @@
 namespace glint {
 
 // Chromium lets a text define `mix`, `texture`, `textureLod`, `texelFetch` and `textureSize` for
-// types of its own choice, and GLSL ES 1.00 and desktop GLSL nearly all, as `int mod(int a, int b)`;
-// Mesa refuses any function of these names, as GLSL ES 3.00 says. What stands before the text then
-// makes functions of another name of the known ones, and a macro gives that name to the text's own
-// as well. Empty where the text defines none.
+// types of its own choice, and GLSL ES 1.00 and desktop GLSL nearly all, as `int mod(int a, int
+// b)`; Mesa refuses any function of these names, as GLSL ES 3.00 says. What stands before the text
+// then makes functions of another name of the known ones, and a macro gives that name to the text's
+// own as well. Empty where the text defines none.
 std::string own_overloads(const Reading& reading);
 
 }  // namespace glint

@@ -500,7 +500,10 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     name_parameters(reading, edits);
     const std::vector<Remainder> remainders = find_remainders(reading, edits);
     if (!probe) mend_remainders(remainders, edits);
-    mend_divisions(preset, options, reading, edits);
+    if (probe && probe->kind == ProbeKind::faults)
+        hide_named_zeros(reading, zero_tweaks(preset, options), edits);
+    else
+        mend_divisions(preset, options, reading, edits);
 
     PassText result;
     result.pass = pass;

@@ -39,11 +39,22 @@ constexpr std::array kBuiltinNames = {
 std::optional<Builtin> foreign_builtin(std::string_view name, GLenum type) {
     constexpr std::pair<std::string_view, Builtin> kWords[] = {
         {"iTime", Builtin::time},
+        {"iTimeDelta", Builtin::time_delta},
+        {"iFrame", Builtin::frame},
+        {"iDate", Builtin::date},
+        {"iResolution", Builtin::resolution},
         {"iResolution.xy", Builtin::resolution_2d},
         {"iMouse.xy", Builtin::mouse_2d},
         {"iMouse.xy / iResolution.xy", Builtin::mouse_share}};
-    const char* type_name = type == GL_FLOAT ? "float" : type == GL_FLOAT_VEC2 ? "vec2" : "";
-    const ForeignName* known = find_foreign_name(type_name, name);
+    constexpr std::pair<GLenum, std::string_view> kTypes[] = {{GL_FLOAT, "float"},
+                                                              {GL_FLOAT_VEC2, "vec2"},
+                                                              {GL_FLOAT_VEC3, "vec3"},
+                                                              {GL_FLOAT_VEC4, "vec4"},
+                                                              {GL_INT, "int"}};
+    const auto type_name =
+        std::ranges::find(kTypes, type, &std::pair<GLenum, std::string_view>::first);
+    if (type_name == std::end(kTypes)) return std::nullopt;
+    const ForeignName* known = find_foreign_name(type_name->second, name);
     if (!known) return std::nullopt;
     return std::ranges::find(kWords, known->words, &std::pair<std::string_view, Builtin>::first)
         ->second;
@@ -52,11 +63,11 @@ std::optional<Builtin> foreign_builtin(std::string_view name, GLenum type) {
 // "iCh2.size" is a member of channel 2; "iChannelTime[0]" an array of four.
 std::optional<BuiltinUniform> builtin_uniform(const std::string& name, GLenum type,
                                               GLint location) {
+    if (const auto foreign = foreign_builtin(name, type))
+        return BuiltinUniform{*foreign, name, 0, location};
     for (const BuiltinName& known : kBuiltinNames) {
         if (name == known.name) return BuiltinUniform{known.builtin, name, 0, location};
     }
-    if (const auto foreign = foreign_builtin(name, type))
-        return BuiltinUniform{*foreign, name, 0, location};
     if (name.starts_with("iChannelTime")) {
         return BuiltinUniform{Builtin::channel_time, name, 0, location};
     }

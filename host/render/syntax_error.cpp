@@ -46,6 +46,8 @@ std::string in_words(std::string_view token) {
     if (token == "DEFINED") return "'defined'";
     if (token == "CASE") return "'case'";
     if (token == "DEFAULT") return "'default'";
+    if (token == "LOWP" || token == "MEDIUMP" || token == "HIGHP")
+        return "'highp'";  // the others are of no use here
     return std::string(token);
 }
 
@@ -184,13 +186,25 @@ std::optional<std::string> known_mistake(const Complaint& complaint, const Aroun
     if (around.is(-1, "=") && (text == ">" || text == "<"))
         return fmt::format("'={0}' is no operator; did you mean '{0}='?", text);
     const bool is_keyword_as_name = around.is_known_type(-1) || complaint.expects("a name");
-    if (is_keyword_as_name && around.is_reserved(0))
+    if (is_keyword_as_name && around.is_reserved(0) && !around.is_on_a_later_line())
         return fmt::format("'{}' is a word of GLSL, and a name is expected", text);
     const bool is_outside = complaint.expects(std::string(kEnd)) && !around.is_in_function();
     if (is_outside && around.is_name(0))
         return "outside of functions only declarations stand; move this into one, or write its "
                "type before it";
+    if (is_outside && complaint.unexpected != kEnd)
+        return "outside of functions only declarations stand; take this out, or move it into one";
+    if (text == ";" && around.is(-2, "&") && !advice_on_foreign_name(around.word(-1)).empty())
+        return fmt::format("'&{};' is an escape of web pages; write what it stands for",
+                           around.word(-1));
     return std::nullopt;
+}
+
+// `void mainImage(…);` and its body.
+std::optional<SyntaxError> ended_head(const Around& around) {
+    if (!around.is(0, "{") || !around.is(-1, ";") || !around.is(-2, ")") || around.is_in_function())
+        return std::nullopt;
+    return SyntaxError{"this ';' ends the function before its body; take it out", around.index(-1)};
 }
 
 // `(float)3`
@@ -199,6 +213,13 @@ std::optional<SyntaxError> cast(const Around& around) {
     return SyntaxError{
         fmt::format("types are changed by a call here: write {}(\u2026)", around.word(-1)),
         around.index(-2)};
+}
+
+// `precision mediump float` without its end, before the next declaration.
+std::optional<SyntaxError> missing_end(const Around& around) {
+    if (!around.is_known_type(-1) || !around.is_reserved(0) || !around.is_on_a_later_line())
+        return std::nullopt;
+    return SyntaxError{"';' is missing here", around.index(-1), true};
 }
 
 // The least that can be said of it.
@@ -282,7 +303,9 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
     if (at < tokens.size()) {
         if (auto error = unknown_type(*complaint, around)) return error;
         if (auto error = inner_function(around)) return error;
+        if (auto error = ended_head(around)) return error;
         if (auto error = cast(around)) return error;
+        if (auto error = missing_end(around)) return error;
         if (auto text = known_mistake(*complaint, around)) return SyntaxError{std::move(*text), at};
     }
     return missing(*complaint, around);

@@ -28,8 +28,17 @@ constexpr std::array kForeign = {
     ForeignName{"vec2", "resolution", "iResolution.xy"},
     ForeignName{"vec2", "u_resolution", "iResolution.xy"},
     ForeignName{"vec2", "uResolution", "iResolution.xy"},
+    ForeignName{"vec3", "resolution", "iResolution"},
+    ForeignName{"vec3", "u_resolution", "iResolution"},
+    ForeignName{"vec3", "uResolution", "iResolution"},
     ForeignName{"vec2", "u_mouse", "iMouse.xy"},
     ForeignName{"vec2", "mouse", "iMouse.xy / iResolution.xy"},
+    ForeignName{"float", "u_delta", "iTimeDelta"},
+    ForeignName{"int", "u_frame", "iFrame"},
+    ForeignName{"vec4", "u_date", "iDate"},
+    // In texts with a main() of their own.
+    ForeignName{"vec2", "iResolution", "iResolution.xy"},
+    ForeignName{"vec2", "iMouse", "iMouse.xy"},
 };
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "scene/own_main.h"
 
+#include "base/diagnostic.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <span>
 
 namespace glint {
 namespace {
@@ -28,6 +31,37 @@ bool main_image_calls_main(const Reading& reading) {
     return false;
 }
 
+// Behind what a person forgot it, outside of functions: a declaration that goes on with the head of
+// the next, on another line.
+std::optional<std::size_t> missing_semicolon(const Reading& reading) {
+    constexpr std::string_view kHeads[] = {"in",     "out",       "uniform",   "varying",
+                                           "layout", "precision", "attribute", "const"};
+    constexpr std::string_view kNext[] = {"in",     "out",       "uniform", "varying", "void",
+                                          "layout", "precision", "const",   "struct",  "float",
+                                          "vec2",   "vec3",      "vec4",    "#"};
+    const auto is_one_of = [](const Token& token, std::span<const std::string_view> words) {
+        return std::ranges::find(words, token.text) != words.end();
+    };
+    int depth = 0;
+    bool is_head = false;  // of a declaration that has not ended
+    for (std::size_t i = 0; i < reading.tokens.size(); ++i) {
+        const Token& token = reading.tokens[i];
+        const bool is_behind =
+            i > 0 && (reading.tokens[i - 1].is_word() || reading.tokens[i - 1].is("]"));
+        if (depth == 0 && is_head && is_behind && token.begins_line && is_one_of(token, kNext))
+            return reading.tokens[i - 1].end;
+        const bool begins =
+            i == 0 || reading.tokens[i - 1].is(";") || reading.tokens[i - 1].is("}");
+        if (depth == 0 && begins) is_head = is_one_of(token, kHeads);
+        depth += token.is("{") || token.is("(") ? 1 : token.is("}") || token.is(")") ? -1 : 0;
+    }
+    return std::nullopt;
+}
+
+NoPicture no_semicolon(std::size_t at) {
+    return {at, "';' is missing here"};
+}
+
 }  // namespace
 
 bool has_own_main(const Reading& reading) {
@@ -36,6 +70,12 @@ bool has_own_main(const Reading& reading) {
     return !mains.empty() && reading.functions[mains.front()].is_defined() &&
            !main_image_calls_main(reading) &&
            (writes_plain_colour(reading) || colour_output(reading));
+}
+
+bool is_of_gl(const Reading& reading, const Declaration& declaration) {
+    return declaration.scope == Scope::global && declaration.names.size() == 1 &&
+           (declaration.is_out || is_input(reading, declaration)) &&
+           reading.word(declaration.names.front().name).starts_with("gl_Frag");
 }
 
 bool is_of_older_glsl(const Reading& reading) {
@@ -47,7 +87,8 @@ const Declaration* colour_output(const Reading& reading) {
         const std::string_view type = reading.word(declaration.type);
         const bool is_colour = type == "vec4" || type == "vec3";
         if (declaration.scope == Scope::global && declaration.is_out && is_colour &&
-            declaration.names.size() == 1 && declaration.names.front().array.empty() &&
+            declaration.names.size() == 1 && !is_of_gl(reading, declaration) &&
+            declaration.names.front().array.empty() &&
             !is_at_another_location(reading, declaration.qualifiers))
             return &declaration;
     }
@@ -61,6 +102,14 @@ bool is_coordinate_name(std::string_view name) {
     constexpr std::string_view kWords[] = {"uv", "texcoord", "texturecoord", "fragnormcoord"};
     return std::ranges::any_of(
         kWords, [&](std::string_view word) { return letters.find(word) != std::string::npos; });
+}
+
+static bool is_place_type(std::string_view type) {
+    return type == "vec2" || type == "vec3" || type == "vec4";
+}
+
+std::ptrdiff_t times_named(const Reading& reading, std::string_view word) {
+    return std::ranges::count_if(reading.tokens, [&](const Token& t) { return t.is(word); });
 }
 
 bool is_input(const Reading& reading, const Declaration& declaration) {
@@ -78,11 +127,10 @@ std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
     std::vector<std::uint32_t> fed;
     for (const Declarator& one : declaration.names) {
         const std::string_view name = reading.word(one.name);
-        const bool is_place = is_place_known && reading.word(declaration.type) == "vec2" &&
+        const bool is_place = is_place_known && is_place_type(reading.word(declaration.type)) &&
                               one.array.empty() && declaration.type_array.empty() &&
                               is_coordinate_name(name);
-        const bool is_read =
-            std::ranges::count_if(reading.tokens, [&](const Token& t) { return t.is(name); }) > 1;
+        const bool is_read = times_named(reading, name) > 1;
         if (is_place)
             fed.push_back(one.name);
         else if (is_read)
@@ -91,23 +139,44 @@ std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
     return fed;
 }
 
-std::optional<NoColour> why_no_colour(const Reading& reading) {
+std::optional<NoPicture> why_no_colour(const Reading& reading) {
+    if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
     const auto mains = reading.functions_named("main");
     if (writes_plain_colour(reading) || colour_output(reading) || mains.empty())
         return std::nullopt;
     for (const Token& token : reading.tokens)
         if (token.text.starts_with("gl_F") && !token.is("gl_FragCoord") &&
             !token.is("gl_FrontFacing") && !token.is("gl_FragDepth"))
-            return NoColour{token.span().begin,
-                            fmt::format("no {} is known; did you mean gl_FragColor?", token.text)};
+            return NoPicture{token.span().begin,
+                             fmt::format("no {} is known; did you mean gl_FragColor?", token.text)};
     const std::string_view other =
         reading.mentions("gl_Position")             ? "this main() is of a vertex shader"
         : reading.mentions("gl_GlobalInvocationID") ? "this main() is of a compute shader"
                                                     : "this main() writes no colour";
-    return NoColour{reading.place(reading.functions[mains.front()].name).begin,
-                    std::string(other) +
-                        "; a picture is drawn by one that writes gl_FragColor, or a variable that "
-                        "is declared by out vec4 before it"};
+    return NoPicture{reading.place(reading.functions[mains.front()].name).begin,
+                     std::string(other) +
+                         "; a picture is drawn by one that writes gl_FragColor, or a variable that "
+                         "is declared by out vec4 before it"};
+}
+
+NoPicture why_no_picture(const Reading& reading) {
+    if (const auto open = reading.open_condition)  // the rest of the text goes with it
+        return {*open, "this #if is never ended; write #endif behind its part"};
+    if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
+    const std::string own[] = {"mainImage"};
+    constexpr std::string_view kElsewhere[] = {"main", "Main", "fragment", "frag"};
+    for (const Function& function : reading.functions) {
+        const std::string_view name = reading.word(function.name);
+        if (!nearest(name, own).empty() ||
+            std::ranges::find(kElsewhere, name) != std::end(kElsewhere))
+            return {reading.place(function.name).begin,
+                    "there is no mainImage here; did you mean this one?"};
+    }
+    return {std::nullopt,
+            fmt::format("{}; write void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ "
+                        "fragColor = vec4(fragCoord / iResolution.xy, 0.0, 1.0); }}",
+                        reading.written.empty() ? "this file holds no shader"
+                                                : "there is no mainImage here")};
 }
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 
 #include "glsl/reading.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,9 @@ namespace glint {
 // which it then calls, or not.
 bool has_own_main(const Reading& reading);
 
+// `in vec4 gl_FragCoord;`, which desktop GLSL lets a text declare again.
+bool is_of_gl(const Reading& reading, const Declaration& declaration);
+
 // GLSL ES 1.00, in which names are free that later versions have taken.
 bool is_of_older_glsl(const Reading& reading);
 
@@ -23,9 +27,12 @@ bool is_of_older_glsl(const Reading& reading);
 // where the text has none.
 const Declaration* colour_output(const Reading& reading);
 
-// `vUv`, `v_texcoord`: a vec2 of this name is a place in the picture, from (0, 0) to (1, 1), which
-// a vertex shader gives elsewhere.
+// `vUv`, `v_texcoord`: a vector of this name is a place in the picture, from (0, 0) to (1, 1),
+// which a vertex shader gives elsewhere.
 bool is_coordinate_name(std::string_view name);
+
+// How often a word stands in the text.
+std::ptrdiff_t times_named(const Reading& reading, std::string_view word);
 
 // `varying …`, `in …`, outside of all functions.
 bool is_input(const Reading& reading, const Declaration& declaration);
@@ -35,11 +42,15 @@ bool is_input(const Reading& reading, const Declaration& declaration);
 std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
                                                     const Declaration& declaration);
 
-// What is wrong with a main() that writes no colour, and where, in bytes.
-struct NoColour {
-    std::size_t at = 0;
+// What is wrong with a text that draws no picture, and where, in bytes; of all of it where that is
+// not told.
+struct NoPicture {
+    std::optional<std::size_t> at;
     std::string text;
 };
-std::optional<NoColour> why_no_colour(const Reading& reading);
+// Of a main() that writes no colour.
+std::optional<NoPicture> why_no_colour(const Reading& reading);
+// Of a text in which no function draws.
+NoPicture why_no_picture(const Reading& reading);
 
 }  // namespace glint

@@ -108,9 +108,11 @@ Scene Builder::build() {
     resolve_readers();
     find_entries();
     check_seconds();
-    if (const auto strange = find_strange(reading_)) error(strange->begin, about_strange(*strange));
     scene_.has_sound = has_sound(reading_, identifiers_);
-    check_image();
+    if (const auto strange = find_strange(reading_))
+        error(strange->begin, about_strange(*strange));
+    else
+        check_image();
     for (const Span span : blanked_)
         for (std::size_t i = span.begin; i < span.end; ++i)
             if (source_.text[i] != '\n') source_.text[i] = ' ';
@@ -124,21 +126,11 @@ void Builder::check_image() {
     if (scene_.image_entry == "mainImage")
         check_function({"mainImage", {"color"}}, "this draws the picture");
     else if (const auto missing = why_no_colour(reading_))
-        error(missing->at, missing->text);
+        return error(missing->at.value_or(0), missing->text);
     if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_file()) return;
-    if (const auto open = reading_.open_condition)  // the rest of the text goes with it
-        return error(*open, "this #if is never ended; write #endif behind its part");
-    const std::string own[] = {"mainImage"};
-    for (const Function& function : reading_.functions)
-        if (!nearest(reading_.word(function.name), own).empty())
-            return error(reading_.place(function.name).begin,
-                         "there is no mainImage here; did you mean this one?");
-    diagnostics_.push_back(
-        {Severity::error, Place{source_.files.front().string()},
-         fmt::format("{}; write void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ "
-                     "fragColor = vec4(fragCoord / iResolution.xy, 0.0, 1.0); }}",
-                     reading_.written.empty() ? "this file holds no shader"
-                                              : "there is no mainImage here")});
+    const NoPicture why = why_no_picture(reading_);
+    if (why.at) return error(*why.at, why.text);
+    diagnostics_.push_back({Severity::error, Place{source_.files.front().string()}, why.text});
 }
 
 // A note's words, byte for byte, but with space for control characters (tabs too: messages and
@@ -507,7 +499,10 @@ void Builder::blank_builtins(const Uniform& declaration) {
     bool keeps_any = false;
     std::size_t before = 0;  // the end of the name before
     for (const UniformName& declarator : declaration.names) {
-        if (find_builtin(declarator.name)) {
+        // A main() of its own means what its text says.
+        const bool is_foreign =
+            find_foreign_name(declaration.type, declarator.name) && has_own_main(reading_);
+        if (find_builtin(declarator.name) && !is_foreign) {
             check_builtin(declaration, declarator);
             if (!declaration.is_plain) continue;
             if (keeps_any)

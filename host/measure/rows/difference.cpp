@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -69,6 +70,17 @@ std::size_t pixels_not_finite(std::span<const float> picture) {
     std::size_t count = 0;
     for (std::size_t i = 0; i + 3 < picture.size(); i += 4) count += !is_finite(&picture[i]);
     return count;
+}
+
+double size_of_values(std::span<const float> picture) {
+    std::vector<float> values;
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        if (i % 4 != 3 && std::isfinite(picture[i])) values.push_back(std::abs(picture[i]));
+    if (values.empty()) return 1.0;
+    const auto reached = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), reached, values.end());
+    const float size = *reached > 0.0f ? *reached : std::ranges::max(values);
+    return size > 0.0f ? static_cast<double>(size) : 1.0;
 }
 
 std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,

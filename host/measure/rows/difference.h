@@ -27,6 +27,10 @@ Difference difference(std::span<const float> picture, std::span<const float> ref
 // How many pixels of an RGBA picture have a red, green or blue that is not finite.
 std::size_t pixels_not_finite(std::span<const float> picture);
 
+// What the red, green and blue of an RGBA picture reach, but for a tenth of them, whatever their
+// sign; 1 of one that is black.
+double size_of_values(std::span<const float> picture);
+
 // Which pixel has the channel that differs most, in light as above; 0 of equal pictures.
 std::size_t worst_pixel(std::span<const float> picture, std::span<const float> reference,
                         bool encoded = true);

@@ -88,6 +88,8 @@ struct Study {
     std::string scene{}, knob{};           // a file; a tweak, or "settle"
     std::string reference{}, second{};     // values; a second one to judge the first by, or ""
     std::size_t reference_not_finite = 0;  // pixels of the reference, by which no error can be told
+    // What its values reach, but for a tenth of them: what rounding is depends on it. Not in JSON.
+    double reference_size = 1.0;
     // A pass of the reference, and of the second one, whose loops the driver ended early; "": none.
     std::string reference_cut{}, second_cut{};
     std::optional<Difference> reference_error{};  // of the second reference to the first

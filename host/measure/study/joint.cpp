@@ -405,6 +405,9 @@ std::optional<Limit> limit_of(const StudyOptions& options) {
         if (!option.text) continue;
         if (*option.text == "own") return Limit{.of = option.of};
         const auto number = parse_number(*option.text);
+        if (option.of == Limit::Of::flip && number && *number > 1.0)
+            throw UsageError(fmt::format(
+                "--flip {}: FLIP is at most 1, and hardly anybody sees 0.05.", *option.text));
         if (number && std::isfinite(*number) && *number > 0.0)
             return Limit{.of = option.of, .number = number};
         throw UsageError(
@@ -424,6 +427,13 @@ void choose_best(Study& study, const Limit& limit) {
     study.is_joint = true;
     if (!study.has_truth()) {
         study.findings.push_back("no setting is chosen, since the reference is no truth");
+        return;
+    }
+    if (limit.of == Limit::Of::rmse && limit.number && study.own_error > *limit.number) {
+        study.findings.push_back(fmt::format(
+            "no setting is chosen: the truth itself may be off by {}, and nothing can be "
+            "told to be within {} of it; name references that do more",
+            three_digits(study.own_error), three_digits(*limit.number)));
         return;
     }
     const auto own = std::ranges::find_if(study.rows, &StudyRow::is_preset);

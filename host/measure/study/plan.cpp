@@ -507,7 +507,7 @@ KnobValue own_value(const Planner& planner, const Preset& preset, const Knob& kn
 
 }  // namespace
 
-std::string nothing_to_study(const Preset& preset) {
+std::string nothing_to_study(const Preset& preset, const StudyPlan& plan) {
     const std::string file = preset.file.string();
     std::string names;
     for (const Tweak& tweak : preset.scene.tweaks)
@@ -516,11 +516,8 @@ std::string nothing_to_study(const Preset& preset) {
         return fmt::format(
             "{} has no tweaks, so that nothing is studied; what it costs: glint bench {}", file,
             file);
-    const auto marked = std::ranges::find_if(preset.scene.tweaks, &Tweak::quality);
-    if (marked != preset.scene.tweaks.end())
-        return fmt::format(
-            "nothing that {} draws reads {}, which is marked quality: nothing is studied", file,
-            marked->name);
+    if (!plan.left_out.empty())
+        return fmt::format("of {} nothing is studied; {}", file, fmt::join(plan.left_out, "; "));
     return fmt::format(
         "{} has no quality tweaks and accumulates nothing, so that nothing is studied; mark one "
         "with quality, or name one of {}: glint study {} --vary {}",
@@ -547,7 +544,9 @@ StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyO
         if (!facts.read[i]) {
             plan.left_out.push_back(tweak.name + ": nothing reads it");
         } else if (values.empty()) {
-            plan.left_out.push_back(tweak.name + ": it has no range; name values with --vary");
+            plan.left_out.push_back(tweak.name + (is_number(tweak)
+                                                      ? ": it has no range; name values with --vary"
+                                                      : ": it is of several numbers"));
         } else {
             plan.knobs.push_back(planner.knob_and_own(tweak, values));
         }

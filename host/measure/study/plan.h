@@ -90,6 +90,6 @@ struct StudyPlan {
 StudyPlan plan_study(const Preset& preset, const SceneFacts& facts, const StudyOptions& options);
 
 // Why there is nothing to study, and what there is to do about it.
-std::string nothing_to_study(const Preset& preset);
+std::string nothing_to_study(const Preset& preset, const StudyPlan& plan);
 
 }  // namespace glint

@@ -28,16 +28,23 @@ constexpr double kWideWork = 4.0;       // from the least to the most, to say so
 constexpr double kNoNearer = 0.5;       // of the rows' error, by which a reference is off
 constexpr double kSurely = 3.0;         // times what is expected
 constexpr double kGrowingOrder = -0.1;  // error that grows faster than work^0.1
-constexpr double kRounding = 1e-6;      // that sums of thousands of floats differ by
+// Of the size of values: what sums of thousands of floats differ by, and of each term added what
+// all roundings the same way make of it.
+constexpr double kRounding = 1e-6, kRoundingOfTerm = 3e-8;
 // Values that agree with each other so much better than with the reference do not converge to it:
 // a method of order 1 that doubles its work still has a distance to go as long as its last step.
 constexpr double kPlateau = 0.2;
+constexpr double kMoreWork = 1.25;    // times as much as the row before
 constexpr double kBeyondClaim = 2.0;  // times its own error, by which no true reference is off them
+
+double least_rmse(const Study& study) {
+    return kLeastRmse * study.reference_size;
+}
 
 // Rows that tell how the error falls.
 bool counts_for_order(const Study& study, const StudyRow& row) {
     if (!row.has_error() || !row.work || *row.work <= 0.0 || row.is_reference) return false;
-    return row.error->rmse > std::max(kFitFactor * study.own_error, kLeastRmse);
+    return row.error->rmse > std::max(kFitFactor * study.own_error, least_rmse(study));
 }
 
 TimeVerdicts verdicts_of(const Study& study, double least) {
@@ -171,11 +178,19 @@ void fit(Study& study, bool more_is_better) {
     study.cost_exponent = log_slope(size, ms);
 }
 
+// What rounding may differ by at the work of the reference.
+double rounding(const Study& study, const Knob& knob) {
+    const double work = std::max(knob.reference.work.value_or(1.0), 1e-9);
+    const double terms = knob.more_is_better ? work : 1.0 / work;
+    return study.reference_size * std::max(kRounding, kRoundingOfTerm * std::min(terms, 1e4));
+}
+
 // Rows of work, the worst first, and how far each is from the one before.
 struct Steps {
     std::vector<const StudyRow*> rows;
     std::vector<double> work;     // more is better
     std::vector<double> to_next;  // RMSE; one less, and as many as are known
+    double least = kLeastRmse;    // below, they are rounding
     // Of the steps, by which errors fall wherever to; and whether what steps leave looks like them.
     Fall fall;
 };
@@ -185,7 +200,7 @@ bool have_one_shape(const Steps& steps) {
     std::vector<double> cosines;
     for (std::size_t i = 0; i < steps.to_next.size(); ++i) {
         const double far = steps.rows[i]->error->rmse, left = steps.rows[i + 1]->error->rmse;
-        if (std::min(steps.to_next[i], left) > kLeastRmse)
+        if (std::min(steps.to_next[i], left) > steps.least)
             cosines.push_back(alike(far, steps.to_next[i], left));
     }
     return !cosines.empty() && median_of(cosines) > kOneShape;
@@ -194,12 +209,13 @@ bool have_one_shape(const Steps& steps) {
 std::optional<double> order_of(const Steps& steps) {
     std::vector<std::pair<double, double>> falls;
     for (std::size_t i = 0; i < steps.to_next.size(); ++i)
-        if (steps.to_next[i] > kLeastRmse) falls.emplace_back(steps.work[i + 1], steps.to_next[i]);
+        if (steps.to_next[i] > steps.least) falls.emplace_back(steps.work[i + 1], steps.to_next[i]);
     return falls.size() < 3 ? std::nullopt : order_from(std::move(falls));
 }
 
 Steps steps_of(const Study& study, bool more_is_better) {
     Steps steps;
+    steps.least = least_rmse(study);
     for (const StudyRow& row : study.rows) {
         const bool compares = row.work && *row.work > 0.0 && !row.is_reference && !row.is_between;
         if (row.has_error() && compares) steps.rows.push_back(&row);
@@ -230,7 +246,7 @@ std::optional<double> distance_to_limit(const Steps& steps) {
     const auto& [order, one_shape] = steps.fall;
     if (!order || *order < kLeastOrder) return std::nullopt;
     const double ratio = steps.work.back() / steps.work[steps.work.size() - 2];
-    const double last = std::max(steps.to_next.back(), kLeastRmse);
+    const double last = std::max(steps.to_next.back(), steps.least);
     if (*order < kRandomOrder && !one_shape) return last / std::sqrt(ratio - 1.0);
     return last / (std::pow(ratio, *order) - 1.0);
 }
@@ -245,14 +261,18 @@ Fall fall_of(const Study& study, const Steps& steps) {
 }
 
 // The rows near each other, and not the reference.
-void find_wrong_reference(Study& study, const Steps& steps) {
+void find_wrong_reference(Study& study, const Knob& knob, const Steps& steps) {
     if (steps.to_next.empty() || !study.converges) return;
+    // Of hardly more work neighbours agree, whatever they converge to.
+    const double ratio = steps.work.back() / steps.work[steps.work.size() - 2];
+    if (ratio < kMoreWork) return;
     const StudyRow &best = *steps.rows.back(), &before = *steps.rows[steps.rows.size() - 2];
     const double error = best.error->rmse;
-    if (error <= kRounding) return;
+    if (error <= rounding(study, knob) || steps.to_next.back() >= error) return;
     const auto rest = distance_to_limit(steps);
     if (rest ? error <= kSurely * *rest + study.own_error
-             : error <= kBeyondClaim * study.own_error || steps.to_next.back() >= kPlateau * error)
+             : error <= kBeyondClaim * study.own_error ||
+                   steps.to_next.back() >= kPlateau * error * std::min(1.0, ratio - 1.0))
         return;
     study.findings.push_back(fmt::format(
         "{} and {} agree with each other to {}, and with the reference only to {}: the "
@@ -275,7 +295,7 @@ bool goes_on(const Study& study, const Knob& knob, const Steps& steps) {
     const double reference = *knob.reference.work, ratio = knob.second_work.ratio;
     work.push_back((knob.more_is_better ? reference : 1.0 / reference) * ratio);
     step.push_back(study.reference_error->rmse / std::log(ratio));
-    if (std::ranges::min(step) <= kLeastRmse) return false;
+    if (std::ranges::min(step) <= steps.least) return false;
     // Longer than the last of them by far, it is the reference alone that leads away.
     if (step.back() > kSurely * step[step.size() - 2]) return false;
     return -*log_slope(work, step) < kNoOrder;
@@ -306,8 +326,10 @@ void find_convergence(Study& study, const Knob& knob, const Steps& steps) {
     const auto slope = log_slope(steps.work, errors);
     const double typical = median_of(errors);
     if (errors.size() < 3 || steps.work.back() < kWideWork * steps.work.front() || !slope ||
-        typical <= kLeastRmse || -*slope > kNoOrder)
+        typical <= rounding(study, knob) || -*slope > kNoOrder)
         return;
+    // One that has grown may be on its way down, as terms of a series are.
+    if (errors.back() < kNoNearer * std::ranges::max(errors)) return;
     const bool is_known = study.reference_error && study.has_own_error();
     const double apart = is_known ? study.reference_error->rmse : 0.0;
     study.converges = apart < kNoNearer * typical && -*slope > kGrowingOrder;
@@ -358,7 +380,7 @@ void compare_references(Study& study, const Knob& knob) {
         return;
     }
     const double claimed = study.own_error + rival.own_error;
-    rival.disagrees = rival.difference.rmse > std::max(kClaim * claimed, kLeastRmse);
+    rival.disagrees = rival.difference.rmse > std::max(kClaim * claimed, least_rmse(study));
     if (!rival.disagrees) return;
     study.findings.push_back(fmt::format(
         "the references {} and {} differ by {}, more than both claim ({} and {}): one is wrong",
@@ -376,7 +398,10 @@ void find_what_looks_wrong(Study& study) {
     const bool any = std::ranges::any_of(study.rows, &StudyRow::has_error);
     const bool nothing = std::ranges::none_of(
         study.rows, [](const StudyRow& row) { return row.has_error() && row.error->max > 0.0; });
-    if (any && nothing) study.findings.push_back("it changes nothing in this picture");
+    if (any && nothing && study.is_joint)
+        study.notes.push_back("each setting that was measured draws the reference's very picture");
+    else if (any && nothing)
+        study.findings.push_back("it changes nothing in this picture");
     const bool unseen = std::ranges::none_of(study.rows, [](const StudyRow& row) {
         return row.has_error() && (row.error->share_off > 0.0 || row.error->flip > 0.0);
     });
@@ -407,7 +432,7 @@ void compare_with_reference(Study& study, const Knob& knob) {
     find_convergence(study, knob, steps);
     compare_references(study, knob);
     mark_near_reference(study);
-    find_wrong_reference(study, steps);
+    find_wrong_reference(study, knob, steps);
     find_failed_rows(study);
     find_what_looks_wrong(study);
 }

@@ -10,7 +10,8 @@
 
 namespace glint {
 
-constexpr double kLeastRmse = 1e-7;  // below, a difference of two pictures is rounding
+// Of the size of their values: below, a difference of two pictures is rounding.
+constexpr double kLeastRmse = 1e-7;
 
 // Chooses the clock and fills in what is judged from all rows together, which are those of this
 // knob. Timer queries of a renderer `on_software` lie.

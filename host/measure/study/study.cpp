@@ -356,6 +356,7 @@ std::optional<Reference> draw_references(const Scenery& scenery, Knob& knob, Stu
     Reference reference = draw(knob.reference);
     study.reference_picture = reference.file;
     study.reference_not_finite = pixels_not_finite(reference.drawn.rgba);
+    study.reference_size = size_of_values(reference.drawn.rgba);
     study.reference_cut = cut;
     tell(scenery, knob, study);
     // Beside `truth`; of twice the work where another seed changes nothing.
@@ -493,7 +494,7 @@ void study_file(const std::filesystem::path& file, const StudyOptions& options, 
             .key = key_of_preset(seen, context.renderer(), options.pass, view.specialise),
             .lines = lines};
     };
-    if (plan.knobs.empty()) say_warning(nothing_to_study(preset));
+    if (plan.knobs.empty()) say_warning(nothing_to_study(preset, plan));
     const Scenery own = scenery(preset, file.stem().string(), played);
     if (limit) plan.knobs = {search_knob(own, plan.knobs, *limit)};
     lines.expect(plan, options.time_only, std::max<std::size_t>(views.size(), 1));
@@ -548,6 +549,8 @@ void run_study(const StudyOptions& options) {
     const bool to_preset = options.output.extension() == ".toml";
     if (limit_of(options) && options.time_only)
         throw UsageError("--metric time tells no error, by which a budget chooses.");
+    if (limit_of(options) && options.name != kBest && !to_preset)
+        throw UsageError("--name: a preset keeps it; name one with -o FILE.toml.");
     if (!limit_of(options) && options.name != kBest)
         throw UsageError("--name: only what a budget chooses has one; add --ms, --rmse or --flip.");
     if (to_preset) require_preset_output(options);
