@@ -111,8 +111,8 @@ constexpr std::array<Domain, 8> kOne = {
      {"atanh", "abs(a) >= 1.0", "abs(a) > 1.0", "1.0 - abs(a)",
       "v - (v - glint0_inside) * step(1.0, abs(v))"}}};
 constexpr std::array<Domain, 3> kTwo = {
-    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0 || (a == 0.0 && b == 0.0)", "a",
-      "max(v, -glint0_scale * v) + glint0_scale * (1.0 - step(1e-30, abs(v) + abs(w))), "
+    {{"pow", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a < 0.0 || (a == 0.0 && b <= 0.0)", "a",
+      "max(v, -glint0_scale * v) + glint0_scale * (1.0 - step(1e-30, abs(v) + max(w, 0.0))), "
       "w + (1.0 - step(1e-30, abs(v) + abs(w)))"},
      {"mod", "b == 0.0", "b == 0.0", "abs(b)", "v, w + 1.0"},
      {"atan", "a == 0.0 && b == 0.0", "a == 0.0 && b == 0.0", "3e38",

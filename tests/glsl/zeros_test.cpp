@@ -285,7 +285,7 @@ TEST(Zeros, AreMarksWhereTheyAreWantedToShow) {
         "void f() { float a; int b; bool c; mat2x3 d; ivec2 e; g(a, b, c, d, e); }\n";
     const Reading reading = read_glsl(text, {});
     Edits edits(reading);
-    write_zeros(reading, edits, {}, Span{0, text.find("e;")});
+    write_zeros(reading, edits, {}, Marked{{0, text.find("e;")}});
     EXPECT_EQ(
         edits.apply().text,
         "void f() { float a = uintBitsToFloat(0x7FC0DEADu); int b = 0x7FC0DEAD; bool c = true; "

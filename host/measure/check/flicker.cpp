@@ -15,6 +15,28 @@ namespace glint {
 namespace {
 
 constexpr std::size_t kSetsOfEnds = 5;
+constexpr glm::ivec2 kTiles(8, 6);
+
+double linear(float shown) {
+    const double v = std::clamp(static_cast<double>(shown), 0.0, 1.0);
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+// The mean linear colours of tiles.
+std::vector<glm::dvec3> tile_colours(const std::vector<float>& picture, glm::ivec2 size) {
+    std::vector<glm::dvec3> sums(static_cast<std::size_t>(kTiles.x * kTiles.y));
+    std::vector<double> counts(sums.size());
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const auto tile =
+                static_cast<std::size_t>(y * kTiles.y / size.y * kTiles.x + x * kTiles.x / size.x);
+            const float* pixel = &picture[static_cast<std::size_t>(y * size.x + x) * 4];
+            sums[tile] += glm::dvec3(linear(pixel[0]), linear(pixel[1]), linear(pixel[2]));
+            counts[tile] += 1.0;
+        }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
+    return sums;
+}
 
 // ---- Frame rates --------------------------------------------------------------------------------
 
@@ -50,8 +72,26 @@ double largest_off(const std::vector<float>& a, const std::vector<float>& b) {
     return off;
 }
 
+// The mean of each channel of what is fed back.
+std::vector<double> state_means(const CheckSubject& subject) {
+    std::vector<double> means;
+    const auto& passes = subject.renderer().graph().passes;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (!subject.is_fed_back(i)) continue;
+        const std::vector<float> values = subject.renderer().read_buffer(i, 0);
+        std::array<double, 4> sums{};
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (std::isfinite(values[k])) sums[k % 4] += static_cast<double>(values[k]);
+        for (const double sum : sums)
+            means.push_back(sum / std::max(1.0, static_cast<double>(values.size()) / 4.0));
+    }
+    return means;
+}
+
 struct Shown {
     std::vector<float> last{}, before{};  // blurred
+    std::vector<glm::dvec3> tiles{};      // their mean light
+    std::vector<double> state{};
 };
 
 bool show_at_rate(CheckSubject& subject, double fps, Shown& shown) {
@@ -61,7 +101,32 @@ bool show_at_rate(CheckSubject& subject, double fps, Shown& shown) {
     shown.before = blurred(subject.picture(), subject.preset.size);
     if (!subject.play_frames(frames, frames + 1, fps)) return false;
     shown.last = blurred(subject.picture(), subject.preset.size);
+    shown.tiles = tile_colours(subject.picture(), subject.preset.size);
+    shown.state = state_means(subject);
     return true;
+}
+
+// What is added in every frame, however long it is, is twice as much at twice the rate, and shows:
+// half of a step that converges is left, and what counts frames alone is not seen.
+bool is_added_by_frames(const std::array<Shown, 3>& shown) {
+    constexpr double kLight = 0.01, kMoreThanHalf = 0.53, kDoubled = 1.6, kOfIt = 0.05;
+    const auto is_seen = [&](std::size_t tile) {
+        const double coarse = glm::length(shown[1].tiles[tile] - shown[0].tiles[tile]);
+        const double fine = glm::length(shown[2].tiles[tile] - shown[1].tiles[tile]);
+        return fine > kLight && fine > kMoreThanHalf * coarse;
+    };
+    const auto doubles = [&](std::size_t channel) {
+        const double coarse = shown[1].state[channel] - shown[0].state[channel];
+        const double fine = shown[2].state[channel] - shown[1].state[channel];
+        return std::abs(fine) > kOfIt * std::abs(shown[2].state[channel]) && fine * coarse > 0.0 &&
+               std::abs(fine) > kDoubled * std::abs(coarse);
+    };
+    const auto any = [](std::size_t count, const auto& is) {
+        for (std::size_t i = 0; i < count; ++i)
+            if (is(i)) return true;
+        return false;
+    };
+    return any(shown[0].tiles.size(), is_seen) && any(shown[0].state.size(), doubles);
 }
 
 void compare_rates(CheckSubject& subject, CaseResult& result) {
@@ -75,7 +140,12 @@ void compare_rates(CheckSubject& subject, CaseResult& result) {
                                   largest_off(shown[0].last, shown[0].before));
     result.note = fmt::format("from 60 to 120 Hz {:.2f}, from 120 to 240 Hz {:.2f}, a frame {:.2f}",
                               coarse, fine, frame);
-    if (fine > kClear && fine > kShare * coarse && fine > kBesideFrame * frame)
+    if (is_added_by_frames(shown))
+        result.fail(fmt::format(
+            "something is added in every frame, however long it is: after {} s there is twice as "
+            "much of it at twice the rate; use iTime, iTimeDelta or step=",
+            kMet));
+    else if (fine > kClear && fine > kShare * coarse && fine > kBesideFrame * frame)
         result.fail(
             fmt::format("something follows the frame rate: after {} s pixels of 120 and 240 Hz "
                         "differ by {:.2f}, those of 60 and 120 Hz by {:.2f}, and a frame from the "
@@ -109,12 +179,6 @@ void run_frame_rates(Check& check, CaseResult& result) {
 constexpr double kChange = 0.1, kDark = 0.8, kArea = 0.25;
 constexpr double kRedChange = 20.0 / 320.0, kRedShare = 0.8;
 constexpr int kMostFlashes = 3, kSecond = 60, kFlickerFrames = 90;  // frames at 60 Hz
-constexpr glm::ivec2 kTiles(8, 6);
-
-double linear(float shown) {
-    const double v = std::clamp(static_cast<double>(shown), 0.0, 1.0);
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
 
 double luminance(glm::dvec3 colour) {
     return glm::dot(colour, {0.2126, 0.7152, 0.0722});
@@ -123,22 +187,6 @@ double luminance(glm::dvec3 colour) {
 double saturated_red(glm::dvec3 colour) {
     const double others = colour.g + colour.b;
     return colour.r >= kRedShare * (colour.r + others) ? std::max(0.0, colour.r - others) : 0.0;
-}
-
-// The mean linear colours of tiles.
-std::vector<glm::dvec3> tile_colours(const std::vector<float>& picture, glm::ivec2 size) {
-    std::vector<glm::dvec3> sums(static_cast<std::size_t>(kTiles.x * kTiles.y));
-    std::vector<double> counts(sums.size());
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const auto tile =
-                static_cast<std::size_t>(y * kTiles.y / size.y * kTiles.x + x * kTiles.x / size.x);
-            const float* pixel = &picture[static_cast<std::size_t>(y * size.x + x) * 4];
-            sums[tile] += glm::dvec3(linear(pixel[0]), linear(pixel[1]), linear(pixel[2]));
-            counts[tile] += 1.0;
-        }
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(counts[i], 1.0);
-    return sums;
 }
 
 // The changes of a tile that count, as they come: in which frames its luminance, or its red,
@@ -179,13 +227,27 @@ private:
     std::vector<int> frames_;
 };
 
+// Tweaks at their ends with the mouse pressed or a key held, or had been.
+void add_both(std::vector<Situation>& all, const CheckSubject& subject) {
+    const std::size_t count = all.size();
+    for (std::size_t i = 1; i < count; ++i)
+        for (std::size_t k = 1; k < count; ++k)
+            if (all[i].values != subject.opened().values &&
+                all[i].events == subject.opened().events &&
+                all[k].values == subject.opened().values &&
+                all[k].events != subject.opened().events)
+                all.push_back({all[i].values, all[k].events, all[k].time});
+}
+
 // With the preset's values, and where all tweaks are at an end of their ranges; of a simulation
 // with the preset's alone: at its stiffest it may well flash, and nobody knows what was meant. With
 // the mouse or keys held, and later.
 void run_flashes(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     const CaseClock clock(check);
-    for (const Situation& one : situations(subject, subject.stateful() ? 1 : kSetsOfEnds, 0)) {
+    std::vector<Situation> all = situations(subject, subject.stateful() ? 1 : kSetsOfEnds, 0);
+    add_both(all, subject);
+    for (const Situation& one : all) {
         one.bring(subject);
         const auto area = flashing_area(check, one.time);
         if (!area) return;

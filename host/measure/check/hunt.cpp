@@ -9,19 +9,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace glint {
 namespace {
 
-constexpr int kHuntedFrames = 8;      // of a simulation, at each point
-constexpr int kSmallest = 160;        // trials for the smallest reproducer
-constexpr double kHuntShare = 0.12;   // of the seconds, that a search may take
-constexpr double kSpreadShare = 0.1;  // before it follows single operations
-constexpr int kEvaluations = 256;     // of one effort
-constexpr int kFollowed = 64;         // more, to where an operation's distance would be 0
-constexpr int kDescended = 192;       // as many, along all ranges
+constexpr int kHuntedSteps = 8;                  // of a simulation, frames or longer, at each point
+constexpr int kMostHunted = 60;                  // frames
+constexpr int kPlayedOn = 600, kLookApart = 30;  // frames that it goes on for, and a look each
+constexpr double kPlayedOnShare = 0.02;          // of the seconds
+constexpr int kSmallest = 160;                   // trials for the smallest reproducer
+constexpr double kHuntShare = 0.12;              // of the seconds, that a search may take
+constexpr double kSpreadShare = 0.1;             // before it follows single operations
+constexpr int kEvaluations = 256;                // of one effort
+constexpr int kFollowed = 256;        // more, to where an operation's distance would be 0
+constexpr int kDescended = 768;       // as many, along all ranges
 constexpr int kOfSizes = 192;         // where there is nothing but the size to change
 constexpr std::size_t kMostKeys = 6;  // that the search presses
 constexpr int kSmallestLong = 16;     // trials, each a long run
@@ -50,16 +56,19 @@ public:
         subject_.restore();
         fault_.reset();
         const double time = space_.apply(point, subject_);
-        const Playback playback{.end = subject_.stateful() ? (kHuntedFrames - 1) / 60.0 : time};
+        const Playback playback{.end = subject_.stateful() ? hunted_frames() / 60.0 : time};
         const int last = playback.last_frame();
         bool finite = true;
         float earlier = 0.0f;  // of the state, half way
         for (int k = subject_.stateful() ? 0 : last; k <= last && finite; ++k) {
             const Frame frame = playback.frame(subject_.preset, k);
             subject_.still = StillPlace{frame.time, playback.fps};
-            if (k == last && survey_) survey_->begin(frame, std::exchange(anew_, reports_));
+            // In as many frames as the slowest step lasts, that each pass is met.
+            const int begin = subject_.stateful() ? last + 1 - frames_of_step() : last;
+            if (k == begin && survey_) survey_->begin(frame, std::exchange(anew_, reports_));
+            if (k > begin && survey_) survey_->go_on(frame);
             finite = subject_.draw(frame);
-            if (survey_) survey_->end();
+            if (survey_ && (k == last || !finite)) survey_->end();
             if (k == last / 2 && subject_.stateful()) earlier = subject_.largest_state();
         }
         Trial trial{.fails = !finite};
@@ -70,6 +79,25 @@ public:
         }
         if (subject_.stateful() && finite) add_state(point, earlier, trial);
         return trial;
+    }
+
+    // What is undefined later in a simulation; nothing where there is nothing, or no time.
+    std::optional<ProbeFault> later_fault(const Point& point, const CaseClock& clock) {
+        subject_.restore();
+        space_.apply(point, subject_);
+        const Playback playback{.end = kPlayedOn / 60.0};
+        for (int k = 0; k <= kPlayedOn && survey_; ++k) {
+            const Frame frame = playback.frame(subject_.preset, k);
+            subject_.still = StillPlace{frame.time, playback.fps};
+            const int before = kLookApart - k % kLookApart;  // the last of each look
+            if (before == frames_of_step()) survey_->begin(frame, false);
+            if (before < frames_of_step()) survey_->go_on(frame);
+            const bool finite = subject_.draw(frame);
+            if (before == 1 || !finite) survey_->end();
+            if (before == 1 && survey_->fault()) return survey_->fault();
+            if (!finite || clock.is_over(kPlayedOnShare)) break;
+        }
+        return std::nullopt;
     }
 
     // From now on a point is looked at as if it were the first, for the sake of what is said of it.
@@ -83,6 +111,16 @@ public:
     const std::optional<ProbeFault>& fault() const { return fault_; }
 
 private:
+    // That the slowest step lasts.
+    int frames_of_step() const {
+        double longest = 1.0 / 60;
+        for (const GraphPass& pass : subject_.renderer().graph().passes)
+            if (pass.pass != kImagePass && subject_.scene().passes[pass.pass].step)
+                longest = std::max(longest, subject_.scene().passes[pass.pass].step.seconds());
+        return std::clamp(static_cast<int>(std::ceil(longest * 60.0 - 1e-6)), 1, kLookApart);
+    }
+    int hunted_frames() const { return std::min(kMostHunted, kHuntedSteps * frames_of_step()) - 1; }
+
     // Growth and magnitude are goals like any distance.
     void add_state(const Point& point, float earlier, Trial& trial) {
         const float now = subject_.largest_state();
@@ -124,6 +162,24 @@ void report(Hunter& hunter, Check& check, const Point& found, CaseResult& result
     if (hunter.fault()) result.where = place_of(*hunter.fault());
     result.fail(hunter.fault() ? fmt::format("{}; at {}", words_of(*hunter.fault()), where)
                                : fmt::format("at {}", where));
+}
+
+// A simulation that goes on, as the preset has it, and where it grew most and became largest.
+void play_on(Hunter& hunter, Check& check, CaseResult& result) {
+    const CaseClock clock(check);
+    std::vector<Point> points{hunter.space().usual()};
+    for (const Point& point : {hunter.steepest(), hunter.largest()})
+        if (!point.empty() && std::ranges::find(points, point) == points.end())
+            points.push_back(point);
+    for (const Point& point : points) {
+        const auto fault = hunter.later_fault(point, clock);
+        if (!check.subject.observed().is_finite()) return;
+        if (!fault) continue;
+        result.where = place_of(*fault);
+        return result.fail(fmt::format("{}; after {:.1f} s, at {}", words_of(*fault),
+                                       check.subject.still->time,
+                                       hunter.space().words(point, check.subject)));
+    }
 }
 
 // The points at which the state grew most and became largest play on for long.
@@ -207,7 +263,7 @@ void run_search(Check& check, CaseResult& result) {
     Search search(space.usual(), space.rare());
     const int one = space.usual().size() == space.rare() ? kOfSizes : kEvaluations;
     const int wanted = check.effort.tries ? check.paced(one * *check.effort.tries, 1) : one;
-    const std::vector<Point> zeros = space.zeros();
+    std::vector<Point> zeros = space.zeros();
     if (!zeros.empty() && hunter(zeros[0]).fails) return report(hunter, check, zeros[0], result);
     int done = 0;
     for (; done < wanted; ++done) {
@@ -217,6 +273,7 @@ void run_search(Check& check, CaseResult& result) {
         if (trial.fails) return report(hunter, check, point, result);
         search.tell(point, trial);
     }
+    std::ranges::copy(space.equals(), std::back_inserter(zeros));
     if (const auto failing = followed(hunter, search, clock))
         return report(hunter, check, *failing, result);
     for (std::size_t i = 0; i < zeros.size() && !clock.is_over(kHuntShare); ++i)
@@ -225,7 +282,9 @@ void run_search(Check& check, CaseResult& result) {
     result.note =
         fmt::format("{}{} points{}", done, done < wanted ? fmt::format(" of {}", wanted) : "",
                     hunter.is_guided() ? "" : ", without a guide");
-    if (check.subject.stateful()) endure_worst(hunter, check, result);
+    if (check.subject.stateful()) play_on(hunter, check, result);
+    if (check.subject.stateful() && result.verdict != CaseVerdict::fail)
+        endure_worst(hunter, check, result);
 }
 
 // Down in frame 1, up in frame 3; seen in frames 1 (pressed), 2 (held) and 3 (toggled).

@@ -13,6 +13,7 @@ namespace {
 constexpr double kMinute = 60.0, kLongest = 3600.0;  // s
 constexpr double kInMinute = 0.75;                   // of the range; behind it, by logarithms
 constexpr double kLongestSide = 1920.0;
+constexpr std::size_t kMostEquals = 64;
 constexpr std::size_t kMostOfMenus = 8;  // sets for the middle entries of menus
 // The usual number of pixels. The shorter side gives way, so that no point is dearer than others.
 constexpr double kMostPixels = 3.0;
@@ -102,6 +103,25 @@ std::vector<Point> Space::zeros() const {
         points.back()[i] = all[i] = *zero_[i];
     }
     if (points.size() > 1) points.insert(points.begin(), all);
+    return points;
+}
+
+std::vector<Point> Space::equals() const {
+    std::vector<Point> points;
+    const auto is_float = [&](const Axis& axis) {
+        return axis.of == Axis::Of::tweak && tweaks_[axis.index].type == TweakType::float1;
+    };
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+        for (std::size_t k = 0; k < axes_.size() && points.size() < kMostEquals; ++k) {
+            if (i == k || !is_float(axes_[i]) || !is_float(axes_[k])) continue;
+            const Tweak &tweak = tweaks_[axes_[i].index], &other = tweaks_[axes_[k].index];
+            const auto range = range_of(tweak), its = range_of(other);
+            if (!range || !its) continue;
+            const double value = at_share(other, *its, usual_[k]);
+            if (value < range->min || value > range->max) continue;
+            points.push_back(usual_);
+            points.back()[i] = share_of(tweak, *range, value);
+        }
     return points;
 }
 

@@ -30,6 +30,9 @@ public:
     // Each tweak at 0 whose range has that within, and all of those: directions and lengths have
     // none there, and neither ends nor a sequence meet it.
     std::vector<Point> zeros() const;
+    // Each float at the value of another, where its range has that: what is between two has no
+    // length there.
+    std::vector<Point> equals() const;
     // The same at a size of odd sides, where a pixel may lie in the middle.
     Point at_odd_size(Point point) const;
     // The preset's tweaks with what else there is: the mouse pressed at some places, each key held

@@ -22,6 +22,8 @@ bool is_finite(const ProbeCell& cell) {
 // So many operations can be watched at once, whatever the text: compilers take minutes and
 // gigabytes where all those of a long one are.
 constexpr std::size_t kMostAtOnce = 48;
+// So many times that, each a program of its own, whatever becomes of it.
+constexpr std::size_t kMostParts = 6;
 
 std::vector<ProbeSite> sites_of(const Preset& preset, std::size_t pass,
                                 const ProgramOptions& options) {
@@ -67,6 +69,17 @@ std::vector<Span> likely(const Preset& preset, const std::vector<ProbeSite>& sit
     return only([](const ProbeSite& site) {
         return site.kind == SiteKind::domain && !site.name.starts_with("normalize");
     });
+}
+
+// What a survey watches together: all, but where they are too many.
+std::vector<std::vector<Span>> groups_of(const Preset& preset,
+                                         const std::vector<ProbeSite>& sites) {
+    const std::vector<Span> parts = parts_of(preset, sites);
+    if (parts.size() <= 1) return {{}};
+    if (parts.size() > kMostParts) return {likely(preset, sites)};
+    std::vector<std::vector<Span>> groups;
+    for (const Span part : parts) groups.push_back({part});
+    return groups;
 }
 
 // The first fault of the fragment, if any, is of an operation that had no result.
@@ -158,7 +171,18 @@ FaultWatch::FaultWatch(const Preset& preset, Renderer& renderer, const ProgramOp
         probes_.emplace_back(preset, pass.pass, options,
                              ProbeWish{.kind = ProbeKind::faults, .only = likely(preset, sites)});
     }
+    for (const std::vector<Span>& parts : parts_) part_probes_.emplace_back(parts.size());
     renderer.before_pass = [this](std::size_t index) { look(index); };
+}
+
+std::size_t FaultWatch::unwatched() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (parts_[i].size() <= kMostParts) continue;
+        const std::size_t pass = renderer_.graph().passes[i].pass;
+        count += sites_of(preset_, pass, options_).size() - probes_[i].probed().sites.size();
+    }
+    return count;
 }
 
 FaultWatch::~FaultWatch() {
@@ -168,6 +192,27 @@ FaultWatch::~FaultWatch() {
 Probe FaultWatch::probe_of(std::size_t index, std::vector<Span> only) const {
     return Probe(preset_, renderer_.graph().passes[index].pass, options_,
                  {.kind = ProbeKind::faults, .only = std::move(only)});
+}
+
+Probe& FaultWatch::part(std::size_t index, std::size_t number) {
+    std::unique_ptr<Probe>& probe = part_probes_[index][number];
+    if (!probe) {
+        probe = std::make_unique<Probe>(probe_of(index, {parts_[index][number]}));
+        if (after_program) after_program();
+    }
+    return *probe;
+}
+
+// The first pixel in which an operation of any part was at fault; of many parts nobody looks.
+std::optional<std::size_t> FaultWatch::faulty_pixel(std::size_t index, int face) {
+    const std::size_t count = parts_[index].size();
+    for (std::size_t number = 0; number < count && count <= kMostParts; ++number) {
+        const auto cells = part(index, number).map(renderer_, *frame_, 0, 0, face);
+        const auto faulty =
+            std::ranges::find_if(cells, [&](const ProbeCell& cell) { return has_fault(cell); });
+        if (faulty != cells.end()) return static_cast<std::size_t>(faulty - cells.begin());
+    }
+    return std::nullopt;
 }
 
 ProbeFault FaultWatch::fault_of(std::size_t index, const Probe& probe,
@@ -230,17 +275,20 @@ void FaultWatch::look_in_parts(std::size_t index, int face) {
     };
     auto bad = std::ranges::find_if_not(cells, is_finite);
     if (bad == cells.end() && !first_) bad = std::ranges::find_if(cells, undefined);
-    if (bad == cells.end()) return;
-    const auto at = static_cast<std::size_t>(bad - cells.begin());
-    if (undefined(*bad)) {
+    if (bad == cells.end() && first_) return;
+    const auto pixel = bad == cells.end()
+                           ? faulty_pixel(index, face)
+                           : std::optional(static_cast<std::size_t>(bad - cells.begin()));
+    if (!pixel) return;
+    const std::size_t at = *pixel;
+    if (undefined(cells[at])) {
         first_ = fault_of(index, probes_[index], cells, at);
         return;
     }
     std::vector<Span> faulty;
-    for (const Span part : parts_[index]) {
-        Probe probe = probe_of(index, {part});
+    for (std::size_t number = 0; number < parts_[index].size(); ++number) {
+        Probe& probe = part(index, number);
         const ProbeCell cell = probe.map(renderer_, *frame_, 0, 0, face)[at];
-        if (after_program) after_program();
         if (!has_fault(cell)) continue;
         const std::size_t place = probe.probed().sites[site_of(cell)].at;
         faulty.push_back({place, place + 1});
@@ -253,11 +301,12 @@ void FaultWatch::look_in_parts(std::size_t index, int face) {
 
 FaultSurvey::FaultSurvey(const Preset& preset, Renderer& renderer, const ProgramOptions& options)
     : preset_(preset), renderer_(renderer) {
-    for (const GraphPass& pass : renderer.graph().passes)
-        probes_.emplace_back(
-            preset, pass.pass, options,
-            ProbeWish{.kind = ProbeKind::faults,
-                      .only = likely(preset, sites_of(preset, pass.pass, options))});
+    for (const GraphPass& pass : renderer.graph().passes) {
+        std::vector<Probe>& groups = probes_.emplace_back();
+        for (auto& only : groups_of(preset, sites_of(preset, pass.pass, options)))
+            groups.emplace_back(preset, pass.pass, options,
+                                ProbeWish{.kind = ProbeKind::faults, .only = std::move(only)});
+    }
 }
 
 FaultSurvey::~FaultSurvey() {
@@ -266,8 +315,10 @@ FaultSurvey::~FaultSurvey() {
 
 void FaultSurvey::begin(const Frame& frame, bool anew) {
     std::size_t sites = 0;
-    for (const Probe& probe : probes_) sites += probe.probed().sites.size();
+    for (const auto& groups : probes_)
+        for (const Probe& probe : groups) sites += probe.probed().sites.size();
     distances_.assign(sites, std::numeric_limits<float>::infinity());
+    looked_at_.assign(probes_.size(), false);
     fault_.reset();
     frame_ = &frame;
     ++turn_;
@@ -280,16 +331,21 @@ void FaultSurvey::end() {
 }
 
 void FaultSurvey::look(std::size_t index) {
-    if (probes_[index].probed().sites.empty()) return;
+    if (looked_at_[index]) return;
+    looked_at_[index] = true;
     const int faces = renderer_.buffer(index).shape().cube ? 6 : 1;
-    for (int face = 0; face < faces; ++face) look_at(index, face);
+    for (std::size_t group = 0; group < probes_[index].size(); ++group)
+        for (int face = 0; face < faces; ++face) look_at(index, group, face);
 }
 
-void FaultSurvey::look_at(std::size_t index, int face) {
-    Probe& probe = probes_[index];
+void FaultSurvey::look_at(std::size_t index, std::size_t group, int face) {
+    Probe& probe = probes_[index][group];
     const std::size_t sites = probe.probed().sites.size();
+    if (sites == 0) return;
     std::size_t before = 0;
-    for (std::size_t i = 0; i < index; ++i) before += probes_[i].probed().sites.size();
+    for (std::size_t i = 0; i <= index; ++i)
+        for (std::size_t k = 0; k < (i < index ? probes_[i].size() : group); ++k)
+            before += probes_[i][k].probed().sites.size();
     const std::vector<ProbeCell> cells = probe.survey(renderer_, *frame_, turn_, 0, face);
     const auto width = static_cast<std::size_t>(renderer_.buffer(index).shape().size.x);
     for (std::size_t at = 0; at < cells.size(); ++at) {

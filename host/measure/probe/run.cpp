@@ -232,8 +232,9 @@ void probe_frames(ProbeSession& session, Probe& probe, const ProbeOptions& optio
 
 // Plays up to the frame and looks at every pass that is drawn on the way.
 std::optional<ProbeFault> find_fault(ProbeSession& session, const ProbeOptions& options,
-                                     const ProgramOptions& program) {
+                                     const ProgramOptions& program, std::size_t& unwatched) {
     FaultWatch watch(session.preset(), session.renderer(), program);
+    unwatched = watch.unwatched();
     const Playback playback{.end = options.frame ? *options.frame / options.fps
                                                  : options.time.value_or(session.preset().time),
                             .fps = options.fps};
@@ -256,14 +257,20 @@ std::optional<ProbeFault> find_fault(ProbeSession& session, const ProbeOptions& 
 void probe_faults(ProbeSession& session, const ProbeOptions& options, const ProbePlace& place,
                   Probing& found) {
     ProgramOptions program = session.program_options();
-    found.first_bad = find_fault(session, options, program);
+    std::size_t unwatched = 0, of_marked = 0;
+    found.first_bad = find_fault(session, options, program, unwatched);
     if (!found.first_bad) {
         program.marked = Marked{{0, session.preset().scene.text.size()}};
-        found.first_bad = find_fault(session, options, program);
+        found.first_bad = find_fault(session, options, program, of_marked);
     }
     std::optional<ProbeFault> fault = std::move(found.first_bad);
     found = session.probing(place);
     found.first_bad = std::move(fault);
+    if (unwatched > 0 && !found.first_bad)
+        found.notes.push_back(fmt::format(
+            "of so many operations those that may have no result were watched, and what makes a "
+            "pixel NaN or Inf; {} others were not",
+            unwatched));
 }
 
 }  // namespace
