@@ -79,10 +79,10 @@ TEST_F(ProbeFaults, AreNotSeenWhereNothingIsWrong) {
     EXPECT_FALSE(first_fault(player));
 }
 
-// More operations than are watched at once.
-std::string long_text(const std::string& body) {
+// More operations than are watched at once; or so many that not all are.
+std::string long_text(const std::string& body, int count = 70) {
     std::string text = "float many(float x) {\n";
-    for (int i = 1; i <= 70; ++i) text += fmt::format("    x += 1.0 / (x + {}.0);\n", i);
+    for (int i = 1; i <= count; ++i) text += fmt::format("    x += 1.0 / (x + {}.0);\n", i);
     return text + "    return x;\n}\n" + image(body);
 }
 
@@ -104,19 +104,50 @@ TEST_F(ProbeFaults, OfALongTextAreFoundToo) {
     }
 }
 
-TEST_F(ProbeFaults, OfALongTextThatAreHiddenAreThoseWithoutAResult) {
-    Player player(long_text("float d = p.x - 2.0; c = vec4(max(many(p.x) * sqrt(d), 0.25));"),
-                  {.size = {1, 1}});
+TEST_F(ProbeFaults, OfALongTextAreFoundWhereTheyAreHidden) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"c = vec4(many(p.x) * step(1.0 / (p.x - 0.5), 2.0));", "1.0 / (p.x - 0.5)"},
+        {"c = vec4(max(many(p.x) * normalize(p - p).x, 0.25));", "normalize(p - p)"},
+    };
+    for (const auto& [body, expression] : texts) {
+        Player player(long_text(body), {.size = {1, 1}});
+        const auto fault = first_fault(player);
+        ASSERT_TRUE(fault) << body;
+        EXPECT_EQ(fault->expression, expression);
+    }
+}
+
+constexpr int kTooMany = 300;
+
+TEST_F(ProbeFaults, OfAVeryLongTextThatAreHiddenAreThoseWithoutAResult) {
+    Player player(
+        long_text("float d = p.x - 2.0; c = vec4(max(many(p.x) * sqrt(d), 0.25));", kTooMany),
+        {.size = {1, 1}});
     const auto fault = first_fault(player);
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->what, "sqrt(-1.5)");
-    Player sound(long_text("c = vec4(many(p.x) * sqrt(p.x) * step(1.0 / (p.x - 0.5), 2.0));"),
-                 {.size = {1, 1}});
+    Player sound(
+        long_text("c = vec4(many(p.x) * sqrt(p.x) * step(1.0 / (p.x - 0.5), 2.0));", kTooMany),
+        {.size = {1, 1}});
     EXPECT_FALSE(first_fault(sound));
+    const FaultWatch watch(sound.preset, sound.renderer(), {});
+    EXPECT_GT(watch.unwatched(), 300u);
 }
 
-TEST_F(ProbeFaults, OfALongTextAreWhatASurveyGoesBy) {
-    Player player(long_text("c = vec4(many(p.x) * max(sqrt(p.x - 2.0), 0.25));"), {.size = {2, 1}});
+TEST_F(ProbeFaults, OfADivisionByAConstantThatHasAName) {
+    for (const char* body : {"const float z = 0.0; c = vec4(p.x / z);",
+                             "const float z = 0.; c = vec4(p, p) / vec4(z);",
+                             "float x = p.x; const float z = .0; x /= z; c = vec4(x);"}) {
+        Player player(image(body), {.size = {1, 1}});
+        const auto fault = first_fault(player);
+        ASSERT_TRUE(fault) << body;
+        EXPECT_EQ(fault->what, "division by zero") << body;
+    }
+}
+
+TEST_F(ProbeFaults, OfAVeryLongTextAreWhatASurveyGoesBy) {
+    Player player(long_text("c = vec4(many(p.x) * max(sqrt(p.x - 2.0), 0.25));", kTooMany),
+                  {.size = {2, 1}});
     FaultSurvey survey(player.preset, player.renderer(), {});
     const Frame frame = player.frame(0);
     survey.begin(frame, true);
@@ -158,7 +189,8 @@ TEST_F(ProbeFaults, FindAValueThatNothingHasGiven) {
     Player player(image("float never; if (p.x < 0.0) never = 1.0; float d = never + 1.0; c = "
                         "vec4(d);"),
                   {.size = {1, 1}});
-    const auto fault = first_fault(player, 1, {.marked = Marked{{0, player.preset.scene.text.size()}}});
+    const auto fault =
+        first_fault(player, 1, {.marked = Marked{{0, player.preset.scene.text.size()}}});
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->expression, "never");
     EXPECT_EQ(fault->what, "a value that nothing has given it");
@@ -175,10 +207,17 @@ TEST_F(ProbeFaults, NameTheVariableThatIsReadWithoutAValue) {
         {"float w[3]; w[0] = 1.0; c = vec4(w[0] + w[2]);", "w[2]"},
         {"float un; modf(p.x, un); c = vec4(un); float b; c += b;", "b"},
         {"c = vec4(half_set(p.x - 9.0));", "half_set(p.x - 9.0)"},
+        {"int n; n += 2; c = vec4(n > 2);", "n"},
+        {"int n; n++; c = vec4(n > 2);", "n"},
+        {"int n; while (n++ < 4) c = p.xyxy;", "n"},
+        {"ivec2 n; n.x -= 3; c = vec4(n.x);", "n.x"},
+        {"int n; leave(n); c = vec4(n > 0);", "n"},
     };
     for (const auto& [body, name] : texts) {
-        Player player("float half_set(float x) { if (x > 0.0) return 1.0; }\n" + image(body),
-                      {.size = {1, 1}});
+        Player player(
+            "float half_set(float x) { if (x > 0.0) return 1.0; }\nvoid leave(out int n) {}\n" +
+                image(body),
+            {.size = {1, 1}});
         const auto fault =
             first_fault(player, 1, {.marked = Marked{{0, player.preset.scene.text.size()}}});
         ASSERT_TRUE(fault) << body;

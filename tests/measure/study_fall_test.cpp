@@ -44,9 +44,11 @@ FrameTimes steady(double ms) {
 // Rows of these, beside a reference that twice its work measures. `ms` of a row by its work.
 Study judged(
     const Method& method, const std::vector<int>& works, int reference,
-    const std::function<double(int)>& ms = [](int work) { return 1.0 + 0.1 * work; }) {
+    const std::function<double(int)>& ms = [](int work) { return 1.0 + 0.1 * work; },
+    double size = 1.0) {
     const Picture truth = picture(method, reference);
     Study study{.reference = std::to_string(reference), .second = "twice"};
+    study.reference_size = size;
     std::vector<Picture> pictures;
     for (const int work : works) {
         pictures.push_back(picture(method, work));
@@ -119,6 +121,69 @@ TEST(StudyFall, TellsASumThatNeverEnds) {
         EXPECT_EQ(finding.find("the rows are as far"), std::string::npos) << finding;
     // One whose steps become shorter, however slowly, has an end.
     EXPECT_TRUE(judged(of_order(0.3), kDoubled, 1024).converges);
+}
+
+// Small values have small errors, and a sum of floats has rounding, which goes nowhere.
+TEST(StudyFall, IsToldBesideTheSizeOfValues) {
+    const auto ms = [](int work) { return 1.0 + 0.1 * work; };
+    const Method tiny = [](int pixel, int work) {
+        double sum = 0.0;
+        for (int i = 1; i <= work; ++i) sum += 1e-12 / i;
+        return sum * (0.5 + 0.001 * pixel);
+    };
+    EXPECT_FALSE(judged(tiny, kDoubled, 1024, ms, 1e-11).converges);
+    const Method small = [](int pixel, int work) { return 1e-9 * of_order(1.0)(pixel, work); };
+    const Study fallen = judged(small, kDoubled, 1024, ms, 1e-8);
+    ASSERT_TRUE(fallen.order);
+    EXPECT_NEAR(*fallen.order, 1.0, 0.1);
+    const Method rounded = [](int pixel, int work) {
+        float sum = 0.0f;
+        for (int i = 0; i < work; ++i)
+            sum += (0.3f + 0.001f * static_cast<float>(pixel)) / static_cast<float>(work);
+        return static_cast<double>(sum);
+    };
+    const Study study = judged(rounded, {3, 5, 6, 12, 24, 48, 96, 100}, 700, ms, 0.7);
+    EXPECT_TRUE(study.converges);
+    EXPECT_TRUE(study.findings.empty()) << study.findings.front();
+}
+
+TEST(StudyFall, MakesNoReferenceWrongThatIsNone) {
+    struct {
+        Method method;
+        std::vector<int> works;
+        int reference;
+    } const cases[] = {
+        {of_order(1.0), {16, 17}, 4096},
+        {of_order(1.0), {8, 8}, 4096},
+        // A text that uses every fourth.
+        {[](int pixel, int work) { return of_order(1.0)(pixel, std::max(1, work / 4)); },
+         {61, 62, 63},
+         4096},
+        {[](int pixel, int work) { return of_order(1.0)(pixel, std::max(1, work / 4)); },
+         {4, 5, 8, 9, 16, 17, 32, 33},
+         4096},
+        // Unstable at first.
+        {[](int pixel, int work) {
+             return work == 1 ? 800.0 : work == 2 ? 0.8 : of_order(4.9)(pixel, work) * 0.03;
+         },
+         {1, 2, 4, 8},
+         16},
+        // A series whose terms grow before they fall.
+        {[](int, int work) { return std::pow(5.0, work) / std::tgamma(1.0 + work); },
+         {1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
+         24},
+    };
+    for (const auto& one : cases) {
+        const Study study = judged(one.method, one.works, one.reference);
+        EXPECT_TRUE(study.findings.empty())
+            << one.works.size() << " rows: " << study.findings.front();
+    }
+    const Method method = [](int pixel, int work) {
+        return work == 4096 || work == 8192 ? 7.0 : of_order(1.0)(pixel, work);
+    };
+    const Study wrong = judged(method, {8, 16, 32, 64}, 4096);
+    ASSERT_FALSE(wrong.findings.empty());
+    EXPECT_NE(wrong.findings[0].find("the reference is wrong"), std::string::npos);
 }
 
 TEST(StudyFall, IsTheSameWhicheverEndOfAListStandsFirst) {

@@ -63,5 +63,82 @@ TEST_F(CheckEnds, AnEdgeThatTheMouseIsDraggedTo) {
     EXPECT_NE(found.find("Inf"), std::string::npos) << found;
 }
 
+// A person may wait, and press a key in between.
+TEST_F(CheckEnds, WhatGoesWrongInASimulationSecondsLater) {
+    const auto scene = [](const std::string& step, const std::string& body) {
+        return "uniform sampler2D s; //@ pass mainS size=1" + step +
+               "\nvoid mainS(out vec4 c, in vec2 p) {\n    float n = texelFetch(s, ivec2(0), "
+               "0).x;\n"
+               "    " +
+               body +
+               "\n}\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+               "    c = vec4(vec3(texelFetch(s, ivec2(0), 0).y), 1);\n}\n";
+    };
+    const std::string late =
+        note_of(scene("", "c = vec4(min(n + 1.0 / 256.0, 1.0), max(sqrt(0.75 - n), 0.2), 0, 1);"),
+                "search", 6);
+    EXPECT_NE(late.find("s.frag:4: in mainS: sqrt(0.75 - n) is undefined"), std::string::npos)
+        << late;
+    EXPECT_NE(late.find("; after "), std::string::npos) << late;
+    const std::string slow = note_of(
+        scene(" step=1/10", "c = vec4(0.5, iFrame == 0 ? 0.4 : max(sqrt(n - 0.75), 0.2), 0, 1);"),
+        "search", 6);
+    EXPECT_NE(slow.find("sqrt(n - 0.75) is undefined"), std::string::npos) << slow;
+    note_of(scene("", "c = vec4(min(n + 1.0 / 256.0, 1.0), sqrt(1.0 - 0.5 * n), 0, 1);"), "search",
+            0);
+}
+
+TEST_F(CheckEnds, ThatTwoTweaksAreEqual) {
+    const std::string found = note_of(
+        "uniform float a; //@ 0.3 [0.1, 0.77]\nuniform float b; //@ 0.51 [0.1, 0.9]\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(vec3(clamp((a - b) / (b * b - a * a), 0.0, 1.0)), 1);\n}\n",
+        "search", 6);
+    EXPECT_NE(found.find("s.frag:4: in mainImage"), std::string::npos) << found;
+}
+
+TEST_F(CheckEnds, WhatEachFrameAddsWhileAKeyIsHeld) {
+    const auto scene = [](const std::string& added) {
+        return "uniform sampler2D s; //@ pass mainS\nuniform sampler2D keys; //@ keyboard\n"
+               "void mainS(out vec4 c, in vec2 p) {\n"
+               "    float b = texelFetch(s, ivec2(p), 0).x * exp(-1.5 * iTimeDelta);\n"
+               "    if (texelFetch(keys, ivec2(32, 0), 0).x > 0.5) b += " +
+               added +
+               ";\n    c = vec4(b);\n}\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+               "    float v = texelFetch(s, ivec2(p), 0).x; c = vec4(vec3(v / (1.0 + v)), 1);\n}\n";
+    };
+    const std::string found = note_of(scene("0.1"), "frame rates", 6);
+    EXPECT_NE(found.find("something is added in every frame"), std::string::npos) << found;
+    EXPECT_TRUE(found.ends_with("; at key space")) << found;
+    note_of(scene("6.0 * iTimeDelta"), "frame rates", 0);
+}
+
+TEST_F(CheckEnds, FlashesAtTheEndOfARangeOnceAKeyWasPressed) {
+    const std::string found = note_of(
+        "uniform float rate; //@ 1 [0.3, 6]\nuniform sampler2D keys; //@ keyboard\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float on = step(0.5, fract(rate * iTime));\n"
+        "    c = vec4(vec3(on * (0.05 + 0.9 * texelFetch(keys, ivec2(76, 2), 0).x)), 1);\n}\n",
+        "flashes", 6);
+    EXPECT_NE(found.find("; at rate=6, key "), std::string::npos) << found;
+}
+
+TEST_F(CheckEnds, WhatEndsByItselfHasNotAged) {
+    const std::string image =
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float v = 0.5 + 0.5 * sin(6.2831853 * (float(iTick & 0xFFFFFu) / 1048576.0 + p.x / "
+        "iResolution.x));\n    c = vec4(vec3(v * smoothstep(0.0, 3.0, iTime)), 1);\n}\n";
+    EXPECT_EQ(note_of(image, "same phase after 1 year", 0).find("it reads"), std::string::npos);
+    note_of(
+        "uniform sampler2D s; //@ pass mainS size=1 step=1/60\n"
+        "void mainS(out vec4 c, in vec2 p) {\n"
+        "    c = vec4(mix(texelFetch(s, ivec2(0), 0).x, 0.5, 0.02));\n}\n"
+        "void mainImage(out vec4 c, in vec2 p) {\n"
+        "    float battery = sqrt(max(1.0 - iTime / 150.0, 0.0));\n"
+        "    c = vec4(vec3(texelFetch(s, ivec2(0), 0).x + 0.5 * battery * p.x / "
+        "iResolution.x), 1);\n}\n",
+        "age 1 day", 0);
+}
+
 }  // namespace
 }  // namespace glint::cli::check_ends_test

@@ -213,6 +213,68 @@ TEST_F(Foreign, AFragmentShaderOfThreeJsOrADesktopProgramHasItsTextureCoordinate
     EXPECT_NE(said.find("a.glsl:1:14: error: nothing feeds vNormal"), std::string::npos) << said;
 }
 
+TEST_F(Foreign, ItsNamesAreFedByTheTypesThatItGivesThem) {
+    const char* texts[] = {
+        "#version 330\nuniform vec2 iResolution;\nuniform float iTime;\nout vec4 c;\n"
+        "void main() { c = vec4((gl_FragCoord.xy / iResolution).xx * 51.2, iTime, 1.0); }\n",
+        "uniform vec3 uResolution;\nuniform float u_time;\nuniform int u_frame;\n"
+        "void main() { gl_FragColor = vec4((gl_FragCoord / uResolution.x).xx * 51.2, "
+        "u_time + float(u_frame - 12), 1.0); }\n",
+        "#version 330\nin vec4 gl_FragCoord;\nlayout(location = 0) out vec4 c;\n"
+        "layout(std140, binding = 0) uniform B { float unused; } b;\nuniform float time;\n"
+        "void main() { c = vec4(gl_FragCoord.xy / 64.0 * 51.2, time + b.unused, 1.0); }\n",
+        "varying vec4 vertTexCoord;\nuniform float time;\n"
+        "void main() { gl_FragColor = vec4(vertTexCoord.xx * 51.2, time, vertTexCoord.w); }\n"};
+    for (const char* text : texts) {
+        write("a.glsl", text);
+        EXPECT_EQ(draw({"--time", "0.2"}), (std::array{102, 102, 51})) << text << errors_;
+        EXPECT_EQ(errors_.find("error"), std::string::npos) << errors_;
+    }
+    write("a.glsl",
+          "#version 330\nin Place { vec3 normal; vec3 colour; } place;\nout vec4 c;\n"
+          "void main() { c = vec4(place.colour, 1); }\n");
+    const std::string said = glint({"still", "a.glsl", "-o", "x.png"}).err;
+    EXPECT_NE(said.find("a.glsl:2:1: error: nothing feeds this block"), std::string::npos) << said;
+}
+
+// As GLSL ES 1.00 and desktop GLSL let it.
+TEST_F(Foreign, AMainMayAddToTheFunctionsOfGlsl) {
+    write("a.glsl",
+          "uniform vec2 resolution;\n"
+          "int mod(int a, int b) { return a - (a / b) * b; }\n"
+          "int min(int a, int b) { return a < b ? a : b; }\n"
+          "float pow(float x, int n) { float r = 1.0; for (int i = 0; i < 8; i++) { if (i >= n) "
+          "break; r *= x; } return r; }\n"
+          "vec2 length(mat2 m) { return vec2(length(m[0]), length(m[1])); }\n"
+          "void main() {\n    float x = mod(5.2, 1.0) + float(mod(7, 3) - min(2, 1));\n"
+          "    gl_FragColor = vec4(x + 0.2, 0.8 * length(mat2(1.0)).y, pow(2.0, 3) - pow(2.8, "
+          "2.0) + 0.04, 1.0);\n}\n");
+    EXPECT_EQ(draw(), (std::array{102, 204, 51})) << errors_;
+    EXPECT_EQ(errors_, "");
+}
+
+TEST_F(Foreign, WhatIsWrongIsToldInItsOwnWords) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"out vec4 col\nvoid main() { col = vec4(1); }\n", "a.glsl:1:13: error: ';' is missing"},
+        {"precision mediump float\nvoid main() { gl_FragColor = vec4(1.0); }\n",
+         "a.glsl:1:24: error: ';' is missing here"},
+        {"void main() { float x = 1.0 gl_FragColor = vec4(x); }\n", "before 'gl_FragColor'"},
+        {"float round(float x) { return x; }\nvoid main() { gl_FragColor = "
+         "vec4(round(vec2(1.0)), 1.0, 1.0); }\n",
+         "call to `round(vec2)'"},
+        {"void main() { mediump x = 1.0; gl_FragColor = vec4(x); }\n", "behind 'mediump'"},
+        {"void main() { gl_FragColor = vec4(1.0); }\nvoid main() { }\n", "`main' redefined"},
+        {"varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(vNormal, 1.0); }\n",
+         "a.glsl:1:14: error: nothing feeds vNormal"}};
+    for (const auto& [text, words] : texts) {
+        write("a.glsl", text);
+        const std::string said = glint({"still", "a.glsl", "-o", "x.png"}).err;
+        EXPECT_NE(said.find(words), std::string::npos) << said;
+        EXPECT_EQ(said.find("glint_"), std::string::npos) << said;
+        EXPECT_EQ(said.find("Color_"), std::string::npos) << said;
+    }
+}
+
 TEST_F(Foreign, AGlobalMayBeginWithWhatIsNoConstant) {
     for (const std::string head :
          {"uniform float time;\nfloat t = 0.5 * time, two = 2.0;\nfloat u = t * two;\n",

@@ -548,11 +548,30 @@ TEST_F(Complaints, SayWhatToDo) {
         {told("c.x = p.x % 2.0;"), "; of floats mod(a, b) is left"},
         {told("", "varying vec2 uv;\n"), "; nothing feeds it, for no vertices stand before"},
         {told("c.x = lerp(0.0, 1.0, 0.5);"), "'lerp'; GLSL's is mix"},
+        {told("float a = Math; a = Math;"), "`Math' undeclared"},
+        {told("float distance = 1.0; c.x = distance(p, p);"),
+         "distance(vec2, vec2)'; a variable of that name hides the function here"},
+        {told("c = texture(p, p);"), "; its first argument has to be a sampler, such as iChannel0"},
+        {told("gl_FragColor = c;"), "; a mainImage writes its first parameter"},
+        {told("bool b = p.x &lt; 1.0;"), "where &lt; stands for < in what was copied, write that"},
+        {told("", "<br>\n"), "2:1: error: outside of functions only declarations stand; take"},
+        {told("", "void f(float x);\n{ x = 1.0; }\n"),
+         "2:16: error: this ';' ends the function before its body; take it out"},
+        {told("c.x = PI * 2.0;\n}\n#define PI 3.14;\nvoid f() {"), "`PI' undeclared"},
+        {told("", "int mod(int a, int b) { return a; }\n"),
+         "built-in function `mod' in GLSL ES 3.00; give yours another name"},
         {told("c.x = later(0.5);", "float later(float x) { return x; }\n"),
          "'later'; it stands below, and GLSL reads in order: move it up"},
         {told("c.x = kLater;", "const float kLater = 1.0, kLast = 2.0;\n"),
          "`kLater' undeclared; it stands below, and GLSL reads in order: move it up"}};
     for (const auto& [text, advice] : cases) EXPECT_NE(text.find(advice), text.npos) << text;
+    const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+    for (const char* statement :
+         {"for (i = 0; i < 9; i++) c.x += 1.0;", "if (foo == 1.0 || !foo) c.x = 1.0;",
+          "float a = foo > 1.0 ? foo : 2.0;", "const float k = foo; c.x = k;",
+          "switch (foo) { case 1: break; }", "float a[2] = float[2](foo, 1.0);",
+          "sampler2D s = iChannel0;", "float d; vec2 d;", "c.x = sampel(sampel(p.x));"})
+        EXPECT_EQ(lines(told(statement)), 1) << told(statement) << "is one mistake";
     // A parameter of another function is none of this one's.
     const std::string other = told("c.x = inner;", "float f(float inner) { return inner; }\n");
     EXPECT_EQ(other.find("stands below"), other.npos) << other;
