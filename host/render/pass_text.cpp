@@ -406,9 +406,13 @@ std::string numbers_uniform(const std::vector<float>& numbers) {
     return fmt::format("uniform vec4 {}[{}];\n", kNumbers, (numbers.size() + 3) / 4);
 }
 
-void mend_divisions(const Preset& preset, const ProgramOptions& options, const Reading& reading,
-                    Edits& edits) {
-    mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
+// For a watch of faults they stay divisions.
+void mend_divisions(const Preset& preset, const ProgramOptions& options, const ProbeWish* probe,
+                    const Reading& reading, Edits& edits) {
+    if (probe && probe->kind == ProbeKind::faults)
+        hide_named_zeros(reading, zero_tweaks(preset, options), edits);
+    else
+        mend_division_by_zero(reading, zero_tweaks(preset, options), edits);
     if (options.named) name_divisions(reading, float_tweaks(preset.scene), edits);
 }
 
@@ -500,10 +504,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     name_parameters(reading, edits);
     const std::vector<Remainder> remainders = find_remainders(reading, edits);
     if (!probe) mend_remainders(remainders, edits);
-    if (probe && probe->kind == ProbeKind::faults)
-        hide_named_zeros(reading, zero_tweaks(preset, options), edits);
-    else
-        mend_divisions(preset, options, reading, edits);
+    mend_divisions(preset, options, probe, reading, edits);
 
     PassText result;
     result.pass = pass;

@@ -15,11 +15,14 @@ export const dateAfter = ({day, seconds}, elapsed) => {
 
 // The uniforms that tell the time. iTick counts 1/65536 s, modulo 2^32.
 export const timed = (time, delta, frame) => ({
-    iTime: time, iGlobalTime: time, u_time: time, uTime: time, time, iTimeDelta: delta, iFrameRate: 1 / delta, iFrame: frame,
-    iTick: floor(time % 65536 * 65536) >>> 0,
+    iTime: time, iGlobalTime: time, u_time: time, uTime: time, time, iTimeDelta: delta, u_delta: delta, iFrameRate: 1 / delta, iFrame: frame,
+    u_frame: frame, iTick: floor(time % 65536 * 65536) >>> 0,
 });
 
-export const frameAt = (plan, time, delta, frame) => ({...timed(time, delta, frame), iSampleRate: 44100, iDate: dateAfter(plan, time)});
+export const frameAt = (plan, time, delta, frame) => {
+    const iDate = dateAfter(plan, time);
+    return {...timed(time, delta, frame), iSampleRate: 44100, iDate, u_date: iDate};
+};
 
 // Frame k of a playback that ends at `end`; beyond its last one time stands still. What was done after `from` is new.
 export const playedFrame = (plan, k, end) => {

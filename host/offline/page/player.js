@@ -77,7 +77,7 @@ export const makePlayer = (gl, plan, planned, fell) => {
         gl.useProgram(id);
         for (let i = 0; i < gl.getProgramParameter(id, gl.ACTIVE_UNIFORMS); ++i) {
             const {name, type, size} = gl.getActiveUniform(id, i), location = gl.getUniformLocation(id, name);
-            if (SEND[type]) uniforms.push({location, name, send: `uniform${SEND[type]}v`});
+            if (SEND[type]) uniforms.push({location, name, send: `uniform${SEND[type]}v`, count: size * parseInt(SEND[type])});
             else {
                 gl.uniform1iv(location, Array(size).fill(samplers.length));
                 samplers.push({input: inputs[pass.samplers?.[name]]});
@@ -149,15 +149,16 @@ export const makePlayer = (gl, plan, planned, fell) => {
     };
 
     const drawPass = (pass, frame, force) => {
-        const {program, buffer, pixels, channels} = pass, told = {
-            __proto__: null, ...frame, iResolution: [...pixels, 1], u_resolution: pixels, uResolution: pixels, resolution: pixels,
+        const {program, buffer, pixels, channels} = pass, iResolution = [...pixels, 1], told = {
+            __proto__: null, ...frame, iResolution, u_resolution: iResolution, uResolution: iResolution, resolution: iResolution,
             ...channels && channelsTold(channels.map(i => inputs[i]), frame.iTime, sizeOf),
         };
         plan.tweaks.forEach(({name}, i) => told[name] = player.values[i]);
         gl.useProgram(program.id);
         let isDue = force || !pass.drawn, face;
         for (const uniform of program.uniforms) {
-            const {name, location, send, sent} = uniform, value = [told[name] ?? []].flat();
+            // A text may ask for fewer of the numbers, by another type.
+            const {name, location, send, sent, count} = uniform, value = [told[name] ?? []].flat().slice(0, count);
             if (name === "glint_face") face = location;
             uniform.sent = `${value}`;
             if (sent === uniform.sent || !value.length) continue;
