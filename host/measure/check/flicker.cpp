@@ -40,7 +40,8 @@ std::vector<glm::dvec3> tile_colours(const std::vector<float>& picture, glm::ive
 
 // ---- Frame rates --------------------------------------------------------------------------------
 
-constexpr double kMet = 0.5;  // s, where the pictures of all rates are compared
+constexpr double kMet = 0.5;        // s, where the pictures of all rates are compared
+constexpr double kFastest = 240.0;  // Hz
 // A finer rate comes nearer to the truth: the last doubling changes at most this share of what the
 // one before did, or less than a clear mark on the picture, or little beside what a frame does.
 constexpr double kShare = 0.7, kClear = 0.5, kBesideFrame = 1.5;
@@ -107,7 +108,8 @@ bool show_at_rate(CheckSubject& subject, double fps, Shown& shown) {
 }
 
 // What is added in every frame, however long it is, is twice as much at twice the rate, and shows:
-// half of a step that converges is left, and what counts frames alone is not seen.
+// half of a step that converges is left. Where frames are counted, what is added is divided by
+// that.
 bool is_added_by_frames(const std::array<Shown, 3>& shown) {
     constexpr double kLight = 0.01, kMoreThanHalf = 0.53, kDoubled = 1.6, kOfIt = 0.05;
     const auto is_seen = [&](std::size_t tile) {
@@ -121,16 +123,21 @@ bool is_added_by_frames(const std::array<Shown, 3>& shown) {
         return std::abs(fine) > kOfIt * std::abs(shown[2].state[channel]) && fine * coarse > 0.0 &&
                std::abs(fine) > kDoubled * std::abs(coarse);
     };
+    const auto counts = [&](std::size_t channel) {
+        const double frames = kMet * kFastest;
+        return std::abs(shown[2].state[channel] - frames) < 2.0 &&
+               std::abs(shown[1].state[channel] - frames / 2.0) < 2.0;
+    };
     const auto any = [](std::size_t count, const auto& is) {
         for (std::size_t i = 0; i < count; ++i)
             if (is(i)) return true;
         return false;
     };
-    return any(shown[0].tiles.size(), is_seen) && any(shown[0].state.size(), doubles);
+    const std::size_t channels = shown[0].state.size();
+    return any(shown[0].tiles.size(), is_seen) && any(channels, doubles) && !any(channels, counts);
 }
 
 void compare_rates(CheckSubject& subject, CaseResult& result) {
-    constexpr double kFastest = 240.0;
     std::array<Shown, 3> shown;
     for (std::size_t i = 0; i < 3; ++i)
         if (!show_at_rate(subject, kFastest / (4 >> i), shown[i])) return;
