@@ -205,8 +205,8 @@ void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& re
             judge_motion(young, old, judged);
         if (judged.verdict != CaseVerdict::fail || young.moving >= kSeldom) break;
     }
-    // What has ended after some minutes, when a clock has all its digits, was to.
-    if (judged.verdict == CaseVerdict::fail && young.moving > 0.0) {
+    // What has ended after some minutes, when a clock has all its digits, was to; a state goes on.
+    if (judged.verdict == CaseVerdict::fail && subject.stateful() && young.moving > 0.0) {
         const Motion settled = motion_at(check, kSettled);
         if (!subject.observed().is_finite()) return;
         CaseResult again{.name = result.name};

@@ -26,7 +26,8 @@ constexpr int kSmallest = 160;                   // trials for the smallest repr
 constexpr double kHuntShare = 0.12;              // of the seconds, that a search may take
 constexpr double kSpreadShare = 0.1;             // before it follows single operations
 constexpr int kEvaluations = 256;                // of one effort
-constexpr int kFollowed = 256;        // more, to where an operation's distance would be 0
+constexpr int kFollowed = 256;  // more, to where an operation's distance would be 0
+constexpr int kLeastFollowed = 16;
 constexpr int kDescended = 768;       // as many, along all ranges
 constexpr int kOfSizes = 192;         // where there is nothing but the size to change
 constexpr std::size_t kMostKeys = 6;  // that the search presses
@@ -234,13 +235,14 @@ std::vector<int> keys_that_matter(Check& check) {
 
 // Each operation to its zero: along one range, then along all, one after the other, from where they
 // have few digits.
-std::optional<Point> followed(Hunter& hunter, const Search& search, const CaseClock& clock) {
+std::optional<Point> followed(Hunter& hunter, const Search& search, const Check& check,
+                              const CaseClock& clock) {
     const Space& space = hunter.space();
     const auto rounded = [&](Point point, std::size_t axis) {
         return space.rounded(std::move(point), axis);
     };
     for (const bool along_all : {false, true}) {
-        int left = along_all ? kDescended : kFollowed;
+        int left = check.paced(along_all ? kDescended : kFollowed, kLeastFollowed);
         const auto attempt = [&](const Point& point) {
             --left;
             return hunter(point);
@@ -274,7 +276,7 @@ void run_search(Check& check, CaseResult& result) {
         search.tell(point, trial);
     }
     std::ranges::copy(space.equals(), std::back_inserter(zeros));
-    if (const auto failing = followed(hunter, search, clock))
+    if (const auto failing = followed(hunter, search, check, clock))
         return report(hunter, check, *failing, result);
     for (std::size_t i = 0; i < zeros.size() && !clock.is_over(kHuntShare); ++i)
         for (const Point& point : {zeros[i], space.at_odd_size(zeros[i])})
