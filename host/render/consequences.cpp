@@ -88,8 +88,11 @@ std::string why_none_fits(const std::string& call, std::span<const Diagnostic> c
     constexpr std::string_view kCall = "no matching function for call to `";
     if (!call.starts_with(kCall) || !call.ends_with(kCandidates)) return "";
     const std::string given = call.substr(kCall.size(), call.find('\'') - kCall.size());
-    const bool samples = given.starts_with("texture") || given.starts_with("texelFetch");
-    if (samples && first_type(given).find("sampler") == std::string_view::npos)
+    const auto samples = [](const Diagnostic& one) {
+        return first_type(one.text).find("sampler") != std::string_view::npos;
+    };
+    if (!candidates.empty() && std::ranges::all_of(candidates, samples) &&
+        first_type(given).find("sampler") == std::string_view::npos)
         return "its first argument has to be a sampler, such as iChannel0";
     const auto is_called = [&](const Diagnostic& one) { return one.text.ends_with(" " + given); };
     if (std::ranges::any_of(candidates, is_called))

@@ -98,6 +98,7 @@ public:
             if (before == 1 && survey_->fault()) return survey_->fault();
             if (!finite || clock.is_over(kPlayedOnShare)) break;
         }
+        if (survey_) survey_->end();
         return std::nullopt;
     }
 

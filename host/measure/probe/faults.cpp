@@ -293,6 +293,8 @@ void FaultWatch::look_in_parts(std::size_t index, int face) {
         const std::size_t place = probe.probed().sites[site_of(cell)].at;
         faulty.push_back({place, place + 1});
     }
+    if (parts_[index].size() > kMostParts)  // of so many none is kept
+        for (std::unique_ptr<Probe>& probe : part_probes_[index]) probe.reset();
     if (faulty.empty()) return;
     Probe probe = probe_of(index, std::move(faulty));
     const std::vector<ProbeCell> again = probe.map(renderer_, *frame_, 0, 0, face);
