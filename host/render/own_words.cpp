@@ -1,7 +1,5 @@
 #include "render/own_words.h"
 
-#include "glsl/remainder.h"
-
 #include <array>
 #include <regex>
 #include <string_view>

@@ -39,6 +39,7 @@ std::optional<std::size_t> missing_semicolon(const Reading& reading) {
     constexpr std::string_view kNext[] = {"in",     "out",       "uniform", "varying", "void",
                                           "layout", "precision", "const",   "struct",  "float",
                                           "vec2",   "vec3",      "vec4",    "#"};
+    constexpr std::string_view kPrecisions[] = {"highp", "mediump", "lowp"};
     const auto is_one_of = [](const Token& token, std::span<const std::string_view> words) {
         return std::ranges::find(words, token.text) != words.end();
     };
@@ -46,8 +47,10 @@ std::optional<std::size_t> missing_semicolon(const Reading& reading) {
     bool is_head = false;  // of a declaration that has not ended
     for (std::size_t i = 0; i < reading.tokens.size(); ++i) {
         const Token& token = reading.tokens[i];
-        const bool is_behind =
-            i > 0 && (reading.tokens[i - 1].is_word() || reading.tokens[i - 1].is("]"));
+        const bool is_behind = i > 0 &&
+                               (reading.tokens[i - 1].is_word() || reading.tokens[i - 1].is("]")) &&
+                               !is_one_of(reading.tokens[i - 1], kHeads) &&
+                               !is_one_of(reading.tokens[i - 1], kPrecisions);
         if (depth == 0 && is_head && is_behind && token.begins_line && is_one_of(token, kNext))
             return reading.tokens[i - 1].end;
         const bool begins =
@@ -140,10 +143,10 @@ std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
 }
 
 std::optional<NoPicture> why_no_colour(const Reading& reading) {
-    if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
     const auto mains = reading.functions_named("main");
     if (writes_plain_colour(reading) || colour_output(reading) || mains.empty())
         return std::nullopt;
+    if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
     for (const Token& token : reading.tokens)
         if (token.text.starts_with("gl_F") && !token.is("gl_FragCoord") &&
             !token.is("gl_FrontFacing") && !token.is("gl_FragDepth"))

@@ -223,7 +223,7 @@ TEST_F(Foreign, ItsNamesAreFedByTheTypesThatItGivesThem) {
         "#version 330\nin vec4 gl_FragCoord;\nlayout(location = 0) out vec4 c;\n"
         "layout(std140, binding = 0) uniform B { float unused; } b;\nuniform float time;\n"
         "void main() { c = vec4(gl_FragCoord.xy / 64.0 * 51.2, time + b.unused, 1.0); }\n",
-        "varying vec4 vertTexCoord;\nuniform float time;\n"
+        "varying\nvec4 vertTexCoord;\nuniform\nfloat time;\n"
         "void main() { gl_FragColor = vec4(vertTexCoord.xx * 51.2, time, vertTexCoord.w); }\n"};
     for (const char* text : texts) {
         write("a.glsl", text);
