@@ -45,6 +45,8 @@ bool is_matrix(std::string_view type) {
             (type.size() == 6 && type[4] == 'x' && is_length(type.substr(5, 1))));
 }
 
+}  // namespace
+
 std::string basic_value(std::string_view type, FirstValue first) {
     const auto index = static_cast<std::size_t>(first);
     if (const Scalar* scalar = scalar_of(type)) return std::string((*scalar)[index]);
@@ -57,8 +59,6 @@ std::string basic_value(std::string_view type, FirstValue first) {
         columns += fmt::format("{}vec{}({})", i == '0' ? "" : ",", type.back(), kFloat[index]);
     return fmt::format("{}({})", type, columns);
 }
-
-}  // namespace
 
 ZeroValues::ZeroValues(const Reading& reading) : reading_(reading) {
     for (const Struct& one : reading.structs)

@@ -21,6 +21,9 @@ struct SpelledType {
 // and then 1e9 shows, or -1e9. Bools are true where it is not zero.
 enum class FirstValue { zero, nan, large, negative };
 
+// Of a number, a vector or a matrix; empty for other types.
+std::string basic_value(std::string_view type, FirstValue first);
+
 class ZeroValues {
 public:
     // `reading` must outlive this.

@@ -14,7 +14,8 @@ namespace {
 
 // A place where a value is written, and how.
 struct Site {
-    enum class Kind : std::uint8_t { initial, head, result, none };
+    // An `entry` begins with its outputs as the host has set them, to 0.
+    enum class Kind : std::uint8_t { initial, head, entry, result };
     Kind kind = Kind::initial;
     Unset unset;
     SpelledType type;
@@ -118,12 +119,11 @@ private:
             const bool is_entry = reading_.is_for_the_host(function, entry_);
             const Declarator& one = declaration.names.front();
             if (!uses_.out_is_read(index, reading_.word(one.name))) continue;
-            add(is_entry ? Site::Kind::none : Site::Kind::head, one.name, function.body.begin,
+            add(is_entry ? Site::Kind::entry : Site::Kind::head, one.name, function.body.begin,
                 {.type = declaration.type,
                  .structure = declaration.structure,
                  .array = one.array,
                  .type_array = declaration.type_array});
-            if (is_entry) sites_.back().unset.why_not = "the host gives it its first value";
         }
         if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;
         add(Site::Kind::result, function.name, function.body.end - 1,
@@ -143,7 +143,7 @@ public:
 
     // False where it cannot be done.
     bool write(const Site& site, FirstValue first) {
-        if (site.kind == Site::Kind::none) return true;
+        if (site.kind == Site::Kind::entry && first == FirstValue::zero) return true;
         const auto value = values_.value(site.type, first);
         if (!value) return write_statements(site, first);
         if (!name_struct(site.type)) return false;
@@ -151,11 +151,10 @@ public:
             case Site::Kind::initial:
                 return edits_.after(site.token, " = " + *value);
             case Site::Kind::head:
+            case Site::Kind::entry:
                 return edits_.after(site.token, " " + site.unset.name + " = " + *value + ";");
             case Site::Kind::result:
                 return edits_.before(site.token, " return " + *value + "; ");
-            case Site::Kind::none:
-                break;
         }
         return false;
     }

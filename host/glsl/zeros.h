@@ -23,7 +23,7 @@ struct Unset {
     std::string name;        // of the variable
     bool is_result = false;  // the name is that of a function which may end without a `return`
     std::size_t at = 0;      // byte of the text where the name is declared
-    // Why no value of ours is sure to be there: it could not be written, or is not for us to give.
+    // Why no value of ours is sure to be there.
     std::string_view why_not{};
 };
 
@@ -33,7 +33,8 @@ struct Marked {
     FirstValue value = FirstValue::nan;
 };
 
-// What was unset, in the order of the text. The outputs of `entry` are the host's to set.
+// What was unset, in the order of the text. The host sets the outputs of `entry` to 0; of these
+// only marks are written.
 std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry = {},
                                std::optional<Marked> marked = {});
 

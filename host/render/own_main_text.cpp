@@ -1,5 +1,6 @@
 #include "render/own_main_text.h"
 
+#include "glsl/first_use.h"
 #include "glsl/zero_value.h"
 #include "render/pass_text.h"
 #include "scene/builtin.h"
@@ -243,10 +244,28 @@ std::string before_plain_main(const Reading& reading) {
     return "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n" + texture_coordinates(reading);
 }
 
-std::string behind_plain_main(const Reading& reading, const Declaration* output) {
+std::optional<Unset> unset_colour(const Reading& reading, const Declaration* output) {
+    const std::string_view name =
+        output ? reading.word(output->names.front().name) : "gl_FragColor";
+    const auto mains = reading.functions_named("main");
+    const auto first =
+        std::ranges::find_if(reading.tokens, [&](const Token& token) { return token.is(name); });
+    if (first == reading.tokens.end() || std::ranges::none_of(mains, [&](std::uint32_t index) {
+            return reading.functions[index].first_statement != kNone &&
+                   FirstUses(reading).out_is_read(index, name);
+        }))
+        return std::nullopt;
+    return Unset{.name = std::string(name), .at = first->span().begin};
+}
+
+std::string behind_plain_main(const Reading& reading, const Declaration* output,
+                              std::optional<FirstValue> mark) {
     const std::string_view colour =
         output ? reading.word(output->names.front().name) : kPlainColour;
     const bool is_opaque = output && reading.word(output->type) == "vec3";
+    const std::string first = mark
+                                  ? basic_value(output ? reading.word(output->type) : "vec4", *mark)
+                                  : fmt::format("glint_color{}", is_opaque ? ".rgb" : "");
     std::string before =
         texture_coordinates(reading).empty() ? "" : "    glint_place(glint_coord);\n";
     for (const Declaration& declaration : reading.declarations) {
@@ -260,11 +279,11 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output)
     if (reading.mentions("pixel_center_integer")) before += "    glFragCoord_.xy -= 0.5;\n";
     return fmt::format(
         "#undef mainImage\nvoid mainImage(inout vec4 glint_color, in vec2 glint_coord) {{\n"
-        "    {0} = glint_color{1};\n"
+        "    {0} = {1};\n"
         "    glFragCoord_ = vec4(glint_coord, gl_FragCoord.zw);\n{3}"
         "    main();\n    glint_color = {2};\n}}\n",
-        colour, is_opaque ? ".rgb" : "",
-        is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour), before);
+        colour, first, is_opaque ? fmt::format("vec4({}, 1.0)", colour) : std::string(colour),
+        before);
 }
 
 void make_ends_variables(const Reading& reading, Edits& edits) {

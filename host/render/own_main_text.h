@@ -2,7 +2,9 @@
 #pragma once
 
 #include "glsl/edits.h"
+#include "glsl/zeros.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,11 @@ std::string before_own_main(const Reading& reading, bool plain_main);
 
 // Where nothing else draws the picture, main() is called from the site's mainImage.
 std::string before_plain_main(const Reading& reading);
-std::string behind_plain_main(const Reading& reading, const Declaration* output);
+// `output`: what it writes, null for gl_FragColor. That begins as 0, or as the mark.
+std::string behind_plain_main(const Reading& reading, const Declaration* output,
+                              std::optional<FirstValue> mark);
+
+// The output, where main() may end without having set all of it.
+std::optional<Unset> unset_colour(const Reading& reading, const Declaration* output);
 
 }  // namespace glint

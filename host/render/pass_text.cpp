@@ -431,6 +431,17 @@ void mend_own_main(const Reading& reading, bool plain_main, Edits& edits) {
     if (plain_main) put_off_values(reading, edits);
 }
 
+void add_behind_main(const Reading& reading, const std::optional<Marked>& marked,
+                     PassText& result) {
+    const Declaration* output = colour_output(reading);
+    const auto unset = unset_colour(reading, output);
+    if (unset) result.unset.push_back(*unset);
+    const bool is_marked =
+        unset && marked && marked->bytes.begin <= unset->at && unset->at < marked->bytes.end;
+    result.text +=
+        behind_plain_main(reading, output, is_marked ? std::optional(marked->value) : std::nullopt);
+}
+
 // Passes of a text are asked for one after the other, and reading it is half of the work. A text
 // without a part for one pass alone reads the same for all.
 const Reading& reading_for(const Scene& scene, std::size_t pass) {
@@ -529,7 +540,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     result.user_end = result.text.size();
     result.map = std::move(edited.map);
     if (!result.text.ends_with('\n')) result.text += '\n';
-    if (plain_main) result.text += behind_plain_main(reading, colour_output(reading));
+    if (plain_main) add_behind_main(reading, options.marked, result);
     if (is_lean) result.text = without_comments(result.text);
     return result;
 }

@@ -257,15 +257,15 @@ TEST(Zeros, NameWhatWasUnset) {
     EXPECT_EQ(unset[1].at, text.find("a,"));
 }
 
-TEST(Zeros, LeaveTheOutputsOfTheEntryToTheHost) {
+TEST(Zeros, LeaveTheOutputsOfTheEntryToTheHostButForMarks) {
     const std::string text = "void f(out vec4 c) {} void g(out vec4 c) {}\n";
     const Reading reading = read_glsl(text, {});
-    Edits edits(reading);
-    const std::vector<Unset> unset = write_zeros(reading, edits, "f");
-    ASSERT_EQ(unset.size(), 2u);
-    EXPECT_EQ(unset[0].why_not, "the host gives it its first value");
-    EXPECT_EQ(unset[1].why_not, "");
+    Edits edits(reading), marked(reading);
+    EXPECT_EQ(write_zeros(reading, edits, "f").size(), 2u);
     EXPECT_EQ(edits.apply().text, "void f(out vec4 c) {} void g(out vec4 c) { c = vec4(0.);}\n");
+    write_zeros(reading, marked, "f", {{{0, text.find("g(")}, FirstValue::large}});
+    EXPECT_EQ(marked.apply().text,
+              "void f(out vec4 c) { c = vec4(1e9);} void g(out vec4 c) { c = vec4(0.);}\n");
 }
 
 // Each call begins at 0, as of any other function.

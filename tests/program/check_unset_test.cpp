@@ -76,13 +76,45 @@ TEST_F(CheckUnset, SaysOfWhichValuesItIsNotSure) {
           "        case 0: float late; break;\n"
           "        default: late += 0.0;\n"
           "    }\n"
-          "    c += vec4(p.x < -1.0 ? big[int(p.y)] + small : 1.0);\n"
+          "    c = vec4(p.x < -1.0 ? big[int(p.y)] + small : 1.0);\n"
           "}\n");
     const Json found = cases("scene.frag", 0);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0]["note"],
-              "3 values, none shows; not sure of `c` (1:25, the host gives it its first value), "
-              "`late` (4:23, a switch may jump over its declaration)");
+              "3 values, none shows; not sure of `late` (4:23, a switch may jump over its "
+              "declaration)");
+}
+
+TEST_F(CheckUnset, APictureThatIsNotWrittenEverywhereIsFound) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"void mainImage(out vec4 c, in vec2 p) { if (p.x > 9.0) c = vec4(1); }\n", "1:25: `c`"},
+        {"void mainImage(out vec4 c, in vec2 p) { c.rg = p / 99.0; c.a = 1.0; }\n", "1:25: `c`"},
+        {"void mainImage(out vec4 c, in vec2 p) { c += p.xyxy / 99.0; }\n", "1:25: `c`"},
+        {"void main() { if (gl_FragCoord.x > 9.0) gl_FragColor = vec4(1); }\n",
+         "1:41: `gl_FragColor`"},
+        {"#version 330\nout vec3 light;\nvoid main() { light.xy = gl_FragCoord.xy; }\n",
+         "2:10: `light`"},
+    };
+    for (const auto& [text, words] : texts) {
+        SCOPED_TRACE(text);
+        write("scene.frag", text);
+        const Json found = cases("scene.frag", 6);
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_NE(found[0]["note"].get<std::string>().find(words), std::string::npos) << found;
+    }
+}
+
+TEST_F(CheckUnset, AlphaThatNothingReadsMayStayUnset) {
+    write(
+        "scene.frag",
+        "uniform sampler2D trail; //@ pass mainTrail\n"
+        "void mainTrail(out vec4 c, in vec2 p) {\n"
+        "    c.xyz = 0.9 * texelFetch(trail, ivec2(p), 0).xyz + 0.01;\n"
+        "}\n"
+        "void mainImage(out vec4 c, in vec2 p) { c.rgb = texelFetch(trail, ivec2(p), 0).xyz; }\n");
+    const Json found = cases("scene.frag", 0);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0]["note"], "2 values, none shows");
 }
 
 }  // namespace

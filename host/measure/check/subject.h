@@ -117,7 +117,7 @@ private:
 
     ViewOptions view_;
     Preset opened_;
-    bool specialised_;
+    bool specialised_, is_marked_;
     Context& context_;
     std::vector<std::pair<Builtin, std::size_t>> builtins_;  // and the pass that reads it
     std::optional<Renderer> renderer_;
