@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace glint {
@@ -60,9 +61,11 @@ Macros::Found Macros::find(std::string_view name) const {
     return is_defined ? Found{macro, Live::yes} : Found{};
 }
 
-bool Macros::define(const std::vector<Token>& tokens, TokenRange line, Span span) {
+bool Macros::define(const std::vector<Token>& tokens, TokenRange line, Span span,
+                    bool ends_in_space) {
     auto macro = parse_definition(tokens, line);
     if (!macro) return false;
+    macro->ends_in_space = ends_in_space && !macro->takes_arguments;
     macro->definition = span;
     entries_[macro->name] = {static_cast<std::uint32_t>(list_.size()), true,
                              branches_.empty() ? 0 : branches_.back()};
@@ -92,8 +95,16 @@ Expander::Expander(const Macros& macros, TokenSource& source, std::vector<MacroU
       spellings_(spellings),
       line_of_(std::move(line_of)) {}
 
+void Expander::leave_spaces(int count) {
+    spaces_left_ = static_cast<std::uint8_t>(std::min(spaces_left_ + count, 255));
+}
+
 void Expander::leave() {
-    if (contexts_.back().macro != kNone) active_[contexts_.back().macro] = false;
+    if (const std::uint32_t macro = contexts_.back().macro; macro != kNone) {
+        active_[macro] = false;
+        const bool any = !contexts_.back().tokens.empty();
+        leave_spaces(any && macros_.at(macro).ends_in_space ? 1 : 0);
+    }
     contexts_.pop_back();
 }
 
@@ -139,7 +150,9 @@ bool Expander::next(Token& token) {
             return false;
         }
         token = take();
+        leave_spaces(std::exchange(token.spaces_left, std::uint8_t()));
     } while (token.is_word() && !token.is_final && expand(token));
+    token.spaces_left = std::exchange(spaces_left_, std::uint8_t());
     return true;
 }
 
@@ -188,7 +201,9 @@ bool Expander::expand(Token& token) {
             return false;
         }
     }
-    push(substituted({macro, use, token}, std::move(arguments)), macro);
+    std::vector<Token> tokens = substituted({macro, use, token}, std::move(arguments));
+    if (tokens.empty()) leave_spaces(token.space_before && !token.begins_line ? 2 : 1);
+    push(std::move(tokens), macro);
     return true;
 }
 
@@ -219,12 +234,14 @@ bool Expander::collect(const Token& name, std::vector<std::vector<Token>>& argum
 }
 
 // An argument's own expansion, in which nothing of what follows takes part.
-std::vector<Token> Expander::expanded(std::vector<Token> tokens) {
+// Gives also how many spaces are left behind it.
+std::pair<std::vector<Token>, int> Expander::expanded(std::vector<Token> tokens) {
     if (depth_ == kDeepestArgument) {
         if (exhausted_at_ == kNone && !tokens.empty()) exhausted_at_ = tokens.front().begin;
-        return tokens;
+        return {std::move(tokens), 0};
     }
     ++depth_;
+    const std::uint8_t outside = std::exchange(spaces_left_, std::uint8_t());
     const std::size_t floor = std::exchange(floor_, contexts_.size() + 1);
     contexts_.push_back({});  // so that the floor is never 0
     push(std::move(tokens), kNone);
@@ -233,7 +250,7 @@ std::vector<Token> Expander::expanded(std::vector<Token> tokens) {
     contexts_.pop_back();
     floor_ = floor;
     --depth_;
-    return result;
+    return {std::move(result), std::exchange(spaces_left_, outside)};
 }
 
 std::vector<Token> Expander::substituted(const Use& use,
@@ -242,6 +259,12 @@ std::vector<Token> Expander::substituted(const Use& use,
     if (use.use != kNone) argument_of_ = use.use;
     std::vector<Token> result;
     std::vector<bool> is_expanded(arguments.size());
+    std::vector<int> behind(arguments.size());  // spaces
+    int left = 0;
+    const auto add_space = [&](Token& token) {
+        token.spaces_left =
+            static_cast<std::uint8_t>(std::min(token.spaces_left + std::exchange(left, 0), 255));
+    };
     for (const Token& token : macro.body) {
         const auto parameter = token.is_word() && macro.takes_arguments
                                    ? std::ranges::find(macro.parameters, token.text)
@@ -249,14 +272,21 @@ std::vector<Token> Expander::substituted(const Use& use,
         const auto index = static_cast<std::size_t>(parameter - macro.parameters.begin());
         if (parameter == macro.parameters.end() || index >= arguments.size()) {
             result.push_back(token);
+            add_space(result.back());
             continue;
         }
-        if (!is_expanded[index]) arguments[index] = expanded(std::move(arguments[index]));
+        if (!is_expanded[index])
+            std::tie(arguments[index], behind[index]) = expanded(std::move(arguments[index]));
         is_expanded[index] = true;
         if (!may_grow(arguments[index].size(), use.name.begin)) break;
         const std::size_t first = result.size();
         result.insert(result.end(), arguments[index].begin(), arguments[index].end());
-        if (result.size() == first) continue;
+        if (result.size() == first) {
+            left += behind[index] + (token.space_before ? 1 : 0);
+            continue;
+        }
+        add_space(result[first]);
+        left = behind[index];
         result[first].space_before = token.space_before;
         result[first].begins_line = false;  // which the body, not the text, says of it
     }

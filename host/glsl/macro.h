@@ -18,6 +18,7 @@ enum class Live : std::uint8_t { no, maybe, yes };
 struct Macro {
     std::string_view name;
     bool takes_arguments = false;
+    bool ends_in_space = false;  // or in a comment between stars
     std::vector<std::string_view> parameters;
     std::vector<Token> body;
     Span definition;  // the directive that says so; empty for what the host or the driver defines
@@ -53,7 +54,8 @@ public:
     };
     Found find(std::string_view name) const;
     // `# define …` and `# undef …`: from the '#'. False where it is not understood.
-    bool define(const std::vector<Token>& tokens, TokenRange line, Span span);
+    bool define(const std::vector<Token>& tokens, TokenRange line, Span span,
+                bool ends_in_space = false);
     void undefine(std::string_view name);
 
     const Macro& at(std::uint32_t macro) const { return list_[macro]; }
@@ -117,7 +119,8 @@ private:
     bool may_grow(std::size_t tokens, std::uint32_t at);
     bool expand(Token& token);
     bool collect(const Token& name, std::vector<std::vector<Token>>& arguments);
-    std::vector<Token> expanded(std::vector<Token> tokens);
+    std::pair<std::vector<Token>, int> expanded(std::vector<Token> tokens);
+    void leave_spaces(int count);
     std::vector<Token> substituted(const Use& use, std::vector<std::vector<Token>> arguments);
     std::uint32_t use_of(const Token& name, std::uint32_t macro, bool is_certain);
     void number(Token& token, int value);
@@ -133,6 +136,7 @@ private:
     std::vector<bool> active_;
     std::size_t grown_ = 0;
     int depth_ = 0;
+    std::uint8_t spaces_left_ = 0;  // before the next token
     std::uint32_t exhausted_at_ = kNone;
 };
 

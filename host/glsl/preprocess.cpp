@@ -102,7 +102,11 @@ void TextSource::note_branch(std::string_view word) {
 void TextSource::obey(const DirectiveLine& line, std::string_view word) {
     const auto& tokens = scanned_.tokens;
     if (word == "define") {
-        if (!macros_.define(tokens, line.tokens, line.span))
+        const std::size_t end = tokens[line.tokens.end - 1].end;
+        const std::string_view behind = result_.text.substr(end, line.span.end - end);
+        const bool ends_in_space =
+            behind.starts_with(' ') || behind.starts_with('\t') || behind.starts_with("/*");
+        if (!macros_.define(tokens, line.tokens, line.span, ends_in_space))
             complain(line.span, "this definition is not understood");
     } else if (word == "undef" && line.tokens.size() > 2) {
         macros_.undefine(tokens[line.tokens.begin + 2].text);

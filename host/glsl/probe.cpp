@@ -306,9 +306,10 @@ void Instrumenter::add_structs() {
     for (const Declaration& declaration : reading_.declarations) {
         if (declaration.structure == kNone) continue;
         probed_.structs[declaration.structure] = records_.structs().leaves(declaration.structure);
-        if (declaration.scope != Scope::global) continue;
+        if (declaration.scope != Scope::global || declaration.is_block) continue;
         const std::uint32_t last = declaration.tokens.end - 1;
-        if (!edits_.takes_after(last)) continue;
+        if (!edits_.takes_after(last) || edits_.is_replaced(reading_.place(declaration.tokens)))
+            continue;
         const std::string text = records_.structs().overloads(declaration.structure, wish_.kind);
         if (text.empty()) continue;
         words_.push_back({last, Words::Where::after, {last, last + 1}, " " + text});

@@ -215,7 +215,9 @@ void Instrumenter::over_fetch(const Call& call) {
     // Of a level that there is not, drivers tell a size of 0.
     hand_through(SiteKind::index, fmt::format("level {} of {}", level, token(first).text),
                  call.name, last, "glint0_i",
-                 fmt::format(",textureSize({0},{1}).x>0?{1}+1:1", token(first).text, level));
+                 fmt::format(",textureSize({0},1).x>0?1+int(log2(float(max(textureSize({0},0).x,"
+                             "textureSize({0},0).y)))+3e-5):1",
+                             token(first).text));
 }
 
 }  // namespace glint

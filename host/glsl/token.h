@@ -43,9 +43,12 @@ struct Token {
     std::uint32_t begin = 0, end = 0;  // bytes of the text where this spelling stands
     std::uint32_t use = kNone;         // of a macro, whose expansion it came from (MacroUse)
     TokenKind kind = TokenKind::strange;
-    bool space_before = false;  // white space or a comment
-    bool begins_line = false;   // of joined lines the first
-    bool is_final = false;      // a macro's name that is not to be expanded any more
+    bool space_before : 1 = false;  // white space or a comment
+    bool begins_line : 1 = false;   // of joined lines the first
+    bool is_final : 1 = false;      // a macro's name that is not to be expanded any more
+    // Spaces more that Mesa's preprocessor leaves before it: of macros that end in one, or hold
+    // nothing.
+    std::uint8_t spaces_left = 0;
 
     Span span() const { return {begin, end}; }
     bool is(std::string_view spelling) const { return text == spelling; }

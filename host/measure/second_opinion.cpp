@@ -136,7 +136,9 @@ std::optional<std::vector<PlacedFinding>> findings_of(const Preset& preset, std:
     const SiteText site = site_text(preset, pass);
     const Reading reading = read_glsl(site.text, known_of_pass(output_names(preset.scene, pass)));
     const std::string head = before(preset, pass, reading);
-    const auto log = log_of(head + site.text + std::string(kBehind));
+    Edits edits(reading);
+    rename_overloads(reading, edits);
+    const auto log = log_of(head + edits.apply().text + std::string(kBehind));
     if (!log) return std::nullopt;
     static const std::regex error(R"(ERROR: [^:]*:(\d+): '(.*)' : (.*))");
     const int head_lines = static_cast<int>(std::ranges::count(head, '\n'));

@@ -18,7 +18,8 @@ std::string_view first_type(std::string_view call) {
 }
 
 // Mesa gives what it does not understand no type, and then complains of each expression round it,
-// all of which stand behind that complaint and begin no later in the text.
+// all of which stand behind that complaint and begin no later in the text; in a macro they may
+// begin at an argument.
 bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
     static const std::regex words(
         "^operands? (to|of) |^type mismatch$|^cannot construct |^condition of |condition must be "
@@ -30,7 +31,8 @@ bool is_consequence(const Diagnostic& one, const Diagnostic& cause) {
     const Place &at = one.place, &before = cause.place;
     const bool encloses =
         at.file == before.file && at.column > 0 &&
-        (at.line < before.line || (at.line == before.line && at.column <= before.column));
+        (at.line < before.line || (at.line == before.line && at.column <= before.column) ||
+         (at.line == before.line && cause.text.find(kInMacro) != std::string::npos));
     return one.severity == Severity::error && encloses &&
            std::regex_search(
                one.text.substr(0, std::min(one.text.find('\n'), one.text.find(kInMacro))), words);

@@ -132,42 +132,8 @@ void leave_out_layout(const Reading& reading, TokenRange words, Edits& edits) {
             edits.replace({at, close + 1}, "");
 }
 
-// Of GLSL ES 3.00 a text of the older one may define functions itself, and use its words.
-constexpr std::string_view kNewerFunctions[] = {"round",
-                                                "roundEven",
-                                                "trunc",
-                                                "sinh",
-                                                "cosh",
-                                                "tanh",
-                                                "asinh",
-                                                "acosh",
-                                                "atanh",
-                                                "isnan",
-                                                "isinf",
-                                                "modf",
-                                                "outerProduct",
-                                                "inverse",
-                                                "transpose",
-                                                "determinant",
-                                                "dFdx",
-                                                "dFdy",
-                                                "fwidth",
-                                                "textureProj",
-                                                "textureLod",
-                                                "textureGrad",
-                                                "textureSize",
-                                                "textureOffset",
-                                                "texelFetch",
-                                                "floatBitsToInt",
-                                                "floatBitsToUint",
-                                                "intBitsToFloat",
-                                                "uintBitsToFloat",
-                                                "packHalf2x16",
-                                                "unpackHalf2x16",
-                                                "packSnorm2x16",
-                                                "unpackSnorm2x16",
-                                                "packUnorm2x16",
-                                                "unpackUnorm2x16"};
+// Words of GLSL ES 3.00 that are names in an older one.
+constexpr std::string_view kQualifiersToday[] = {"smooth", "centroid", "noperspective"};
 constexpr std::string_view kNewerWords[] = {"sample",     "filter",   "common",       "partition",
                                             "active",     "resource", "patch",        "smooth",
                                             "subroutine", "coherent", "restrict",     "readonly",
@@ -191,6 +157,13 @@ std::string older_textures(const Reading& reading) {
             "#define {0} glint_{0}\n",
             name, sampler, place);
     }
+    constexpr std::pair<std::string_view, std::string_view> kOfExtensions[] = {
+        {"texture2DLodEXT", "textureLod"},           {"texture2DProjLodEXT", "textureProjLod"},
+        {"textureCubeLodEXT", "textureLod"},         {"texture2DGradEXT", "textureGrad"},
+        {"texture2DProjGradEXT", "textureProjGrad"}, {"textureCubeGradEXT", "textureGrad"},
+        {"gl_FragDepthEXT", "gl_FragDepth"}};
+    for (const auto& [name, today] : kOfExtensions)
+        if (reading.mentions(name)) text += fmt::format("#define {} {}\n", name, today);
     return text;
 }
 
@@ -208,15 +181,15 @@ std::string freed_names(const Reading& reading, bool plain_main) {
             return reading.live_at(reading.place(one.name).begin) == Live::yes;
         });
     };
-    for (const std::string_view name : kNewerFunctions)
-        if (is_own(name)) free(name);
-    if (!plain_main) return text;
+    const bool is_older = is_of_older_glsl(reading);
     for (const std::string_view word : kNewerWords)
-        if (is_of_older_glsl(reading) && reading.mentions(word) && !reading.defines_macro(word))
+        if ((is_older || !is_one_of(word, kQualifiersToday)) && reading.mentions(word) &&
+            !reading.defines_macro(word))
             free(word);
+    if (!plain_main) return text;
     for (const std::string_view name : builtin_names())
         if (is_own(name)) free(name);
-    if (reading.mentions("mainImage")) free("mainImage");
+    if (reading.mentions("mainImage") && !reading.defines_macro("mainImage")) free("mainImage");
     return text;
 }
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,15 +13,17 @@ namespace glint {
 namespace {
 
 // Functions of GLSL ES 3.00, chapter 8, by what they take, and before the colon give: g stands for
-// float and its vectors, i, u and b for those of int, uint and bool; f, s and w for float, int and
-// uint; 2, 3, C for a sampler, p for a place in it, t for a texel there, z for its size.
+// float and its vectors, i, u and b for those of int, uint and bool; V, I, U and B for the vectors
+// alone, v for vec3, m for square matrices; f, s, w and l for float, int, uint and bool; x for a
+// sampler, p for a place in it, t for a texel there, z for its size, 4 for vec4.
 struct Family {
     std::string_view signature, names;
 };
 constexpr Family kFamilies[] = {
     {"g:g",
      " radians degrees sin cos tan asin acos atan exp log exp2 log2 sqrt inversesqrt abs sign "
-     "floor ceil fract normalize "},
+     "floor ceil fract normalize round roundEven trunc sinh cosh tanh asinh acosh atanh dFdx dFdy "
+     "fwidth "},
     {"g:gg", " atan pow mod min max step reflect "},
     {"g:gf", " mod min max "},
     {"g:fg", " step "},
@@ -32,6 +34,22 @@ constexpr Family kFamilies[] = {
     {"g:ggb", " mix "},
     {"f:g", " length "},
     {"f:gg", " distance dot "},
+    {"v:vv", " cross "},
+    {"b:g", " isnan isinf "},
+    {"l:B", " any all "},
+    {"B:B", " not "},
+    {"B:VV", " lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual "},
+    {"B:II", " lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual "},
+    {"B:UU", " lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual "},
+    {"B:BB", " equal notEqual "},
+    {"m:m", " inverse transpose "},
+    {"m:mm", " matrixCompMult "},
+    {"f:m", " determinant "},
+    {"m:VV", " outerProduct "},
+    {"i:g", " floatBitsToInt "},
+    {"u:g", " floatBitsToUint "},
+    {"g:i", " intBitsToFloat "},
+    {"g:u", " uintBitsToFloat "},
     {"i:i", " abs sign "},
     {"i:ii", " min max "},
     {"i:is", " min max "},
@@ -49,6 +67,10 @@ constexpr Family kFamilies[] = {
 };
 // What a text for the web's GLSL ES 3.00 may define.
 constexpr std::string_view kAllowed = " mix texture textureLod textureGrad texelFetch textureSize ";
+// Functions without a family here that GLSL ES 1.00 has not.
+constexpr std::string_view kNewer =
+    " modf textureProj textureOffset packHalf2x16 unpackHalf2x16 packSnorm2x16 unpackSnorm2x16 "
+    "packUnorm2x16 unpackUnorm2x16 ";
 
 // Of the samplers that a scene may have.
 struct Sampled {
@@ -64,7 +86,22 @@ std::string type_of(char letter, int numbers, const Sampled& sampled) {
     const auto vector = [&](const char* scalar, const char* name) {
         return numbers == 1 ? std::string(scalar) : name + length;
     };
+    const bool is_vector = numbers > 1;
     switch (letter) {
+        case 'V':
+            return is_vector ? "vec" + length : "";
+        case 'I':
+            return is_vector ? "ivec" + length : "";
+        case 'U':
+            return is_vector ? "uvec" + length : "";
+        case 'B':
+            return is_vector ? "bvec" + length : "";
+        case 'm':
+            return is_vector ? "mat" + length : "";
+        case 'v':
+            return numbers == 3 ? "vec3" : "";
+        case 'l':
+            return "bool";
         case 'g':
             return vector("float", "vec");
         case 'i':
@@ -92,6 +129,10 @@ std::string type_of(char letter, int numbers, const Sampled& sampled) {
     }
 }
 
+bool is_in(std::string_view names, std::string_view name) {
+    return names.find(fmt::format(" {} ", name)) != names.npos;
+}
+
 using Types = std::vector<std::string>;
 
 // A function of another name that calls the known one.
@@ -113,12 +154,11 @@ Types types_of(const Reading& reading, const Function& function) {
     return types;
 }
 
-// All of this name that the text does not define itself.
-std::string wrapped_all(std::string_view name, std::set<Types> taken) {
-    std::string text;
-    const std::string word = fmt::format(" {} ", name);
+// What GLSL's functions of a name take, and what they give.
+std::map<Types, std::string> known(std::string_view name) {
+    std::map<Types, std::string> found;
     for (const Family& family : kFamilies) {
-        if (family.names.find(word) == family.names.npos) continue;
+        if (!is_in(family.names, name)) continue;
         const bool is_sampled = family.signature.find('x') != family.signature.npos;
         const int count = is_sampled ? static_cast<int>(std::size(kSampled)) : 4;
         for (int k = 0; k < count; ++k) {
@@ -126,48 +166,110 @@ std::string wrapped_all(std::string_view name, std::set<Types> taken) {
             Types types;
             for (const char letter : family.signature.substr(2))
                 types.push_back(type_of(letter, k + 1, sampled));
-            const bool is_whole = std::ranges::find(types, "") == types.end();
-            if (is_whole && taken.insert(types).second)
-                text += wrapped(name, type_of(family.signature.front(), k + 1, sampled), types);
+            if (std::ranges::find(types, "") == types.end())
+                found.emplace(types, type_of(family.signature.front(), k + 1, sampled));
         }
     }
-    return text;
-}
-
-// `a.length()`: a macro would take it for the function.
-bool asks_for_lengths(const Reading& reading) {
-    const auto& tokens = reading.written;
-    for (std::size_t i = 1; i < tokens.size(); ++i)
-        if (tokens[i].is("length") && tokens[i - 1].is(".")) return true;
-    return false;
+    return found;
 }
 
 // GLSL ES 1.00 and desktop GLSL, which have a main(), allow all names.
 bool is_allowed(const Reading& reading, std::string_view name) {
-    const std::string word = fmt::format(" {} ", name);
-    if (kAllowed.find(word) != kAllowed.npos) return true;
-    if (reading.functions_named("main").empty() || (name == "length" && asks_for_lengths(reading)))
-        return false;
-    return std::ranges::any_of(kFamilies, [&](const Family& family) {
-        return family.names.find(word) != family.names.npos;
-    });
+    if (is_in(kAllowed, name)) return true;
+    if (reading.functions_named("main").empty()) return false;
+    return is_in(kNewer, name) || std::ranges::any_of(kFamilies, [&](const Family& family) {
+               return is_in(family.names, name);
+           });
 }
+
+// Names of the text's functions that GLSL has; not those for which the driver may leave out what
+// stands for GLSL's own.
+std::set<std::string_view> overloaded_names(const Reading& reading) {
+    std::set<std::string_view> names, others;
+    for (const Function& function : reading.functions) {
+        const std::string_view name = reading.word(function.name);
+        if (!is_allowed(reading, name)) continue;
+        const bool is_sure = reading.live_at(reading.place(function.name).begin) == Live::yes;
+        names.insert(name);
+        if (!is_sure && (is_in(kNewer, name) || known(name).contains(types_of(reading, function))))
+            others.insert(name);
+    }
+    for (const std::string_view name : others) names.erase(name);
+    return names;
+}
+
+// Where a name of these can only be GLSL's: before the text's own, but for macros that are used
+// behind; after a dot, where members are declared; and in values that must be constant, which calls
+// of the text's own are not.
+class Kept {
+public:
+    Kept(const Reading& reading, std::string_view name) : reading_(reading), name_(name) {
+        const std::uint32_t own = reading.functions_named(name).front();
+        first_ = reading.place(reading.functions[own].name).begin;
+        for (const Declaration& declaration : reading.declarations) {
+            const bool is_member = declaration.scope == Scope::member;
+            for (const Declarator& one : declaration.names) {
+                if (is_member) add({one.name, one.name + 1});
+                if (declaration.is_const) add(one.initial);
+                add(one.array);
+            }
+            add(declaration.type_array);
+        }
+    }
+
+    bool holds(std::size_t index) const {  // into `written`
+        const auto& tokens = reading_.written;
+        const Span at = tokens[index].span();
+        if ((at.begin < first_ && !is_in_macro(at)) || (index > 0 && tokens[index - 1].is(".")))
+            return true;
+        return std::ranges::any_of(spans_, [&](const Span& span) {
+            return span.begin <= at.begin && at.begin < span.end;
+        });
+    }
+    bool any() const {
+        for (std::size_t i = 0; i < reading_.written.size(); ++i)
+            if (reading_.written[i].is(name_) && holds(i)) return true;
+        return false;
+    }
+
+private:
+    bool is_in_macro(const Span& at) const {
+        return std::ranges::any_of(reading_.directives, [&](const Directive& one) {
+            return one.span.begin <= at.begin && at.begin < one.span.end;
+        });
+    }
+    void add(TokenRange range) {
+        if (!range.empty()) spans_.push_back(reading_.place(range));
+    }
+
+    const Reading& reading_;
+    std::string_view name_;
+    std::size_t first_ = 0;
+    std::vector<Span> spans_;
+};
 
 }  // namespace
 
 std::string own_overloads(const Reading& reading) {
     std::string functions, macros;
-    std::set<std::string_view> names;
-    for (const Function& function : reading.functions) {
-        const std::string_view name = reading.word(function.name);
-        if (!is_allowed(reading, name) || !names.insert(name).second) continue;
+    for (const std::string_view name : overloaded_names(reading)) {
         std::set<Types> own;
         for (const std::uint32_t index : reading.functions_named(name))
             own.insert(types_of(reading, reading.functions[index]));
-        functions += wrapped_all(name, own);
-        macros += fmt::format("#define {0} glint_{0}\n", name);
+        for (const auto& [types, result] : known(name))
+            if (!own.contains(types)) functions += wrapped(name, result, types);
+        if (!Kept(reading, name).any()) macros += fmt::format("#define {0} glint_{0}\n", name);
     }
     return functions + macros;
+}
+
+void rename_overloads(const Reading& reading, Edits& edits) {
+    for (const std::string_view name : overloaded_names(reading)) {
+        const Kept kept(reading, name);
+        for (std::size_t i = 0; kept.any() && i < reading.written.size(); ++i)
+            if (reading.written[i].is(name) && !kept.holds(i))
+                edits.replace_bytes(reading.written[i].span(), fmt::format("glint_{}", name));
+    }
 }
 
 }  // namespace glint

@@ -1,7 +1,7 @@
 // Functions of a text's own by the names of some that GLSL has.
 #pragma once
 
-#include "glsl/reading.h"
+#include "glsl/edits.h"
 
 #include <string>
 
@@ -13,5 +13,9 @@ namespace glint {
 // then makes functions of another name of the known ones, and a macro gives that name to the text's
 // own as well. Empty where the text defines none.
 std::string own_overloads(const Reading& reading);
+
+// The same by changing the text, for those names that in some places must stay GLSL's, such as in
+// the values of constants. They have no macros.
+void rename_overloads(const Reading& reading, Edits& edits);
 
 }  // namespace glint

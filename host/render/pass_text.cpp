@@ -510,6 +510,7 @@ PassText pass_text(const Preset& preset, std::size_t pass, const ProgramOptions&
     else if (probe)
         put_in_place_of("gl_FragCoord", "glint0_coord", reading, edits);
     if (has_main) mend_own_main(reading, plain_main, edits);
+    rename_overloads(reading, edits);
     const bool needs_gap = mend_macros(reading, edits);
     if (!plain_main) hide_extensions(reading, edits);
     name_parameters(reading, edits);

@@ -13,7 +13,9 @@ namespace {
 
 bool is_at_another_location(const Reading& reading, TokenRange qualifiers) {
     for (std::uint32_t at = qualifiers.begin; at + 2 < qualifiers.end; ++at)
-        if (reading.tokens[at].is("location")) return !reading.tokens[at + 2].is("0");
+        if (reading.tokens[at].is("location") && reading.tokens[at + 1].is("="))
+            return reading.tokens[at + 2].kind == TokenKind::number &&
+                   !reading.tokens[at + 2].is("0");
     return false;
 }
 
@@ -65,11 +67,60 @@ NoPicture no_semicolon(std::size_t at) {
     return {at, "';' is missing here"};
 }
 
+// Of which a driver says more.
+bool is_misread(const Reading& reading) {
+    return !reading.is_balanced || !reading.not_understood.empty();
+}
+
+// `out vec colour;`, of which a driver says that there is no such type.
+bool has_unknown_output(const Reading& reading) {
+    constexpr std::string_view kOthers[] = {"float", "int",   "uint",  "vec2",  "ivec2",
+                                            "ivec3", "ivec4", "uvec2", "uvec3", "uvec4"};
+    return std::ranges::any_of(reading.declarations, [&](const Declaration& one) {
+        return one.scope == Scope::global && one.is_out && one.structure == kNone &&
+               !reading.word(one.type).starts_with("vec3") &&
+               !reading.word(one.type).starts_with("vec4") &&
+               std::ranges::find(kOthers, reading.word(one.type)) == std::end(kOthers);
+    });
+}
+
+// Of an output, whose layout a driver does not see.
+std::optional<std::size_t> bad_layout(const Reading& reading) {
+    for (const Declaration& one : reading.declarations) {
+        const TokenRange words = one.qualifiers;
+        const bool is_placed = one.scope == Scope::global && one.is_out && words.size() > 2 &&
+                               reading.tokens[words.begin].is("layout");
+        const std::uint32_t close = is_placed ? reading.close_of(words.begin + 1) : kNone;
+        if (close == kNone) continue;
+        for (std::uint32_t at = words.begin + 2; at < close; at += 4) {
+            const bool is_index = reading.tokens[at].is("location") ||
+                                  reading.tokens[at].is("index") ||
+                                  reading.tokens[at].is("component");
+            if (!is_index || at + 2 >= close || !reading.tokens[at + 1].is("=") ||
+                (at + 3 != close && !reading.tokens[at + 3].is(",")))
+                return reading.place(words.begin).begin;
+        }
+    }
+    return std::nullopt;
+}
+
+// `void main(vec2 p)`, where nothing else may be meant.
+std::optional<std::size_t> main_with_parameters(const Reading& reading) {
+    for (const std::uint32_t index : reading.functions_named("main"))
+        if (reading.functions[index].is_defined())
+            return reading.functions[index].parameters.empty()
+                       ? std::nullopt
+                       : std::optional(reading.place(reading.functions[index].name).begin);
+    return std::nullopt;
+}
+
 }  // namespace
 
 bool has_own_main(const Reading& reading) {
     const auto mains = reading.functions_named("main");
-    if (!reading.mentions("mainImage")) return writes_plain_colour(reading) || !mains.empty();
+    if (!reading.mentions("mainImage"))
+        return writes_plain_colour(reading) || !mains.empty() ||
+               (is_misread(reading) && reading.mentions("main"));
     return !mains.empty() && reading.functions[mains.front()].is_defined() &&
            !main_image_calls_main(reading) &&
            (writes_plain_colour(reading) || colour_output(reading));
@@ -143,13 +194,21 @@ std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
 }
 
 std::optional<NoPicture> why_no_colour(const Reading& reading) {
+    if (const auto at = bad_layout(reading))
+        return NoPicture{*at, "this layout is not understood; write layout(location = 0)"};
     const auto mains = reading.functions_named("main");
-    if (writes_plain_colour(reading) || colour_output(reading) || mains.empty())
-        return std::nullopt;
-    if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
+    if (const auto at = main_with_parameters(reading))
+        return NoPicture{*at,
+                         "main() takes nothing; gl_FragCoord.xy is where a pixel stands, or write "
+                         "void mainImage(out vec4 fragColor, in vec2 fragCoord)"};
+    const bool is_plain = writes_plain_colour(reading) || colour_output(reading);
+    if (is_plain ? is_misread(reading) : !mains.empty())
+        if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
+    if (is_plain || mains.empty()) return std::nullopt;
+    if (is_misread(reading) || has_unknown_output(reading)) return std::nullopt;
     for (const Token& token : reading.tokens)
-        if (token.text.starts_with("gl_F") && !token.is("gl_FragCoord") &&
-            !token.is("gl_FrontFacing") && !token.is("gl_FragDepth"))
+        if ((token.text.starts_with("gl_F") || token.text.starts_with("gl_f")) &&
+            !token.is("gl_FragCoord") && !token.is("gl_FrontFacing") && !token.is("gl_FragDepth"))
             return NoPicture{token.span().begin,
                              fmt::format("no {} is known; did you mean gl_FragColor?", token.text)};
     const std::string_view other =
@@ -163,17 +222,23 @@ std::optional<NoPicture> why_no_colour(const Reading& reading) {
 }
 
 NoPicture why_no_picture(const Reading& reading) {
-    if (const auto open = reading.open_condition)  // the rest of the text goes with it
-        return {*open, "this #if is never ended; write #endif behind its part"};
     if (const auto end = missing_semicolon(reading)) return no_semicolon(*end);
-    const std::string own[] = {"mainImage"};
+    const bool is_plain = writes_plain_colour(reading) || colour_output(reading);
+    const std::string own[] = {is_plain ? "main" : "mainImage"};
     constexpr std::string_view kElsewhere[] = {"main", "Main", "fragment", "frag"};
     for (const Function& function : reading.functions) {
         const std::string_view name = reading.word(function.name);
         if (!nearest(name, own).empty() ||
             std::ranges::find(kElsewhere, name) != std::end(kElsewhere))
             return {reading.place(function.name).begin,
-                    "there is no mainImage here; did you mean this one?"};
+                    fmt::format("there is no {} here; did you mean this one?", own[0])};
+    }
+    if (is_plain) {
+        const auto at =
+            std::ranges::find_if(reading.tokens, [](const Token& t) { return t.is("main"); });
+        if (at != reading.tokens.end())
+            return {at->begin, "this main is no function; write void main() { \u2026 }"};
+        return {std::nullopt, "there is no main() here, which would draw the picture; write one"};
     }
     return {std::nullopt,
             fmt::format("{}; write void mainImage(out vec4 fragColor, in vec2 fragCoord) {{ "

@@ -122,12 +122,16 @@ Scene Builder::build() {
 }
 
 void Builder::check_image() {
+    if (const auto open = reading_.open_condition)  // the rest of the text goes with it
+        return error(*open, "this #if is never ended; write #endif behind its part");
     if (has_own_main(reading_)) scene_.image_entry = "main";
     if (scene_.image_entry == "mainImage")
         check_function({"mainImage", {"color"}}, "this draws the picture");
     else if (const auto missing = why_no_colour(reading_))
         return error(missing->at.value_or(0), missing->text);
-    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_file()) return;
+    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_file() ||
+        reading_.unclosed_comment)  // of which the reader of files has told
+        return;
     const NoPicture why = why_no_picture(reading_);
     if (why.at) return error(*why.at, why.text);
     diagnostics_.push_back({Severity::error, Place{source_.files.front().string()}, why.text});

@@ -223,15 +223,20 @@ std::string about_strange(const Token& token) {
     char32_t code = lead & (0x7F >> token.text.size());
     for (const char c : token.text.substr(1)) code = code << 6 | (c & 0x3F);
     constexpr std::pair<char32_t, std::string_view> kAlike[] = {
-        {U'\uFF1B', ";"}, {U'\uFF0C', ","},  {U'\uFF08', "("},  {U'\uFF09', ")"},
-        {U'\uFF0E', "."}, {U'\uFF1D', "="},  {U'\uFF0B', "+"},  {U'\u2010', "-"},
+        {U'\u037E', ";"}, {U'\u0430', "a"},  {U'\u0435', "e"},  {U'\u043E', "o"},
+        {U'\u0440', "p"}, {U'\u0441', "c"},  {U'\u0443', "y"},  {U'\u0445', "x"},
+        {U'\u0456', "i"}, {U'\uFB01', "fi"}, {U'\uFB02', "fl"}, {U'\u2010', "-"},
         {U'\u2011', "-"}, {U'\u2013', "-"},  {U'\u2014', "-"},  {U'\u2212', "-"},
         {U'\u00D7', "*"}, {U'\u00B7', "*"},  {U'\u22C5', "*"},  {U'\u00F7', "/"},
         {U'\u2044', "/"}, {U'\u2264', "<="}, {U'\u2265', ">="}, {U'\u2260', "!="}};
-    for (const auto& [other, meant] : kAlike)
-        if (code == other)
-            return fmt::format("GLSL has no {} (U+{:04X}) but in comments; write {}",
-                               in_quotes(token.text), static_cast<std::uint32_t>(code), meant);
+    std::string meant;
+    for (const auto& [other, sign] : kAlike)
+        if (code == other) meant = sign;
+    if (code > U'\uFF00' && code < U'\uFF5F')  // as wide as the signs of Chinese and Japanese
+        meant = static_cast<char>(code - 0xFEE0);
+    if (!meant.empty())
+        return fmt::format("GLSL has no {} (U+{:04X}) but in comments; write {}",
+                           in_quotes(token.text), static_cast<std::uint32_t>(code), meant);
     if (code == U'\uFFFD') return "this byte is not UTF-8; save the file as UTF-8";
     return fmt::format(
         "GLSL has no {} (U+{:04X}) but in comments; write a plain space, a plain "

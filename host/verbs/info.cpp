@@ -7,6 +7,7 @@
 #include "measure/inlining.h"
 #include "measure/second_opinion.h"
 #include "render/buffer.h"
+#include "render/own_words.h"
 #include "scene/lint.h"
 #include "scene/scene_text.h"
 #include "verbs/options.h"
@@ -213,9 +214,12 @@ Json costliest_copies(const Preset& preset, const std::vector<std::size_t>& pass
         const InlinedFunction& function = sizes[i]->functions.front();
         if (function.saved_by_one_call() <= most) continue;
         most = function.saved_by_one_call();
-        worst = {{"function", function.name},        {"pass", pass_name(preset.scene, passes[i])},
-                 {"copies", function.copies},        {"words", function.words},
-                 {"program_words", sizes[i]->words}, {"saved_by_one_call", most}};
+        worst = {{"function", in_own_words(function.name)},
+                 {"pass", pass_name(preset.scene, passes[i])},
+                 {"copies", function.copies},
+                 {"words", function.words},
+                 {"program_words", sizes[i]->words},
+                 {"saved_by_one_call", most}};
     }
     return worst;
 }

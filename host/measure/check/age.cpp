@@ -308,7 +308,8 @@ void run_same_phase(const Period& period, Check& check, CaseResult& result) {
 
 // The tick wraps after 65536 s, and is negative as an int from half of that on: nothing jumps there
 // by more than from frame to frame, or where a period of the scene's own begins again: that of all
-// its low bits does after a quarter, too, where nothing else happens.
+// its low bits does after each 2048 s, too, where nothing else happens, and by more or less where
+// chance says what comes next.
 void run_wrap(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     constexpr double kMoves = 4.0, kJump = 0.01, kAlike = 1.5;  // times, RMSE, times
@@ -316,9 +317,14 @@ void run_wrap(Check& check, CaseResult& result) {
         subject.draw(subject.frame_at(time, kFrame, kFirstSecond));
         return subject.picture();
     };
-    const auto jump_at = [&](double seam) {
-        const std::vector<float> last = picture(seam - 0.5 * kFrame);
-        return difference(picture(seam + 0.5 * kFrame), last).rmse;
+    const auto is_as_others = [&](double jump) {
+        constexpr int kOthers = 16;
+        for (int k = 1; k < kOthers; ++k) {
+            const double seam = k * kTickPeriod / (2 * kOthers);
+            const std::vector<float> last = picture(seam - 0.5 * kFrame);
+            if (jump <= kAlike * difference(picture(seam + 0.5 * kFrame), last).rmse) return true;
+        }
+        return false;
     };
     for (const double seam : {kTickPeriod / 2.0, kTickPeriod}) {
         const std::vector<float> before = picture(seam - 1.5 * kFrame),
@@ -326,7 +332,7 @@ void run_wrap(Check& check, CaseResult& result) {
                                  first = picture(seam + 0.5 * kFrame);
         if (!subject.observed().is_finite()) return;
         const double usual = difference(last, before).rmse, jump = difference(first, last).rmse;
-        if (jump <= kMoves * usual + kJump || jump <= kAlike * jump_at(kTickPeriod / 4.0)) continue;
+        if (jump <= kMoves * usual + kJump || is_as_others(jump)) continue;
         subject.still = StillPlace{seam + 0.5 * kFrame, 60.0};
         return result.fail(fmt::format(
             "at {:.0f} s, where iTick {}, a frame is off the last by {:.2g}, and that off the one "

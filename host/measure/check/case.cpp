@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 
 namespace glint {
@@ -127,11 +128,11 @@ void write_curves(const Check& check, CaseResult& result) {
 
 // Where the first value was born that is not finite, of a frame that a still can show again.
 void find_birthplace(CheckSubject& subject, CaseResult& result) {
-    constexpr int kMostFrames = 240;
+    constexpr double kMostSeconds = 5.0;
+    const auto begun = std::chrono::steady_clock::now();
     const StillPlace at = *subject.still;
     const Playback playback{.end = at.time, .fps = at.fps};
     const bool stateful = subject.stateful();
-    if (stateful && playback.last_frame() > kMostFrames) return;
     try {
         FaultWatch watch(subject.opened(), subject.renderer(),
                          {.specialise = subject.specialised()});
@@ -143,6 +144,8 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
             watch.begin(frame);
             subject.renderer().redraw_all();
             subject.draw_blindly(frame);
+            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+            if (stateful && taken.count() > kMostSeconds) return;
         }
         if (!watch.first()) return;
         result.where = place_of(*watch.first());

@@ -19,7 +19,7 @@ constexpr std::size_t kParts = 8;              // of a run
 constexpr std::size_t kLeastOfGrowth = 400;    // below, a rounding looks like a growth
 constexpr double kLeastGrowth = 1.02;          // from the first part to the last, of squares
 constexpr double kLeastRatio = 1.01;           // from one increase to the next
-constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may differ
+constexpr double kUneven = 0.1, kDust = 3e-3;  // how far these ratios may fall
 
 // Numbers that come evenly, so many frames apart.
 struct Series {
@@ -47,7 +47,7 @@ Series means_of_parts(std::span<const double> values) {
 // by the phase that it meets.
 Series peaks_of(std::span<const double> values) {
     constexpr std::size_t kLeastPeaks = 5;
-    constexpr double kUnevenly = 0.05;
+    constexpr double kUnevenly = 0.05;  // from one gap to the next
     Series peaks;
     std::vector<double> at, gaps;
     for (std::size_t i = 1; i + 1 < values.size(); ++i) {
@@ -60,27 +60,28 @@ Series peaks_of(std::span<const double> values) {
     }
     if (at.size() < kLeastPeaks) return {};
     peaks.apart = median_of(gaps);
-    const auto [least, most] = std::ranges::minmax(gaps);
-    if (most - least > 2.0 * kUnevenly * peaks.apart) return {};
+    for (std::size_t i = 0; i + 1 < gaps.size(); ++i)
+        if (std::abs(gaps[i + 1] - gaps[i]) > kUnevenly * gaps[i]) return {};
     if (at.size() < 2 * (kParts + 1)) return peaks;
     Series means = means_of_parts(peaks.values);
     means.apart *= peaks.apart;
     return means;
 }
 
-// The factor of a frame by which the values' increases grow, where that is always the same: then
-// they grow like exp(t), whatever is added to them. Sums and squares of time do not.
+// The factor of a frame by which the values' increases grow, where that does not fall: then they
+// grow like exp(t), or faster, whatever is added to them. Sums and squares of time do not.
 std::optional<double> steady_factor(const Series& series) {
     const std::vector<double>& means = series.values;
     if (means.empty() || !(means.back() > kLeastGrowth * means.front())) return std::nullopt;
-    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    double least = std::numeric_limits<double>::infinity(), most = 0.0, fall = 0.0;
     for (std::size_t i = 0; i + 2 < means.size(); ++i) {
         const double one = means[i + 1] - means[i], next = means[i + 2] - means[i + 1];
         if (!(one > 0.0)) return std::nullopt;
         least = std::min(least, next / one);
         most = std::max(most, next / one);
+        fall = std::max(fall, most - next / one);
     }
-    if (least < kLeastRatio || most - least > kUneven * (most - 1.0) + kDust) return std::nullopt;
+    if (least < kLeastRatio || fall > kUneven * (most - 1.0) + kDust) return std::nullopt;
     return std::pow((least + most) / 2.0, 1.0 / series.apart);
 }
 

@@ -270,10 +270,14 @@ void run_flashes(Check& check, CaseResult& result) {
 
 std::optional<double> flashing_area(Check& check, double time) {
     CheckSubject& subject = check.subject;
+    // The edge of what moves enters a tile by a row or a column of pixels, which is no flash.
+    const glm::ivec2 pixels = glm::max(subject.preset.size / kTiles, glm::ivec2(1));
+    const double edge = 1.05 / std::min(pixels.x, pixels.y);
     struct Tile {
-        Turns any{kChange, kDark}, red{kRedChange, 1.0};
+        Turns any, red;
     };
-    std::vector<Tile> tiles(static_cast<std::size_t>(kTiles.x * kTiles.y));
+    std::vector<Tile> tiles(static_cast<std::size_t>(kTiles.x * kTiles.y),
+                            {{std::max(kChange, edge), kDark}, {std::max(kRedChange, edge), 1.0}});
     const int frames = check.paced(kFlickerFrames, kSecond / 2);
     const int first = subject.stateful() ? 0 : static_cast<int>(time * 60.0);
     for (int k = 0; k < frames; ++k) {

@@ -26,7 +26,12 @@ constexpr int kUnsetSpread = 8;       // points within all ranges
 class Comparison {
 public:
     explicit Comparison(CheckSubject& subject)
-        : subject_(subject), situations_(situations(subject, kEnds, kUnsetSpread)) {}
+        : subject_(subject), situations_(situations(subject, kEnds, kUnsetSpread)) {
+        if (subject.stateful() || !subject.moves()) return;
+        // What a scene does for a while only.
+        for (const double time : {1.3, 2.9, 4.7, 7.1, 10.3, 14.9, 21.1, 33.7, 55.3})
+            situations_.push_back({subject.opened().values, subject.opened().events, time});
+    }
 
     // As many situations as there is time for. False where the scene is not finite by itself; then
     // the subject stands there.

@@ -101,6 +101,13 @@ bool is_conversion(const ProbeSite& site) {
            site.name.starts_with("ivec") || site.name.starts_with("uvec");
 }
 
+// Whatever a driver makes of it, it is a number.
+bool has_a_result(const ProbeSite& site) {
+    return site.kind == SiteKind::whole || site.kind == SiteKind::remainder ||
+           site.kind == SiteKind::index || site.kind == SiteKind::bounds ||
+           site.name.starts_with("atan(");
+}
+
 // What is wrong, in words, with its operands.
 // As many as tell it from every other float: acos(1.0000001) is not acos(1).
 std::string digits(double value) {
@@ -238,6 +245,22 @@ ProbeFault FaultWatch::fault_of(std::size_t index, const Probe& probe,
     return fault;
 }
 
+// What made a pixel not finite is not what every driver gives some finite number for, where another
+// operation of the pixel is at fault, too.
+void FaultWatch::note(std::size_t index, const Probe& probe, const std::vector<ProbeCell>& cells,
+                      std::size_t found, int face) {
+    first_ = fault_of(index, probe, cells, found);
+    const auto& sites = probe.probed().sites;
+    if (!first_->is_seen || is_marked_ || !has_a_result(sites[site_of(cells[found])])) return;
+    std::vector<Span> others;
+    for (const ProbeSite& site : sites)
+        if (!has_a_result(site)) others.push_back({site.at, site.at + 1});
+    if (others.empty()) return;
+    Probe other = probe_of(index, std::move(others));
+    const std::vector<ProbeCell> again = other.map(renderer_, *frame_, 0, 0, face);
+    if (has_fault(again[found])) first_ = fault_of(index, other, again, found);
+}
+
 bool FaultWatch::has_fault(const ProbeCell& cell) const {
     return cell.told[0] > 0 && (!is_marked_ || cell.kept[0] == kMark);
 }
@@ -262,7 +285,7 @@ void FaultWatch::look_at_once(std::size_t index, int face) {
         cells, [&](const ProbeCell& cell) { return has_fault(cell) && !is_finite(cell); });
     if (found == cells.end() && !first_) found = std::ranges::find_if(cells, faulty);
     if (found == cells.end()) return;
-    first_ = fault_of(index, probe, cells, static_cast<std::size_t>(found - cells.begin()));
+    note(index, probe, cells, static_cast<std::size_t>(found - cells.begin()), face);
 }
 
 // Of many operations: what has no result, whether or not it shows. Where something shows that they
@@ -282,7 +305,7 @@ void FaultWatch::look_in_parts(std::size_t index, int face) {
     if (!pixel) return;
     const std::size_t at = *pixel;
     if (undefined(cells[at])) {
-        first_ = fault_of(index, probes_[index], cells, at);
+        note(index, probes_[index], cells, at, face);
         return;
     }
     std::vector<Span> faulty;
@@ -298,7 +321,7 @@ void FaultWatch::look_in_parts(std::size_t index, int face) {
     if (faulty.empty()) return;
     Probe probe = probe_of(index, std::move(faulty));
     const std::vector<ProbeCell> again = probe.map(renderer_, *frame_, 0, 0, face);
-    if (has_fault(again[at])) first_ = fault_of(index, probe, again, at);
+    if (has_fault(again[at])) note(index, probe, again, at, face);
 }
 
 FaultSurvey::FaultSurvey(const Preset& preset, Renderer& renderer, const ProgramOptions& options)

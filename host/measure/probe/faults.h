@@ -43,6 +43,8 @@ private:
     Probe probe_of(std::size_t index, std::vector<Span> only) const;
     Probe& part(std::size_t index, std::size_t number);
     std::optional<std::size_t> faulty_pixel(std::size_t index, int face);
+    void note(std::size_t index, const Probe& probe, const std::vector<ProbeCell>& cells,
+              std::size_t found, int face);
     ProbeFault fault_of(std::size_t index, const Probe& probe, const std::vector<ProbeCell>& cells,
                         std::size_t found) const;
 

@@ -1,0 +1,332 @@
+#include "render/read_text.h"
+
+#include "base/words.h"
+#include "glsl/finding.h"
+#include "glsl/parser.h"
+#include "render/advice.h"
+#include "render/consequences.h"
+#include "render/driver_log.h"
+#include "render/nvidia_words.h"
+#include "render/own_words.h"
+#include "scene/builtin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace glint {
+
+constexpr std::string_view kSyntaxError = "syntax error";
+constexpr const char* kTextEnds = "syntax error, unexpected end of file";
+
+std::size_t at_line(const std::vector<std::size_t>& begins, int line) {
+    return begins[static_cast<std::size_t>(std::clamp(line, 1, static_cast<int>(begins.size())) -
+                                           1)];
+}
+
+// Mesa's preprocessor puts lines that a backslash joins into the first of them, and makes up for it
+// with empty ones; lines that a macro's arguments stand on it joins for good. A
+// comment's lines are as those of backslashes.
+void ReadText::find_lines() {
+    const std::string& text = pass_.text;
+    line_begins_ = expanded_line_begins_ = {0};
+    auto use = read_.uses.begin();
+    auto comment = read_.comments.begin();
+    std::size_t joined = 0;
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
+        line_begins_.push_back(at + 1);
+        while (use != read_.uses.end() && use->span.end <= at) ++use;
+        if (use != read_.uses.end() && use->span.begin <= at) continue;
+        while (comment != read_.comments.end() && comment->span.end <= at) ++comment;
+        const bool is_within = comment != read_.comments.end() && comment->span.begin <= at;
+        if (is_within || (at > 0 && text[at - 1] == '\\')) {
+            ++joined;
+            continue;
+        }
+        expanded_line_begins_.insert(expanded_line_begins_.end(), joined + 1, at + 1);
+        joined = 0;
+    }
+}
+
+std::size_t ReadText::offset(int line, int column) const {
+    const std::string& text = pass_.text;
+    std::size_t at = at_line(line_begins_, line);
+    for (; column > 1 && at < text.size() && text[at] != '\n'; --column)
+        for (++at; at < text.size() && !begins_character(text[at]);) ++at;
+    return at;
+}
+
+// Of a macro's token in its use.
+Spot ReadText::spot_of(std::size_t index) const {
+    if (index >= read_.tokens.size()) return {pass_.text.size(), kNone, 0, index};
+    const Token& token = read_.tokens[index];
+    const Span place = written(token);
+    const bool in_text =
+        token.use == kNone || (place.begin <= token.begin && token.end <= place.end);
+    return in_text ? Spot{token.begin, kNone, 0, index}
+                   : Spot{place.begin, token.use, token.begin, index};
+}
+
+// Of a line, where something stands that is neither space nor comment.
+std::size_t behind_blanks(std::string_view text, std::size_t at) {
+    while (at < text.size()) {
+        const bool is_comment = text.substr(at, 2) == "/*";
+        if (!is_comment && text[at] != ' ' && text[at] != '\t') break;
+        at = is_comment ? std::min(text.find("*/", at), text.size() - 2) + 2 : at + 1;
+    }
+    return at;
+}
+
+// Mesa counts bytes of what its preprocessor makes of a line: macros expanded, and one space for a
+// run of spaces and comments.
+Spot ReadText::expanded_spot(int line, int column) const {
+    const std::size_t begin = at_line(expanded_line_begins_, line);
+    const std::size_t end = std::max(at_line(expanded_line_begins_, line + 1), begin + 1);
+    Spot spot{begin};
+    const std::size_t first = behind_blanks(pass_.text, begin);
+    int at = first > begin ? 2 : 1;
+    for (const Token& token : read_.tokens) {
+        const Span place = written(token);
+        if (place.begin < begin) continue;
+        if (place.begin >= end) break;
+        at += (token.space_before && place.begin > first ? 1 : 0) + token.spaces_left;
+        if (at > column) break;
+        spot = spot_of(static_cast<std::size_t>(&token - read_.tokens.data()));
+        const auto within = static_cast<std::size_t>(column - at);
+        if (spot.use == kNone && within < token.text.size()) spot.at += within;
+        at += static_cast<int>(token.text.size());
+    }
+    return spot;
+}
+
+// Behind a token means behind the last one that a person wrote.
+Place ReadText::place_of(const SyntaxError& error) const {
+    std::size_t token = std::min(error.token, read_.tokens.size() - 1);
+    if (!error.is_behind) return place(written(read_.tokens[token]).begin);
+    while (token > 0 && !pass_.origin(written(read_.tokens[token]).end - 1)) --token;
+    Place where = place(written(read_.tokens[token]).end - 1);
+    ++where.column;
+    return where;
+}
+
+Spot ReadText::spot_of(const Said& said) const {
+    return said.token         ? spot_of(*said.token)
+           : said.is_expanded ? expanded_spot(said.line, said.column)
+                              : Spot{offset(said.line, said.column)};
+}
+
+std::optional<Said> ReadText::from_nvidia(Said said) const {
+    const std::size_t begin = at_line(line_begins_, said.line);
+    const std::size_t end = std::max(at_line(line_begins_, said.line + 1), begin + 1);
+    const auto first_from = [&](std::size_t at) {
+        return static_cast<std::uint32_t>(
+            std::ranges::find_if(read_.tokens,
+                                 [&](const Token& token) { return written(token).begin >= at; }) -
+            read_.tokens.begin());
+    };
+    auto [words, token] =
+        read_nvidia(std::move(said.words), read_.tokens, {first_from(begin), first_from(end)});
+    if (words.empty()) return std::nullopt;
+    said.words = std::move(words);
+    said.token = token;
+    return said;
+}
+
+std::optional<Diagnostic> ReadText::open_bracket() const {
+    const std::vector<Token> tokens = tokens_as_written(read_, pass_);
+    const auto error = read_syntax_error(kTextEnds, tokens, tokens.size());
+    if (!error || error->is_behind) return std::nullopt;
+    return Diagnostic{Severity::error, place_of(*error), error->text};
+}
+
+std::optional<Diagnostic> ReadText::open_use() const {
+    const auto& tokens = read_.written;
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+        const auto is_named = [&](const Macro& macro) {
+            return macro.takes_arguments && tokens[i].is(macro.name);
+        };
+        if (!tokens[i + 1].is("(") || !pass_.origin(tokens[i].begin) ||
+            std::ranges::none_of(read_.macros, is_named))
+            continue;
+        int depth = 0;
+        std::size_t end = i + 1;
+        for (; end < tokens.size(); ++end) {
+            depth += tokens[end].is("(") ? 1 : tokens[end].is(")") ? -1 : 0;
+            if (depth == 0) break;
+        }
+        if (end == tokens.size())
+            return Diagnostic{Severity::error, place(tokens[i].begin),
+                              fmt::format("the arguments of the macro {} are never closed; write "
+                                          "the ')' that is missing",
+                                          tokens[i].text)};
+    }
+    return std::nullopt;
+}
+
+// "; == compares, = gives a value", "; did you mean 'include'?", or "".
+std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
+    if (words.ends_with("condition must be scalar boolean")) {
+        int depth = 0;
+        for (std::size_t i = spot.token; i < read_.tokens.size() && depth >= 0; ++i) {
+            const Token& token = read_.tokens[i];
+            if (token.is("=")) return "; == compares, = gives a value";
+            depth += token.is("(") ? 1 : token.is(")") || token.is(";") ? -1 : 0;
+        }
+    }
+    if (words.starts_with("Illegal non-directive after #")) {
+        static const std::vector<std::string> kDirectives = {"include", "define", "undef", "ifdef",
+                                                             "ifndef",  "elif",   "else",  "endif"};
+        std::string_view word = std::string_view(pass_.text).substr(spot.at);
+        word.remove_prefix(std::min(word.find_first_not_of("# \t"), word.size()));
+        return did_you_mean(word.substr(0, word.find_first_of(" \t\n\"(")), kDirectives);
+    }
+    return "";
+}
+
+// `#define PI 3.14;`: the semicolon before what is not understood is a macro's last token.
+std::optional<Diagnostic> ReadText::end_in_macro(std::size_t token) const {
+    if (token == 0 || token >= read_.tokens.size()) return std::nullopt;
+    const Token &end = read_.tokens[token - 1], &behind = read_.tokens[token];
+    if (end.use == kNone || end.use == behind.use || !end.is(";") || !pass_.origin(end.begin))
+        return std::nullopt;
+    return Diagnostic{Severity::error, place(end.begin),
+                      fmt::format("this ';' goes wherever the macro {} is used; take it out",
+                                  read_.macros[read_.uses[end.use].macro].name)};
+}
+
+Diagnostic ReadText::complaint(Said said) const {
+    const auto& [severity, line, column, is_expanded, said_words, token] = said;
+    Spot spot = spot_of(said);
+    Place where = place(spot.at);
+    if (spot.at >= pass_.user_end) {
+        const auto user = pass_.text.begin() + static_cast<long>(pass_.user_begin);
+        const auto host_lines = std::count(pass_.text.begin(), user, '\n');
+        where = scene_.place(line - static_cast<int>(host_lines), column);
+    }
+    if (column == 0 && !token) where.column = 0;
+    std::string words = said_words;
+    if (spot.at >= pass_.user_end && words.starts_with(kSyntaxError)) {
+        // Of what stands behind a text with a main() of its own.
+        words = kTextEnds;
+        spot.token = tokens_as_written(read_, pass_).size();
+    }
+    if (words.starts_with("this is not expected here"))
+        if (auto open = open_use()) return *open;
+    std::optional<SyntaxError> syntax;
+    if (is_expanded || token)
+        syntax = read_syntax_error(words, tokens_as_written(read_, pass_), spot.token);
+    if (auto end = syntax ? end_in_macro(syntax->token) : std::nullopt) return *end;
+    words = syntax ? syntax->text : said_better(std::move(words)) + help_at(words, spot);
+    if (syntax && (syntax->is_behind || syntax->token != spot.token)) {
+        where = place_of(*syntax);
+        spot.use = kNone;
+    }
+    if (spot.use != kNone && pass_.origin(spot.defined)) {
+        const Place defined = place(spot.defined);
+        const std::string what = fmt::format("{}{} stands for, {}:{}:{})", kInMacro,
+                                             read_.macros[read_.uses[spot.use].macro].name,
+                                             defined.file, defined.line, defined.column);
+        words.insert(
+            words.ends_with(kCandidates) ? words.size() - kCandidates.size() : words.size(), what);
+    }
+    return {severity, where, std::move(words)};
+}
+
+Place ReadText::first(std::string_view name) const {
+    for (const Token& token : read_.tokens)
+        if (token.is(name) && pass_.origin(written(token).begin))
+            return place(written(token).begin);
+    return Place{scene_.files.front().string()};
+}
+
+std::ptrdiff_t ReadText::block_of(const Said& said) const {
+    const Spot spot = spot_of(said);
+    int depth = 0;
+    std::ptrdiff_t ended = 0;
+    for (const Token& token : read_.tokens) {
+        if (written(token).begin >= spot.at) break;
+        depth += token.is("{") ? 1 : token.is("}") ? -1 : 0;
+        ended += depth == 0 && token.is("}") ? 1 : 0;
+    }
+    return ended;
+}
+
+// Outside of functions, and nowhere used before: a function that stands above is used as a value.
+bool ReadText::is_declared_below(std::string_view name) const {
+    int depth = 0;
+    bool is_used = false;
+    for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
+        const std::string_view text = read_.tokens[i].text;
+        depth += text == "{" || text == "(" ? 1 : text == "}" || text == ")" ? -1 : 0;
+        if (text != name) continue;
+        if (depth == 0 && read_.tokens[i - 1].is_word()) return is_used;
+        is_used = true;
+    }
+    return false;
+}
+
+bool may_be_type(const Token& token) {
+    return token.is_word() && !token.is("return") && !token.is("else") && !token.is("case");
+}
+
+// Declared above: what is used as a value has no parentheses.
+bool ReadText::is_function(std::string_view name) const {
+    for (std::size_t i = 1; i + 1 < read_.tokens.size(); ++i)
+        if (read_.tokens[i].is(name) && may_be_type(read_.tokens[i - 1]) &&
+            read_.tokens[i + 1].is("("))
+            return true;
+    return false;
+}
+
+std::string ReadText::help_with(std::string_view name, bool is_called,
+                                const std::set<std::string, std::less<>>& unknown) const {
+    if (is_declared_below(name)) return "; it stands below, and GLSL reads in order: move it up";
+    const auto is_named = [&](const Macro& macro) {
+        return macro.name == name && macro.takes_arguments;
+    };
+    if (std::ranges::any_of(read_.macros, is_named))
+        return fmt::format("; it is a macro that takes arguments: write {}(\u2026)", name);
+    if (is_function(name))
+        return is_called ? "; a variable of that name hides the function here; give it another"
+                         : fmt::format("; it is a function: call it, {}(\u2026)", name);
+    const std::string foreign = advice_on_foreign_name(name);
+    return foreign.empty() ? meant_by(name, is_called, unknown) : foreign;
+}
+
+std::string ReadText::meant_by(std::string_view mistyped, bool is_called,
+                               const std::set<std::string, std::less<>>& unknown) const {
+    if (mistyped.size() < 2) return {};  // any other letter is as near
+    const std::size_t most_letters_apart = (mistyped.size() + 2) / 3;
+    const auto is_of_kind = [&](std::size_t i) {
+        return (i + 1 < read_.tokens.size() && read_.tokens[i + 1].is("(")) == is_called;
+    };
+    std::set<std::string, std::less<>> names;
+    const auto add = [&](std::string_view name) {
+        const std::size_t longer = std::max(name.size(), mistyped.size());
+        const bool is_near = longer - std::min(name.size(), mistyped.size()) <= most_letters_apart;
+        const bool is_name = !is_keyword(name) && name != "highp" && name != "precision";
+        if (is_near && is_name && !unknown.contains(name)) names.emplace(name);
+    };
+    // Of the host's part, what a scene may use; of its own what may be a declaration.
+    for (std::size_t i = 1; i < read_.tokens.size(); ++i) {
+        const Token &token = read_.tokens[i], &before = read_.tokens[i - 1];
+        if (!is_called && token.text == kPlainColour) add("gl_FragColor");
+        const bool may_declare =
+            token.is_word() && (may_be_type(before) || before.is(",") || before.is("]"));
+        if (pass_.origin(token.begin) ? may_declare && is_of_kind(i)
+                                      : !is_called && find_builtin(token.text))
+            add(token.text);
+    }
+    for (const Macro& macro : read_.macros)
+        if (macro.definition.end > 0 && pass_.origin(macro.definition.begin) &&
+            macro.takes_arguments == is_called)
+            add(macro.name);
+    if (is_called)
+        std::ranges::for_each(built_in_functions(), add);
+    else
+        for (const char* name : {"gl_FragCoord", "gl_FrontFacing", "gl_PointCoord"}) add(name);
+    return did_you_mean(mistyped, std::vector<std::string>(names.begin(), names.end()));
+}
+
+}  // namespace glint
