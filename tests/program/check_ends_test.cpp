@@ -42,6 +42,30 @@ TEST_F(CheckEnds, ATickWhoseOwnPeriodEndsWithACutIsUsedWell) {
     EXPECT_EQ(note_of(slides, "tick wraps", 0), "");
 }
 
+TEST_F(CheckEnds, SlidesByChanceAreUsedWell) {
+    for (const char* bits : {"15", "17", "18", "20"})
+        EXPECT_EQ(note_of(std::string("float grey(uint n) { n = (n ^ 61u) * 0x9E3779B9u; return "
+                                      "float((n ^ (n >> 15)) & 255u) / 255.0; }\n"
+                                      "void mainImage(out vec4 c, in vec2 p) {\n"
+                                      "    c = vec4(vec3(grey(iTick >> ") +
+                              bits + ")), 1);\n}\n",
+                          "tick wraps", 0),
+                  "")
+            << bits;
+}
+
+// A tile of the picture is two pixels wide and one high here.
+TEST_F(CheckEnds, EdgesThatMoveSlowlyAreNoFlashes) {
+    for (const char* along : {"x", "y"})
+        EXPECT_NE(note_of(std::string("void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(vec3("
+                                      "step(0.5, fract(p.") +
+                              along + " / 2.7 - iTime))), 1);\n}\n",
+                          "flashes", 0)
+                      .find("0 % of the picture flashes"),
+                  std::string::npos)
+            << along;
+}
+
 TEST_F(CheckEnds, WhatIsAssertedDoesNotHoldWithAnotherValue) {
     const std::string scene =
         "uniform float r; //@ 1 [0, 2]\n"

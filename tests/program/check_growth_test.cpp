@@ -48,6 +48,15 @@ TEST_F(CheckGrowth, OfFewSwingsIsFound) {
     }
 }
 
+// Predator and prey by explicit Euler: swings become larger, faster and faster, and longer.
+TEST_F(CheckGrowth, ThatSpeedsUpIsFound) {
+    const std::string start = "if (iFrame == 0) x = vec4(1, 0.5, 0, 0);\n";
+    simulate(start + "x.xy += 2.0 * h * vec2(x.x * (1.0 - x.y), x.y * (x.x - 1.0));");
+    EXPECT_TRUE(verdict("long run", 6).starts_with("fail: s.x grows steadily"));
+    simulate(start + "x.x *= exp(2.0 * h * (1.0 - x.y)); x.y *= exp(2.0 * h * (x.x - 1.0));");
+    EXPECT_TRUE(verdict("long run", 0).starts_with("pass"));
+}
+
 TEST_F(CheckGrowth, InOnePlaceIsFound) {
     simulate(
         "if (iFrame == 0) x = vec4(p.x < 1.0 && p.y < 1.0 ? 0.01 : 1.0, 0, 0, 1);\n"

@@ -261,6 +261,16 @@ TEST_F(Check, NanIsCountedPaintedMagentaAndReproduced) {
     EXPECT_TRUE(std::isnan(first));
 }
 
+TEST_F(Check, NanIsBornOfWhatHasNoResult) {
+    write("a.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    vec2 q = p - 0.5 * iResolution.xy;\n"
+          "    c = vec4(atan(q.y, q.x) + log(length(q)) * q.x);\n}\n");
+    const Json report =
+        report_of(glint({"check", "a.frag", "--json", "--size", "9x9", "--case", "size 7x3"}), 6);
+    EXPECT_EQ(report["cases"][0]["where"]["expression"], "log(length(q))") << report;
+}
+
 TEST_F(Check, NanOfABufferThatThePictureHidesIsFound) {
     write("scene.frag",
           "uniform float a; //@ 0.5 [0, 1]\n"

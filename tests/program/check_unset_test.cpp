@@ -104,6 +104,18 @@ TEST_F(CheckUnset, APictureThatIsNotWrittenEverywhereIsFound) {
     }
 }
 
+TEST_F(CheckUnset, WhatIsUnsetForAWhileIsFound) {
+    write("scene.frag",
+          "void mainImage(out vec4 c, in vec2 p) {\n"
+          "    float light, phase = fract(iTime / 16.0);\n"
+          "    if (phase < 0.5) light = phase; else if (phase < 0.8) light = 1.0;\n"
+          "    c = vec4(light);\n}\n");
+    const Json found = cases("scene.frag", 6);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0]["note"].get<std::string>().find("2:11: `light`"), std::string::npos)
+        << found;
+}
+
 TEST_F(CheckUnset, AlphaThatNothingReadsMayStayUnset) {
     write(
         "scene.frag",

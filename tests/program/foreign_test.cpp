@@ -253,6 +253,78 @@ TEST_F(Foreign, AMainMayAddToTheFunctionsOfGlsl) {
     EXPECT_EQ(errors_, "");
 }
 
+// Constants, what stands before the text's own, and members are GLSL's.
+TEST_F(Foreign, WhereOnlyGlslsFunctionCanBeMeantItIs) {
+    const std::string texts[] = {
+        "float max(float a, float b, float c) { return max(a, max(b, c)); }\n"
+        "const float most = max(0.4, 0.1);\nfloat light[max(1, 2)];\n"
+        "void main() { light[1] = max(0.1, 0.8, 0.2); "
+        "gl_FragColor = vec4(most, light[1], 0.2, 1.0); }\n",
+        "float before(float x) { return mod(x, 1.0); }\n"
+        "float mod(float x, float y) { return 0.8; }\n"
+        "void main() { gl_FragColor = vec4(before(3.4), mod(1.0, 1.0), 0.2, 1.0); }\n",
+        "struct Rod { float length; };\nvec2 length(mat2 m) { return vec2(length(m[0])); }\n"
+        "void main() { Rod r = Rod(0.4); gl_FragColor = vec4(r.length, 0.8 * "
+        "length(mat2(1.0)).x, 0.2, 1.0); }\n",
+        "float cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }\n"
+        "vec2 round(vec2 p, float s) { return floor(p / s + 0.5) * s; }\n"
+        "void main() { vec3 z = cross(vec3(1, 0, 0), vec3(0, 1, 0)); gl_FragColor = vec4("
+        "round(vec2(0.41), 0.1).x * z.z, 0.8 * cross(vec2(1, 0), vec2(0, 1)), 0.2, 1.0); }\n",
+        "#define OF(T) T min(T a, T b, T c) { return min(a, min(b, c)); }\nOF(float)\nOF(vec2)\n"
+        "void main() { gl_FragColor = vec4(min(0.9, 0.4, 0.5), min(vec2(1), vec2(0.8), "
+        "vec2(0.9)).x, 0.2, 1.0); }\n",
+        "#version 330 core\nout vec4 c;\nvoid main() { float sample = 0.4, patch = 0.8; "
+        "c = vec4(sample, patch, 0.2, 1.0); }\n"};
+    for (const std::string& text : texts) {
+        write("a.glsl", text);
+        EXPECT_EQ(draw(), (std::array{102, 204, 51})) << text << errors_;
+        EXPECT_EQ(errors_, "");
+    }
+    write("a.glsl",
+          "float mix(float a, float b) { return mix(a, b, 0.5); }\nconst float k = mix(0.2, 0.6, "
+          "0.5);\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(k, mix(0.6, 1.0), 0.2, 1); }\n");
+    EXPECT_EQ(draw(), (std::array{102, 204, 51})) << errors_;
+}
+
+TEST_F(Foreign, AMistakeInABracketOrAHeadHasItsPlace) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"void main() {\n gl_FragColor = vec4(1.0);\n",
+         "a.glsl:1:13: error: this '{' is never closed; write '}'"},
+        {"out vec4 c;\nfloat f() { return 1.0;\nvoid main() { c = vec4(f()); }\n",
+         "a.glsl:3:1: error: a function begins within another one"},
+        {"out vec4 c;\nvoid main) { c = vec4(1); }\n", "a.glsl:2:10: error: "},
+        {"void mian() { gl_FragColor = vec4(1.0); }\n",
+         "a.glsl:1:6: error: there is no main here; did you mean this one?"},
+        {"layout(location 0) out vec4 c;\nvoid main() { c = vec4(1); }\n",
+         "a.glsl:1:1: error: this layout is not understood; write layout(location = 0)"},
+        {"out vec c;\nvoid main() { c = vec4(1); }\n", "a.glsl:1:5: error: 'vec' is no type"},
+        {"varying vec2 vUv\nvoid main() { gl_FragColor = vec4(1.0); }\n",
+         "a.glsl:1:17: error: ';' is missing here"},
+        {"void main(vec2 p) { gl_FragColor = vec4(1.0); }\n",
+         "a.glsl:1:6: error: main() takes nothing"},
+        {"void main() { gl_fragColor = vec4(1.0); }\n",
+         "a.glsl:1:15: error: no gl_fragColor is known; did you mean gl_FragColor?"},
+        {"#if 1\nvoid main() { gl_FragColor = vec4(1.0); }\n",
+         "a.glsl:1:1: error: this #if is never ended"}};
+    for (const auto& [text, words] : texts) {
+        write("a.glsl", text);
+        const Outcome outcome = glint({"still", "a.glsl", "-o", "x.png"});
+        EXPECT_EQ(outcome.code, 3) << text;
+        EXPECT_TRUE(outcome.err.starts_with(words)) << outcome.err;
+        EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    }
+}
+
+TEST_F(Foreign, ATextWithABlockIsProbed) {
+    write("a.glsl",
+          "#version 330\nlayout(std140) uniform Params { float a; vec4 b; };\nout vec4 c;\n"
+          "void main() { c = b + a; }\n");
+    const Outcome outcome = glint({"probe", "a.glsl", "--at", "1,1", "--size", "8x8"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("a.glsl:4: main: c = (0, 0, 0, 0)"), std::string::npos)
+        << outcome.out;
+}
+
 TEST_F(Foreign, WhatIsWrongIsToldInItsOwnWords) {
     const std::pair<const char*, const char*> texts[] = {
         {"out vec4 col\nvoid main() { col = vec4(1); }\n", "a.glsl:1:13: error: ';' is missing"},
@@ -260,8 +332,8 @@ TEST_F(Foreign, WhatIsWrongIsToldInItsOwnWords) {
          "a.glsl:1:24: error: ';' is missing here"},
         {"void main() { float x = 1.0 gl_FragColor = vec4(x); }\n", "before 'gl_FragColor'"},
         {"float round(float x) { return x; }\nvoid main() { gl_FragColor = "
-         "vec4(round(vec2(1.0)), 1.0, 1.0); }\n",
-         "call to `round(vec2)'"},
+         "vec4(round(mat2(1.0)), 1.0, 1.0); }\n",
+         "call to `round(mat2)'"},
         {"void main() { mediump x = 1.0; gl_FragColor = vec4(x); }\n", "behind 'mediump'"},
         {"void main() { gl_FragColor = vec4(1.0); }\nvoid main() { }\n", "`main' redefined"},
         {"varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(vNormal, 1.0); }\n",

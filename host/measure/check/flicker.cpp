@@ -246,6 +246,14 @@ void add_both(std::vector<Situation>& all, const CheckSubject& subject) {
                 all.push_back({all[i].values, all[k].events, all[k].time});
 }
 
+// For tiles in which a row of pixels is little.
+glm::ivec2 large_enough(glm::ivec2 size) {
+    constexpr int kLeastOfTile = 9;
+    int times = 1;
+    while (std::min(size.x * times / kTiles.x, size.y * times / kTiles.y) < kLeastOfTile) ++times;
+    return size * times;
+}
+
 // With the preset's values, and where all tweaks are at an end of their ranges; of a simulation
 // with the preset's alone: at its stiffest it may well flash, and nobody knows what was meant. With
 // the mouse or keys held, and later.
@@ -256,6 +264,7 @@ void run_flashes(Check& check, CaseResult& result) {
     add_both(all, subject);
     for (const Situation& one : all) {
         one.bring(subject);
+        if (!subject.stateful()) subject.resize(large_enough(subject.preset.size));
         const auto area = flashing_area(check, one.time);
         if (!area) return;
         if (result.note.empty())
@@ -271,8 +280,9 @@ void run_flashes(Check& check, CaseResult& result) {
 std::optional<double> flashing_area(Check& check, double time) {
     CheckSubject& subject = check.subject;
     // The edge of what moves enters a tile by a row or a column of pixels, which is no flash.
+    constexpr double kMostOfEdge = 0.35;  // in pictures of a few pixels all is an edge
     const glm::ivec2 pixels = glm::max(subject.preset.size / kTiles, glm::ivec2(1));
-    const double edge = 1.05 / std::min(pixels.x, pixels.y);
+    const double edge = std::min(1.05 / std::min(pixels.x, pixels.y), kMostOfEdge);
     struct Tile {
         Turns any, red;
     };
