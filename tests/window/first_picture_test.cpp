@@ -60,8 +60,8 @@ protected:
         write(scene(), text);
         environment_ = kOnOneCore;
     }
-    bool shows_green() const { return shows({0, 255, 0}, {3, 300}); }
-    bool shows_red() const { return shows({255, 0, 0}, {3, 300}); }
+    bool shows_green() const { return shows({0, 255, 0}, {20, 300}); }
+    bool shows_red() const { return shows({255, 0, 0}, {20, 300}); }
     bool is_black(glm::ivec2 at) const { return screen_->pixel(at) == Colour{0, 0, 0}; }
 };
 
