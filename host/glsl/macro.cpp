@@ -296,7 +296,10 @@ std::vector<Token> Expander::substituted(const Use& use,
         token.space_before |= token.begins_line;
         token.begins_line = false;
     }
-    if (!result.empty()) result.front().space_before = use.name.space_before;
+    if (!result.empty()) {
+        result.front().space_before = use.name.space_before;
+        result.front().begins_line = use.name.begins_line;
+    }
     return result;
 }
 

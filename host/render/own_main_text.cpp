@@ -163,7 +163,8 @@ std::string older_textures(const Reading& reading) {
         {"texture2DProjGradEXT", "textureProjGrad"}, {"textureCubeGradEXT", "textureGrad"},
         {"gl_FragDepthEXT", "gl_FragDepth"}};
     for (const auto& [name, today] : kOfExtensions)
-        if (reading.mentions(name)) text += fmt::format("#define {} {}\n", name, today);
+        if (reading.mentions(name) && !means_its_own(reading, name) && !reading.defines_macro(name))
+            text += fmt::format("#define {} {}\n", name, today);
     return text;
 }
 

@@ -149,8 +149,12 @@ std::string wrapped(std::string_view name, const std::string& result, const Type
 
 Types types_of(const Reading& reading, const Function& function) {
     Types types;
-    for (const std::uint32_t parameter : function.parameters)
-        types.emplace_back(reading.word(reading.declarations[parameter].type));
+    for (const std::uint32_t parameter : function.parameters) {
+        const Declaration& one = reading.declarations[parameter];
+        const bool is_array =
+            !one.type_array.empty() || (!one.names.empty() && !one.names.front().array.empty());
+        types.push_back(std::string(reading.word(one.type)) + (is_array ? "[]" : ""));
+    }
     return types;
 }
 
@@ -198,14 +202,17 @@ std::set<std::string_view> overloaded_names(const Reading& reading) {
     return names;
 }
 
-// Where a name of these can only be GLSL's: before the text's own, but for macros that are used
-// behind; after a dot, where members are declared; and in values that must be constant, which calls
-// of the text's own are not.
+// Where a name of these can only be GLSL's: before the text's own, behind a dot, where members are
+// declared; and in values that must be constant, which calls of the text's own are not. A word of a
+// macro is where the macro is used.
 class Kept {
 public:
-    Kept(const Reading& reading, std::string_view name) : reading_(reading), name_(name) {
+    Kept(const Reading& reading, std::string_view name) {
         const std::uint32_t own = reading.functions_named(name).front();
         first_ = reading.place(reading.functions[own].name).begin;
+        const auto add = [&](TokenRange range) {
+            if (!range.empty()) spans_.push_back(reading.place(range));
+        };
         for (const Declaration& declaration : reading.declarations) {
             const bool is_member = declaration.scope == Scope::member;
             for (const Declarator& one : declaration.names) {
@@ -215,37 +222,34 @@ public:
             }
             add(declaration.type_array);
         }
+        for (std::uint32_t i = 0; i < reading.tokens.size(); ++i) {
+            if (!reading.tokens[i].is(name)) continue;
+            const bool is_kept =
+                (i > 0 && reading.tokens[i - 1].is(".")) || is_kept_place(reading.place(i).begin);
+            const auto [seen, is_new] = kept_.emplace(reading.tokens[i].begin, is_kept);
+            seen->second &= is_kept;
+        }
     }
 
-    bool holds(std::size_t index) const {  // into `written`
-        const auto& tokens = reading_.written;
-        const Span at = tokens[index].span();
-        if ((at.begin < first_ && !is_in_macro(at)) || (index > 0 && tokens[index - 1].is(".")))
-            return true;
-        return std::ranges::any_of(spans_, [&](const Span& span) {
-            return span.begin <= at.begin && at.begin < span.end;
-        });
+    // By the byte where the word is spelled.
+    bool holds(std::size_t at) const {
+        const auto seen = kept_.find(at);
+        return seen != kept_.end() ? seen->second : is_kept_place(at);
     }
     bool any() const {
-        for (std::size_t i = 0; i < reading_.written.size(); ++i)
-            if (reading_.written[i].is(name_) && holds(i)) return true;
-        return false;
+        return std::ranges::any_of(kept_, [](const auto& one) { return one.second; });
     }
 
 private:
-    bool is_in_macro(const Span& at) const {
-        return std::ranges::any_of(reading_.directives, [&](const Directive& one) {
-            return one.span.begin <= at.begin && at.begin < one.span.end;
-        });
-    }
-    void add(TokenRange range) {
-        if (!range.empty()) spans_.push_back(reading_.place(range));
+    bool is_kept_place(std::size_t at) const {
+        return at < first_ || std::ranges::any_of(spans_, [&](const Span& span) {
+                   return span.begin <= at && at < span.end;
+               });
     }
 
-    const Reading& reading_;
-    std::string_view name_;
     std::size_t first_ = 0;
     std::vector<Span> spans_;
+    std::map<std::size_t, bool> kept_;
 };
 
 }  // namespace
@@ -266,9 +270,10 @@ std::string own_overloads(const Reading& reading) {
 void rename_overloads(const Reading& reading, Edits& edits) {
     for (const std::string_view name : overloaded_names(reading)) {
         const Kept kept(reading, name);
-        for (std::size_t i = 0; kept.any() && i < reading.written.size(); ++i)
-            if (reading.written[i].is(name) && !kept.holds(i))
-                edits.replace_bytes(reading.written[i].span(), fmt::format("glint_{}", name));
+        if (!kept.any()) continue;
+        for (const Token& token : reading.written)
+            if (token.is(name) && !kept.holds(token.begin))
+                edits.replace_bytes(token.span(), fmt::format("glint_{}", name));
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <span>
 
 namespace glint {
@@ -15,7 +16,7 @@ bool is_at_another_location(const Reading& reading, TokenRange qualifiers) {
     for (std::uint32_t at = qualifiers.begin; at + 2 < qualifiers.end; ++at)
         if (reading.tokens[at].is("location") && reading.tokens[at + 1].is("="))
             return reading.tokens[at + 2].kind == TokenKind::number &&
-                   !reading.tokens[at + 2].is("0");
+                   std::strtol(reading.tokens[at + 2].text.data(), nullptr, 0) != 0;
     return false;
 }
 
@@ -84,21 +85,21 @@ bool has_unknown_output(const Reading& reading) {
     });
 }
 
-// Of an output, whose layout a driver does not see.
+// `layout(location 0)`, `layout(locatoin = 0)`: of an output, whose layout no driver sees.
 std::optional<std::size_t> bad_layout(const Reading& reading) {
+    const std::string known[] = {"location"};
     for (const Declaration& one : reading.declarations) {
         const TokenRange words = one.qualifiers;
-        const bool is_placed = one.scope == Scope::global && one.is_out && words.size() > 2 &&
-                               reading.tokens[words.begin].is("layout");
-        const std::uint32_t close = is_placed ? reading.close_of(words.begin + 1) : kNone;
-        if (close == kNone) continue;
-        for (std::uint32_t at = words.begin + 2; at < close; at += 4) {
-            const bool is_index = reading.tokens[at].is("location") ||
-                                  reading.tokens[at].is("index") ||
-                                  reading.tokens[at].is("component");
-            if (!is_index || at + 2 >= close || !reading.tokens[at + 1].is("=") ||
-                (at + 3 != close && !reading.tokens[at + 3].is(",")))
-                return reading.place(words.begin).begin;
+        if (one.scope != Scope::global || !one.is_out || words.empty() ||
+            !reading.tokens[words.begin].is("layout"))
+            continue;
+        for (std::uint32_t at = words.begin; at + 2 < words.end; ++at) {
+            const Token &token = reading.tokens[at], &next = reading.tokens[at + 1],
+                        &value = reading.tokens[at + 2];
+            const bool is_mistyped =
+                token.is_word() && !token.is("location") && !nearest(token.text, known).empty();
+            const bool has_no_value = token.is("location") && (!next.is("=") || value.is(")"));
+            if (is_mistyped || has_no_value) return token.span().begin;
         }
     }
     return std::nullopt;

@@ -270,6 +270,9 @@ TEST_F(Foreign, WhereOnlyGlslsFunctionCanBeMeantItIs) {
         "vec2 round(vec2 p, float s) { return floor(p / s + 0.5) * s; }\n"
         "void main() { vec3 z = cross(vec3(1, 0, 0), vec3(0, 1, 0)); gl_FragColor = vec4("
         "round(vec2(0.41), 0.1).x * z.z, 0.8 * cross(vec2(1, 0), vec2(0, 1)), 0.2, 1.0); }\n",
+        "float max(float a, float b, float c) { return max(a, max(b, c)); }\n"
+        "#define MOST max(0.4, 0.1)\nconst float most = MOST;\n"
+        "void main() { gl_FragColor = vec4(most, max(0.1, 0.8, 0.2), 0.2, 1.0); }\n",
         "#define OF(T) T min(T a, T b, T c) { return min(a, min(b, c)); }\nOF(float)\nOF(vec2)\n"
         "void main() { gl_FragColor = vec4(min(0.9, 0.4, 0.5), min(vec2(1), vec2(0.8), "
         "vec2(0.9)).x, 0.2, 1.0); }\n",
@@ -296,7 +299,7 @@ TEST_F(Foreign, AMistakeInABracketOrAHeadHasItsPlace) {
         {"void mian() { gl_FragColor = vec4(1.0); }\n",
          "a.glsl:1:6: error: there is no main here; did you mean this one?"},
         {"layout(location 0) out vec4 c;\nvoid main() { c = vec4(1); }\n",
-         "a.glsl:1:1: error: this layout is not understood; write layout(location = 0)"},
+         "a.glsl:1:8: error: this layout is not understood; write layout(location = 0)"},
         {"out vec c;\nvoid main() { c = vec4(1); }\n", "a.glsl:1:5: error: 'vec' is no type"},
         {"varying vec2 vUv\nvoid main() { gl_FragColor = vec4(1.0); }\n",
          "a.glsl:1:17: error: ';' is missing here"},
