@@ -68,7 +68,8 @@ int glint0_i(int i, int at, int count) {
 }
 uint glint0_i(int i, uint at, int count) { glint0_i(i, at > 2147483647u ? 2147483647 : int(at), count); return at; }
 ivec2 glint0_t(int i, ivec2 at, ivec2 size) {
-    glint0_u(i, at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y, uint(at.x), 3e38);
+    bool is_out = at.x < 0 || at.x >= size.x;
+    glint0_u(i, is_out || at.y < 0 || at.y >= size.y, uint(is_out ? at.x : at.y), 3e38);
     return glint0_mends ? clamp(at, ivec2(0), size - 1) : at;
 }
 ivec3 glint0_t(int i, ivec3 at, ivec3 size) { return at; }

@@ -124,6 +124,7 @@ private:
                  .structure = declaration.structure,
                  .array = one.array,
                  .type_array = declaration.type_array});
+            sites_.back().unset.is_output = is_entry;
         }
         if (reading_.word(function.type) == "void" || !uses_.lacks_return(function)) return;
         add(Site::Kind::result, function.name, function.body.end - 1,
@@ -198,8 +199,7 @@ std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string
     if (!reading.is_balanced) return unset;
     Writer writer(reading, edits);
     for (Site& site : ZeroFinder(reading, entry).find()) {
-        const std::size_t at = site.unset.at;
-        const bool is_marked = marked && marked->bytes.begin <= at && at < marked->bytes.end;
+        const bool is_marked = marked && marked->holds(site.unset);
         if (!writer.write(site, is_marked ? marked->value : FirstValue::zero))
             site.unset.why_not = "no value can be written for its type, or a macro keeps it";
         unset.push_back(std::move(site.unset));

@@ -23,18 +23,24 @@ struct Unset {
     std::string name;        // of the variable
     bool is_result = false;  // the name is that of a function which may end without a `return`
     std::size_t at = 0;      // byte of the text where the name is declared
+    bool is_output = false;  // the colour that a pass or a main() writes, which the host sets to 0
     // Why no value of ours is sure to be there.
     std::string_view why_not{};
 };
 
-// What is declared in these bytes begins with a value that shows in a picture.
+// What is declared in these bytes begins with a value that shows in a picture; an output where its
+// byte stands alone there.
 struct Marked {
     Span bytes;
     FirstValue value = FirstValue::nan;
+
+    bool holds(const Unset& unset) const {
+        const bool is_alone = bytes.end - bytes.begin == 1;
+        return bytes.begin <= unset.at && unset.at < bytes.end && (is_alone || !unset.is_output);
+    }
 };
 
-// What was unset, in the order of the text. The host sets the outputs of `entry` to 0; of these
-// only marks are written.
+// What was unset, in the order of the text. Of the outputs of `entry` only marks are written.
 std::vector<Unset> write_zeros(const Reading& reading, Edits& edits, std::string_view entry = {},
                                std::optional<Marked> marked = {});
 

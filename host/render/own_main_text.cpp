@@ -229,7 +229,7 @@ std::optional<Unset> unset_colour(const Reading& reading, const Declaration* out
                    FirstUses(reading).out_is_read(index, name);
         }))
         return std::nullopt;
-    return Unset{.name = std::string(name), .at = first->span().begin};
+    return Unset{.name = std::string(name), .at = first->span().begin, .is_output = true};
 }
 
 std::string behind_plain_main(const Reading& reading, const Declaration* output,

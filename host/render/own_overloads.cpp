@@ -210,6 +210,7 @@ public:
     Kept(const Reading& reading, std::string_view name) {
         const std::uint32_t own = reading.functions_named(name).front();
         first_ = reading.place(reading.functions[own].name).begin;
+        is_macro_ = reading.defines_macro(name);
         const auto add = [&](TokenRange range) {
             if (!range.empty()) spans_.push_back(reading.place(range));
         };
@@ -236,8 +237,9 @@ public:
         const auto seen = kept_.find(at);
         return seen != kept_.end() ? seen->second : is_kept_place(at);
     }
+    // What is a macro's name, too, needs no other one.
     bool any() const {
-        return std::ranges::any_of(kept_, [](const auto& one) { return one.second; });
+        return is_macro_ || std::ranges::any_of(kept_, [](const auto& one) { return one.second; });
     }
 
 private:
@@ -248,6 +250,7 @@ private:
     }
 
     std::size_t first_ = 0;
+    bool is_macro_ = false;
     std::vector<Span> spans_;
     std::map<std::size_t, bool> kept_;
 };

@@ -436,8 +436,7 @@ void add_behind_main(const Reading& reading, const std::optional<Marked>& marked
     const Declaration* output = colour_output(reading);
     const auto unset = unset_colour(reading, output);
     if (unset) result.unset.push_back(*unset);
-    const bool is_marked =
-        unset && marked && marked->bytes.begin <= unset->at && unset->at < marked->bytes.end;
+    const bool is_marked = unset && marked && marked->holds(*unset);
     result.text +=
         behind_plain_main(reading, output, is_marked ? std::optional(marked->value) : std::nullopt);
 }

@@ -90,7 +90,8 @@ Spot ReadText::expanded_spot(int line, int column) const {
         const Span place = written(token);
         if (place.begin < begin) continue;
         if (place.begin >= end) break;
-        at += (token.space_before && place.begin > first ? 1 : 0) + token.spaces_left;
+        at += token.space_before && place.begin > first ? 1 : 0;
+        if (!token.begins_line) at += token.spaces_left;  // else they end the line before
         if (at > column) break;
         spot = spot_of(static_cast<std::size_t>(&token - read_.tokens.data()));
         const auto within = static_cast<std::size_t>(column - at);

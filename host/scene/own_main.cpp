@@ -55,7 +55,7 @@ std::optional<std::size_t> missing_semicolon(const Reading& reading) {
                                !is_one_of(reading.tokens[i - 1], kHeads) &&
                                !is_one_of(reading.tokens[i - 1], kPrecisions);
         if (depth == 0 && is_head && is_behind && token.begins_line && is_one_of(token, kNext))
-            return reading.tokens[i - 1].end;
+            return reading.place(static_cast<std::uint32_t>(i - 1)).end;
         const bool begins =
             i == 0 || reading.tokens[i - 1].is(";") || reading.tokens[i - 1].is("}");
         if (depth == 0 && begins) is_head = is_one_of(token, kHeads);

@@ -122,7 +122,8 @@ Scene Builder::build() {
 }
 
 void Builder::check_image() {
-    if (const auto open = reading_.open_condition)  // the rest of the text goes with it
+    const auto open = reading_.open_condition;
+    if (open && !reading_.unclosed_comment)  // the rest of the text goes with it
         return error(*open, "this #if is never ended; write #endif behind its part");
     if (has_own_main(reading_)) scene_.image_entry = "main";
     if (scene_.image_entry == "mainImage")

@@ -260,10 +260,14 @@ TEST(Zeros, NameWhatWasUnset) {
 TEST(Zeros, LeaveTheOutputsOfTheEntryToTheHostButForMarks) {
     const std::string text = "void f(out vec4 c) {} void g(out vec4 c) {}\n";
     const Reading reading = read_glsl(text, {});
-    Edits edits(reading), marked(reading);
+    Edits edits(reading), marked(reading), all(reading);
     EXPECT_EQ(write_zeros(reading, edits, "f").size(), 2u);
     EXPECT_EQ(edits.apply().text, "void f(out vec4 c) {} void g(out vec4 c) { c = vec4(0.);}\n");
-    write_zeros(reading, marked, "f", {{{0, text.find("g(")}, FirstValue::large}});
+    const std::size_t at = text.find("c)");
+    write_zeros(reading, all, "f", {{{0, text.find("g(")}, FirstValue::large}});
+    EXPECT_EQ(all.apply().text, "void f(out vec4 c) {} void g(out vec4 c) { c = vec4(0.);}\n")
+        << "it is marked alone";
+    write_zeros(reading, marked, "f", {{{at, at + 1}, FirstValue::large}});
     EXPECT_EQ(marked.apply().text,
               "void f(out vec4 c) { c = vec4(1e9);} void g(out vec4 c) { c = vec4(0.);}\n");
 }

@@ -54,6 +54,57 @@ TEST_F(CheckEnds, SlidesByChanceAreUsedWell) {
             << bits;
 }
 
+// Its own cut comes at each period, of which the tick's wrap is one.
+TEST_F(CheckEnds, APeriodOfTheTickThatIsNoPowerOfTwoEndsWithItsOwnCut) {
+    const std::string phase = "float(uint(int(0.21 * 65536.0)) * iTick) / 4294967296.0";
+    EXPECT_EQ(note_of("void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(step(p.x / "
+                      "iResolution.x, " +
+                          phase + "));\n}\n",
+                      "tick wraps", 0),
+              "");
+}
+
+// The middle row and column are half of one side and half of the other.
+TEST_F(CheckEnds, HardEdgesThroughTheMiddleAreNoLineThatStandsOut) {
+    EXPECT_EQ(note_of("void mainImage(out vec4 c, in vec2 p) {\n"
+                      "    vec2 q = p - 0.5 * iResolution.xy;\n"
+                      "    c = vec4(q.x * q.y > 0.0 ? 0.8 : 0.2);\n}\n",
+                      "odd sizes", 0)
+                  .find("stands out"),
+              std::string::npos);
+}
+
+// At rest in the second and in the minute that are looked at first.
+TEST_F(CheckEnds, AMotionThatBeginsLateOrPausesHasAnAge) {
+    for (const char* angle : {"1.9 * max(iTime - 3.0, 0.0)", "max(mod(iTime, 6.0) - 2.5, 0.0)"}) {
+        const std::string scene =
+            std::string(
+                "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(0.5 + 0.5 * sin(0.7 "
+                "* p.x + ") +
+            angle + "));\n}\n";
+        EXPECT_NE(note_of(scene, "age 30 days", 6).find("when young"), std::string::npos) << angle;
+        EXPECT_NE(note_of(scene, "age 1 hour", 0), "none") << angle;
+    }
+}
+
+// A texel is 0 after NaN until the sweep comes round again, in four seconds.
+TEST_F(CheckEnds, WhatTheNextSweepWritesAnewHasHealed) {
+    const auto scene = [](const char* healed) {
+        return std::string(
+                   "uniform sampler2D s; //@ pass mainS size=8x8\n"
+                   "void mainS(out vec4 c, in vec2 p) {\n"
+                   "    float was = texelFetch(s, ivec2(p), 0).x;\n"
+                   "    if (!(was >= 0.0)) was = ") +
+               healed +
+               ";\n    if (was < 2.0 && abs(fract(0.25 * iTime) * 8.0 - p.x) < 0.5) was = 1.0;\n"
+               "    c = vec4(was * (was > 2.0 ? 1.0 : exp(-iTimeDelta)));\n}\n"
+               "void mainImage(out vec4 c, in vec2 p) {\n"
+               "    c = texture(s, p / iResolution.xy);\n}\n";
+    };
+    EXPECT_NE(note_of(scene("0.0"), "healed s", 0), "none");
+    EXPECT_NE(note_of(scene("9.0"), "healed s", 6).find("wrong state"), std::string::npos);
+}
+
 // A tile of the picture is two pixels wide and one high here.
 TEST_F(CheckEnds, EdgesThatMoveSlowlyAreNoFlashes) {
     for (const char* along : {"x", "y"})

@@ -116,17 +116,24 @@ TEST_F(CheckUnset, WhatIsUnsetForAWhileIsFound) {
         << found;
 }
 
-TEST_F(CheckUnset, AlphaThatNothingReadsMayStayUnset) {
-    write(
-        "scene.frag",
-        "uniform sampler2D trail; //@ pass mainTrail\n"
-        "void mainTrail(out vec4 c, in vec2 p) {\n"
-        "    c.xyz = 0.9 * texelFetch(trail, ivec2(p), 0).xyz + 0.01;\n"
-        "}\n"
-        "void mainImage(out vec4 c, in vec2 p) { c.rgb = texelFetch(trail, ivec2(p), 0).xyz; }\n");
+TEST_F(CheckUnset, WhatNothingReadsOfABufferMayStayUnset) {
+    const auto scene = [&](const char* read) {
+        write("scene.frag", std::string("uniform sampler2D trail; //@ pass mainTrail\n"
+                                        "void mainTrail(out vec4 c, in vec2 p) {\n"
+                                        "    c.x = 0.9 * texelFetch(trail, ivec2(p), 0).x + 0.01;\n"
+                                        "}\n"
+                                        "void mainImage(out vec4 c, in vec2 p) {\n"
+                                        "    c.rgb = texelFetch(trail, ivec2(p), 0).") +
+                                read + ";\n}\n");
+    };
+    scene("xxx");
     const Json found = cases("scene.frag", 0);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0]["note"], "2 values, none shows");
+    scene("xxy");
+    EXPECT_NE(cases("scene.frag", 6)[0]["note"].get<std::string>().find(
+                  "2:25: `c` is not written everywhere"),
+              std::string::npos);
 }
 
 }  // namespace

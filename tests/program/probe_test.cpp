@@ -172,6 +172,25 @@ TEST_F(ProbeVerb, TellsAValueOfABufferThatTweaksSwitchOff) {
     EXPECT_EQ(glint({"check", "off.frag", "--case", "rounding"}).code, 0);
 }
 
+TEST_F(ProbeVerb, OfASimulationTellsStepsThatItTakes) {
+    write("steps.frag",
+          "uniform sampler2D s; //@ pass mainS size=1x1 step=1\n"
+          "void mainS(out vec4 c, in vec2 p) {\n"
+          "    c = texelFetch(s, ivec2(0), 0) + vec4(1, 0, 0, 0);\n"
+          "    c.y = iTime;\n}\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(s, ivec2(0), 0) * 0.1; }\n");
+    const auto at = [&](const char* frame) {
+        return glint({"probe", "steps.frag", "--pass", "s", "--at", "0,0", "--frame", frame});
+    };
+    const Outcome between = at("121");
+    EXPECT_NE(between.out.find("c.y = 2\n"), std::string::npos) << between.out;
+    EXPECT_NE(between.err.find("takes no step in frame 121; shown is frame 120"), std::string::npos)
+        << between.err;
+    const Outcome before = at("30");
+    EXPECT_NE(before.code, 0);
+    EXPECT_NE(before.err.find("has taken no step by frame 30"), std::string::npos) << before.err;
+}
+
 TEST_F(ProbeVerb, SaysWhatCannotBeAsked) {
     expect_usage({"--at", "8,0"}, "from 0,0 at the bottom left to 7,3");
     expect_usage({"--at", "3"}, "write X,Y");

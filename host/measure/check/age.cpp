@@ -36,6 +36,8 @@ constexpr double kHardly = 1e-6;
 constexpr double kSeen = 0.5 / 255.0;
 // What stands still in most frames, such as a lightning, may be seen between two: at other moments.
 constexpr double kSeldom = 0.5;
+// Of a scene that moves at so many moments, all of kOtherMoments are at rest once in 250 scenes.
+constexpr double kOften = 0.5;
 constexpr double kOtherMoments[] = {0.0, 1.1, 2.3, 3.4, 4.6, 5.7, 6.9, 8.0};  // s later
 constexpr double kSettled = 600.0;                                            // s
 constexpr double kUnevennessFactor = 2.0, kUnevennessAllowed = 0.1;
@@ -145,25 +147,51 @@ Motion motion_at(const Check& check, double age) {
             .fine_frame = 1.0 / fine_frames};
 }
 
-// The least that can be asked: a scene may come to rest within its first minute.
+// The least that is asked of both.
+Motion least_of(const Motion& a, const Motion& b) {
+    return {.moving = std::min(a.moving, b.moving),
+            .finely_moving = std::min(a.finely_moving, b.finely_moving),
+            .unevenness = std::max(a.unevenness, b.unevenness),
+            .mean = std::max(a.mean, b.mean),
+            .frame = a.frame,
+            .fine_frame = a.fine_frame,
+            .often = std::min(a.often, b.often)};
+}
+
+// A scene may come to rest within its first minute. One that goes by time alone, and rests at one
+// of two moments, moves at others: then these are asked of.
 Motion young_motion(const Check& check) {
-    const Motion at_1 = motion_at(check, 1.0), at_60 = motion_at(check, 60.0);
-    return {.moving = std::min(at_1.moving, at_60.moving),
-            .finely_moving = std::min(at_1.finely_moving, at_60.finely_moving),
-            .unevenness = std::max(at_1.unevenness, at_60.unevenness),
-            .mean = std::max(at_1.mean, at_60.mean),
-            .frame = at_1.frame,
-            .fine_frame = at_1.fine_frame};
+    constexpr double kMoments[] = {1.0, 60.0, 3.3, 7.9, 13.7, 23.1, 41.9, 77.3};
+    const Motion both = least_of(motion_at(check, kMoments[0]), motion_at(check, kMoments[1]));
+    if (both.moving > 0.0 || check.subject.stateful()) return both;
+    std::optional<Motion> least;
+    int moved = 0;
+    for (const double moment : kMoments) {
+        const Motion one = motion_at(check, moment);
+        if (one.moving == 0.0) continue;
+        ++moved;
+        least = least ? least_of(*least, one) : one;
+    }
+    if (!least) return both;
+    least->often = moved / static_cast<double>(std::size(kMoments));
+    return *least;
 }
 
 // Whether nothing moves any more after an hour, when a float clock has all digits of a frame.
 bool rests_after_an_hour(CheckSubject& subject) {
-    constexpr double kHour = 3600.0, kLater[] = {0.3, 7.0, 31.0};  // s
+    constexpr double kHour = 3600.0;  // s
+    constexpr double kLater[] = {0.3, 1.9, 3.7, 7.0, 11.3, 19.1, 31.0, 53.9};
     if (subject.stateful() || !subject.show(kHour, 0.0)) return false;
     const std::vector<float> at_the_hour = subject.picture();
     return std::ranges::all_of(kLater, [&](double later) {
         return subject.show(kHour + later, 0.0) && subject.picture() == at_the_hour;
     });
+}
+
+// Windows at other ages are windows at other phases, in which it may rest.
+bool goes_by_tick_alone(const CheckSubject& subject) {
+    return !subject.stateful() && subject.reads(Builtin::tick) && !subject.reads(Builtin::time) &&
+           !subject.reads(Builtin::frame) && !subject.reads(Builtin::date);
 }
 
 void judge_motion(const Motion& young, const Motion& old, CaseResult& result) {
@@ -193,9 +221,11 @@ void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& re
     const double float_step = std::nextafter(static_cast<float>(age.seconds), 1e9f) - age.seconds;
     const bool is_slow = young.mean < kHardly && young.mean * 60.0 * float_step < kSeen;
     CaseResult judged;
+    bool has_moved = false;
     for (const double later : kOtherMoments) {
         const Motion old = motion_at(check, age.seconds + later);
         if (!subject.observed().is_finite()) return;
+        has_moved |= old.moving > 0.0;
         judged = {.name = result.name};
         if (young.moving == 0.0)
             judged.note = "comes to rest within its first minute";
@@ -203,8 +233,11 @@ void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& re
             judged.note = "hardly moves any more";
         else
             judge_motion(young, old, judged);
-        if (judged.verdict != CaseVerdict::fail || young.moving >= kSeldom) break;
+        if (judged.verdict != CaseVerdict::fail) break;
+        const bool rests = old.moving == 0.0 || old.finely_moving == 0.0;  // as it may for a while
+        if (!rests && young.often == 1.0 && young.moving >= kSeldom) break;
     }
+    if (!has_moved && young.often < kOften) judged = {.name = result.name, .note = "moves seldom"};
     // What has ended after some minutes, when a clock has all its digits, was to; a state goes on.
     if (judged.verdict == CaseVerdict::fail && subject.stateful() && young.moving > 0.0) {
         const Motion settled = motion_at(check, kSettled);
@@ -232,6 +265,11 @@ void run_age(const Age& age, Check& check, CaseResult& result) {
     if (age.seconds <= 1.0) {
         AgedClock clock(subject, age.seconds);
         changes(clock, subject, 0.0, kFrame, check.paced(kFrames, kLeastFrames));
+        return;
+    }
+    if (goes_by_tick_alone(subject)) {
+        result.note = "goes by iTick, which has no age; `same phase` tells whether it is used well";
+        subject.show(age.seconds, 0.0);
         return;
     }
     if (!check.rests) check.rests = rests_after_an_hour(subject);
@@ -307,12 +345,13 @@ void run_same_phase(const Period& period, Check& check, CaseResult& result) {
 }
 
 // The tick wraps after 65536 s, and is negative as an int from half of that on: nothing jumps there
-// by more than from frame to frame, or where a period of the scene's own begins again: that of all
-// its low bits does after each 2048 s, too, where nothing else happens, and by more or less where
-// chance says what comes next.
+// by more than from frame to frame, or where a period of the scene's own begins again, as that of
+// all its low bits does after each 2048 s, too, where nothing else happens, by more or less where
+// chance says what comes next; or as others do within a few seconds.
 void run_wrap(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     constexpr double kMoves = 4.0, kJump = 0.01, kAlike = 1.5;  // times, RMSE, times
+    constexpr int kCuts = 480;                                  // frames
     const auto picture = [&](double time) {
         subject.draw(subject.frame_at(time, kFrame, kFirstSecond));
         return subject.picture();
@@ -323,6 +362,12 @@ void run_wrap(Check& check, CaseResult& result) {
             const double seam = k * kTickPeriod / (2 * kOthers);
             const std::vector<float> last = picture(seam - 0.5 * kFrame);
             if (jump <= kAlike * difference(picture(seam + 0.5 * kFrame), last).rmse) return true;
+        }
+        std::vector<float> last = picture(kTickPeriod / 8.0 + 1.0);
+        for (int k = 1; k <= check.paced(kCuts, kCuts / 8); ++k) {
+            std::vector<float> now = picture(kTickPeriod / 8.0 + 1.0 + k * kFrame);
+            if (jump <= kAlike * difference(now, last).rmse) return true;
+            last = std::move(now);
         }
         return false;
     };

@@ -22,6 +22,7 @@ struct Motion {
     double unevenness = 0.0;     // of the change from frame to frame
     double mean = 0.0;           // change of a frame at 60 Hz, root mean square over the picture
     double frame = 0.0, fine_frame = 0.0;  // one of those, as a share
+    double often = 1.0;                    // share of moments at which it moves at all
 };
 
 // What a simulation has come to at a time, drawn at 60 Hz.

@@ -24,8 +24,8 @@ constexpr int kEndured = 600, kLeastEndured = 30;  // at each end of a tweak
 constexpr int kConfirmed = 2000;                   // before a growth is told
 constexpr double kConfirmingShare = 0.1;           // of the seconds
 constexpr float kFar = 1000.0f;
-constexpr int kBefore = 30, kAfter = 120;  // frames round a poisoning
-constexpr double kHalfPlayed = 2.0;        // s, with half of each step
+constexpr int kBefore = 30, kAfter = 120, kSweep = 1500;  // frames round a poisoning
+constexpr double kHalfPlayed = 2.0;                       // s, with half of each step
 constexpr int kExchanges = 3,
               kRound = 2;           // sound disturbances, and texels round each that they move
 constexpr std::size_t kChance = 3;  // times what these leave standing is no chance any more
@@ -238,16 +238,41 @@ std::size_t count_stuck(Check& check, std::size_t index, int after, const Seen& 
     return count > kChance * by_chance ? count : 0;
 }
 
+void put_nan(Check& check, std::size_t index) {
+    for (const glm::ivec2 texel : texels_to_poison(check.subject, index, check.effort.inject))
+        poison(check.subject.renderer().buffer(index), texel,
+               std::numeric_limits<float>::quiet_NaN());
+}
+
+// How many of these have not moved after some seconds more: what is swept now and then heals with
+// the next sweep.
+std::size_t count_stuck_later(Check& check, std::size_t index, int after, const Seen& poisoned,
+                              const Seen& clean) {
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < clean.at_end.size(); ++i)
+        if (is_stuck(poisoned, clean, i)) left.push_back(i);
+    CheckSubject& subject = check.subject;
+    subject.renderer().reset();
+    const Playback endless{.end = 1e6, .fps = 60.0};
+    const int end = kBefore + 2 + check.paced(kSweep, after);
+    for (int k = 0; k < end && !left.empty(); ++k) {
+        if (k == kBefore) put_nan(check, index);
+        subject.draw_blindly(endless.frame(subject.preset, k));
+        if (k < kBefore + 2 + after) continue;
+        const std::vector<float> values = subject.renderer().read_buffer(index, 0);
+        std::erase_if(left, [&](std::size_t i) { return values[i] != poisoned.at_end[i]; });
+    }
+    return left.size();
+}
+
 void run_after_poison(std::size_t index, Check& check, CaseResult& result) {
     const int after = check.paced(kAfter, 24);
     const auto clean = play_on(check, index, after);
-    const auto poisoned = play_on(check, index, after, [&] {
-        for (const glm::ivec2 texel : texels_to_poison(check.subject, index, check.effort.inject))
-            poison(check.subject.renderer().buffer(index), texel,
-                   std::numeric_limits<float>::quiet_NaN());
-    });
+    const auto poisoned = play_on(check, index, after, [&] { put_nan(check, index); });
     if (!clean || !poisoned) return;
-    const std::size_t stuck = count_stuck(check, index, after, *poisoned, *clean);
+    std::size_t stuck = count_stuck(check, index, after, *poisoned, *clean);
+    if (stuck > 0)
+        stuck = std::min(stuck, count_stuck_later(check, index, after, *poisoned, *clean));
     constexpr float kMost = 2.0f, kFading = 0.95f;
     if (poisoned->end > kMost * clean->all + 1e-3f && poisoned->end > kFading * poisoned->middle) {
         result.fail(

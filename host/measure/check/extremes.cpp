@@ -101,7 +101,7 @@ std::optional<LoneLine> lone_line_at(CheckSubject& subject, glm::ivec2 size, int
         return means_of_lines(subject.picture(), drawn, axis);
     };
     const LineMeans means = means_at(size);
-    const double out = std::max(lone_line(means), lone_border(means));
+    const double out = std::max(lone_line(subject.picture(), size, axis), lone_border(means));
     if (size[axis] < kLeastLines || out < kStandsOut) return std::nullopt;
     double usual = 0.0;
     for (const int longer : {-1, 1}) {

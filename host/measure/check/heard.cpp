@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kHeard = 20.0;  // s from the start, with the preset's values
 // s, of which a fifth of a second each is heard at other values; `samp` ends after 13 h.
-constexpr double kMoments[] = {0.0, 1.0, 60.0, 3600.0, 43200.0};
+constexpr double kMoments[] = {0.0, 1.0, 2.37, 7.71, 60.0, 3600.0, 43200.0};
 constexpr std::size_t kEnds = 16;     // sets of tweaks
 constexpr int kHeardSpread = 8;       // points within all ranges
 constexpr double kHeardShare = 0.05;  // of the seconds

@@ -26,11 +26,26 @@ LineMeans means_of_lines(const std::vector<float>& picture, glm::ivec2 size, int
     return means;
 }
 
-double lone_line(const LineMeans& means) {
+double lone_line(const std::vector<float>& picture, glm::ivec2 size, int axis) {
+    const LineMeans means = means_of_lines(picture, size, axis);
+    // Of pixels, in the mean: a line that is half of one side and half of the other is an edge.
+    const auto by_pixels = [&](std::size_t channel, std::size_t line) {
+        const auto value = [&](std::size_t at, int across) {
+            const int x = axis == 0 ? static_cast<int>(at) : across;
+            const int y = axis == 0 ? across : static_cast<int>(at);
+            return shown(picture[static_cast<std::size_t>(y * size.x + x) * 4 + channel]);
+        };
+        double sum = 0.0;
+        for (int k = 0; k < size[1 - axis]; ++k)
+            sum += beyond(value(line - 1, k), value(line, k), value(line + 1, k));
+        return sum / size[1 - axis];
+    };
     double most = 0.0;
-    for (const std::vector<double>& of : means)
-        for (std::size_t i = 1; i + 1 < of.size(); ++i)
-            most = std::max(most, beyond(of[i - 1], of[i], of[i + 1]));
+    for (std::size_t c = 0; c < means.size(); ++c)
+        for (std::size_t i = 1; i + 1 < means[c].size(); ++i) {
+            const double out = beyond(means[c][i - 1], means[c][i], means[c][i + 1]);
+            if (out > most) most = std::max(most, std::min(out, by_pixels(c, i)));
+        }
     return most;
 }
 

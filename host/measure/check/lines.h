@@ -21,8 +21,9 @@ using LineMeans = std::array<std::vector<double>, 3>;
 LineMeans means_of_lines(const std::vector<float>& picture, glm::ivec2 size, int axis);
 
 // Of the channel in which it is the most, each of these:
-// How far the line that stands out most is from those beside it. None at the border counts.
-double lone_line(const LineMeans& means);
+// How far the line that stands out most is from those beside it, in the mean and by its pixels.
+// None at the border counts.
+double lone_line(const std::vector<float>& picture, glm::ivec2 size, int axis);
 
 // The same at the border: by how much the last step, on either side, is larger than the one before.
 double lone_border(const LineMeans& means);

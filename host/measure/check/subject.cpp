@@ -31,7 +31,7 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
       view_(view),
       opened_(opened),
       specialised_(options.specialise),
-      is_marked_(options.marked.has_value()),
+      picture_alone_(options.picture_alone),
       context_(context) {
     for (Pass& pass : preset.scene.passes) {
         if (options.float_bytes != 0 && bytes_a_channel(pass.format) != 1)
@@ -89,14 +89,13 @@ void CheckSubject::look(std::size_t graph_index) {
     const BufferShape& shape = renderer_->buffer(graph_index).shape();
     if (bytes_a_channel(shape.format) == 1) return;  // holds nothing that is not finite
     const std::size_t pass = renderer_->graph().passes[graph_index].pass;
+    if (picture_alone_ && pass != kImagePass) return;
     const auto names = output_names(scene(), pass);
     for (std::size_t output = 0; output < names.size(); ++output) {
         std::vector<float> values = renderer_->read_buffer(graph_index, output);
-        // The picture's alpha means nothing, but for what is no number. Marks in alpha alone show
-        // in the picture where anything reads them.
-        if (pass == kImagePass || is_marked_) {
+        if (pass == kImagePass) {  // whose alpha means nothing, but for what is no number
             for (std::size_t i = 0; i + 3 < values.size(); i += 4)
-                if (is_marked_ || !std::isnan(values[i + 3])) values[i + 3] = values[i];
+                if (!std::isnan(values[i + 3])) values[i + 3] = values[i];
         }
         const BufferStatistics found = statistics(values);
         for (int c = 0; c < 4; ++c) {

@@ -45,6 +45,7 @@ struct SubjectOptions {
     bool specialise = true;
     // What is unset and gets values that show.
     std::optional<Marked> marked{};
+    bool picture_alone = false;  // buffers may hold what is not finite
 };
 
 class CheckSubject {
@@ -117,7 +118,7 @@ private:
 
     ViewOptions view_;
     Preset opened_;
-    bool specialised_, is_marked_;
+    bool specialised_, picture_alone_;
     Context& context_;
     std::vector<std::pair<Builtin, std::size_t>> builtins_;  // and the pass that reads it
     std::optional<Renderer> renderer_;

@@ -46,10 +46,13 @@ public:
         return true;
     }
 
-    // The first situation, if any, in which these show.
-    const Situation* where_shows(const Marked& range) const {
+    // The first situation, if any, in which these show: in a buffer or the picture, or in that
+    // alone.
+    const Situation* where_shows(const Marked& range, bool picture_alone = false) const {
         CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
-                            {.specialise = subject_.specialised(), .marked = range});
+                            {.specialise = subject_.specialised(),
+                             .marked = range,
+                             .picture_alone = picture_alone});
         marked.after_frame = subject_.after_frame;
         for (std::size_t i = 0; i < situations_.size(); ++i) {
             situations_[i].bring(marked);
@@ -83,28 +86,50 @@ std::string words_of_unmarked(const CheckSubject& subject, const std::vector<Uns
     return words;
 }
 
+void tell(Check& check, const Unset& unset, const Situation* situation, CaseResult& result) {
+    check.subject.still.reset();
+    result.fail(words_of(check.subject.scene(), unset) +
+                (situation ? where_words(*situation, check.subject) : ""));
+}
+
+// Outputs that are not written everywhere, one by one: a channel of a buffer that nobody reads may
+// hold anything.
+bool find_output(Check& check, const Comparison& comparison, std::span<const Unset> list,
+                 CaseResult& result) {
+    for (const Unset& one : list)
+        for (const FirstValue value : kMarks) {
+            if (!one.is_output) continue;
+            const Situation* situation =
+                comparison.where_shows({{one.at, one.at + 1}, value}, true);
+            if (!situation) continue;
+            tell(check, one, situation, result);
+            return true;
+        }
+    return false;
+}
+
 void run_unset(Check& check, CaseResult& result) {
     CheckSubject& subject = check.subject;
     std::vector<Unset> list =
         unset_values(subject.opened(), subject.renderer(), subject.specialised());
     const std::string unmarked = words_of_unmarked(subject, list);
     std::erase_if(list, is_never_marked);
+    const std::size_t count = list.size();
     Comparison comparison(subject);
     if (!comparison.draw_usual(CaseClock(check))) return;
+    if (find_output(check, comparison, list, result)) return;
+    std::erase_if(list, [](const Unset& one) { return one.is_output; });
     const auto mark = std::ranges::find_if(kMarks, [&](FirstValue value) {
         return !list.empty() && comparison.where_shows({{0, subject.scene().text.size()}, value});
     });
     if (mark == std::end(kMarks)) {
-        result.note = fmt::format("{} values, none shows{}", list.size(), unmarked);
+        result.note = fmt::format("{} values, none shows{}", count, unmarked);
         return;
     }
     const Unset& first = first_that_shows(list, [&](Span range) {
         return comparison.where_shows({range, *mark}) != nullptr;
     });
-    const Situation* situation = comparison.where_shows({{first.at, first.at + 1}, *mark});
-    subject.still.reset();
-    result.fail(words_of(subject.scene(), first) +
-                (situation ? where_words(*situation, subject) : ""));
+    tell(check, first, comparison.where_shows({{first.at, first.at + 1}, *mark}), result);
 }
 
 }  // namespace
@@ -138,8 +163,10 @@ std::string words_of(const Scene& scene, const Unset& unset) {
     const Place place = scene.place_at(unset.at);
     return fmt::format(
         "counts on uninitialised values: {}:{}:{}: {}", place.file, place.line, place.column,
-        unset.is_result
-            ? fmt::format("the function `{}` may end without a return", unset.name)
+        unset.is_result ? fmt::format("the function `{}` may end without a return", unset.name)
+        : unset.is_output
+            ? fmt::format("`{}` is not written everywhere, or added to; give it a first value",
+                          unset.name)
             : fmt::format("`{}` is read where nothing has set it; give it a first value",
                           unset.name));
 }

@@ -47,8 +47,7 @@ double oddity(const std::vector<float>& picture, glm::ivec2 size) {
                         std::min(out, beyond(at(x - dx, y - dy, c), value, at(x + dx, y + dy, c)));
                 most = std::max(most, out);
             }
-    for (const int axis : {0, 1})
-        most = std::max(most, lone_line(means_of_lines(picture, size, axis)));
+    for (const int axis : {0, 1}) most = std::max(most, lone_line(picture, size, axis));
     return most;
 }
 

@@ -242,6 +242,7 @@ ProbeFault FaultWatch::fault_of(std::size_t index, const Probe& probe,
             return has_fault(other) && other.told[1] == cell.told[1];
         }));
     fault.is_seen = !is_finite(cell);
+    fault.has_result = has_a_result(site);
     return fault;
 }
 
@@ -450,6 +451,7 @@ void FaultSurvey::judge(Probe& probe, std::size_t index, int face,
         ProbeCell worst = cells[at];
         if (is_told) worst.kept[0] = worst.kept[3];
         describe(site, worst, *fault_);
+        fault_->has_result = has_a_result(site);
         fault_->operands.resize(1);  // of the second nothing is known
         if (site.kind == SiteKind::index)
             fault_->what = fmt::format("index {:.0f} out of range", fault_->operands.front());

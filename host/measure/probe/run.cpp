@@ -153,7 +153,8 @@ void probe_pixel(ProbeSession& session, Probe& probe, const ProbeOptions& option
     });
     found = session.probing(place);
     found.values = std::move(seen);
-    if (watch) found.notes = watch->refused();
+    for (const std::string& why : watch ? watch->refused() : std::vector<std::string>())
+        found.notes.push_back(why);
     keep_hit(rows, options, found.notes);
     found.values.insert(found.values.end(), rows.begin(), rows.end());
     if (probe.is_discarded())

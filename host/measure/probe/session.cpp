@@ -63,8 +63,13 @@ void ProbeSession::draw(const Frame& frame, const Ask& ask) {
     };
     renderer_->draw(frame);
     renderer_->before_pass = nullptr;
-    if (!was_asked) ask(frame);  // nothing had changed: the buffers stand as it would read them
+    const bool waits = step() > 0.0;       // what it read for its last step is gone
+    if (!was_asked && !waits) ask(frame);  // nothing has changed: the buffers stand as it read them
     context_->finish();
+}
+
+double ProbeSession::step() const {
+    return pass_ == kImagePass ? 0.0 : preset_.scene.passes[pass_].step.seconds();
 }
 
 const Frame& ProbeSession::play_to(const ProbeOptions& options) {
@@ -77,7 +82,30 @@ const Frame& ProbeSession::play_to(const ProbeOptions& options) {
 }
 
 void ProbeSession::at_frame(const ProbeOptions& options, const Ask& ask) {
-    draw(play_to(options), ask);
+    bool was_asked = false;
+    const Ask once = [&](const Frame& frame) {
+        ask(frame);
+        was_asked = true;
+    };
+    draw(play_to(options), once);
+    if (was_asked) return;
+    // A simulation that takes no step in this frame.
+    constexpr double kRounding = 1e-6;
+    const std::string name = pass_name(preset_.scene, pass_);
+    const Frame asked = frame_;
+    const double last_step = std::floor(asked.time / step() + kRounding) * step();
+    ProbeOptions earlier = options;
+    earlier.time.reset();
+    earlier.frame = static_cast<int>(std::ceil(last_step * options.fps - kRounding));
+    renderer_->reset();
+    draw(play_to(earlier), once);
+    if (!was_asked)
+        throw ProbeRefused(
+            fmt::format("Pass {} has taken no step by frame {}, for its step is {:.6g} s; "
+                        "ask for a later frame.",
+                        name, asked.frame, step()));
+    notes_.push_back(fmt::format("pass {} takes no step in frame {}; shown is frame {}, its last",
+                                 name, asked.frame, frame_.frame));
 }
 
 Probing ProbeSession::probing(const ProbePlace& place) const {
@@ -87,7 +115,8 @@ Probing ProbeSession::probing(const ProbePlace& place) const {
             .size = shape().size,
             .pixel = place.pixel,
             .frame = frame_.frame,
-            .time = frame_.time};
+            .time = frame_.time,
+            .notes = notes_};
 }
 
 Span ProbeSession::line(const std::string& text) const {

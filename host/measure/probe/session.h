@@ -33,10 +33,12 @@ public:
     // Plays to just before the frame, which is given back.
     const Frame& play_to(const ProbeOptions& options);
     // Plays to the frame and draws it; `ask` is called once, with what the pass reads as it is in
-    // that frame. (Of several steps of a simulation in a frame, once for each.)
+    // that frame. (Of several steps of a simulation in a frame, once for each; where it takes none,
+    // in the last frame in which it does.) Throws ProbeRefused where there is none.
     using Ask = std::function<void(const Frame&)>;
     void at_frame(const ProbeOptions& options, const Ask& ask);
-    // The same for one frame of many; the frames before must have been drawn.
+    // The same for one frame of many; the frames before must have been drawn. Not called of a
+    // simulation that takes no step in it.
     void draw(const Frame& frame, const Ask& ask);
 
     // Filled but for what was found.
@@ -50,12 +52,15 @@ public:
     ProbeExpression expression(const std::string& text) const;
 
 private:
+    double step() const;  // s; 0 of a pass that is drawn in every frame
+
     Preset preset_;
     std::size_t pass_;
     bool specialised_;
     std::unique_ptr<Context> context_;
     std::optional<Renderer> renderer_;
     Frame frame_{};
+    std::vector<std::string> notes_;
 };
 
 }  // namespace glint

@@ -66,8 +66,9 @@ struct ProbeFault {
     std::string pass{};
     glm::ivec2 pixel{0};
     int frame = 0;
-    std::size_t pixels = 0;  // of the pass in that frame that have a fault there
-    bool is_seen = false;    // the pixel's colour is not finite
+    std::size_t pixels = 0;   // of the pass in that frame that have a fault there
+    bool is_seen = false;     // the pixel's colour is not finite
+    bool has_result = false;  // whatever a driver makes of it, it is a number
 };
 
 struct Probing {
