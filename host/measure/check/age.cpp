@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace glint {
@@ -154,8 +155,7 @@ Motion least_of(const Motion& a, const Motion& b) {
             .unevenness = std::max(a.unevenness, b.unevenness),
             .mean = std::max(a.mean, b.mean),
             .frame = a.frame,
-            .fine_frame = a.fine_frame,
-            .often = std::min(a.often, b.often)};
+            .fine_frame = a.fine_frame};
 }
 
 // A scene may come to rest within its first minute. One that goes by time alone, and rests at one
@@ -164,17 +164,19 @@ Motion young_motion(const Check& check) {
     constexpr double kMoments[] = {1.0, 60.0, 3.3, 7.9, 13.7, 23.1, 41.9, 77.3};
     const Motion both = least_of(motion_at(check, kMoments[0]), motion_at(check, kMoments[1]));
     if (both.moving > 0.0 || check.subject.stateful()) return both;
-    std::optional<Motion> least;
-    int moved = 0;
-    for (const double moment : kMoments) {
-        const Motion one = motion_at(check, moment);
-        if (one.moving == 0.0) continue;
-        ++moved;
-        least = least ? least_of(*least, one) : one;
-    }
-    if (!least) return both;
-    least->often = moved / static_cast<double>(std::size(kMoments));
-    return *least;
+    std::vector<Motion> moving;
+    for (const double moment : kMoments)
+        if (const Motion one = motion_at(check, moment); one.moving > 0.0) moving.push_back(one);
+    if (moving.empty()) return both;
+    // The half of them in which it moves most: among as many moments of any age is one as good.
+    const double often =
+        static_cast<double>(moving.size()) / static_cast<double>(std::size(kMoments));
+    std::ranges::sort(moving, std::greater(), &Motion::moving);
+    moving.resize((moving.size() + 1) / 2);
+    Motion least = moving.front();
+    for (const Motion& one : moving) least = least_of(least, one);
+    least.often = often;
+    return least;
 }
 
 // Whether nothing moves any more after an hour, when a float clock has all digits of a frame.
