@@ -28,15 +28,14 @@ struct Unset {
     std::string_view why_not{};
 };
 
-// What is declared in these bytes begins with a value that shows in a picture; an output where its
-// byte stands alone there.
+// What is declared in these bytes begins with a value that shows in a picture.
 struct Marked {
     Span bytes;
     FirstValue value = FirstValue::nan;
+    bool outputs = false;  // they, or all else
 
     bool holds(const Unset& unset) const {
-        const bool is_alone = bytes.end - bytes.begin == 1;
-        return bytes.begin <= unset.at && unset.at < bytes.end && (is_alone || !unset.is_output);
+        return bytes.begin <= unset.at && unset.at < bytes.end && unset.is_output == outputs;
     }
 };
 

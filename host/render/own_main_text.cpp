@@ -132,7 +132,7 @@ void leave_out_layout(const Reading& reading, TokenRange words, Edits& edits) {
             edits.replace({at, close + 1}, "");
 }
 
-// Words of GLSL ES 3.00 that are names in an older one.
+// Words of GLSL ES 3.00 that are names in an older one; those that qualify something are in use.
 constexpr std::string_view kQualifiersToday[] = {"smooth", "centroid", "noperspective"};
 constexpr std::string_view kNewerWords[] = {"sample",     "filter",   "common",       "partition",
                                             "active",     "resource", "patch",        "smooth",

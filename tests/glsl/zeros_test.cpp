@@ -266,8 +266,8 @@ TEST(Zeros, LeaveTheOutputsOfTheEntryToTheHostButForMarks) {
     const std::size_t at = text.find("c)");
     write_zeros(reading, all, "f", {{{0, text.find("g(")}, FirstValue::large}});
     EXPECT_EQ(all.apply().text, "void f(out vec4 c) {} void g(out vec4 c) { c = vec4(0.);}\n")
-        << "it is marked alone";
-    write_zeros(reading, marked, "f", {{{at, at + 1}, FirstValue::large}});
+        << "it is no variable";
+    write_zeros(reading, marked, "f", {{{at, at + 1}, FirstValue::large, true}});
     EXPECT_EQ(marked.apply().text,
               "void f(out vec4 c) { c = vec4(1e9);} void g(out vec4 c) { c = vec4(0.);}\n");
 }

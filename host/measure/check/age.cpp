@@ -161,16 +161,16 @@ Motion least_of(const Motion& a, const Motion& b) {
 // A scene may come to rest within its first minute. One that goes by time alone, and rests at one
 // of two moments, moves at others: then these are asked of.
 Motion young_motion(const Check& check) {
-    constexpr double kMoments[] = {1.0, 60.0, 3.3, 7.9, 13.7, 23.1, 41.9, 77.3};
-    const Motion both = least_of(motion_at(check, kMoments[0]), motion_at(check, kMoments[1]));
+    constexpr double kOthers[] = {3.3, 7.9, 13.7, 23.1, 41.9, 77.3};
+    std::vector<Motion> moving{motion_at(check, 1.0), motion_at(check, 60.0)};
+    const Motion both = least_of(moving[0], moving[1]);
     if (both.moving > 0.0 || check.subject.stateful()) return both;
-    std::vector<Motion> moving;
-    for (const double moment : kMoments)
-        if (const Motion one = motion_at(check, moment); one.moving > 0.0) moving.push_back(one);
+    for (const double moment : kOthers) moving.push_back(motion_at(check, moment));
+    const auto moments = static_cast<double>(moving.size());
+    std::erase_if(moving, [](const Motion& one) { return one.moving == 0.0; });
     if (moving.empty()) return both;
     // The half of them in which it moves most: among as many moments of any age is one as good.
-    const double often =
-        static_cast<double>(moving.size()) / static_cast<double>(std::size(kMoments));
+    const double often = static_cast<double>(moving.size()) / moments;
     std::ranges::sort(moving, std::greater(), &Motion::moving);
     moving.resize((moving.size() + 1) / 2);
     Motion least = moving.front();

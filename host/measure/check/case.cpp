@@ -1,5 +1,6 @@
 #include "measure/check/case.h"
 
+#include "base/stopwatch.h"
 #include "base/temporary_file.h"
 #include "base/words.h"
 #include "measure/check/curves.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cmath>
 
 namespace glint {
@@ -128,8 +128,8 @@ void write_curves(const Check& check, CaseResult& result) {
 
 // Where the first value was born that is not finite, of a frame that a still can show again.
 void find_birthplace(CheckSubject& subject, CaseResult& result) {
-    constexpr double kMostSeconds = 5.0;
-    const auto begun = std::chrono::steady_clock::now();
+    constexpr double kMostMs = 5000.0;
+    const Stopwatch clock;
     const StillPlace at = *subject.still;
     const Playback playback{.end = at.time, .fps = at.fps};
     const bool stateful = subject.stateful();
@@ -144,8 +144,7 @@ void find_birthplace(CheckSubject& subject, CaseResult& result) {
             watch.begin(frame);
             subject.renderer().redraw_all();
             subject.draw_blindly(frame);
-            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-            if (stateful && taken.count() > kMostSeconds) return;
+            if (stateful && clock.ms() > kMostMs) return;
         }
         if (!watch.first()) return;
         result.where = place_of(*watch.first());

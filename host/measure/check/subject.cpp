@@ -31,7 +31,7 @@ CheckSubject::CheckSubject(const ViewOptions& view, const Preset& opened, Contex
       view_(view),
       opened_(opened),
       specialised_(options.specialise),
-      picture_alone_(options.picture_alone),
+      picture_alone_(options.marked && options.marked->outputs),
       context_(context) {
     for (Pass& pass : preset.scene.passes) {
         if (options.float_bytes != 0 && bytes_a_channel(pass.format) != 1)

@@ -43,9 +43,9 @@ struct SubjectOptions {
     // Tweaks written in as constants, as a still draws them, and passes left out that they switch
     // off; the preset's values cannot be changed then.
     bool specialise = true;
-    // What is unset and gets values that show.
+    // What is unset and gets values that show; of outputs in the picture alone: a channel of a
+    // buffer that nobody reads may hold anything.
     std::optional<Marked> marked{};
-    bool picture_alone = false;  // buffers may hold what is not finite
 };
 
 class CheckSubject {

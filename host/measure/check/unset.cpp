@@ -46,13 +46,10 @@ public:
         return true;
     }
 
-    // The first situation, if any, in which these show: in a buffer or the picture, or in that
-    // alone.
-    const Situation* where_shows(const Marked& range, bool picture_alone = false) const {
+    // The first situation, if any, in which these show.
+    const Situation* where_shows(const Marked& range) const {
         CheckSubject marked(subject_.view(), subject_.opened(), subject_.context(),
-                            {.specialise = subject_.specialised(),
-                             .marked = range,
-                             .picture_alone = picture_alone});
+                            {.specialise = subject_.specialised(), .marked = range});
         marked.after_frame = subject_.after_frame;
         for (std::size_t i = 0; i < situations_.size(); ++i) {
             situations_[i].bring(marked);
@@ -92,15 +89,14 @@ void tell(Check& check, const Unset& unset, const Situation* situation, CaseResu
                 (situation ? where_words(*situation, check.subject) : ""));
 }
 
-// Outputs that are not written everywhere, one by one: a channel of a buffer that nobody reads may
-// hold anything.
+// Outputs that are not written everywhere, one by one.
 bool find_output(Check& check, const Comparison& comparison, std::span<const Unset> list,
                  CaseResult& result) {
     for (const Unset& one : list)
         for (const FirstValue value : kMarks) {
             if (!one.is_output) continue;
             const Situation* situation =
-                comparison.where_shows({{one.at, one.at + 1}, value}, true);
+                comparison.where_shows({{one.at, one.at + 1}, value, true});
             if (!situation) continue;
             tell(check, one, situation, result);
             return true;

@@ -108,12 +108,12 @@ bool has_a_result(const ProbeSite& site) {
            site.name.starts_with("atan(");
 }
 
-// What is wrong, in words, with its operands.
 // As many as tell it from every other float: acos(1.0000001) is not acos(1).
 std::string digits(double value) {
     return fmt::format("{}", static_cast<float>(value));
 }
 
+// What is wrong, in words, with its operands.
 void describe(const ProbeSite& site, const ProbeCell& cell, ProbeFault& fault) {
     const double a = as_float(cell.kept[0]), b = as_float(cell.kept[1]);
     const auto whole = [&](std::size_t i) {
