@@ -23,6 +23,21 @@ bool is_same(const std::filesystem::path& path, const std::filesystem::path& oth
     return std::filesystem::equivalent(path, other, error);
 }
 
+// `nor, dot(a, b)` is `nor` and `dot(a, b)`.
+std::vector<std::string> parts_of(std::string_view list) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    int depth = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        const char c = i < list.size() ? list[i] : ',';
+        depth += (c == '(' || c == '[') - (c == ')' || c == ']');
+        if (c != ',' || (depth > 0 && i < list.size())) continue;
+        parts.emplace_back(trimmed(list.substr(begin, i - begin)));
+        begin = i + 1;
+    }
+    return parts;
+}
+
 }  // namespace
 
 std::optional<ProbeNote> parse_probe_note(std::string_view annotation) {
@@ -56,7 +71,14 @@ std::vector<ProbeNote> find_probe_notes(const Scene& scene) {
             const Span whole = reading.place(one.tokens);
             return note->begin < whole.end && whole.begin < note->end;
         });
-        notes.push_back(std::move(*note));
+        if (note->is_assertion) {
+            notes.push_back(std::move(*note));
+            continue;
+        }
+        for (std::string& part : parts_of(note->expression)) {
+            notes.push_back(*note);
+            notes.back().expression = std::move(part);
+        }
     }
     return notes;
 }

@@ -23,7 +23,7 @@ struct ProbeNote {
 // Of what follows `//@`; nothing where it is another kind of note. Has no place.
 std::optional<ProbeNote> parse_probe_note(std::string_view annotation);
 
-// In the order of the text.
+// In the order of the text; `//@ watch a, b` is two.
 std::vector<ProbeNote> find_probe_notes(const Scene& scene);
 
 // The bytes of Scene::text of a line that a person names: "412", or "shared.glsl:12" of a file that

@@ -354,7 +354,7 @@ TEST_F(ProbeFaults, CountThePixelsWhereAnAssertionDoesNotHold) {
                         "    //@ assert i < 2\n"
                         "    c += t;\n"
                         "}\n"
-                        "//@ watch t\n"),
+                        "//@ watch t, max(t, 1.0)\n"),
                   {.size = {4, 2}});
     const auto list = broken(player);
     ASSERT_EQ(list.size(), 2u);
@@ -363,7 +363,11 @@ TEST_F(ProbeFaults, CountThePixelsWhereAnAssertionDoesNotHold) {
               "0,0");
     EXPECT_EQ(list[0].line, 3);
     EXPECT_EQ(list[1].pixels, 8u);
-    EXPECT_FALSE(find_probe_notes(player.preset.scene).back().is_assertion);
+    const auto notes = find_probe_notes(player.preset.scene);
+    ASSERT_EQ(notes.size(), 4u) << "a watch for each of two values";
+    EXPECT_EQ(notes[2].expression, "t");
+    EXPECT_EQ(notes[3].expression, "max(t, 1.0)");
+    EXPECT_FALSE(notes[3].is_assertion);
 }
 
 // The driver sees it at the next statement: what it says is told at the comment's own line.

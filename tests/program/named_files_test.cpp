@@ -97,6 +97,25 @@ TEST_F(NamedFiles, WhatIsReadIsNotWrittenOver) {
     expect_refused("study study.json -o .");
 }
 
+TEST_F(NamedFiles, AReportReplacesItsOwnPageAndNoOther) {
+    write("site/index.html", "precious");
+    write("knob.frag",
+          "uniform int knob; //@ 1 [1, 4] quality reference=4\n"
+          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0 / float(knob)); }\n");
+    for (const char* line : {"study knob.frag --size 8x8 --seconds 0 -o site",
+                             "study knob.frag s.frag --size 8x8 --seconds 0 -o site"}) {
+        const Outcome outcome = call(line);
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find(
+                      "site/index.html, which is no report of this kind; name another folder."),
+                  std::string::npos)
+            << outcome.err;
+    }
+    EXPECT_EQ(bytes("site/index.html"), "precious");
+    for (int i = 0; i < 2; ++i)
+        EXPECT_EQ(call("study knob.frag --size 8x8 --seconds 0 -o own").code, 0);
+}
+
 TEST_F(NamedFiles, NamesThatNeverMeetAreTaken) {
     for (const std::string line : {
              "still s.frag --size 8x8 -o a.exr --save-state b.exr",

@@ -30,8 +30,14 @@ std::vector<ProbeExpression> accepted(
 
 Watches::Watches(const Preset& preset, std::size_t pass, const ProgramOptions& options) {
     ProbeWish wish;
-    for (const ProbeNote& note : find_probe_notes(preset.scene))
-        if (!note.is_assertion) wish.expressions.push_back(watched_expression(note));
+    for (const ProbeNote& note : find_probe_notes(preset.scene)) {
+        if (note.is_assertion) continue;
+        if (note.is_in_function)
+            wish.expressions.push_back(watched_expression(note));
+        else
+            refused_.push_back(fmt::format("watch {}@{}: it stands in no function", note.expression,
+                                           note.place.line));
+    }
     for (const std::string& watch : preset.watch) {
         const auto note = note_of_watch(preset.scene, watch);
         if (note)

@@ -5,6 +5,7 @@
 #include "measure/rows/flip.h"
 #include "measure/study/comparison.h"
 #include "measure/study/joint.h"
+#include "measure/study/page.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
 #include "offline/picture_file.h"
@@ -64,6 +65,7 @@ glm::ivec2 common_size(const std::array<Look, 2>& looks, const StudyOptions& opt
 }
 
 void require_report_apart(const std::array<Look, 2>& looks, const fs::path& folder) {
+    require_own_page(folder, "looks.json");
     std::vector<NamedFile> outputs, inputs;
     for (const char* name :
          {"a.png", "b.png", "difference.png", "flip.png", "looks.json", "index.html"})

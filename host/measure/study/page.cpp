@@ -5,6 +5,7 @@
 #include "measure/study/plot.h"
 #include "measure/study/result.h"
 #include "media/image.h"
+#include "offline/common.h"
 
 #include <fmt/format.h>
 
@@ -187,6 +188,16 @@ std::string index(std::span<const Study> studies) {
 }
 
 }  // namespace
+
+void require_own_page(const std::filesystem::path& folder, const char* data) {
+    std::error_code unknown;
+    if (std::filesystem::symlink_status(folder / "index.html", unknown).type() ==
+            std::filesystem::file_type::regular &&
+        !std::filesystem::exists(folder / data, unknown))
+        throw UsageError(fmt::format(
+            "-o {} would replace {}, which is no report of this kind; name another folder.",
+            folder.string(), (folder / "index.html").string()));
+}
 
 void write_page(const std::filesystem::path& folder, std::span<const Study> studies) {
     std::string text = kHead;

@@ -9,6 +9,10 @@
 
 namespace glint {
 
+// Throws UsageError where `folder` has an index.html of somebody else: a report of ours has its
+// `data`, such as study.json, beside it.
+void require_own_page(const std::filesystem::path& folder, const char* data);
+
 // Writes `folder`/index.html. The diagrams are drawn by gnuplot; where it is missing, the page says
 // so in their place.
 void write_page(const std::filesystem::path& folder, std::span<const Study> studies);

@@ -533,6 +533,7 @@ Json to_json(const std::vector<Study>& studies, const std::string& renderer) {
 }
 
 void require_report_apart(const StudyOptions& options) {
+    require_own_page(options.output, "study.json");
     std::vector<NamedFile> outputs;
     for (const char* name : {"study.csv", "study.json", "index.html"})
         outputs.push_back({"-o", (options.output / name).string()});
