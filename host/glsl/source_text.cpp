@@ -79,6 +79,7 @@ private:
 
     File* open(const fs::path& path, const std::optional<Place>& named_at);
     File& file_of(const fs::path& path, std::string_view raw);
+    void tell_version(File& file);
     void append(File& file, const Place& named_at);
     void obey(File& file, const DirectiveLine& directive);
     void include(File& file, const DirectiveLine& directive);
@@ -100,6 +101,7 @@ private:
     std::deque<File> files_;  // all that were read, as macros have their words from there
     std::vector<std::pair<fs::path, std::string>> chain_;  // identity and name of the open files
     std::set<fs::path> once_;                              // files that say #pragma once
+    std::string version_;                                  // what #version names; "" where none
     int includes_ = 0;
 };
 
@@ -136,7 +138,34 @@ Reader::File& Reader::file_of(const fs::path& path, std::string_view raw) {
         file.lines = std::move(ours.lines);
         file.scanned = scan(file.text, spellings_);
     }
+    tell_version(file);
     return file;
+}
+
+// The driver is given a version of its own: for __VERSION__ stands the number that the text names,
+// as wide, so that columns stay.
+void Reader::tell_version(File& file) {
+    constexpr std::string_view kName = "__VERSION__";
+    const auto& tokens = file.scanned.tokens;
+    for (const DirectiveLine& directive : file.scanned.directives)
+        if (const TokenRange line = directive.tokens;
+            line.size() > 2 && tokens[line.begin + 1].is("version"))
+            version_ = tokens[line.begin + 2].text;
+    if (version_.empty() || version_.size() > kName.size()) return;
+    bool is_told = false;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const auto is_before = [&](std::size_t back, std::string_view word) {
+            return i >= back && tokens[i - back].is(word);
+        };
+        if (!tokens[i].is(kName) || is_before(1, "ifdef") || is_before(1, "ifndef") ||
+            is_before(1, "defined") || (is_before(1, "(") && is_before(2, "defined")))
+            continue;
+        std::string number = version_;
+        number.resize(kName.size(), ' ');
+        file.text.replace(tokens[i].begin, kName.size(), number);
+        is_told = true;
+    }
+    if (is_told) file.scanned = scan(file.text, spellings_);
 }
 
 void Reader::read(const fs::path& path, const std::optional<Place>& named_at) {

@@ -4,6 +4,7 @@
 #include "base/say.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
+#include "glsl/raw_text.h"
 #include "offline/common.h"
 #include "offline/named_files.h"
 #include "offline/page.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace glint {
 namespace {
@@ -49,6 +51,7 @@ public:
 private:
     void write_all(const fs::path& folder, const std::vector<std::string>& texts);
     void warn_of_others(const fs::path& folder);
+    void require_unedited(const std::vector<NamedFile>& outputs) const;
     void find_tabs();
     const PassProgram& program_of(const Tab& tab) const;
     std::array<std::optional<std::size_t>, 4> channels_of(const Tab& tab) const;
@@ -384,8 +387,33 @@ void Exporter::write(const fs::path& folder) {
     for (const Tab& tab : tabs_)
         outputs.push_back({"-o", (folder / (tab.name + ".glsl")).string()});
     require_apart(outputs, files_read_for(preset_));
+    require_unedited(outputs);
     texts.push_back(json_text(shader) + "\n");
     write_all(folder, texts);
+}
+
+// What stands there is replaced where an export left it so, as its shadertoy.json tells.
+void Exporter::require_unedited(const std::vector<NamedFile>& outputs) const {
+    std::set<std::string> codes;
+    std::string why_not;
+    try {
+        const Json known = Json::parse(read_bytes(outputs.front().name, why_not).value_or(""));
+        if (known.at("Shader").at("info").at("id") == "")
+            for (const Json& pass : known.at("Shader").at("renderpass"))
+                codes.insert(pass.at("code").get<std::string>());
+    } catch (const Json::exception&) {  // it is none of an export
+    }
+    for (const NamedFile& output : outputs) {
+        std::error_code unknown;
+        if (fs::symlink_status(output.name, unknown).type() != fs::file_type::regular) continue;
+        const bool is_kept = &output == &outputs.front()
+                                 ? !codes.empty()
+                                 : codes.contains(read_bytes(output.name, why_not).value_or(""));
+        if (!is_kept)
+            throw cannot_write(output.name,
+                               "it is there already, and somebody may have worked on it; name "
+                               "another folder, or move it away");
+    }
 }
 
 // No empty folder stays where the first of them cannot be written.

@@ -134,6 +134,7 @@ void require_apart(const std::vector<NamedFile>& outputs, const std::vector<Name
 
 void require_folder(const fs::path& output) {
     std::error_code unknown;
+    if (output == "-") throw UsageError("-o -: these are several files; name a folder.");
     if (fs::exists(output, unknown) && !fs::is_directory(output, unknown))
         throw UsageError(fmt::format("-o {}: this is a file; name a folder.", output.string()));
 }

@@ -28,7 +28,7 @@ std::vector<NamedFile> files_expected(const Preset& preset);
 // might be. An empty name is no file.
 void require_apart(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
 
-// Throws UsageError where a file stands at the place of the folder that `-o` names.
+// Throws UsageError where a file stands at the place of the folder that `-o` names, and of `-`.
 void require_folder(const std::filesystem::path& output);
 
 }  // namespace glint

@@ -124,6 +124,9 @@ std::string said_better(std::string complaint) {
     if (complaint.starts_with("GL_OES_shader_io_blocks"))
         return "nothing feeds this block: no vertices stand before a picture; write values of "
                "your own";
+    if (complaint == "function name is not an identifier")
+        return "this is no function; write an operator, such as *, between it and the '(' behind "
+               "it";
     if (complaint.starts_with("C-style initialization requires"))
         return "GLSL ES has no lists in braces; write the array's type and its values, such as "
                "float[](1.0, 2.0)";

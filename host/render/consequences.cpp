@@ -47,6 +47,8 @@ struct Repeated {
 constexpr Repeated kRepeated[] = {
     {"array constructor must have", "unsized array declarations"},
     {"array size must be", "unsized array declarations"},
+    {"array size must be", "arrays passed as parameters must"},
+    {"arrays passed as parameters must", "type mismatch", true},
     // What has no first value has one of ours.
     {"redeclaration of `", "initializer of type", true},
     {"redeclaration of `", "cannot initialize uniform", true},
@@ -83,6 +85,15 @@ bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
         return (is_before || both.is_behind) && cause.text.starts_with(both.cause) &&
                one.text.starts_with(both.consequence);
     });
+}
+
+// What belongs to the complaint before.
+bool is_note(std::string_view said) {
+    return said == "this is the previous case label" || said == "this is the first default label";
+}
+
+bool is_of_unsized(std::string_view said) {
+    return said == "unsized array index must be constant" || said.starts_with("length called on ");
 }
 
 // Where the candidates say nothing of the mistake.
@@ -145,7 +156,14 @@ Diagnostics without_consequences(const Diagnostics& list) {
         const std::string_view said = std::string_view(one.text).substr(0, one.text.find(kInMacro));
         if (fails && said.ends_with("' used uninitialized")) continue;
         if (said.ends_with(kAgain)) continue;
-        if (said == "this is the previous case label") continue;  // a note
+        if (is_note(said)) continue;
+        const auto is_same = [&](const Diagnostic& told) {
+            return said.size() < one.text.size() && told.text == one.text;
+        };
+        if (std::ranges::any_of(left, is_same))
+            continue;  // a macro's mistake, told at its first use
+        // Of an array that has no size, for the sake of its declaration.
+        if (!left.empty() && has_errors(left) && is_of_unsized(said)) continue;
         // Behind a word that no text may have Mesa understands nothing.
         const bool is_behind_reserved = !left.empty() && one.place.line == left.back().place.line &&
                                         left.back().text.starts_with("illegal use of reserved");

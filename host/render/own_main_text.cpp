@@ -2,6 +2,7 @@
 
 #include "glsl/first_use.h"
 #include "glsl/zero_value.h"
+#include "render/own_overloads.h"
 #include "render/pass_text.h"
 #include "scene/builtin.h"
 #include "scene/own_main.h"
@@ -139,23 +140,42 @@ constexpr std::string_view kNewerWords[] = {"sample",     "filter",   "common", 
                                             "subroutine", "coherent", "restrict",     "readonly",
                                             "writeonly",  "centroid", "noperspective"};
 
+// GLSL's beside functions of the text's own that take something else; `glint_NAME` are both.
+std::string beside_its_own(const Reading& reading, std::string_view name, std::string_view sampler,
+                           std::string_view place) {
+    const Types two = {std::string(sampler), std::string(place)}, three = {two[0], two[1], "float"};
+    const auto is_own = [&](const Types& types) {
+        return std::ranges::any_of(reading.functions_named(name), [&](std::uint32_t index) {
+            return types_of(reading, reading.functions[index]) == types;
+        });
+    };
+    std::string text;
+    if (!is_own(two))
+        text += fmt::format("vec4 glint_{}({} s, {} p) {{ return texture(s, p); }}\n", name,
+                            sampler, place);
+    if (!is_own(three))
+        text +=
+            fmt::format("vec4 glint_{}({} s, {} p, float bias) {{ return texture(s, p, bias); }}\n",
+                        name, sampler, place);
+    return text;
+}
+
 // texture2D and textureCube, by which the older language reads.
 std::string older_textures(const Reading& reading) {
     constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
         {{"texture2D", "sampler2D", "vec2"}, {"textureCube", "samplerCube", "vec3"}}};
     std::string text;
     for (const auto& [name, sampler, place] : kOlderTextures) {
+        if (!reading.functions_named(name).empty() && is_of_older_glsl(reading))
+            text += beside_its_own(reading, name, sampler, place);
         if (means_its_own(reading, name)) continue;
         if (!declares(reading, "texture")) {
             text += fmt::format("#define {} texture\n", name);
             continue;
         }
         // A name of the text's hides the function behind it.
-        text += fmt::format(
-            "vec4 glint_{0}({1} s, {2} p) {{ return texture(s, p); }}\n"
-            "vec4 glint_{0}({1} s, {2} p, float bias) {{ return texture(s, p, bias); }}\n"
-            "#define {0} glint_{0}\n",
-            name, sampler, place);
+        text += beside_its_own(reading, name, sampler, place) +
+                fmt::format("#define {0} glint_{0}\n", name);
     }
     constexpr std::pair<std::string_view, std::string_view> kOfExtensions[] = {
         {"texture2DLodEXT", "textureLod"},           {"texture2DProjLodEXT", "textureProjLod"},

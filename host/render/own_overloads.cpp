@@ -133,8 +133,6 @@ bool is_in(std::string_view names, std::string_view name) {
     return names.find(fmt::format(" {} ", name)) != names.npos;
 }
 
-using Types = std::vector<std::string>;
-
 // A function of another name that calls the known one.
 std::string wrapped(std::string_view name, const std::string& result, const Types& types) {
     std::string parameters, arguments;
@@ -145,17 +143,6 @@ std::string wrapped(std::string_view name, const std::string& result, const Type
     }
     return fmt::format("{0} glint_{1}({2}) {{ return {1}({3}); }}\n", result, name, parameters,
                        arguments);
-}
-
-Types types_of(const Reading& reading, const Function& function) {
-    Types types;
-    for (const std::uint32_t parameter : function.parameters) {
-        const Declaration& one = reading.declarations[parameter];
-        const bool is_array =
-            !one.type_array.empty() || (!one.names.empty() && !one.names.front().array.empty());
-        types.push_back(std::string(reading.word(one.type)) + (is_array ? "[]" : ""));
-    }
-    return types;
 }
 
 // What GLSL's functions of a name take, and what they give.
@@ -256,6 +243,17 @@ private:
 };
 
 }  // namespace
+
+Types types_of(const Reading& reading, const Function& function) {
+    Types types;
+    for (const std::uint32_t parameter : function.parameters) {
+        const Declaration& one = reading.declarations[parameter];
+        const bool is_array =
+            !one.type_array.empty() || (!one.names.empty() && !one.names.front().array.empty());
+        types.push_back(std::string(reading.word(one.type)) + (is_array ? "[]" : ""));
+    }
+    return types;
+}
 
 std::string own_overloads(const Reading& reading) {
     std::string functions, macros;

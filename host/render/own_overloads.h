@@ -4,8 +4,13 @@
 #include "glsl/edits.h"
 
 #include <string>
+#include <vector>
 
 namespace glint {
+
+// Of each parameter: `vec3`, `float[]`.
+using Types = std::vector<std::string>;
+Types types_of(const Reading& reading, const Function& function);
 
 // Chromium lets a text define `mix`, `texture`, `textureLod`, `texelFetch` and `textureSize` for
 // types of its own choice, and GLSL ES 1.00 and desktop GLSL nearly all, as `int mod(int a, int

@@ -86,11 +86,13 @@ Spot ReadText::expanded_spot(int line, int column) const {
     Spot spot{begin};
     const std::size_t first = behind_blanks(pass_.text, begin);
     int at = first > begin ? 2 : 1;
+    bool is_behind = false;  // another token of the line, of which a macro's all stand at its use
     for (const Token& token : read_.tokens) {
         const Span place = written(token);
         if (place.begin < begin) continue;
         if (place.begin >= end) break;
-        at += token.space_before && place.begin > first ? 1 : 0;
+        at += token.space_before && (is_behind || place.begin > first) ? 1 : 0;
+        is_behind = true;
         if (!token.begins_line) at += token.spaces_left;  // else they end the line before
         if (at > column) break;
         spot = spot_of(static_cast<std::size_t>(&token - read_.tokens.data()));
@@ -165,6 +167,22 @@ std::optional<Diagnostic> ReadText::open_use() const {
     return std::nullopt;
 }
 
+// "; iResolution has three numbers: write iResolution.xy", where the statement has it whole.
+std::string ReadText::help_with_size(const Spot& spot) const {
+    constexpr std::pair<std::string_view, std::string_view> kInputs[] = {
+        {"iResolution", "three"}, {"iMouse", "four"}, {"gl_FragCoord", "four"}};
+    const auto ends = [](const Token& token) {
+        return token.is(";") || token.is("{") || token.is("}");
+    };
+    for (std::size_t i = spot.token; i + 1 < read_.tokens.size() && !ends(read_.tokens[i]); ++i) {
+        if (read_.tokens[i + 1].is(".")) continue;
+        for (const auto& [name, count] : kInputs)
+            if (read_.tokens[i].is(name))
+                return fmt::format("; {0} has {1} numbers: write {0}.xy", name, count);
+    }
+    return "";
+}
+
 // "; == compares, = gives a value", "; did you mean 'include'?", or "".
 std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
     if (words.ends_with("condition must be scalar boolean")) {
@@ -175,6 +193,7 @@ std::string ReadText::help_at(std::string_view words, const Spot& spot) const {
             depth += token.is("(") ? 1 : token.is(")") || token.is(";") ? -1 : 0;
         }
     }
+    if (words.starts_with("vector size mismatch")) return help_with_size(spot);
     if (words.starts_with("Illegal non-directive after #")) {
         static const std::vector<std::string> kDirectives = {"include", "define", "undef", "ifdef",
                                                              "ifndef",  "elif",   "else",  "endif"};
@@ -212,7 +231,7 @@ Diagnostic ReadText::complaint(Said said) const {
         words = kTextEnds;
         spot.token = tokens_as_written(read_, pass_).size();
     }
-    if (words.starts_with("this is not expected here"))
+    if (spot.at >= pass_.user_end || words.starts_with("this is not expected here"))
         if (auto open = open_use()) return *open;
     std::optional<SyntaxError> syntax;
     if (is_expanded || token)
@@ -288,7 +307,9 @@ std::string ReadText::help_with(std::string_view name, bool is_called,
     };
     if (std::ranges::any_of(read_.macros, is_named))
         return fmt::format("; it is a macro that takes arguments: write {}(\u2026)", name);
-    if (is_function(name))
+    const bool is_known =
+        std::ranges::find(built_in_functions(), name) != built_in_functions().end();
+    if (is_function(name) || (is_known && !is_called))
         return is_called ? "; a variable of that name hides the function here; give it another"
                          : fmt::format("; it is a function: call it, {}(\u2026)", name);
     const std::string foreign = advice_on_foreign_name(name);

@@ -61,6 +61,7 @@ public:
     std::ptrdiff_t block_of(const Said& said) const;
 
 private:
+    std::string help_with_size(const Spot& spot) const;
     std::string help_at(std::string_view words, const Spot& spot) const;
     bool is_declared_below(std::string_view name) const;
     bool is_function(std::string_view name) const;

@@ -106,7 +106,7 @@ std::optional<Span> find_line(const Scene& scene, std::string_view name) {
 std::optional<ProbeNote> note_of_watch(const Scene& scene, std::string_view watch) {
     const std::size_t at = watch.rfind('@');
     if (at == watch.npos) return {};
-    const std::optional<Span> line = find_line(scene, watch.substr(at + 1));
+    const std::optional<Span> line = find_line(scene, trimmed(watch.substr(at + 1)));
     if (!line) return {};
     return ProbeNote{.expression = std::string(trimmed(watch.substr(0, at))),
                      .begin = line->begin,

@@ -51,8 +51,9 @@ private:
     void find_entries();
     void check_function(const PassCall& call, const std::string& why);
     void check_seconds();
-    bool misses_a_file() const {  // in which may stand what is not here
-        return std::ranges::any_of(diagnostics_, &Diagnostic::missing_file);
+    bool misses_a_part() const {  // in which may stand what is not here
+        return std::ranges::any_of(diagnostics_, &Diagnostic::missing_file) ||
+               reading_.open_condition || reading_.unclosed_comment;
     }
     void check_image();
 
@@ -122,17 +123,16 @@ Scene Builder::build() {
 }
 
 void Builder::check_image() {
-    const auto open = reading_.open_condition;
-    if (open && !reading_.unclosed_comment)  // the rest of the text goes with it
-        return error(*open, "this #if is never ended; write #endif behind its part");
+    if (reading_.open_condition && !reading_.unclosed_comment) {  // the rest goes with it
+        const auto [at, why] = about_open_condition(reading_);
+        return error(at, why);
+    }
     if (has_own_main(reading_)) scene_.image_entry = "main";
     if (scene_.image_entry == "mainImage")
         check_function({"mainImage", {"color"}}, "this draws the picture");
     else if (const auto missing = why_no_colour(reading_))
         return error(missing->at.value_or(0), missing->text);
-    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_file() ||
-        reading_.unclosed_comment)  // of which the reader of files has told
-        return;
+    if (identifiers_.contains(scene_.image_entry) || scene_.has_sound || misses_a_part()) return;
     const NoPicture why = why_no_picture(reading_);
     if (why.at) return error(*why.at, why.text);
     diagnostics_.push_back({Severity::error, Place{source_.files.front().string()}, why.text});
@@ -281,6 +281,7 @@ bool Builder::claim_name(const UniformName& declarator, const std::string& tab) 
             : declared_.emplace(tab.empty() ? name : "PASS_" + tab + " " + name,
                                 declarator.span.begin);
     if (is_new) return true;
+    if (reading_.open_condition) return false;  // which is told
     const Place first = source_.place(entry->second);
     error(declarator.span.begin,
           fmt::format("{} is declared already at {}:{}; take one of them out (or write #pragma "
@@ -370,7 +371,7 @@ void Builder::find_entries() {
         if (stands_in_tab(pass))
             pass.entry =
                 pass.cube && identifiers_.contains("mainCubemap") ? "mainCubemap" : "mainImage";
-        else if (!misses_a_file() && !puts_names_together())
+        else if (!misses_a_part() && !puts_names_together())
             error(entries_[i], no_pass_function(reading_, pass));
     }
 }

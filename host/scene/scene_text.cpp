@@ -244,6 +244,14 @@ std::string about_strange(const Token& token) {
         in_quotes(token.text), static_cast<std::uint32_t>(code));
 }
 
+std::pair<std::size_t, std::string> about_open_condition(const Reading& reading) {
+    const std::vector<std::string> kEnd = {"endif"};
+    for (const Directive& one : reading.directives)
+        if (one.word != "endif" && (one.word == "end" || !did_you_mean(one.word, kEnd).empty()))
+            return {one.span.begin, "this was to be #endif, which ends an #if"};
+    return {*reading.open_condition, "this #if is never ended; write #endif behind its part"};
+}
+
 std::string no_pass_function(const Reading& reading, const Pass& pass) {
     constexpr std::size_t kMostNames = 12;
     const std::vector<std::string> functions = find_pass_functions(reading);

@@ -18,6 +18,9 @@ inline constexpr std::string_view kPassPrefix = "PASS_";
 
 // For all passes at once: what hangs on a PASS_x may be compiled.
 Known known_of_scene();
+
+// Where an #if without an end is told, and how: at an `#ednif`, if the text has one.
+std::pair<std::size_t, std::string> about_open_condition(const Reading& reading);
 // For one pass, by the names of its outputs, "image" or "sound".
 Known known_of_pass(std::span<const std::string> outputs);
 // The lines that say so to a driver.

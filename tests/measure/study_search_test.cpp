@@ -140,6 +140,25 @@ TEST(StudySearch, FindsWhatOnlyAllTogetherReach) {
     EXPECT_EQ(best_within(tried, budget).at, (Stand{5, 5, 5}));
 }
 
+// A switch has most of the error, and six numbers the rest: neither alone reaches it.
+TEST(StudySearch, TurnsMenusWhereNumbersAloneDoNotReach) {
+    std::vector<Dial> dials(7, Dial{.count = 9});
+    dials[0] = {.count = 2, .is_menu = true};
+    const auto measure = [](const Stand& at) {
+        double ms = 1.0, error = at[0] == 1 ? 0.0 : 0.05;
+        for (std::size_t d = 1; d < at.size(); ++d) {
+            ms += std::pow(2.0, static_cast<double>(at[d]));
+            error += 0.03 * std::pow(0.5, static_cast<double>(at[d]));
+        }
+        return std::optional(Tried{.at = at, .ms = ms, .error = error});
+    };
+    const Budget budget{.ms = {}, .error = 0.006};
+    const auto tried = search(dials, Stand(7, 0), budget, 160, measure);
+    const Tried best = best_within(tried, budget);
+    EXPECT_LE(best.error, 0.006);
+    EXPECT_LE(best.ms, 1.5 * (1.0 + 6 * 32.0)) << "of 6 numbers of 32";
+}
+
 // Whatever is turned down costs error, and whatever is turned up costs time.
 TEST(StudySearch, FindsNothingWhereThereIsNothing) {
     const std::vector<Dial> dials(3, Dial{.count = 7});

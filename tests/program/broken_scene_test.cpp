@@ -157,6 +157,14 @@ TEST_F(BrokenScene, TellsWhatDoesNotLink) {
          "#define A\n#ifdef B\nfloat b;\n\n"
          "void mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n",
          3, "scene.frag:2:1: error: this #if is never ended; write #endif"},
+        {"an #if that takes a pass with it",
+         "uniform sampler2D a; //@ pass mainA\n#ifdef FAST\n"
+         "void mainA(out vec4 c, in vec2 p) { c = vec4(1); }\n"
+         "void mainImage(out vec4 c, in vec2 p) { c = texelFetch(a, ivec2(p), 0); }\n",
+         3, "scene.frag:2:1: error: this #if is never ended; write #endif"},
+        {"an #endif mistyped",
+         "#ifdef A\n#ednif\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1); }\n", 3,
+         "scene.frag:2:1: error: this was to be #endif, which ends an #if"},
         {"mainImage mistyped", "// x\nvoid mainimage(out vec4 c, in vec2 p) { c = vec4(1); }\n", 3,
          "scene.frag:2:6: error: there is no mainImage here; did you mean this one?"},
         {"an input", "in vec2 uv;\nvoid mainImage(out vec4 c, in vec2 p) { c = uv.xyxy; }\n", 3,

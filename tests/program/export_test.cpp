@@ -75,6 +75,20 @@ TEST_F(Export, TabsOfAnotherExportAreTold) {
         << made.err;
 }
 
+TEST_F(Export, TabsThatSomebodyEditedStay) {
+    write("a.frag", kGradient);
+    ASSERT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0);
+    EXPECT_EQ(glint({"export", "a.frag", "-o", "out"}).code, 0) << "what an export left is renewed";
+    write("out/image.glsl", "precious");
+    const Outcome again = glint({"export", "a.frag", "-o", "out"});
+    EXPECT_EQ(again.code, 1);
+    EXPECT_NE(again.err.find("somebody may have worked on it"), std::string::npos) << again.err;
+    EXPECT_EQ(bytes("out/image.glsl"), "precious");
+    write("site/shadertoy.json", R"({"Shader":{"info":{"id":"XsXXDn"},"renderpass":[]}})");
+    EXPECT_EQ(glint({"export", "a.frag", "-o", "site"}).code, 1);
+    EXPECT_EQ(glint({"export", "a.frag", "-o", "-"}).code, 2);
+}
+
 TEST_F(Export, ATickOfTheTextsOwnStaysItsOwn) {
     write("a.frag",
           "float iTick = 0.4;\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(iTick); }\n");

@@ -318,6 +318,15 @@ TEST_F(Foreign, AMistakeInABracketOrAHeadHasItsPlace) {
     }
 }
 
+TEST_F(Foreign, AnArgumentListOfAMacroThatNeverClosesIsTold) {
+    write("a.glsl",
+          "#define SAT(x) clamp(x, 0.0, 1.0)\n"
+          "void main() {\n  float a = SAT(sin(1.0);\n  gl_FragColor = vec4(a);\n}\n");
+    const Outcome outcome = glint({"still", "a.glsl", "-o", "x.png"});
+    EXPECT_TRUE(outcome.err.starts_with("a.glsl:3:13: error: the arguments of the macro SAT"))
+        << outcome.err;
+}
+
 TEST_F(Foreign, ATextWithABlockIsProbed) {
     write("a.glsl",
           "#version 330\nlayout(std140) uniform Params { float a; vec4 b; };\nout vec4 c;\n"
@@ -447,6 +456,14 @@ TEST_F(Foreign, AMainMayUseWhatItsGlslLeavesFree) {
         {"a texture2D of its own",
          "vec4 texture2D(vec2 p) { return vec4(p, 0.2, 1.0); }\n"
          "void main() { gl_FragColor = texture2D(vec2(0.4, 0.8)); }\n"},
+        {"texture2D for other arguments, too",
+         "uniform sampler2D t;\n"
+         "vec4 texture2D(sampler2D s, vec2 p, vec3 more) { return texture2D(s, p) * 0.0 + "
+         "more.xyzz; }\n"
+         "void main() { gl_FragColor = texture2D(t, vec2(0.5), vec3(0.4, 0.8, 0.2)); }\n"},
+        {"a text that asks for its version",
+         "#version 330\n#if __VERSION__ >= 330 && defined(__VERSION__)\nout vec4 o;\n#endif\n"
+         "void main() { o = vec4(0.4, 0.8, 0.2, 1); }\n"},
         {"a macro texture2D",
          "#define texture2D(a) vec4(a, 0.2, 1.0)\n"
          "void main() { gl_FragColor = texture2D(vec2(0.4, 0.8)); }\n"},

@@ -97,23 +97,32 @@ TEST_F(NamedFiles, WhatIsReadIsNotWrittenOver) {
     expect_refused("study study.json -o .");
 }
 
-TEST_F(NamedFiles, AReportReplacesItsOwnPageAndNoOther) {
-    write("site/index.html", "precious");
+TEST_F(NamedFiles, AReportReplacesItsOwnFilesAndNoOther) {
     write("knob.frag",
           "uniform int knob; //@ 1 [1, 4] quality reference=4\n"
           "void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0 / float(knob)); }\n");
-    for (const char* line : {"study knob.frag --size 8x8 --seconds 0 -o site",
-                             "study knob.frag s.frag --size 8x8 --seconds 0 -o site"}) {
+    write("page/index.html", "precious");
+    write("table/study.csv", "precious");
+    write("data/study.json", "{\"mine\": 1}");
+    write("looks/b.png", "precious");
+    for (const std::string line : {"study knob.frag --size 8x8 --seconds 0 -o page",
+                                   "study knob.frag --size 8x8 --seconds 0 -o table",
+                                   "study knob.frag --size 8x8 --seconds 0 -o data",
+                                   "study knob.frag s.frag --size 8x8 --seconds 0 -o looks"}) {
         const Outcome outcome = call(line);
         EXPECT_EQ(outcome.code, 2) << outcome.err;
-        EXPECT_NE(outcome.err.find(
-                      "site/index.html, which is no report of this kind; name another folder."),
+        EXPECT_NE(outcome.err.find("which is of no report of this kind; name another folder."),
                   std::string::npos)
             << outcome.err;
     }
-    EXPECT_EQ(bytes("site/index.html"), "precious");
-    for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(bytes("page/index.html"), "precious");
+    for (int i = 0; i < 2; ++i) {
         EXPECT_EQ(call("study knob.frag --size 8x8 --seconds 0 -o own").code, 0);
+        EXPECT_EQ(call("study knob.frag s.frag --size 8x8 --seconds 0 -o both").code, 0);
+        EXPECT_EQ(call("check plain.frag --size 8x8 --case odd --junit tests.xml").code, 0);
+    }
+    EXPECT_EQ(call("check plain.frag --size 8x8 --junit knob.frag").code, 2);
+    EXPECT_EQ(bytes("knob.frag").find("xml"), std::string::npos);
 }
 
 TEST_F(NamedFiles, NamesThatNeverMeetAreTaken) {

@@ -139,6 +139,7 @@ TEST_F(ProbeVerb, WritesAMapCountsCostAndFindsFaults) {
     EXPECT_EQ(map["series"][0]["max"], Json({7.0}));
     const Json cost = json({"--cost"})["cost"];
     for (const char* key : {"loops", "reads", "calls"}) EXPECT_TRUE(cost.contains(key)) << key;
+    EXPECT_EQ(glint({"probe", "scene.frag", "--cost", "--size", "3x1"}).code, 0);
     EXPECT_EQ(json({"--faults"})["first_bad"], nullptr);
     write("bad.frag",
           "void mainImage(out vec4 c, in vec2 p) {\n    c = vec4(sqrt(1.0 - p.x));\n}\n");

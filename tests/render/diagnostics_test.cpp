@@ -121,6 +121,9 @@ TEST_F(Complaints, StandBehindMacrosAtTheUsersColumn) {
         {"behind macros without words",
          "#define E\n#define N(x)\nE float f = 1.0 E + N(2) undeclared;\n", 5, 26,
          "`undeclared' undeclared"},
+        {"behind a macro at the line's beginning",
+         "#define LONG float a = 1.0 + 2.0, b = 3.0\n  LONG; float f = undeclared;\n", 4, 19,
+         "`undeclared' undeclared"},
         {"behind a comment that began on another line",
          "float g = 1.0; /* a\nb */ float f = undeclared;\n", 4, 16, "`undeclared' undeclared"},
         {"behind comments", "/* \xC3\xA4 */ float f = TWICE(1.)/**/+ undeclared;\n", 3, 34,
@@ -564,6 +567,9 @@ TEST_F(Complaints, SayWhatToDo) {
          "distance(vec2, vec2)'; a variable of that name hides the function here"},
         {told("c = texture(p, p);"), "; its first argument has to be a sampler, such as iChannel0"},
         {told("gl_FragColor = c;"), "; a mainImage writes its first parameter"},
+        {told("vec2 q = p / iResolution;"),
+         "; iResolution has three numbers: write iResolution.xy"},
+        {told("float s = sin;"), "`sin' undeclared; it is a function: call it, sin("},
         {told("bool b = p.x &lt; 1.0;"), "where &lt; stands for < in what was copied, write that"},
         {told("", "<br>\n"), "2:1: error: outside of functions only declarations stand; take"},
         {told("", "void f(float x);\n{ x = 1.0; }\n"),
@@ -581,7 +587,9 @@ TEST_F(Complaints, SayWhatToDo) {
          {"for (i = 0; i < 9; i++) c.x += 1.0;", "if (foo == 1.0 || !foo) c.x = 1.0;",
           "float a = foo > 1.0 ? foo : 2.0;", "const float k = foo; c.x = k;",
           "switch (foo) { case 1: break; }", "float a[2] = float[2](foo, 1.0);",
-          "sampler2D s = iChannel0;", "float d; vec2 d;", "c.x = sampel(sampel(p.x));"})
+          "sampler2D s = iChannel0;", "float d; vec2 d;", "c.x = sampel(sampel(p.x));",
+          "int n = 2; float a[n]; a[n] = a[0];",
+          "\n#define M(x) ((x) * 2)\nc.xy = vec2(M(p.x), M(p.y));"})
         EXPECT_EQ(lines(told(statement)), 1) << told(statement) << "is one mistake";
     // A parameter of another function is none of this one's.
     const std::string other = told("c.x = inner;", "float f(float inner) { return inner; }\n");

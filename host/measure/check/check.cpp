@@ -5,6 +5,7 @@
 #include "base/json_text.h"
 #include "base/say.h"
 #include "base/temporary_file.h"
+#include "glsl/raw_text.h"
 #include "measure/check/case.h"
 #include "measure/check/junit.h"
 #include "offline/named_files.h"
@@ -141,7 +142,17 @@ void require_outputs(const CheckOptions& options) {
         require_expected_apart(*read.preset, picture_folder(options, name));
     }
     require_folder(options.output);
-    if (!options.junit.empty()) require_writable(options.junit);
+    if (options.junit.empty()) return;
+    std::string why_not;
+    std::error_code unknown;
+    const auto there = std::filesystem::is_regular_file(options.junit, unknown)
+                           ? read_bytes(options.junit, why_not)
+                           : std::nullopt;
+    if (there && !there->empty() && !there->starts_with("<?xml"))
+        throw UsageError(
+            fmt::format("--junit {} would replace a file that is no report; name another.",
+                        options.junit.string()));
+    require_writable(options.junit);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "media/image.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -115,11 +116,12 @@ std::vector<ProbeCost::Run> runs_of(ProbeSession& session, Probe& probe, const F
     std::vector<ProbeCost::Run> runs;
     const glm::ivec2 full = session.preset().size;
     for (const int part : {4, 2, 1}) {
-        session.renderer().resize(full / part);
+        const glm::ivec2 size = glm::max(full / part, glm::ivec2(1));
+        session.renderer().resize(size);
         for (const double later : {0.0, 1.0, 2.5, 5.0}) {
             Frame moved = frame;
             moved.time += later;
-            ProbeCost::Run run{.size = full / part, .time = moved.time};
+            ProbeCost::Run run{.size = size, .time = moved.time};
             run.ms = median_ms(session, moved);
             const std::vector<ProbeCell> cells = probe.map(session.renderer(), moved, 0, 0);
             run.counts = totals_of(cells).mean;

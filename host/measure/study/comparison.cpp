@@ -135,12 +135,13 @@ Json to_json(const Comparison& c) {
 
 void write_comparison(const std::filesystem::path& folder, const Comparison& c) {
     make_folder(folder);
+    write_text(folder / "looks.json",
+               json_text(to_json(c)) + "\n");  // by which the others are known
     write_shown(folder / "a.png", c.pictures[0], c.size);
     write_shown(folder / "b.png", c.pictures[1], c.size);
     write_rgb(folder / "difference.png", difference_heat(c.pictures[0], c.pictures[1], true),
               c.size);
     write_rgb(folder / "flip.png", heat(c.seen), c.size);
-    write_text(folder / "looks.json", json_text(to_json(c)) + "\n");
     write_text(folder / "index.html", page(c));
 }
 

@@ -65,7 +65,6 @@ glm::ivec2 common_size(const std::array<Look, 2>& looks, const StudyOptions& opt
 }
 
 void require_report_apart(const std::array<Look, 2>& looks, const fs::path& folder) {
-    require_own_page(folder, "looks.json");
     std::vector<NamedFile> outputs, inputs;
     for (const char* name :
          {"a.png", "b.png", "difference.png", "flip.png", "looks.json", "index.html"})
@@ -77,6 +76,7 @@ void require_report_apart(const std::array<Look, 2>& looks, const fs::path& fold
         inputs.insert(inputs.end(), read.begin(), read.end());
     }
     require_apart(outputs, inputs);
+    require_own_report(outputs, folder / "looks.json", "b");
 }
 
 // What is drawn beside a picture of 8 bits is what a file of these would keep.

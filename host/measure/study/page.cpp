@@ -2,12 +2,14 @@
 
 #include "base/markup.h"
 #include "base/temporary_file.h"
+#include "glsl/raw_text.h"
 #include "measure/study/plot.h"
 #include "measure/study/result.h"
 #include "media/image.h"
 #include "offline/common.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -189,14 +191,20 @@ std::string index(std::span<const Study> studies) {
 
 }  // namespace
 
-void require_own_page(const std::filesystem::path& folder, const char* data) {
-    std::error_code unknown;
-    if (std::filesystem::symlink_status(folder / "index.html", unknown).type() ==
-            std::filesystem::file_type::regular &&
-        !std::filesystem::exists(folder / data, unknown))
-        throw UsageError(fmt::format(
-            "-o {} would replace {}, which is no report of this kind; name another folder.",
-            folder.string(), (folder / "index.html").string()));
+void require_own_report(const std::vector<NamedFile>& outputs, const std::filesystem::path& data,
+                        const char* key) {
+    std::string why_not;
+    const nlohmann::json known =
+        nlohmann::json::parse(read_bytes(data, why_not).value_or(""), nullptr, false);
+    if (known.is_object() && known.contains(key)) return;
+    for (const NamedFile& output : outputs) {
+        std::error_code unknown;
+        if (std::filesystem::symlink_status(output.name, unknown).type() ==
+            std::filesystem::file_type::regular)
+            throw UsageError(fmt::format(
+                "{} would replace {}, which is of no report of this kind; name another folder.",
+                output.role, output.name));
+    }
 }
 
 void write_page(const std::filesystem::path& folder, std::span<const Study> studies) {

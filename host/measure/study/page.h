@@ -3,15 +3,19 @@
 #pragma once
 
 #include "measure/rows/study.h"
+#include "offline/named_files.h"
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace glint {
 
-// Throws UsageError where `folder` has an index.html of somebody else: a report of ours has its
-// `data`, such as study.json, beside it.
-void require_own_page(const std::filesystem::path& folder, const char* data);
+// Throws UsageError where one of the files that a report is to write, all in one folder, stands
+// there and is somebody else's. Those of an earlier report have beside them its data, a JSON object
+// of ours: `data`, with an entry `key`.
+void require_own_report(const std::vector<NamedFile>& outputs, const std::filesystem::path& data,
+                        const char* key);
 
 // Writes `folder`/index.html. The diagrams are drawn by gnuplot; where it is missing, the page says
 // so in their place.

@@ -473,11 +473,12 @@ Knob varied_knob(const Planner& planner, const Preset& preset, const SceneFacts&
     }
     std::vector<TweakValue> values;
     for (const std::string& word : words) {
-        values.push_back(planner.parse(*tweak, word, "--vary"));
-        if (clamp_to_range(*tweak, values.back()) != values.back()) {
+        const TweakValue value = planner.parse(*tweak, word, "--vary");
+        if (clamp_to_range(*tweak, value) != value) {
             throw UsageError(
                 fmt::format("--vary {}: '{}' is not {}.", vary.name, word, expected_value(*tweak)));
         }
+        if (std::ranges::find(values, value) == values.end()) values.push_back(value);
     }
     return planner.knob(*tweak, values);
 }

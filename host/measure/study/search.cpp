@@ -72,6 +72,19 @@ public:
         return true;
     }
 
+    // Of each menu the choice with the least error; false where no more may be measured.
+    bool turn_menus(Stand& at) {
+        for (std::size_t d = 0; d < dials_.size(); ++d) {
+            for (std::size_t v = 0; dials_[d].is_menu && v < dials_[d].count; ++v) {
+                Stand turned = at;
+                turned[d] = v;
+                if (!add(turned)) return false;
+                if (tried(turned).error < tried(at).error) at = turned;
+            }
+        }
+        return true;
+    }
+
     const Tried& tried(const Stand& at) const { return tried_[known_.at(at)]; }
 
     void run() {
@@ -183,6 +196,7 @@ std::vector<Tried> search(const std::vector<Dial>& dials, const Stand& own, cons
         for (std::size_t d = 0; d < dials.size(); ++d)
             if (!dials[d].is_menu) from[d] = dials[d].count - 1;
         if (!search.add(from)) return search.take();
+        if (search.tried(from).error > most && !search.turn_menus(from)) return search.take();
         if (search.tried(from).error > most) from = own;
     }
     // From two sides: what stands, and the least of all.

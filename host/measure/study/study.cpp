@@ -533,7 +533,6 @@ Json to_json(const std::vector<Study>& studies, const std::string& renderer) {
 }
 
 void require_report_apart(const StudyOptions& options) {
-    require_own_page(options.output, "study.json");
     std::vector<NamedFile> outputs;
     for (const char* name : {"study.csv", "study.json", "index.html"})
         outputs.push_back({"-o", (options.output / name).string()});
@@ -541,6 +540,7 @@ void require_report_apart(const StudyOptions& options) {
         const ReadPreset read = read_preset(file);
         if (read.preset) require_apart(outputs, files_read_for(*read.preset));
     }
+    require_own_report(outputs, options.output / "study.json", "studies");
 }
 
 }  // namespace
@@ -571,9 +571,9 @@ void run_study(const StudyOptions& options) {
     std::string csv = csv_header();
     for (const Study& study : studies) csv += to_csv(study);
     if (!options.output.empty() && !to_preset) {
-        write_whole_file(cleared(options.output / "study.csv"), std::as_bytes(std::span(csv)));
         const std::string json = json_text(to_json(studies, context->renderer())) + "\n";
         write_whole_file(cleared(options.output / "study.json"), std::as_bytes(std::span(json)));
+        write_whole_file(cleared(options.output / "study.csv"), std::as_bytes(std::span(csv)));
         write_page(options.output, studies);
     }
     if (options.csv) say_result("{}", csv);
