@@ -338,7 +338,7 @@ void Renderer::run_steps(const Frame& frame, Step step) {
         inner.time = time_of(done + 1);
         inner.time_delta = step.seconds();
         inner.frame_rate = 1.0 / step.seconds();
-        inner.frame = static_cast<int>(done);
+        inner.frame = static_cast<int>(std::min(done, long{std::numeric_limits<int>::max()}));
         if (!frame.events.empty()) {
             const double from =
                 done == 0 ? -std::numeric_limits<double>::infinity() : time_of(done);

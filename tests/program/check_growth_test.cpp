@@ -75,8 +75,14 @@ TEST_F(CheckGrowth, ThatComesToRestIsNone) {
 }
 
 // From 120 on each step goes farther back than it came, and a limit holds both ends.
-TEST_F(CheckGrowth, ThatALimitHoldsIsFoundWithHalfTheStep) {
+TEST_F(CheckGrowth, ThatALimitHoldsIsFoundWithSmallerSteps) {
     const char* tweak = "uniform float k; //@ 20 [1, 200]\n";
+    simulate(
+        "if (iFrame == 0) x = vec4(0.9);\n"
+        "x = clamp(x - h * k * (x - 0.4), 0.0, 1.0);",
+        "uniform float k; //@ 20 [1, 400]\n");
+    EXPECT_NE(verdict("k=400 for long", 6).find("though a limit hides it"), std::string::npos)
+        << "half of such a step is still too long";
     simulate(
         "if (iFrame == 0) x = vec4(0.9);\n"
         "x = clamp(x - h * k * (x - 0.4), 0.0, 1.0);",

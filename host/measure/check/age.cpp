@@ -224,6 +224,7 @@ void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& re
     const bool is_slow = young.mean < kHardly && young.mean * 60.0 * float_step < kSeen;
     CaseResult judged;
     bool has_moved = false;
+    int unevenly = 0;  // moments; at one of them a picture may be cut
     for (const double later : kOtherMoments) {
         const Motion old = motion_at(check, age.seconds + later);
         if (!subject.observed().is_finite()) return;
@@ -237,7 +238,7 @@ void judge_age(const Age& age, Check& check, const Motion& young, CaseResult& re
             judge_motion(young, old, judged);
         if (judged.verdict != CaseVerdict::fail) break;
         const bool rests = old.moving == 0.0 || old.finely_moving == 0.0;  // as it may for a while
-        if (!rests && young.often == 1.0 && young.moving >= kSeldom) break;
+        if (!rests && young.often == 1.0 && young.moving >= kSeldom && ++unevenly == 2) break;
     }
     if (!has_moved && young.often < kOften) judged = {.name = result.name, .note = "moves seldom"};
     // What has ended after some minutes, when a clock has all its digits, was to; a state goes on.

@@ -25,7 +25,7 @@ constexpr int kConfirmed = 2000;                   // before a growth is told
 constexpr double kConfirmingShare = 0.1;           // of the seconds
 constexpr float kFar = 1000.0f;
 constexpr int kBefore = 30, kAfter = 120, kSweep = 1500;  // frames round a poisoning
-constexpr double kHalfPlayed = 2.0;                       // s, with half of each step
+constexpr double kHalfPlayed = 2.0;                       // s, with a part of each step
 constexpr int kExchanges = 3,
               kRound = 2;           // sound disturbances, and texels round each that they move
 constexpr std::size_t kChance = 3;  // times what these leave standing is no chance any more
@@ -56,8 +56,8 @@ constexpr const char* kHiddenByALimit =
     "the step is unstable, though a limit hides it: the state goes to and fro from step to step";
 
 // Whether the step is unstable, and a limit hides it: the state goes to and fro from step to step,
-// and does not with half of each, or far beyond `usual`, whatever lengths a text gives its steps
-// itself. The subject stands somewhere else afterwards.
+// and does not with a half or an eighth of each, or far beyond `usual`, whatever lengths a text
+// gives its steps itself. The subject stands somewhere else afterwards.
 bool chatters_by_steps(const Check& check, const StateCurves& curves, float usual) {
     CheckSubject& subject = check.subject;
     const double rate = steps_a_second(subject);
@@ -66,14 +66,19 @@ bool chatters_by_steps(const Check& check, const StateCurves& curves, float usua
     const std::vector<TweakValue> values = subject.preset.values;
     std::vector<Pass>& passes = subject.preset.scene.passes;
     const std::vector<Pass> whole = passes;
-    for (Pass& pass : passes) pass.step.denominator *= 2;
-    subject.restore();
-    subject.preset.values = values;
-    const int frames = static_cast<int>(kHalfPlayed * 2.0 * rate);
-    const bool half =
-        subject.play_frames(0, frames, 2.0 * rate) && goes_to_and_fro(subject, frames, 2.0 * rate);
+    bool still = true;
+    for (const int finer : {2, 8}) {
+        for (std::size_t i = 0; i < passes.size(); ++i)
+            passes[i].step.denominator = finer * whole[i].step.denominator;
+        subject.restore();
+        subject.preset.values = values;
+        const double often = finer * rate;
+        const int frames = static_cast<int>(kHalfPlayed * often);
+        still = still && subject.play_frames(0, frames, often) &&
+                goes_to_and_fro(subject, frames, often);
+    }
     passes = whole;
-    return !half || curves.stands_beyond(usual);
+    return !still || curves.stands_beyond(usual);
 }
 
 bool is_far(const StateCurves& curves, float usual) {

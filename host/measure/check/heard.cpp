@@ -76,17 +76,20 @@ public:
         return false;
     }
 
-    // Whether it counts on nothing that is unset, in the first block of these situations.
-    bool sets_all(const std::vector<Situation>& all) {
+    // Whether it counts on nothing that is unset: in the first block of these situations, and with
+    // the first of them in all blocks that are heard.
+    bool sets_all(const std::vector<Situation>& all, long heard) {
         const std::vector<Unset> list = unset_values(subject_.opened(), sound_.renderer(), false);
         const auto shows = [&](Span range, FirstValue mark) {
             SoundRenderer marked(subject_.opened(),
                                  {.specialise = false, .marked = Marked{range, mark}});
             answered();
-            const auto is_other = [&](const Situation& one) {
-                return drawn(marked, 0, one) != drawn(sound_, 0, one);
+            const auto is_other = [&](long index, const Situation& one) {
+                return drawn(marked, index, one) != drawn(sound_, index, one);
             };
-            return std::ranges::any_of(all, is_other);
+            for (long index = 1; index < heard; ++index)
+                if (is_other(index, all.front())) return true;
+            return std::ranges::any_of(all, [&](const Situation& one) { return is_other(0, one); });
         };
         const auto mark = std::ranges::find_if(kMarks, [&](FirstValue value) {
             return !list.empty() && shows({0, subject_.scene().text.size()}, value);
@@ -141,7 +144,10 @@ void run_sound_case(Check& check, CaseResult& result) {
         if (!ear.hears(index, all.front())) return;
     result.note =
         fmt::format("{:.0f} s", static_cast<double>(index * SoundRenderer::kBlock) / kSampleRate);
-    if (!ear.sets_all(all)) return;
+    const long heard = index;
+    if (!ear.sets_all(all, heard)) return;
+    for (index = 1; index < heard && !clock.is_over(kHeardShare); ++index)
+        if (!ear.is_sure_of(index, all.front())) return;
     for (const double moment : kMoments)
         for (const Situation& one : all) {
             if (clock.is_over(kHeardShare)) return;

@@ -28,9 +28,11 @@ public:
     explicit Comparison(CheckSubject& subject)
         : subject_(subject), situations_(situations(subject, kEnds, kUnsetSpread)) {
         if (subject.stateful() || !subject.moves()) return;
-        // What a scene does for a while only.
+        // What a scene does for a while only; then every second, as long as there is time.
         for (const double time : {1.3, 2.9, 4.7, 7.1, 10.3, 14.9, 21.1, 33.7, 55.3})
             situations_.push_back({subject.opened().values, subject.opened().events, time});
+        for (int second = 0; second < 60; ++second)
+            situations_.push_back({subject.opened().values, subject.opened().events, second + 0.6});
     }
 
     // As many situations as there is time for. False where the scene is not finite by itself; then
