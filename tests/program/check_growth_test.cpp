@@ -97,6 +97,17 @@ TEST_F(CheckGrowth, ThatALimitHoldsIsFoundWithSmallerSteps) {
     EXPECT_TRUE(verdict("k=200 for long", 0).starts_with("pass")) << "turns are what it is for";
 }
 
+TEST_F(CheckGrowth, WhatIsMendedWithWhereItGoesIsHealed) {
+    simulate(
+        "if (!(x.x >= 0.0 && x.x <= 4.0)) x = vec4(0.6); if (iFrame == 0) x = vec4(0);\n"
+        "x = vec4(0.6 + (x.x - 0.6) * exp(-0.5 * h));");
+    EXPECT_TRUE(verdict("healed s", 0).starts_with("pass"));
+    simulate(
+        "if (!(x.x >= 0.0 && x.x <= 4.0)) x = vec4(3.0); if (iFrame == 0) x = vec4(0);\n"
+        "if (x.x != 3.0) x = vec4(0.6 + (x.x - 0.6) * exp(-0.5 * h));");
+    EXPECT_TRUE(verdict("healed s", 6).starts_with("fail")) << "3 is where it never goes";
+}
+
 // Without a preset a scene has the time 0, at which no step has been made.
 TEST_F(CheckGrowth, OfASceneWithoutAPresetItsSimulationIsPlayed) {
     simulate("x = vec4(1.0 / (k - 5.0));", "uniform float k; //@ 1 [0, 5]\n");
