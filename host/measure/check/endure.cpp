@@ -270,13 +270,19 @@ std::size_t count_stuck_later(Check& check, std::size_t index, int after, const 
     return left.size();
 }
 
-// Whether NaN left the buffer as it is later by itself: it was mended with where it goes.
-bool is_where_it_ends(Check& check, std::size_t index, int after, const Seen& poisoned) {
+// Whether what NaN left otherwise stands where it comes to by itself, later: it was mended with
+// where it goes.
+bool is_where_it_ends(Check& check, std::size_t index, int after, const Seen& poisoned,
+                      const Seen& clean) {
     constexpr float kNear = 0.05f;
     const auto later = play_on(check, index, check.paced(kSweep, after));
-    if (!later || later->at_end.size() != poisoned.at_end.size()) return false;
-    for (std::size_t i = 0; i < poisoned.at_end.size(); ++i)
-        if (!(std::abs(poisoned.at_end[i] - later->at_end[i]) <= kNear * later->all)) return false;
+    if (!later) return false;
+    for (std::size_t i = 0; i < clean.at_end.size(); ++i) {
+        const auto is_near = [&](const Seen& other) {
+            return std::abs(poisoned.at_end[i] - other.at_end[i]) <= kNear * other.all;
+        };
+        if (!is_near(clean) && !is_near(*later)) return false;
+    }
     return true;
 }
 
@@ -291,7 +297,7 @@ void run_after_poison(std::size_t index, Check& check, CaseResult& result) {
     constexpr float kMost = 2.0f, kFading = 0.95f;
     const bool is_large =
         poisoned->end > kMost * clean->all + 1e-3f && poisoned->end > kFading * poisoned->middle;
-    if ((is_large || stuck > 0) && is_where_it_ends(check, index, after, *poisoned)) {
+    if ((is_large || stuck > 0) && is_where_it_ends(check, index, after, *poisoned, *clean)) {
         result.note = fmt::format("{} frames on, as it is later by itself", after);
     } else if (is_large) {
         result.fail(
