@@ -115,6 +115,17 @@ precision highp samplerCube;
 precision highp sampler3D;
 )";
 
+// Desktop GLSL asks for none.
+std::string other_precisions(const Reading& reading) {
+    std::string text;
+    for (const std::string_view name :
+         {"isampler2D", "isampler3D", "isamplerCube", "isampler2DArray", "usampler2D", "usampler3D",
+          "usamplerCube", "usampler2DArray", "sampler2DArray", "sampler2DShadow",
+          "samplerCubeShadow", "sampler2DArrayShadow"})
+        if (reading.mentions(name)) text += fmt::format("precision highp {};\n", name);
+    return text;
+}
+
 // Functions that a text may define on the site, and that Mesa knows already from other GLSL.
 constexpr std::array<std::string_view, 18> kOtherFunctions = {
     "texture2D",    "texture3D",      "textureCube",      "texture2DProj", "texture2DLod",
@@ -385,6 +396,7 @@ std::string prologue(const Preset& preset, std::size_t pass, const ProgramOption
     std::string text = "#version 300 es\n" + definitions_of_pass(output_names(scene, pass));
     text += renamed_words(reading);
     text += kPrecision;
+    if (scene.image_entry == "main") text += other_precisions(reading);
     text += host_uniforms(reading, sound, image && scene.image_entry == "main");
     text += other_names(reading);
     text += channel_declarations(preset, pass, reading);

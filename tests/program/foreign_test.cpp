@@ -461,6 +461,9 @@ TEST_F(Foreign, AMainMayUseWhatItsGlslLeavesFree) {
          "vec4 texture2D(sampler2D s, vec2 p, vec3 more) { return texture2D(s, p) * 0.0 + "
          "more.xyzz; }\n"
          "void main() { gl_FragColor = texture2D(t, vec2(0.5), vec3(0.4, 0.8, 0.2)); }\n"},
+        {"samplers without a precision",
+         "#version 330\nout vec4 o;\nuniform usampler2D u;\nuniform sampler2DShadow s;\n"
+         "void main() { o = vec4(0.4, 0.8, 0.2, 1); }\n"},
         {"a text that asks for its version",
          "#version 330\n#if __VERSION__ >= 330 && defined(__VERSION__)\nout vec4 o;\n#endif\n"
          "void main() { o = vec4(0.4, 0.8, 0.2, 1); }\n"},

@@ -14,8 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_whole(std::string_view type) {
-    return type.starts_with('i') || type.starts_with('u');
+bool is_whole(std::string_view type) {  // and bools, 0 or 1
+    return type.starts_with('i') || type.starts_with('u') || type.starts_with('b');
+}
+
+// Whole numbers have all their digits, up to nine.
+std::string shown_float(double number) {
+    if (std::isnan(number)) return "nan";
+    const bool is_short = std::abs(number) < 1e9 && number == std::trunc(number);
+    return is_short ? fmt::format("{:.0f}", number) : fmt::format("{:.7g}", number);
 }
 
 // Of whole numbers all digits, which a float has not.
@@ -187,7 +194,7 @@ std::string shown_value(const std::vector<double>& value, const std::string& typ
         else if (is_whole(type) && std::isfinite(number))
             text += fmt::format("{:.0f}", number);
         else
-            text += fmt::format("{:.7g}", number);
+            text += shown_float(number);
     }
     return value.size() == 1 ? text : "(" + text + ")";
 }
