@@ -4,6 +4,7 @@
 // would alone.
 #pragma once
 
+#include "gl/context.h"
 #include "measure/probe/probe.h"
 
 #include <cstdint>
