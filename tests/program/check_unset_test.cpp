@@ -122,21 +122,22 @@ TEST_F(CheckUnset, OfALateWhileAndOfASoundToo) {
           "    float light;\n    if (iTime < 46.5 || iTime > 49.0) light = 0.5;\n"
           "    c = vec4(light);\n}\n");
     EXPECT_EQ(cases("scene.frag", 6).size(), 1u) << "three seconds of the first minute";
-    write("scene.frag",
-          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n"
-          "vec2 mainSound(int samp, float time) {\n"
-          "    float loud;\n    if (mod(time, 8.0) < 6.0) loud = 0.3;\n"
-          "    return vec2(loud * sin(1000.0 * fract(time)));\n}\n");
-    const Outcome sound = glint({"check", "scene.frag", "--case", "sound", "--size", "8x8"});
-    EXPECT_EQ(sound.code, 6);
-    EXPECT_NE(sound.out.find("scene.frag:3:11: `loud`"), std::string::npos) << sound.out;
-    write("scene.frag",
-          "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n"
-          "vec2 mainSound(int samp, float time) {\n"
-          "    float scale[2] = float[2](1.0, 1.5);\n"
-          "    int k = time > 10.0 && time < 12.0 ? 2 : 1;\n"
-          "    return vec2(0.3 * scale[k]);\n}\n");
-    const Outcome late = glint({"check", "scene.frag", "--case", "sound", "--size", "8x8"});
+    const auto heard = [&](const std::string& statements) {
+        write("scene.frag",
+              "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.5); }\n"
+              "vec2 mainSound(int samp, float time) {\n" +
+                  statements + "}\n");
+        return glint({"check", "scene.frag", "--case", "sound", "--size", "8x8"});
+    };
+    const Outcome unset = heard(
+        "    float loud;\n    if (mod(time, 8.0) < 6.0) loud = 0.3;\n"
+        "    return vec2(loud * sin(1000.0 * fract(time)));\n");
+    EXPECT_EQ(unset.code, 6);
+    EXPECT_NE(unset.out.find("scene.frag:3:11: `loud`"), std::string::npos) << unset.out;
+    const Outcome late = heard(
+        "    float scale[2] = float[2](1.0, 1.5);\n"
+        "    int k = time > 10.0 && time < 12.0 ? 2 : 1;\n"
+        "    return vec2(0.3 * scale[k]);\n");
     EXPECT_EQ(late.code, 6);
     EXPECT_NE(late.out.find("index 2 out of range"), std::string::npos) << late.out;
 }
