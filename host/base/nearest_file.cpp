@@ -27,13 +27,19 @@ std::vector<fs::path> names_in(const fs::path& folder) {
     return names;
 }
 
-// By letters, among those with the same ending.
+// By letters, among those with the same ending; without one, of presets and scenes too.
 fs::path nearest_name(const fs::path& name, const std::vector<fs::path>& names) {
     std::vector<std::string> stems;
     for (const fs::path& known : names)
         if (known.extension() == name.extension()) stems.push_back(known.stem().string());
     const std::string stem = nearest(name.stem().string(), stems);
-    return stem.empty() ? fs::path() : fs::path(stem + name.extension().string());
+    if (!stem.empty()) return stem + name.extension().string();
+    for (const char* ending : {".toml", ".frag"}) {
+        if (name.has_extension()) break;
+        const fs::path found = nearest_name(name.string() + ending, names);
+        if (!found.empty()) return found;
+    }
+    return {};
 }
 
 // A preset before a scene, a scene before all else.

@@ -42,6 +42,8 @@ TEST_F(NearestFile, IsFoundByLettersEndingAndFolder) {
         {"wood.jpg", "wood.png"},
         {"presets/boat", "presets/boat.toml"},  // none
         {"fragments/water", "fragments/water.frag"},
+        {"presets/baot", "presets/boat.toml"},
+        {"fragments/watre", "fragments/water.frag"},
         {"boat.toml", "presets/boat.toml"},  // a folder too high
         {"boat", "presets/boat.toml"},
         {"presets/boat.frag", "fragments/boat.frag"},  // in the folder beside
