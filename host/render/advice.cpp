@@ -115,6 +115,12 @@ std::string said_better(std::string complaint) {
         complaint.insert(end + 1, "; mod is of floats; of whole numbers a % b is left");
     if (complaint.starts_with("function `mainImage' parameter `"))
         return "mainImage has to be void mainImage(out vec4 fragColor, in vec2 fragCoord)";
+    if (complaint == "function `mainImage' redefined")
+        complaint +=
+            "; of several tabs each is a file of its own, for `glint import FOLDER`, or stands "
+            "behind an #ifdef PASS_\u2026";
+    if (complaint == "extra tokens at end of directive")
+        complaint += "; #ifdef takes one name, #if defined(A) || defined(B) takes more";
     if (complaint.ends_with("return type doesn't match prototype"))
         complaint +=
             "; functions of one name differ in what they are given, not in what they "

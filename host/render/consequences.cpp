@@ -1,5 +1,7 @@
 #include "render/consequences.h"
 
+#include "render/syntax_error.h"
+
 #include <algorithm>
 #include <regex>
 #include <span>
@@ -70,8 +72,9 @@ bool calls_refused(const Diagnostic& one, const Diagnostic& cause) {
 }
 
 bool is_repeated(const Diagnostic& one, const Diagnostic& cause) {
-    if (cause.text.starts_with("Illegal non-directive") && one.text == "Unterminated #if")
-        return true;
+    const bool hides_end =
+        cause.text.starts_with("Illegal non-directive") || cause.text.ends_with(kConditionBehind);
+    if (hides_end && one.text == "Unterminated #if") return true;
     if (one.place.file != cause.place.file || one.place.line != cause.place.line) return false;
     if (cause.text.find(kOtherResult) != cause.text.npos)
         return one.text.ends_with("' redefined") ||

@@ -15,8 +15,10 @@
 namespace glint {
 namespace {
 
-// Declared here, before names and macros of the text.
+// Declared here, before names and macros of the text; of the size that it declares itself
+// glint_place() cannot know.
 std::string texture_coordinates(const Reading& reading) {
+    const char* const place = reading.find_global("iResolution") ? "p" : "p / iResolution.xy";
     std::string variables, values;
     for (const Declaration& declaration : reading.declarations) {
         const auto fed = fed_input(reading, declaration);
@@ -24,7 +26,7 @@ std::string texture_coordinates(const Reading& reading) {
             const std::string_view type = reading.word(declaration.type),
                                    name = reading.word(token);
             variables += fmt::format("{0} {1} = {0}(0.0);\n", type, name);
-            values += fmt::format(" {}{} = p / iResolution.xy;", name, type == "vec2" ? "" : ".xy");
+            values += fmt::format(" {}{} = {};", name, type == "vec2" ? "" : ".xy", place);
             if (type == "vec4") values += fmt::format(" {}.w = 1.0;", name);
         }
     }
@@ -160,6 +162,17 @@ std::string beside_its_own(const Reading& reading, std::string_view name, std::s
     return text;
 }
 
+// Whether somewhere in the text a variable of that name stands before a function.
+bool hides(const Reading& reading, std::string_view name) {
+    return declares(reading, name) ||
+           std::ranges::any_of(reading.declarations, [&](const Declaration& declaration) {
+               return declaration.scope != Scope::member &&
+                      std::ranges::any_of(declaration.names, [&](const Declarator& one) {
+                          return reading.word(one.name) == name;
+                      });
+           });
+}
+
 // texture2D and textureCube, by which the older language reads.
 std::string older_textures(const Reading& reading) {
     constexpr std::array<std::array<std::string_view, 3>, 2> kOlderTextures = {
@@ -169,7 +182,7 @@ std::string older_textures(const Reading& reading) {
         if (!reading.functions_named(name).empty() && is_of_older_glsl(reading))
             text += beside_its_own(reading, name, sampler, place);
         if (means_its_own(reading, name)) continue;
-        if (!declares(reading, "texture")) {
+        if (!hides(reading, "texture")) {
             text += fmt::format("#define {} texture\n", name);
             continue;
         }
@@ -235,7 +248,10 @@ std::string before_own_main(const Reading& reading, bool plain_main) {
 }
 
 std::string before_plain_main(const Reading& reading) {
-    return "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n" + texture_coordinates(reading);
+    // Of a bracket that is left open the driver tells, unless it stops at an older word.
+    const bool reads_on = reading.is_balanced || reading.defines_macro("varying");
+    return std::string(reads_on ? "" : "#define varying in\n") +
+           "#undef glFragCoord_\nvec4 glFragCoord_ = vec4(0.0);\n" + texture_coordinates(reading);
 }
 
 std::optional<Unset> unset_colour(const Reading& reading, const Declaration* output) {
@@ -260,8 +276,11 @@ std::string behind_plain_main(const Reading& reading, const Declaration* output,
     const std::string first = mark
                                   ? basic_value(output ? reading.word(output->type) : "vec4", *mark)
                                   : fmt::format("glint_color{}", is_opaque ? ".rgb" : "");
-    std::string before =
-        texture_coordinates(reading).empty() ? "" : "    glint_place(glint_coord);\n";
+    std::string before;
+    if (!texture_coordinates(reading).empty())
+        before = reading.find_global("iResolution")
+                     ? "    glint_place(glint_coord / iResolution.xy);\n"
+                     : "    glint_place(glint_coord);\n";
     for (const Declaration& declaration : reading.declarations) {
         if (is_input_block(reading, declaration)) before += values_of_block(reading, declaration);
         for (const Declarator& one : declaration.names)

@@ -9,6 +9,7 @@
 #include "render/nvidia_words.h"
 #include "render/own_words.h"
 #include "scene/builtin.h"
+#include "scene/own_main.h"
 
 #include <fmt/format.h>
 
@@ -299,6 +300,14 @@ bool ReadText::is_function(std::string_view name) const {
     return false;
 }
 
+bool ReadText::is_variable(std::string_view name) const {
+    for (std::size_t i = 1; i + 1 < read_.tokens.size(); ++i)
+        if (read_.tokens[i].is(name) && may_be_type(read_.tokens[i - 1]) &&
+            !read_.tokens[i + 1].is("("))
+            return true;
+    return false;
+}
+
 std::string ReadText::help_with(std::string_view name, bool is_called,
                                 const std::set<std::string, std::less<>>& unknown) const {
     if (is_declared_below(name)) return "; it stands below, and GLSL reads in order: move it up";
@@ -312,6 +321,8 @@ std::string ReadText::help_with(std::string_view name, bool is_called,
     if (is_function(name) || (is_known && !is_called))
         return is_called ? "; a variable of that name hides the function here; give it another"
                          : fmt::format("; it is a function: call it, {}(\u2026)", name);
+    if (is_called && is_variable(name))
+        return "; it is a variable: write an operator, such as *, before the '('";
     const std::string foreign = advice_on_foreign_name(name);
     return foreign.empty() ? meant_by(name, is_called, unknown) : foreign;
 }
@@ -336,8 +347,9 @@ std::string ReadText::meant_by(std::string_view mistyped, bool is_called,
         if (!is_called && token.text == kPlainColour) add("gl_FragColor");
         const bool may_declare =
             token.is_word() && (may_be_type(before) || before.is(",") || before.is("]"));
-        if (pass_.origin(token.begin) ? may_declare && is_of_kind(i)
-                                      : !is_called && find_builtin(token.text))
+        if (pass_.origin(token.begin)
+                ? may_declare && is_of_kind(i)
+                : !is_called && (find_builtin(token.text) || is_coordinate_name(token.text)))
             add(token.text);
     }
     for (const Macro& macro : read_.macros)

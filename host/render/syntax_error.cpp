@@ -110,16 +110,20 @@ public:
     bool is_on_a_later_line() const {
         return index(-1) < tokens_.size() && (at_ >= tokens_.size() || tokens_[at_].begins_line);
     }
-    // Where a function's head begins that ends before the token, with its type.
-    std::optional<std::size_t> head() const {
+    // The '(' of the ')' before the token.
+    std::optional<std::size_t> opened_before() const {
         std::size_t i = index(-1);
         if (!is(-1, ")")) return std::nullopt;
         for (int depth = 0; i < tokens_.size(); --i) {
             depth += tokens_[i].is(")") ? 1 : tokens_[i].is("(") ? -1 : 0;
-            if (depth == 0) break;
+            if (depth == 0) return i;
         }
-        const bool is_head =
-            i >= 2 && i < tokens_.size() && tokens_[i - 1].is_word() && tokens_[i - 2].is_word();
+        return std::nullopt;
+    }
+    // Where a function's head begins that ends before the token, with its type.
+    std::optional<std::size_t> head() const {
+        const std::size_t i = opened_before().value_or(0);
+        const bool is_head = i >= 2 && tokens_[i - 1].is_word() && tokens_[i - 2].is_word();
         return is_head ? std::optional(i - 2) : std::nullopt;
     }
 
@@ -143,13 +147,40 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
     if (!is_before && !is_here) return std::nullopt;
     const std::ptrdiff_t away = is_before ? -1 : 0;
     const std::string_view name = around.word(away);
-    std::string help = did_you_mean(name, std::vector<std::string>(kTypes.begin(), kTypes.end()));
+    std::vector<std::string> known(kTypes.begin(), kTypes.end());
+    known.insert(known.end(), {"return", "const", "uniform", "precision", "struct", "else"});
+    std::string help = did_you_mean(name, known);
     if (std::string ours = advice_on_foreign_type(name); !ours.empty()) help = std::move(ours);
     if (name == "and" || name == "or")
         return SyntaxError{fmt::format("{} is no operator here; write {}", in_quotes(name),
                                        name == "and" ? "&&" : "||"),
                            around.index(away)};
     return SyntaxError{fmt::format("{} is no type{}", in_quotes(name), help), around.index(away)};
+}
+
+// "whlie (i < 3) i++", "fro (int i = 0; …", "cosnt float k = 1.0;".
+std::optional<SyntaxError> mistyped_keyword(const Complaint& complaint, const Around& around,
+                                            std::span<const Token> tokens) {
+    static const std::vector<std::string> statements = {"if", "for", "while", "switch"};
+    static const std::vector<std::string> heads = {"const", "uniform", "varying",  "in",
+                                                   "out",   "struct",  "precision"};
+    const auto said = [&](std::size_t at, const std::vector<std::string>& known) {
+        const bool is_word = at < tokens.size() && tokens[at].is_word();
+        const bool begins = is_word && may_declare_behind(at > 0 ? tokens[at - 1].text : "");
+        const std::string meant = begins ? nearest(tokens[at].text, known) : "";
+        return meant.empty() || meant == tokens[at].text
+                   ? std::nullopt
+                   : std::optional(
+                         SyntaxError{fmt::format("{} is no word of GLSL{}",
+                                                 in_quotes(tokens[at].text), did_you_mean(meant)),
+                                     at});
+    };
+    if (around.is_known_type(-1) && around.is(-2, "("))
+        if (auto error = said(around.index(-3), statements)) return error;
+    if (const auto open = around.opened_before())
+        if (auto error = said(*open - 1, statements)) return error;
+    const bool is_outside = complaint.expects(std::string(kEnd)) && !around.is_in_function();
+    return is_outside ? said(around.index(0), heads) : std::nullopt;
 }
 
 std::optional<SyntaxError> inner_function(const Around& around) {
@@ -302,6 +333,7 @@ std::optional<SyntaxError> read_syntax_error(std::string_view words, std::span<c
     if (auto error = unmatched_bracket(*complaint, around, tokens)) return error;
     if (at < tokens.size()) {
         if (auto error = unknown_type(*complaint, around)) return error;
+        if (auto error = mistyped_keyword(*complaint, around, tokens)) return error;
         if (auto error = inner_function(around)) return error;
         if (auto error = ended_head(around)) return error;
         if (auto error = cast(around)) return error;
@@ -326,7 +358,9 @@ std::string read_preprocessor_error(std::string words) {
     if (complaint->expected.empty())
         return "this is not expected here; behind #if stand whole numbers, names, operators and "
                "defined()";
-    return fmt::format("{} is expected here", fmt::join(complaint->expected, " or "));
+    const bool ends = complaint->expected == std::vector<std::string>{"the line's end"};
+    return fmt::format("{} is expected here{}", fmt::join(complaint->expected, " or "),
+                       ends ? kConditionBehind : "");
 }
 
 }  // namespace glint

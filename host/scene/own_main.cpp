@@ -178,7 +178,8 @@ bool is_input(const Reading& reading, const Declaration& declaration) {
 std::optional<std::vector<std::uint32_t>> fed_input(const Reading& reading,
                                                     const Declaration& declaration) {
     if (!is_input(reading, declaration) || declaration.is_block) return std::nullopt;
-    const bool is_place_known = !reading.find_global("iResolution");
+    const Declaration* size = reading.find_global("iResolution");
+    const bool is_place_known = !size || is_place_type(reading.word(size->type));
     std::vector<std::uint32_t> fed;
     for (const Declarator& one : declaration.names) {
         const std::string_view name = reading.word(one.name);

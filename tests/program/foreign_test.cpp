@@ -211,6 +211,27 @@ TEST_F(Foreign, AFragmentShaderOfThreeJsOrADesktopProgramHasItsTextureCoordinate
     write("a.glsl", "varying vec3 vNormal;\nvoid main() { gl_FragColor = vec4(vNormal, 1.0); }\n");
     const std::string said = glint({"still", "a.glsl", "-o", "x.png"}).err;
     EXPECT_NE(said.find("a.glsl:1:14: error: nothing feeds vNormal"), std::string::npos) << said;
+    write("a.glsl",
+          "varying vec2 vUv;\nuniform vec2 iResolution;\n"
+          "void main() { gl_FragColor = vec4(vUv * iResolution * 0.8, 0.2, 1.0); }\n");
+    EXPECT_EQ(draw(), (std::array{102, 102, 51})) << errors_ << "beside a size of its own";
+}
+
+TEST_F(Foreign, AnOlderTextMayCallAVariableTexture) {
+    write("a.glsl",
+          "uniform sampler2D t; //@ noise rgba 16\n"
+          "vec4 get(sampler2D texture, vec2 p) { return texture2D(texture, p); }\n"
+          "void main() { vec4 texture = get(t, vec2(0)) + texture2D(t, vec2(1));\n"
+          "  gl_FragColor = texture * 0.0 + 0.2; }\n");
+    EXPECT_EQ(draw(), (std::array{51, 51, 51})) << errors_;
+}
+
+TEST_F(Foreign, ThePlaceOfAMainImageMayBeConstant) {
+    for (const std::string place : {"const in vec2 p", "const vec2 p"}) {
+        write("a.glsl",
+              "void mainImage(out vec4 c, " + place + ") { c = vec4(p * 0.0 + 0.2, 0.2, 1); }\n");
+        EXPECT_EQ(draw(), (std::array{51, 51, 51})) << errors_;
+    }
 }
 
 TEST_F(Foreign, ItsNamesAreFedByTheTypesThatItGivesThem) {
@@ -295,6 +316,12 @@ TEST_F(Foreign, AMistakeInABracketOrAHeadHasItsPlace) {
          "a.glsl:1:13: error: this '{' is never closed; write '}'"},
         {"out vec4 c;\nfloat f() { return 1.0;\nvoid main() { c = vec4(f()); }\n",
          "a.glsl:3:1: error: a function begins within another one"},
+        {"varying vec2 vUv;\nvoid main() {\n gl_FragColor = vec4(vUv, 0.0, 1.0);\n",
+         "a.glsl:2:13: error: this '{' is never closed; write '}'"},
+        {"varying vec2 vUv;\nvoid main() { gl_FragColor = vec4(vuv, 0.0, 1.0); }\n",
+         "a.glsl:2:35: error: `vuv' undeclared; did you mean 'vUv'?"},
+        {"#ifdef A\n#else if B\n#endif\nvoid main() { gl_FragColor = vec4(1.0); }\n",
+         "a.glsl:2:7: error: "},
         {"out vec4 c;\nvoid main) { c = vec4(1); }\n", "a.glsl:2:10: error: "},
         {"void mian() { gl_FragColor = vec4(1.0); }\n",
          "a.glsl:1:6: error: there is no main here; did you mean this one?"},

@@ -86,7 +86,25 @@ TEST_F(SyntaxErrors, NameWhatGlslHasNot) {
               "type before it");
 }
 
+TEST_F(SyntaxErrors, NameAKeywordThatIsMistyped) {
+    EXPECT_EQ(first_complaint("float f(float x) { retrun x; }\n" + in_image("")),
+              "1:20: 'retrun' is no type; did you mean 'return'?");
+    EXPECT_EQ(first_complaint(in_image("int i = 0; whlie (i < 3) i++;")),
+              "2:12: 'whlie' is no word of GLSL; did you mean 'while'?");
+    EXPECT_EQ(first_complaint(in_image("fro (int i = 0; i < 3; ++i) c.x += 1.0;")),
+              "2:1: 'fro' is no word of GLSL; did you mean 'for'?");
+    EXPECT_EQ(first_complaint(in_image("If (p.x > 1.0) c = vec4(0);")),
+              "2:1: 'If' is no word of GLSL; did you mean 'if'?");
+    EXPECT_EQ(first_complaint("cosnt float k = 1.0;\n" + in_image("")),
+              "1:1: 'cosnt' is no word of GLSL; did you mean 'const'?");
+    EXPECT_EQ(first_complaint("float dist = 1.0;\n" + in_image("c = vec4(dist (p.x + 1.0));")),
+              "3:10: no function with name 'dist'; it is a variable: write an operator, such as *, "
+              "before the '('");
+}
+
 TEST_F(SyntaxErrors, TellOfThePreprocessorsLines) {
+    EXPECT_EQ(first_complaint("#ifdef A\n#else if B\n#endif\n" + in_image("")),
+              "2:7: the line's end is expected here; a condition stands behind #elif");
     EXPECT_EQ(first_complaint("#define F(x,\n" + in_image("")),
               "1:13: the line ends too soon: a name is missing");
     EXPECT_EQ(first_complaint("#if 1 +\n#endif\n" + in_image("")), "1:8: the line ends too soon");
