@@ -158,6 +158,14 @@ std::optional<SyntaxError> unknown_type(const Complaint& complaint, const Around
     return SyntaxError{fmt::format("{} is no type{}", in_quotes(name), help), around.index(away)};
 }
 
+// Whether a type stands before it somewhere.
+bool is_declared(std::span<const Token> tokens, std::string_view name) {
+    for (std::size_t i = 1; i < tokens.size(); ++i)
+        if (tokens[i].is(name) && tokens[i - 1].is_word() && !is_keyword(tokens[i - 1].text))
+            return true;
+    return false;
+}
+
 // "whlie (i < 3) i++", "fro (int i = 0; …", "cosnt float k = 1.0;".
 std::optional<SyntaxError> mistyped_keyword(const Complaint& complaint, const Around& around,
                                             std::span<const Token> tokens) {
@@ -165,7 +173,9 @@ std::optional<SyntaxError> mistyped_keyword(const Complaint& complaint, const Ar
     static const std::vector<std::string> heads = {"const", "uniform", "varying",  "in",
                                                    "out",   "struct",  "precision"};
     const auto said = [&](std::size_t at, const std::vector<std::string>& known) {
-        const bool is_word = at < tokens.size() && tokens[at].is_word();
+        // A function's name may be near one, such as f.
+        const bool is_word =
+            at < tokens.size() && tokens[at].is_word() && !is_declared(tokens, tokens[at].text);
         const bool begins = is_word && may_declare_behind(at > 0 ? tokens[at - 1].text : "");
         const std::string meant = begins ? nearest(tokens[at].text, known) : "";
         return meant.empty() || meant == tokens[at].text

@@ -97,6 +97,8 @@ TEST_F(SyntaxErrors, NameAKeywordThatIsMistyped) {
               "2:1: 'If' is no word of GLSL; did you mean 'if'?");
     EXPECT_EQ(first_complaint("cosnt float k = 1.0;\n" + in_image("")),
               "1:1: 'cosnt' is no word of GLSL; did you mean 'const'?");
+    EXPECT_EQ(first_complaint("void f(vec2 p) {}\n" + in_image("f(p)")), "3:5: ';' is missing here")
+        << "and no 'if'";
     EXPECT_EQ(first_complaint("float dist = 1.0;\n" + in_image("c = vec4(dist (p.x + 1.0));")),
               "3:10: no function with name 'dist'; it is a variable: write an operator, such as *, "
               "before the '('");
