@@ -188,6 +188,24 @@ TEST_F(CheckEnds, WhatEachFrameAddsWhileAKeyIsHeld) {
     note_of(scene("6.0 * iTimeDelta"), "frame rates", 0);
 }
 
+TEST_F(CheckEnds, WhatEachFrameMovesUntilItMeetsALimit) {
+    const auto scene = [](const std::string& moved) {
+        return "uniform sampler2D s; //@ pass mainS size=1\nuniform sampler2D keys; //@ keyboard\n"
+               "void mainS(out vec4 c, in vec2 p) {\n"
+               "    float x = iFrame == 0 ? 0.5 : texelFetch(s, ivec2(0), 0).x;\n"
+               "    c = vec4(clamp(x + texelFetch(keys, ivec2(39, 0), 0).x * " +
+               moved +
+               ", 0.0, 1.0));\n}\nvoid mainImage(out vec4 c, in vec2 p) {\n"
+               "    float x = texelFetch(s, ivec2(0), 0).x;\n"
+               "    c = vec4(vec3(smoothstep(0.2, 0.1, length(p / iResolution.xy - vec2(x, "
+               "0.5)))), "
+               "1);\n}\n";
+    };
+    const std::string found = note_of(scene("0.01"), "frame rates", 6);
+    EXPECT_TRUE(found.ends_with("; at key right")) << found;
+    note_of(scene("0.6 * iTimeDelta"), "frame rates", 0);
+}
+
 TEST_F(CheckEnds, FlashesAtTheEndOfARangeOnceAKeyWasPressed) {
     const std::string found = note_of(
         "uniform float rate; //@ 1 [0.3, 6]\nuniform sampler2D keys; //@ keyboard\n"

@@ -10,10 +10,11 @@ using Json = nlohmann::json;
 
 class CheckGrowth : public InAFolder {
 protected:
-    // Of a simulation in steps of 1/60 s: `text` makes the next `x` of the last.
-    void simulate(const std::string& text, const std::string& declared = "") const {
-        write("s.frag", declared +
-                            "uniform sampler2D s; //@ pass mainS step=1/60 size=8x8\n"
+    // Of a simulation in steps: `text` makes the next `x` of the last.
+    void simulate(const std::string& text, const std::string& declared = "",
+                  const std::string& step = "1/60") const {
+        write("s.frag", declared + "uniform sampler2D s; //@ pass mainS size=8x8 step=" + step +
+                            "\n"
                             "void mainS(out vec4 c, in vec2 p) {\n"
                             "    vec4 x = texelFetch(s, ivec2(p), 0);\n"
                             "    float h = iTimeDelta;\n    " +
@@ -95,6 +96,23 @@ TEST_F(CheckGrowth, ThatALimitHoldsIsFoundWithSmallerSteps) {
     EXPECT_TRUE(verdict("k=200 for long", 0).starts_with("pass"));
     simulate("x = vec4(1.0 - x.x, k, 0, 1);", tweak);
     EXPECT_TRUE(verdict("k=200 for long", 0).starts_with("pass")) << "turns are what it is for";
+}
+
+TEST_F(CheckGrowth, ThatALimitHoldsIsFoundInStepsLongerThanAFrameAndRoundWhatMoves) {
+    const char* tweak = "uniform float k; //@ 5 [1, 150]\n";
+    const std::string start = "if (iFrame == 0) x = vec4(0.1);\n";
+    for (const char* step : {"1/30", "1/20"}) {
+        simulate(start + "x = clamp(x - h * k * (x - 0.5), 0.0, 1.0);", tweak, step);
+        EXPECT_NE(verdict("k=150 for long", 6).find("though a limit hides it"), std::string::npos)
+            << step;
+        simulate(start + "x = clamp(0.5 + (x - 0.5) * exp(-h * k), 0.0, 1.0);", tweak, step);
+        EXPECT_TRUE(verdict("k=150 for long", 0).starts_with("pass")) << step;
+    }
+    const std::string target = "float m = 0.5 + 0.3 * sin(iTime);\n";
+    simulate(start + target + "x = clamp(x - h * k * (x - m), 0.0, 1.0);", tweak);
+    EXPECT_NE(verdict("k=150 for long", 6).find("though a limit hides it"), std::string::npos);
+    simulate(start + target + "x = clamp(m + (x - m) * exp(-h * k), 0.0, 1.0);", tweak);
+    EXPECT_TRUE(verdict("k=150 for long", 0).starts_with("pass"));
 }
 
 TEST_F(CheckGrowth, WhatIsMendedWithWhereItGoesIsHealed) {

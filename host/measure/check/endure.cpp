@@ -43,13 +43,19 @@ bool play_curves(const Check& check, int frames, StateCurves& curves, Invariants
     return true;
 }
 
-// Of the shortest step, or of a frame where the passes have none.
+// Of the shortest step, or of a frame, of what is fed back.
 double steps_a_second(const CheckSubject& subject) {
-    double rate = 60.0;
-    for (const GraphPass& pass : subject.renderer().graph().passes)
-        if (pass.pass != kImagePass && subject.scene().passes[pass.pass].step)
-            rate = std::max(rate, 1.0 / subject.scene().passes[pass.pass].step.seconds());
-    return rate;
+    constexpr double kFrameRate = 60.0;
+    double rate = 0.0;
+    const auto& passes = subject.renderer().graph().passes;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (!subject.is_fed_back(i)) continue;
+        const bool steps =
+            passes[i].pass != kImagePass && subject.scene().passes[passes[i].pass].step;
+        rate = std::max(
+            rate, steps ? 1.0 / subject.scene().passes[passes[i].pass].step.seconds() : kFrameRate);
+    }
+    return rate > 0.0 ? rate : kFrameRate;
 }
 
 constexpr const char* kHiddenByALimit =

@@ -8,7 +8,8 @@ namespace glint {
 namespace {
 
 constexpr int kTurns = 32;
-constexpr double kBack = 1e-3, kPart = 0.05;  // of a step, of the state
+// Of a step: what is followed may move on a little. Of the state.
+constexpr double kBack = 0.05, kPart = 0.05;
 
 std::vector<float> all_kept(const CheckSubject& subject) {
     std::vector<float> all;
