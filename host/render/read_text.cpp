@@ -291,19 +291,11 @@ bool may_be_type(const Token& token) {
     return token.is_word() && !token.is("return") && !token.is("else") && !token.is("case");
 }
 
-// Declared above: what is used as a value has no parentheses.
-bool ReadText::is_function(std::string_view name) const {
+// Above: what is used as a value has no parentheses.
+bool ReadText::is_declared(std::string_view name, bool as_function) const {
     for (std::size_t i = 1; i + 1 < read_.tokens.size(); ++i)
         if (read_.tokens[i].is(name) && may_be_type(read_.tokens[i - 1]) &&
-            read_.tokens[i + 1].is("("))
-            return true;
-    return false;
-}
-
-bool ReadText::is_variable(std::string_view name) const {
-    for (std::size_t i = 1; i + 1 < read_.tokens.size(); ++i)
-        if (read_.tokens[i].is(name) && may_be_type(read_.tokens[i - 1]) &&
-            !read_.tokens[i + 1].is("("))
+            read_.tokens[i + 1].is("(") == as_function)
             return true;
     return false;
 }
@@ -318,10 +310,10 @@ std::string ReadText::help_with(std::string_view name, bool is_called,
         return fmt::format("; it is a macro that takes arguments: write {}(\u2026)", name);
     const bool is_known =
         std::ranges::find(built_in_functions(), name) != built_in_functions().end();
-    if (is_function(name) || (is_known && !is_called))
+    if (is_declared(name, true) || (is_known && !is_called))
         return is_called ? "; a variable of that name hides the function here; give it another"
                          : fmt::format("; it is a function: call it, {}(\u2026)", name);
-    if (is_called && is_variable(name))
+    if (is_called && is_declared(name, false))
         return "; it is a variable: write an operator, such as *, before the '('";
     const std::string foreign = advice_on_foreign_name(name);
     return foreign.empty() ? meant_by(name, is_called, unknown) : foreign;

@@ -64,8 +64,7 @@ private:
     std::string help_with_size(const Spot& spot) const;
     std::string help_at(std::string_view words, const Spot& spot) const;
     bool is_declared_below(std::string_view name) const;
-    bool is_function(std::string_view name) const;
-    bool is_variable(std::string_view name) const;
+    bool is_declared(std::string_view name, bool as_function) const;
     std::string meant_by(std::string_view mistyped, bool is_called,
                          const std::set<std::string, std::less<>>& unknown) const;
     void find_lines();

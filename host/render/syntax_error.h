@@ -15,7 +15,8 @@ inline constexpr std::string_view kInnerFunction =
     "a function begins within another one, which GLSL has not; is a '}' missing before it?";
 
 // Of `#else if A`, which leaves the #if without its end.
-inline constexpr std::string_view kConditionBehind = "; a condition stands behind #elif";
+inline constexpr std::string_view kConditionBehind =
+    "; a condition stands behind #if and #elif alone";
 
 bool is_type_of_glsl(std::string_view word);       // such as vec3
 bool is_qualifier_of_glsl(std::string_view word);  // such as const

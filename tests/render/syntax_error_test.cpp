@@ -105,8 +105,9 @@ TEST_F(SyntaxErrors, NameAKeywordThatIsMistyped) {
 }
 
 TEST_F(SyntaxErrors, TellOfThePreprocessorsLines) {
-    EXPECT_EQ(first_complaint("#ifdef A\n#else if B\n#endif\n" + in_image("")),
-              "2:7: the line's end is expected here; a condition stands behind #elif");
+    EXPECT_EQ(
+        first_complaint("#ifdef A\n#else if B\n#endif\n" + in_image("")),
+        "2:7: the line's end is expected here; a condition stands behind #if and #elif alone");
     EXPECT_EQ(first_complaint("#define F(x,\n" + in_image("")),
               "1:13: the line ends too soon: a name is missing");
     EXPECT_EQ(first_complaint("#if 1 +\n#endif\n" + in_image("")), "1:8: the line ends too soon");

@@ -11,9 +11,9 @@ namespace glint {
 // Of two states, by all their values; of what the second lacks, from 0.
 double distance(const std::vector<float>& a, const std::vector<float>& b);
 
-// Plays on from this frame, at this rate: whether from frame to frame what is fed back goes back to
-// where it was, and that is no small part of it. What swings faster than its frames tell goes to
-// and fro, too, but hardly ever to where it was.
+// Plays on from this frame, at this rate: whether from frame to frame what is fed back goes back
+// nearly to where it was, and that is no small part of it. What swings faster than its frames tell
+// goes to and fro, too, but hardly ever to where it was.
 bool goes_to_and_fro(CheckSubject& subject, int first, double fps);
 
 }  // namespace glint
