@@ -11,7 +11,17 @@
 namespace glint {
 namespace {
 
-constexpr const char* kText = R"(#version 300 es
+// Of a picture that is shown at its own size, sixty times a second.
+constexpr const char* kCopy = R"(#version 300 es
+precision highp float;
+uniform highp sampler2D source;
+uniform int level;
+uniform vec2 origin;
+out vec4 colour;
+void main() { colour = texelFetch(source, ivec2(gl_FragCoord.xy - origin), level); }
+)";
+
+constexpr const char* kBetween = R"(#version 300 es
 precision highp float;
 uniform highp sampler2D source;
 uniform int level;
@@ -33,7 +43,7 @@ void main() {
 )";
 
 struct Resampler {
-    Program program = make_program(kText).program;
+    Program program;
     VertexArray vertex_array = make_vertex_array();
     SamplerObject sampler;
     Framebuffer levels = make_framebuffer();
@@ -43,7 +53,7 @@ struct Resampler {
     GLint ratio = glGetUniformLocation(program.id(), "ratio");
 
     // Without a filter no other level counts as read, and may be drawn into.
-    Resampler() {
+    explicit Resampler(const char* text) : program(make_program(text).program) {
         GLuint id = 0;
         glCreateSamplers(1, &id);
         sampler = SamplerObject(id);
@@ -51,10 +61,11 @@ struct Resampler {
         glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
 };
-thread_local std::optional<Resampler> kept;
+thread_local std::optional<Resampler> copies, between;
 
-Resampler& resampler() {
-    if (!kept) kept.emplace();
+const Resampler& resampler(bool same_size) {
+    std::optional<Resampler>& kept = same_size ? copies : between;
+    if (!kept) kept.emplace(same_size ? kCopy : kBetween);
     return *kept;
 }
 
@@ -107,8 +118,8 @@ glm::ivec2 size_of(GLuint texture, int level) {
 
 void resample(const Resampling& resampling) {
     const auto& [texture, level, framebuffer, origin, size] = resampling;
-    const Resampler& with = resampler();
     const glm::ivec2 from = size_of(texture, parameter(texture, GL_TEXTURE_BASE_LEVEL) + level);
+    const Resampler& with = resampler(from == size);
     const glm::vec2 ratio = glm::vec2(from) / glm::vec2(glm::max(size, 1));
     const Unchanged unchanged;
     glDisable(GL_BLEND);
@@ -131,7 +142,7 @@ void make_mipmaps(GLuint texture) {
         return glGenerateTextureMipmap(texture);
     const int base = parameter(texture, GL_TEXTURE_BASE_LEVEL);
     const int levels = parameter(texture, GL_TEXTURE_IMMUTABLE_LEVELS);
-    const GLuint framebuffer = resampler().levels.id();
+    const GLuint framebuffer = resampler(false).levels.id();
     const bool scissored = glIsEnabled(GL_SCISSOR_TEST);
     glDisable(GL_SCISSOR_TEST);
     for (int level = base + 1; level < levels; ++level) {
@@ -146,7 +157,8 @@ void make_mipmaps(GLuint texture) {
 }
 
 void forget_resampling() {
-    kept.reset();
+    copies.reset();
+    between.reset();
 }
 
 }  // namespace glint
