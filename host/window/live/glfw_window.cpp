@@ -73,12 +73,24 @@ std::string advice_on_wayland() {
     return " Under Wayland this GLFW needs Xwayland; that of libglfw3-wayland needs none.";
 }
 
-// What X11 shows of a window before its first picture, in place of black.
-void set_ground(GLFWwindow* window) {
+struct X11Window {
+    Display* display;
+    ::Window window;
+};
+
+// Nothing where GLFW runs on Wayland.
+std::optional<X11Window> x11_window(GLFWwindow* window) {
     auto* display = find_display<Display>("glfwGetX11Display");
     const auto get = find_function<::Window (*)(GLFWwindow*)>("glfwGetX11Window");
+    if (!display || !get) return std::nullopt;
+    return X11Window{display, get(window)};
+}
+
+// What X11 shows of a window before its first picture, in place of black.
+void set_ground(GLFWwindow* window) {
     constexpr unsigned long kGround = 0x36404e;
-    if (display && get) XSetWindowBackground(display, get(window), kGround);
+    if (const auto x11 = x11_window(window))
+        XSetWindowBackground(x11->display, x11->window, kGround);
 }
 
 // GLFW makes the window larger by the scale of the monitor.
@@ -136,7 +148,35 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    // Where one way to a context is missing the other may be there.
+    make(size, title);
+    try {
+        start();
+    } catch (...) {
+        glx_.reset();
+        glfwDestroyWindow(window_);
+        throw;
+    }
+    display_ = x11_descriptor();
+    is_wayland_ = display_ < 0;
+    if (display_ < 0) display_ = wayland_descriptor();
+    // No swap is to wait for what WaylandFrames hears.
+    if (!glx_) glfwSwapInterval(is_wayland_ ? 0 : 1);
+    if (is_wayland_) wayland_frames_.emplace(window_);
+    listen();
+    set_ground(window_);
+}
+
+// Where one way to a context is missing another may be there.
+void Window::make(glm::ivec2 size, const std::string& title) {
+    if (find_display<Display>("glfwGetX11Display")) {
+        glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+        window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+        if (const auto x11 = window_ ? x11_window(window_) : std::nullopt)
+            glx_ = GlxContext::make(x11->display, x11->window);
+        if (glx_) return;
+        if (window_) glfwDestroyWindow(window_);
+    }
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
     for (const int api : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
         glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
         window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
@@ -144,24 +184,12 @@ Window::Window(glm::ivec2 size, const std::string& title) {
     }
     if (!window_) throw NoContext(fmt::format("No window: {}.", last_error()));
     glfwMakeContextCurrent(window_);
-    try {
-        start();
-    } catch (...) {
-        glfwDestroyWindow(window_);
-        throw;
-    }
-    display_ = x11_descriptor();
-    is_wayland_ = display_ < 0;
-    if (display_ < 0) display_ = wayland_descriptor();
-    glfwSwapInterval(is_wayland_ ? 0 : 1);  // no swap is to wait for what WaylandFrames hears
-    if (is_wayland_) wayland_frames_.emplace(window_);
-    listen();
-    set_ground(window_);
 }
 
 Window::~Window() {
     forget_resampling();
     wayland_frames_.reset();
+    glx_.reset();
     glfwDestroyWindow(window_);
 }
 
@@ -262,7 +290,10 @@ std::vector<WindowEvent> Window::events(double wait_seconds, std::span<const int
 
 void Window::swap() {
     if (wayland_frames_) wayland_frames_->ask();
-    glfwSwapBuffers(window_);
+    if (glx_)
+        glx_->swap();
+    else
+        glfwSwapBuffers(window_);
 }
 
 // GLFW counts points from the top left; scenes count pixels from the bottom left.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context.h"
+#include "window/live/glx_context.h"
 #include "window/live/wayland_frames.h"
 
 #include <glm/vec2.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -83,6 +85,7 @@ public:
 private:
     const Glfw glfw_;
     GLFWwindow* window_ = nullptr;
+    std::unique_ptr<GlxContext> glx_;  // null where GLFW made the context
     std::vector<WindowEvent> events_;
     // Where the mouse was at the event in hand; GLFW tells only where it has come to since.
     glm::dvec2 cursor_{0.0};
@@ -92,6 +95,7 @@ private:
     int held_keys_ = 0;
     glm::ivec4 windowed_{0};  // position and size to return to from full screen
 
+    void make(glm::ivec2 size, const std::string& title);
     void listen();
     void take_events();
     void push(WindowEvent event) { events_.push_back(std::move(event)); }

@@ -241,6 +241,7 @@ void PlaygroundWindow::draw_frame() {
     show_picture();
     const Wishes wishes =
         panels_.update(facts(), playground_.tweaks, playground_.transport(), settings_);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     panels_.draw();
     measure_beside(clock);
     if (drawn) hold_rate();

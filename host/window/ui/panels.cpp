@@ -93,14 +93,6 @@ void add(Wishes& all, Wishes more) {
     all.quit |= more.quit;
 }
 
-void bind_screen() {
-    using BindFramebuffer = void (*)(unsigned, unsigned);
-    constexpr unsigned kFramebuffer = 0x8D40;  // GL_FRAMEBUFFER
-    static const auto bind =
-        reinterpret_cast<BindFramebuffer>(glfwGetProcAddress("glBindFramebuffer"));
-    if (bind) bind(kFramebuffer, 0);
-}
-
 }  // namespace
 
 struct Panels::State {
@@ -247,7 +239,6 @@ Wishes Panels::update(const Facts& facts, TweakValues& tweaks, const Transport& 
 
 void Panels::draw() {
     ImGui::SetCurrentContext(state_->context);
-    bind_screen();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
