@@ -207,7 +207,7 @@ void Window::SetUp() {
     fs::create_directories(memory_of_resolutions().parent_path());
     write(memory_of_resolutions(), fmt::format("full plain 1 {}\n", scene().string()));
     try {
-        screen_ = std::make_unique<Screen>(screen_size_);
+        screen_ = std::make_unique<Screen>(screen_size_, screen_has_glx_);
     } catch (const std::runtime_error& error) {
         GTEST_SKIP() << error.what();
     }

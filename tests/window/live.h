@@ -98,6 +98,7 @@ protected:
     std::unique_ptr<Folder> folder_;
     std::unique_ptr<Glint> glint_;
     glm::ivec2 screen_size_{1280, 720};
+    bool screen_has_glx_ = true;
     Environment environment_;  // added to that of glint
 };
 

@@ -75,6 +75,20 @@ TEST_F(Manners, AHeldFrameRateLowersTheResolutionAndLettingGoRestoresIt) {
     EXPECT_TRUE(shows({0, 51, 102}, {3, 300}));
 }
 
+class ScreenWithoutGlx : public Window {
+protected:
+    ScreenWithoutGlx() { screen_has_glx_ = false; }
+};
+
+TEST_F(ScreenWithoutGlx, TheWindowShowsThePictureByEgl) {
+    open(flat({200, 30, 20}));
+    EXPECT_TRUE(shows({200, 30, 20}));
+    write(scene(), flat({20, 200, 30}));
+    EXPECT_TRUE(shows({20, 200, 30}));
+    screen_->tap("Control_L+q");
+    EXPECT_EQ(glint_->wait().code, 0);
+}
+
 class LargeScreen : public Window {
 protected:
     LargeScreen() { screen_size_ = {2560, 1440}; }

@@ -82,7 +82,7 @@ bool eventually(const std::function<bool()>& is_true, double seconds) {
     return true;
 }
 
-Screen::Screen(glm::ivec2 size) : size_(size) {
+Screen::Screen(glm::ivec2 size, bool with_glx) : size_(size) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
     const std::string mode = std::to_string(size.x) + "x" + std::to_string(size.y) + "x24";
@@ -93,7 +93,8 @@ Screen::Screen(glm::ivec2 size) : size_(size) {
         ::close(ends[0]);
         if (!::freopen("/dev/null", "w", stderr)) ::_exit(127);
         ::execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", mode.c_str(),
-                 "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
+                 "-nolisten", "tcp", "-noreset", with_glx ? "+extension" : "-extension", "GLX",
+                 static_cast<char*>(nullptr));
         ::_exit(127);
     }
     ::close(ends[1]);

@@ -31,7 +31,7 @@ bool eventually(const std::function<bool()>& is_true, double seconds = kPatience
 class Screen {
 public:
     // Throws std::runtime_error when Xvfb does not start.
-    explicit Screen(glm::ivec2 size = {1280, 720});
+    explicit Screen(glm::ivec2 size = {1280, 720}, bool with_glx = true);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
