@@ -248,7 +248,7 @@ public:
     Wishes update(const Facts& facts, TweakValues& tweaks, const Transport& transport,
                   PanelSettings& settings);
 
-    // Draws what update() built over framebuffer 0.
+    // Draws what update() built over the framebuffer that is bound.
     void draw();
 
     // Draws a dot, so that the driver makes code of what panels are drawn with: to be called where
