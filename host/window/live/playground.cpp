@@ -255,7 +255,7 @@ void Playground::leave_constants() {
     renderer_ = std::move(renderer);
     forget_states();
     constants_.reset();
-    touched_ = true;
+    touched_ = begins_move_ = true;
     load_missing_inputs();  // constants may have had no use for some
 }
 

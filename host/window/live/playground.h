@@ -345,9 +345,10 @@ private:
     glm::vec4 drawn_date_{0.0f};
     Instant instant_;
     bool has_picture_ = false;
-    bool touched_ = true;   // something other than time asks for a frame
-    int extra_frames_ = 0;  // drawn since time stands
-    int frame_offset_ = 0;  // of iFrame from the frames drawn, since a replay
+    bool touched_ = true;       // something other than time asks for a frame
+    bool begins_move_ = false;  // of a slider; fed programs draw for the first time
+    int extra_frames_ = 0;      // drawn since time stands
+    int frame_offset_ = 0;      // of iFrame from the frames drawn, since a replay
     int replay_at_ = -1, replay_from_ = 0, replay_until_ = -1;  // frames; at -1: none is under way
     double replayed_seconds_ = 0.0, replay_ms_ = 0.0;           // of the scene; of the clock
     KeptStates kept_states_;

@@ -139,6 +139,7 @@ bool Playground::draw(double wall_seconds) {
     }
     renderer_->set_map_seconds(map_seconds());
     const bool drawn = renderer_->draw(frame);
+    begins_move_ = false;
     has_picture_ |= drawn;
     if (drawn) ++pictures_;
     renderer_->after_pass = nullptr;
@@ -154,13 +155,14 @@ bool Playground::draw(double wall_seconds) {
 }
 
 // A new text is shown once it is right as a whole, unless it differs by a number, which is like a
-// tweak. While one moves, the picture is to follow it; once it rests, the maps are to be whole
-// soon.
+// tweak. While one moves, the picture is to follow it, and at the first move soon; once it rests,
+// the maps are to be whole soon.
 double Playground::map_seconds() const {
-    constexpr double kWhileMoving = 0.02, kMoves = 0.15, kAtRest = 0.1;  // s
+    constexpr double kAtFirst = 0.005, kWhileMoving = 0.02, kMoves = 0.15, kAtRest = 0.1;  // s
     const bool is_other_text = reloader_.has_unseen() && reloader_.programs() != Programs::uniforms;
     if (!has_picture_ || is_other_text || replay_at_ >= 0) return 0.0;
-    return since_tweak_.ms() < 1e3 * kMoves ? kWhileMoving : kAtRest;
+    if (since_tweak_.ms() > 1e3 * kMoves) return kAtRest;
+    return begins_move_ ? kAtFirst : kWhileMoving;
 }
 
 // The trial warned of a frame of the full size; several in a row, at the size that is held, tell
